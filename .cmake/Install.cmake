@@ -1,0 +1,25 @@
+# What `cmake --install` puts in place: the libraries for find_package(cremona), the programs and what a desktop needs.
+include(CMakePackageConfigHelpers)
+set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/cremona")
+
+install(TARGETS topology femoop EXPORT cremona
+  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/cremona")
+install(EXPORT cremona NAMESPACE cremona:: FILE cremonaTargets.cmake DESTINATION "${package_folder}")
+
+set(CREMONA_HAS_CHOLMOD OFF)
+if(TARGET CHOLMOD::CHOLMOD)
+  set(CREMONA_HAS_CHOLMOD ON)
+  install(FILES .cmake/FindCHOLMOD.cmake DESTINATION "${package_folder}")
+endif()
+configure_package_config_file(.cmake/cremonaConfig.cmake.in "${PROJECT_BINARY_DIR}/cremonaConfig.cmake"
+  INSTALL_DESTINATION "${package_folder}" NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/cremonaConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/cremonaConfig.cmake" "${PROJECT_BINARY_DIR}/cremonaConfigVersion.cmake"
+  DESTINATION "${package_folder}")
+
+if(CREMONA_APPS)
+  install(TARGETS cremona frame RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  install(FILES apps/frame/cremona-frame.desktop DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
+  install(FILES apps/frame/cremona-frame.svg DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps")
+endif()

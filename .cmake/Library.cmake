@@ -1,0 +1,28 @@
+# cremona_library(NAME [LINK_PUBLIC t...] [LINK_PRIVATE t...] [PCH kind])
+# A static library, seen as NAME::NAME, whose headers are included by full path from the top of the tree.
+# Each of its folders then adds what it holds:  target_sources(NAME PRIVATE a.cpp PUBLIC FILE_SET HEADERS FILES a.h)
+function(cremona_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PCH" "LINK_PUBLIC;LINK_PRIVATE")
+  add_library(${name} STATIC)
+  add_library(${name}::${name} ALIAS ${name})
+  set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
+  target_compile_features(${name} PUBLIC cxx_std_20)
+  target_sources(${name} PUBLIC FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}")
+  target_link_libraries(${name}
+    PUBLIC ${arg_LINK_PUBLIC}
+    PRIVATE ${arg_LINK_PRIVATE} $<BUILD_INTERFACE:cremona_warnings>)
+  if(arg_PCH)
+    cremona_precompile(${name} ${arg_PCH})
+  endif()
+endfunction()
+
+# cremona_program(NAME SOURCES a.cpp... LINK t... [PCH kind])
+function(cremona_program name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PCH" "SOURCES;LINK")
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE ${arg_LINK} cremona_warnings)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
+  if(arg_PCH)
+    cremona_precompile(${name} ${arg_PCH})
+  endif()
+endfunction()

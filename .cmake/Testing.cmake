@@ -1,0 +1,25 @@
+# cremona_test(NAME name SOURCES a.cpp... LINK t... [LABELS l...])
+# A doctest program. Each TEST_CASE is a CTest test of its own, in a process of its own, labelled with its TEST_SUITE;
+# one more test, name.any_order, runs the whole program in random order.
+# Tests run in the top folder; the macro CREMONA_SOURCE_DIR names it too.
+function(cremona_test)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME" "SOURCES;LINK;LABELS")
+  set(program "test_${arg_NAME}")
+  add_executable(${program} ${arg_SOURCES})
+  target_link_libraries(${program} PRIVATE cremona_test_main ${arg_LINK} cremona_warnings)
+  target_compile_definitions(${program} PRIVATE CREMONA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  cremona_precompile(${program} test)
+
+  set(list "${CMAKE_CURRENT_BINARY_DIR}/${program}_tests.cmake")
+  add_custom_command(TARGET ${program} POST_BUILD
+    BYPRODUCTS "${list}"
+    COMMAND "${CMAKE_COMMAND}" "-Dprogram=$<TARGET_FILE:${program}>" "-Dname=${arg_NAME}" "-Dlist=${list}"
+            "-Ddirectory=${PROJECT_SOURCE_DIR}" "-Dlabels=${arg_LABELS}"
+            -P "${PROJECT_SOURCE_DIR}/.cmake/DiscoverTests.cmake"
+    VERBATIM)
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${list}")
+
+  add_test(NAME ${arg_NAME}.any_order COMMAND ${program} --order-by=rand WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
+  set_tests_properties(${arg_NAME}.any_order PROPERTIES
+    LABELS "whole;${arg_LABELS}" FAIL_REGULAR_EXPRESSION "test cases:[ ]+0 ")
+endfunction()
