@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "femoop/model/fault_kind.h"
+
+namespace femoop {
+
+enum class Severity : std::uint8_t { Error, Warning };
+
+/// One thing wrong with a model: what kind, and the words that fill its sentence.
+///
+/// The English sentence is `message(fault)`. A program that speaks another language looks up `pattern(fault.kind)`
+/// in its catalogue and fills it with `fill(translated, fault.arguments)`.
+struct Fault {
+    FaultKind kind;
+    std::vector<std::string> arguments;
+
+    friend bool operator==(const Fault&, const Fault&) = default;
+};
+
+std::string_view pattern(FaultKind kind); ///< English sentence with places {0}, {1} ... for the arguments
+Severity severity(FaultKind kind);
+
+/// An argument that lists several names: `fill` writes them as "A, B and C".
+std::string listed(const std::vector<std::string>& names);
+
+/// Puts the arguments into a pattern; `conjunction` stands before the last name of a list.
+std::string fill(std::string_view pattern, const std::vector<std::string>& arguments,
+                 std::string_view conjunction = "and");
+std::string message(const Fault& fault); ///< the English sentence
+
+/// A model that cannot be used, with every reason. `what()` is the sentences, one a line.
+class ModelError : public std::runtime_error {
+public:
+    explicit ModelError(std::vector<Fault> faults);
+    const std::vector<Fault>& faults() const { return faults_; }
+
+private:
+    std::vector<Fault> faults_;
+};
+
+} // namespace femoop

@@ -1,0 +1,161 @@
+#pragma once
+
+#include <cstdint>
+
+namespace femoop {
+
+/// Every kind of fault that a file or a model can have. Its sentence stands in fault_pattern.cpp, which says what the
+/// arguments are; the first one is the place: members[2] "BC".
+enum class FaultKind : std::uint8_t {
+    // the structure, found by the analysis
+    MechanismSwayX,       ///< {0} nodes that move along x together
+    MechanismSwayY,       ///< {0} nodes that move along y together
+    MechanismSwayZ,       ///< {0} nodes that move along z together
+    MechanismMoveX,       ///< {0} the one node that moves along x
+    MechanismMoveY,       ///< {0} the one node that moves along y
+    MechanismMoveZ,       ///< {0} the one node that moves along z
+    MechanismMoveOblique, ///< {0} nodes, {1} direction
+    MechanismTurn,        ///< {0} nodes that turn together, {1} the point they turn about
+    MechanismSpin,        ///< {0} node, {1} rotation
+    MechanismSpins,       ///< {0} nodes that only rotate
+    MechanismMixed,       ///< {0} nodes that move, each in its way
+    MechanismMemberFlies, ///< {0} member, {1} release
+    ConstraintConflict,   ///< {0} members, {1} case
+    NearlySingular,       ///< {0} condition estimate, {1} nodes
+
+    // the file
+    FileUnreadable,
+    FileUnwritable,
+    FileEmpty,
+    FileNotUtf8,
+    FileWithControlCharacter,
+
+    // the file's JSON: {0} line, {1} column, {2} what was found
+    JsonTooDeep,
+    JsonCutOff,
+    JsonOpenText,
+    JsonComment,
+    JsonSingleQuotes,
+    JsonTrailingComma,
+    JsonMissingComma,
+    JsonNotFinite,
+    JsonNumberTooLarge,
+    JsonAfterEnd,
+    JsonUnexpected,
+    RepeatedKey,
+
+    // the file's keys and values
+    WrongType,
+    UnknownKey,
+    UnknownKeyNear,
+    MissingKey,
+    UnknownFormat,
+    UnknownChoice,
+    UnknownChoiceNear,
+    WrongCoordinateCount,
+    WrongNodeCount,
+    WrongVectorSize,
+    WrongLineLoadSize,
+    BadPercentage,
+    BadMode,
+    SizeWithoutShape,
+    NoSuchNode,
+    NoSuchNodeNear,
+    NoSuchMember,
+    NoSuchMemberNear,
+    NoSuchMaterial,
+    NoSuchMaterialNear,
+    NoSuchSection,
+    NoSuchSectionNear,
+    NoSuchCase,
+    NoSuchCaseNear,
+
+    // quantities: {1} the text
+    QuantityWithoutNumber,
+    QuantityWithoutUnit,
+    QuantityWithComma,
+    QuantityBadUnit,
+    QuantityUnknownUnit,
+    QuantityUnknownUnitNear,
+    QuantityWrongDimension,
+    QuantityUnwantedUnit,
+    QuantityTooLarge,
+
+    // the parts of a model
+    EmptyId,
+    RepeatedId,
+    DanglingReference,
+    NotFinite,
+    NotPositive,
+    Negative,
+    RepeatedComponent,
+    PoissonOutOfRange,
+    CentroidOutside,
+    ShapeAndProfile,
+    ShapeSizeMissing,
+    ShapeSizeUnwanted,
+    ShapeTooThick,
+    UnknownProfile,
+    UnknownProfileNear,
+    MissingProperty,
+    IyzLeftOut,
+    RollerNotPlane,
+    AngleNotPlane,
+    FixedDofLacking,
+    SpringDofLacking,
+    SpringOnFixedDof,
+    MassDofLacking,
+    MemberWithoutMaterial,
+    MemberWithoutSection,
+    SameNodeTwice,
+    ZeroLength,
+    OffsetsEatMember,
+    OffsetSize,
+    ReleaseDofLacking,
+    EndSpringDofLacking,
+    ReleaseAndSpring,
+    HingeAndSpring,
+    TensionAndCompressionOnly,
+    FoundationOfBar,
+    OneWayMember,
+    UpNot3d,
+    UpSize,
+    UpZero,
+    UpAlongMember,
+    UnusedMaterial,
+    UnusedSection,
+    NodeWithoutMembers,
+    NoMembers,
+    CoincidentNodes,
+    MembersCross,
+    MembersOverlap,
+    MemberPassesNode,
+    MoreCrossings,
+
+    // its loads and combinations
+    LoadDofLacking,
+    LoadedNodeWithoutMembers,
+    EmptyLoad,
+    SettlementOfFreeDof,
+    MissingDensity,
+    MissingAreaForWeight,
+    PositionBeforeStart,
+    PositionBeyondEnd,
+    LoadEndsBeforeStart,
+    ProjectedLocalLoad,
+    ProjectedMoment,
+    TemperatureOfRigid,
+    MissingExpansion,
+    MissingDepth,
+    MisfitOfGrillage,
+    CombinationCircle,
+
+    // what is expected of it
+    ExpectedWithoutCase,
+    ExpectedKeyMissing,
+    ExpectedNodeAndMember,
+    ExpectedDofLacking,
+    ExpectedReactionOfFreeNode,
+};
+
+} // namespace femoop

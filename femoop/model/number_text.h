@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "femoop/model/dimension.h"
+#include "femoop/model/units.h"
+
+namespace femoop {
+
+/// The shortest decimal that reads back as the same double: 0.1, 25, 205000, 2.05e8, 8.333e-6, -0.0.
+/// It is a JSON number when `value` is finite.
+std::string number_text(double value);
+
+/// A number with the unit it is counted in, for messages: "6 m", "-25 kN/m", "0.3".
+std::string quantity_text(double value, Dimension dimension, const Units& units);
+
+} // namespace femoop
