@@ -1,0 +1,88 @@
+#include "femoop/io/model_file.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <istream>
+#include <iterator>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include "femoop/io/json_document.h"
+#include "femoop/io/model_reader.h"
+#include "femoop/model/check_parts.h"
+
+namespace femoop {
+
+namespace {
+
+bool is_error(const Fault& fault) { return severity(fault.kind) == Severity::Error; }
+
+Model sound_model(ModelReading reading)
+{
+    if (reading.is_sound()) return std::move(reading.model);
+    auto& faults = reading.faults;
+    faults.erase(std::remove_if(faults.begin(), faults.end(), [](const Fault& fault) { return !is_error(fault); }),
+                 faults.end());
+    throw ModelError(std::move(faults));
+}
+
+std::string contents(std::istream& input)
+{
+    return {std::istreambuf_iterator<char>(input), std::istreambuf_iterator<char>()};
+}
+
+Fault file_fault(FaultKind kind, const std::filesystem::path& path, std::errc reason)
+{
+    return {kind, {path.string(), std::make_error_code(reason).message()}};
+}
+
+} // namespace
+
+bool ModelReading::is_sound() const { return std::none_of(faults.begin(), faults.end(), is_error); }
+
+ModelReading examine_model(std::string_view text)
+{
+    JsonReading json = parse_json(text);
+    if (!json.document) return {{}, std::move(json.faults)};
+    ModelReader reader(json.document->root(), std::move(json.faults));
+    ModelReading reading{std::move(reader.model), reader.faults()};
+    std::vector<Fault> found = check_readable(reading.model, reader.unreadable());
+    std::move(found.begin(), found.end(), std::back_inserter(reading.faults));
+    return reading;
+}
+
+ModelReading examine_model_file(const std::filesystem::path& path)
+{
+    std::error_code unknown;
+    if (std::filesystem::is_directory(path, unknown))
+        return {{}, {file_fault(FaultKind::FileUnreadable, path, std::errc::is_a_directory)}};
+    errno = 0;
+    std::ifstream file(path, std::ios::binary);
+    const auto reason = static_cast<std::errc>(errno);
+    if (!file) return {{}, {file_fault(FaultKind::FileUnreadable, path, reason)}};
+    return examine_model(contents(file));
+}
+
+Model read_model(std::string_view text) { return sound_model(examine_model(text)); }
+Model read_model(std::istream& input) { return read_model(contents(input)); }
+Model read_model_file(const std::filesystem::path& path) { return sound_model(examine_model_file(path)); }
+
+void write_model_file(const Model& model, const std::filesystem::path& path)
+{
+    // A crash or a full disk must not cost the old file: write beside it, then rename.
+    const std::string text = write_model(model);
+    std::filesystem::path draft = path;
+    draft += ".part";
+    errno = 0;
+    std::ofstream file(draft, std::ios::binary | std::ios::trunc);
+    file << text << std::flush;
+    if (!file) throw ModelError({file_fault(FaultKind::FileUnwritable, path, static_cast<std::errc>(errno))});
+    file.close();
+    std::error_code error;
+    std::filesystem::rename(draft, path, error);
+    if (error) throw ModelError({{FaultKind::FileUnwritable, {path.string(), error.message()}}});
+}
+
+} // namespace femoop

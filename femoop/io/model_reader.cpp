@@ -1,0 +1,126 @@
+#include "femoop/io/model_reader.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "femoop/io/names.h"
+#include "femoop/model/suggestion.h"
+
+namespace femoop {
+
+namespace {
+
+constexpr double format = 1.0;
+constexpr Keys<16> file_keys{{"cremona", "analysis", "units", "nodes", "members", "title", "notes", "mass", "materials",
+                              "sections", "load_cases", "combinations", "expected", "cross", "influence", "train"},
+                             5};
+constexpr Keys<2> units_keys{{"length", "force"}, 2};
+
+} // namespace
+
+ModelReader::ModelReader(JsonValue file, std::vector<Fault> faults)
+{
+    for (Fault& fault : faults) reader_.add(std::move(fault));
+    const Place top;
+    const auto [cremona, analysis, units, nodes, members, title, notes, mass, materials, sections, load_cases,
+                combinations, expected, cross, influence, train] = reader_.fields(file, file_keys, top);
+    if (!file.is(JsonKind::Object)) {
+        unreadable_.header = true;
+        return;
+    }
+    model.title = reader_.text(title, top).value_or("");
+    model.notes = reader_.text(notes, top).value_or("");
+    read_header(cremona, analysis, units, mass);
+    read_materials(materials);
+    read_sections(sections);
+    read_nodes(nodes);
+    read_members(members);
+    cases_ = names_of(load_cases);
+    for (const auto& [name, index] : names_of(combinations)) cases_.emplace(name, load_cases.size() + index);
+    read_load_cases(load_cases);
+    read_combinations(combinations);
+    read_expected(expected);
+    keep_extra_blocks(file);
+    unreadable_.is_incomplete = reader_.n_faults() > 0;
+}
+
+void ModelReader::read_header(JsonValue cremona, JsonValue analysis, JsonValue units, JsonValue mass)
+{
+    const Place top;
+    const std::size_t before = reader_.n_faults();
+    const auto found = reader_.number(cremona, top);
+    if (found && *found != format) reader_.add({FaultKind::UnknownFormat, {compact_json(cremona)}});
+    if (const auto kind = reader_.choice(analysis, names::analyses, top))
+        model.analysis = static_cast<AnalysisKind>(*kind);
+    read_units(units);
+    unreadable_.header = reader_.n_faults() != before || !analysis.is_present() || !units.is_present();
+    if (const auto kind = reader_.choice(mass, names::masses, top)) model.mass = static_cast<MassKind>(*kind);
+}
+
+void ModelReader::read_units(JsonValue units)
+{
+    const Place top;
+    if (!reader_.is_object(units, top)) return;
+    const Place here = top.key("units");
+    const auto [length, force] = reader_.fields(units, units_keys, here);
+    if (const auto unit = reader_.choice(length, names::lengths, here))
+        model.units.length = static_cast<LengthUnit>(*unit);
+    if (const auto unit = reader_.choice(force, names::forces, here)) model.units.force = static_cast<ForceUnit>(*unit);
+    reader_.set_units(model.units);
+}
+
+void ModelReader::keep_extra_blocks(JsonValue file)
+{
+    for (const JsonValue value : file) {
+        const bool is_extra = std::find(names::extra_blocks.begin(), names::extra_blocks.end(), value.key()) !=
+                              names::extra_blocks.end();
+        if (is_extra) model.extra.push_back({std::string(value.key()), compact_json(value)});
+    }
+}
+
+std::string_view ModelReader::id_of(JsonValue entry)
+{
+    if (!entry.is(JsonKind::Object)) return {};
+    for (const JsonValue value : entry)
+        if (value.key() == "id") return value.is(JsonKind::String) ? value.text() : std::string_view();
+    return {};
+}
+
+ModelReader::NameTable ModelReader::names_of(JsonValue list)
+{
+    NameTable table;
+    if (!list.is(JsonKind::Array)) return table;
+    std::size_t i = 0;
+    for (const JsonValue entry : list) table.emplace(id_of(entry), i++);
+    table.erase(std::string_view());
+    return table;
+}
+
+std::size_t ModelReader::reference(JsonValue value, const NameTable& names, Missing missing, const Place& place)
+{
+    if (!value.is_present()) return nowhere;
+    if (!value.is(JsonKind::String)) {
+        reader_.wrong_type(value, "the id of an entry, a text", place);
+        return nowhere;
+    }
+    return lookup(value.text(), names, missing, place);
+}
+
+std::size_t ModelReader::lookup(std::string_view id, const NameTable& names, Missing missing, const Place& place)
+{
+    const auto found = names.find(id);
+    if (found != names.end()) return found->second;
+    // Comparing with every name is slow: in a file with hundreds of errors, only the first ones get a suggestion.
+    constexpr std::size_t patience = 100;
+    std::vector<std::string_view> known;
+    if (reader_.n_faults() < patience)
+        for (const auto& [name, index] : names) known.push_back(name);
+    std::sort(known.begin(), known.end());
+    auto near = nearest(id, known);
+    std::vector<std::string> details{place.text(), std::string(id)};
+    if (near) details.push_back(std::move(*near));
+    reader_.add({details.size() > 2 ? missing.near : missing.plain, std::move(details)});
+    return nowhere;
+}
+
+} // namespace femoop
