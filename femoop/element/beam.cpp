@@ -1,0 +1,223 @@
+#include "femoop/element/beam.h"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <limits>
+
+namespace femoop {
+
+Eigen::Matrix4d Beam::stiffness(double L) const
+{
+    const double shear = 12.0 * EI * shear_flexibility / (L * L);
+    const double k = EI / (L * L * L * (1.0 + shear));
+    const double a = 12.0 * k;
+    const double b = 6.0 * L * k;
+    const double near = (4.0 + shear) * L * L * k;
+    const double far = (2.0 - shear) * L * L * k;
+    Eigen::Matrix4d K;
+    K << a, b, -a, b,     //
+        b, near, -b, far, //
+        -a, -b, a, -b,    //
+        b, far, -b, near;
+    return K;
+}
+
+Beam::Series Beam::series(const State& begin, const SpanPiece& piece, BendingPlane plane, double curvature) const
+{
+    const std::size_t force = index(force_axis(plane));
+    const std::size_t moment = index(moment_axis(plane));
+    const double sign = moment_sign(plane);
+    const std::array<double, 2> q{piece.value[force], piece.slope[force]};
+    const std::array<double, 2> m{sign * piece.value[moment], sign * piece.slope[moment]};
+
+    // The beam's equations, power by power: the coefficient n + 1 of a function is that of its derivative over n + 1.
+    const std::size_t n_powers = foundation > 0.0 ? Polynomial::max_terms - 1 : 5;
+    const double flexibility = 1.0 / EI;
+    Series s;
+    double v = begin.v, phi = begin.phi, V = begin.V, M = begin.M;
+    for (std::size_t n = 0; n <= n_powers; ++n) {
+        s.v.append(v);
+        s.phi.append(phi);
+        s.V.append(V);
+        s.M.append(M);
+        const double next = 1.0 / static_cast<double>(n + 1);
+        const double dV = (n < 2 ? q[n] : 0.0) - foundation * v;
+        const double dM = V - (n < 2 ? m[n] : 0.0);
+        const double dphi = M * flexibility + (n == 0 ? curvature : 0.0);
+        const double dv = phi - V * shear_flexibility;
+        v = dv * next;
+        phi = dphi * next;
+        V = dV * next;
+        M = dM * next;
+    }
+    return s;
+}
+
+Beam::State Beam::at(double t, const State& begin, const SpanPiece& piece, BendingPlane plane, double curvature) const
+{
+    if (foundation > 0.0) return series(begin, piece, plane, curvature).at(t);
+    const std::size_t force = index(force_axis(plane));
+    const std::size_t moment = index(moment_axis(plane));
+    const double q = piece.value[force], dq = piece.slope[force];
+    const double m = moment_sign(plane) * piece.value[moment], dm = moment_sign(plane) * piece.slope[moment];
+    const double V0 = begin.V, M0 = begin.M, c = 1.0 / EI;
+    const Forces forces = forces_at(t, begin, piece, plane, curvature);
+    // V' = q, M' = V - m, phi' = M / EI + curvature, v' = phi - V / GAs, integrated once after the other
+    return {
+        .v = begin.v +
+             t * (begin.phi + t * (0.5 * curvature +
+                                   c * (0.5 * M0 + t * ((V0 - m) / 6.0 + t * ((q - dm) / 24.0 + t * dq / 120.0))))) -
+             shear_flexibility * t * (V0 + t * (0.5 * q + t * dq / 6.0)),
+        .phi = begin.phi + t * (curvature + c * (M0 + t * (0.5 * (V0 - m) + t * ((q - dm) / 6.0 + t * dq / 24.0)))),
+        .V = forces.V,
+        .M = forces.M};
+}
+
+Beam::State Beam::after_jump(State before, const std::array<double, n_local_axes>& jump, BendingPlane plane)
+{
+    before.V += jump[index(force_axis(plane))];
+    before.M -= moment_sign(plane) * jump[index(moment_axis(plane))];
+    return before;
+}
+
+Eigen::Vector4d Beam::fixed_end_forces(const SpanLoading& loading, BendingPlane plane) const
+{
+    const double L = loading.length();
+    const double curvature = plane == BendingPlane::xy ? loading.curvature() : 0.0;
+    State state; // with the first end held and the second free of its unknown forces
+    for (const SpanPiece& piece : loading.pieces())
+        state = at(piece.length(), after_jump(state, piece.jump, plane), piece, plane, curvature);
+    state = after_jump(state, loading.last_jump(), plane);
+    // The unknown V0 and M0 bring the second end back: the same force and moment that hold a clamped-clamped beam.
+    const Eigen::Vector4d moved(0.0, 0.0, -state.v, -state.phi);
+    const Eigen::Vector4d held = stiffness(L) * moved;
+    const double V0 = held[0];
+    const double M0 = -held[1];
+    return {V0, -M0, -(V0 + state.V), M0 + V0 * L + state.M};
+}
+
+Eigen::Vector2d Beam::simple_span_forces(const SpanLoading& loading, BendingPlane plane)
+{
+    const Beam stiff{.EI = std::numeric_limits<double>::infinity()};
+    State state; // of the loads alone
+    for (const SpanPiece& piece : loading.pieces())
+        state = stiff.at(piece.length(), after_jump(state, piece.jump, plane), piece, plane, 0.0);
+    state = after_jump(state, loading.last_jump(), plane);
+    const double V0 = -state.M / loading.length(); // makes the moment at the second end vanish
+    return {V0, -(V0 + state.V)};
+}
+
+double Beam::longest_piece() const
+{
+    if (foundation <= 0.0) return std::numeric_limits<double>::infinity();
+    // The largest root of lambda^4 - (k / GAs) lambda^2 + k / EI = 0 bounds how fast a solution varies.
+    const double a = 0.5 * foundation * shear_flexibility;
+    const double b = foundation / EI;
+    const double lambda2 = a * a > b ? a + std::sqrt(a * a - b) : std::sqrt(b);
+    return 1.0 / std::sqrt(lambda2);
+}
+
+namespace {
+
+/// How a piece's far end follows from its near end: (v, phi, V, M) there = A (v, phi, V, M) here + load.
+struct Transfer {
+    Eigen::Matrix4d A;
+    Eigen::Vector4d load;
+};
+
+Transfer transfer(const Beam& beam, const SpanPiece& piece, BendingPlane plane, double curvature)
+{
+    const SpanPiece bare{.begin = piece.begin, .end = piece.end};
+    const auto column = [](const Beam::State& s) { return Eigen::Vector4d(s.v, s.phi, s.V, s.M); };
+    const double h = piece.length();
+    Transfer t;
+    t.A.col(0) = column(beam.series({.v = 1.0}, bare, plane, 0.0).at(h));
+    t.A.col(1) = column(beam.series({.phi = 1.0}, bare, plane, 0.0).at(h));
+    t.A.col(2) = column(beam.series({.V = 1.0}, bare, plane, 0.0).at(h));
+    t.A.col(3) = column(beam.series({.M = 1.0}, bare, plane, 0.0).at(h));
+    t.load = column(beam.series({}, piece, plane, curvature).at(h));
+    return t;
+}
+
+struct Ends {
+    Eigen::Matrix4d K;
+    Eigen::Vector4d fixed;
+};
+
+/// The piece as a beam between two joints: its forces solved for from its displacements.
+Ends ends(const Transfer& t)
+{
+    const Eigen::Matrix2d to_force = t.A.topRightCorner<2, 2>().inverse(); // near force from far displacement
+    const Eigen::DiagonalMatrix<double, 2> near_sign(1.0, -1.0), far_sign(-1.0, 1.0);
+    const Eigen::Matrix2d near_near = -to_force * t.A.topLeftCorner<2, 2>();
+    const Eigen::Vector2d near_load = -to_force * t.load.head<2>();
+    const Eigen::Matrix2d spread = t.A.bottomRightCorner<2, 2>();
+    Ends e;
+    e.K.topLeftCorner<2, 2>() = near_sign * near_near;
+    e.K.topRightCorner<2, 2>() = near_sign * to_force;
+    e.K.bottomLeftCorner<2, 2>() = far_sign * (t.A.bottomLeftCorner<2, 2>() + spread * near_near);
+    e.K.bottomRightCorner<2, 2>() = far_sign * (spread * to_force);
+    e.K = (0.5 * (e.K + e.K.transpose())).eval();
+    e.fixed << near_sign * near_load, far_sign * (spread * near_load + t.load.tail<2>());
+    return e;
+}
+
+Eigen::Vector2d joint_load(const std::array<double, n_local_axes>& jump, BendingPlane plane)
+{
+    return {jump[index(force_axis(plane))], moment_sign(plane) * jump[index(moment_axis(plane))]};
+}
+
+} // namespace
+
+FoundationBeam::FoundationBeam(const Beam& beam, const SpanLoading& loading, BendingPlane plane, double curvature)
+    : beam_(beam), plane_(plane), curvature_(curvature), pieces_(loading.pieces())
+{
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        Ends piece = ends(transfer(beam_, pieces_[i], plane_, curvature_));
+        piece.fixed.head<2>() -= joint_load(pieces_[i].jump, plane_);
+        if (i == 0) {
+            K_ = piece.K;
+            fixed_ = piece.fixed;
+            continue;
+        }
+        // Eliminate the joint between the chain so far and this piece.
+        const Eigen::Matrix2d middle = (K_.bottomRightCorner<2, 2>() + piece.K.topLeftCorner<2, 2>()).inverse();
+        const Joint joint{.G = -middle * K_.bottomLeftCorner<2, 2>(),
+                          .H = -middle * piece.K.topRightCorner<2, 2>(),
+                          .g = -middle * (fixed_.tail<2>() + piece.fixed.head<2>())};
+        const Eigen::Matrix2d chain_to_joint = K_.topRightCorner<2, 2>();
+        const Eigen::Matrix2d piece_to_joint = piece.K.bottomLeftCorner<2, 2>();
+        Eigen::Matrix4d K;
+        K.topLeftCorner<2, 2>() = K_.topLeftCorner<2, 2>() + chain_to_joint * joint.G;
+        K.topRightCorner<2, 2>() = chain_to_joint * joint.H;
+        K.bottomLeftCorner<2, 2>() = K.topRightCorner<2, 2>().transpose();
+        K.bottomRightCorner<2, 2>() = piece.K.bottomRightCorner<2, 2>() + piece_to_joint * joint.H;
+        const Eigen::Vector2d first = fixed_.head<2>() + chain_to_joint * joint.g;
+        const Eigen::Vector2d last = piece.fixed.tail<2>() + piece_to_joint * joint.g;
+        K_ = K;
+        fixed_ << first, last;
+        joints_.push_back(joint);
+    }
+    fixed_.tail<2>() -= joint_load(loading.last_jump(), plane_);
+}
+
+std::vector<Beam::State> FoundationBeam::states(const Eigen::Vector4d& d) const
+{
+    std::vector<Eigen::Vector2d> at(pieces_.size() + 1);
+    at.front() = d.head<2>();
+    at.back() = d.tail<2>();
+    for (std::size_t i = joints_.size(); i-- > 0;)
+        at[i + 1] = joints_[i].G * at.front() + joints_[i].H * at[i + 2] + joints_[i].g;
+
+    std::vector<Beam::State> states;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        const Ends piece = ends(transfer(beam_, pieces_[i], plane_, curvature_));
+        Eigen::Vector4d between;
+        between << at[i], at[i + 1];
+        const Eigen::Vector2d near = (piece.K * between + piece.fixed).head<2>() - joint_load(pieces_[i].jump, plane_);
+        states.push_back({.v = at[i][0], .phi = at[i][1], .V = near[0], .M = -near[1]});
+    }
+    return states;
+}
+
+} // namespace femoop

@@ -1,0 +1,302 @@
+#include "femoop/element/member_element.h"
+
+#include <cstddef>
+
+namespace femoop {
+
+ActionSet elastic_actions(const MemberExtras& extras)
+{
+    if (extras.constraint == Constraint::Rigid)
+        return extras.is_bar ? ActionSet{} : ActionSet{Action::RigidOnFoundation};
+    if (extras.is_bar) return extras.constraint == Constraint::None ? ActionSet{Action::Axial} : ActionSet{};
+    if (extras.constraint == Constraint::Inextensible) return {Action::Torsion, Action::BendingXY, Action::BendingXZ};
+    return all_actions;
+}
+
+ActionSet constrained_actions(const MemberExtras& extras)
+{
+    if (extras.constraint == Constraint::None) return {};
+    if (extras.constraint == Constraint::Inextensible || extras.is_bar) return {Action::Axial};
+    return all_actions;
+}
+
+namespace {
+
+/// Where a local axis stands among a model's local displacements; -1 where the model lacks it.
+template <AnalysisKind kind> constexpr int row_of(LocalAxis axis)
+{
+    const auto& local = AnalysisModel<kind>::local;
+    for (std::size_t i = 0; i < local.size(); ++i)
+        if (local[i] == axis) return static_cast<int>(i);
+    return -1;
+}
+
+/// A model's rows for bending in one plane: deflection and slope at the first end, then at the second.
+template <AnalysisKind kind> constexpr std::array<int, 4> bending_rows(BendingPlane plane)
+{
+    const int v = row_of<kind>(force_axis(plane));
+    const int phi = row_of<kind>(moment_axis(plane));
+    const int m = MemberElement<kind>::m;
+    return {v, phi, m + v, m + phi};
+}
+
+template <AnalysisKind kind> constexpr bool bends(BendingPlane plane)
+{
+    return row_of<kind>(force_axis(plane)) >= 0 && row_of<kind>(moment_axis(plane)) >= 0;
+}
+
+/// Signs that turn a plane's (v, phi, v, phi) into displacements along the member's axes.
+std::array<double, 4> bending_signs(BendingPlane plane) { return {1.0, moment_sign(plane), 1.0, moment_sign(plane)}; }
+
+template <AnalysisKind kind, class Matrix> void add_bar(Matrix& K, LocalAxis axis, const Eigen::Matrix2d& k)
+{
+    const int a = row_of<kind>(axis);
+    const int b = MemberElement<kind>::m + a;
+    K(a, a) += k(0, 0);
+    K(a, b) += k(0, 1);
+    K(b, a) += k(1, 0);
+    K(b, b) += k(1, 1);
+}
+
+template <AnalysisKind kind, class Matrix> void add_beam(Matrix& K, BendingPlane plane, const Eigen::Matrix4d& k)
+{
+    constexpr auto xy = bending_rows<kind>(BendingPlane::xy);
+    constexpr auto xz = bending_rows<kind>(BendingPlane::xz);
+    const auto& rows = plane == BendingPlane::xy ? xy : xz;
+    const auto signs = bending_signs(plane);
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j)
+            K(rows[i], rows[j]) += signs[i] * signs[j] * k(static_cast<int>(i), static_cast<int>(j));
+}
+
+/// A displacement of a member's end along one of its axes from the degrees of freedom of its node; the rigid arm
+/// from node to end turns with the node.
+template <AnalysisKind kind>
+Eigen::Matrix<double, 1, MemberElement<kind>::n> transformation_row(LocalAxis axis, const MemberFrame& frame,
+                                                                    const Eigen::Vector3d* arm)
+{
+    Eigen::Matrix<double, 1, MemberElement<kind>::n> row;
+    const auto a = static_cast<int>(index(axis));
+    for (int j = 0; j < MemberElement<kind>::n; ++j) {
+        const auto g = static_cast<int>(index(AnalysisModel<kind>::global[static_cast<std::size_t>(j)]));
+        const bool same_kind = (a < 3) == (g < 3); // displacement from displacement, rotation from rotation
+        row[j] = same_kind ? frame.axes(a % 3, g % 3) : 0.0;
+        if (arm != nullptr && a < 3 && g >= 3) row[j] = frame.axes.row(a).dot(Eigen::Vector3d::Unit(g - 3).cross(*arm));
+    }
+    return row;
+}
+
+const Eigen::Vector3d* offset(const MemberExtras* extras, std::size_t end)
+{
+    return extras != nullptr && extras->has_offset ? &extras->offsets[end] : nullptr;
+}
+
+Eigen::Matrix4d beam_stiffness(const Beam& beam, double L, BendingPlane plane)
+{
+    if (beam.foundation <= 0.0) return beam.stiffness(L);
+    SpanLoading pieces;
+    pieces.assign(L, {}, beam.longest_piece());
+    return FoundationBeam(beam, pieces, plane, 0.0).stiffness();
+}
+
+/// A straight line on a foundation: integral of k N N^T over the length, N = (1 - x/L, 0, x/L, 0).
+Eigen::Matrix4d rigid_on_foundation(double k, double L)
+{
+    Eigen::Matrix4d K = Eigen::Matrix4d::Zero();
+    K(0, 0) = K(2, 2) = k * L / 3.0;
+    K(0, 2) = K(2, 0) = k * L / 6.0;
+    return K;
+}
+
+Eigen::Vector4d beam_forces(const Beam& beam, const SpanLoading& loading, BendingPlane plane)
+{
+    if (beam.foundation <= 0.0) return beam.fixed_end_forces(loading, plane);
+    const double curvature = plane == BendingPlane::xy ? loading.curvature() : 0.0;
+    return FoundationBeam(beam, loading, plane, curvature).fixed_end_forces();
+}
+
+} // namespace
+
+template <AnalysisKind kind>
+MemberElement<kind>::MemberElement(const MemberProperties& properties, const MemberFrame& frame,
+                                   const MemberExtras* extras, std::array<NodeAxes, 2> node_axes, ActionSet actions)
+    : properties_(properties), extras_(extras), frame_(frame), node_axes_(node_axes), actions_(actions)
+{}
+
+template <AnalysisKind kind> auto MemberElement<kind>::transformation(std::size_t end) const -> Transformation
+{
+    Transformation T;
+    for (int i = 0; i < m; ++i)
+        T.row(i) = transformation_row<kind>(AnalysisModel<kind>::local[i], frame_, offset(extras_, end));
+    return node_axes_[end] == nullptr ? T : Transformation(T * *node_axes_[end]);
+}
+
+template <AnalysisKind kind> Beam MemberElement<kind>::own_beam(BendingPlane plane) const
+{
+    Beam beam = plane == BendingPlane::xy ? properties_.xy : properties_.xz;
+    if (extras_ != nullptr && extras_->constraint == Constraint::Rigid) beam.foundation = 0.0;
+    return beam;
+}
+
+template <AnalysisKind kind> auto MemberElement<kind>::rigid_joint_stiffness() const -> LocalMatrix
+{
+    LocalMatrix K = LocalMatrix::Zero();
+    if constexpr (row_of<kind>(LocalAxis::x) >= 0)
+        if (actions_.contains(Action::Axial))
+            add_bar<kind>(K, LocalAxis::x, properties_.axial.stiffness(frame_.length));
+    if constexpr (row_of<kind>(LocalAxis::rx) >= 0)
+        if (actions_.contains(Action::Torsion))
+            add_bar<kind>(K, LocalAxis::rx, properties_.torsion.stiffness(frame_.length));
+    if constexpr (bends<kind>(BendingPlane::xy))
+        if (actions_.contains(Action::BendingXY))
+            add_beam<kind>(K, BendingPlane::xy,
+                           beam_stiffness(own_beam(BendingPlane::xy), frame_.length, BendingPlane::xy));
+    if constexpr (bends<kind>(BendingPlane::xy))
+        if (actions_.contains(Action::RigidOnFoundation) && properties_.xy.foundation > 0.0)
+            add_beam<kind>(K, BendingPlane::xy, rigid_on_foundation(properties_.xy.foundation, frame_.length));
+    if constexpr (bends<kind>(BendingPlane::xz))
+        if (actions_.contains(Action::BendingXZ))
+            add_beam<kind>(K, BendingPlane::xz,
+                           beam_stiffness(own_beam(BendingPlane::xz), frame_.length, BendingPlane::xz));
+    return K;
+}
+
+template <AnalysisKind kind>
+auto MemberElement<kind>::rigid_joint_forces(const SpanLoading& loading) const -> LocalVector
+{
+    LocalVector F = LocalVector::Zero();
+    const auto add_bar_forces = [&](const Bar& bar, LocalAxis axis, int row) {
+        const Eigen::Vector2d f = bar.fixed_end_forces(loading, axis);
+        F[row] += f[0];
+        F[m + row] += f[1];
+    };
+    const auto add_beam_forces = [&](const Beam& beam, BendingPlane plane, const std::array<int, 4>& rows) {
+        const Eigen::Vector4d f = beam_forces(beam, loading, plane);
+        const auto signs = bending_signs(plane);
+        for (std::size_t i = 0; i < 4; ++i) F[rows[i]] += signs[i] * f[static_cast<int>(i)];
+    };
+    if constexpr (row_of<kind>(LocalAxis::x) >= 0)
+        if (actions_.contains(Action::Axial))
+            add_bar_forces(properties_.axial, LocalAxis::x, row_of<kind>(LocalAxis::x));
+    if constexpr (row_of<kind>(LocalAxis::rx) >= 0)
+        if (actions_.contains(Action::Torsion))
+            add_bar_forces(properties_.torsion, LocalAxis::rx, row_of<kind>(LocalAxis::rx));
+    if constexpr (bends<kind>(BendingPlane::xy))
+        if (actions_.contains(Action::BendingXY))
+            add_beam_forces(own_beam(BendingPlane::xy), BendingPlane::xy, bending_rows<kind>(BendingPlane::xy));
+    if constexpr (bends<kind>(BendingPlane::xy))
+        if (actions_.contains(Action::RigidOnFoundation)) {
+            // An imposed curvature presses the foundation: integral of k N (curvature (x^2 - L x) / 2) over the length.
+            const double L = frame_.length;
+            const double f = -properties_.xy.foundation * loading.curvature() * L * L * L / 24.0;
+            F[row_of<kind>(LocalAxis::y)] += f;
+            F[m + row_of<kind>(LocalAxis::y)] += f;
+        }
+    if constexpr (bends<kind>(BendingPlane::xz))
+        if (actions_.contains(Action::BendingXZ))
+            add_beam_forces(own_beam(BendingPlane::xz), BendingPlane::xz, bending_rows<kind>(BendingPlane::xz));
+    return F;
+}
+
+template <AnalysisKind kind> Eigen::VectorXd MemberElement<kind>::joint_stiffness() const
+{
+    Eigen::VectorXd joints(2 * m);
+    for (std::size_t end = 0; end < 2; ++end)
+        for (int i = 0; i < m; ++i)
+            joints[static_cast<int>(end) * m + i] =
+                extras_->joints[end][index(AnalysisModel<kind>::local[static_cast<std::size_t>(i)])];
+    return joints;
+}
+
+template <AnalysisKind kind> auto MemberElement<kind>::local_stiffness() const -> LocalMatrix
+{
+    const LocalMatrix k = rigid_joint_stiffness();
+    if (!has_flexible_joint()) return k;
+    return JointCondensation(k, joint_stiffness()).stiffness();
+}
+
+template <AnalysisKind kind>
+auto MemberElement<kind>::local_fixed_end_forces(const SpanLoading& loading) const -> LocalVector
+{
+    const LocalVector f = rigid_joint_forces(loading);
+    if (!has_flexible_joint()) return f;
+    return JointCondensation(rigid_joint_stiffness(), joint_stiffness()).forces(f);
+}
+
+template <AnalysisKind kind> auto MemberElement<kind>::stiffness() const -> GlobalMatrix
+{
+    const LocalMatrix k = local_stiffness();
+    const std::array<Transformation, 2> T{transformation(0), transformation(1)};
+    GlobalMatrix K;
+    for (int i = 0; i < 2; ++i)
+        for (int j = i; j < 2; ++j) {
+            const Eigen::Matrix<double, n, n> block = T[i].transpose() * k.template block<m, m>(i * m, j * m) * T[j];
+            K.template block<n, n>(i * n, j * n) = block;
+            if (i != j) K.template block<n, n>(j * n, i * n) = block.transpose();
+        }
+    return K;
+}
+
+template <AnalysisKind kind> auto MemberElement<kind>::to_nodes(const LocalVector& local) const -> GlobalVector
+{
+    GlobalVector F;
+    F.template head<n>() = transformation(0).transpose() * local.template head<m>();
+    F.template tail<n>() = transformation(1).transpose() * local.template tail<m>();
+    return F;
+}
+
+template <AnalysisKind kind>
+auto MemberElement<kind>::fixed_end_forces(const SpanLoading& loading) const -> GlobalVector
+{
+    GlobalVector F = to_nodes(local_fixed_end_forces(loading));
+    if (is_truss(kind) || (extras_ != nullptr && extras_->is_bar)) F += simple_span_forces(loading);
+    return F;
+}
+
+template <AnalysisKind kind>
+auto MemberElement<kind>::end_displacements(const LocalVector& nodes, const LocalVector& rigid_joint_forces) const
+    -> LocalVector
+{
+    return JointCondensation(rigid_joint_stiffness(), joint_stiffness()).end_displacements(nodes, rigid_joint_forces);
+}
+
+template <AnalysisKind kind>
+std::vector<LooseEnd> MemberElement<kind>::loose_ends(const LocalVector& rigid_joint_forces) const
+{
+    std::vector<LooseEnd> found;
+    if (!has_flexible_joint()) return found;
+    const auto axis_of = [](int row) { return AnalysisModel<kind>::local[static_cast<std::size_t>(row % m)]; };
+    const JointCondensation condensation(rigid_joint_stiffness(), joint_stiffness());
+    for (const JointCondensation::Loose& loose : condensation.loose()) {
+        LooseEnd end{.end = static_cast<std::size_t>(loose.row / m), .axis = axis_of(loose.row), .mode = {}};
+        for (auto& vector : end.mode) vector.setZero();
+        for (int row = 0; row < 2 * m; ++row)
+            end.mode[static_cast<std::size_t>(row / m)][static_cast<int>(index(axis_of(row)))] = loose.mode[row];
+        end.drive = JointCondensation::drive(loose, rigid_joint_forces);
+        found.push_back(end);
+    }
+    return found;
+}
+
+template <AnalysisKind kind>
+auto MemberElement<kind>::simple_span_forces(const SpanLoading& loading) const -> GlobalVector
+{
+    GlobalVector F = GlobalVector::Zero();
+    for (const BendingPlane plane : {BendingPlane::xy, BendingPlane::xz}) {
+        const Eigen::Vector2d reactions = Beam::simple_span_forces(loading, plane);
+        for (std::size_t end = 0; end < 2; ++end) {
+            Eigen::Matrix<double, 1, n> row = transformation_row<kind>(force_axis(plane), frame_, offset(extras_, end));
+            if (node_axes_[end] != nullptr) row = (row * *node_axes_[end]).eval();
+            F.template segment<n>(static_cast<int>(end) * n) += reactions[static_cast<int>(end)] * row.transpose();
+        }
+    }
+    return F;
+}
+
+template class MemberElement<AnalysisKind::Truss2d>;
+template class MemberElement<AnalysisKind::Frame2d>;
+template class MemberElement<AnalysisKind::Grillage>;
+template class MemberElement<AnalysisKind::Truss3d>;
+template class MemberElement<AnalysisKind::Frame3d>;
+
+} // namespace femoop

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "femoop/element/analysis_model.h"
+#include "femoop/element/joint_condensation.h"
+#include "femoop/element/member_properties.h"
+#include "femoop/element/span_load.h"
+#include "femoop/result/results.h"
+
+namespace femoop {
+
+/// The ways in which a straight member resists, each on its own: what is stiffness, what is constraint.
+enum class Action : std::uint8_t {
+    Axial = 1,
+    Torsion = 2,
+    BendingXY = 4,
+    BendingXZ = 8,
+    RigidOnFoundation = 16 ///< a rigid member's foundation: all that is left of its bending
+};
+
+class ActionSet {
+public:
+    constexpr ActionSet() = default;
+    constexpr ActionSet(std::initializer_list<Action> actions)
+    {
+        for (const Action action : actions) bits_ |= static_cast<unsigned>(action);
+    }
+    constexpr bool contains(Action action) const { return (bits_ & static_cast<unsigned>(action)) != 0; }
+
+private:
+    unsigned bits_ = 0;
+};
+
+inline constexpr ActionSet all_actions{Action::Axial, Action::Torsion, Action::BendingXY, Action::BendingXZ};
+
+/// What strains this member, and what its constraint takes away.
+ActionSet elastic_actions(const MemberExtras& extras);
+ActionSet constrained_actions(const MemberExtras& extras);
+
+/// An end displacement that a member's releases leave free of all strain.
+struct LooseEnd {
+    std::size_t end;
+    LocalAxis axis;
+    std::array<Eigen::Matrix<double, 6, 1>, 2> mode; ///< motion of the member's ends, its own axes
+    double drive = 0.0;                              ///< work of the loads on it, where loads were given
+};
+
+/// A straight member of one of the five models, from its own axes to the degrees of freedom of its two nodes.
+///
+///           y'
+///      1 o--|--> x' -----------o 2     d = (end 1, end 2), each with the model's local displacements
+///
+/// Signs    nodal forces act on the member, along + local or global axes
+/// Assumes  what Bar and Beam assume; trusses and bars carry span loads to their nodes as simple beams
+/// Source   [McGuireGallagherZiemian2000, ch. 4-5]
+template <AnalysisKind kind> class MemberElement {
+public:
+    static constexpr int m = static_cast<int>(AnalysisModel<kind>::local.size());  ///< local displacements of an end
+    static constexpr int n = static_cast<int>(AnalysisModel<kind>::global.size()); ///< degrees of freedom of a node
+    using LocalMatrix = Eigen::Matrix<double, 2 * m, 2 * m>;
+    using LocalVector = Eigen::Matrix<double, 2 * m, 1>;
+    using Transformation = Eigen::Matrix<double, m, n>;
+    using GlobalMatrix = Eigen::Matrix<double, 2 * n, 2 * n>;
+    using GlobalVector = Eigen::Matrix<double, 2 * n, 1>;
+
+    /// Turns a node's displacements from its support's axes; nullptr where they are the global ones.
+    using NodeAxes = const Eigen::Matrix<double, n, n>*;
+
+    MemberElement(const MemberProperties& properties, const MemberFrame& frame, const MemberExtras* extras,
+                  std::array<NodeAxes, 2> node_axes, ActionSet actions = all_actions);
+
+    /// Stiffness in the member's axes with rigid joints.
+    LocalMatrix rigid_joint_stiffness() const;
+    /// Fixed-end forces in the member's axes with rigid joints.
+    LocalVector rigid_joint_forces(const SpanLoading& loading) const;
+
+    /// The same with releases and springs condensed.
+    LocalMatrix local_stiffness() const;
+    LocalVector local_fixed_end_forces(const SpanLoading& loading) const;
+
+    /// What the nodes feel, in the nodes' axes.
+    GlobalMatrix stiffness() const;
+    GlobalVector fixed_end_forces(const SpanLoading& loading) const;
+    /// The part of them that a truss member or a bar carries as a simple beam across its axis.
+    GlobalVector simple_span_forces(const SpanLoading& loading) const;
+
+    /// The member's own end displacements from those of its nodes, both in its axes, through flexible joints.
+    LocalVector end_displacements(const LocalVector& nodes, const LocalVector& rigid_joint_forces) const;
+
+    /// Motions of the member alone between releases that hold it nowhere.
+    std::vector<LooseEnd> loose_ends(const LocalVector& rigid_joint_forces = LocalVector::Zero()) const;
+
+    /// Displacements of an end, in the member's axes, from those of its node: local = T node, rigid arms included.
+    Transformation transformation(std::size_t end) const;
+
+private:
+    Beam own_beam(BendingPlane plane) const;
+    bool has_flexible_joint() const { return extras_ != nullptr && extras_->has_flexible_joint; }
+    Eigen::VectorXd joint_stiffness() const;
+    GlobalVector to_nodes(const LocalVector& local) const;
+
+    const MemberProperties& properties_;
+    const MemberExtras* extras_;
+    const MemberFrame& frame_;
+    std::array<NodeAxes, 2> node_axes_;
+    ActionSet actions_;
+};
+
+} // namespace femoop

@@ -1,0 +1,79 @@
+#include "femoop/element/span_load.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace femoop {
+
+void SpanLoading::assign(double L, std::span<const Scaled> terms, double longest)
+{
+    length_ = L;
+    last_jump_ = {};
+    strain_ = curvature_ = 0.0;
+    zero_ = true;
+    cut(terms, longest);
+    for (const Scaled& term : terms)
+        for (const SpanLoad& load : term.loads) add(load, term.factor);
+}
+
+SpanLoading SpanLoading::without_strain() const
+{
+    SpanLoading loading = *this;
+    loading.strain_ = loading.curvature_ = 0.0;
+    return loading;
+}
+
+void SpanLoading::cut(std::span<const Scaled> terms, double longest)
+{
+    places_.assign({0.0, length_});
+    for (const Scaled& term : terms)
+        for (const SpanLoad& load : term.loads) {
+            if (load.kind == SpanLoad::Kind::Strain) continue;
+            if (load.from > 0.0 && load.from < length_) places_.push_back(load.from);
+            if (load.kind == SpanLoad::Kind::Distributed && load.to < length_) places_.push_back(load.to);
+        }
+    if (places_.size() > 2) {
+        std::sort(places_.begin(), places_.end());
+        places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
+    }
+    pieces_.clear();
+    for (std::size_t i = 0; i + 1 < places_.size(); ++i) {
+        const double stretch = places_[i + 1] - places_[i];
+        const auto n = stretch > longest ? static_cast<std::size_t>(std::ceil(stretch / longest)) : 1;
+        for (std::size_t k = 0; k < n; ++k) {
+            const double begin = places_[i] + stretch * static_cast<double>(k) / static_cast<double>(n);
+            const double end = k + 1 == n ? places_[i + 1]
+                                          : places_[i] + stretch * static_cast<double>(k + 1) / static_cast<double>(n);
+            pieces_.push_back({.begin = begin, .end = end, .begins_at_load = k == 0});
+        }
+    }
+}
+
+void SpanLoading::add(const SpanLoad& load, double factor)
+{
+    zero_ = false;
+    const std::size_t axis = index(load.axis);
+    switch (load.kind) {
+    case SpanLoad::Kind::Strain:
+        strain_ += factor * load.start;
+        curvature_ += factor * load.end;
+        return;
+    case SpanLoad::Kind::Point:
+        if (load.from >= length_) {
+            last_jump_[axis] += factor * load.start;
+            return;
+        }
+        for (SpanPiece& piece : pieces_)
+            if (piece.begin == std::max(load.from, 0.0)) piece.jump[axis] += factor * load.start;
+        return;
+    case SpanLoad::Kind::Distributed: break;
+    }
+    const double slope = load.to > load.from ? (load.end - load.start) / (load.to - load.from) : 0.0;
+    for (SpanPiece& piece : pieces_) {
+        if (piece.begin < load.from || piece.end > load.to) continue;
+        piece.value[axis] += factor * (load.start + slope * (piece.begin - load.from));
+        piece.slope[axis] += factor * slope;
+    }
+}
+
+} // namespace femoop
