@@ -1,0 +1,196 @@
+#include "femoop/solver/ordering.h"
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "femoop/solver/cholmod_ordering.h"
+#include "femoop/solver/geometric_dissection.h"
+
+namespace femoop {
+
+namespace {
+
+constexpr std::int32_t none = -1;
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Breadth-first levels from a block: appends the blocks reached to `queue` (fewest neighbours first among those that
+/// one block discovers) and returns where the last level starts.
+std::size_t walk_levels(const BlockAdjacency& adjacency, std::int32_t root, std::vector<std::int32_t>& seen,
+                        std::int32_t mark, std::vector<std::int32_t>& queue)
+{
+    const auto degree = [&](std::int32_t block) { return adjacency.of(block).size(); };
+    std::size_t level = queue.size();
+    queue.push_back(root);
+    seen[at(root)] = mark;
+    for (std::size_t next = level, end = queue.size(); next < queue.size(); ++next) {
+        if (next == end) {
+            level = next;
+            end = queue.size();
+        }
+        const std::size_t first_found = queue.size();
+        for (const std::int32_t b : adjacency.of(queue[next]))
+            if (seen[at(b)] != mark) {
+                seen[at(b)] = mark;
+                queue.push_back(b);
+            }
+        std::sort(
+            queue.begin() + static_cast<std::ptrdiff_t>(first_found), queue.end(),
+            [&](std::int32_t a, std::int32_t b) { return degree(a) != degree(b) ? degree(a) < degree(b) : a < b; });
+    }
+    return level;
+}
+
+/// Reverse Cuthill-McKee, each connected part from a block at its far end.
+std::vector<std::int32_t> cuthill_mckee(const BlockAdjacency& adjacency)
+{
+    const std::size_t n = adjacency.n_blocks();
+    std::vector<std::int32_t> order;
+    std::vector<std::int32_t> seen(n, none);
+    order.reserve(n);
+    std::int32_t mark = 0;
+    for (std::size_t block = 0; block < n; ++block) {
+        if (seen[block] != none) continue;
+        const std::size_t first = order.size();
+        auto root = static_cast<std::int32_t>(block);
+        constexpr int passes = 3; // the far end of the far end is far enough; the last pass is the order
+        for (int pass = 0; pass < passes; ++pass) {
+            order.resize(first);
+            const std::size_t last_level = walk_levels(adjacency, root, seen, mark++, order);
+            if (pass + 1 < passes) root = order[last_level];
+        }
+    }
+    std::reverse(order.begin(), order.end());
+    return order;
+}
+
+/// Approximate minimum degree by Eigen, which takes both triangles and the diagonal.
+std::vector<std::int32_t> minimum_degree(const BlockAdjacency& adjacency)
+{
+    const auto n = static_cast<std::int32_t>(adjacency.n_blocks());
+    Eigen::SparseMatrix<double> both(n, n);
+    both.resizeNonZeros(static_cast<Eigen::Index>(adjacency.neighbours.size() + adjacency.n_blocks()));
+    std::int32_t* next = both.innerIndexPtr();
+    for (std::int32_t block = 0; block < n; ++block) {
+        *next++ = block;
+        next = std::copy(adjacency.of(block).begin(), adjacency.of(block).end(), next);
+        both.outerIndexPtr()[block + 1] = static_cast<std::int32_t>(next - both.innerIndexPtr());
+    }
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, std::int32_t> order;
+    Eigen::AMDOrdering<std::int32_t>()(both.selfadjointView<Eigen::Lower>(), order);
+    return {order.indices().data(), order.indices().data() + n};
+}
+
+std::vector<std::int32_t> inverse(const std::vector<std::int32_t>& order)
+{
+    std::vector<std::int32_t> position(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) position[at(order[i])] = static_cast<std::int32_t>(i);
+    return position;
+}
+
+/// The order with every subtree of the elimination tree contiguous, its root last; the fill stays the same.
+std::vector<std::int32_t> postordered(const std::vector<std::int32_t>& order, const std::vector<std::int32_t>& parent)
+{
+    const std::size_t n = order.size();
+    std::vector<std::int32_t> first_child(n + 1, none); // of n: the roots
+    std::vector<std::int32_t> next_sibling(n, none);
+    for (std::size_t i = n; i-- > 0;) {
+        const std::size_t p = parent[i] == none ? n : at(parent[i]);
+        next_sibling[i] = first_child[p];
+        first_child[p] = static_cast<std::int32_t>(i);
+    }
+    std::vector<std::int32_t> result;
+    result.reserve(n);
+    std::vector<std::int32_t> path;
+    for (std::int32_t root = first_child[n]; root != none; root = next_sibling[at(root)]) {
+        path.push_back(root);
+        while (!path.empty()) {
+            const std::int32_t node = path.back();
+            if (const std::int32_t child = first_child[at(node)]; child != none) {
+                first_child[at(node)] = next_sibling[at(child)];
+                path.push_back(child);
+            } else {
+                result.push_back(order[at(node)]);
+                path.pop_back();
+            }
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+std::vector<std::int32_t> elimination_tree(const BlockAdjacency& adjacency, const std::vector<std::int32_t>& order)
+{
+    const std::vector<std::int32_t> position = inverse(order);
+    std::vector<std::int32_t> parent(order.size(), none);
+    std::vector<std::int32_t> ancestor(order.size(), none);
+    for (std::size_t k = 0; k < order.size(); ++k)
+        for (const std::int32_t neighbour : adjacency.of(order[k]))
+            for (std::int32_t i = position[at(neighbour)]; i != none && i < static_cast<std::int32_t>(k);) {
+                const std::int32_t next = ancestor[at(i)];
+                ancestor[at(i)] = static_cast<std::int32_t>(k); // shortens the path for those who come later
+                if (next == none) parent[at(i)] = static_cast<std::int32_t>(k);
+                i = next;
+            }
+    return parent;
+}
+
+double elimination_cost(const BlockAdjacency& adjacency, const std::vector<std::int32_t>& order)
+{
+    const std::vector<std::int32_t> position = inverse(order);
+    const std::vector<std::int32_t> parent = elimination_tree(adjacency, order);
+    std::vector<std::int32_t> count(order.size(), 1);
+    std::vector<std::int32_t> seen_in_row(order.size(), none);
+    for (std::int32_t k = 0; k < static_cast<std::int32_t>(order.size()); ++k) {
+        seen_in_row[at(k)] = k;
+        for (const std::int32_t neighbour : adjacency.of(order[at(k)])) // row k of L: paths up the tree to k
+            for (std::int32_t i = position[at(neighbour)]; i < k && seen_in_row[at(i)] != k; i = parent[at(i)]) {
+                ++count[at(i)];
+                seen_in_row[at(i)] = k;
+            }
+    }
+    const auto add_square = [](double sum, std::int32_t c) { return sum + static_cast<double>(c) * c; };
+    return std::accumulate(count.begin(), count.end(), 0.0, add_square);
+}
+
+namespace {
+
+/// Dissection in space, checked where its first cut looks doubtful: a tower is better peeled from its ends, and
+/// positions that say little about what is joined to what make wide cuts.
+std::vector<std::int32_t> dissected(const BlockAdjacency& adjacency, std::span<const Eigen::Vector3d> positions)
+{
+    if (positions.empty()) return nested_dissection(adjacency);
+    Dissection in_space = geometric_dissection(adjacency, positions);
+    const auto n = static_cast<double>(adjacency.n_blocks());
+    const auto width = static_cast<double>(in_space.first_cut);
+    const bool is_slender = n > 2.5 * width * width;
+    const bool is_wide = width > 2.0 * std::cbrt(n * n);
+    if (!is_slender && !is_wide) return std::move(in_space.order);
+
+    std::vector<std::vector<std::int32_t>> candidates{std::move(in_space.order), minimum_degree(adjacency)};
+    if (is_wide) candidates.push_back(nested_dissection(adjacency));
+    std::erase_if(candidates, [](const auto& order) { return order.empty(); });
+    std::vector<double> costs;
+    for (const auto& order : candidates) costs.push_back(elimination_cost(adjacency, order));
+    return candidates[static_cast<std::size_t>(std::min_element(costs.begin(), costs.end()) - costs.begin())];
+}
+
+} // namespace
+
+std::vector<std::int32_t> elimination_order(const BlockAdjacency& adjacency, Ordering ordering,
+                                            std::span<const Eigen::Vector3d> positions)
+{
+    if (adjacency.n_blocks() == 0) return {};
+    if (ordering == Ordering::CuthillMcKee) return cuthill_mckee(adjacency);
+    std::vector<std::int32_t> order;
+    if (ordering == Ordering::NestedDissection) order = dissected(adjacency, positions);
+    if (order.empty()) order = minimum_degree(adjacency);
+    return postordered(order, elimination_tree(adjacency, order));
+}
+
+} // namespace femoop

@@ -1,0 +1,59 @@
+#include "femoop/solver/solver_kind.h"
+
+#include <array>
+
+#include "femoop/solver/cholmod_solver.h"
+
+namespace femoop {
+
+namespace {
+
+struct Named {
+    SolverKind kind;
+    std::string_view name;
+};
+constexpr std::array<Named, 4> named{{{SolverKind::Automatic, "automatic"},
+                                      {SolverKind::Skyline, "skyline"},
+                                      {SolverKind::Ldlt, "ldlt"},
+                                      {SolverKind::Cholmod, "cholmod"}}};
+
+} // namespace
+
+bool is_available(SolverKind kind) { return kind != SolverKind::Cholmod || has_cholmod(); }
+
+std::vector<SolverKind> available_solvers()
+{
+    std::vector<SolverKind> kinds;
+    for (const Named& each : named)
+        if (is_available(each.kind)) kinds.push_back(each.kind);
+    return kinds;
+}
+
+std::string_view name(SolverKind kind)
+{
+    for (const Named& each : named)
+        if (each.kind == kind) return each.name;
+    return {};
+}
+
+std::optional<SolverKind> solver_named(std::string_view name)
+{
+    for (const Named& each : named)
+        if (each.name == name && is_available(each.kind)) return each.kind;
+    return std::nullopt;
+}
+
+SolverKind resolve(SolverKind kind, std::size_t n_unknowns)
+{
+    if (kind != SolverKind::Automatic) return kind;
+    if (n_unknowns <= 300) return SolverKind::Skyline;
+    return has_cholmod() && n_unknowns > 1000 ? SolverKind::Cholmod : SolverKind::Ldlt;
+}
+
+Ordering preferred_ordering(SolverKind kind, std::size_t n_unknowns)
+{
+    if (kind == SolverKind::Skyline) return Ordering::CuthillMcKee;
+    return kind == SolverKind::Cholmod && n_unknowns > 20000 ? Ordering::NestedDissection : Ordering::MinimumDegree;
+}
+
+} // namespace femoop
