@@ -1,0 +1,241 @@
+#include "femoop/analysis/assembly.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace femoop {
+
+template <AnalysisKind kind>
+Assembly<kind>::Assembly(const Structure& structure, const Equations& equations)
+    : structure_(structure), equations_(equations)
+{
+    const auto is_inclined = [](const Structure::SupportRow& support) { return support.angle != 0.0; };
+    if (std::none_of(structure.supports.begin(), structure.supports.end(), is_inclined)) return;
+    for (const Structure::SupportRow& support : structure.supports) {
+        NodeMatrix axes = NodeMatrix::Identity();
+        const double c = std::cos(support.angle);
+        const double s = std::sin(support.angle);
+        axes.template topLeftCorner<2, 2>() << c, -s, s, c;
+        support_axes_.push_back(axes);
+    }
+}
+
+template <AnalysisKind kind> auto Assembly<kind>::axes_of(NodeId node) const -> const NodeMatrix*
+{
+    if (support_axes_.empty() || structure_.support_of_node[node.index] < 0) return nullptr;
+    const auto support = static_cast<std::size_t>(structure_.support_of_node[node.index]);
+    return structure_.supports[support].angle != 0.0 ? &support_axes_[support] : nullptr;
+}
+
+template <AnalysisKind kind> bool Assembly<kind>::is_constrained(MemberId member) const
+{
+    const MemberExtras* extras = structure_.extras_of(member);
+    return extras != nullptr && extras->constraint != Constraint::None;
+}
+
+template <AnalysisKind kind> auto Assembly<kind>::element(MemberId member, const MemberFrame& frame) const -> Element
+{
+    const MemberExtras* extras = structure_.extras_of(member);
+    return element_of(member, frame, extras == nullptr ? all_actions : elastic_actions(*extras));
+}
+
+template <AnalysisKind kind>
+auto Assembly<kind>::constrained_element(MemberId member, const MemberFrame& frame) const -> Element
+{
+    return element_of(member, frame, constrained_actions(*structure_.extras_of(member)));
+}
+
+template <AnalysisKind kind>
+auto Assembly<kind>::element_of(MemberId member, const MemberFrame& frame, ActionSet actions) const -> Element
+{
+    const auto& nodes = structure_.members[member.index].nodes;
+    return Element(structure_.properties_of(member), frame, structure_.extras_of(member),
+                   {axes_of(nodes[0]), axes_of(nodes[1])}, actions);
+}
+
+template <AnalysisKind kind>
+auto Assembly<kind>::node_equations(MemberId member) const -> std::array<std::int32_t, 2 * n>
+{
+    std::array<std::int32_t, 2 * n> rows;
+    const auto& nodes = structure_.members[member.index].nodes;
+    for (std::size_t end = 0; end < 2; ++end)
+        for (std::size_t i = 0; i < n; ++i) rows[end * n + i] = equations_.of(nodes[end], i);
+    return rows;
+}
+
+template <AnalysisKind kind> auto Assembly<kind>::own_ends(MemberId member, const Element& element) const -> OwnEnds
+{
+    constexpr int m = Element::m;
+    const auto nodes = node_equations(member);
+    OwnEnds own{.equations = {nodes.begin(), nodes.end()},
+                .B = Eigen::MatrixXd::Zero(2 * m, 2 * n),
+                .joints = Eigen::MatrixXd::Zero(2 * n, 2 * n)};
+    const MemberExtras& extras = *structure_.extras_of(member);
+    for (int end = 0; end < 2; ++end) {
+        const typename Element::Transformation T = element.transformation(end);
+        for (int i = 0; i < m; ++i) {
+            const LocalAxis axis = AnalysisModel<kind>::local[i];
+            const double joint = extras.joints[end][index(axis)];
+            Eigen::RowVectorXd follows = Eigen::RowVectorXd::Zero(own.B.cols());
+            for (int j = 0; j < n; ++j) follows[end * n + j] = T(i, j);
+            if (!std::isfinite(joint)) {
+                own.B.row(end * m + i) = follows;
+                continue;
+            }
+            const Eigen::Index size = own.B.cols() + 1;
+            own.equations.push_back(equations_.of_own_end(member, end, axis));
+            own.B.conservativeResizeLike(Eigen::MatrixXd::Zero(2 * m, size));
+            own.B(end * m + i, size - 1) = 1.0;
+            own.joints.conservativeResizeLike(Eigen::MatrixXd::Zero(size, size));
+            Eigen::RowVectorXd gap(size);
+            gap << -follows, 1.0;
+            own.joints += joint * gap.transpose() * gap;
+        }
+    }
+    return own;
+}
+
+template <AnalysisKind kind>
+template <class Visit>
+void Assembly<kind>::visit_member(MemberId member, Visit&& visit) const
+{
+    const MemberFrame frame = structure_.frame(member);
+    if (!is_constrained(member)) {
+        const auto rows = node_equations(member);
+        visit(std::span<const std::int32_t>(rows), element(member, frame).stiffness());
+        return;
+    }
+    const Element elastic = element(member, frame);
+    const OwnEnds own = own_ends(member, elastic);
+    const Eigen::MatrixXd K = own.B.transpose() * elastic.rigid_joint_stiffness() * own.B + own.joints;
+    visit(std::span<const std::int32_t>(own.equations), K);
+}
+
+template <AnalysisKind kind> void Assembly<kind>::add_stiffness(SparseMatrix& K) const
+{
+    const SystemPattern& pattern = equations_.pattern();
+    for (std::size_t i = 0; i < structure_.members.size(); ++i)
+        visit_member(MemberId(i),
+                     [&](std::span<const std::int32_t> rows, const auto& Ke) { pattern.add(K, i, rows, Ke); });
+    for (const Structure::SupportRow& support : structure_.supports)
+        for (std::size_t i = 0; i < n; ++i)
+            if (const std::int32_t row = equations_.of(support.node, i); row != Equations::none)
+                pattern.add_to_diagonal(K, row, support.springs[index(AnalysisModel<kind>::global[i])]);
+}
+
+template <AnalysisKind kind> SparseMatrix Assembly<kind>::constrained_stiffness() const
+{
+    SparseMatrix K = equations_.pattern().matrix();
+    for (std::size_t i = 0; i < structure_.members.size(); ++i) {
+        const MemberId member(i);
+        if (!is_constrained(member)) continue;
+        const MemberFrame frame = structure_.frame(member);
+        const Element constrained = constrained_element(member, frame);
+        const OwnEnds own = own_ends(member, constrained);
+        const Eigen::MatrixXd Ke = own.B.transpose() * constrained.rigid_joint_stiffness() * own.B;
+        equations_.pattern().add(K, i, own.equations, Ke);
+    }
+    return K;
+}
+
+template <AnalysisKind kind> std::vector<double> Assembly<kind>::settlements(const CaseLoads& loads) const
+{
+    if (loads.settlements.empty()) return {};
+    std::vector<double> moved(structure_.positions.size() * n, 0.0);
+    for (const CaseLoads::OnNode& settlement : loads.settlements)
+        for (std::size_t i = 0; i < n; ++i)
+            moved[settlement.node.index * n + i] += settlement.value[index(AnalysisModel<kind>::global[i])];
+    return moved;
+}
+
+template <AnalysisKind kind> Eigen::VectorXd Assembly<kind>::load_vector(const CaseLoads& loads) const
+{
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(equations_.n_unknowns()));
+    add_node_loads(loads, f);
+    if (!loads.first.empty()) add_member_loads(loads, f);
+    if (!loads.settlements.empty()) add_settlements(loads, f);
+    return f;
+}
+
+template <AnalysisKind kind> void Assembly<kind>::add_node_loads(const CaseLoads& loads, Eigen::VectorXd& f) const
+{
+    for (const CaseLoads::OnNode& load : loads.nodes) {
+        Eigen::Matrix<double, n, 1> value;
+        for (int i = 0; i < n; ++i)
+            value[i] = load.value[index(AnalysisModel<kind>::global[static_cast<std::size_t>(i)])];
+        if (const NodeMatrix* axes = axes_of(load.node)) value = (axes->transpose() * value).eval();
+        for (int i = 0; i < n; ++i)
+            if (const std::int32_t row = equations_.of(load.node, static_cast<std::size_t>(i)); row != Equations::none)
+                f[row] += value[i];
+    }
+}
+
+template <AnalysisKind kind> void Assembly<kind>::add_member_loads(const CaseLoads& loads, Eigen::VectorXd& f) const
+{
+    SpanLoading loading;
+    const auto subtract = [&f](const auto& rows, const auto& forces) {
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            if (rows[i] != Equations::none) f[rows[i]] -= forces[static_cast<Eigen::Index>(i)];
+    };
+    for (std::size_t i = 0; i < structure_.members.size(); ++i) {
+        const MemberId member(i);
+        if (loads.of(member).empty()) continue;
+        const MemberFrame frame = structure_.frame(member);
+        const std::array<SpanLoading::Scaled, 1> terms{{{.loads = loads.of(member)}}};
+        loading.assign(frame.length, terms, structure_.properties_of(member).xy.longest_piece());
+        if (!is_constrained(member)) {
+            subtract(node_equations(member), element(member, frame).fixed_end_forces(loading));
+            continue;
+        }
+        const MemberExtras& extras = *structure_.extras_of(member);
+        const Element elastic = element(member, frame);
+        const Element constrained = constrained_element(member, frame);
+        const OwnEnds own = own_ends(member, elastic);
+        const Eigen::VectorXd fixed = elastic.rigid_joint_forces(loading) +
+                                      constrained.rigid_joint_forces(loading.without_strain());
+        subtract(own.equations, (own.B.transpose() * fixed).eval());
+        if (extras.is_bar) subtract(node_equations(member), elastic.simple_span_forces(loading));
+    }
+}
+
+template <AnalysisKind kind> void Assembly<kind>::add_settlements(const CaseLoads& loads, Eigen::VectorXd& f) const
+{
+    const std::vector<double> moved = settlements(loads);
+    for (std::size_t i = 0; i < structure_.members.size(); ++i) {
+        const auto& nodes = structure_.members[i].nodes;
+        Eigen::Matrix<double, 2 * n, 1> u;
+        for (int row = 0; row < 2 * n; ++row) {
+            const NodeId node = nodes[static_cast<std::size_t>(row / n)];
+            const auto dof = static_cast<std::size_t>(row % n);
+            u[row] = equations_.of(node, dof) == Equations::none ? moved[node.index * n + dof] : 0.0;
+        }
+        if (u.isZero(0.0)) continue;
+        visit_member(MemberId(i), [&](std::span<const std::int32_t> rows, const auto& K) {
+            const Eigen::VectorXd forces = K.leftCols(2 * n) * u;
+            for (std::size_t row = 0; row < rows.size(); ++row)
+                if (rows[row] != Equations::none) f[rows[row]] -= forces[static_cast<Eigen::Index>(row)];
+        });
+    }
+    for (const Structure::SupportRow& support : structure_.supports)
+        for (std::size_t i = 0; i < n; ++i)
+            if (const std::int32_t row = equations_.of(support.node, i); row != Equations::none)
+                f[row] += support.springs[index(AnalysisModel<kind>::global[i])] * moved[support.node.index * n + i];
+}
+
+template <AnalysisKind kind> void Assembly<kind>::to_global(std::vector<double>& displacements) const
+{
+    for (std::size_t s = 0; s < support_axes_.size(); ++s) {
+        const NodeId node = structure_.supports[s].node;
+        Eigen::Map<Eigen::Matrix<double, n, 1>> u(displacements.data() + node.index * n);
+        u = (support_axes_[s] * u).eval();
+    }
+}
+
+template class Assembly<AnalysisKind::Truss2d>;
+template class Assembly<AnalysisKind::Frame2d>;
+template class Assembly<AnalysisKind::Grillage>;
+template class Assembly<AnalysisKind::Truss3d>;
+template class Assembly<AnalysisKind::Frame3d>;
+
+} // namespace femoop

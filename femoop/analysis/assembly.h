@@ -1,0 +1,73 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "femoop/analysis/equations.h"
+#include "femoop/analysis/structure.h"
+#include "femoop/element/member_element.h"
+
+namespace femoop {
+
+/// Builds the system of equations of a structure, member by member, in one of the five models.
+///
+/// A node's displacements are in the axes of its support. Members with a constraint bring their elastic part here;
+/// what the constraint does is in femoop/analysis/constraints.h.
+template <AnalysisKind kind> class Assembly {
+public:
+    using Element = MemberElement<kind>;
+    static constexpr int n = Element::n;
+    using NodeMatrix = Eigen::Matrix<double, n, n>;
+
+    Assembly(const Structure& structure, const Equations& equations);
+
+    /// A member's element with what strains it, to be used while the frame lives.
+    Element element(MemberId member, const MemberFrame& frame) const;
+    /// The same with what its constraint takes from it. \pre the member has a constraint
+    Element constrained_element(MemberId member, const MemberFrame& frame) const;
+
+    /// The equations of a member's nodes, [2n]; Equations::none where a displacement is prescribed.
+    std::array<std::int32_t, 2 * n> node_equations(MemberId member) const;
+
+    /// A constrained member's end displacements, local = B x, over its node_equations and then its own ends.
+    struct OwnEnds {
+        std::vector<std::int32_t> equations;
+        Eigen::MatrixXd B;
+        Eigen::MatrixXd joints; ///< stiffness of its springs between node and own end, over x
+    };
+    OwnEnds own_ends(MemberId member, const Element& element) const;
+
+    /// Adds every member's elastic stiffness and every support spring to K, which has the equations' pattern.
+    void add_stiffness(SparseMatrix& K) const;
+
+    /// Own stiffness of what constraints take from members, over all unknowns; zero where there is no constraint.
+    SparseMatrix constrained_stiffness() const;
+
+    /// Forces on the unknowns from loads, fixed ends, settlements and grounds of springs that moved.
+    Eigen::VectorXd load_vector(const CaseLoads& loads) const;
+
+    /// Displacements of blocked and grounds of sprung degrees of freedom, node axes, every node; empty when none moves.
+    std::vector<double> settlements(const CaseLoads& loads) const;
+
+    /// Turns all node displacements from node axes to global ones.
+    void to_global(std::vector<double>& displacements) const;
+
+private:
+    bool is_constrained(MemberId member) const;
+    Element element_of(MemberId member, const MemberFrame& frame, ActionSet actions) const;
+    const NodeMatrix* axes_of(NodeId node) const;
+    void add_node_loads(const CaseLoads& loads, Eigen::VectorXd& f) const;
+    void add_member_loads(const CaseLoads& loads, Eigen::VectorXd& f) const;
+    void add_settlements(const CaseLoads& loads, Eigen::VectorXd& f) const;
+    template <class Visit> void visit_member(MemberId member, Visit&& visit) const;
+
+    const Structure& structure_;
+    const Equations& equations_;
+    std::vector<NodeMatrix> support_axes_; ///< parallel to supports; empty when none is inclined
+};
+
+} // namespace femoop

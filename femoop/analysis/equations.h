@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "femoop/analysis/structure.h"
+#include "femoop/solver/ordering.h"
+#include "femoop/solver/system_pattern.h"
+
+namespace femoop {
+
+/// Which displacements are unknown, and the number of each one's equation, in the order of elimination.
+///
+/// A node's displacements are counted in the axes of its support. Members whose strains a constraint takes away and
+/// whose joints are flexible have ends of their own: one more unknown for each flexible joint. Nodes come first as
+/// blocks of the system, then such members; every member is a clique.
+class Equations {
+public:
+    static constexpr std::int32_t none = SystemPattern::none;
+
+    Equations(const Structure& structure, Ordering ordering);
+
+    const SystemPattern& pattern() const { return pattern_; }
+    std::size_t n_unknowns() const { return pattern_.n_equations(); }
+
+    /// Of displacement i (in the model's order) of a node; none where a support blocks it or no member meets the node.
+    std::int32_t of(NodeId node, std::size_t i) const { return of_node_[node.index * dofs_per_node_ + i]; }
+
+    /// Of a member's own end, per local axis; none where the joint is rigid.
+    std::int32_t of_own_end(MemberId member, std::size_t end, LocalAxis axis) const;
+
+    /// Index of each member's 12 own ends, or -1; empty when no member has any.
+    const std::vector<std::int32_t>& own_end_of() const { return own_end_of_; }
+    std::size_t n_own_ends() const { return of_own_end_.size(); }
+    std::int32_t own_end(std::size_t i) const { return of_own_end_[i]; }
+
+private:
+    std::size_t dofs_per_node_;
+    std::vector<std::int32_t> own_end_of_;
+    SystemPattern pattern_;
+    std::vector<std::int32_t> of_node_;
+    std::vector<std::int32_t> of_own_end_;
+};
+
+/// The displacements of a node that a model counts, in its order.
+std::span<const Dof> model_dofs(AnalysisKind kind);
+
+} // namespace femoop

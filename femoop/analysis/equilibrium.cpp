@@ -1,0 +1,243 @@
+#include "femoop/analysis/equilibrium.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "femoop/analysis/equations.h"
+
+namespace femoop {
+
+namespace {
+
+/// A force and a moment, about the origin.
+struct Wrench {
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+
+    void add(const Eigen::Vector3d& F, const Eigen::Vector3d& M, const Eigen::Vector3d& at)
+    {
+        force += F;
+        moment += M + at.cross(F);
+    }
+    NodeVector vector() const { return {force[0], force[1], force[2], moment[0], moment[1], moment[2]}; }
+};
+
+Eigen::Vector3d forces(const NodeVector& v) { return {v[0], v[1], v[2]}; }
+Eigen::Vector3d moments(const NodeVector& v) { return {v[3], v[4], v[5]}; }
+
+/// The loads of a member in its own axes, about its first end.
+Wrench local_sum(std::span<const SpanLoad> loads)
+{
+    Wrench sum;
+    for (const SpanLoad& load : loads) {
+        if (load.kind == SpanLoad::Kind::Strain) continue;
+        const auto axis = static_cast<int>(index(load.axis));
+        double total = load.start;
+        double at = load.from;
+        if (load.kind == SpanLoad::Kind::Distributed) {
+            const double length = load.to - load.from;
+            total = 0.5 * (load.start + load.end) * length;
+            const double first_moment = length * length * (load.start + 2.0 * load.end) / 6.0; // about `from`
+            if (axis < 3) {
+                sum.add(total * Eigen::Vector3d::Unit(axis), Eigen::Vector3d::Zero(), {load.from, 0.0, 0.0});
+                sum.moment += Eigen::Vector3d::UnitX().cross(first_moment * Eigen::Vector3d::Unit(axis));
+                continue;
+            }
+        }
+        if (axis < 3) sum.add(total * Eigen::Vector3d::Unit(axis), Eigen::Vector3d::Zero(), {at, 0.0, 0.0});
+        else sum.moment += total * Eigen::Vector3d::Unit(axis - 3);
+    }
+    return sum;
+}
+
+/// Moments that a plane model or a grillage does not know are no part of its sums.
+NodeVector known(const Wrench& wrench, AnalysisKind kind)
+{
+    NodeVector v = wrench.vector();
+    DofSet kept = dofs(kind);
+    if (kind == AnalysisKind::Truss2d) kept.insert(Dof::rz);
+    if (kind == AnalysisKind::Truss3d) kept = dofs(AnalysisKind::Frame3d);
+    for (const Dof dof : all_dofs)
+        if (!kept.contains(dof)) v[index(dof)] = 0.0;
+    return v;
+}
+
+/// What one member does to its nodes, and what its foundation does to it, in one load case.
+class Equilibrist {
+public:
+    Equilibrist(detail::Solution& solution, std::size_t load_case)
+        : solution_(solution),
+          structure_(*solution.structure),
+          case_(load_case),
+          loads_(solution.loads[load_case]),
+          result_(solution.solutions[load_case])
+    {}
+
+    void run()
+    {
+        result_.reactions.assign(structure_.supports.size(), NodeVector{});
+        for (std::size_t i = 0; i < structure_.members.size(); ++i) add_member(MemberId(i));
+        add_node_loads();
+        for (std::size_t s = 0; s < structure_.supports.size(); ++s) finish(s);
+        result_.equilibrium.sum_loads = known(sum_of_loads_, structure_.kind);
+        result_.equilibrium.sum_reactions = known(sum_of_reactions_, structure_.kind);
+    }
+
+private:
+    void add_member(MemberId member)
+    {
+        const auto& nodes = structure_.members[member.index].nodes;
+        const std::span<const SpanLoad> span_loads = loads_.of(member);
+        const bool at_support = structure_.support_of_node[nodes[0].index] >= 0 ||
+                                structure_.support_of_node[nodes[1].index] >= 0;
+        const bool on_foundation = structure_.properties_of(member).xy.foundation > 0.0;
+        if (span_loads.empty() && !at_support && !on_foundation) return;
+        const MemberFrame frame = structure_.frame(member);
+        const Eigen::Matrix3d to_global = frame.axes.transpose();
+        Wrench load;
+        if (!span_loads.empty()) {
+            const Wrench local = local_sum(span_loads);
+            load.add(to_global * local.force, to_global * local.moment, frame.start);
+            sum_of_loads_.force += load.force;
+            sum_of_loads_.moment += load.moment;
+        }
+        if (!at_support && !on_foundation) return;
+
+        const detail::EndVectors p = detail::end_forces(solution_, case_, member);
+        Wrench ends;
+        for (std::size_t end = 0; end < 2; ++end) {
+            const Eigen::Vector3d F = to_global * p[end].head<3>();
+            const Eigen::Vector3d M = to_global * p[end].tail<3>();
+            const Eigen::Vector3d& place = end == 0 ? frame.start : frame.end;
+            ends.add(F, M, place);
+            const std::int32_t support = structure_.support_of_node[nodes[end].index];
+            if (support < 0) continue;
+            const Eigen::Vector3d arm = place - structure_.positions[nodes[end].index];
+            add(result_.reactions[static_cast<std::size_t>(support)], F, M + arm.cross(F));
+        }
+        if (on_foundation) { // what neither the ends nor the loads balance, the foundation does
+            sum_of_reactions_.force -= ends.force + load.force;
+            sum_of_reactions_.moment -= ends.moment + load.moment;
+        }
+    }
+
+    void add_node_loads()
+    {
+        for (const CaseLoads::OnNode& load : loads_.nodes) {
+            sum_of_loads_.add(forces(load.value), moments(load.value), structure_.positions[load.node.index]);
+            const std::int32_t support = structure_.support_of_node[load.node.index];
+            if (support >= 0)
+                add(result_.reactions[static_cast<std::size_t>(support)], -forces(load.value), -moments(load.value));
+        }
+    }
+
+    static void add(NodeVector& sum, const Eigen::Vector3d& F, const Eigen::Vector3d& M)
+    {
+        for (std::size_t i = 0; i < 3; ++i) {
+            sum[i] += F[static_cast<int>(i)];
+            sum[3 + i] += M[static_cast<int>(i)];
+        }
+    }
+
+    /// Keeps what the support can do along its own axes: the rest is the node's residual.
+    void finish(std::size_t s)
+    {
+        const Structure::SupportRow& support = structure_.supports[s];
+        NodeVector& reaction = result_.reactions[s];
+        const double c = std::cos(support.angle);
+        const double si = std::sin(support.angle);
+        const auto turn = [&](double sine) {
+            const double x = reaction[0];
+            const double y = reaction[1];
+            reaction[0] = c * x - sine * y;
+            reaction[1] = sine * x + c * y;
+        };
+        if (support.angle != 0.0) turn(-si);
+        for (const Dof dof : all_dofs)
+            if (!support.blocked.contains(dof) && support.springs[index(dof)] == 0.0) reaction[index(dof)] = 0.0;
+        if (support.angle != 0.0) turn(si);
+        sum_of_reactions_.add(forces(reaction), moments(reaction), structure_.positions[support.node.index]);
+    }
+
+    detail::Solution& solution_;
+    const Structure& structure_;
+    std::size_t case_;
+    const CaseLoads& loads_;
+    detail::CaseSolution& result_;
+    Wrench sum_of_loads_, sum_of_reactions_;
+};
+
+/// How many independent section forces a member has: its actions, less what its releases take.
+int member_forces(const MemberExtras* extras, AnalysisKind kind)
+{
+    if (is_truss(kind) || (extras != nullptr && extras->is_bar)) {
+        const bool slides = extras != nullptr && (extras->joints[0][0] == 0.0 || extras->joints[1][0] == 0.0);
+        return slides ? 0 : 1;
+    }
+    const auto n_released = [&](std::initializer_list<LocalAxis> axes) {
+        int n = 0;
+        if (extras == nullptr) return n;
+        for (const JointStiffness& joints : extras->joints)
+            for (const LocalAxis axis : axes) n += joints[index(axis)] == 0.0 ? 1 : 0;
+        return n;
+    };
+    const int axial = std::max(0, 1 - n_released({LocalAxis::x}));
+    const int torsion = std::max(0, 1 - n_released({LocalAxis::rx}));
+    const int xy = std::max(0, 2 - n_released({LocalAxis::y, LocalAxis::rz}));
+    const int xz = std::max(0, 2 - n_released({LocalAxis::z, LocalAxis::ry}));
+    switch (kind) {
+    case AnalysisKind::Frame2d: return axial + xy;
+    case AnalysisKind::Grillage: return torsion + xy;
+    default: return axial + torsion + xy + xz;
+    }
+}
+
+/// The number of separate pieces that members join nodes to; nodes without members do not count.
+int n_components(const Structure& structure)
+{
+    std::vector<std::uint32_t> root(structure.positions.size());
+    std::iota(root.begin(), root.end(), 0U);
+    const auto find = [&](std::uint32_t i) {
+        while (root[i] != i) i = root[i] = root[root[i]];
+        return i;
+    };
+    for (const Structure::MemberRow& member : structure.members)
+        root[find(member.nodes[0].index)] = find(member.nodes[1].index);
+    int n = 0;
+    for (std::uint32_t i = 0; i < root.size(); ++i) n += structure.is_attached[i] && find(i) == i ? 1 : 0;
+    return n;
+}
+
+} // namespace
+
+void add_reactions(detail::Solution& solution)
+{
+    for (std::size_t c = 0; c < solution.solutions.size(); ++c) Equilibrist(solution, c).run();
+}
+
+Indeterminacy count_indeterminacy(const Structure& structure, std::size_t n_held_rotations)
+{
+    Indeterminacy count;
+    const auto n_node_dofs = static_cast<int>(model_dofs(structure.kind).size());
+    int forces = 0;
+    for (std::size_t i = 0; i < structure.members.size(); ++i) {
+        forces += member_forces(structure.extras_of(MemberId(i)), structure.kind);
+        count.has_foundation |= structure.properties_of(MemberId(i)).xy.foundation > 0.0;
+    }
+    int reactions = 0;
+    for (const Structure::SupportRow& support : structure.supports) {
+        if (!structure.is_attached[support.node.index]) continue;
+        reactions += support.blocked.size();
+        for (const double k : support.springs) reactions += k > 0.0 ? 1 : 0;
+    }
+    int equations = -static_cast<int>(n_held_rotations);
+    for (const bool is_attached : structure.is_attached) equations += is_attached ? n_node_dofs : 0;
+    const int rigid_motions = is_3d(structure.kind) ? 6 : 3;
+    count.external = reactions - rigid_motions * n_components(structure);
+    count.internal = forces + reactions - equations - count.external;
+    return count;
+}
+
+} // namespace femoop

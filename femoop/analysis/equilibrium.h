@@ -1,0 +1,13 @@
+#pragma once
+
+#include "femoop/result/solution.h"
+
+namespace femoop {
+
+/// Fills in reactions and the sums of loads and reactions of every load case, from the forces at members' ends.
+void add_reactions(detail::Solution& solution);
+
+/// Counts unknown forces less equations of equilibrium. \pre the structure is no mechanism
+Indeterminacy count_indeterminacy(const Structure& structure, std::size_t n_held_rotations);
+
+} // namespace femoop

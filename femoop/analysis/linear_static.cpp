@@ -1,0 +1,369 @@
+#include "femoop/analysis/linear_static.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "femoop/analysis/assembly.h"
+#include "femoop/analysis/constraints.h"
+#include "femoop/analysis/equilibrium.h"
+#include "femoop/analysis/idle_rotation.h"
+#include "femoop/analysis/mechanism_words.h"
+#include "femoop/model/check.h"
+#include "femoop/result/solution.h"
+#include "femoop/solver/null_modes.h"
+#include "femoop/solver/symmetric_solver.h"
+
+namespace femoop {
+
+namespace {
+
+constexpr double doubtful_pivot = 1e-11;    // of the diagonal: a smaller one may be rounding alone
+constexpr double zero_eigenvalue = 1e-14;   // of the scaled K: a free motion leaves less
+constexpr Eigen::Index most_modes = 100;    // to look for in a structure that moves in many ways
+constexpr Eigen::Index most_described = 12; // of them: who reads more sentences than that?
+
+/// Seconds since it was last asked.
+class Stopwatch {
+public:
+    double lap()
+    {
+        const auto now = std::chrono::steady_clock::now();
+        const std::chrono::duration<double> passed = now - last_;
+        last_ = now;
+        return passed.count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+std::size_t n_displacements(const Structure& structure)
+{
+    return structure.positions.size() * model_dofs(structure.kind).size();
+}
+
+} // namespace
+
+/// The analysis of one structure, whatever the model.
+struct LinearStatic::Parts {
+    Parts(std::shared_ptr<const Structure> s, SolverKind solver)
+        : structure(std::move(s)),
+          kind_of_solver(solver),
+          equations(*structure, preferred_ordering(solver, n_displacements(*structure)))
+    {
+        statistics.order = watch.lap();
+    }
+    virtual ~Parts() = default;
+    Parts(const Parts&) = delete;
+    Parts& operator=(const Parts&) = delete;
+    virtual std::vector<detail::CaseSolution> solve(const Model& model, const std::vector<CaseLoads>& loads) = 0;
+    virtual std::size_t n_held() const = 0; ///< rotations that no member takes part in
+
+    Stopwatch watch;
+    std::shared_ptr<const Structure> structure;
+    SolverKind kind_of_solver;
+    Equations equations;
+    AnalysisStatistics statistics;
+    std::vector<Fault> warnings;
+};
+
+namespace {
+
+template <AnalysisKind kind> class System final : public LinearStatic::Parts {
+public:
+    System(const Model& model, std::shared_ptr<const Structure> s, SolverKind solver)
+        : Parts(std::move(s), solver), assembly_(*structure, equations)
+    {
+        watch.lap();
+        assemble();
+        refuse_loose_members(model);
+        statistics.assemble = watch.lap();
+        factor(model);
+        statistics.factor += watch.lap();
+    }
+
+    std::vector<detail::CaseSolution> solve(const Model& model, const std::vector<CaseLoads>& loads) override
+    {
+        watch.lap();
+        const auto n_cases = static_cast<Eigen::Index>(loads.size());
+        Eigen::MatrixXd F(static_cast<Eigen::Index>(equations.n_unknowns()), n_cases);
+        for (Eigen::Index c = 0; c < n_cases; ++c) F.col(c) = assembly_.load_vector(loads[static_cast<std::size_t>(c)]);
+        statistics.assemble += watch.lap();
+        refuse_driven_spins(model, F, held_);
+        refuse_driven_twists(model, loads);
+        Eigen::MatrixXd X = F;
+        Eigen::MatrixXd Z;
+        if (!structure->has_constraints) {
+            if (F.rows() > 0) X = solver_->solve(F);
+        } else {
+            solve_constrained(model, loads, F, X, Z);
+        }
+        Eigen::MatrixXd residual = F - K_.selfadjointView<Eigen::Lower>() * X;
+        if (structure->has_constraints) residual -= K_constrained_.selfadjointView<Eigen::Lower>() * Z;
+        statistics.solve = watch.lap();
+
+        std::vector<detail::CaseSolution> solutions;
+        for (Eigen::Index c = 0; c < n_cases; ++c) {
+            const CaseLoads& case_loads = loads[static_cast<std::size_t>(c)];
+            detail::CaseSolution solution;
+            solution.displacements = node_displacements(X.col(c), assembly_.settlements(case_loads));
+            solution.own_ends = own_ends(X.col(c));
+            if (structure->has_constraints) {
+                solution.constraint_displacements = node_displacements(Z.col(c), {});
+                solution.constraint_own_ends = own_ends(Z.col(c));
+            }
+            const double largest = F.rows() > 0 ? F.col(c).cwiseAbs().maxCoeff() : 0.0;
+            const double error = residual.rows() > 0 ? residual.col(c).cwiseAbs().maxCoeff() : 0.0;
+            solution.equilibrium.residual = largest > 0.0 ? error / largest : 0.0;
+            solutions.push_back(std::move(solution));
+        }
+        return solutions;
+    }
+
+    std::size_t n_held() const override { return held_.size(); }
+
+private:
+    static constexpr int n = Assembly<kind>::n;
+
+    void assemble()
+    {
+        K_ = equations.pattern().matrix();
+        assembly_.add_stiffness(K_);
+        held_ = hold_idle_rotations(*structure, equations, K_);
+        if (!structure->has_constraints) return;
+        const std::vector<ConstraintRow> rows = constraint_rows<kind>(*structure, assembly_, {});
+        const Elimination elimination = eliminate(rows, equations.n_unknowns(), 0, row_scale());
+        T_ = elimination.T;
+        dependent_ = elimination.dependent;
+        K_constrained_ = assembly_.constrained_stiffness();
+    }
+
+    /// A rotation counts as the displacement that it gives over a typical member.
+    Eigen::VectorXd row_scale() const
+    {
+        Eigen::VectorXd scale = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(equations.n_unknowns()));
+        double length = 0.0;
+        for (std::size_t i = 0; i < structure->members.size(); ++i) length += structure->frame(MemberId(i)).length;
+        const double rotation_scale = static_cast<double>(structure->members.size()) / length;
+        for (std::size_t node = 0; node < structure->positions.size(); ++node)
+            for (std::size_t i = 0; i < n; ++i)
+                if (index(AnalysisModel<kind>::global[i]) >= 3)
+                    if (const std::int32_t row = equations.of(NodeId(node), i); row != Equations::none)
+                        scale[row] = rotation_scale;
+        for (std::size_t i = 0; i < equations.n_own_ends(); ++i)
+            if (i % n_local_axes >= 3 && equations.own_end(i) != Equations::none)
+                scale[equations.own_end(i)] = rotation_scale;
+        return scale;
+    }
+
+    void factor(const Model& model)
+    {
+        if (structure->has_constraints) factor_constrained(model);
+        else if (K_.rows() > 0) {
+            solver_->analyse(equations.pattern());
+            statistics.order += watch.lap();
+            factorize(model, K_);
+        }
+    }
+
+    void factor_constrained(const Model& model)
+    {
+        const SparseMatrix elastic = K_.template selfadjointView<Eigen::Lower>();
+        const SparseMatrix reduced =
+            SparseMatrix(T_.transpose() * elastic * T_).template triangularView<Eigen::Lower>();
+        if (reduced.rows() > 0) {
+            solver_->analyse(reduced);
+            statistics.order += watch.lap();
+            factorize(model, reduced);
+        }
+        if (dependent_.empty()) return;
+        std::vector<Eigen::Triplet<double>> pick;
+        for (std::size_t i = 0; i < dependent_.size(); ++i) pick.emplace_back(dependent_[i], static_cast<int>(i), 1.0);
+        S_.resize(K_.rows(), static_cast<Eigen::Index>(dependent_.size()));
+        S_.setFromTriplets(pick.begin(), pick.end());
+        const SparseMatrix own = K_constrained_.template selfadjointView<Eigen::Lower>();
+        const SparseMatrix picked = SparseMatrix(S_.transpose() * own * S_).template triangularView<Eigen::Lower>();
+        constraint_solver_->analyse(picked);
+        constraint_solver_->factorize(picked);
+    }
+
+    void factorize(const Model& model, const SparseMatrix& K)
+    {
+        statistics.dofs = static_cast<std::size_t>(K.rows());
+        statistics.nonzeros = static_cast<std::size_t>(K.nonZeros());
+        statistics.solver = solver_->name();
+        const Pivots pivots = solver_->factorize(K);
+        statistics.factor_nonzeros = solver_->factor_nonzeros();
+        if (pivots.is_positive_definite && pivots.smallest_ratio > doubtful_pivot) return;
+        const NullModes free = null_modes(K, zero_eigenvalue, most_modes);
+        if (free.is_singular()) refuse(model, free.modes);
+        const Eigen::VectorXd softest = all_unknowns(free.softest);
+        warnings.push_back(nearly_singular_fault(model, free.condition, node_displacements(softest, {}), n));
+    }
+
+    /// From the unknowns that constraints leave independent.
+    Eigen::VectorXd all_unknowns(const Eigen::VectorXd& independent) const
+    {
+        return structure->has_constraints ? Eigen::VectorXd(T_ * independent) : independent;
+    }
+
+    void solve_constrained(const Model& model, const std::vector<CaseLoads>& loads, const Eigen::MatrixXd& F,
+                           Eigen::MatrixXd& X, Eigen::MatrixXd& Z)
+    {
+        const std::vector<ConstraintRow> rows = constraint_rows<kind>(*structure, assembly_, loads);
+        const Elimination elimination = eliminate(rows, equations.n_unknowns(), loads.size(), row_scale());
+        refuse(model, elimination.conflicts);
+        const auto K = K_.template selfadjointView<Eigen::Lower>();
+        const Eigen::MatrixXd load = T_.transpose() * (F - K * elimination.x0);
+        X = elimination.x0;
+        if (T_.cols() > 0) X += T_ * solver_->solve(load);
+        Z = Eigen::MatrixXd::Zero(F.rows(), F.cols());
+        if (dependent_.empty()) return;
+        const Eigen::MatrixXd out_of_balance = F - K * X;
+        Z = S_ * constraint_solver_->solve(S_.transpose() * out_of_balance);
+    }
+
+    std::vector<double> node_displacements(const Eigen::VectorXd& x, const std::vector<double>& settlements) const
+    {
+        std::vector<double> u(structure->positions.size() * n, 0.0);
+        for (std::size_t node = 0; node < structure->positions.size(); ++node)
+            for (std::size_t i = 0; i < n; ++i) {
+                const std::int32_t row = equations.of(NodeId(node), i);
+                if (row != Equations::none) u[node * n + i] = x[row];
+                else if (!settlements.empty()) u[node * n + i] = settlements[node * n + i];
+            }
+        assembly_.to_global(u);
+        return u;
+    }
+
+    std::vector<double> own_ends(const Eigen::VectorXd& x) const
+    {
+        std::vector<double> ends(equations.n_own_ends(), 0.0);
+        for (std::size_t i = 0; i < ends.size(); ++i)
+            if (const std::int32_t row = equations.own_end(i); row != Equations::none) ends[i] = x[row];
+        return ends;
+    }
+
+    /// Modes of the reduced system as motions of all nodes, and of members' own ends.
+    void refuse(const Model& model, const Eigen::MatrixXd& modes) const
+    {
+        std::vector<detail::CaseSolution> motions;
+        const Eigen::Index n_described = std::min(modes.cols(), most_described);
+        for (Eigen::Index i = 0; i < n_described; ++i) {
+            const Eigen::VectorXd x = all_unknowns(modes.col(i));
+            detail::CaseSolution motion;
+            motion.displacements = node_displacements(x, {});
+            motion.own_ends = own_ends(x);
+            motions.push_back(std::move(motion));
+        }
+        throw MechanismError(mechanisms_of(model, structure, equations, motions), modes.cols() - n_described);
+    }
+
+    void refuse(const Model& model, const std::vector<Elimination::Conflict>& conflicts) const
+    {
+        if (!conflicts.empty()) throw ModelError(conflict_faults(model, conflicts));
+    }
+
+    void refuse_loose_members(const Model& model) const
+    {
+        std::vector<Mechanism> mechanisms;
+        for (std::size_t i = 0; i < structure->members.size(); ++i) {
+            const MemberExtras* extras = structure->extras_of(MemberId(i));
+            if (extras == nullptr || !extras->has_flexible_joint || extras->constraint != Constraint::None) continue;
+            const MemberFrame frame = structure->frame(MemberId(i));
+            for (const LooseEnd& loose : assembly_.element(MemberId(i), frame).loose_ends())
+                if (loose.axis != LocalAxis::rx)
+                    mechanisms.push_back(flying_member(model, *structure, MemberId(i), loose));
+        }
+        if (!mechanisms.empty()) throw MechanismError(std::move(mechanisms));
+    }
+
+    /// A member released against torsion at both ends is held, unless a torque on it drives the twist.
+    void refuse_driven_twists(const Model& model, const std::vector<CaseLoads>& loads) const
+    {
+        std::vector<Mechanism> mechanisms;
+        SpanLoading loading;
+        for (std::size_t i = 0; i < structure->members.size(); ++i) {
+            const MemberId member(i);
+            const MemberExtras* extras = structure->extras_of(member);
+            if (extras == nullptr || !extras->has_flexible_joint || extras->constraint != Constraint::None) continue;
+            const MemberFrame frame = structure->frame(member);
+            const auto element = assembly_.element(member, frame);
+            for (const CaseLoads& each : loads) {
+                if (each.of(member).empty()) continue;
+                const std::array<SpanLoading::Scaled, 1> terms{{{.loads = each.of(member)}}};
+                loading.assign(frame.length, terms, structure->properties_of(member).xy.longest_piece());
+                const auto forces = element.rigid_joint_forces(loading);
+                for (const LooseEnd& loose : element.loose_ends(forces))
+                    if (std::abs(loose.drive) > 1e-9 * forces.cwiseAbs().maxCoeff())
+                        mechanisms.push_back(flying_member(model, *structure, member, loose));
+            }
+        }
+        if (!mechanisms.empty()) throw MechanismError(std::move(mechanisms));
+    }
+
+    void refuse_driven_spins(const Model& model, const Eigen::MatrixXd& F, const std::vector<HeldRotation>& held) const
+    {
+        std::vector<Mechanism> mechanisms = driven_spins(model, *structure, F, held);
+        if (!mechanisms.empty()) throw MechanismError(std::move(mechanisms));
+    }
+
+    Assembly<kind> assembly_;
+    SparseMatrix K_;             ///< elastic, lower triangle, over all unknowns
+    SparseMatrix K_constrained_; ///< own stiffness of what constraints take away
+    SparseMatrix T_, S_;         ///< all unknowns from the independent, from the dependent ones
+    std::vector<std::int32_t> dependent_;
+    std::vector<HeldRotation> held_;
+    std::unique_ptr<SymmetricSolver> solver_ = make_solver(kind_of_solver),
+                                     constraint_solver_ = make_solver(kind_of_solver);
+};
+
+std::unique_ptr<LinearStatic::Parts> make_system(const Model& model, SolverKind wanted)
+{
+    auto structure = std::make_shared<const Structure>(structure_of(model));
+    const SolverKind solver = resolve(wanted, n_displacements(*structure));
+    return with_model(model.analysis, [&](auto kind) -> std::unique_ptr<LinearStatic::Parts> {
+        return std::make_unique<System<decltype(kind)::value>>(model, std::move(structure), solver);
+    });
+}
+
+} // namespace
+
+LinearStatic::LinearStatic(const Model& model, const AnalysisOptions& options)
+{
+    require_sound(model);
+    parts_ = make_system(model, options.solver);
+}
+
+LinearStatic::~LinearStatic() = default;
+LinearStatic::LinearStatic(LinearStatic&&) noexcept = default;
+LinearStatic& LinearStatic::operator=(LinearStatic&&) noexcept = default;
+
+Results LinearStatic::solve(const Model& model)
+{
+    const Structure& structure = *parts_->structure;
+    if (model.nodes.size() != structure.positions.size() || model.members.size() != structure.members.size())
+        throw std::invalid_argument("LinearStatic::solve: the model has another structure than the one factored");
+    auto solution = std::make_shared<detail::Solution>();
+    solution->structure = parts_->structure;
+    solution->loads = loads_of(model, structure);
+    solution->cases = cases_of(model);
+    solution->own_end_of = parts_->equations.own_end_of();
+    solution->solutions = parts_->solve(model, solution->loads);
+    add_reactions(*solution);
+    solution->indeterminacy = count_indeterminacy(structure, parts_->n_held());
+    solution->warnings = parts_->warnings;
+    return Results(std::move(solution));
+}
+
+const AnalysisStatistics& LinearStatic::statistics() const { return parts_->statistics; }
+
+Results analyse(const Model& model, const AnalysisOptions& options)
+{
+    return LinearStatic(model, options).solve(model);
+}
+
+} // namespace femoop

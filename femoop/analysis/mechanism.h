@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "femoop/model/fault.h"
+#include "femoop/result/results.h"
+
+namespace femoop {
+
+/// One way in which a structure moves without strain.
+struct Mechanism {
+    Fault fault;                    ///< the motion in words, with a remedy
+    std::vector<NodeVector> motion; ///< of every node, global axes; the largest translation (else rotation) is 1
+    std::vector<std::array<Eigen::Vector3d, 2>> member_ends; ///< translations of every member's own two ends
+};
+
+/// A structure that can move cannot be solved: its independent mechanisms. Of very many only the first are described.
+class MechanismError : public ModelError {
+public:
+    explicit MechanismError(std::vector<Mechanism> mechanisms, std::size_t n_more = 0);
+    const std::vector<Mechanism>& mechanisms() const { return mechanisms_; }
+    std::size_t n_more() const { return n_more_; } ///< at least so many more were found
+
+private:
+    std::vector<Mechanism> mechanisms_;
+    std::size_t n_more_;
+};
+
+} // namespace femoop

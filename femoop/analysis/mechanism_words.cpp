@@ -1,0 +1,256 @@
+#include "femoop/analysis/mechanism_words.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <string>
+
+namespace femoop {
+
+namespace {
+
+constexpr double still = 1e-6;             // of the largest motion: less does not count as moving
+constexpr std::size_t names_in_words = 12; // a sentence names so many nodes, then counts
+
+Eigen::Vector3d translation(const NodeVector& v) { return {v[0], v[1], v[2]}; }
+Eigen::Vector3d rotation(const NodeVector& v) { return {v[3], v[4], v[5]}; }
+
+std::string number(double value)
+{
+    std::ostringstream text;
+    text.precision(4);
+    text << (std::abs(value) < 1e-9 ? 0.0 : value);
+    return text.str();
+}
+
+std::string point(const Eigen::Vector3d& at, AnalysisKind kind)
+{
+    std::string text = "(" + number(at.x()) + ", " + number(at.y());
+    return text + (is_3d(kind) ? ", " + number(at.z()) + ")" : ")");
+}
+
+std::string names(const Model& model, const std::vector<NodeId>& nodes)
+{
+    std::vector<std::string> list;
+    for (const NodeId node : nodes) {
+        if (list.size() + 1 == names_in_words && nodes.size() > names_in_words) {
+            list.push_back("+" + std::to_string(nodes.size() - list.size()));
+            break;
+        }
+        list.push_back(model[node].id);
+    }
+    return listed(list);
+}
+
+/// The point that all moving nodes of a plane model turn about, if they do.
+std::optional<Eigen::Vector3d> pivot(const Structure& structure, const std::vector<NodeVector>& motion,
+                                     const std::vector<NodeId>& moving)
+{
+    // u = a - w y, v = b + w x: three unknowns for two equations a node
+    Eigen::MatrixXd A(2 * static_cast<Eigen::Index>(moving.size()), 3);
+    Eigen::VectorXd c(A.rows());
+    for (std::size_t i = 0; i < moving.size(); ++i) {
+        const Eigen::Vector3d& at = structure.positions[moving[i].index];
+        const auto row = 2 * static_cast<Eigen::Index>(i);
+        A.row(row) << 1.0, 0.0, -at.y();
+        A.row(row + 1) << 0.0, 1.0, at.x();
+        c.segment<2>(row) = translation(motion[moving[i].index]).head<2>();
+    }
+    const Eigen::Vector3d fit = A.colPivHouseholderQr().solve(c);
+    if ((A * fit - c).cwiseAbs().maxCoeff() > still || std::abs(fit[2]) < 1e-9) return std::nullopt;
+    return Eigen::Vector3d(-fit[1] / fit[2], fit[0] / fit[2], 0.0);
+}
+
+/// Makes the largest translation (or, without one, rotation) 1 and its main component positive.
+void normalize(std::vector<NodeVector>& motion)
+{
+    for (const std::size_t first : {std::size_t{0}, std::size_t{3}}) {
+        double largest = 0.0;
+        for (const NodeVector& v : motion)
+            for (std::size_t i = first; i < first + 3; ++i)
+                if (std::abs(v[i]) > std::abs(largest) * (1.0 + 1e-6)) largest = v[i];
+        double everything = 0.0;
+        for (const NodeVector& v : motion)
+            for (const double component : v) everything = std::max(everything, std::abs(component));
+        if (std::abs(largest) <= still * everything || largest == 0.0) continue;
+        for (NodeVector& v : motion)
+            for (double& component : v) component /= largest;
+        return;
+    }
+}
+
+Fault along(const Model& model, const std::vector<NodeId>& moving, const Eigen::Vector3d& direction)
+{
+    static constexpr std::array together{FaultKind::MechanismSwayX, FaultKind::MechanismSwayY,
+                                         FaultKind::MechanismSwayZ};
+    static constexpr std::array alone{FaultKind::MechanismMoveX, FaultKind::MechanismMoveY, FaultKind::MechanismMoveZ};
+    for (int axis = 0; axis < 3; ++axis)
+        if (std::abs(std::abs(direction[axis]) - direction.norm()) < still)
+            return {.kind = (moving.size() > 1 ? together : alone)[static_cast<std::size_t>(axis)],
+                    .arguments = {names(model, moving)}};
+    return {.kind = FaultKind::MechanismMoveOblique,
+            .arguments = {names(model, moving), point(direction, model.analysis)}};
+}
+
+Fault words(const Model& model, const Structure& structure, const std::vector<NodeVector>& motion)
+{
+    std::vector<NodeId> moving, turning;
+    for (std::size_t i = 0; i < motion.size(); ++i) {
+        if (translation(motion[i]).norm() > still) moving.emplace_back(i);
+        if (rotation(motion[i]).norm() > still) turning.emplace_back(i);
+    }
+    if (moving.empty() && turning.size() == 1) {
+        Eigen::Index axis = 0;
+        rotation(motion[turning.front().index]).cwiseAbs().maxCoeff(&axis);
+        return {
+            .kind = FaultKind::MechanismSpin,
+            .arguments = {model[turning.front()].id, std::string(name(all_dofs[3 + static_cast<std::size_t>(axis)]))}};
+    }
+    if (moving.empty()) return {.kind = FaultKind::MechanismSpins, .arguments = {names(model, turning)}};
+    const Eigen::Vector3d first = translation(motion[moving.front().index]);
+    const bool is_common = std::all_of(moving.begin(), moving.end(), [&](NodeId node) {
+        return (translation(motion[node.index]) - first).norm() < still;
+    });
+    if (is_common) return along(model, moving, first);
+    const bool is_plane = model.analysis == AnalysisKind::Frame2d || model.analysis == AnalysisKind::Truss2d;
+    if (is_plane)
+        if (const auto about = pivot(structure, motion, moving))
+            return {.kind = FaultKind::MechanismTurn,
+                    .arguments = {names(model, moving), point(*about, model.analysis)}};
+    return {.kind = FaultKind::MechanismMixed, .arguments = {names(model, moving)}};
+}
+
+std::vector<NodeVector> motion_of(const Structure& structure, const std::vector<double>& displacements)
+{
+    const std::span<const Dof> dofs = model_dofs(structure.kind);
+    std::vector<NodeVector> motion(structure.positions.size());
+    for (std::size_t node = 0; node < motion.size(); ++node)
+        for (std::size_t i = 0; i < dofs.size(); ++i)
+            motion[node][index(dofs[i])] = displacements[node * dofs.size() + i];
+    return motion;
+}
+
+std::vector<std::array<Eigen::Vector3d, 2>> still_ends(const Structure& structure)
+{
+    return {structure.members.size(), {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()}};
+}
+
+/// Translations of every member's ends when its nodes move: through rigid arms, and where a shear or axial release lets
+/// the end part from its node, with the least motion that does not strain the member.
+std::vector<std::array<Eigen::Vector3d, 2>> member_ends(const std::shared_ptr<const Structure>& structure,
+                                                        const Equations& equations, const detail::CaseSolution& motion)
+{
+    detail::Solution solution;
+    solution.structure = structure;
+    solution.loads.resize(1);
+    solution.cases = {{.name = {}, .terms = {{.load_case = 0, .factor = 1.0}}}};
+    solution.own_end_of = equations.own_end_of();
+    solution.solutions = {motion};
+    solution.solutions.front().constraint_displacements.assign(motion.displacements.size(), 0.0);
+    solution.solutions.front().constraint_own_ends.assign(motion.own_ends.size(), 0.0);
+    auto ends = still_ends(*structure);
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        const detail::EndVectors local = detail::end_displacements(solution, 0, MemberId(i));
+        const Eigen::Matrix3d axes = structure->frame(MemberId(i)).axes;
+        for (std::size_t end = 0; end < 2; ++end) ends[i][end] = axes.transpose() * local[end].head<3>();
+    }
+    return ends;
+}
+
+} // namespace
+
+std::vector<Mechanism> mechanisms_of(const Model& model, const std::shared_ptr<const Structure>& structure,
+                                     const Equations& equations, std::vector<detail::CaseSolution> motions)
+{
+    std::vector<Mechanism> mechanisms;
+    for (detail::CaseSolution& motion : motions) {
+        std::vector<NodeVector> nodes = motion_of(*structure, motion.displacements);
+        const std::vector<NodeVector> before = nodes;
+        normalize(nodes);
+        double factor = 1.0; // what normalizing did, for the members' ends
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            for (std::size_t j = 0; j < n_dofs; ++j)
+                if (std::abs(nodes[i][j]) == 1.0 && before[i][j] != 0.0) factor = nodes[i][j] / before[i][j];
+        for (double& u : motion.displacements) u *= factor;
+        for (double& u : motion.own_ends) u *= factor;
+        Mechanism mechanism{.fault = words(model, *structure, nodes), .motion = std::move(nodes), .member_ends = {}};
+        mechanism.member_ends = member_ends(structure, equations, motion);
+        mechanisms.push_back(std::move(mechanism));
+    }
+    return mechanisms;
+}
+
+Mechanism flying_member(const Model& model, const Structure& structure, MemberId member, const LooseEnd& loose)
+{
+    const auto axis = static_cast<std::size_t>(loose.axis);
+    Mechanism mechanism{.fault = {.kind = FaultKind::MechanismMemberFlies,
+                                  .arguments = {model[member].id, std::string(name(all_dofs[axis]))}},
+                        .motion = std::vector<NodeVector>(structure.positions.size()),
+                        .member_ends = still_ends(structure)};
+    const Eigen::Matrix3d axes = structure.frame(member).axes;
+    for (std::size_t end = 0; end < 2; ++end)
+        mechanism.member_ends[member.index][end] = axes.transpose() * loose.mode[end].head<3>();
+    return mechanism;
+}
+
+std::vector<Mechanism> driven_spins(const Model& model, const Structure& structure, const Eigen::MatrixXd& F,
+                                    const std::vector<HeldRotation>& held)
+{
+    std::vector<Mechanism> mechanisms;
+    for (const HeldRotation& rotation : held) {
+        Eigen::MatrixXd moments(static_cast<Eigen::Index>(rotation.rows.size()), F.cols());
+        for (Eigen::Index i = 0; i < moments.rows(); ++i)
+            moments.row(i) = F.row(rotation.rows[static_cast<std::size_t>(i)]);
+        const Eigen::RowVectorXd drive = (rotation.direction.transpose() * moments).cwiseAbs();
+        const double largest = moments.size() > 0 ? moments.cwiseAbs().maxCoeff() : 0.0;
+        if (drive.size() == 0 || drive.maxCoeff() <= 1e-9 * largest || largest == 0.0) continue;
+        std::vector<NodeVector> motion(structure.positions.size());
+        for (std::size_t i = 0; i < rotation.dofs.size(); ++i)
+            motion[rotation.node.index][index(rotation.dofs[i])] = rotation.direction[static_cast<Eigen::Index>(i)];
+        normalize(motion);
+        mechanisms.push_back(
+            {.fault = words(model, structure, motion), .motion = motion, .member_ends = still_ends(structure)});
+    }
+    return mechanisms;
+}
+
+Fault nearly_singular_fault(const Model& model, double condition, const std::vector<double>& displacements,
+                            std::size_t n)
+{
+    double largest = 0.0;
+    for (const double u : displacements) largest = std::max(largest, std::abs(u));
+    std::vector<NodeId> softest;
+    for (std::size_t i = 0; i < displacements.size(); ++i)
+        if (std::abs(displacements[i]) >= 0.5 * largest && (softest.empty() || softest.back() != NodeId(i / n)))
+            softest.emplace_back(i / n);
+    std::ostringstream estimate;
+    estimate.precision(1);
+    estimate << std::scientific << condition;
+    return {.kind = FaultKind::NearlySingular, .arguments = {estimate.str(), names(model, softest)}};
+}
+
+std::vector<Fault> conflict_faults(const Model& model, const std::vector<Elimination::Conflict>& conflicts)
+{
+    std::vector<Fault> faults;
+    for (const Elimination::Conflict& conflict : conflicts) {
+        std::vector<std::string> members;
+        for (const MemberId member : conflict.members) members.push_back("member " + model[member].id);
+        faults.push_back({.kind = FaultKind::ConstraintConflict,
+                          .arguments = {listed(members), model.case_name(CaseId(conflict.load_case))}});
+    }
+    return faults;
+}
+
+MechanismError::MechanismError(std::vector<Mechanism> mechanisms, std::size_t n_more)
+    : ModelError([&] {
+          std::vector<Fault> faults;
+          for (const Mechanism& mechanism : mechanisms) faults.push_back(mechanism.fault);
+          return faults;
+      }()),
+      mechanisms_(std::move(mechanisms)),
+      n_more_(n_more)
+{}
+
+} // namespace femoop

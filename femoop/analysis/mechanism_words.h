@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "femoop/analysis/constraints.h"
+#include "femoop/analysis/idle_rotation.h"
+#include "femoop/analysis/mechanism.h"
+#include "femoop/element/member_element.h"
+#include "femoop/result/solution.h"
+
+namespace femoop {
+
+/// Free motions of a structure, as mechanisms with words: which nodes move together, and how.
+std::vector<Mechanism> mechanisms_of(const Model& model, const std::shared_ptr<const Structure>& structure,
+                                     const Equations& equations, std::vector<detail::CaseSolution> motions);
+
+/// A member that its own releases leave loose.
+Mechanism flying_member(const Model& model, const Structure& structure, MemberId member, const LooseEnd& loose);
+
+/// Held rotations that a load vector [unknowns x cases] drives.
+std::vector<Mechanism> driven_spins(const Model& model, const Structure& structure, const Eigen::MatrixXd& F,
+                                    const std::vector<HeldRotation>& held);
+
+/// A warning that names the nodes that move most in the softest motion, one row of `n` numbers per node.
+Fault nearly_singular_fault(const Model& model, double condition, const std::vector<double>& displacements,
+                            std::size_t n);
+
+std::vector<Fault> conflict_faults(const Model& model, const std::vector<Elimination::Conflict>& conflicts);
+
+} // namespace femoop

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "femoop/model/model.h"
+
+namespace femoop {
+
+/// How one member came into the system of equations: the numbers that a student writes on paper.
+struct MemberTrace {
+    struct FixedEnd {
+        std::string load_case;
+        Eigen::VectorXd local;  ///< fixed-end forces on the member in its own axes, releases included
+        Eigen::VectorXd global; ///< turned to global axes at the nodes
+    };
+    std::string member;
+    std::vector<std::string> dofs; ///< of the rows: "A.ux", "A.uy", "A.rz", "B.ux", ...
+    double length = 0.0;
+    Eigen::MatrixXd local_stiffness;  ///< in the member's axes, releases and springs condensed
+    Eigen::MatrixXd transformation;   ///< T: local = T global, rigid offsets included
+    Eigen::MatrixXd global_stiffness; ///< T^T k T
+    std::vector<FixedEnd> fixed_end;  ///< one per load case
+    std::vector<int> equations;       ///< place of each row in the system matrix, counted node after node
+                                ///< from 1; 0 where a support blocks it (the solver eliminates in an order of its own)
+};
+
+/// Traces one member through the same code that solves. \throws ModelError as `analyse`.
+MemberTrace trace(const Model& model, MemberId member);
+
+} // namespace femoop
