@@ -1,0 +1,286 @@
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "femoop/element/member_element.h"
+#include "femoop/result/curve_reader.h"
+#include "femoop/result/solution.h"
+
+namespace femoop::detail {
+
+namespace {
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// A member in one case: how its own ends move and what its nodes do to them, in its own axes.
+struct MemberState {
+    std::array<Vector6, 2> d{Vector6::Zero(), Vector6::Zero()};
+    std::array<Vector6, 2> p{Vector6::Zero(), Vector6::Zero()};
+};
+
+/// Reads one member out of a solution.
+template <AnalysisKind kind> class MemberReader {
+public:
+    using Element = MemberElement<kind>;
+    static constexpr int m = Element::m;
+    static constexpr auto& local = AnalysisModel<kind>::local;
+
+    MemberReader(const Solution& solution, std::size_t case_index)
+        : solution_(solution), structure_(*solution.structure), terms_(solution.cases[case_index].terms)
+    {}
+
+    void read(MemberId member)
+    {
+        member_ = member;
+        extras_ = structure_.extras_of(member);
+        properties_ = &structure_.properties_of(member);
+        frame_ = structure_.frame(member);
+        scaled_.clear();
+        for (const CaseTerms::Term& term : terms_)
+            scaled_.push_back({.loads = solution_.loads[term.load_case].of(member), .factor = term.factor});
+        loading_.assign(frame_.length, scaled_, properties_->xy.longest_piece());
+    }
+
+    MemberState state() const
+    {
+        MemberState s;
+        s.d = ends(&CaseSolution::displacements, &CaseSolution::own_ends);
+        const bool is_constrained = extras_ != nullptr && extras_->constraint != Constraint::None;
+        const Element elastic(*properties_, frame_, extras_, {},
+                              extras_ == nullptr ? all_actions : elastic_actions(*extras_));
+        const typename Element::LocalMatrix k = elastic.rigid_joint_stiffness();
+        const typename Element::LocalVector f = elastic.rigid_joint_forces(loading_);
+        typename Element::LocalVector d = pack(s.d);
+        if (extras_ != nullptr && extras_->has_flexible_joint && !is_constrained) {
+            d = elastic.end_displacements(d, f);
+            unpack(d, s.d);
+        }
+        typename Element::LocalVector p = k * d + f;
+        if (is_constrained) {
+            const Element constrained(*properties_, frame_, extras_, {}, constrained_actions(*extras_));
+            const auto z = ends(&CaseSolution::constraint_displacements, &CaseSolution::constraint_own_ends);
+            p += constrained.rigid_joint_stiffness() * pack(z) +
+                 constrained.rigid_joint_forces(loading_.without_strain());
+        }
+        unpack(p, s.p);
+        if (is_bar()) add_simple_span(s);
+        return s;
+    }
+
+    void write(Curve& curve) const
+    {
+        const MemberState s = state();
+        const Curve::Law law = this->law(s);
+        curve.begin(law);
+        Curve::Piece piece{.load = {},
+                           .axial = {.u = s.d[0][0], .N = -s.p[0][0]},
+                           .torsion = {.u = s.d[0][3], .N = -s.p[0][3]},
+                           .xy = {.v = s.d[0][1], .phi = s.d[0][5], .V = s.p[0][1], .M = -s.p[0][5]},
+                           .xz = {.v = s.d[0][2], .phi = -s.d[0][4], .V = s.p[0][2], .M = s.p[0][4]}};
+        if (is_bar()) {
+            piece.xy.phi = (s.d[1][1] - s.d[0][1]) / frame_.length;
+            piece.xz.phi = (s.d[1][2] - s.d[0][2]) / frame_.length;
+            piece.xy.M = piece.xz.M = 0.0;
+        }
+        const std::vector<Beam::State> on_foundation = foundation_states(s, law);
+        for (std::size_t i = 0; i < loading_.pieces().size(); ++i) {
+            piece.load = loading_.pieces()[i];
+            if (!on_foundation.empty()) piece.xy = on_foundation[i];
+            piece.axial.N -= piece.load.jump[index(LocalAxis::x)];
+            piece.torsion.N -= piece.load.jump[index(LocalAxis::rx)];
+            piece.xy = Beam::after_jump(piece.xy, piece.load.jump, BendingPlane::xy);
+            piece.xz = Beam::after_jump(piece.xz, piece.load.jump, BendingPlane::xz);
+            curve.append(piece);
+            if (i + 1 < loading_.pieces().size()) advance(piece, law);
+        }
+    }
+
+private:
+    bool is_bar() const { return extras_ != nullptr && extras_->is_bar; }
+
+    /// The member's own ends as they follow its nodes, and where it has ends of its own, those.
+    std::array<Vector6, 2> ends(std::vector<double> CaseSolution::*displacements,
+                                std::vector<double> CaseSolution::*own_ends) const
+    {
+        std::array<Vector6, 2> d{Vector6::Zero(), Vector6::Zero()};
+        constexpr auto& global = AnalysisModel<kind>::global;
+        for (std::size_t end = 0; end < 2; ++end) {
+            Vector6 node = Vector6::Zero();
+            const std::size_t first = structure_.members[member_.index].nodes[end].index * global.size();
+            for (const CaseTerms::Term& term : terms_) {
+                const std::vector<double>& u = solution_.solutions[term.load_case].*displacements;
+                for (std::size_t i = 0; i < global.size(); ++i)
+                    node[static_cast<int>(index(global[i]))] += term.factor * u[first + i];
+            }
+            Eigen::Vector3d moved = node.head<3>();
+            if (extras_ != nullptr && extras_->has_offset)
+                moved += Eigen::Vector3d(node.tail<3>()).cross(extras_->offsets[end]);
+            d[end].head<3>() = frame_.axes * moved;
+            d[end].tail<3>() = frame_.axes * node.tail<3>();
+        }
+        if (!solution_.own_end_of.empty() && solution_.own_end_of[member_.index] >= 0) read_own_ends(d, own_ends);
+        return d;
+    }
+
+    void read_own_ends(std::array<Vector6, 2>& d, std::vector<double> CaseSolution::*own_ends) const
+    {
+        const auto first = 12 * static_cast<std::size_t>(solution_.own_end_of[member_.index]);
+        for (std::size_t end = 0; end < 2; ++end)
+            for (const LocalAxis axis : local) {
+                const std::size_t a = index(axis);
+                if (!std::isfinite(extras_->joints[end][a])) continue;
+                double sum = 0.0;
+                for (const CaseTerms::Term& term : terms_)
+                    sum += term.factor * (solution_.solutions[term.load_case].*own_ends)[first + 6 * end + a];
+                d[end][static_cast<int>(a)] = sum;
+            }
+    }
+
+    static typename Element::LocalVector pack(const std::array<Vector6, 2>& ends)
+    {
+        typename Element::LocalVector v;
+        for (std::size_t end = 0; end < 2; ++end)
+            for (std::size_t i = 0; i < local.size(); ++i)
+                v[static_cast<int>(end * local.size() + i)] = ends[end][static_cast<int>(index(local[i]))];
+        return v;
+    }
+
+    static void unpack(const typename Element::LocalVector& v, std::array<Vector6, 2>& ends)
+    {
+        for (std::size_t end = 0; end < 2; ++end)
+            for (std::size_t i = 0; i < local.size(); ++i)
+                ends[end][static_cast<int>(index(local[i]))] = v[static_cast<int>(end * local.size() + i)];
+    }
+
+    void add_simple_span(MemberState& s) const
+    {
+        for (const BendingPlane plane : {BendingPlane::xy, BendingPlane::xz}) {
+            const Eigen::Vector2d reactions = Beam::simple_span_forces(loading_, plane);
+            const auto axis = static_cast<int>(index(force_axis(plane)));
+            s.p[0][axis] = reactions[0];
+            s.p[1][axis] = reactions[1];
+        }
+    }
+
+    /// What strains between the ends: a bar keeps its chord, a constraint takes a stiffness to infinity.
+    Curve::Law law(const MemberState& s) const
+    {
+        Curve::Law law{.axial = properties_->axial,
+                       .torsion = properties_->torsion,
+                       .xy = properties_->xy,
+                       .xz = properties_->xz,
+                       .strain = loading_.strain(),
+                       .curvature = loading_.curvature()};
+        if (is_bar()) {
+            law = {.axial = {infinite}, .torsion = {infinite}, .xy = {.EI = infinite}, .xz = {.EI = infinite}};
+            law.strain = (s.d[1][0] - s.d[0][0]) / frame_.length;
+            return law;
+        }
+        if (extras_ == nullptr || extras_->constraint == Constraint::None) return law;
+        law.axial.EA = infinite;
+        if (extras_->constraint == Constraint::Inextensible) return law;
+        law.torsion.EA = infinite;
+        law.xy = {.EI = infinite, .foundation = properties_->xy.foundation};
+        law.xz = {.EI = infinite};
+        return law;
+    }
+
+    std::vector<Beam::State> foundation_states(const MemberState& s, const Curve::Law& law) const
+    {
+        if (law.xy.foundation <= 0.0 || law.xy.EI == infinite) return {};
+        const Eigen::Vector4d d(s.d[0][1], s.d[0][5], s.d[1][1], s.d[1][5]);
+        return FoundationBeam(law.xy, loading_, BendingPlane::xy, law.curvature).states(d);
+    }
+
+    static void advance(Curve::Piece& piece, const Curve::Law& law)
+    {
+        const double h = piece.load.length();
+        piece.axial = law.axial.at(h, piece.axial, piece.load, LocalAxis::x, law.strain);
+        piece.torsion = law.torsion.at(h, piece.torsion, piece.load, LocalAxis::rx, 0.0);
+        piece.xy = law.xy.at(h, piece.xy, piece.load, BendingPlane::xy, law.curvature);
+        piece.xz = law.xz.at(h, piece.xz, piece.load, BendingPlane::xz, 0.0);
+    }
+
+    const Solution& solution_;
+    const Structure& structure_;
+    const std::vector<CaseTerms::Term>& terms_;
+    MemberId member_;
+    const MemberExtras* extras_ = nullptr;
+    const MemberProperties* properties_ = nullptr;
+    MemberFrame frame_;
+    SpanLoading loading_;
+    std::vector<SpanLoading::Scaled> scaled_;
+};
+
+} // namespace
+
+/// Reads members of one of the five models, whichever.
+class AnyReader {
+public:
+    virtual ~AnyReader() = default;
+    virtual void write_curve(MemberId member, Curve& curve) = 0;
+};
+
+namespace {
+
+template <AnalysisKind kind> class ReaderOf final : public AnyReader {
+public:
+    ReaderOf(const Solution& solution, std::size_t case_index) : reader_(solution, case_index) {}
+    void write_curve(MemberId member, Curve& curve) override
+    {
+        reader_.read(member);
+        reader_.write(curve);
+    }
+
+private:
+    MemberReader<kind> reader_;
+};
+
+MemberState state_of(const Solution& solution, std::size_t case_index, MemberId member)
+{
+    return with_model(solution.structure->kind, [&](auto kind) {
+        MemberReader<decltype(kind)::value> reader(solution, case_index);
+        reader.read(member);
+        return reader.state();
+    });
+}
+
+} // namespace
+
+std::unique_ptr<AnyReader> make_reader(const Solution& solution, std::size_t case_index)
+{
+    return with_model(solution.structure->kind, [&](auto kind) -> std::unique_ptr<AnyReader> {
+        return std::make_unique<ReaderOf<decltype(kind)::value>>(solution, case_index);
+    });
+}
+
+EndVectors end_displacements(const Solution& solution, std::size_t case_index, MemberId member)
+{
+    return state_of(solution, case_index, member).d;
+}
+
+EndVectors end_forces(const Solution& solution, std::size_t case_index, MemberId member)
+{
+    return state_of(solution, case_index, member).p;
+}
+
+} // namespace femoop::detail
+
+namespace femoop {
+
+CurveReader::CurveReader(const CaseResult& result)
+    : solution_(result.solution_), reader_(detail::make_reader(*solution_, result.index_))
+{}
+
+CurveReader::~CurveReader() = default;
+
+const Curve& CurveReader::read(MemberId member)
+{
+    reader_->write_curve(member, curve_);
+    return curve_;
+}
+
+} // namespace femoop

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "femoop/model/model.h"
+#include "femoop/result/results.h"
+
+namespace femoop {
+
+enum class Verdict : std::uint8_t { Passed, Failed, Skipped };
+
+/// Why a check was not made.
+enum class SkipReason : std::uint8_t {
+    AnalysisNotBuilt, ///< P-delta, buckling, modal and plastic analysis
+    SheetNotBuilt,    ///< a `cross`, `influence` or `train` block of the file
+};
+
+/// What became of one expected result.
+struct CheckOutcome {
+    std::string what; ///< "case L: displacement uy of node B", in the words of the file
+    Verdict verdict = Verdict::Skipped;
+    double expected = 0.0;
+    std::optional<double> result; ///< nothing when skipped
+    double tolerance = 0.0;       ///< max(atol, rtol |expected|)
+    std::optional<SkipReason> skipped;
+};
+
+struct CheckCounts {
+    int passed = 0, failed = 0, skipped = 0;
+
+    CheckCounts& operator+=(const CheckCounts& other);
+};
+CheckCounts count(const std::vector<CheckOutcome>& outcomes);
+
+/// True if a check of the model needs the linear analysis, so that `verify` wants its results.
+bool needs_linear_analysis(const Model& model);
+
+/// Compares every `expected` entry of the model with its results, in file order, then names the blocks of the file
+/// (`cross`, `influence`, `train`) that nothing compares yet. A check passes when
+/// abs(result - value) <= max(atol, rtol abs(value)), with rtol 1e-6 and atol 0 where the file is silent.
+///
+/// At a jump the + side is read unless the check says `"side": "-"`; at the member's end there is only the - side.
+/// \pre `check(model)` finds no error; `results` are the model's own, or nothing if no check needs them
+std::vector<CheckOutcome> verify(const Model& model, const std::optional<Results>& results);
+
+} // namespace femoop
