@@ -1,0 +1,106 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace ui {
+
+/// Keys that shortcuts are made of. Letters and digits are those that the key writes.
+enum class Key : std::uint8_t {
+    A,
+    B,
+    C,
+    D,
+    E,
+    F,
+    G,
+    H,
+    I,
+    J,
+    K,
+    L,
+    M,
+    N,
+    O,
+    P,
+    Q,
+    R,
+    S,
+    T,
+    U,
+    V,
+    W,
+    X,
+    Y,
+    Z,
+    Digit0,
+    Digit1,
+    Digit2,
+    Digit3,
+    Digit4,
+    Digit5,
+    Digit6,
+    Digit7,
+    Digit8,
+    Digit9,
+    F1,
+    F2,
+    F3,
+    F4,
+    F5,
+    F6,
+    F7,
+    F8,
+    F9,
+    F10,
+    F11,
+    F12,
+    Escape,
+    Enter,
+    Tab,
+    Backspace,
+    Delete,
+    Space,
+    Left,
+    Right,
+    Up,
+    Down,
+    Home,
+    End,
+    PageUp,
+    PageDown,
+    Plus,
+    Minus
+};
+inline constexpr int n_keys = static_cast<int>(Key::Minus) + 1;
+
+std::string_view name(Key key); ///< "A", "F5", "Esc", "PageUp", "+"
+
+struct Modifiers {
+    bool ctrl = false;
+    bool shift = false;
+    bool alt = false;
+
+    friend constexpr bool operator==(const Modifiers&, const Modifiers&) = default;
+};
+
+inline constexpr Modifiers no_modifiers{};
+inline constexpr Modifiers ctrl{.ctrl = true};
+inline constexpr Modifiers shift{.shift = true};
+inline constexpr Modifiers ctrl_shift{.ctrl = true, .shift = true};
+
+/// Keys pressed together: Ctrl+Shift+Z.
+struct Chord {
+    Key key = Key::A;
+    Modifiers modifiers;
+
+    friend constexpr bool operator==(const Chord&, const Chord&) = default;
+};
+
+std::string text(Chord chord); ///< "Ctrl+Shift+Z"
+/// The chord of a text as `text` writes it, letter case aside; nothing for what is none.
+std::optional<Chord> chord_typed(std::string_view text);
+
+} // namespace ui

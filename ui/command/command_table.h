@@ -1,0 +1,103 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "ui/command/chord.h"
+#include "ui/command/match.h"
+#include "ui/text/catalogue.h"
+
+namespace ui {
+
+/// What an app can do, by name. `Session` is the app's state, which the functions get when they are called.
+template <class Session> struct Command {
+    std::string_view id;            ///< of scenarios and tests, stable: "view.fit"
+    std::string_view menu{};        ///< translatable title of the menu that it stands in; empty: in no menu
+    std::string_view label{};       ///< translatable, a verb: "Undo"
+    std::vector<Chord> shortcuts{}; ///< the first is shown
+    std::function<void(Session&)> run;
+    /// Nothing if it can run now, else why not, as a sentence.
+    std::function<std::optional<Phrase>(const Session&)> why_not{};
+    /// Given for what can be on or off, such as a layer of the picture.
+    std::function<bool(const Session&)> is_on{};
+    /// A label that depends on the state ("Undo Move node B"); `label` when absent.
+    std::function<Phrase(const Session&)> live_label{};
+};
+
+template <class Session> std::string label(const Command<Session>& command, const Session& session, const Catalogue& tr)
+{
+    return command.live_label ? tr(command.live_label(session)) : tr(command.label);
+}
+
+template <class Session> std::optional<Phrase> why_not(const Command<Session>& command, const Session& session)
+{
+    return command.why_not ? command.why_not(session) : std::nullopt;
+}
+
+/// Runs it if it can run now; else says why not and changes nothing.
+template <class Session> std::optional<Phrase> run(const Command<Session>& command, Session& session)
+{
+    std::optional<Phrase> reason = why_not(command, session);
+    if (!reason) command.run(session);
+    return reason;
+}
+
+/// The one table that makes the menus, the palette, the shortcut list and the scripted tests.
+template <class Session> class CommandTable {
+public:
+    using Entry = Command<Session>;
+
+    /// \throws std::logic_error for an id or a shortcut that another command has.
+    void add(Entry command)
+    {
+        if (find(command.id) != nullptr) throw std::logic_error("two commands named " + std::string(command.id));
+        for (const Chord chord : command.shortcuts) {
+            if (find(chord) != nullptr) throw std::logic_error("two commands on " + text(chord));
+        }
+        commands_.push_back(std::move(command));
+    }
+
+    const std::vector<Entry>& all() const { return commands_; }
+
+    /// Null where there is none.
+    const Entry* find(std::string_view id) const
+    {
+        return first([&](const Entry& command) { return command.id == id; });
+    }
+    const Entry* find(Chord chord) const
+    {
+        return first([&](const Entry& command) { return std::ranges::count(command.shortcuts, chord) > 0; });
+    }
+
+    /// Those whose label, in the catalogue's language, goes with what was typed, the best first.
+    std::vector<const Entry*> matching(std::string_view typed, const Session& session, const Catalogue& tr) const
+    {
+        std::vector<std::pair<int, const Entry*>> ranked;
+        for (const Entry& command : commands_) {
+            const std::string name = tr(command.menu) + ' ' + ui::label(command, session, tr);
+            if (const std::optional<int> rank = match_rank(typed, name)) ranked.emplace_back(*rank, &command);
+        }
+        std::ranges::stable_sort(ranked, {}, [](const auto& pair) { return pair.first; });
+        std::vector<const Entry*> found;
+        for (const auto& [rank, command] : ranked) found.push_back(command);
+        return found;
+    }
+
+private:
+    template <class Predicate> const Entry* first(Predicate&& predicate) const
+    {
+        const auto found = std::ranges::find_if(commands_, predicate);
+        return found == commands_.end() ? nullptr : &*found;
+    }
+
+    std::vector<Entry> commands_;
+};
+
+} // namespace ui

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "ui/context/context.h"
+#include "ui/paint/color.h"
+
+#include <cstdint>
+#include <unordered_map>
+
+struct ImDrawData;
+
+namespace ui {
+
+struct AlphaImage;
+
+/// Draws Dear ImGui's lists with OpenGL 3.3. A list's texture (`ImTextureID`) is the address of an AlphaImage, uploaded
+/// when it is new or has changed, or null for lines and areas alone. Units of the lists are physical pixels. A vertex
+/// with uv.y < 0 belongs to a line or disc: uv.x is its distance across, -uv.y the reach (ui/paint/mesh/mesh.h). \pre
+/// the context outlives the renderer and is current at each call
+class DrawListRenderer {
+public:
+    /// \throws ContextError with the driver's words when it refuses the shaders.
+    explicit DrawListRenderer(Context& context);
+    ~DrawListRenderer();
+    DrawListRenderer(const DrawListRenderer&) = delete;
+    DrawListRenderer& operator=(const DrawListRenderer&) = delete;
+
+    /// Fills the picture with one colour.
+    void clear(Color color);
+    void render(const ImDrawData& data);
+
+private:
+    struct Texture {
+        gl::Uint name = 0;
+        std::uint64_t version = 0;
+        std::uint64_t last_used = 0;
+    };
+
+    struct Program {
+        gl::Uint name = 0;
+        gl::Int frame = -1; ///< place of the uniform
+    };
+
+    void set_state(const ImDrawData& data);
+    void use(const AlphaImage* image);
+    gl::Uint texture(const AlphaImage& image);
+    void upload(Texture& texture, const AlphaImage& image);
+    void forget_unused_textures();
+
+    Context& context_;
+    Program plain_;
+    Program image_;
+    gl::Uint vertex_array_ = 0;
+    gl::Uint vertices_ = 0;
+    gl::Uint indices_ = 0;
+    std::uint64_t n_rendered_ = 0;
+    std::unordered_map<const AlphaImage*, Texture> textures_;
+};
+
+} // namespace ui

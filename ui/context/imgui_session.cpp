@@ -1,0 +1,230 @@
+#include "ui/context/imgui_session.h"
+
+#include "ui/context/draw_list_surface.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cfloat>
+#include <cmath>
+#include <utility>
+
+namespace ui {
+
+namespace {
+
+constexpr float line_of_em = 1.164F; // Dear ImGui gives type by the height of a line, ascender to descender
+
+/// Characters that widgets can show: European letters, Greek, punctuation, arrows, mathematics and shapes.
+constexpr ImWchar glyph_ranges[] = {0x0020, 0x017F, 0x0370, 0x03FF, 0x2010, 0x2027, 0x2030, 0x205E, 0x2070, 0x209F,
+                                    0x2190, 0x21FF, 0x2200, 0x22FF, 0x25A0, 0x25FF, 0x2713, 0x2718, 0};
+
+ImVec4 vec(Color c)
+{
+    const auto part = [](std::uint8_t v) { return static_cast<float>(v) / 255.0F; };
+    return {part(c.r), part(c.g), part(c.b), part(c.a)};
+}
+
+constexpr std::pair<int, Key> key_map[] = {{ImGuiKey_Tab, Key::Tab},
+                                           {ImGuiKey_LeftArrow, Key::Left},
+                                           {ImGuiKey_RightArrow, Key::Right},
+                                           {ImGuiKey_UpArrow, Key::Up},
+                                           {ImGuiKey_DownArrow, Key::Down},
+                                           {ImGuiKey_PageUp, Key::PageUp},
+                                           {ImGuiKey_PageDown, Key::PageDown},
+                                           {ImGuiKey_Home, Key::Home},
+                                           {ImGuiKey_End, Key::End},
+                                           {ImGuiKey_Delete, Key::Delete},
+                                           {ImGuiKey_Backspace, Key::Backspace},
+                                           {ImGuiKey_Space, Key::Space},
+                                           {ImGuiKey_Enter, Key::Enter},
+                                           {ImGuiKey_Escape, Key::Escape},
+                                           {ImGuiKey_A, Key::A},
+                                           {ImGuiKey_C, Key::C},
+                                           {ImGuiKey_V, Key::V},
+                                           {ImGuiKey_X, Key::X},
+                                           {ImGuiKey_Y, Key::Y},
+                                           {ImGuiKey_Z, Key::Z}};
+
+/// Colours of widgets, all mixed from the theme's background, its ink and its colour of selection.
+void set_colors(ImGuiStyle& style, const Theme& theme)
+{
+    const Color back = theme.background(), ink = theme[Role::Label].text, accent = theme[Role::Selection].stroke.color;
+    const auto shade = [&](double t) { return vec(mixed(back, ink, t)); };
+    const auto tint = [&](double t) { return vec(mixed(back, accent, t)); };
+    ImVec4* c = style.Colors;
+    c[ImGuiCol_Text] = vec(ink);
+    c[ImGuiCol_TextDisabled] = vec(theme[Role::FaintLabel].text);
+    c[ImGuiCol_WindowBg] = c[ImGuiCol_ChildBg] = shade(0.03);
+    c[ImGuiCol_PopupBg] = c[ImGuiCol_MenuBarBg] = shade(0.04);
+    c[ImGuiCol_Border] = c[ImGuiCol_Separator] = c[ImGuiCol_TableBorderStrong] = shade(0.20);
+    c[ImGuiCol_TableBorderLight] = shade(0.12);
+    c[ImGuiCol_TableHeaderBg] = c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgCollapsed] = shade(0.08);
+    c[ImGuiCol_TitleBgActive] = c[ImGuiCol_Tab] = c[ImGuiCol_TabUnfocused] = shade(0.12);
+    c[ImGuiCol_TableRowBgAlt] = vec(with_opacity(ink, 0.03));
+    c[ImGuiCol_FrameBg] = shade(0.09);
+    c[ImGuiCol_FrameBgHovered] = c[ImGuiCol_HeaderHovered] = c[ImGuiCol_TabHovered] = tint(0.30);
+    c[ImGuiCol_FrameBgActive] = c[ImGuiCol_HeaderActive] = tint(0.40);
+    c[ImGuiCol_Header] = c[ImGuiCol_TabActive] = c[ImGuiCol_TabUnfocusedActive] = tint(0.20);
+    c[ImGuiCol_Button] = shade(0.12);
+    c[ImGuiCol_ButtonHovered] = tint(0.30);
+    c[ImGuiCol_ButtonActive] = tint(0.45);
+    c[ImGuiCol_CheckMark] = c[ImGuiCol_SliderGrab] = c[ImGuiCol_PlotLines] = c[ImGuiCol_PlotHistogram] = vec(accent);
+    c[ImGuiCol_SliderGrabActive] = c[ImGuiCol_NavHighlight] = c[ImGuiCol_DragDropTarget] = vec(accent);
+    c[ImGuiCol_ScrollbarBg] = shade(0.05);
+    c[ImGuiCol_ScrollbarGrab] = shade(0.25);
+    c[ImGuiCol_ScrollbarGrabHovered] = c[ImGuiCol_SeparatorHovered] = c[ImGuiCol_ResizeGripHovered] = tint(0.5);
+    c[ImGuiCol_ScrollbarGrabActive] = c[ImGuiCol_SeparatorActive] = c[ImGuiCol_ResizeGripActive] = tint(0.7);
+    c[ImGuiCol_ResizeGrip] = shade(0.2);
+    c[ImGuiCol_TextSelectedBg] = vec(with_opacity(accent, 0.35));
+    c[ImGuiCol_ModalWindowDimBg] = c[ImGuiCol_NavWindowingDimBg] = vec(with_opacity(rgb(0x000000), 0.35));
+}
+
+} // namespace
+
+ImGuiSession::ImGuiSession(Context& context, const Fonts& fonts, const Theme& theme)
+    : context_(context),
+      fonts_(fonts),
+      theme_(theme),
+      scale_(context.scale()),
+      imgui_(ImGui::CreateContext()),
+      renderer_(context),
+      atlas_(fonts)
+{
+    ImGui::SetCurrentContext(imgui_);
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.LogFilename = nullptr;
+    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset | ImGuiBackendFlags_HasMouseCursors;
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    for (const auto& [theirs, ours] : key_map) io.KeyMap[theirs] = static_cast<int>(ours);
+    io.ClipboardUserData = this;
+    io.GetClipboardTextFn = [](void* user) {
+        auto& session = *static_cast<ImGuiSession*>(user);
+        if (session.clipboard_.text) session.copied_ = session.clipboard_.text();
+        return session.copied_.c_str();
+    };
+    io.SetClipboardTextFn = [](void* user, const char* text) {
+        auto& session = *static_cast<ImGuiSession*>(user);
+        session.copied_ = text;
+        if (session.clipboard_.set_text) session.clipboard_.set_text(session.copied_);
+    };
+    load_type();
+    set_style();
+}
+
+ImGuiSession::~ImGuiSession() { ImGui::DestroyContext(imgui_); }
+
+void ImGuiSession::set_theme(const Theme& theme)
+{
+    theme_ = theme;
+    is_stale_ = true;
+}
+
+void ImGuiSession::load_type()
+{
+    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    atlas.Clear();
+    atlas.Flags |= ImFontAtlasFlags_NoMouseCursors;
+    const auto add = [&](Weight weight, double em) {
+        const auto file = fonts_.file(weight);
+        ImFontConfig config;
+        config.FontDataOwnedByAtlas = false;
+        config.OversampleH = 2;
+        config.OversampleV = 1;
+        const float height = std::round(static_cast<float>(em * scale_) * line_of_em);
+        return atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(file.data()), static_cast<int>(file.size()),
+                                          height, &config, glyph_ranges);
+    };
+    regular_ = add(Weight::Regular, theme_.type().normal);
+    bold_ = add(Weight::Bold, theme_.type().normal);
+    large_ = add(Weight::Bold, theme_.type().large);
+    unsigned char* pixels = nullptr;
+    atlas.GetTexDataAsAlpha8(&pixels, &type_image_.width, &type_image_.height);
+    type_image_.pixels.assign(pixels, pixels + static_cast<std::ptrdiff_t>(type_image_.width) * type_image_.height);
+    ++type_image_.version;
+    atlas.ClearTexData();
+    atlas.SetTexID(&type_image_);
+}
+
+void ImGuiSession::set_style()
+{
+    ImGuiStyle& style = ImGui::GetStyle();
+    style = ImGuiStyle();
+    set_colors(style, theme_);
+    style.WindowRounding = style.PopupRounding = 4.0F;
+    style.FrameRounding = style.GrabRounding = style.TabRounding = 3.0F;
+    style.FramePadding = {6.0F, 3.0F};
+    style.ItemSpacing = {8.0F, 5.0F};
+    style.ScrollbarSize = 12.0F;
+    style.ScaleAllSizes(static_cast<float>(scale_));
+}
+
+void ImGuiSession::feed(const Input& input)
+{
+    ImGuiIO& io = ImGui::GetIO();
+    const PixelSize size = context_.size();
+    io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
+    io.DeltaTime = std::max(1e-4F, static_cast<float>(input.seconds));
+    io.MousePos = {-FLT_MAX, -FLT_MAX};
+    if (input.pointer)
+        io.MousePos = {static_cast<float>(scale_ * input.pointer->x), static_cast<float>(scale_ * input.pointer->y)};
+    std::copy(input.is_button_down.begin(), input.is_button_down.end(), io.MouseDown);
+    io.MouseWheel += static_cast<float>(input.wheel.y);
+    io.MouseWheelH += static_cast<float>(input.wheel.x);
+    io.KeyCtrl = input.modifiers.ctrl;
+    io.KeyShift = input.modifiers.shift;
+    io.KeyAlt = input.modifiers.alt;
+    if (input.has_lost_focus) io.AddFocusEvent(false);
+    feed_keys(input.keys);
+    if (!input.text.empty()) io.AddInputCharactersUTF8(input.text.c_str());
+}
+
+/// A key that goes down and up within one frame goes up in the next one, so that its stroke is seen.
+void ImGuiSession::feed_keys(const std::vector<KeyEvent>& events)
+{
+    std::vector<KeyEvent> all = std::exchange(waiting_keys_, {});
+    all.insert(all.end(), events.begin(), events.end());
+    std::array<bool, n_keys> has_changed{};
+    for (const KeyEvent& event : all) {
+        const auto key = static_cast<std::size_t>(event.key);
+        if (has_changed[key]) {
+            waiting_keys_.push_back(event);
+            continue;
+        }
+        ImGui::GetIO().KeysDown[key] = event.is_down;
+        has_changed[key] = true;
+    }
+}
+
+void ImGuiSession::begin_frame(const Input& input)
+{
+    ImGui::SetCurrentContext(imgui_);
+    atlas_.trim();
+    if (is_stale_ || context_.scale() != scale_) { // or the window went to another screen
+        scale_ = context_.scale();
+        load_type();
+        set_style();
+        is_stale_ = false;
+    }
+    feed(input);
+    ImGui::NewFrame();
+}
+
+void ImGuiSession::end_frame()
+{
+    ImGui::SetCurrentContext(imgui_);
+    ImGui::Render();
+    context_.make_current();
+    renderer_.clear(theme_.background());
+    renderer_.render(*ImGui::GetDrawData());
+}
+
+void ImGuiSession::show(const Picture& picture, ImDrawList& list, Point corner)
+{
+    DrawListSurface surface(list, atlas_, {.origin = corner, .scale = scale_});
+    picture.draw_on(surface);
+}
+
+} // namespace ui

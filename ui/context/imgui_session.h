@@ -1,0 +1,82 @@
+#pragma once
+
+#include "ui/context/context.h"
+#include "ui/context/draw_list_renderer.h"
+#include "ui/context/input.h"
+#include "ui/paint/picture.h"
+#include "ui/paint/surface/glyph_atlas.h"
+#include "ui/paint/theme.h"
+
+#include <functional>
+#include <string>
+
+struct ImDrawList;
+struct ImFont;
+struct ImGuiContext;
+
+namespace ui {
+
+/// Dear ImGui on a context, on the screen or off it: the frame's beginning and end, its type, its colours, its input.
+///
+///     while (!window.wants_to_close()) {
+///         session.begin_frame(window.input());
+///         ... widgets, session.show(picture, *ImGui::GetBackgroundDrawList(), {})
+///         session.end_frame();
+///         window.present();
+///     }
+///
+/// Dear ImGui's unit is a physical pixel here: multiply lengths by `scale()`. It saves nothing to disk.
+class ImGuiSession {
+public:
+    /// How the system's clipboard is reached; without it copied text stays in the program.
+    struct Clipboard {
+        std::function<std::string()> text;
+        std::function<void(const std::string&)> set_text;
+    };
+
+    /// \pre the context and the fonts outlive the session
+    ImGuiSession(Context& context, const Fonts& fonts, const Theme& theme);
+    ~ImGuiSession();
+    ImGuiSession(const ImGuiSession&) = delete;
+    ImGuiSession& operator=(const ImGuiSession&) = delete;
+
+    /// Takes effect at the next frame.
+    void set_theme(const Theme& theme);
+    void set_clipboard(Clipboard clipboard) { clipboard_ = std::move(clipboard); }
+
+    void begin_frame(const Input& input);
+    /// Draws the frame over the theme's background; `present` the context afterwards.
+    void end_frame();
+
+    /// Draws a picture on a list of this session's; its top left corner lies at `corner` [physical pixels].
+    void show(const Picture& picture, ImDrawList& list, Point corner);
+
+    double scale() const { return scale_; }
+    ImFont* regular() const { return regular_; }
+    ImFont* bold() const { return bold_; }
+    ImFont* large() const { return large_; }
+
+private:
+    void load_type();
+    void set_style();
+    void feed(const Input& input);
+    void feed_keys(const std::vector<KeyEvent>& events);
+
+    Context& context_;
+    const Fonts& fonts_;
+    Theme theme_;
+    double scale_;
+    bool is_stale_ = false; ///< type and style do not fit the theme or the scale
+    std::vector<KeyEvent> waiting_keys_;
+    ImGuiContext* imgui_;
+    DrawListRenderer renderer_;
+    GlyphAtlas atlas_;
+    AlphaImage type_image_;
+    ImFont* regular_ = nullptr;
+    ImFont* bold_ = nullptr;
+    ImFont* large_ = nullptr;
+    Clipboard clipboard_;
+    std::string copied_;
+};
+
+} // namespace ui

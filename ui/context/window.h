@@ -1,0 +1,51 @@
+#pragma once
+
+#include "ui/context/context.h"
+#include "ui/context/input.h"
+
+#include <memory>
+#include <string>
+
+namespace ui {
+
+enum class PointerShape { Arrow, Text, Hand, Crosshair, ResizeAcross, ResizeUpDown };
+
+/// A window on the screen, through GLFW.
+class Window final : public Context {
+public:
+    struct Setup {
+        std::string title;
+        Size size{1280.0, 800.0}; ///< logical pixels
+    };
+
+    /// \throws ContextError with the system's words when there is no display or no OpenGL 3.3.
+    explicit Window(const Setup& setup);
+    ~Window() override;
+
+    void make_current() override;
+    PixelSize size() const override;
+    double scale() const override;
+    const gl::Functions& gl() const override;
+    void present() override;
+
+    bool wants_to_close() const;
+    /// Takes back a wish to close: the document is not saved yet.
+    void stay_open();
+    void close();
+    void set_title(const std::string& title);
+    void set_pointer(PointerShape shape);
+    std::string clipboard() const;
+    void set_clipboard(const std::string& text);
+
+    /// What happened since the last call; waits for something to happen, `patience` seconds at most.
+    Input input(double patience = 0.0);
+
+    /// True where a window can be opened at all.
+    static bool has_display();
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+} // namespace ui

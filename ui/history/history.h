@@ -1,0 +1,113 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ui/text/phrase.h"
+
+namespace ui {
+
+/// The states that a document went through, each with the label of the step that made it.
+///
+///     state   start -- add node -- move load -- (open gesture)
+///     place     0         1            2              3
+///
+/// A step is a click (`apply`) or a gesture: `drag` again and again while the mouse is down, then `settle`. A gesture
+/// is one step however often it changed the document, and none if the document came back to what it was. A new step
+/// after an undo forgets what could have been redone.
+template <class Document> class History {
+public:
+    explicit History(Document start, Phrase label = {}) { states_.push_back({std::move(start), std::move(label)}); }
+
+    /// The document as it is now, an open gesture included. The reference holds until the next call that is not const.
+    const Document& current() const { return states_[place_].document; }
+
+    /// One step. A document equal to the current one is no step.
+    void apply(Document next, Phrase label)
+    {
+        settle();
+        if (next != current()) push(std::move(next), std::move(label));
+    }
+
+    /// Opens a gesture or continues the open one.
+    void drag(Document next, Phrase label)
+    {
+        if (is_dragging_) {
+            states_[place_] = {std::move(next), std::move(label)};
+        } else if (next != current()) {
+            push(std::move(next), std::move(label));
+            is_dragging_ = true;
+        }
+    }
+
+    /// Closes the open gesture; nothing happens if there is none.
+    void settle()
+    {
+        if (!std::exchange(is_dragging_, false)) return;
+        if (current() == states_[place_ - 1].document) pop();
+    }
+
+    /// Closes the open gesture and takes back what it did.
+    void cancel()
+    {
+        if (std::exchange(is_dragging_, false)) pop();
+    }
+
+    bool is_dragging() const { return is_dragging_; }
+    bool can_undo() const { return place_ > 0; }
+    bool can_redo() const { return place_ + 1 < states_.size(); }
+
+    /// Takes one step back; an open gesture is taken back as a whole. Nothing happens at the start.
+    void undo()
+    {
+        settle();
+        if (can_undo()) --place_;
+    }
+    void redo()
+    {
+        settle();
+        if (can_redo()) ++place_;
+    }
+
+    /// The step that `undo` would take back, that `redo` would do again.
+    std::optional<Phrase> undo_label() const { return can_undo() ? std::optional(label(place_)) : std::nullopt; }
+    std::optional<Phrase> redo_label() const { return can_redo() ? std::optional(label(place_ + 1)) : std::nullopt; }
+
+    std::size_t n_states() const { return states_.size(); }
+    std::size_t place() const { return place_; } ///< of the current state, from 0
+    const Phrase& label(std::size_t place) const { return states_.at(place).label; }
+    /// Makes that state the current one; those after it can still be reached. \throws std::out_of_range
+    void jump(std::size_t place)
+    {
+        settle();
+        (void)states_.at(place);
+        place_ = place;
+    }
+
+private:
+    struct State {
+        Document document;
+        Phrase label;
+    };
+
+    void push(Document next, Phrase label)
+    {
+        states_.erase(states_.begin() + static_cast<std::ptrdiff_t>(place_) + 1, states_.end());
+        states_.push_back({std::move(next), std::move(label)});
+        ++place_;
+    }
+    void pop()
+    {
+        states_.pop_back();
+        --place_;
+    }
+
+    std::vector<State> states_;
+    std::size_t place_ = 0;
+    bool is_dragging_ = false;
+};
+
+} // namespace ui

@@ -1,0 +1,322 @@
+#include "ui/paint/label_placement.h"
+
+#include "ui/paint/label/obstacle_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace ui {
+
+namespace {
+
+constexpr std::size_t n_directions = 16;
+constexpr int most_asked = 6;               // labels asked to move aside for one that finds no place
+constexpr std::size_t most_effort = 20'000; // places tried in a run, before labels look nearby alone
+constexpr double cell_side = 48.0;          // [px] of the grid that labels are looked up in
+constexpr double most_cells_a_side = 512.0; // of that grid
+
+/// One place that a label could take.
+struct Candidate {
+    OrientedBox box;
+    std::optional<Leader> leader;
+};
+
+/// Directions of a ring, the most readable ones first: diagonals, then above, below and beside, then the rest.
+std::array<Point, n_directions> ring_directions()
+{
+    constexpr std::array<int, n_directions> order = {2, 6, 14, 10, 4, 12, 0, 8, 1, 7, 15, 9, 3, 5, 13, 11};
+    std::array<Point, n_directions> directions;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+        const double angle = 2.0 * std::numbers::pi * order[i] / double{n_directions};
+        directions[i] = {std::cos(angle), -std::sin(angle)};
+    }
+    return directions;
+}
+
+/// The places of a label in the order in which it likes them: its wishes, then ring by ring. What lies there is looked
+/// up when it is first asked for, and kept.
+class Candidates {
+public:
+    Candidates(const Label& label, const LabelPlacer::Options& options, const ObstacleMap& obstacles)
+        : label_(&label), options_(&options), obstacles_(&obstacles), step_(std::max(4.0, 0.7 * label.size.height))
+    {
+        const Box bounds = box_at(label.target).bounds();
+        half_ = {0.5 * bounds.width(), 0.5 * bounds.height()};
+        if (label.reach >= label.clearance)
+            n_rings_ = static_cast<std::size_t>((label.reach - label.clearance) / step_) + 1;
+    }
+
+    std::size_t n() const { return label_->wishes.size() + n_rings_ * n_directions; }
+    /// How many are near: the wishes and the first ring.
+    std::size_t n_near() const { return std::min(n(), label_->wishes.size() + n_directions); }
+
+    /// Taken as well where the box leaves the room.
+    Ground ground(std::size_t index)
+    {
+        while (grounds_.size() <= index) grounds_.push_back(ground_at(center(grounds_.size())));
+        return grounds_[index];
+    }
+
+    Candidate operator[](std::size_t index) const
+    {
+        const OrientedBox box = box_at(center(index));
+        if (index < label_->wishes.size()) return {box, std::nullopt};
+        const Point border = box.nearest(label_->target);
+        if (distance(border, label_->target) <= options_->leader_after) return {box, std::nullopt};
+        return {box, Leader{border, label_->target}};
+    }
+
+private:
+    OrientedBox box_at(Point center) const { return {center, label_->size, label_->rotation}; }
+
+    Point center(std::size_t index) const
+    {
+        static const auto directions = ring_directions();
+        const std::size_t n_wishes = label_->wishes.size();
+        if (index < n_wishes) return label_->wishes[index];
+        const std::size_t on_rings = index - n_wishes;
+        const Point direction = directions[on_rings % n_directions];
+        const double away = label_->clearance + step_ * static_cast<double>(on_rings / n_directions);
+        const double own_reach = std::abs(direction.x) * half_.x + std::abs(direction.y) * half_.y;
+        return label_->target + (away + own_reach) * direction;
+    }
+
+    Ground ground_at(Point center) const
+    {
+        const bool is_in_room = is_finite(center) && options_->room.contains(Box{center - half_, center + half_});
+        return is_in_room ? obstacles_->ground_of(box_at(center).grown(options_->gap)) : Ground::Taken;
+    }
+
+    const Label* label_;
+    const LabelPlacer::Options* options_;
+    const ObstacleMap* obstacles_;
+    double step_;
+    Point half_{};
+    std::size_t n_rings_ = 0;
+    std::vector<Ground> grounds_;
+};
+
+/// The labels that have a place, looked up through a grid.
+class Placed {
+public:
+    Placed(std::size_t n_labels, const LabelPlacer::Options& options)
+        : places_(n_labels),
+          corner_(options.room.min),
+          gap_(options.gap),
+          n_columns_(n_cells(options.room.width())),
+          n_rows_(n_cells(options.room.height())),
+          cells_(static_cast<std::size_t>(n_columns_) * static_cast<std::size_t>(n_rows_))
+    {}
+
+    const std::optional<Candidate>& operator[](std::size_t label) const { return places_[label]; }
+
+    void put(std::size_t label, const Candidate& place)
+    {
+        places_[label] = place;
+        for_each_cell(place, [&](std::vector<std::size_t>& cell) { cell.push_back(label); });
+    }
+
+    Candidate take_away(std::size_t label)
+    {
+        const Candidate place = *places_[label];
+        for_each_cell(place, [&](std::vector<std::size_t>& cell) { std::erase(cell, label); });
+        places_[label].reset();
+        return place;
+    }
+
+    /// Labels that the new place would disturb; stops after two, since nobody asks for more.
+    std::vector<std::size_t> disturbed_by(const Candidate& place) const
+    {
+        std::vector<std::size_t> found;
+        const CellRange range = cells(place);
+        for (int y = range.y0; y <= range.y1; ++y) {
+            for (int x = range.x0; x <= range.x1; ++x) {
+                for (const std::size_t label : cells_[index(x, y)]) {
+                    if (std::find(found.begin(), found.end(), label) != found.end()) continue;
+                    if (clash(place, *places_[label])) found.push_back(label);
+                    if (found.size() >= 2) return found;
+                }
+            }
+        }
+        return found;
+    }
+
+private:
+    struct CellRange {
+        int x0, y0, x1, y1;
+    };
+
+    static int n_cells(double side)
+    {
+        return static_cast<int>(std::clamp(std::ceil(side / cell_side), 1.0, most_cells_a_side));
+    }
+
+    std::size_t index(int x, int y) const { return static_cast<std::size_t>(y * n_columns_ + x); }
+
+    /// Cells near the label and its leader; what lies outside the room is counted to the cells along its border.
+    CellRange cells(const Candidate& place) const
+    {
+        Box bounds = place.box.bounds();
+        if (place.leader) bounds = united(bounds, {place.leader->to, place.leader->to});
+        const Box wide = bounds.grown(gap_);
+        const auto at = [](double v, int n) {
+            return static_cast<int>(std::clamp(std::floor(v / cell_side), 0.0, static_cast<double>(n - 1)));
+        };
+        return {at(wide.min.x - corner_.x, n_columns_), at(wide.min.y - corner_.y, n_rows_),
+                at(wide.max.x - corner_.x, n_columns_), at(wide.max.y - corner_.y, n_rows_)};
+    }
+
+    template <class Act> void for_each_cell(const Candidate& place, const Act& act)
+    {
+        const CellRange range = cells(place);
+        for (int y = range.y0; y <= range.y1; ++y)
+            for (int x = range.x0; x <= range.x1; ++x) act(cells_[index(x, y)]);
+    }
+
+    bool clash(const Candidate& a, const Candidate& b) const
+    {
+        const OrientedBox wide = a.box.grown(gap_);
+        if (wide.overlaps(b.box)) return true;
+        if (b.leader && wide.meets_segment(b.leader->from, b.leader->to)) return true;
+        if (a.leader && b.box.grown(gap_).meets_segment(a.leader->from, a.leader->to)) return true;
+        return a.leader && b.leader && do_cross(*a.leader, *b.leader);
+    }
+
+    static bool do_cross(const Leader& a, const Leader& b)
+    {
+        const auto side = [](const Leader& l, Point p) { return cross(l.to - l.from, p - l.from) > 0.0; };
+        return side(a, b.from) != side(a, b.to) && side(b, a.from) != side(b, a.to);
+    }
+
+    std::vector<std::optional<Candidate>> places_;
+    Point corner_;
+    double gap_;
+    int n_columns_;
+    int n_rows_;
+    std::vector<std::vector<std::size_t>> cells_;
+};
+
+/// One run over a set of labels.
+class Run {
+public:
+    Run(std::span<const Label> labels, const LabelPlacer::Options& options, const LabelObstacles& obstacles)
+        : labels_(labels), obstacles_(obstacles), placed_(labels.size(), options)
+    {
+        candidates_.reserve(labels.size());
+        for (const Label& label : labels) candidates_.emplace_back(label, options, obstacles_);
+    }
+
+    LabelPlacement result()
+    {
+        std::vector<std::size_t> homeless = by_priority();
+        for (const Ground worst : {Ground::Free, Ground::Soft}) {
+            std::erase_if(homeless, [&](std::size_t label) { return put_where_free(label, worst); });
+            std::erase_if(homeless, [&](std::size_t label) { return put_by_moving_one(label, worst); });
+        }
+        LabelPlacement placement;
+        for (std::size_t i = 0; i < labels_.size(); ++i) {
+            placement.labels.emplace_back();
+            if (const auto& place = placed_[i]) placement.labels.back() = PlacedLabel{place->box.center, place->leader};
+            else ++placement.n_left_out;
+        }
+        return placement;
+    }
+
+private:
+    std::vector<std::size_t> by_priority() const
+    {
+        std::vector<std::size_t> order(labels_.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::size_t a, std::size_t b) { return labels_[a].priority > labels_[b].priority; });
+        std::erase_if(order, [&](std::size_t i) { return !is_finite(labels_[i].target); });
+        return order;
+    }
+
+    /// How many of its places a label may try: all of them until the run has taken long, then those nearby.
+    std::size_t n_tries(Candidates& candidates)
+    {
+        const std::size_t n = effort_ < most_effort ? candidates.n() : candidates.n_near();
+        effort_ += n;
+        return n;
+    }
+
+    bool put_where_free(std::size_t label, Ground worst)
+    {
+        Candidates& candidates = candidates_[label];
+        const std::size_t n = n_tries(candidates);
+        for (std::size_t i = 0; i < n; ++i) {
+            if (candidates.ground(i) > worst) continue;
+            const Candidate place = candidates[i];
+            if (!placed_.disturbed_by(place).empty()) continue;
+            effort_ -= n - i - 1;
+            placed_.put(label, place);
+            return true;
+        }
+        return false;
+    }
+
+    bool put_by_moving_one(std::size_t label, Ground worst)
+    {
+        Candidates& candidates = candidates_[label];
+        const std::size_t n = n_tries(candidates);
+        int n_asked = 0;
+        for (std::size_t i = 0; i < n && n_asked < most_asked; ++i) {
+            if (candidates.ground(i) > worst) continue;
+            const Candidate place = candidates[i];
+            const auto in_the_way = placed_.disturbed_by(place);
+            if (in_the_way.size() != 1) continue;
+            ++n_asked;
+            if (swap(label, place, in_the_way.front(), worst)) return true;
+        }
+        return false;
+    }
+
+    /// Puts `label` at a place from which `other` finds another one; changes nothing if it finds none.
+    bool swap(std::size_t label, const Candidate& place, std::size_t other, Ground worst)
+    {
+        const Candidate before = placed_.take_away(other);
+        placed_.put(label, place);
+        if (put_where_free(other, worst)) return true;
+        placed_.take_away(label);
+        placed_.put(other, before);
+        return false;
+    }
+
+    std::span<const Label> labels_;
+    ObstacleMap obstacles_;
+    Placed placed_;
+    std::vector<Candidates> candidates_;
+    std::size_t effort_ = 0; // places tried
+};
+
+} // namespace
+
+LabelPlacer::LabelPlacer(const Options& options) : options_(options), obstacles_(options.room) {}
+
+LabelPlacement LabelPlacer::place(std::span<const Label> labels) const
+{
+    return Run(labels, options_, obstacles_).result();
+}
+
+Size label_size(const Fonts& fonts, std::string_view utf8, const TextStyle& style)
+{
+    const TextExtent extent = fonts.measure(utf8, style);
+    return {extent.width, extent.height()};
+}
+
+void draw_label(Painter& painter, const PlacedLabel& place, std::string_view utf8, const TextStyle& style)
+{
+    TextStyle centered = style;
+    centered.anchor = Anchor::Center;
+    const TextExtent extent = painter.measure(utf8, style);
+    const double baseline_of_box = 0.5 * (extent.ascent - extent.descent);           // below the box's middle
+    const double baseline_of_text = 0.5 * painter.fonts().cap_height() * style.size; // below the anchor
+    const Point down{std::sin(style.rotation), std::cos(style.rotation)};
+    painter.text(place.center + (baseline_of_box - baseline_of_text) * down, utf8, centered);
+}
+
+} // namespace ui

@@ -1,0 +1,230 @@
+#include "ui/paint/surface/pdf.h"
+
+#include <cairo-ft.h>
+#include <cairo-pdf.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+namespace ui {
+
+namespace {
+
+constexpr double points_per_pixel = 72.0 / 96.0;
+
+struct CloseCairo {
+    void operator()(cairo_t* c) const { cairo_destroy(c); }
+    void operator()(cairo_surface_t* s) const { cairo_surface_destroy(s); }
+    void operator()(cairo_font_face_t* f) const { cairo_font_face_destroy(f); }
+    void operator()(cairo_font_options_t* o) const { cairo_font_options_destroy(o); }
+};
+using Cairo = std::unique_ptr<cairo_t, CloseCairo>;
+using CairoTarget = std::unique_ptr<cairo_surface_t, CloseCairo>;
+using CairoFont = std::unique_ptr<cairo_font_face_t, CloseCairo>;
+
+/// What a Cairo font needs as long as Cairo keeps it, which may be longer than the document: the bytes and FreeType.
+struct FontSource {
+    std::vector<unsigned char> bytes;
+    FT_Library library = nullptr;
+    FT_Face face = nullptr;
+
+    explicit FontSource(std::span<const unsigned char> file) : bytes(file.begin(), file.end())
+    {
+        if (FT_Init_FreeType(&library) != 0 ||
+            FT_New_Memory_Face(library, bytes.data(), static_cast<FT_Long>(bytes.size()), 0, &face) != 0)
+            throw FontError("font reader: FreeType does not read the font DejaVu Sans");
+    }
+    ~FontSource()
+    {
+        if (face) FT_Done_Face(face);
+        if (library) FT_Done_FreeType(library);
+    }
+    FontSource(const FontSource&) = delete;
+    FontSource& operator=(const FontSource&) = delete;
+};
+
+CairoFont cairo_font(std::span<const unsigned char> file)
+{
+    static const cairo_user_data_key_t key{};
+    auto source = std::make_unique<FontSource>(file);
+    CairoFont font(cairo_ft_font_face_create_for_ft_face(source->face, FT_LOAD_NO_HINTING));
+    const auto close = [](void* data) { delete static_cast<FontSource*>(data); };
+    if (cairo_font_face_set_user_data(font.get(), &key, source.get(), close) == CAIRO_STATUS_SUCCESS) source.release();
+    return font;
+}
+
+class CairoPage final : public Surface {
+public:
+    CairoPage(cairo_t* cairo, const Fonts& fonts)
+        : cairo_(cairo),
+          fonts_(fonts),
+          regular_(cairo_font(fonts.file(Weight::Regular))),
+          bold_(cairo_font(fonts.file(Weight::Bold)))
+    {}
+
+    void clip(const Box& box) override;
+    void stroke(const Path& path, const Stroke& stroke) override;
+    void fill(std::span<const Point> polygon, Color color) override;
+    void stroke_arc(const Arc& arc, const Stroke& stroke) override;
+    void fill_disc(Point center, double radius, Color color) override;
+    void text(Point at, std::string_view utf8, const TextStyle& style) override;
+    void fill_page(Color color);
+
+private:
+    void set_color(Color color);
+    void set_stroke(const Stroke& stroke, double dash_offset);
+    void trace(std::span<const Point> points);
+    void show(std::string_view utf8, const TextStyle& style);
+
+    cairo_t* cairo_;
+    const Fonts& fonts_;
+    CairoFont regular_;
+    CairoFont bold_;
+};
+
+void CairoPage::set_color(Color color)
+{
+    cairo_set_source_rgba(cairo_, color.r / 255.0, color.g / 255.0, color.b / 255.0, color.a / 255.0);
+}
+
+void CairoPage::set_stroke(const Stroke& stroke, double dash_offset)
+{
+    set_color(stroke.color);
+    cairo_set_line_width(cairo_, stroke.width);
+    const auto dash = stroke.dash.lengths();
+    cairo_set_dash(cairo_, dash.data(), static_cast<int>(dash.size()), dash_offset);
+    cairo_set_line_cap(cairo_, stroke.cap == Cap::Butt    ? CAIRO_LINE_CAP_BUTT
+                               : stroke.cap == Cap::Round ? CAIRO_LINE_CAP_ROUND
+                                                          : CAIRO_LINE_CAP_SQUARE);
+    cairo_set_line_join(cairo_, stroke.join == Join::Miter   ? CAIRO_LINE_JOIN_MITER
+                                : stroke.join == Join::Round ? CAIRO_LINE_JOIN_ROUND
+                                                             : CAIRO_LINE_JOIN_BEVEL);
+    cairo_set_miter_limit(cairo_, 4.0);
+}
+
+void CairoPage::trace(std::span<const Point> points)
+{
+    cairo_new_path(cairo_);
+    for (const Point p : points) cairo_line_to(cairo_, p.x, p.y);
+}
+
+void CairoPage::clip(const Box& box)
+{
+    cairo_reset_clip(cairo_);
+    cairo_new_path(cairo_);
+    cairo_rectangle(cairo_, box.min.x, box.min.y, box.width(), box.height());
+    cairo_clip(cairo_);
+}
+
+void CairoPage::stroke(const Path& path, const Stroke& stroke)
+{
+    trace(path.points);
+    if (path.ends == PathEnds::Closed) cairo_close_path(cairo_);
+    set_stroke(stroke, path.dash_offset);
+    cairo_stroke(cairo_);
+}
+
+void CairoPage::fill(std::span<const Point> polygon, Color color)
+{
+    trace(polygon);
+    set_color(color);
+    cairo_fill(cairo_);
+}
+
+void CairoPage::stroke_arc(const Arc& arc, const Stroke& stroke)
+{
+    cairo_new_path(cairo_);
+    const double begin = -arc.start, end = -arc.start - arc.sweep; // Cairo's angles are clockwise as seen
+    if (arc.sweep > 0.0) cairo_arc_negative(cairo_, arc.center.x, arc.center.y, arc.radius, begin, end);
+    else cairo_arc(cairo_, arc.center.x, arc.center.y, arc.radius, begin, end);
+    if (std::abs(arc.sweep) >= 2.0 * std::numbers::pi - 1e-9) cairo_close_path(cairo_);
+    set_stroke(stroke, 0.0);
+    cairo_stroke(cairo_);
+}
+
+void CairoPage::fill_disc(Point center, double radius, Color color)
+{
+    cairo_new_path(cairo_);
+    cairo_arc(cairo_, center.x, center.y, radius, 0.0, 2.0 * std::numbers::pi);
+    set_color(color);
+    cairo_fill(cairo_);
+}
+
+void CairoPage::text(Point at, std::string_view utf8, const TextStyle& style)
+{
+    cairo_save(cairo_);
+    cairo_translate(cairo_, at.x, at.y);
+    cairo_rotate(cairo_, -style.rotation);
+    show(utf8, style);
+    cairo_restore(cairo_);
+}
+
+/// Draws each glyph at its measured place, with the characters beside it so that readers can search for them.
+void CairoPage::show(std::string_view utf8, const TextStyle& style)
+{
+    Point pen = baseline_offset(fonts_.measure(utf8, style), fonts_.cap_height() * style.size, style.anchor);
+    std::vector<cairo_glyph_t> glyphs;
+    std::vector<cairo_text_cluster_t> clusters;
+    const std::u32string characters = decode_utf8(utf8);
+    const std::string clean = encode_utf8(characters);
+    for (const char32_t c : characters) {
+        glyphs.push_back({fonts_.glyph_index(c, style.weight), pen.x, pen.y});
+        clusters.push_back({n_utf8_bytes(c), 1});
+        pen.x += fonts_.advance(c, style.weight) * style.size;
+    }
+    cairo_set_font_face(cairo_, style.weight == Weight::Bold ? bold_.get() : regular_.get());
+    cairo_set_font_size(cairo_, style.size);
+    set_color(style.color);
+    cairo_show_text_glyphs(cairo_, clean.data(), static_cast<int>(clean.size()), glyphs.data(),
+                           static_cast<int>(glyphs.size()), clusters.data(), static_cast<int>(clusters.size()),
+                           static_cast<cairo_text_cluster_flags_t>(0));
+}
+
+void CairoPage::fill_page(Color color)
+{
+    if (color.a == 0) return;
+    set_color(color);
+    cairo_paint(cairo_);
+}
+
+void use_unhinted_type(cairo_t* cairo)
+{
+    const std::unique_ptr<cairo_font_options_t, CloseCairo> options(cairo_font_options_create());
+    cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
+    cairo_set_font_options(cairo, options.get());
+}
+
+void require(cairo_status_t status, const std::filesystem::path& path)
+{
+    if (status != CAIRO_STATUS_SUCCESS)
+        throw std::runtime_error("file " + path.string() + ": cannot be written (" + cairo_status_to_string(status) +
+                                 "); check that its folder exists and may be written to");
+}
+
+} // namespace
+
+void write_pdf(const std::filesystem::path& path, const Picture& picture, const Fonts& fonts, const PdfLook& look)
+{
+    const Size size = points_per_pixel * picture.size();
+    const CairoTarget target(cairo_pdf_surface_create(path.string().c_str(), size.width, size.height));
+    require(cairo_surface_status(target.get()), path);
+    if (!look.title.empty()) cairo_pdf_surface_set_metadata(target.get(), CAIRO_PDF_METADATA_TITLE, look.title.c_str());
+    {
+        const Cairo cairo(cairo_create(target.get()));
+        cairo_scale(cairo.get(), points_per_pixel, points_per_pixel);
+        use_unhinted_type(cairo.get());
+        CairoPage page(cairo.get(), fonts);
+        page.fill_page(look.background);
+        picture.draw_on(page);
+        cairo_show_page(cairo.get());
+        require(cairo_status(cairo.get()), path);
+    }
+    cairo_surface_finish(target.get());
+    require(cairo_surface_status(target.get()), path);
+}
+
+} // namespace ui

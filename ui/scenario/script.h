@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "ui/command/chord.h"
+
+namespace ui {
+
+/// A script of user input, one step a line; blank lines and those that begin with # are left out.
+///
+///     click PLACE              presses and releases the left button
+///     hover PLACE              moves the pointer
+///     drag PLACE to PLACE      presses, moves in small steps, releases
+///     wheel PLACE TURNS        turns the wheel; positive is away from the hand
+///     key CHORD                Ctrl+Z, F, Esc
+///     type "TEXT"              \" and \\ stand for themselves
+///     command ID [ARGUMENT]    runs a command of the app's table
+///     wait SECONDS
+///     picture NAME             keeps the picture as it is then
+///     expect WORDS             the app checks itself and says what it found instead
+///
+/// A PLACE is words that the app understands: `node B`, `member AB 50%`, `(2, 0)`, `pixel 400 300`.
+namespace step {
+struct Click {
+    std::string at;
+};
+struct Hover {
+    std::string at;
+};
+struct Drag {
+    std::string from, to;
+};
+struct Wheel {
+    std::string at;
+    double turns = 0.0;
+};
+struct Press {
+    Chord chord;
+};
+struct Type {
+    std::string text;
+};
+struct RunCommand {
+    std::string id, argument;
+};
+struct Wait {
+    double seconds = 0.0;
+};
+struct TakePicture {
+    std::string name;
+};
+struct Expect {
+    std::string words;
+};
+} // namespace step
+
+struct ScenarioStep {
+    std::size_t line = 0; ///< of the script, from 1
+    std::variant<step::Click, step::Hover, step::Drag, step::Wheel, step::Press, step::Type, step::RunCommand,
+                 step::Wait, step::TakePicture, step::Expect>
+        what;
+};
+
+/// What is wrong with a script or went wrong while it was played: "line 3: no node K".
+class ScenarioError : public std::runtime_error {
+public:
+    ScenarioError(std::size_t line, const std::string& what)
+        : std::runtime_error("line " + std::to_string(line) + ": " + what)
+    {}
+};
+
+/// \throws ScenarioError for the first line that it does not understand.
+std::vector<ScenarioStep> read_scenario(std::string_view text);
+
+} // namespace ui

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "ui/text/number_format.h"
+
+namespace ui {
+
+/// What a number on the screen measures. Displacements have a measure of their own because they are shown in a
+/// smaller unit than lengths.
+enum class Measure : std::uint8_t {
+    Plain,
+    Length,
+    Displacement,
+    Rotation, ///< rad
+    Angle,    ///< degrees
+    Force,
+    Moment,
+    ForcePerLength,
+    MomentPerLength,
+    MomentPerAngle,
+    Stress,
+    FoundationModulus,
+    Area,
+    SecondMoment,
+    SectionLength, ///< dimensions of a cross-section
+    Density,
+    Temperature,
+    Expansion
+};
+
+/// Units that results and properties are shown in, whatever the file counts in.
+///
+///   File   the file's own base units, for everything
+///   Si     N, m, MPa            mm for displacements and sections
+///   KnM    kN, m, MPa           mm for displacements, cm^2 and cm^4 for sections
+///   KnCm   kN, cm, kN/cm^2
+///   Us     kip, ft, ksi         in for displacements and sections
+enum class UnitSystem : std::uint8_t { File, Si, KnM, KnCm, Us };
+
+inline constexpr UnitSystem all_unit_systems[] = {UnitSystem::File, UnitSystem::Si, UnitSystem::KnM, UnitSystem::KnCm,
+                                                  UnitSystem::Us};
+
+std::string_view code(UnitSystem system); ///< "file", "si", "kn-m", "kn-cm", "us"
+std::optional<UnitSystem> unit_system_named(std::string_view code);
+
+/// The base units of the file's numbers, as names and in SI.
+struct BaseUnits {
+    std::string length = "m";
+    double metres = 1.0;
+    std::string force = "kN";
+    double newtons = 1.0e3;
+
+    friend bool operator==(const BaseUnits&, const BaseUnits&) = default;
+};
+
+/// A unit on the screen: shown = stored * factor.
+struct DisplayUnit {
+    std::string name; ///< "kN·m", "cm⁴"; empty for a plain number
+    double factor = 1.0;
+};
+
+/// Turns the file's numbers into texts with units, and typed numbers back.
+class DisplayUnits {
+public:
+    DisplayUnits() = default;
+    DisplayUnits(UnitSystem system, BaseUnits base, NumberFormat format);
+
+    UnitSystem system() const { return system_; }
+    const NumberFormat& format() const { return format_; }
+    DisplayUnit unit(Measure measure) const;
+    double shown(double stored, Measure measure) const { return stored * unit(measure).factor; }
+    double stored(double shown, Measure measure) const { return shown / unit(measure).factor; }
+    std::string number(double stored, Measure measure) const; ///< "12.5"
+    std::string text(double stored, Measure measure) const;   ///< "12.5 kN·m"
+    /// A label with its unit in brackets: "Length [m]"; without one for a plain number.
+    std::string label(std::string_view name, Measure measure) const;
+
+private:
+    UnitSystem system_ = UnitSystem::KnM;
+    BaseUnits base_;
+    NumberFormat format_;
+};
+
+/// kip and ft for a file in lbf, kip, in or ft, else kN and m.
+UnitSystem preferred_system(const BaseUnits& base);
+
+} // namespace ui

@@ -1,0 +1,73 @@
+#include "ui/text/number_format.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace ui {
+
+namespace {
+
+void drop_trailing_zeros(std::string& digits)
+{
+    if (digits.find('.') == std::string::npos) return;
+    while (digits.back() == '0') digits.pop_back();
+    if (digits.back() == '.') digits.pop_back();
+}
+
+std::string written(double value, std::chars_format format, int precision)
+{
+    std::array<char, 64> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, precision).ptr;
+    return {buffer.data(), end};
+}
+
+// "1.20e-05" becomes "1.2e-5".
+std::string with_exponent(double value, int digits)
+{
+    const std::string text = written(value, std::chars_format::scientific, digits - 1);
+    const std::size_t e = text.find('e');
+    std::string mantissa = text.substr(0, e);
+    drop_trailing_zeros(mantissa);
+    std::string exponent = text[e + 1] == '-' ? "-" : "";
+    return mantissa + 'e' + exponent + text.substr(std::min(text.find_first_not_of("+-0", e + 1), text.size() - 1));
+}
+
+} // namespace
+
+std::string number_text(double value, const NumberFormat& format)
+{
+    if (!std::isfinite(value)) return "–";
+    if (value == 0.0) return "0";
+    const int digits = std::clamp(format.digits, 1, 15);
+    const std::string rounded = written(value, std::chars_format::scientific, digits - 1);
+    const int exponent = std::stoi(rounded.substr(rounded.find('e') + 1));
+    std::string text;
+    if (exponent < -4 || exponent >= 7) {
+        text = with_exponent(value, digits);
+    } else {
+        // Rounded first, so that 1234567 with three digits is 1230000.
+        text = written(std::stod(rounded), std::chars_format::fixed, std::max(0, digits - 1 - exponent));
+        drop_trailing_zeros(text);
+    }
+    if (format.mark == DecimalMark::Comma) std::replace(text.begin(), text.end(), '.', ',');
+    return text;
+}
+
+std::optional<double> number_typed(std::string_view text)
+{
+    const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
+    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+    if (text.starts_with('+') && text.size() > 1 && text[1] != '-') text.remove_prefix(1);
+    if (text.find('.') != std::string_view::npos && text.find(',') != std::string_view::npos) return std::nullopt;
+    std::string plain(text);
+    std::replace(plain.begin(), plain.end(), ',', '.');
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
+    const bool is_whole = error == std::errc() && end == plain.data() + plain.size();
+    return is_whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+} // namespace ui

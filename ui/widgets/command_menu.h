@@ -1,0 +1,87 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ui/command/command_table.h"
+#include "ui/text/catalogue.h"
+
+namespace ui {
+
+/// One command as a menu's line; where it cannot run it is grey, and its tip says why.
+template <class Session> void show_command(const Command<Session>& command, Session& session, const Catalogue& tr)
+{
+    const std::optional<Phrase> reason = why_not(command, session);
+    const std::string name = label(command, session, tr) + "###" + std::string(command.id);
+    const std::string keys = command.shortcuts.empty() ? "" : text(command.shortcuts.front());
+    const bool is_on = command.is_on && command.is_on(session);
+    if (ImGui::MenuItem(name.c_str(), keys.c_str(), is_on, !reason)) run(command, session);
+    if (reason && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        ImGui::SetTooltip("%s", tr(*reason).c_str());
+}
+
+/// The menus of a table, in the order of their first commands. \pre within a menu bar
+template <class Session> void show_menus(const CommandTable<Session>& table, Session& session, const Catalogue& tr)
+{
+    std::vector<std::string_view> menus;
+    for (const auto& command : table.all()) {
+        if (!command.menu.empty() && std::ranges::count(menus, command.menu) == 0) menus.push_back(command.menu);
+    }
+    for (const std::string_view menu : menus) {
+        if (!ImGui::BeginMenu((tr(menu) + "###" + std::string(menu)).c_str())) continue;
+        for (const auto& command : table.all()) {
+            if (command.menu == menu) show_command(command, session, tr);
+        }
+        ImGui::EndMenu();
+    }
+}
+
+/// Finds a command by its words: type, choose with the arrows, Enter.
+class CommandPalette {
+public:
+    void open();
+    bool is_open() const { return is_open_; }
+
+    template <class Session> void show(const CommandTable<Session>& table, Session& session, const Catalogue& tr)
+    {
+        if (!is_open_) return;
+        const auto found = table.matching(typed_, session, tr);
+        const Command<Session>* chosen = nullptr;
+        if (begin(tr, found.size())) {
+            for (std::size_t i = 0; i < found.size(); ++i) {
+                const bool can_run = !why_not(*found[i], session);
+                const std::string keys = found[i]->shortcuts.empty() ? "" : text(found[i]->shortcuts.front());
+                const std::string name = tr(found[i]->menu) + "  ›  " + label(*found[i], session, tr);
+                if (show_line(i, {name, keys, can_run})) chosen = found[i];
+            }
+        }
+        end();
+        if (chosen != nullptr) {
+            is_open_ = false;
+            run(*chosen, session);
+        }
+    }
+
+private:
+    struct Line {
+        std::string name, keys;
+        bool can_run;
+    };
+    bool begin(const Catalogue& tr, std::size_t n_found);
+    bool show_line(std::size_t place, const Line& line);
+    void end();
+
+    bool is_open_ = false;
+    bool is_fresh_ = false;
+    bool is_confirmed_ = false;
+    std::string typed_;
+    std::size_t chosen_ = 0;
+};
+
+} // namespace ui

@@ -1,0 +1,118 @@
+#include "ui/widgets/number_field.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <cmath>
+#include <utility>
+
+namespace ui {
+
+namespace {
+
+constexpr double pixels_per_step = 3.0;
+constexpr float click_distance = 3.0F; ///< the mouse moved farther: a drag
+
+} // namespace
+
+double drag_step(double value)
+{
+    const double size = std::abs(value);
+    if (!(size > 0.0) || !std::isfinite(size)) return 0.1;
+    const double decade = std::pow(10.0, std::floor(std::log10(size)) - 1.0);
+    return size / decade >= 50.0 ? decade : 0.5 * decade;
+}
+
+NumberFieldEvent NumberFields::show(std::string_view id, const Look& look)
+{
+    const unsigned key = ImGui::GetID(id.data(), id.data() + id.size());
+    const float width = look.width > 0.0F ? look.width : ImGui::GetContentRegionAvail().x;
+    ImGui::PushID(static_cast<int>(key));
+    NumberFieldEvent event = typing_ == key ? show_editor(key, width) : show_value(key, look, width);
+    ImGui::PopID();
+    return event;
+}
+
+NumberFieldEvent NumberFields::show_value(unsigned id, const Look& look, float width)
+{
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 size(width, ImGui::GetFrameHeight());
+    ImGui::InvisibleButton("value", size);
+    const bool is_hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
+    if (is_hot) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 end(corner.x + size.x, corner.y + size.y);
+    list.AddRectFilled(corner, end, ImGui::GetColorU32(is_hot ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg),
+                       style.FrameRounding);
+    const ImVec2 text_at(corner.x + style.FramePadding.x, corner.y + style.FramePadding.y);
+    list.PushClipRect(corner, end, true);
+    list.AddText(text_at, ImGui::GetColorU32(look.value ? ImGuiCol_Text : ImGuiCol_TextDisabled), look.text.c_str());
+    list.PopClipRect();
+
+    if (dragging_ == id) {
+        const NumberFieldEvent event = drag(drag_start_);
+        if (event.kind != NumberFieldEvent::Kind::None || dragging_ == id) return event;
+    }
+    if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, click_distance)) {
+        dragging_ = id;
+        drag_start_ = drag_value_ = look.value.value_or(0.0);
+        drag_path_ = 0.0;
+        return drag(drag_start_);
+    }
+    if (ImGui::IsItemDeactivated() && ImGui::IsItemHovered()) {
+        typing_ = id;
+        is_open_ = false;
+        text_ = opening_text_ = look.exact_text;
+        reason_.clear();
+    }
+    return {};
+}
+
+NumberFieldEvent NumberFields::drag(double start)
+{
+    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        dragging_ = 0;
+        return {.kind = NumberFieldEvent::Kind::Settled, .value = drag_value_, .text = {}};
+    }
+    const double slow = ImGui::GetIO().KeyShift ? 0.1 : 1.0;
+    drag_path_ += slow * static_cast<double>(ImGui::GetIO().MouseDelta.x);
+    const double step = drag_step(start);
+    const double fine = ImGui::GetIO().KeyShift ? 0.1 * step : step;
+    // Rounded to the step, so that the values passed through are ones that a person would type.
+    const double value = std::round((start + step * drag_path_ / pixels_per_step) / fine) * fine;
+    const double tidy = std::abs(value) < 1e-9 * step ? 0.0 : value;
+    if (tidy == drag_value_) return {};
+    drag_value_ = tidy;
+    return {.kind = NumberFieldEvent::Kind::Dragged, .value = tidy, .text = {}};
+}
+
+NumberFieldEvent NumberFields::show_editor(unsigned id, float width)
+{
+    ImGui::SetNextItemWidth(width);
+    if (!std::exchange(is_open_, true)) ImGui::SetKeyboardFocusHere();
+    const bool has_reason = !reason_.empty();
+    if (has_reason) ImGui::PushStyleColor(ImGuiCol_FrameBg, ImVec4(0.85F, 0.25F, 0.15F, 0.25F));
+    const bool is_confirmed = ImGui::InputText(
+        "text", &text_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    if (has_reason) ImGui::PopStyleColor();
+    const bool is_left = ImGui::IsItemDeactivated();
+    if (has_reason) ImGui::TextWrapped("%s", reason_.c_str());
+    if (!is_confirmed && !is_left) return {};
+
+    typing_ = 0;
+    last_typed_ = id;
+    reason_.clear();
+    if (text_ == opening_text_) return {};
+    return {.kind = NumberFieldEvent::Kind::Typed, .value = 0.0, .text = text_};
+}
+
+void NumberFields::reject(const NumberFieldEvent& event, std::string reason)
+{
+    typing_ = last_typed_;
+    is_open_ = false;
+    text_ = event.text;
+    reason_ = std::move(reason);
+}
+
+} // namespace ui

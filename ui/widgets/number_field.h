@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace ui {
+
+/// What a person did to a number field in this frame.
+struct NumberFieldEvent {
+    enum class Kind : std::uint8_t {
+        None,
+        Dragged, ///< `value` is new; the gesture goes on
+        Settled, ///< the gesture ended
+        Typed    ///< `text` was typed and confirmed, and differs from what stood there
+    };
+    Kind kind = Kind::None;
+    double value = 0.0; ///< in the unit shown
+    std::string text{};
+};
+
+/// Number fields: drag left or right to change the value (Shift: finer), click to type, Enter or a click elsewhere to
+/// confirm, Esc to leave the value as it was. What cannot be understood stays in the field with the reason beneath it.
+///
+/// One object serves all fields of a window: only one can be edited at a time.
+class NumberFields {
+public:
+    struct Look {
+        std::string text;            ///< the value as shown, rounded
+        std::string exact_text;      ///< the value as it is edited: nothing is lost if it is confirmed as it stands
+        std::optional<double> value; ///< nothing: the number is not given, and dragging begins at zero
+        float width = 0.0F;          ///< physical pixels; 0: all that is left
+    };
+
+    /// \pre within a window of Dear ImGui's; `id` is unique there
+    NumberFieldEvent show(std::string_view id, const Look& look);
+
+    /// Says why what was typed last was not taken; the field is opened again with the text.
+    void reject(const NumberFieldEvent& event, std::string reason);
+    bool is_typing() const { return typing_ != 0; }
+
+private:
+    NumberFieldEvent show_value(unsigned id, const Look& look, float width);
+    NumberFieldEvent show_editor(unsigned id, float width);
+    NumberFieldEvent drag(double start);
+
+    unsigned typing_ = 0;  ///< the field whose text is edited, 0 for none
+    bool is_open_ = false; ///< the editor was shown before, so it has the keyboard
+    std::string text_;
+    std::string opening_text_;
+    std::string reason_;
+    unsigned last_typed_ = 0;
+
+    unsigned dragging_ = 0;
+    double drag_start_ = 0.0;
+    double drag_value_ = 0.0;
+    double drag_path_ = 0.0; ///< pixels, those with Shift held counted for a tenth
+};
+
+/// The step that a drag of a number changes it by: a hundredth to a tenth of it, as a power of ten or half of one.
+double drag_step(double value);
+
+} // namespace ui
