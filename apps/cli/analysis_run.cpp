@@ -1,0 +1,61 @@
+#include "apps/cli/analysis_run.h"
+
+#include <algorithm>
+#include <exception>
+
+#include "apps/cli/argument.h"
+#include "femoop/analysis/mechanism.h"
+
+namespace cli {
+
+using femoop::Fault;
+using femoop::FaultKind;
+
+ExitStatus status_of(const std::vector<Fault>& faults)
+{
+    const bool is_structural = std::all_of(
+        faults.begin(), faults.end(), [](const Fault& fault) { return fault.kind == FaultKind::ConstraintConflict; });
+    return is_structural ? ExitStatus::CannotSolve : ExitStatus::BadInput;
+}
+
+void report_mechanisms(const femoop::MechanismError& error, const std::string& file, const Console& console)
+{
+    const ui::Catalogue& tr = console.tr();
+    const std::size_t n = error.mechanisms().size() + error.n_more();
+    console.message(
+        file + ": " +
+        (n == 1 ? tr("the structure is a mechanism, so it cannot be solved; it can move in one way:")
+                : tr("the structure is a mechanism, so it cannot be solved; it can move in {n} independent ways:",
+                     {{"n", std::to_string(n)}})));
+    for (const femoop::Mechanism& mechanism : error.mechanisms())
+        console.message("  " + console.sentence(mechanism.fault));
+    if (error.n_more() > 0)
+        console.message("  " +
+                        tr("and in at least {n} ways more; mend these first", {{"n", std::to_string(error.n_more())}}));
+}
+
+std::variant<Solved, ExitStatus> solve_model(const femoop::Model& model, const std::string& file,
+                                             const femoop::AnalysisOptions& options, const Console& console)
+{
+    try {
+        femoop::LinearStatic analysis(model, options);
+        femoop::Results results = analysis.solve(model);
+        return Solved{std::move(results), analysis.statistics()};
+    } catch (const femoop::MechanismError& error) {
+        report_mechanisms(error, file, console);
+        return ExitStatus::CannotSolve;
+    } catch (const femoop::ModelError& error) {
+        console.report(file, error.faults());
+        return status_of(error.faults());
+    }
+}
+
+femoop::SolverKind solver_named(const std::string& name, const ui::Catalogue& tr)
+{
+    if (const auto kind = femoop::solver_named(name)) return *kind;
+    std::vector<std::string> names;
+    for (const femoop::SolverKind kind : femoop::available_solvers()) names.emplace_back(femoop::name(kind));
+    throw unknown_choice("--solver", name, names, tr);
+}
+
+} // namespace cli

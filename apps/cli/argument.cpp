@@ -1,0 +1,91 @@
+#include "apps/cli/argument.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "femoop/model/suggestion.h"
+
+namespace cli {
+
+namespace {
+
+template <class Number> bool reads_as(const std::string& text, Number& number)
+{
+    const char* end = text.data() + text.size();
+    const auto result = std::from_chars(text.data(), end, number);
+    return result.ec == std::errc() && result.ptr == end && !text.empty();
+}
+
+std::string trimmed(std::string_view text)
+{
+    const auto first = text.find_first_not_of(' ');
+    if (first == std::string_view::npos) return "";
+    return std::string(text.substr(first, text.find_last_not_of(' ') - first + 1));
+}
+
+std::string quoted(const std::string& text) { return '"' + text + '"'; }
+
+} // namespace
+
+long whole_number(std::string_view option, const std::string& text, WholeRange range, const ui::Catalogue& tr)
+{
+    long number = 0;
+    if (reads_as(text, number) && number >= range.least && number <= range.most) return number;
+    throw UsageError(tr("{option}: found {found}; wanted a whole number from {least} to {most}",
+                        {{"option", option},
+                         {"found", quoted(text)},
+                         {"least", std::to_string(range.least)},
+                         {"most", std::to_string(range.most)}}));
+}
+
+double positive_number(std::string_view option, const std::string& text, const ui::Catalogue& tr)
+{
+    double number = 0.0;
+    if (reads_as(text, number) && std::isfinite(number) && number > 0.0) return number;
+    throw UsageError(
+        tr("{option}: found {found}; wanted a number greater than 0", {{"option", option}, {"found", quoted(text)}}));
+}
+
+std::vector<std::string> comma_list(std::string_view text)
+{
+    std::vector<std::string> parts;
+    while (true) {
+        const auto comma = text.find(',');
+        parts.push_back(trimmed(text.substr(0, comma)));
+        if (comma == std::string_view::npos) return parts;
+        text.remove_prefix(comma + 1);
+    }
+}
+
+UsageError unknown_choice(std::string_view option, const std::string& found, const std::vector<std::string>& choices,
+                          const ui::Catalogue& tr)
+{
+    const std::vector<std::string_view> candidates(choices.begin(), choices.end());
+    std::string text = tr("{option}: there is no {found}", {{"option", option}, {"found", quoted(found)}});
+    if (const auto near = femoop::nearest(found, candidates))
+        return UsageError(text + "; " + tr("did you mean {word}?", {{"word", quoted(*near)}}));
+    constexpr std::size_t most = 20;
+    std::string list;
+    for (std::size_t i = 0; i < choices.size() && i < most; ++i) list += (i == 0 ? "" : ", ") + choices[i];
+    if (choices.size() > most) list += ", ...";
+    return UsageError(text + "; " + tr("choose from: {list}", {{"list", list}}));
+}
+
+femoop::CaseId find_case(const femoop::Model& model, const std::string& name, const ui::Catalogue& tr)
+{
+    if (const auto id = model.find_case(name)) return *id;
+    std::vector<std::string> names;
+    for (const femoop::CaseId id : all_cases(model)) names.push_back(model.case_name(id));
+    if (names.empty())
+        throw UsageError(tr("--case: there is no {found}: the model has no load case", {{"found", quoted(name)}}));
+    throw unknown_choice("--case", name, names, tr);
+}
+
+std::vector<femoop::CaseId> all_cases(const femoop::Model& model)
+{
+    std::vector<femoop::CaseId> cases;
+    for (std::size_t i = 0; i < model.n_cases(); ++i) cases.emplace_back(i);
+    return cases;
+}
+
+} // namespace cli

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "apps/cli/console.h"
+#include "femoop/model/model.h"
+
+namespace cli {
+
+/// The value of an option, read as what it must be. \throws UsageError naming the option, what was found and what is
+/// wanted
+struct WholeRange {
+    long least = 0, most = 0;
+};
+long whole_number(std::string_view option, const std::string& text, WholeRange range, const ui::Catalogue& tr);
+double positive_number(std::string_view option, const std::string& text, const ui::Catalogue& tr);
+
+/// The parts between the commas; blanks around them are left out.
+std::vector<std::string> comma_list(std::string_view text);
+
+/// "--case: there is no "Gg"; did you mean "G"?", else with the list of what there is.
+UsageError unknown_choice(std::string_view option, const std::string& found, const std::vector<std::string>& choices,
+                          const ui::Catalogue& tr);
+
+/// The load case or combination of this name. \throws UsageError
+femoop::CaseId find_case(const femoop::Model& model, const std::string& name, const ui::Catalogue& tr);
+std::vector<femoop::CaseId> all_cases(const femoop::Model& model);
+
+} // namespace cli

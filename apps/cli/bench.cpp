@@ -1,0 +1,112 @@
+#include "apps/cli/bench.h"
+
+#include <CLI/CLI.hpp>
+#include <iomanip>
+#include <sstream>
+#include <string>
+
+#include "apps/cli/analysis_run.h"
+#include "apps/cli/argument.h"
+#include "apps/cli/bench_frame.h"
+#include "femoop/io/json_writer.h"
+#include "femoop/solver/blas.h"
+
+namespace cli {
+
+namespace {
+
+class Bench : public Subcommand {
+public:
+    std::string_view name() const override { return "bench"; }
+    HelpText help(const ui::Catalogue& tr) const override;
+    void declare(CLI::App& app, const ui::Catalogue& tr) override;
+    ExitStatus run(Console& console) override;
+
+private:
+    std::string what_, bays_ = "19", storeys_ = "50", solver_ = "automatic";
+    bool is_json_ = false;
+};
+
+HelpText Bench::help(const ui::Catalogue& tr) const
+{
+    return {
+        tr("time the analysis of a large structure built in memory"),
+        tr("`bench frame` builds a plane frame (bays of 6 m, storeys of 3 m, fixed bases, 20 kN/m on every beam, "
+           "10 kN to the right at every level), solves it, recovers N, V and M at 11 stations of every member, and "
+           "prints how long each phase took, the peak of memory and the sway of the top left node."),
+        {{"cremona bench frame --bays 249 --storeys 400", tr("300 000 degrees of freedom.")},
+         {"cremona bench frame --bays 19 --storeys 50 --solver ldlt --json", tr("Another solver, for a program.")}}};
+}
+
+void Bench::declare(CLI::App& app, const ui::Catalogue& tr)
+{
+    app.add_option("WHAT", what_, tr("the structure: frame"))->option_text(" ");
+    app.add_option("--bays", bays_, tr("how many bays the frame has (default 19)"))->option_text("B");
+    app.add_option("--storeys", storeys_, tr("how many storeys the frame has (default 50)"))->option_text("S");
+    app.add_option("--solver", solver_,
+                   tr("who solves K u = f: automatic (by size, default), skyline, ldlt or cholmod"))
+        ->option_text("NAME");
+    app.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
+}
+
+std::string json(const FrameBench& bench)
+{
+    femoop::JsonWriter json;
+    json.begin_object()
+        .member("dofs", bench.statistics.dofs)
+        .member("assemble", bench.statistics.assemble)
+        .member("order", bench.statistics.order)
+        .member("factor", bench.statistics.factor)
+        .member("solve", bench.statistics.solve)
+        .member("recover", bench.recover)
+        .member("total", bench.total)
+        .member("peak_mb", bench.peak_mb)
+        .member("nnz_factor", bench.statistics.factor_nonzeros)
+        .member("sway", bench.sway)
+        .end();
+    return json.take();
+}
+
+std::string table(const FrameBench& bench, const ui::Catalogue& tr)
+{
+    std::ostringstream text;
+    text << std::fixed;
+    const auto line = [&](double value, int decimals, std::string_view unit, const std::string& what) {
+        text << std::setw(16) << std::setprecision(decimals) << value << ' ' << std::left << std::setw(4) << unit
+             << what << std::right << '\n';
+    };
+    line(static_cast<double>(bench.statistics.dofs), 0, "", tr("dofs"));
+    line(bench.statistics.assemble, 6, "s", tr("assemble"));
+    line(bench.statistics.order, 6, "s", tr("order"));
+    line(bench.statistics.factor, 6, "s", tr("factor"));
+    line(bench.statistics.solve, 6, "s", tr("solve"));
+    line(bench.recover, 6, "s", tr("recover"));
+    line(bench.total, 6, "s", tr("all, from the model in memory to the last station"));
+    line(bench.resolve, 6, "s", tr("again with other loads"));
+    line(bench.peak_mb, 1, "MB", tr("peak of memory"));
+    line(static_cast<double>(bench.statistics.factor_nonzeros), 0, "", tr("nonzeros of the factor"));
+    line(bench.sway, 9, "m", tr("ux of the top left node"));
+    const femoop::Blas blas = femoop::blas();
+    return text.str() +
+           tr("solver {solver}; BLAS: {blas}; threads: {threads}",
+              {{"solver", bench.statistics.solver}, {"blas", blas.name}, {"threads", std::to_string(blas.threads)}}) +
+           "\n";
+}
+
+ExitStatus Bench::run(Console& console)
+{
+    const ui::Catalogue& tr = console.tr();
+    if (what_ != "frame") throw unknown_choice("WHAT", what_, {"frame"}, tr);
+    constexpr WholeRange range{1, 5000};
+    const FrameSize size{.bays = static_cast<std::size_t>(whole_number("--bays", bays_, range, tr)),
+                         .storeys = static_cast<std::size_t>(whole_number("--storeys", storeys_, range, tr))};
+    const FrameBench bench = bench_frame(size, {.solver = solver_named(solver_, tr)});
+    console.print(is_json_ ? json(bench) : table(bench, tr));
+    return ExitStatus::Done;
+}
+
+} // namespace
+
+std::unique_ptr<Subcommand> bench_command() { return std::make_unique<Bench>(); }
+
+} // namespace cli

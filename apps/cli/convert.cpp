@@ -1,0 +1,138 @@
+#include "apps/cli/convert.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "apps/cli/analysis_run.h"
+#include "apps/cli/argument.h"
+#include "apps/cli/model_input.h"
+#include "apps/cli/output_file.h"
+#include "apps/cli/picture.h"
+#include "femoop/io/results_csv.h"
+#include "femoop/model/in_units.h"
+
+namespace cli {
+
+namespace {
+
+constexpr std::size_t n_stations = 21;
+
+class Convert : public Subcommand {
+public:
+    std::string_view name() const override { return "convert"; }
+    HelpText help(const ui::Catalogue& tr) const override;
+    void declare(CLI::App& app, const ui::Catalogue& tr) override;
+    ExitStatus run(Console& console) override;
+
+private:
+    ExitStatus to_json(const femoop::Model& model, Console& console) const;
+    ExitStatus to_csv(const femoop::Model& model, Console& console) const;
+    void deliver(const std::string& text, Console& console) const;
+
+    std::string in_, out_;
+    std::optional<std::string> units_;
+};
+
+HelpText Convert::help(const ui::Catalogue& tr) const
+{
+    return {
+        tr("write a model in another form, chosen by the extension of OUT"),
+        tr("From .json to .json the file is tidied (one node, member and load a line, keys in a fixed order; "
+           "quantities "
+           "stay as they were typed), and with --units its bare numbers are counted in other base units. To .csv the "
+           "model is solved and every result is written in one long table: case, part, id, x, component, value, unit. "
+           "To "
+           ".svg, .pdf or .png it is drawn; render has more to choose from."),
+        {{"cremona convert examples/portal.json portal_mm.json --units mm,N",
+          tr("The same structure in millimetres and newtons.")},
+         {"cremona convert examples/portal.json portal.csv", tr("Every result, for a spreadsheet.")}}};
+}
+
+void Convert::declare(CLI::App& app, const ui::Catalogue& tr)
+{
+    app.add_option("IN", in_, tr("the model file (.json); - is standard input"))->option_text(" ");
+    app.add_option("OUT", out_, tr("the file to write: .json, .csv, .svg, .pdf or .png; - is standard output, as JSON"))
+        ->option_text(" ");
+    app.add_option("--units", units_,
+                   tr("base units of the new file: a length (m mm cm km in ft) and a force (N kN MN lbf kip tf kgf)"))
+        ->option_text("LENGTH,FORCE");
+}
+
+femoop::Units units_named(const std::string& text, const ui::Catalogue& tr)
+{
+    const std::vector<std::string> parts = comma_list(text);
+    if (parts.size() != 2)
+        throw UsageError(tr("--units: found {found}; wanted a length and a force, such as mm,N", {{"found", text}}));
+    const auto length = femoop::find_length_unit(parts[0]);
+    if (!length) throw unknown_choice("--units", parts[0], {"m", "mm", "cm", "km", "in", "ft"}, tr);
+    const auto force = femoop::find_force_unit(parts[1]);
+    if (!force) throw unknown_choice("--units", parts[1], {"N", "kN", "MN", "lbf", "kip", "tf", "kgf"}, tr);
+    return {*length, *force};
+}
+
+void Convert::deliver(const std::string& text, Console& console) const
+{
+    if (out_ == "-") console.print(text);
+    else write_file(out_, text, console.tr());
+}
+
+ExitStatus Convert::to_json(const femoop::Model& model, Console& console) const
+{
+    if (!units_) {
+        deliver(femoop::write_model(model), console);
+        return ExitStatus::Done;
+    }
+    const femoop::Units units = units_named(*units_, console.tr());
+    if (!model.extra.empty() && !(units == model.units))
+        throw UsageError(
+            console.tr()("--units: the block \"{block}\" holds numbers that are not converted; take it out first",
+                         {{"block", model.extra.front().key}}));
+    deliver(femoop::write_model(units == model.units ? model : femoop::in_units(model, units)), console);
+    return ExitStatus::Done;
+}
+
+ExitStatus Convert::to_csv(const femoop::Model& model, Console& console) const
+{
+    const auto solved = solve_model(model, display_name(in_, console.tr()), {}, console);
+    if (const auto* status = std::get_if<ExitStatus>(&solved)) return *status;
+    deliver(femoop::long_csv(model, std::get<Solved>(solved).results, all_cases(model), n_stations), console);
+    return ExitStatus::Done;
+}
+
+void refuse_solid(const std::string& file, const ui::Catalogue& tr)
+{
+    const std::string kind = std::filesystem::path(file).extension().string();
+    if (kind == ".obj" || kind == ".off" || kind == ".eul")
+        throw UsageError(tr("{file}: solids (.obj, .off, .eul) come with the half-edge tools, which are not built yet",
+                            {{"file", file}}));
+}
+
+ExitStatus Convert::run(Console& console)
+{
+    const ui::Catalogue& tr = console.tr();
+    if (in_.empty() || out_.empty())
+        throw UsageError(
+            tr("two files are needed, IN and OUT; see {command}", {{"command", "cremona convert --help"}}));
+    const std::string kind = out_ == "-" ? ".json" : std::filesystem::path(out_).extension().string();
+    for (const std::string& file : {in_, out_}) refuse_solid(file, tr);
+    if (kind != ".json" && kind != ".csv" && !is_picture(out_))
+        throw UsageError(tr("{file}: cannot write the kind {kind}; choose from: .json, .csv, .svg, .pdf, .png",
+                            {{"file", out_}, {"kind", "\"" + kind + "\""}}));
+    if (out_ != "-") require_writable(out_, tr);
+    const std::optional<femoop::Model> model = load_model(in_, console);
+    if (!model) return ExitStatus::BadInput;
+    if (units_ && kind != ".json") throw UsageError(tr("--units: only a .json file is written in other units"));
+    if (kind == ".json") return to_json(*model, console);
+    if (kind == ".csv") return to_csv(*model, console);
+    return draw_picture(*model, display_name(in_, tr), {.path = out_, .view = view_options(tr)}, console);
+}
+
+} // namespace
+
+std::unique_ptr<Subcommand> convert_command() { return std::make_unique<Convert>(); }
+
+} // namespace cli

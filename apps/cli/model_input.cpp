@@ -1,0 +1,29 @@
+#include "apps/cli/model_input.h"
+
+#include <iostream>
+#include <iterator>
+
+namespace cli {
+
+std::string display_name(const std::string& file, const ui::Catalogue& tr)
+{
+    return file == "-" ? tr("standard input") : file;
+}
+
+femoop::ModelReading examine(const std::string& file, const ui::Catalogue& tr)
+{
+    if (file.empty()) throw UsageError(tr("the name of the file is empty"));
+    if (file != "-") return femoop::examine_model_file(file);
+    const std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+    return femoop::examine_model(text);
+}
+
+std::optional<femoop::Model> load_model(const std::string& file, const Console& console)
+{
+    femoop::ModelReading reading = examine(file, console.tr());
+    console.report(display_name(file, console.tr()), reading.faults);
+    if (!reading.is_sound()) return std::nullopt;
+    return std::move(reading.model);
+}
+
+} // namespace cli

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "apps/cli/console.h"
+#include "femoop/io/model_file.h"
+#include "femoop/model/model.h"
+
+namespace cli {
+
+/// The model in a file and everything wrong with it; the file "-" is standard input.
+femoop::ModelReading examine(const std::string& file, const ui::Catalogue& tr);
+
+/// A sound model; warnings and errors go to stderr. Nothing if there was an error.
+std::optional<femoop::Model> load_model(const std::string& file, const Console& console);
+
+/// How messages call the file: its path, or "standard input".
+std::string display_name(const std::string& file, const ui::Catalogue& tr);
+
+} // namespace cli

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "ui/text/catalogue.h"
+
+namespace cli {
+
+/// Writes a whole file, or none: the text goes to a file beside it that then takes its name.
+/// \throws UsageError saying what hinders: a folder that does not exist, a folder of that name, no permission, a full
+/// disk
+void write_file(const std::filesystem::path& path, std::string_view text, const ui::Catalogue& tr);
+
+/// Says before any work is done that `path` cannot be written. \throws UsageError
+void require_writable(const std::filesystem::path& path, const ui::Catalogue& tr);
+
+/// Makes the folder if it is missing. \throws UsageError
+void make_folder(const std::filesystem::path& folder, const ui::Catalogue& tr);
+
+} // namespace cli

@@ -1,0 +1,94 @@
+#include "apps/cli/picture.h"
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+#include <stdexcept>
+
+#include "apps/cli/analysis_run.h"
+#include "apps/cli/output_file.h"
+#include "apps/frame/view/frame_view.h"
+#include "femoop/analysis/mechanism.h"
+#include "ui/context/paint_to_png.h"
+#include "ui/paint/paint_to_file.h"
+
+namespace cli {
+
+namespace {
+
+/// The extension in small letters: A.PNG is a PNG too.
+std::string kind_of(const std::filesystem::path& path)
+{
+    std::string kind = path.extension().string();
+    std::transform(kind.begin(), kind.end(), kind.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return kind;
+}
+
+void write_picture(const PictureOrder& order, const std::string& title, const ui::Drawing& drawing,
+                   const ui::Catalogue& tr)
+{
+    require_writable(order.path, tr);
+    const ui::Sheet sheet{
+        .size = order.size, .scale = order.pixel_scale, .background = frame::background(order.view), .title = title};
+    const std::string kind = kind_of(order.path);
+    try {
+        if (kind == ".png") ui::paint_to_png(order.path, sheet, drawing);
+        if (kind == ".svg") ui::paint_to_svg(order.path, sheet, drawing);
+        if (kind == ".pdf") ui::paint_to_pdf(order.path, sheet, drawing);
+    } catch (const std::exception& error) {
+        throw UsageError(tr("cannot draw {file}: {reason}", {{"file", order.path.string()}, {"reason", error.what()}}));
+    }
+}
+
+ExitStatus draw_mechanism(const femoop::Model& model, const femoop::MechanismError& error, const std::string& file,
+                          const PictureOrder& order, const Console& console)
+{
+    const ui::Catalogue& tr = console.tr();
+    report_mechanisms(error, file, console);
+    const std::size_t which = std::min(order.mechanism, error.mechanisms().size() - 1);
+    const femoop::Mechanism& mechanism = error.mechanisms()[which];
+    write_picture(
+        order, model.title, [&](ui::Painter& painter) { frame::draw(painter, model, mechanism, order.view); }, tr);
+    console.message(
+        tr("{file} shows the motion {n} of {total}", {{"file", order.path.string()},
+                                                      {"n", std::to_string(which + 1)},
+                                                      {"total", std::to_string(error.mechanisms().size())}}));
+    return ExitStatus::CannotSolve;
+}
+
+} // namespace
+
+bool is_picture(const std::filesystem::path& path)
+{
+    const std::string kind = kind_of(path);
+    return kind == ".png" || kind == ".svg" || kind == ".pdf";
+}
+
+ExitStatus draw_picture(const femoop::Model& model, const std::string& file, const PictureOrder& order,
+                        const Console& console)
+{
+    try {
+        const femoop::Results results = femoop::analyse(model);
+        console.report(file, results.warnings());
+        write_picture(
+            order, model.title, [&](ui::Painter& painter) { frame::draw(painter, model, &results, order.view); },
+            console.tr());
+        return ExitStatus::Done;
+    } catch (const femoop::MechanismError& error) {
+        return draw_mechanism(model, error, file, order, console);
+    } catch (const femoop::ModelError& error) {
+        console.report(file, error.faults());
+        return status_of(error.faults());
+    }
+}
+
+frame::ViewOptions view_options(const ui::Catalogue& tr)
+{
+    frame::ViewOptions options;
+    options.tr = tr;
+    if (tr.language() == ui::Language::Portuguese) options.numbers.mark = ui::DecimalMark::Comma;
+    return options;
+}
+
+} // namespace cli

@@ -1,0 +1,150 @@
+#include "apps/cli/render.h"
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/cli/argument.h"
+#include "apps/cli/model_input.h"
+#include "apps/cli/picture.h"
+
+namespace cli {
+
+namespace {
+
+constexpr long smallest_side = 64, largest_side = 16384; // pixels
+constexpr double largest_scale = 8.0;
+
+class Render : public Subcommand {
+public:
+    std::string_view name() const override { return "render"; }
+    HelpText help(const ui::Catalogue& tr) const override;
+    void declare(CLI::App& app, const ui::Catalogue& tr) override;
+    ExitStatus run(Console& console) override;
+
+private:
+    PictureOrder order(const ui::Catalogue& tr) const;
+
+    std::string file_, out_, theme_ = "light", size_ = "1280x800", scale_ = "1", mechanism_ = "1";
+    std::optional<std::string> show_, case_, magnification_;
+};
+
+std::string show_list(const ui::Catalogue& tr)
+{
+    std::string text;
+    for (const frame::ShowWord& word : frame::show_words())
+        text += "\n" + std::string(word.word) + ": " + tr(word.meaning);
+    return text;
+}
+
+HelpText Render::help(const ui::Catalogue& tr) const
+{
+    return {tr("draw a model and its results to PNG, SVG or PDF"),
+            tr("Draws members, nodes and supports as textbooks do, and what --show asks for. No display is needed. A "
+               "structure that can move is drawn moving, and the status is 3."),
+            {{"cremona render examples/portal.json -o portal.svg", tr("The structure, its loads and its reactions.")},
+             {"cremona render examples/portal.json -o moments.png --show loads,M,labels --size 1920x1080",
+              tr("Bending moments on the tension side, for a slide.")},
+             {"cremona render examples/portal.json -o sag.pdf --show deformed,labels --magnify 100 --theme print",
+              tr("The deformed shape, displacements a hundred times as large, in black for paper.")}}};
+}
+
+void Render::declare(CLI::App& app, const ui::Catalogue& tr)
+{
+    app.add_option("FILE", file_, tr("the model file; - is standard input"))->option_text(" ");
+    app.add_option("-o,--output", out_, tr("the picture to write; its extension chooses the kind: .png, .svg or .pdf"))
+        ->option_text("OUT");
+    app.add_option("--show", show_,
+                   tr("what is drawn, separated by commas (default loads,reactions,labels):") + show_list(tr))
+        ->option_text("LIST");
+    app.add_option("--case", case_, tr("the load case or combination that is drawn (default the first)"))
+        ->option_text("ID");
+    app.add_option("--size", size_, tr("width and height in pixels (default 1280x800)"))->option_text("WxH");
+    app.add_option("--scale", scale_,
+                   tr("pixels per pixel of --size in a PNG: 2 draws it twice as sharp and twice as large (default 1)"))
+        ->option_text("K");
+    app.add_option("--magnify", magnification_,
+                   tr("draw displacements K times as large (default: a round number that shows them well)"))
+        ->option_text("K");
+    app.add_option("--theme", theme_, tr("light (default), dark, print or projector (large type, thick lines)"))
+        ->option_text("NAME");
+    app.add_option("--mechanism", mechanism_, tr("which motion is drawn of a structure that can move (default 1)"))
+        ->option_text("N");
+}
+
+ui::Size size_of(const std::string& text, const ui::Catalogue& tr)
+{
+    const std::size_t times = text.find('x');
+    if (times == std::string::npos)
+        throw UsageError(
+            tr("--size: found {found}; wanted width and height, such as 1280x800", {{"found", "\"" + text + "\""}}));
+    const WholeRange range{smallest_side, largest_side};
+    return {static_cast<double>(whole_number("--size", text.substr(0, times), range, tr)),
+            static_cast<double>(whole_number("--size", text.substr(times + 1), range, tr))};
+}
+
+/// Both readings of "scale" are common; the other one has an option of its own.
+double pixel_scale(const std::string& text, ui::Size size, const ui::Catalogue& tr)
+{
+    const double scale = positive_number("--scale", text, tr);
+    if (scale > largest_scale)
+        throw UsageError(
+            tr("--scale: found {found}; wanted at most 8 pixels per pixel (displacements are enlarged with "
+               "--magnify)",
+               {{"found", text}}));
+    if (std::max(size.width, size.height) * scale > static_cast<double>(largest_side))
+        throw UsageError(tr("--size and --scale: the picture would be larger than {most} pixels a side",
+                            {{"most", std::to_string(largest_side)}}));
+    return scale;
+}
+
+frame::ShowSet shown(const std::string& list, const ui::Catalogue& tr)
+{
+    frame::ShowSet set;
+    for (const std::string& word : comma_list(list)) {
+        try {
+            set = set | frame::parse_show(word);
+        } catch (const frame::ShowError&) {
+            std::vector<std::string> words;
+            for (const frame::ShowWord& known : frame::show_words()) words.emplace_back(known.word);
+            throw unknown_choice("--show", word, words, tr);
+        }
+    }
+    return set;
+}
+
+PictureOrder Render::order(const ui::Catalogue& tr) const
+{
+    if (out_.empty()) throw UsageError(tr("no output is given; add -o OUT.png, .svg or .pdf"));
+    PictureOrder order{.path = out_, .view = view_options(tr)};
+    if (!is_picture(order.path))
+        throw UsageError(tr("{file}: cannot draw the kind {kind}; choose from: .png, .svg, .pdf",
+                            {{"file", out_}, {"kind", "\"" + order.path.extension().string() + "\""}}));
+    order.size = size_of(size_, tr);
+    order.pixel_scale = pixel_scale(scale_, order.size, tr);
+    order.mechanism = static_cast<std::size_t>(whole_number("--mechanism", mechanism_, {1, 1000}, tr) - 1);
+    const auto theme = ui::theme_named(theme_);
+    if (!theme) throw unknown_choice("--theme", theme_, {"light", "dark", "print", "projector"}, tr);
+    order.view.theme = *theme;
+    if (show_) order.view.show = shown(*show_, tr);
+    if (magnification_) order.view.deformation_scale = positive_number("--magnify", *magnification_, tr);
+    return order;
+}
+
+ExitStatus Render::run(Console& console)
+{
+    const ui::Catalogue& tr = console.tr();
+    if (file_.empty()) throw UsageError(tr("no file is given; see {command}", {{"command", "cremona render --help"}}));
+    PictureOrder picture = order(tr);
+    const std::optional<femoop::Model> model = load_model(file_, console);
+    if (!model) return ExitStatus::BadInput;
+    if (case_) picture.view.load_case = find_case(*model, *case_, tr);
+    return draw_picture(*model, display_name(file_, tr), picture, console);
+}
+
+} // namespace
+
+std::unique_ptr<Subcommand> render_command() { return std::make_unique<Render>(); }
+
+} // namespace cli

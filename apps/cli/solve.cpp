@@ -1,0 +1,277 @@
+#include "apps/cli/solve.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "apps/cli/analysis_run.h"
+#include "apps/cli/argument.h"
+#include "apps/cli/model_input.h"
+#include "apps/cli/output_file.h"
+#include "femoop/analysis/trace.h"
+#include "femoop/io/json_writer.h"
+#include "femoop/io/results_csv.h"
+#include "femoop/io/results_json.h"
+#include "femoop/io/results_table.h"
+#include "femoop/result/describe.h"
+
+namespace cli {
+
+namespace {
+
+using femoop::CaseId;
+using femoop::Model;
+using femoop::Results;
+
+/// Seconds since it was made or last asked.
+class StopWatch {
+public:
+    double lap()
+    {
+        const auto now = std::chrono::steady_clock::now();
+        const std::chrono::duration<double> seconds = now - start_;
+        start_ = now;
+        return seconds.count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// What is printed of which cases.
+struct Selection {
+    std::vector<CaseId> cases;
+    bool is_envelope = false;
+    std::size_t n_stations = 21;
+};
+
+class Solve : public Subcommand {
+public:
+    std::string_view name() const override { return "solve"; }
+    HelpText help(const ui::Catalogue& tr) const override;
+    void declare(CLI::App& app, const ui::Catalogue& tr) override;
+    ExitStatus run(Console& console) override;
+
+private:
+    Selection selection(const Model& model, const ui::Catalogue& tr) const;
+    std::string output(const Model& model, const Results& results, const Selection& selection,
+                       const ui::Catalogue& tr) const;
+    std::string tables(const Model& model, const Results& results, const Selection& selection,
+                       const ui::Catalogue& tr) const;
+    std::string description(const Model& model, const Results& results, const ui::Catalogue& tr) const;
+    std::string trace(const Model& model, const ui::Catalogue& tr) const;
+    void write_csv(const Model& model, const Results& results, const Selection& selection,
+                   const Console& console) const;
+
+    std::string file_, case_ = "all", stations_ = "21", solver_ = "automatic";
+    std::optional<std::string> csv_folder_, traced_member_;
+    bool is_json_ = false, is_timed_ = false, is_described_ = false;
+};
+
+HelpText Solve::help(const ui::Catalogue& tr) const
+{
+    return {
+        tr("analyse a structure and print what happens to it"),
+        tr("Reads a model file, solves every load case and combination, and prints tables: displacements of the nodes, "
+           "reactions, section forces at the ends of the members, their extremes with the exact places, the sums of "
+           "loads and reactions, and the degree of static indeterminacy. Values along members are closed forms, never "
+           "sampled. A structure that can move is not solved: every way in which it moves is told in words."),
+        {{"cremona solve examples/portal.json", tr("Tables of every load case and combination.")},
+         {"cremona solve examples/portal.json --case envelope",
+          tr("The largest and smallest of every result, with the case that governs.")},
+         {"cremona solve examples/portal.json --json --stations 11",
+          tr("The same numbers for a program: 11 stations along each member, and every load point.")},
+         {"cremona solve examples/portal.json --csv results",
+          tr("Five files for a spreadsheet in the folder results.")},
+         {"cremona solve examples/portal.json --trace BC",
+          tr("How member BC enters the system: its stiffness, its rotation, its fixed-end forces, its places.")},
+         {"cremona solve examples/portal.json --describe",
+          tr("The structure and its results in sentences, for a screen reader.")},
+         {"cremona solve - < examples/portal.json", tr("Reads the model from standard input.")}}};
+}
+
+void Solve::declare(CLI::App& app, const ui::Catalogue& tr)
+{
+    app.add_option("FILE", file_, tr("the model file; - is standard input"))->option_text(" ");
+    app.add_option(
+           "--case", case_,
+           tr("what to print: one load case or combination, all (default), or envelope: the largest and smallest of "
+              "all, with the case that governs"))
+        ->option_text("ID|all|envelope");
+    app.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
+    app.add_option("--stations", stations_,
+                   tr("how many evenly spaced places along each member JSON and CSV have (default 21); load points are "
+                      "always there too, and a jump gives two"))
+        ->option_text("N");
+    app.add_option("--csv", csv_folder_,
+                   tr("write the results as CSV files into this folder too; it is made if missing"))
+        ->option_text("DIR");
+    app.add_option("--solver", solver_,
+                   tr("who solves K u = f: automatic (by size, default), skyline, ldlt or cholmod"))
+        ->option_text("NAME");
+    app.add_flag("--time", is_timed_, tr("print to stderr how long each phase took, and the size of the system"));
+    app.add_option(
+           "--trace", traced_member_,
+           tr("print how this member enters the system instead of the results: stiffness in its own and in global "
+              "axes, transformation, fixed-end forces, places in the system matrix"))
+        ->option_text("MEMBER");
+    app.add_flag("--describe", is_described_,
+                 tr("print sentences instead of tables: for a screen reader, or beside a picture"));
+}
+
+Selection Solve::selection(const Model& model, const ui::Catalogue& tr) const
+{
+    Selection selection;
+    selection.n_stations = static_cast<std::size_t>(whole_number("--stations", stations_, {2, 100000}, tr));
+    // A case that bears the name of a keyword is still reached.
+    if (case_ == "all" && !model.find_case("all")) {
+        selection.cases = all_cases(model);
+    } else if (case_ == "envelope" && !model.find_case("envelope")) {
+        selection.cases = all_cases(model);
+        selection.is_envelope = true;
+        if (selection.cases.empty())
+            throw UsageError(tr("--case: an envelope needs at least one load case, and the model has none"));
+    } else {
+        selection.cases = {find_case(model, case_, tr)};
+    }
+    return selection;
+}
+
+std::string Solve::tables(const Model& model, const Results& results, const Selection& selection,
+                          const ui::Catalogue& tr) const
+{
+    std::string text = femoop::heading_text(model, results, tr);
+    if (selection.cases.empty()) return text + "\n" + tr("The model has no load case.") + "\n";
+    if (selection.is_envelope) return text + femoop::envelope_text(model, results, selection.cases, tr);
+    for (const CaseId id : selection.cases) text += femoop::case_text(model, results, id, tr);
+    return text;
+}
+
+std::string Solve::description(const Model& model, const Results& results, const ui::Catalogue& tr) const
+{
+    const std::string text = femoop::describe(model, results, tr);
+    if (!is_json_) return text;
+    femoop::JsonWriter json;
+    json.begin_object().member("cremona", 1).member("description", text).end();
+    return json.take();
+}
+
+std::string Solve::trace(const Model& model, const ui::Catalogue& tr) const
+{
+    const auto member = model.find_member(*traced_member_);
+    if (!member) {
+        std::vector<std::string> names;
+        for (const femoop::Member& one : model.members) names.push_back(one.id);
+        throw unknown_choice("--trace", *traced_member_, names, tr);
+    }
+    const femoop::MemberTrace trace = femoop::trace(model, *member);
+    return is_json_ ? femoop::trace_json(trace, model.units) : femoop::trace_text(trace, model.units, tr);
+}
+
+std::string Solve::output(const Model& model, const Results& results, const Selection& selection,
+                          const ui::Catalogue& tr) const
+{
+    if (traced_member_) return trace(model, tr);
+    if (is_described_) return description(model, results, tr);
+    if (!is_json_) return tables(model, results, selection, tr);
+    return selection.is_envelope ? femoop::envelope_json(model, results, selection.cases, selection.n_stations)
+                                 : femoop::results_json(model, results, selection.cases, selection.n_stations);
+}
+
+void Solve::write_csv(const Model& model, const Results& results, const Selection& selection,
+                      const Console& console) const
+{
+    make_folder(*csv_folder_, console.tr());
+    const auto files = selection.is_envelope
+                           ? femoop::envelope_csv(model, results, selection.cases)
+                           : femoop::results_csv(model, results, selection.cases, selection.n_stations);
+    for (const femoop::CsvFile& file : files) {
+        const std::filesystem::path path = std::filesystem::path(*csv_folder_) / file.name;
+        write_file(path, file.text, console.tr());
+        console.message(console.tr()("written: {file}", {{"file", path.string()}}));
+    }
+}
+
+/// Values every curve at its stations once, as any reader of the results does.
+double seconds_to_recover(const Model& model, const Results& results, const Selection& selection)
+{
+    StopWatch watch;
+    for (const CaseId id : selection.cases) {
+        const femoop::CaseResult result = results[id];
+        for (std::size_t i = 0; i < model.members.size(); ++i)
+            static_cast<void>(result.curve(femoop::MemberId(i)).stations(selection.n_stations));
+    }
+    return watch.lap();
+}
+
+struct Phases {
+    double read = 0.0, recover = 0.0, write = 0.0;
+};
+
+void report_time(const Phases& phases, const femoop::AnalysisStatistics& statistics, const Console& console)
+{
+    const ui::Catalogue& tr = console.tr();
+    const auto seconds = [&](const std::string& what, double duration) {
+        std::array<char, 32> number{};
+        static_cast<void>(std::snprintf(number.data(), number.size(), "%12.6f s  ", duration));
+        console.message(number.data() + what);
+    };
+    const auto size = [&](const std::string& what, std::size_t n) {
+        const std::string number = std::to_string(n);
+        console.message(std::string(number.size() < 14 ? 14 - number.size() : 0, ' ') + number + "  " + what);
+    };
+    seconds(tr("read"), phases.read);
+    seconds(tr("assemble"), statistics.assemble);
+    seconds(tr("order"), statistics.order);
+    seconds(tr("factor"), statistics.factor);
+    seconds(tr("solve"), statistics.solve);
+    seconds(tr("recover"), phases.recover);
+    seconds(tr("write"), phases.write);
+    size(tr("dofs"), statistics.dofs);
+    size(tr("nonzeros of K (lower triangle)"), statistics.nonzeros);
+    size(tr("nonzeros of its factor"), statistics.factor_nonzeros);
+    console.message(std::string(14 - std::min<std::size_t>(statistics.solver.size(), 14), ' ') + statistics.solver +
+                    "  " + tr("solver"));
+}
+
+ExitStatus Solve::run(Console& console)
+{
+    const ui::Catalogue& tr = console.tr();
+    if (file_.empty()) throw UsageError(tr("no file is given; see {command}", {{"command", "cremona solve --help"}}));
+    const femoop::AnalysisOptions options{.solver = solver_named(solver_, tr)};
+    Phases phases;
+    StopWatch watch;
+    const std::optional<Model> model = load_model(file_, console);
+    if (!model) return ExitStatus::BadInput;
+    const Selection selected = selection(*model, tr);
+    phases.read = watch.lap();
+
+    const std::string file = display_name(file_, tr);
+    const auto solved = solve_model(*model, file, options, console);
+    if (const auto* status = std::get_if<ExitStatus>(&solved)) return *status;
+    const auto& [results, statistics] = std::get<Solved>(solved);
+    console.report(file, results.warnings());
+
+    if (is_timed_) phases.recover = seconds_to_recover(*model, results, selected);
+    watch.lap();
+    console.print(output(*model, results, selected, tr));
+    if (csv_folder_) write_csv(*model, results, selected, console);
+    if (is_timed_) {
+        console.flush();
+        phases.write = watch.lap();
+        report_time(phases, statistics, console);
+    }
+    return ExitStatus::Done;
+}
+
+} // namespace
+
+std::unique_ptr<Subcommand> solve_command() { return std::make_unique<Solve>(); }
+
+} // namespace cli

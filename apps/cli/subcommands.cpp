@@ -1,0 +1,24 @@
+#include "apps/cli/subcommands.h"
+
+#include "apps/cli/bench.h"
+#include "apps/cli/check.h"
+#include "apps/cli/convert.h"
+#include "apps/cli/render.h"
+#include "apps/cli/solve.h"
+#include "apps/cli/verify.h"
+
+namespace cli {
+
+std::vector<std::unique_ptr<Subcommand>> all_subcommands()
+{
+    std::vector<std::unique_ptr<Subcommand>> all;
+    all.push_back(solve_command());
+    all.push_back(verify_command());
+    all.push_back(check_command());
+    all.push_back(render_command());
+    all.push_back(convert_command());
+    all.push_back(bench_command());
+    return all;
+}
+
+} // namespace cli

@@ -1,0 +1,180 @@
+#include "apps/cli/verify.h"
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "apps/cli/analysis_run.h"
+#include "apps/cli/model_input.h"
+#include "femoop/io/json_writer.h"
+#include "femoop/result/verify.h"
+
+namespace cli {
+
+namespace {
+
+using femoop::CheckOutcome;
+using femoop::Verdict;
+
+/// The checks of one file, or why there are none.
+struct FileOutcome {
+    std::string file;
+    ExitStatus status = ExitStatus::Done;
+    std::vector<CheckOutcome> checks;
+};
+
+std::string number(double value, int digits = 10)
+{
+    std::array<char, 32> buffer{};
+    static_cast<void>(std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, value == 0.0 ? 0.0 : value));
+    return buffer.data();
+}
+
+std::string reason(const CheckOutcome& check, const ui::Catalogue& tr)
+{
+    return check.skipped == femoop::SkipReason::AnalysisNotBuilt ? tr("this analysis is not built yet")
+                                                                 : tr("this block is not compared yet");
+}
+
+std::string line(const std::string& file, const CheckOutcome& check, const ui::Catalogue& tr)
+{
+    if (check.verdict == Verdict::Skipped)
+        return file + ": " + check.what + ": " + tr("skipped: {reason}", {{"reason", reason(check, tr)}}) + "\n";
+    const std::string numbers = tr("{result}, expected {expected} within {tolerance}",
+                                   {{"result", number(*check.result)},
+                                    {"expected", number(check.expected)},
+                                    {"tolerance", number(check.tolerance, 3)}});
+    return file + ": " + check.what + " = " + numbers + ": " +
+           (check.verdict == Verdict::Passed ? tr("passed") : tr("FAILED")) + "\n";
+}
+
+std::string_view word(Verdict verdict)
+{
+    static constexpr std::array<std::string_view, 3> words{"passed", "failed", "skipped"};
+    return words[static_cast<std::size_t>(verdict)];
+}
+
+class Verify : public Subcommand {
+public:
+    std::string_view name() const override { return "verify"; }
+    HelpText help(const ui::Catalogue& tr) const override;
+    void declare(CLI::App& app, const ui::Catalogue& tr) override;
+    ExitStatus run(Console& console) override;
+
+private:
+    FileOutcome verify_file(const std::string& file, const Console& console) const;
+    void print_lines(const std::vector<FileOutcome>& files, Console& console) const;
+    void print_json(const std::vector<FileOutcome>& files, Console& console) const;
+
+    std::vector<std::string> files_;
+    bool is_quiet_ = false, is_json_ = false;
+};
+
+HelpText Verify::help(const ui::Catalogue& tr) const
+{
+    return {
+        tr("check a model against the results that its file expects"),
+        tr("Solves each file and compares the entries of its \"expected\" list: a displacement, a reaction, a section "
+           "force or an extreme, with a value and a tolerance. A check passes when the result is within max(atol, "
+           "rtol |value|) of the value. One line a check, then a count. Checks of analyses that are not built yet are "
+           "named and skipped, never passed. A homework sheet with expected results is a test this way."),
+        {{"cremona verify tests/cases/members/BM-001.json", tr("Every check of one file.")},
+         {"cremona verify --quiet tests/cases/members/*.json",
+          tr("Failed checks alone, then the count of all files.")}}};
+}
+
+void Verify::declare(CLI::App& app, const ui::Catalogue& tr)
+{
+    app.add_option("FILE", files_, tr("model files with expected results; - is standard input"))->option_text(" ");
+    app.add_flag("-q,--quiet", is_quiet_, tr("print failed checks and the count alone"));
+    app.add_flag("--json", is_json_, tr("print the checks as JSON"));
+}
+
+FileOutcome Verify::verify_file(const std::string& file, const Console& console) const
+{
+    FileOutcome outcome{display_name(file, console.tr()), ExitStatus::Done, {}};
+    const std::optional<femoop::Model> model = load_model(file, console);
+    if (!model) {
+        outcome.status = ExitStatus::BadInput;
+        return outcome;
+    }
+    std::optional<femoop::Results> results;
+    if (femoop::needs_linear_analysis(*model)) {
+        auto solved = solve_model(*model, outcome.file, {}, console);
+        if (const auto* status = std::get_if<ExitStatus>(&solved)) {
+            outcome.status = *status;
+            return outcome;
+        }
+        results = std::get<Solved>(solved).results;
+        console.report(outcome.file, results->warnings());
+    }
+    outcome.checks = femoop::verify(*model, results);
+    if (femoop::count(outcome.checks).failed > 0) outcome.status = ExitStatus::No;
+    return outcome;
+}
+
+void Verify::print_lines(const std::vector<FileOutcome>& files, Console& console) const
+{
+    const ui::Catalogue& tr = console.tr();
+    femoop::CheckCounts total;
+    for (const FileOutcome& file : files) {
+        total += femoop::count(file.checks);
+        for (const CheckOutcome& check : file.checks)
+            if (!is_quiet_ || check.verdict == Verdict::Failed) console.print(line(file.file, check, tr));
+    }
+    console.print(
+        tr("{passed} passed, {failed} failed, {skipped} skipped", {{"passed", std::to_string(total.passed)},
+                                                                   {"failed", std::to_string(total.failed)},
+                                                                   {"skipped", std::to_string(total.skipped)}}) +
+        "\n");
+}
+
+void Verify::print_json(const std::vector<FileOutcome>& files, Console& console) const
+{
+    femoop::CheckCounts total;
+    femoop::JsonWriter json;
+    json.begin_object(femoop::JsonWriter::Layout::Block).member("cremona", 1);
+    json.key("checks").begin_array(femoop::JsonWriter::Layout::Block);
+    for (const FileOutcome& file : files) {
+        total += femoop::count(file.checks);
+        for (const CheckOutcome& check : file.checks) {
+            if (is_quiet_ && check.verdict != Verdict::Failed) continue;
+            json.begin_object().member("file", file.file).member("what", check.what);
+            json.member("verdict", word(check.verdict)).member("expected", check.expected);
+            if (check.result) json.member("result", *check.result).member("tolerance", check.tolerance);
+            if (check.skipped) json.member("reason", reason(check, console.tr()));
+            json.end();
+        }
+    }
+    json.end().member("passed", total.passed).member("failed", total.failed).member("skipped", total.skipped).end();
+    console.print(json.take());
+}
+
+ExitStatus Verify::run(Console& console)
+{
+    if (files_.empty())
+        throw UsageError(console.tr()("no file is given; see {command}", {{"command", "cremona verify --help"}}));
+    std::vector<FileOutcome> files;
+    ExitStatus status = ExitStatus::Done;
+    bool is_any_checked = false;
+    for (const std::string& file : files_) {
+        files.push_back(verify_file(file, console));
+        status = worse(status, files.back().status);
+        is_any_checked = is_any_checked || worse(files.back().status, ExitStatus::No) == ExitStatus::No;
+    }
+    // Programs read JSON whole or not at all; people want the files that could be read.
+    if (is_json_ ? worse(status, ExitStatus::No) != ExitStatus::No : !is_any_checked) return status;
+    if (is_json_) print_json(files, console);
+    else print_lines(files, console);
+    return status;
+}
+
+} // namespace
+
+std::unique_ptr<Subcommand> verify_command() { return std::make_unique<Verify>(); }
+
+} // namespace cli
