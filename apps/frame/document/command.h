@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "apps/frame/document/document.h"
+#include "apps/frame/document/part.h"
+
+namespace frame {
+
+/// Commands that change a property which is no number (those are in number.h). All throw std::out_of_range, with the
+/// document as it was, where the part is not there.
+
+/// Nothing: the node is free. A keyword support loses angle, springs and a list of its own.
+void set_support(Document& document, femoop::NodeId node, std::optional<femoop::SupportKind> kind);
+/// Blocks or frees one degree of freedom; the support becomes one of the object form, or goes when it holds nothing.
+enum class Hold : std::uint8_t { Free, Blocked };
+void set_hold(Document& document, femoop::NodeId node, femoop::Dof dof, Hold hold);
+
+enum class Joint : std::uint8_t { Rigid, Hinged };
+void set_joint(Document& document, femoop::NodeId node, Joint joint);
+
+void set_material(Document& document, femoop::MemberId member, femoop::MaterialId material);
+void set_section(Document& document, femoop::MemberId member, femoop::SectionId section);
+void set_theory(Document& document, femoop::MemberId member, femoop::BeamTheory theory);
+
+/// What sets a member apart from an ordinary beam.
+enum class MemberTrait : std::uint8_t { Inextensible, Unshearable, Rigid, Bar };
+enum class Switch : std::uint8_t { Off, On };
+void set_trait(Document& document, femoop::MemberId member, MemberTrait trait, Switch state);
+bool has_trait(const femoop::Member& member, MemberTrait trait);
+
+enum class MemberEndName : std::uint8_t { Start, End };
+/// A release takes the place of a spring on the same degree of freedom.
+void set_release(Document& document, femoop::MemberId member, MemberEndName end, femoop::Dof dof, Switch state);
+
+void set_load_axes(Document& document, const MemberLoadPlace& load, femoop::LoadAxes axes);
+/// Of a distributed load. On makes its axes global, since only those are projected. \throws std::invalid_argument for
+/// another kind of load
+void set_projected(Document& document, const MemberLoadPlace& load, Switch state);
+
+void set_title(Document& document, std::string title);
+
+} // namespace frame

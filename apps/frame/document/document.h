@@ -1,0 +1,18 @@
+#pragma once
+
+#include "femoop/model/model.h"
+
+namespace frame {
+
+/// What the frame app edits and saves: a structure and its loads. A plain value; the commands (command.h) are the only
+/// way to change it, and a history keeps its former states.
+struct Document {
+    femoop::Model model;
+
+    friend bool operator==(const Document&, const Document&) = default;
+};
+
+/// What the app begins with when no file is named: a portal frame with a beam load and a wind load.
+Document starting_document();
+
+} // namespace frame

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "apps/frame/document/document.h"
+#include "apps/frame/document/part.h"
+#include "femoop/model/fault.h"
+#include "femoop/model/quantity.h"
+#include "ui/text/display_units.h"
+#include "ui/text/phrase.h"
+
+namespace frame {
+
+/// Names one number of a document: a part of it, and the number's place among those of the part.
+struct NumberId {
+    Part part;
+    std::size_t place = 0;
+
+    friend bool operator==(const NumberId&, const NumberId&) = default;
+};
+
+enum class Need { Required, Optional };
+
+/// A number that the user may change: a coordinate, a modulus, the value of a load.
+struct Number {
+    NumberId id;
+    ui::Phrase label; ///< without its unit
+    ui::Measure measure = ui::Measure::Plain;
+    Need presence = Need::Required;
+    std::optional<femoop::Quantity> value; ///< absent where the file says nothing, such as a shear modulus
+};
+
+/// All the numbers of a part, in the order in which a person would ask for them. \pre has(model, part)
+std::vector<Number> numbers(const femoop::Model& model, const Part& part);
+
+/// The command behind every number field. \throws std::out_of_range if the document has no such number.
+void set_number(Document& document, const NumberId& number, const femoop::Quantity& value);
+/// Takes an optional number away. \throws std::out_of_range; std::invalid_argument where it is required.
+void clear_number(Document& document, const NumberId& number);
+
+/// Reads what a person typed for a number: with a unit (`25 kN/m`), or without, then in the unit that the field shows.
+/// A decimal comma is understood. The quantity keeps the unit if it is not the file's own, so nothing converted is
+/// saved.
+std::variant<femoop::Quantity, femoop::Fault> quantity_typed(std::string_view text, ui::Measure measure,
+                                                             const femoop::Units& file, const ui::DisplayUnits& shown);
+
+/// The names and sizes of the file's base units, for ui::DisplayUnits.
+ui::BaseUnits base_units(const femoop::Units& units);
+
+} // namespace frame

@@ -1,0 +1,16 @@
+#include <exception>
+#include <iostream>
+
+#include "apps/frame/window/options.h"
+#include "apps/frame/window/run.h"
+
+int main(int argc, char** argv)
+try {
+    return frame::run(frame::parse_options(argc, argv));
+} catch (const frame::OptionsEnd& end) {
+    (end.status == 0 ? std::cout : std::cerr) << end.what() << '\n';
+    return end.status;
+} catch (const std::exception& error) {
+    std::cerr << "frame: " << error.what() << '\n';
+    return 2;
+}

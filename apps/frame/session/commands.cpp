@@ -1,0 +1,298 @@
+#include "apps/frame/session/commands.h"
+
+#include <array>
+#include <utility>
+
+namespace frame {
+
+using ui::Chord;
+using ui::Key;
+using ui::Phrase;
+using ui::translatable;
+using Entry = ui::Command<Desk>;
+
+namespace {
+
+using Reason = std::optional<Phrase>;
+
+constexpr std::string_view file_menu = translatable("File");
+constexpr std::string_view edit_menu = translatable("Edit");
+constexpr std::string_view show_menu = translatable("Show");
+constexpr std::string_view view_menu = translatable("View");
+constexpr std::string_view help_menu = translatable("Help");
+
+// A command that asks the window for something.
+std::function<void(Desk&)> asks(Request request)
+{
+    return [request](Desk& desk) { desk.requests.push_back(request); };
+}
+
+void add_file_commands(CommandTable& table)
+{
+    table.add({.id = "file.new",
+               .menu = file_menu,
+               .label = translatable("New"),
+               .shortcuts = {{Key::N, ui::ctrl}},
+               .run = [](Desk& desk) { desk.session.start_anew(); },
+               .why_not = [](const Desk& desk) -> Reason {
+                   if (!desk.session.is_dirty()) return std::nullopt;
+                   return translatable("the model has changes that are not saved; save it or undo them first");
+               }});
+    table.add({.id = "file.open",
+               .menu = file_menu,
+               .label = translatable("Open…"),
+               .shortcuts = {{Key::O, ui::ctrl}},
+               .run = asks(Request::OpenDialog),
+               .why_not = [](const Desk& desk) -> Reason {
+                   if (!desk.session.is_dirty()) return std::nullopt;
+                   return translatable("the model has changes that are not saved; save it or undo them first");
+               }});
+    table.add({.id = "file.save",
+               .menu = file_menu,
+               .label = translatable("Save"),
+               .shortcuts = {{Key::S, ui::ctrl}},
+               .run = [](Desk& desk) {
+                   if (desk.session.path()) desk.session.save(*desk.session.path());
+                   else desk.requests.push_back(Request::SaveDialog);
+               }});
+    table.add({.id = "file.save_as",
+               .menu = file_menu,
+               .label = translatable("Save as…"),
+               .shortcuts = {{Key::S, ui::ctrl_shift}},
+               .run = asks(Request::SaveDialog)});
+    table.add({.id = "file.quit",
+               .menu = file_menu,
+               .label = translatable("Quit"),
+               .shortcuts = {{Key::Q, ui::ctrl}},
+               .run = asks(Request::Quit)});
+}
+
+void add_edit_commands(CommandTable& table)
+{
+    table.add({.id = "edit.undo",
+               .menu = edit_menu,
+               .label = translatable("Undo"),
+               .shortcuts = {{Key::Z, ui::ctrl}},
+               .run = [](Desk& desk) { desk.session.undo(); },
+               .why_not = [](const Desk& desk) -> Reason {
+                   if (desk.session.history().can_undo()) return std::nullopt;
+                   return translatable("nothing was changed yet");
+               }});
+    table.add({.id = "edit.redo",
+               .menu = edit_menu,
+               .label = translatable("Redo"),
+               .shortcuts = {{Key::Z, ui::ctrl_shift}, {Key::Y, ui::ctrl}},
+               .run = [](Desk& desk) { desk.session.redo(); },
+               .why_not = [](const Desk& desk) -> Reason {
+                   if (desk.session.history().can_redo()) return std::nullopt;
+                   return translatable("nothing was undone");
+               }});
+    table.add({.id = "edit.deselect",
+               .menu = edit_menu,
+               .label = translatable("Select nothing"),
+               .shortcuts = {{Key::Escape, {}}},
+               .run = [](Desk& desk) {
+                   desk.session.selection.reset();
+                   desk.session.pin.reset();
+                   desk.session.notice.reset();
+               }});
+}
+
+struct Toggle {
+    Show item;
+    std::string_view id;
+    std::string_view label;
+    std::optional<Key> key;
+};
+constexpr std::array toggles{
+    Toggle{Show::Loads, "view.show.loads", translatable("Loads"), Key::L},
+    Toggle{Show::Reactions, "view.show.reactions", translatable("Reactions"), Key::R},
+    Toggle{Show::N, "view.show.N", translatable("Normal force N"), Key::N},
+    Toggle{Show::V, "view.show.V", translatable("Shear force V"), Key::V},
+    Toggle{Show::M, "view.show.M", translatable("Bending moment M"), Key::M},
+    Toggle{Show::T, "view.show.T", translatable("Torsion T"), Key::T},
+    Toggle{Show::Deformed, "view.show.deformed", translatable("Deformed shape"), Key::D},
+    Toggle{Show::Values, "view.show.values", translatable("Values"), std::nullopt},
+    Toggle{Show::NodeNames, "view.show.node_names", translatable("Names of nodes"), std::nullopt},
+    Toggle{Show::MemberNames, "view.show.member_names", translatable("Names of members"), std::nullopt},
+    Toggle{Show::Dimensions, "view.show.dimensions", translatable("Dimensions"), std::nullopt},
+    Toggle{Show::LocalAxes, "view.show.local_axes", translatable("Local axes"), std::nullopt},
+    Toggle{Show::Legend, "view.show.legend", translatable("Legend"), std::nullopt},
+};
+
+void flip(ShowSet& set, Show item)
+{
+    if (set.contains(item)) set.erase(item);
+    else set.insert(item);
+}
+
+void add_show_commands(CommandTable& table)
+{
+    for (const Toggle& toggle : toggles) {
+        std::vector<Chord> keys;
+        if (toggle.key) keys.push_back({*toggle.key, {}});
+        table.add({.id = toggle.id,
+                   .menu = show_menu,
+                   .label = toggle.label,
+                   .shortcuts = std::move(keys),
+                   .run = [item = toggle.item](Desk& desk) { flip(desk.session.view.show, item); },
+                   .is_on = [item = toggle.item](const Desk& desk) { return desk.session.view.show.contains(item); }});
+    }
+}
+
+void choose_next_case(Session& session, std::size_t step)
+{
+    const std::size_t n = session.model().n_cases();
+    if (n > 0) session.view.load_case = femoop::CaseId((session.view.load_case.index + step) % n);
+}
+
+Reason needs_cases(const Desk& desk)
+{
+    if (desk.session.model().n_cases() > 1) return std::nullopt;
+    return translatable("the model has no other load case");
+}
+
+void add_camera_commands(CommandTable& table)
+{
+    table.add({.id = "view.fit",
+               .menu = view_menu,
+               .label = translatable("Show the whole model"),
+               .shortcuts = {{Key::F, {}}, {Key::Home, {}}},
+               .run = asks(Request::Fit)});
+    table.add({.id = "view.zoom_in",
+               .menu = view_menu,
+               .label = translatable("Zoom in"),
+               .shortcuts = {{Key::Plus, {}}, {Key::Plus, ui::shift}, {Key::Plus, ui::ctrl}},
+               .run = asks(Request::ZoomIn)});
+    table.add({.id = "view.zoom_out",
+               .menu = view_menu,
+               .label = translatable("Zoom out"),
+               .shortcuts = {{Key::Minus, {}}, {Key::Minus, ui::ctrl}},
+               .run = asks(Request::ZoomOut)});
+    table.add({.id = "view.next_case",
+               .menu = view_menu,
+               .label = translatable("Next load case"),
+               .shortcuts = {{Key::PageDown, {}}},
+               .run = [](Desk& desk) { choose_next_case(desk.session, 1); },
+               .why_not = needs_cases});
+    table.add({.id = "view.previous_case",
+               .menu = view_menu,
+               .label = translatable("Previous load case"),
+               .shortcuts = {{Key::PageUp, {}}},
+               .run = [](Desk& desk) { choose_next_case(desk.session, desk.session.model().n_cases() - 1); },
+               .why_not = needs_cases});
+    table.add({.id = "view.animate",
+               .menu = view_menu,
+               .label = translatable("Animate"),
+               .shortcuts = {{Key::A, {}}},
+               .run =
+                   [](Desk& desk) {
+                       desk.session.is_animated = !desk.session.is_animated;
+                       if (desk.session.is_animated) desk.session.view.show.insert(Show::Deformed);
+                   },
+               .is_on = [](const Desk& desk) { return desk.session.is_animated; }});
+    table.add({.id = "view.moment_side",
+               .menu = view_menu,
+               .label = translatable("Moments on the tension side"),
+               .run =
+                   [](Desk& desk) {
+                       MomentSide& side = desk.session.view.moment_side;
+                       side = side == MomentSide::Tension ? MomentSide::Compression : MomentSide::Tension;
+                   },
+               .is_on = [](const Desk& desk) { return desk.session.view.moment_side == MomentSide::Tension; }});
+}
+
+struct ThemeEntry {
+    ui::ThemeName theme;
+    std::string_view id, label;
+};
+constexpr std::array themes{
+    ThemeEntry{ui::ThemeName::Light, "view.theme.light", translatable("Light theme")},
+    ThemeEntry{ui::ThemeName::Dark, "view.theme.dark", translatable("Dark theme")},
+    ThemeEntry{ui::ThemeName::Print, "view.theme.print", translatable("Print theme")},
+    ThemeEntry{ui::ThemeName::Projector, "view.theme.projector", translatable("Projector theme")},
+};
+
+struct UnitEntry {
+    ui::UnitSystem system;
+    std::string_view id, label;
+};
+constexpr std::array unit_entries{
+    UnitEntry{ui::UnitSystem::File, "view.units.file", translatable("Units of the file")},
+    UnitEntry{ui::UnitSystem::Si, "view.units.si", translatable("N, m, MPa")},
+    UnitEntry{ui::UnitSystem::KnM, "view.units.kn-m", translatable("kN, m, MPa")},
+    UnitEntry{ui::UnitSystem::KnCm, "view.units.kn-cm", translatable("kN, cm")},
+    UnitEntry{ui::UnitSystem::Us, "view.units.us", translatable("kip, ft, ksi")},
+};
+
+void add_look_commands(CommandTable& table)
+{
+    for (const ThemeEntry& entry : themes) {
+        table.add({.id = entry.id,
+                   .menu = view_menu,
+                   .label = entry.label,
+                   .run = [name = entry.theme](Desk& desk) { desk.session.view.theme = name; },
+                   .is_on = [name = entry.theme](const Desk& desk) { return desk.session.view.theme == name; }});
+    }
+    for (const UnitEntry& entry : unit_entries) {
+        table.add(
+            {.id = entry.id,
+             .menu = translatable("Units"),
+             .label = entry.label,
+             .run = [system = entry.system](Desk& desk) { desk.session.view.units = system; },
+             .is_on = [system = entry.system](const Desk& desk) { return desk.session.units().system() == system; }});
+    }
+    const auto speaks = [](ui::Language language) {
+        return [language](const Desk& desk) { return desk.session.view.tr.language() == language; };
+    };
+    const auto learn = [](ui::Language language) {
+        return [language](Desk& desk) { desk.session.set_language(language); };
+    };
+    using enum ui::Language;
+    constexpr std::string_view menu = translatable("Language");
+    table.add(
+        {.id = "view.language.en", .menu = menu, .label = "English", .run = learn(English), .is_on = speaks(English)});
+    table.add({.id = "view.language.pt",
+               .menu = menu,
+               .label = "Português (Brasil)",
+               .run = learn(Portuguese),
+               .is_on = speaks(Portuguese)});
+}
+
+void add_help_commands(CommandTable& table)
+{
+    table.add({.id = "help.palette",
+               .menu = help_menu,
+               .label = translatable("Find a command…"),
+               .shortcuts = {{Key::K, ui::ctrl}, {Key::F3, {}}},
+               .run = asks(Request::Palette)});
+    table.add({.id = "help.shortcuts",
+               .menu = help_menu,
+               .label = translatable("Keys"),
+               .shortcuts = {{Key::F1, {}}},
+               .run = asks(Request::ShortcutList)});
+}
+
+} // namespace
+
+CommandTable command_table()
+{
+    CommandTable table;
+    add_file_commands(table);
+    add_edit_commands(table);
+    add_show_commands(table);
+    add_camera_commands(table);
+    add_look_commands(table);
+    add_help_commands(table);
+    return table;
+}
+
+std::string_view command_id(Show item)
+{
+    for (const Toggle& toggle : toggles) {
+        if (toggle.item == item) return toggle.id;
+    }
+    return "";
+}
+
+} // namespace frame

@@ -1,0 +1,136 @@
+#include "apps/frame/session/session.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "apps/frame/document/number.h"
+#include "femoop/io/model_file.h"
+#include "ui/text/catalogue.h"
+
+namespace frame {
+
+using ui::translatable;
+
+Session::Session(Document document) : history_(document), saved_(std::move(document)) { restart(history_.current()); }
+
+void Session::restart(Document document)
+{
+    saved_ = document;
+    history_ = ui::History<Document>(std::move(document), translatable("Begin"));
+    selection.reset();
+    view.load_case = femoop::CaseId(0);
+    view.camera.reset();
+    view.units.reset();
+    mechanism = 0;
+    refresh();
+}
+
+void Session::refresh()
+{
+    solution_ = solve(document());
+    is_dirty_ = document() != saved_;
+    ++generation_;
+    const auto is_lost = [this](const Cut& cut) {
+        return cut.member.index >= model().members.size() || !solution_.results ||
+               cut.x > solution_.results->frame(cut.member).length;
+    };
+    if (selection && !has(model(), *selection)) selection.reset();
+    if (pin && is_lost(*pin)) pin.reset();
+    if (hover && is_lost(*hover)) hover.reset();
+    if (view.load_case.index >= model().n_cases()) view.load_case = femoop::CaseId(0);
+    if (mechanism >= solution_.mechanisms.size()) mechanism = 0;
+}
+
+void Session::change(Step step, const ui::Phrase& label, const std::function<void(Document&)>& command)
+{
+    Document next = document();
+    command(next);
+    const bool is_new = next != document();
+    if (step == Step::Click) history_.apply(std::move(next), label);
+    if (step == Step::Drag) history_.drag(std::move(next), label);
+    if (is_new) refresh();
+}
+
+void Session::cancel()
+{
+    history_.cancel();
+    refresh();
+}
+
+void Session::undo()
+{
+    history_.undo();
+    refresh();
+}
+
+void Session::redo()
+{
+    history_.redo();
+    refresh();
+}
+
+void Session::jump(std::size_t place)
+{
+    history_.jump(place);
+    refresh();
+}
+
+bool Session::open(const std::filesystem::path& path)
+{
+    femoop::ModelReading reading = femoop::examine_model_file(path);
+    const ui::Phrase::Argument file{"file", path.filename().string()};
+    if (!reading.is_sound()) {
+        std::erase_if(reading.faults,
+                      [](const auto& fault) { return femoop::severity(fault.kind) != femoop::Severity::Error; });
+        notice = Notice{{translatable("{file} was not opened; the model you had is unchanged"), {file}},
+                        std::move(reading.faults)};
+        return false;
+    }
+    notice.reset();
+    pin.reset();
+    hover.reset();
+    path_ = path;
+    restart({std::move(reading.model)});
+    return true;
+}
+
+bool Session::save(const std::filesystem::path& path)
+{
+    settle();
+    try {
+        femoop::write_model_file(model(), path);
+    } catch (const femoop::ModelError& error) {
+        notice = Notice{{translatable("{file} was not saved"), {{"file", path.filename().string()}}}, error.faults()};
+        return false;
+    }
+    path_ = path;
+    saved_ = document();
+    is_dirty_ = false;
+    notice.reset();
+    return true;
+}
+
+void Session::start_anew()
+{
+    notice.reset();
+    pin.reset();
+    hover.reset();
+    path_.reset();
+    restart(starting_document());
+}
+
+std::string Session::file_name() const { return path_ ? path_->filename().string() : view.tr("Untitled"); }
+
+ui::DisplayUnits Session::units() const
+{
+    const ui::BaseUnits base = base_units(model().units);
+    return {view.units.value_or(ui::preferred_system(base)), base, view.numbers};
+}
+
+void Session::set_language(ui::Language language)
+{
+    view.tr = ui::Catalogue(language);
+    view.numbers.mark = language == ui::Language::Portuguese ? ui::DecimalMark::Comma : ui::DecimalMark::Point;
+}
+
+} // namespace frame

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/frame/document/document.h"
+#include "apps/frame/document/part.h"
+#include "apps/frame/document/solution.h"
+#include "apps/frame/view/view_options.h"
+#include "femoop/model/fault.h"
+#include "ui/history/history.h"
+#include "ui/text/display_units.h"
+#include "ui/text/phrase.h"
+
+namespace frame {
+
+/// A section of a member that is read.
+struct Cut {
+    femoop::MemberId member;
+    double x = 0.0; ///< from the start of the member's flexible part, in the model's unit of length
+
+    friend bool operator==(const Cut&, const Cut&) = default;
+};
+
+/// Something that the app tells its user: one sentence, and the faults that it is about.
+struct Notice {
+    ui::Phrase sentence;
+    std::vector<femoop::Fault> faults;
+};
+
+/// Whether a change is a step of its own or belongs to the gesture that is under way.
+enum class Step : std::uint8_t { Click, Drag };
+
+/// What is open and how it is looked at: the app without its window. The document changes through `change` alone; its
+/// solution follows.
+class Session {
+public:
+    explicit Session(Document document);
+
+    const Document& document() const { return history_.current(); }
+    const femoop::Model& model() const { return document().model; }
+    const Solution& solution() const { return solution_; }
+    const ui::History<Document>& history() const { return history_; }
+    /// Counts the solutions: what is derived from one is stale when it has grown.
+    std::uint64_t generation() const { return generation_; }
+
+    void change(Step step, const ui::Phrase& label, const std::function<void(Document&)>& command);
+    void settle() { history_.settle(); }
+    void cancel();
+    void undo();
+    void redo();
+    void jump(std::size_t place);
+
+    /// Opens a file. If it has an error, the open document stays as it is and `notice` says why; false then.
+    bool open(const std::filesystem::path& path);
+    /// Writes to the path, whole or not at all; false, with a notice, if that fails.
+    bool save(const std::filesystem::path& path);
+    void start_anew();
+    const std::optional<std::filesystem::path>& path() const { return path_; }
+    bool is_dirty() const { return is_dirty_; } ///< has changes that are not saved
+    /// "portal.json", or the word for a document without a file.
+    std::string file_name() const;
+
+    ui::DisplayUnits units() const;
+    void set_language(ui::Language language);
+
+    ViewOptions view;
+    std::optional<Part> selection;
+    std::optional<Cut> hover;
+    std::optional<Cut> pin;
+    std::optional<Notice> notice;
+    bool is_animated = false;
+    std::size_t mechanism = 0; ///< which of several is shown
+
+private:
+    void refresh();
+    void restart(Document document);
+
+    ui::History<Document> history_;
+    Document saved_;
+    std::optional<std::filesystem::path> path_;
+    bool is_dirty_ = false;
+    Solution solution_;
+    std::uint64_t generation_ = 0;
+};
+
+} // namespace frame

@@ -1,0 +1,33 @@
+#include "apps/frame/view/frame_view.h"
+
+#include "apps/frame/view/sheet/subject.h"
+
+namespace frame {
+
+void draw(ui::Painter& painter, const femoop::Model& model, const femoop::Results* results, const ViewOptions& options)
+{
+    Subject(model, results, options).draw(painter);
+}
+
+void draw(ui::Painter& painter, const femoop::Model& model, const femoop::Mechanism& mechanism,
+          const ViewOptions& options)
+{
+    Subject(model, mechanism, options).draw(painter);
+}
+
+Camera fitted_camera(const femoop::Model& model, const femoop::Results* results, const ViewOptions& options,
+                     ui::Size sheet, const ui::Fonts& fonts)
+{
+    ViewOptions fitting = options;
+    fitting.camera.reset();
+    return Subject(model, results, fitting).plan(sheet, fonts).camera;
+}
+
+bool is_seen_in_space(femoop::AnalysisKind kind)
+{
+    return femoop::is_3d(kind) || kind == femoop::AnalysisKind::Grillage;
+}
+
+ui::Color background(const ViewOptions& options) { return ui::Theme(options.theme).background(); }
+
+} // namespace frame

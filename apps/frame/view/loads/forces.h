@@ -1,0 +1,40 @@
+#pragma once
+
+#include "apps/frame/view/sketch/scene.h"
+#include "apps/frame/view/sketch/symbols.h"
+
+#include <string>
+
+namespace frame {
+
+/// A force as an arrow with its value.
+struct ForcePicture {
+    Eigen::Vector3d at;
+    Eigen::Vector3d direction; ///< unit, of the force
+    double length = 40.0;      ///< logical pixels
+    ArrowAt touches = ArrowAt::Head;
+    double gap = 0.0; ///< from the place to the arrow
+    std::string text;
+    ui::Role role = ui::Role::Load;
+    int n_heads = 1;
+};
+void draw_force(const Scene& scene, const ForcePicture& force);
+
+/// A moment: a curved arrow in the plane, a vector with two heads in space.
+struct MomentPicture {
+    Eigen::Vector3d at;
+    Eigen::Vector3d axis; ///< unit, right-handed
+    std::string text;
+    ui::Role role = ui::Role::LoadMoment;
+    double radius = 16.0;
+    ui::Point text_side{0.7, -0.7}; ///< where its value would stand
+};
+void draw_moment(const Scene& scene, const MomentPicture& moment);
+
+/// On which side of a node, above it, a text hides no member.
+ui::Point text_side(const Scene& scene, femoop::NodeId node);
+
+/// Which end of an arrow is put at a node, so that it hides no member.
+ArrowAt free_end(const Scene& scene, femoop::NodeId node, const Eigen::Vector3d& direction);
+
+} // namespace frame

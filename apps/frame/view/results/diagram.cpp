@@ -1,0 +1,331 @@
+#include "apps/frame/view/results/diagram.h"
+
+#include "apps/frame/view/results/marked_values.h"
+#include "apps/frame/view/structure/members.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace frame {
+
+namespace {
+
+using Eigen::Vector3d;
+using femoop::Curve;
+using femoop::MemberComponent;
+using femoop::Side;
+
+constexpr double noise = 2e-5; // of the largest value: below it a number is written as zero
+
+/// The direction in which positive values are drawn.
+Vector3d positive_side(const Scene& scene, const MemberShape& member, MemberComponent component)
+{
+    const bool in_xz = component == MemberComponent::My || component == MemberComponent::Vz;
+    const Vector3d side = in_xz ? member.z() : member.y();
+    if (is_moment(component)) {
+        const bool on_tension = scene.options.moment_side == MomentSide::Tension;
+        return on_tension ? Vector3d(-side) : side;
+    }
+    // The upper side, or the left one of a column, whichever way the member was drawn.
+    const bool is_turned = scene.is_flat() && (side.y() < -1e-9 || (std::abs(side.y()) <= 1e-9 && side.x() > 0.0));
+    return is_turned ? Vector3d(-side) : side;
+}
+
+bool has_signs(const Scene& scene, MemberComponent component)
+{
+    return !is_moment(component) || scene.options.moment_side == MomentSide::Compression;
+}
+
+double median_length(const Scene& scene)
+{
+    std::vector<double> lengths;
+    for (const MemberShape& member : scene.shape.members)
+        lengths.push_back(ui::distance(scene.projection(member.start), scene.projection(member.end)));
+    if (lengths.empty()) return 0.0;
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    return *middle;
+}
+
+double height_of(const Scene& scene)
+{
+    double top = 0.0;
+    double bottom = 0.0;
+    for (std::size_t i = 0; i < scene.shape.nodes.size(); ++i) {
+        const double y = scene.place(femoop::NodeId{i}).y;
+        top = i == 0 ? y : std::min(top, y);
+        bottom = i == 0 ? y : std::max(bottom, y);
+    }
+    return bottom - top;
+}
+
+struct Ordinate {
+    double x;
+    double value;
+};
+
+/// Values along one member, close enough together that the line between them is the curve on the sheet.
+class Ordinates {
+public:
+    Ordinates(const Curve& curve, MemberComponent component, double tolerance)
+        : curve_(curve), component_(component), tolerance_(tolerance)
+    {}
+
+    std::vector<Ordinate> sample()
+    {
+        const std::vector<double> breaks = curve_.breaks();
+        for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+            const Ordinate begin{breaks[i], curve_.value(component_, breaks[i], Side::After)};
+            const Ordinate end{breaks[i + 1], curve_.value(component_, breaks[i + 1], Side::Before)};
+            points_.push_back(begin);
+            subdivide(begin, end, 0);
+            points_.push_back(end);
+        }
+        return std::move(points_);
+    }
+
+private:
+    void subdivide(const Ordinate& a, const Ordinate& b, int depth)
+    {
+        constexpr int least_depth = 2; // an S-shaped curve may cross its chord in the middle
+        constexpr int most_depth = 7;
+        if (depth >= most_depth || !(b.x > a.x)) return;
+        const double x = 0.5 * (a.x + b.x);
+        const Ordinate middle{x, curve_.value(component_, x)};
+        const bool is_straight = std::abs(middle.value - 0.5 * (a.value + b.value)) <= tolerance_;
+        if (is_straight && depth >= least_depth) return;
+        if (is_straight && depth == 0 && is_straight_at(a, b, 0.25) && is_straight_at(a, b, 0.81)) return;
+        subdivide(a, middle, depth + 1);
+        points_.push_back(middle);
+        subdivide(middle, b, depth + 1);
+    }
+
+    bool is_straight_at(const Ordinate& a, const Ordinate& b, double t) const
+    {
+        const double value = curve_.value(component_, a.x + t * (b.x - a.x));
+        return std::abs(value - (a.value + t * (b.value - a.value))) <= tolerance_;
+    }
+
+    const Curve& curve_;
+    MemberComponent component_;
+    double tolerance_;
+    std::vector<Ordinate> points_;
+};
+
+/// Draws the diagram of one member.
+class MemberDiagram {
+public:
+    MemberDiagram(const Scene& scene, const MemberShape& member, const Curve& curve, const Diagram& diagram)
+        : scene_(scene),
+          curve_(curve),
+          diagram_(diagram),
+          frame_(scene.projection.frame(member.start, member.x(), positive_side(scene, member, diagram.component))),
+          role_(role_of(diagram.component))
+    {}
+
+    void draw() const
+    {
+        const femoop::Extremes extremes = curve_.extremes(diagram_.component);
+        const double own = std::max(std::abs(extremes.max.value), std::abs(extremes.min.value));
+        if (!(own > noise * diagram_.largest)) return;
+        const std::vector<Ordinate> ordinates =
+            Ordinates(curve_, diagram_.component, 0.3 / diagram_.pixels_per_unit).sample();
+        std::vector<ui::Point> line{at(0.0, 0.0)};
+        for (const Ordinate& o : ordinates) line.push_back(at(o.x, o.value));
+        line.push_back(at(curve_.length(), 0.0));
+        {
+            const ui::LayerScope layer(sketch().painter(), ui::Layer::Areas);
+            sketch().polygon(line, sketch().theme().fill(role_));
+            draw_hatching();
+        }
+        sketch().polyline(line, sketch().stroke(role_), Clearance::Hard);
+        if (has_signs(scene_, diagram_.component)) draw_signs(ordinates);
+        if (scene_.shows(Show::Values)) write_values();
+    }
+
+private:
+    Sketch& sketch() const { return scene_.sketch; }
+    ui::Point at(double x, double value) const
+    {
+        return frame_(x * scene_.projection.scale(), value * diagram_.pixels_per_unit);
+    }
+
+    void draw_hatching() const
+    {
+        const double step = sketch().px(8.0) / scene_.projection.scale();
+        const int n = std::min(400, static_cast<int>(curve_.length() / step));
+        ui::Stroke stroke = sketch().thin(role_);
+        stroke.width *= 0.55;
+        stroke.color = ui::with_opacity(stroke.color, 0.55);
+        for (int i = 1; i <= n; ++i) {
+            const double x = (i - 0.5) * curve_.length() / n;
+            const double value = curve_.value(diagram_.component, x);
+            if (std::abs(value) * diagram_.pixels_per_unit > 2.0)
+                sketch().line(at(x, 0.0), at(x, value), stroke, Clearance::None);
+        }
+    }
+
+    // A + or a - in the highest part of every area of one sign.
+    void draw_signs(const std::vector<Ordinate>& ordinates) const
+    {
+        std::size_t begin = 0;
+        while (begin < ordinates.size()) {
+            const bool is_positive = ordinates[begin].value > 0.0;
+            std::size_t end = begin;
+            while (end < ordinates.size() && (ordinates[end].value > 0.0) == is_positive) ++end;
+            mark_area(ordinates, begin, end);
+            begin = end;
+        }
+    }
+
+    void mark_area(const std::vector<Ordinate>& ordinates, std::size_t begin, std::size_t end) const
+    {
+        double area = 0.0;
+        double moment = 0.0;
+        for (std::size_t i = begin; i + 1 < end; ++i) {
+            const double strip = 0.5 * (ordinates[i].value + ordinates[i + 1].value) *
+                                 (ordinates[i + 1].x - ordinates[i].x);
+            area += strip;
+            moment += strip * 0.5 * (ordinates[i].x + ordinates[i + 1].x);
+        }
+        if (area == 0.0) return;
+        const double x = moment / area;
+        const double value = curve_.value(diagram_.component, x);
+        const double r = sketch().px(6.0);
+        if (std::abs(value) * diagram_.pixels_per_unit < 2.6 * r) return;
+        draw_sign(at(x, 0.5 * value), r, value);
+    }
+
+    void draw_sign(ui::Point center, double r, double value) const
+    {
+        const ui::LayerScope layer(sketch().painter(), ui::Layer::Symbols);
+        const ui::Stroke stroke = sketch().thin(role_);
+        sketch().disc(center, r, sketch().theme().background(), Clearance::None);
+        sketch().ring(center, r, stroke, Clearance::None);
+        const double d = 0.55 * r;
+        sketch().line(center - ui::Point{d, 0.0}, center + ui::Point{d, 0.0}, stroke, Clearance::None);
+        if (value > 0.0) sketch().line(center - ui::Point{0.0, d}, center + ui::Point{0.0, d}, stroke, Clearance::None);
+    }
+
+    void write_values() const
+    {
+        for (const MarkedValue& marked : marked_values(curve_, diagram_.component, noise * diagram_.largest)) {
+            // In space small values of one plane would hide the large ones of the other.
+            if (!scene_.is_flat() && std::abs(marked.value) < 0.02 * diagram_.largest) continue;
+            const double shown = has_signs(scene_, diagram_.component) ? marked.value : std::abs(marked.value);
+            const ui::Point side = marked.value < 0.0 ? -frame_.y : frame_.y;
+            Caption caption{.text = scene_.number(shown, measure_of(diagram_.component)),
+                            .role = role_,
+                            .target = at(marked.x, marked.value),
+                            .toward = side,
+                            .gap = 4.5,
+                            .rank = marked.is_peak ? Rank::Extreme : Rank::Value};
+            for (const double x : marked.others) caption.others.push_back(at(x, marked.value));
+            sketch().caption(std::move(caption));
+        }
+    }
+
+    const Scene& scene_;
+    const Curve& curve_;
+    const Diagram& diagram_;
+    SymbolFrame frame_;
+    ui::Role role_;
+};
+
+// The bar as broad as its force is large; tension is filled, compression is hatched.
+void draw_band(const Scene& scene, femoop::MemberId id, const Curve& curve, const Diagram& diagram)
+{
+    Sketch& sketch = scene.sketch;
+    const MemberShape& member = scene.shape[id];
+    const double N = curve.value(MemberComponent::N, 0.5 * curve.length());
+    const double share = diagram.largest > 0.0 ? std::abs(N) / diagram.largest : 0.0;
+    const bool is_zero = share <= noise;
+    const double half = sketch.px(1.5 + 5.0 * share);
+    const double length = member.length * scene.projection.scale();
+    const double end = std::min(sketch.px(8.0), 0.15 * length);
+    const ui::Point along = scene.projection.direction(member.x());
+    const ui::Point across = ui::left_normal(ui::direction(along));
+    const ui::Point a = scene.projection(member.start);
+    const auto corner = [&](double x, double y) { return a + x * along + y * across; };
+    if (!is_zero) {
+        const ui::LayerScope layer(sketch.painter(), ui::Layer::Areas);
+        const ui::Stroke stroke = sketch.thin(ui::Role::AxialForce);
+        const std::vector<ui::Point> band{corner(end, half), corner(length - end, half), corner(length - end, -half),
+                                          corner(end, -half)};
+        const double opacity = N > 0.0 ? 0.55 : 0.12;
+        sketch.polygon(band, ui::with_opacity(stroke.color, opacity));
+        sketch.polyline(band, stroke, Clearance::Hard, ui::PathEnds::Closed);
+        const double step = sketch.px(6.0);
+        if (N < 0.0)
+            for (double x = end + step; x < length - end; x += step)
+                sketch.line(corner(x - half, -half), corner(x, half), stroke, Clearance::None);
+    }
+    if (!scene.shows(Show::Values)) return;
+    const std::string sense = N > 0.0 ? " (T)" : " (C)";
+    const auto target = [&](double x) { return corner(x * length, half); };
+    const double number = is_zero ? 0.0 : std::abs(N);
+    sketch.caption({.text = scene.number(number, ui::Measure::Force) + (is_zero ? "" : sense),
+                    .role = ui::Role::AxialForce,
+                    .target = target(0.5),
+                    .toward = across,
+                    .gap = 4.0,
+                    .others = {target(0.4), target(0.6), target(0.3), target(0.7)}});
+}
+
+} // namespace
+
+ui::Role role_of(MemberComponent component)
+{
+    switch (component) {
+    case MemberComponent::N: return ui::Role::AxialForce;
+    case MemberComponent::Vy:
+    case MemberComponent::Vz: return ui::Role::ShearForce;
+    case MemberComponent::T: return ui::Role::Torsion;
+    default: return ui::Role::BendingMoment;
+    }
+}
+
+ui::Measure measure_of(MemberComponent component)
+{
+    switch (component) {
+    case MemberComponent::N:
+    case MemberComponent::Vy:
+    case MemberComponent::Vz: return ui::Measure::Force;
+    case MemberComponent::T:
+    case MemberComponent::My:
+    case MemberComponent::Mz: return ui::Measure::Moment;
+    default: return ui::Measure::Displacement;
+    }
+}
+
+bool is_moment(MemberComponent component)
+{
+    return component == MemberComponent::Mz || component == MemberComponent::My;
+}
+
+Diagram make_diagram(const Scene& scene, const SolvedCase& solved, MemberComponent component, ui::Size panel)
+{
+    Diagram diagram{.component = component, .largest = largest_value(solved, component, scene.shape.size)};
+    if (!(diagram.largest > 0.0)) return diagram;
+    const double share = is_moment(component) ? 0.17 : 0.125;
+    // What the structure itself leaves free of the panel's height makes a beam's diagrams higher.
+    const double spare = std::max(0.0, panel.height - height_of(scene) - 100.0);
+    const double room = share * (std::min(panel.width, panel.height) + 0.6 * spare);
+    const double height = std::clamp(std::min(room, 3.2 * share * median_length(scene)), 16.0, 130.0);
+    diagram.pixels_per_unit = height * scene.options.diagram_factor / diagram.largest;
+    return diagram;
+}
+
+void draw_diagram(const Scene& scene, const SolvedCase& solved, const Diagram& diagram)
+{
+    if (!(diagram.largest > 0.0) && diagram.component != MemberComponent::N) return;
+    const bool is_truss = femoop::is_truss(scene.model.analysis) && diagram.component == MemberComponent::N;
+    for (std::size_t i = 0; i < scene.shape.members.size(); ++i) {
+        const femoop::MemberId id{i};
+        if (is_truss) draw_band(scene, id, solved[id], diagram);
+        else if (!diagram.is_zero()) MemberDiagram(scene, scene.shape[id], solved[id], diagram).draw();
+    }
+}
+
+} // namespace frame

@@ -1,0 +1,75 @@
+#include "apps/frame/view/results/solved_case.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frame {
+
+using femoop::MemberComponent;
+
+namespace {
+
+double largest_alone(const SolvedCase& solved, MemberComponent component)
+{
+    double largest = 0.0;
+    for (const femoop::Curve& curve : solved.curves) {
+        const femoop::Extremes e = curve.extremes(component);
+        for (const double value : {e.max.value, e.min.value})
+            if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+    }
+    return largest;
+}
+
+} // namespace
+
+std::optional<SolvedCase> solved_case(const femoop::Results& results, femoop::CaseId id)
+{
+    if (id.index >= results.n_cases()) return std::nullopt;
+    SolvedCase solved{results[id], {}};
+    solved.curves.reserve(results.n_members());
+    for (std::size_t i = 0; i < results.n_members(); ++i)
+        solved.curves.push_back(solved.result.curve(femoop::MemberId{i}));
+    return solved;
+}
+
+std::vector<MemberComponent> components(Show item, femoop::AnalysisKind kind)
+{
+    std::vector<MemberComponent> wanted;
+    switch (item) {
+    case Show::N: wanted = {MemberComponent::N}; break;
+    case Show::V: wanted = {MemberComponent::Vy, MemberComponent::Vz}; break;
+    case Show::M: wanted = {MemberComponent::My, MemberComponent::Mz}; break;
+    case Show::T: wanted = {MemberComponent::T}; break;
+    case Show::Vy: wanted = {MemberComponent::Vy}; break;
+    case Show::Vz: wanted = {MemberComponent::Vz}; break;
+    case Show::My: wanted = {MemberComponent::My}; break;
+    case Show::Mz: wanted = {MemberComponent::Mz}; break;
+    default: break;
+    }
+    std::erase_if(wanted, [&](MemberComponent c) { return femoop::name(c, kind).empty(); });
+    return wanted;
+}
+
+double largest_value(const SolvedCase& solved, MemberComponent component, double size)
+{
+    constexpr double rounding = 1e-10;
+    const double own = largest_alone(solved, component);
+    double force = 0.0;
+    for (const MemberComponent c : {MemberComponent::N, MemberComponent::Vy, MemberComponent::Vz})
+        force = std::max(force, largest_alone(solved, c));
+    for (const MemberComponent c : {MemberComponent::T, MemberComponent::My, MemberComponent::Mz})
+        force = std::max(force, largest_alone(solved, c) / size);
+    const bool is_force = component <= MemberComponent::Vz;
+    return own > rounding * force * (is_force ? 1.0 : size) ? own : 0.0;
+}
+
+double round_below(double value)
+{
+    const double power = std::pow(10.0, std::floor(std::log10(value)));
+    const double lead = value / power;
+    // A hair below 1, 2 or 5 counts as it.
+    if (lead >= 5.0 * (1.0 - 1e-9)) return 5.0 * power;
+    return (lead >= 2.0 * (1.0 - 1e-9) ? 2.0 : 1.0) * power;
+}
+
+} // namespace frame

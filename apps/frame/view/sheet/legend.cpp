@@ -1,0 +1,233 @@
+#include "apps/frame/view/sheet/legend.h"
+
+#include "apps/frame/view/loads/case_terms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace frame {
+
+namespace {
+
+using femoop::MemberComponent;
+
+constexpr double border = 16.0;
+
+std::string terms_text(const femoop::Model& model, const femoop::Combination& combination,
+                       const ui::NumberFormat& format)
+{
+    std::string text;
+    for (const auto& term : combination.terms) {
+        const double size = std::abs(term.factor);
+        if (!text.empty()) text += term.factor < 0.0 ? " − " : " + ";
+        else if (term.factor < 0.0) text += "−";
+        if (size != 1.0) text += ui::number_text(size, format) + " ";
+        text += model.case_name(term.of);
+    }
+    return text;
+}
+
+std::string case_text(const femoop::Model& model, const ViewOptions& options)
+{
+    const std::size_t index = options.load_case.index;
+    if (index >= model.n_cases()) return {};
+    const std::string& name = model.case_name(options.load_case);
+    if (index < model.load_cases.size()) return options.tr("load case {case}", {{"case", name}});
+    const auto& combination = model.combinations[index - model.load_cases.size()];
+    return options.tr("combination {case} = {terms}",
+                      {{"case", name}, {"terms", terms_text(model, combination, options.numbers)}});
+}
+
+std::string self_weight_text(const femoop::Model& model, const ViewOptions& options)
+{
+    double factor = 0.0;
+    for (const CaseTerm& term : terms_of(model, options.load_case)) factor += term.factor * term.load_case->self_weight;
+    if (factor == 0.0) return {};
+    if (factor == 1.0) return options.tr("with self-weight");
+    return options.tr("with {factor} × self-weight", {{"factor", ui::number_text(factor, options.numbers)}});
+}
+
+std::string units_text(const femoop::Model& model, const ViewOptions& options)
+{
+    const ui::DisplayUnits units = display_units(model, options);
+    return options.tr("units {force}, {length}", {{"force", units.unit(ui::Measure::Force).name},
+                                                  {"length", units.unit(ui::Measure::Length).name}});
+}
+
+std::string indeterminacy_text(const femoop::Results& results, const ui::Catalogue& tr)
+{
+    const femoop::Indeterminacy& degree = results.indeterminacy();
+    if (degree.has_foundation) return tr("on an elastic foundation");
+    if (degree.total() == 0) return tr("statically determinate");
+    return tr("statically indeterminate, degree {total} (external {external}, internal {internal})",
+              {{"total", std::to_string(degree.total())},
+               {"external", std::to_string(degree.external)},
+               {"internal", std::to_string(degree.internal)}});
+}
+
+void join(std::string& line, const std::string& part)
+{
+    if (part.empty()) return;
+    line += (line.empty() ? "" : "  ·  ") + part;
+}
+
+std::string diagram_name(const Scene& scene, MemberComponent component)
+{
+    const ui::Catalogue& tr = scene.options.tr;
+    switch (component) {
+    case MemberComponent::N: return tr("axial force");
+    case MemberComponent::Vy:
+    case MemberComponent::Vz: return tr("shear force");
+    case MemberComponent::T: return tr("torsional moment");
+    default: return tr("bending moment");
+    }
+}
+
+std::string sign_note(const Scene& scene, MemberComponent component)
+{
+    const ui::Catalogue& tr = scene.options.tr;
+    if (is_moment(component))
+        return scene.options.moment_side == MomentSide::Tension ? tr("drawn on the tension side")
+                                                                : tr("drawn on the compression side");
+    if (component == MemberComponent::Vy || component == MemberComponent::Vz)
+        return scene.is_flat() ? tr("positive where it turns the piece clockwise") : std::string();
+    if (component != MemberComponent::N) return {};
+    return femoop::is_truss(scene.model.analysis) ? tr("(T) tension, (C) compression") : tr("tension positive");
+}
+
+std::string capitalized(std::string text)
+{
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
+bool is_narrow(const ui::Theme& theme, double panel_width) { return panel_width < 38.0 * theme.type().normal; }
+
+/// A bar and what it stands for; returns where it ends.
+double draw_bar(ui::Painter& painter, const PanelHead& head, const ui::Theme& theme, ui::Point at)
+{
+    const ui::Stroke stroke = {.color = theme.stroke(head.role).color, .width = theme.stroke(head.role).width};
+    painter.line(at, at + ui::Point{head.bar, 0.0}, stroke);
+    for (const double x : {0.0, head.bar}) painter.line(at + ui::Point{x, -4.0}, at + ui::Point{x, 4.0}, stroke);
+    ui::TextStyle small = theme.text(head.role, ui::Anchor::Left);
+    small.size = theme.type().small;
+    at.x += head.bar + 6.0;
+    painter.text(at, head.bar_text, small);
+    return at.x + painter.measure(head.bar_text, small).width;
+}
+
+} // namespace
+
+SheetHead sheet_head(const femoop::Model& model, const femoop::Results* results, const ViewOptions& options)
+{
+    SheetHead head{.title = model.title, .line = {}};
+    join(head.line, case_text(model, options));
+    join(head.line, self_weight_text(model, options));
+    if (results) join(head.line, indeterminacy_text(*results, options.tr));
+    join(head.line, units_text(model, options));
+    head.line = capitalized(head.line);
+    return head;
+}
+
+double head_height(const SheetHead& head, const ui::Theme& theme)
+{
+    const double title = head.title.empty() ? 0.0 : 1.45 * theme.type().large;
+    return 12.0 + title + 1.5 * theme.type().small;
+}
+
+void draw_head(ui::Painter& painter, const SheetHead& head, const ui::Theme& theme)
+{
+    const ui::LayerScope layer(painter, ui::Layer::Overlay);
+    double y = 12.0;
+    ui::TextStyle style = theme.text(ui::Role::Label, ui::Anchor::TopLeft);
+    style.weight = ui::Weight::Bold;
+    style.size = theme.type().large;
+    if (!head.title.empty()) {
+        painter.text({border, y}, head.title, style);
+        y += 1.45 * style.size;
+    }
+    style = theme.text(ui::Role::FaintLabel, ui::Anchor::TopLeft);
+    style.size = theme.type().small;
+    painter.text({border, y}, head.line, style);
+}
+
+PanelHead diagram_head(const Scene& scene, const std::vector<Diagram>& diagrams)
+{
+    const Diagram& first = diagrams.front();
+    PanelHead head{.role = role_of(first.component)};
+    std::string symbols;
+    for (const Diagram& diagram : diagrams)
+        symbols += (symbols.empty() ? "" : ", ") + std::string(femoop::name(diagram.component, scene.model.analysis));
+    const ui::DisplayUnit unit = scene.units.unit(measure_of(first.component));
+    head.name = capitalized(diagram_name(scene, first.component)) + " " + symbols + " [" + unit.name + "]";
+    head.note = first.largest > 0.0 ? sign_note(scene, first.component) : scene.options.tr("zero everywhere");
+    const bool is_truss_force = femoop::is_truss(scene.model.analysis) && first.component == MemberComponent::N;
+    if (first.is_zero() || is_truss_force) return head;
+    // A round number whose bar is 24 to 60 pixels long.
+    const double shown = round_below(60.0 / first.pixels_per_unit * unit.factor);
+    head.bar = shown / unit.factor * first.pixels_per_unit;
+    head.bar_text = ui::number_text(shown, scene.options.numbers) + " " + unit.name;
+    return head;
+}
+
+PanelHead deformed_head(const Scene& scene, double scale)
+{
+    const ui::Catalogue& tr = scene.options.tr;
+    return {.name = capitalized(tr("deformed shape")),
+            .note = tr("displacements × {scale}", {{"scale", ui::number_text(scale, scene.options.numbers)}}),
+            .role = ui::Role::Deformed};
+}
+
+PanelHead structure_head(const Scene& scene)
+{
+    const bool loads = scene.shows(Show::Loads);
+    const bool reactions = scene.shows(Show::Reactions);
+    const ui::Catalogue& tr = scene.options.tr;
+    if (loads && reactions) return {.name = tr("Loads and reactions"), .note = {}};
+    if (reactions) return {.name = tr("Reactions"), .note = {}};
+    return {.name = loads ? tr("Loads") : tr("Structure"), .note = {}};
+}
+
+double head_height(const ui::Theme& theme, double panel_width)
+{
+    const double line = 1.6 * theme.type().normal;
+    return is_narrow(theme, panel_width) ? line + 1.4 * theme.type().small : line;
+}
+
+void draw_panel_head(ui::Painter& painter, const PanelHead& head, const ui::Theme& theme, const ui::Box& row)
+{
+    const ui::LayerScope layer(painter, ui::Layer::Overlay);
+    ui::TextStyle style = theme.text(head.role, ui::Anchor::Left);
+    style.weight = ui::Weight::Bold;
+    ui::Point at = row.min + ui::Point{border, 0.8 * theme.type().normal};
+    painter.text(at, head.name, style);
+    at.x += painter.measure(head.name, style).width + 14.0;
+    if (head.bar > 0.0) at.x = draw_bar(painter, head, theme, at) + 14.0;
+    if (is_narrow(theme, row.width()))
+        at = row.min + ui::Point{border, 1.6 * theme.type().normal + 0.6 * theme.type().small};
+    ui::TextStyle note = theme.text(ui::Role::FaintLabel, ui::Anchor::Left);
+    note.size = theme.type().small;
+    painter.text(at, head.note, note);
+}
+
+std::vector<std::string> wrapped(const ui::Fonts& fonts, std::string_view text, const ui::TextStyle& style,
+                                 double width)
+{
+    std::vector<std::string> lines;
+    std::istringstream words{std::string(text)};
+    std::string line;
+    for (std::string word; words >> word;) {
+        const std::string longer = line.empty() ? word : line + " " + word;
+        if (line.empty() || fonts.measure(longer, style).width <= width) {
+            line = longer;
+            continue;
+        }
+        lines.push_back(line);
+        line = word;
+    }
+    if (!line.empty()) lines.push_back(line);
+    return lines;
+}
+
+} // namespace frame

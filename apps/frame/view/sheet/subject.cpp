@@ -1,0 +1,304 @@
+#include "apps/frame/view/sheet/subject.h"
+
+#include "apps/frame/view/frame_view.h"
+#include "apps/frame/view/loads/loads.h"
+#include "apps/frame/view/results/deformed.h"
+#include "apps/frame/view/results/diagram.h"
+#include "apps/frame/view/results/mechanism_picture.h"
+#include "apps/frame/view/results/reactions.h"
+#include "apps/frame/view/sheet/legend.h"
+#include "apps/frame/view/structure/dimensions.h"
+#include "apps/frame/view/structure/members.h"
+#include "apps/frame/view/structure/supports.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace frame {
+
+namespace {
+
+constexpr std::array diagrams{Show::N, Show::V, Show::Vy, Show::Vz, Show::M, Show::T, Show::My, Show::Mz};
+constexpr double edge = 14.0; // [px] kept free around a fitted picture
+
+bool shows_any(const ShowSet& show, std::span<const Show> items)
+{
+    return std::any_of(items.begin(), items.end(), [&](Show item) { return show.contains(item); });
+}
+
+/// Draws what one panel shows, part by part, and collects the heads that stand over it.
+class PanelPicture {
+public:
+    PanelPicture(const Scene& scene, ui::Size size) : scene_(scene), size_(size) {}
+
+    void draw_solved(const SolvedCase* solved)
+    {
+        const bool is_behind = solved && scene_.shows(Show::Deformed) && !shows_any(scene_.options.show, diagrams);
+        draw_highlights(scene_);
+        draw_members(scene_, is_behind ? Presence::Behind : Presence::Subject);
+        if (solved) draw_results(*solved);
+        draw_structure();
+        if (scene_.shows(Show::Loads)) draw_loads(scene_);
+        if (solved && scene_.shows(Show::Reactions)) draw_reactions(scene_, *solved);
+        finish();
+    }
+
+    void draw_mechanism(const femoop::Mechanism& mechanism)
+    {
+        draw_highlights(scene_);
+        draw_members(scene_, Presence::Behind);
+        draw_motion(scene_, mechanism);
+        draw_structure();
+        finish();
+    }
+
+    const std::vector<PanelHead>& heads() const { return heads_; }
+
+private:
+    void draw_results(const SolvedCase& solved)
+    {
+        for (const Show item : diagrams) {
+            if (!scene_.shows(item)) continue;
+            std::vector<Diagram> drawn;
+            for (const femoop::MemberComponent component : components(item, scene_.model.analysis))
+                drawn.push_back(make_diagram(scene_, solved, component, size_));
+            if (drawn.empty()) continue;
+            use_one_scale(drawn);
+            for (const Diagram& diagram : drawn) draw_diagram(scene_, solved, diagram);
+            heads_.push_back(diagram_head(scene_, drawn));
+        }
+        if (!scene_.shows(Show::Deformed)) return;
+        const double scale = deformation_scale(scene_, solved, size_);
+        draw_deformed(scene_, solved, scale);
+        heads_.push_back(deformed_head(scene_, scale));
+    }
+
+    // My and Mz in one picture are compared by eye.
+    static void use_one_scale(std::vector<Diagram>& list)
+    {
+        double largest = 0.0;
+        double scale = 0.0;
+        for (const Diagram& diagram : list) {
+            if (diagram.largest <= largest) continue;
+            largest = diagram.largest;
+            scale = diagram.pixels_per_unit;
+        }
+        for (Diagram& diagram : list) diagram.pixels_per_unit = diagram.largest > 0.0 ? scale : 0.0;
+        std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.largest > b.largest; });
+    }
+
+    void draw_structure()
+    {
+        {
+            const ui::LayerScope layer(scene_.sketch.painter(), ui::Layer::Symbols);
+            draw_supports(scene_);
+        }
+        draw_joints(scene_);
+    }
+
+    void finish()
+    {
+        if (scene_.shows(Show::LocalAxes)) draw_local_axes(scene_);
+        draw_names(scene_);
+        if (scene_.shows(Show::Dimensions)) draw_dimensions(scene_);
+        if (heads_.empty() || scene_.shows(Show::Loads) || scene_.shows(Show::Reactions))
+            heads_.insert(heads_.begin(), structure_head(scene_));
+    }
+
+    const Scene& scene_;
+    ui::Size size_;
+    std::vector<PanelHead> heads_;
+};
+
+std::size_t n_heads(const ShowSet& show)
+{
+    std::size_t n = show.contains(Show::Loads) || show.contains(Show::Reactions) ? 1 : 0;
+    for (const Show item : diagrams) n += show.contains(item) ? 1U : 0U;
+    n += show.contains(Show::Deformed) ? 1U : 0U;
+    return std::max<std::size_t>(n, 1);
+}
+
+} // namespace
+
+Subject::Subject(const femoop::Model& model, const femoop::Results* results, const ViewOptions& options)
+    : model_(model),
+      results_(results),
+      options_(options),
+      theme_(options.theme),
+      units_(display_units(model, options)),
+      shape_(shape_of(model))
+{
+    const bool fits = results && results->n_members() == model.members.size() &&
+                      results->n_nodes() == model.nodes.size();
+    if (fits) solved_ = solved_case(*results, options.load_case);
+}
+
+Subject::Subject(const femoop::Model& model, const femoop::Mechanism& mechanism, const ViewOptions& options)
+    : Subject(model, nullptr, options)
+{
+    mechanism_ = &mechanism;
+}
+
+Camera Subject::starting_camera() const
+{
+    if (options_.camera) return *options_.camera;
+    if (is_seen_in_space(model_.analysis)) return ui::OrbitCamera();
+    return ui::PlaneCamera();
+}
+
+double Subject::aspect() const
+{
+    const Projection projection(starting_camera());
+    if (shape_.nodes.empty()) return 1.0;
+    ui::Box box{projection(shape_.nodes.front()), projection(shape_.nodes.front())};
+    for (const Eigen::Vector3d& node : shape_.nodes) box = ui::united(box, {projection(node), projection(node)});
+    const double least = 1e-3 * std::max(box.width(), box.height());
+    return std::max(box.width(), least) / std::max({box.height(), least, 1e-12});
+}
+
+ui::Box Subject::area(ui::Size sheet, const ui::Fonts& fonts) const
+{
+    ui::Box area{{0.0, 0.0}, {sheet.width, sheet.height}};
+    if (options_.show.contains(Show::Legend)) area.min.y += head_height(sheet_head(model_, results_, options_), theme_);
+    const double line = 1.4 * theme_.type().normal;
+    const std::size_t n_lines = sentence_lines(sheet, fonts).size();
+    if (n_lines > 0) area.max.y -= 14.0 + line * static_cast<double>(n_lines);
+    return area;
+}
+
+Subject::Plan Subject::plan(ui::Size sheet, const ui::Fonts& fonts) const
+{
+    std::vector<Panel> list = panels({.show = options_.show,
+                                      .layout = options_.layout,
+                                      .has_results = solved_.has_value(),
+                                      .area = area(sheet, fonts),
+                                      .aspect = aspect(),
+                                      .border = theme_.symbol_scale()});
+    Camera camera = options_.camera ? *options_.camera : fitted(list, fonts);
+    return {std::move(list), std::move(camera)};
+}
+
+void Subject::fit(Camera& camera, ui::Size panel, const ui::Margins& margins) const
+{
+    if (auto* plane = std::get_if<ui::PlaneCamera>(&camera)) {
+        std::vector<ui::World2> points;
+        for (const Eigen::Vector3d& p : shape_.nodes) points.push_back({p.x(), p.y()});
+        plane->fit(points, panel, margins);
+        return;
+    }
+    std::vector<ui::World3> points;
+    for (const Eigen::Vector3d& p : shape_.nodes) points.push_back({p.x(), p.y(), p.z()});
+    std::get<ui::OrbitCamera>(camera).fit(points, panel, margins);
+}
+
+ui::Margins Subject::needed_margins(const std::vector<Panel>& panels, const Camera& camera,
+                                    const ui::Fonts& fonts) const
+{
+    ui::Margins margins{edge, edge, edge, edge};
+    const ui::Size size = panels.front().box.size();
+    for (const Panel& panel : panels) {
+        ui::Painter scratch(size, fonts);
+        const Panel at_origin{ui::box_at({}, size), panel.show};
+        const auto marks = draw_panel(scratch, at_origin, camera).bounds;
+        if (!marks) continue;
+        const Projection projection(camera);
+        ui::Box nodes = *marks;
+        bool is_first = true;
+        for (const Eigen::Vector3d& node : shape_.nodes) {
+            const ui::Box at{projection(node), projection(node)};
+            nodes = is_first ? at : ui::united(nodes, at);
+            is_first = false;
+        }
+        const double heads = options_.show.contains(Show::Legend) ? heads_height(panel) : 0.0;
+        margins.left = std::max(margins.left, nodes.min.x - marks->min.x + edge);
+        margins.right = std::max(margins.right, marks->max.x - nodes.max.x + edge);
+        margins.top = std::max(margins.top, nodes.min.y - marks->min.y + edge + heads);
+        margins.bottom = std::max(margins.bottom, marks->max.y - nodes.max.y + edge);
+    }
+    const auto limit = [](double& a, double& b, double room) {
+        const double factor = std::min(1.0, 0.96 * room / (a + b));
+        a *= factor;
+        b *= factor;
+    };
+    limit(margins.left, margins.right, size.width);
+    limit(margins.top, margins.bottom, size.height);
+    return margins;
+}
+
+Camera Subject::fitted(const std::vector<Panel>& panels, const ui::Fonts& fonts) const
+{
+    Camera camera = starting_camera();
+    const ui::Size size = panels.front().box.size();
+    const double border = 0.16 * std::min(size.width, size.height);
+    fit(camera, size, {border, border, border, border});
+    // Marks keep their size on the sheet, so the room that they take changes little from one scale to the next.
+    for (int i = 0; i < 2; ++i) fit(camera, size, needed_margins(panels, camera, fonts));
+    return camera;
+}
+
+double Subject::heads_height(const Panel& panel) const
+{
+    return head_height(theme_, panel.box.width()) * static_cast<double>(n_heads(panel.show));
+}
+
+Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, const Camera& camera) const
+{
+    const ui::ClipScope clip(painter, panel.box);
+    ViewOptions options = options_;
+    options.show = panel.show;
+    ui::Box room = panel.box.grown(-4.0);
+    if (panel.show.contains(Show::Legend)) room.min.y += heads_height(panel);
+    Sketch sketch({.painter = &painter, .theme = &theme_, .room = room, .symbol_factor = options.symbol_factor});
+    const Projection projection(camera, panel.box.min);
+    const Scene scene{model_, shape_, projection, options, units_, sketch};
+    PanelPicture picture(scene, panel.box.size());
+    if (mechanism_) picture.draw_mechanism(*mechanism_);
+    else picture.draw_solved(solved_ ? &*solved_ : nullptr);
+    const std::optional<ui::Box> bounds = sketch.bounds();
+    sketch.write_captions();
+    if (panel.show.contains(Show::Legend) && !mechanism_) {
+        const double height = head_height(theme_, panel.box.width());
+        ui::Point corner = panel.box.min;
+        for (const PanelHead& head : picture.heads()) {
+            draw_panel_head(painter, head, theme_, ui::box_at(corner, {panel.box.width(), height}));
+            corner.y += height;
+        }
+    }
+    return {bounds, sketch.n_left_out()};
+}
+
+void Subject::draw(ui::Painter& painter) const
+{
+    const Plan sheet = plan(painter.size(), painter.fonts());
+    if (options_.show.contains(Show::Legend)) draw_head(painter, sheet_head(model_, results_, options_), theme_);
+    std::size_t n_left_out = 0;
+    for (const Panel& panel : sheet.panels) n_left_out += draw_panel(painter, panel, sheet.camera).n_left_out;
+    if (mechanism_) draw_sentence(painter);
+    if (n_left_out == 0) return;
+    const ui::LayerScope layer(painter, ui::Layer::Overlay);
+    ui::TextStyle style = theme_.text(ui::Role::FaintLabel, ui::Anchor::BottomRight);
+    style.size = theme_.type().small;
+    painter.text(painter.sheet().max - ui::Point{8.0, 6.0},
+                 options_.tr("labels without room: {count}", {{"count", std::to_string(n_left_out)}}), style);
+}
+
+std::vector<std::string> Subject::sentence_lines(ui::Size sheet, const ui::Fonts& fonts) const
+{
+    if (!mechanism_) return {};
+    return wrapped(fonts, sentence(mechanism_->fault, options_.tr), theme_.text(ui::Role::Error), sheet.width - 32.0);
+}
+
+void Subject::draw_sentence(ui::Painter& painter) const
+{
+    const ui::LayerScope layer(painter, ui::Layer::Overlay);
+    const ui::TextStyle style = theme_.text(ui::Role::Error, ui::Anchor::BottomLeft);
+    const std::vector<std::string> lines = sentence_lines(painter.size(), painter.fonts());
+    double y = painter.sheet().max.y - 10.0 - 1.4 * style.size * static_cast<double>(lines.size() - 1);
+    for (const std::string& line : lines) {
+        painter.text({16.0, y}, line, style);
+        y += 1.4 * style.size;
+    }
+}
+
+} // namespace frame

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "apps/frame/view/geometry/structure_shape.h"
+#include "apps/frame/view/results/solved_case.h"
+#include "apps/frame/view/sheet/panels.h"
+#include "apps/frame/view/view_options.h"
+#include "femoop/analysis/mechanism.h"
+#include "femoop/result/results.h"
+#include "ui/paint/painter.h"
+#include "ui/paint/theme.h"
+
+#include <optional>
+#include <vector>
+
+namespace frame {
+
+/// All that a picture is made from, gathered once.
+class Subject {
+public:
+    Subject(const femoop::Model& model, const femoop::Results* results, const ViewOptions& options);
+    Subject(const femoop::Model& model, const femoop::Mechanism& mechanism, const ViewOptions& options);
+
+    /// How a sheet of this size is divided, and the camera of its panels.
+    struct Plan {
+        std::vector<Panel> panels;
+        Camera camera;
+    };
+    Plan plan(ui::Size sheet, const ui::Fonts& fonts) const;
+    void draw(ui::Painter& painter) const;
+
+    const StructureShape& shape() const { return shape_; }
+    const std::optional<SolvedCase>& solved() const { return solved_; }
+
+private:
+    ui::Box area(ui::Size sheet, const ui::Fonts& fonts) const;
+    Camera starting_camera() const;
+    Camera fitted(const std::vector<Panel>& panels, const ui::Fonts& fonts) const;
+    ui::Margins needed_margins(const std::vector<Panel>& panels, const Camera& camera, const ui::Fonts& fonts) const;
+    void fit(Camera& camera, ui::Size panel, const ui::Margins& margins) const;
+    double aspect() const;
+
+    /// Draws a panel and returns the room that its marks took; `n_left_out` counts labels without a place.
+    struct Drawn {
+        std::optional<ui::Box> bounds;
+        std::size_t n_left_out = 0;
+    };
+    double heads_height(const Panel& panel) const;
+    Drawn draw_panel(ui::Painter& painter, const Panel& panel, const Camera& camera) const;
+    void draw_sentence(ui::Painter& painter) const;
+    std::vector<std::string> sentence_lines(ui::Size sheet, const ui::Fonts& fonts) const;
+
+    const femoop::Model& model_;
+    const femoop::Results* results_ = nullptr;
+    const femoop::Mechanism* mechanism_ = nullptr;
+    const ViewOptions& options_;
+    ui::Theme theme_;
+    ui::DisplayUnits units_;
+    StructureShape shape_;
+    std::optional<SolvedCase> solved_;
+};
+
+} // namespace frame

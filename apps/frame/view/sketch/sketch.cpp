@@ -1,0 +1,165 @@
+#include "apps/frame/view/sketch/sketch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace frame {
+
+namespace {
+
+constexpr double same_place = 14.0; // [px] within which one string stands for two
+
+/// Middle of a box whose border lies `gap` from the target, seen along `toward`.
+ui::Point center_beside(ui::Point target, ui::Point toward, double gap, ui::Size size)
+{
+    const ui::Point d = ui::direction(toward);
+    // The box touches the target's gap with its nearest side or corner.
+    const double half = std::abs(d.x) * 0.5 * size.width + std::abs(d.y) * 0.5 * size.height;
+    return target + (gap + half) * d;
+}
+
+ui::Point turned(ui::Point d, double angle)
+{
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    return {c * d.x + s * d.y, -s * d.x + c * d.y};
+}
+
+} // namespace
+
+Sketch::Sketch(const Setup& setup)
+    : painter_(setup.painter),
+      theme_(setup.theme),
+      symbol_scale_(setup.theme->symbol_scale() * setup.symbol_factor),
+      placer_({.room = setup.room})
+{}
+
+ui::Stroke Sketch::thin(ui::Role role) const
+{
+    ui::Stroke stroke = theme_->stroke(role);
+    stroke.width *= 0.7;
+    stroke.dash = {};
+    return stroke;
+}
+
+ui::Firmness Sketch::firmness(Clearance clearance)
+{
+    return clearance == Clearance::Hard ? ui::Firmness::Hard : ui::Firmness::Soft;
+}
+
+void Sketch::include(ui::Point point)
+{
+    if (!ui::is_finite(point)) return;
+    const ui::Box box{point, point};
+    bounds_ = bounds_ ? ui::united(*bounds_, box) : box;
+}
+
+void Sketch::line(ui::Point a, ui::Point b, const ui::Stroke& stroke, Clearance clearance)
+{
+    painter_->line(a, b, stroke);
+    include(a);
+    include(b);
+    if (clearance != Clearance::None) placer_.obstacles().add_segment(a, b, stroke.width, firmness(clearance));
+}
+
+void Sketch::polyline(const std::vector<ui::Point>& points, const ui::Stroke& stroke, Clearance clearance,
+                      ui::PathEnds ends)
+{
+    if (points.size() < 2) return;
+    painter_->polyline(points, stroke, ends);
+    for (const ui::Point p : points) include(p);
+    if (clearance != Clearance::None) placer_.obstacles().add_polyline(points, stroke.width, firmness(clearance));
+}
+
+void Sketch::polygon(const std::vector<ui::Point>& points, ui::Color fill, Clearance clearance)
+{
+    if (points.size() < 3) return;
+    painter_->polygon(points, fill);
+    for (const ui::Point p : points) include(p);
+    if (clearance != Clearance::None) placer_.obstacles().add_polygon(points, firmness(clearance));
+}
+
+void Sketch::disc(ui::Point center, double radius, ui::Color fill, Clearance clearance)
+{
+    painter_->disc(center, radius, fill);
+    include(center);
+    if (clearance != Clearance::None) placer_.obstacles().add_disc(center, radius, firmness(clearance));
+}
+
+void Sketch::ring(ui::Point center, double radius, const ui::Stroke& stroke, Clearance clearance)
+{
+    painter_->circle(center, radius, stroke);
+    include(center - ui::Point{radius, radius});
+    include(center + ui::Point{radius, radius});
+    if (clearance != Clearance::None) placer_.obstacles().add_disc(center, radius, firmness(clearance));
+}
+
+void Sketch::keep_clear(const std::vector<ui::Point>& area)
+{
+    for (const ui::Point p : area) include(p);
+    placer_.obstacles().add_polygon(area);
+}
+
+ui::TextStyle Sketch::style_of(const Caption& caption) const
+{
+    ui::TextStyle style = theme_->text(caption.role);
+    if (caption.size > 0.0) style.size = caption.size;
+    style.weight = caption.weight;
+    return style;
+}
+
+void Sketch::caption(Caption caption)
+{
+    if (caption.text.empty() || !ui::is_finite(caption.target)) return;
+    const auto says_the_same = [&](const Request& other) {
+        return other.caption.role == caption.role && other.caption.text == caption.text &&
+               ui::distance(other.caption.target, caption.target) < same_place;
+    };
+    if (std::any_of(requests_.begin(), requests_.end(), says_the_same)) return;
+    const ui::TextStyle style = style_of(caption);
+    const ui::Size size = ui::label_size(painter_->fonts(), caption.text, style);
+    const ui::Point center = center_beside(caption.target, caption.toward, caption.gap, size);
+    include(center - 0.5 * ui::Point{size.width, size.height});
+    include(center + 0.5 * ui::Point{size.width, size.height});
+    requests_.push_back({std::move(caption), style, size});
+}
+
+ui::Label Sketch::label_of(const Request& request) const
+{
+    constexpr double pi = std::numbers::pi;
+    const Caption& caption = request.caption;
+    ui::Label label{.target = caption.target, .size = request.size};
+    label.priority = static_cast<double>(caption.rank);
+    label.reach = caption.reach;
+    label.clearance = caption.gap;
+    const auto wish = [&](ui::Point target, double angle, double gap) {
+        label.wishes.push_back(center_beside(target, turned(caption.toward, angle), gap, request.size));
+    };
+    wish(caption.target, 0.0, caption.gap);
+    for (const ui::Point other : caption.others) wish(other, 0.0, caption.gap);
+    for (const double angle : {pi / 5, -pi / 5, pi / 3, -pi / 3}) wish(caption.target, angle, caption.gap);
+    wish(caption.target, 0.0, caption.gap + 8.0);
+    for (const double angle : {pi / 2, -pi / 2, pi, 3 * pi / 4, -3 * pi / 4}) wish(caption.target, angle, caption.gap);
+    for (const ui::Point other : caption.others) wish(other, pi, caption.gap);
+    return label;
+}
+
+void Sketch::write_captions()
+{
+    std::vector<ui::Label> labels;
+    labels.reserve(requests_.size());
+    for (const Request& request : requests_) labels.push_back(label_of(request));
+    const ui::LabelPlacement placement = placer_.place(labels);
+    n_left_out_ += placement.n_left_out;
+    const ui::LayerScope layer(*painter_, ui::Layer::Labels);
+    for (std::size_t i = 0; i < requests_.size(); ++i) {
+        const auto& place = placement.labels[i];
+        if (!place) continue;
+        if (place->leader) painter_->line(place->leader->from, place->leader->to, theme_->stroke(ui::Role::Leader));
+        ui::draw_label(*painter_, *place, requests_[i].caption.text, requests_[i].style);
+    }
+    requests_.clear();
+}
+
+} // namespace frame

@@ -1,0 +1,92 @@
+#pragma once
+
+#include "apps/frame/view/geometry/projection.h"
+#include "ui/paint/label_placement.h"
+#include "ui/paint/painter.h"
+#include "ui/paint/theme.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace frame {
+
+/// What labels do where a line stands: nothing, keep clear if they can, or always.
+enum class Clearance : std::uint8_t { None, Soft, Hard };
+
+/// Which labels choose their place first.
+enum class Rank : std::uint8_t { Name, Minor, Value, Extreme, Load };
+
+/// A string that is put near what it speaks of, wherever there is room.
+struct Caption {
+    std::string text;
+    ui::Role role = ui::Role::Label;
+    ui::Point target;            ///< what it speaks of
+    ui::Point toward{0.0, -1.0}; ///< on which side of the target it would stand
+    double gap = 5.0;            ///< from the target, where it stands on that side
+    Rank rank = Rank::Value;
+    ui::Weight weight = ui::Weight::Regular;
+    double size = 0.0;               ///< em; 0 is the theme's normal size
+    std::vector<ui::Point> others{}; ///< targets that serve as well, such as places along a member
+    double reach = 90.0;             ///< how far off it may stand, with a leader
+};
+
+/// Draws the marks of a structure and remembers where they are: labels keep clear of them, and the sheet learns how
+/// much room the picture needs.
+class Sketch {
+public:
+    struct Setup {
+        ui::Painter* painter;
+        const ui::Theme* theme;
+        ui::Box room; ///< what the labels may use
+        double symbol_factor = 1.0;
+    };
+    explicit Sketch(const Setup& setup);
+
+    ui::Painter& painter() { return *painter_; }
+    const ui::Theme& theme() const { return *theme_; }
+    /// A length in the theme's symbol size.
+    double px(double logical) const { return logical * symbol_scale_; }
+    ui::Stroke stroke(ui::Role role) const { return theme_->stroke(role); }
+    ui::Stroke thin(ui::Role role) const; ///< 0.7 of the role's width, solid
+
+    void line(ui::Point a, ui::Point b, const ui::Stroke& stroke, Clearance clearance = Clearance::Hard);
+    void polyline(const std::vector<ui::Point>& points, const ui::Stroke& stroke, Clearance clearance = Clearance::Hard,
+                  ui::PathEnds ends = ui::PathEnds::Open);
+    void polygon(const std::vector<ui::Point>& points, ui::Color fill, Clearance clearance = Clearance::Hard);
+    void disc(ui::Point center, double radius, ui::Color fill, Clearance clearance = Clearance::Hard);
+    void ring(ui::Point center, double radius, const ui::Stroke& stroke, Clearance clearance = Clearance::Hard);
+    /// Labels keep clear of the area as if it were filled.
+    void keep_clear(const std::vector<ui::Point>& area);
+
+    /// The same string twice within a few pixels is written once.
+    void caption(Caption caption);
+
+    /// Finds places for all captions and writes them. Call once, at the end.
+    void write_captions();
+
+    const std::optional<ui::Box>& bounds() const { return bounds_; } ///< of all marks and of the captions' first wishes
+    void include(ui::Point point);
+    std::size_t n_left_out() const { return n_left_out_; } ///< captions for which there was no room
+
+private:
+    struct Request {
+        Caption caption;
+        ui::TextStyle style;
+        ui::Size size;
+    };
+
+    ui::TextStyle style_of(const Caption& caption) const;
+    ui::Label label_of(const Request& request) const;
+    static ui::Firmness firmness(Clearance clearance);
+
+    ui::Painter* painter_;
+    const ui::Theme* theme_;
+    double symbol_scale_;
+    ui::LabelPlacer placer_;
+    std::vector<Request> requests_;
+    std::optional<ui::Box> bounds_;
+    std::size_t n_left_out_ = 0;
+};
+
+} // namespace frame

@@ -1,0 +1,126 @@
+#include "apps/frame/view/structure/dimensions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace frame {
+
+namespace {
+
+using Eigen::Vector3d;
+
+/// The distinct coordinates of the nodes along one axis, ascending.
+std::vector<double> levels(const Scene& scene, int axis)
+{
+    std::vector<double> found;
+    for (const Vector3d& node : scene.shape.nodes) found.push_back(node[axis]);
+    std::sort(found.begin(), found.end());
+    const auto same = [&](double a, double b) { return b - a < 1e-6 * scene.shape.size; };
+    found.erase(std::unique(found.begin(), found.end(), same), found.end());
+    return found;
+}
+
+/// A chain on the sheet: where a level lies, and the direction in which the texts stand.
+struct Chain {
+    std::vector<double> levels;
+    std::function<ui::Point(double)> at;
+    ui::Point outward;
+};
+
+void draw_tick(Sketch& sketch, ui::Point at, ui::Point along)
+{
+    const ui::Point n = ui::left_normal(along);
+    const double half = sketch.px(4.0);
+    const ui::Stroke stroke = sketch.stroke(ui::Role::Dimension);
+    sketch.line(at - 1.5 * half * n, at + 1.5 * half * n, stroke);
+    sketch.line(at - half * (n + along), at + half * (n + along), stroke);
+}
+
+void draw_chain(const Scene& scene, const Chain& chain)
+{
+    Sketch& sketch = scene.sketch;
+    for (std::size_t i = 0; i + 1 < chain.levels.size(); ++i) {
+        const ui::Point a = chain.at(chain.levels[i]);
+        const ui::Point b = chain.at(chain.levels[i + 1]);
+        const ui::Point along = ui::direction(b - a);
+        sketch.line(a, b, sketch.stroke(ui::Role::Dimension));
+        draw_tick(sketch, a, along);
+        draw_tick(sketch, b, along);
+        sketch.caption({.text = scene.text(chain.levels[i + 1] - chain.levels[i], ui::Measure::Length),
+                        .role = ui::Role::Dimension,
+                        .target = 0.5 * (a + b),
+                        .toward = chain.outward,
+                        .gap = 3.0,
+                        .rank = Rank::Load,
+                        .size = sketch.theme().type().small});
+    }
+}
+
+void draw_with_total(const Scene& scene, const Chain& chain, double step)
+{
+    if (chain.levels.size() < 2) return;
+    if (chain.levels.size() == 2) return draw_chain(scene, chain);
+    draw_chain(scene, chain);
+    draw_chain(scene, {{chain.levels.front(), chain.levels.back()},
+                       [&](double level) { return chain.at(level) + step * chain.outward; },
+                       chain.outward});
+}
+
+void draw_in_plane(const Scene& scene)
+{
+    Sketch& sketch = scene.sketch;
+    if (!sketch.bounds()) return;
+    const ui::Box around = *sketch.bounds();
+    const double gap = sketch.px(16.0);
+    const double step = sketch.px(20.0) + 6.0;
+    const auto sheet = [&](double x, double y) { return scene.projection(Vector3d(x, y, 0.0)); };
+    draw_with_total(scene,
+                    {levels(scene, 0),
+                     [&](double x) {
+                         return ui::Point{sheet(x, 0.0).x, around.max.y + gap};
+                     },
+                     ui::Point{0.0, 1.0}},
+                    step);
+    draw_with_total(scene,
+                    {levels(scene, 1),
+                     [&](double y) {
+                         return ui::Point{around.min.x - gap, sheet(0.0, y).y};
+                     },
+                     ui::Point{-1.0, 0.0}},
+                    step + sketch.px(34.0));
+}
+
+void draw_in_space(const Scene& scene)
+{
+    Sketch& sketch = scene.sketch;
+    const double unit = sketch.px(34.0) / scene.projection.scale();
+    const std::vector<double> x = levels(scene, 0);
+    const std::vector<double> y = levels(scene, 1);
+    const std::vector<double> z = levels(scene, 2);
+    if (x.empty()) return;
+    const auto at = [&](double px, double py, double pz) { return scene.projection(Vector3d(px, py, pz)); };
+    const auto chain = [&](std::vector<double> list, std::function<ui::Point(double)> place, ui::Point outward) {
+        draw_with_total(scene, {std::move(list), std::move(place), outward}, sketch.px(26.0));
+    };
+    chain(
+        x, [&](double v) { return at(v, y.front() - unit, z.front()); },
+        ui::direction(scene.projection.direction(-Vector3d::UnitY())));
+    chain(
+        y, [&](double v) { return at(x.back() + unit, v, z.front()); },
+        ui::direction(scene.projection.direction(Vector3d::UnitX())));
+    chain(
+        z, [&](double v) { return at(x.front(), y.front() - unit, v); },
+        ui::direction(scene.projection.direction(-Vector3d::UnitY())));
+}
+
+} // namespace
+
+void draw_dimensions(const Scene& scene)
+{
+    const ui::LayerScope layer(scene.sketch.painter(), ui::Layer::Symbols);
+    if (scene.is_flat()) draw_in_plane(scene);
+    else draw_in_space(scene);
+}
+
+} // namespace frame

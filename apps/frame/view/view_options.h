@@ -1,0 +1,49 @@
+#pragma once
+
+#include "apps/frame/view/geometry/projection.h"
+#include "apps/frame/view/show.h"
+#include "femoop/model/ids.h"
+#include "ui/paint/theme.h"
+#include "ui/text/catalogue.h"
+#include "ui/text/display_units.h"
+
+#include <optional>
+#include <vector>
+
+namespace frame {
+
+/// Where a positive bending moment is drawn: on the side that it stretches, or on the other one.
+enum class MomentSide : std::uint8_t { Tension, Compression };
+
+/// Whether each result gets a panel of its own beside the loads, or all are drawn over one another.
+enum class Layout : std::uint8_t {
+    Automatic, ///< a panel for the loads and reactions, and one for each result
+    Overlay
+};
+
+/// What the cursor is over, or what is selected: drawn with a broad line below it.
+struct Highlight {
+    std::vector<femoop::NodeId> nodes;
+    std::vector<femoop::MemberId> members;
+};
+
+/// How a model is drawn. Factors are 1 where the automatic size is right.
+struct ViewOptions {
+    ShowSet show = shown_by_default;
+    femoop::CaseId load_case; ///< whose loads and results are drawn
+    ui::ThemeName theme = ui::ThemeName::Light;
+    ui::Catalogue tr;                      ///< language of the words
+    std::optional<ui::UnitSystem> units;   ///< kN, m, mm (or kip, ft, in) when absent
+    ui::NumberFormat numbers{.digits = 4}; ///< digits and decimal mark
+    MomentSide moment_side = MomentSide::Tension;
+    double diagram_factor = 1.0;             ///< > 0
+    double load_factor = 1.0;                ///< > 0, length of the arrows
+    double symbol_factor = 1.0;              ///< > 0, size of supports, hinges and heads of arrows
+    std::optional<double> deformation_scale; ///< 50 draws displacements fifty times as large
+    double phase = 1.0;                      ///< share of the displacement that is drawn, -1 to 1: animation
+    std::optional<Camera> camera;            ///< fits the sheet when absent
+    Layout layout = Layout::Automatic;
+    Highlight hover, selection;
+};
+
+} // namespace frame

@@ -1,0 +1,378 @@
+#include "apps/frame/window/application.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "apps/frame/view/results/mechanism_picture.h"
+#include "apps/frame/window/properties_panel.h"
+#include "apps/frame/window/results_panel.h"
+#include "apps/frame/window/show_panel.h"
+
+namespace frame {
+
+using ui::translatable;
+
+namespace {
+
+constexpr double seconds_per_swing = 2.4;
+
+constexpr ImGuiWindowFlags fixed_panel = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                         ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+// A bar between two panels that is dragged to share the room; the width that the first panel gets [physical pixels].
+float splitter(const char* id, float width, float sign, float height)
+{
+    const float thickness = 0.35F * ImGui::GetFontSize();
+    ImGui::InvisibleButton(id, {thickness, height});
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    const float em = ImGui::GetFontSize();
+    if (ImGui::IsItemActive()) width += sign * ImGui::GetIO().MouseDelta.x;
+    return std::clamp(width, 8.0F * em, 40.0F * em);
+}
+
+} // namespace
+
+Application::Application(ui::Context& context, const ui::Fonts& fonts, Session session)
+    : desk_{std::move(session)},
+      commands_(command_table()),
+      gui_(context, fonts, ui::Theme(desk_.session.view.theme)),
+      canvas_(fonts),
+      theme_(desk_.session.view.theme)
+{}
+
+bool Application::is_moving() const
+{
+    return desk_.session.is_animated || !desk_.session.solution().mechanisms.empty();
+}
+
+std::string Application::window_title() const
+{
+    const Session& session = desk_.session;
+    return (session.is_dirty() ? "*" : "") + session.file_name() + " – " + session.view.tr("Cremona: frames");
+}
+
+void Application::ask_to_quit()
+{
+    asks_to_quit_ = desk_.session.is_dirty();
+    wants_to_quit_ = !asks_to_quit_;
+}
+
+void Application::animate(double seconds)
+{
+    time_ = is_moving() ? time_ + seconds : 0.25 * seconds_per_swing; // a still picture shows the full displacement
+    desk_.session.view.phase = std::sin(2.0 * std::numbers::pi * time_ / seconds_per_swing);
+}
+
+void Application::frame(const ui::Input& input)
+{
+    if (theme_ != desk_.session.view.theme) {
+        theme_ = desk_.session.view.theme;
+        gui_.set_theme(ui::Theme(theme_));
+    }
+    if (!input.dropped_files.empty()) desk_.session.open(input.dropped_files.front());
+    gui_.begin_frame(input);
+    take_keys(input);
+    animate(input.seconds);
+    show_menu_bar();
+    show_body();
+    show_dialogs();
+    take_requests();
+    gui_.end_frame();
+}
+
+void Application::take_keys(const ui::Input& input)
+{
+    const bool is_blocked = palette_.is_open() || path_dialog_.is_open() || asks_to_quit_;
+    if (is_blocked) return;
+    for (const ui::KeyEvent& event : input.keys) {
+        const bool has_ctrl = input.modifiers.ctrl;
+        const bool types = ImGui::GetIO().WantTextInput || fields_.is_typing();
+        if (!event.is_down || (types && !has_ctrl)) continue;
+        if (event.key == ui::Key::Escape && desk_.session.history().is_dragging()) {
+            desk_.session.cancel();
+            continue;
+        }
+        const auto* const command = commands_.find(ui::Chord{event.key, input.modifiers});
+        const bool is_edit_of_text = types && command != nullptr && command->id.starts_with("edit.");
+        if (command != nullptr && !is_edit_of_text) run(*command, desk_);
+    }
+}
+
+void Application::take_requests()
+{
+    Session& session = desk_.session;
+    for (const Request request : std::exchange(desk_.requests, {})) {
+        const std::filesystem::path start = session.path().value_or("");
+        switch (request) {
+        case Request::OpenDialog: path_dialog_.open(ui::PathDialog::Purpose::Open, start, ".json"); break;
+        case Request::SaveDialog: path_dialog_.open(ui::PathDialog::Purpose::Save, start, ".json"); break;
+        case Request::Palette: palette_.open(); break;
+        case Request::ShortcutList: shows_shortcuts_ = !shows_shortcuts_; break;
+        case Request::Fit: canvas_.fit(session); break;
+        case Request::ZoomIn: canvas_.zoom(session, 1.25); break;
+        case Request::ZoomOut: canvas_.zoom(session, 0.8); break;
+        case Request::Quit: ask_to_quit(); break;
+        }
+    }
+}
+
+void Application::show_menu_bar()
+{
+    if (!ImGui::BeginMainMenuBar()) return;
+    ui::show_menus(commands_, desk_, desk_.session.view.tr);
+    const std::string name = (desk_.session.is_dirty() ? "* " : "") + desk_.session.file_name();
+    ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::CalcTextSize(name.c_str()).x - 2.0F * ImGui::GetFontSize());
+    ImGui::TextDisabled("%s", name.c_str());
+    ImGui::EndMainMenuBar();
+}
+
+void Application::show_body()
+{
+    const ImGuiViewport& viewport = *ImGui::GetMainViewport();
+    const float status = ImGui::GetFrameHeight();
+    ImGui::SetNextWindowPos(viewport.WorkPos);
+    ImGui::SetNextWindowSize({viewport.WorkSize.x, viewport.WorkSize.y - status});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.0F});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, 0U);
+    ImGui::Begin("###body", nullptr, fixed_panel);
+    const auto scale = static_cast<float>(gui_.scale());
+    const float height = ImGui::GetContentRegionAvail().y;
+
+    // The right panel is laid out before the canvas is drawn, so that the canvas shows what it changed.
+    const float whole = ImGui::GetContentRegionAvail().x;
+    const float bar = 0.35F * ImGui::GetFontSize();
+    show_left(scale * left_width_);
+    ImGui::SameLine();
+    left_width_ = splitter("###left splitter", scale * left_width_, 1.0F, height) / scale;
+    ImGui::SameLine(whole - scale * right_width_ - bar);
+    right_width_ = splitter("###right splitter", scale * right_width_, -1.0F, height) / scale;
+    ImGui::SameLine();
+    show_right(scale * right_width_);
+    ImGui::SameLine(scale * left_width_ + bar);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, 0U);
+    ImGui::BeginChild("###canvas", {whole - scale * (left_width_ + right_width_) - 2.0F * bar, height});
+    show_canvas();
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(4);
+    show_status_bar();
+}
+
+namespace {
+
+// The spacing within panels, whatever that of the window around them is.
+void begin_panel(const char* id, float width)
+{
+    const float em = ImGui::GetFontSize();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.7F * em, 0.5F * em});
+    ImGui::BeginChild(id, {width, 0.0F}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.6F * em, 0.35F * em});
+}
+
+void end_panel()
+{
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+}
+
+} // namespace
+
+void Application::show_left(float width)
+{
+    begin_panel("###left", width);
+    show_panel(desk_, commands_);
+    end_panel();
+}
+
+void Application::show_right(float width)
+{
+    begin_panel("###right", width);
+    const ui::Catalogue& tr = desk_.session.view.tr;
+    const auto tab = [](const std::string& title, const char* id) {
+        return ImGui::BeginTabItem((title + "###" + id).c_str());
+    };
+    if (ImGui::BeginTabBar("###tabs")) {
+        if (tab(tr("Properties"), "properties")) {
+            properties_panel(desk_, fields_);
+            ImGui::EndTabItem();
+        }
+        if (tab(tr("Results"), "results")) {
+            results_panel(desk_);
+            ImGui::EndTabItem();
+        }
+        const std::size_t n = desk_.session.solution().faults.size();
+        if (tab(tr("Problems") + (n > 0 ? " (" + std::to_string(n) + ")" : ""), "problems")) {
+            problems_panel(desk_);
+            ImGui::EndTabItem();
+        }
+        if (tab(tr("History"), "history")) {
+            history_panel(desk_);
+            ImGui::EndTabItem();
+        }
+        ImGui::EndTabBar();
+    }
+    end_panel();
+}
+
+void Application::show_canvas()
+{
+    canvas_.show(desk_, gui_);
+    show_banner();
+}
+
+namespace {
+
+// What went wrong, in a box at the top of the picture.
+void show_messages(const std::vector<std::string>& lines, float left, float top, float width)
+{
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos({left + em, top + em});
+    ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {width - 2.0F * em, 20.0F * em});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {em, 0.7F * em});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.6F * em, 0.35F * em});
+    constexpr ImGuiWindowFlags flags = fixed_panel | ImGuiWindowFlags_AlwaysAutoResize |
+                                       ImGuiWindowFlags_NoFocusOnAppearing;
+    ImGui::Begin("###banner", nullptr, flags & ~ImGuiWindowFlags_NoBringToFrontOnFocus);
+    for (const std::string& line : lines) {
+        ImGui::PushTextWrapPos(width - 4.0F * em);
+        ImGui::TextUnformatted(line.c_str());
+        ImGui::PopTextWrapPos();
+    }
+}
+
+} // namespace
+
+void Application::show_banner()
+{
+    Session& session = desk_.session;
+    const ui::Catalogue& tr = session.view.tr;
+    std::vector<std::string> lines;
+    if (session.notice) {
+        lines.push_back(tr(session.notice->sentence));
+        for (const femoop::Fault& fault : session.notice->faults) lines.push_back("• " + sentence(fault, tr));
+    } else if (session.solution().mechanisms.empty()) { // the picture itself says how a mechanism moves
+        for (const femoop::Fault& fault : session.solution().faults) {
+            const bool is_error = femoop::severity(fault.kind) == femoop::Severity::Error;
+            if (is_error) lines.push_back("• " + sentence(fault, tr));
+        }
+    }
+    if (lines.empty()) return;
+    constexpr std::size_t most_lines = 8;
+    if (lines.size() > most_lines) {
+        const std::size_t n_more = lines.size() - most_lines;
+        lines.resize(most_lines);
+        lines.push_back(tr("… and {count} more", {{"count", std::to_string(n_more)}}));
+    }
+    const ImVec2 corner = ImGui::GetWindowPos();
+    show_messages(lines, corner.x, corner.y, ImGui::GetWindowWidth());
+    if (session.notice && ImGui::Button(tr("Close").c_str())) session.notice.reset();
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
+void Application::show_status_bar()
+{
+    const ImGuiViewport& viewport = *ImGui::GetMainViewport();
+    const float height = ImGui::GetFrameHeight();
+    ImGui::SetNextWindowPos({viewport.WorkPos.x, viewport.WorkPos.y + viewport.WorkSize.y - height});
+    ImGui::SetNextWindowSize({viewport.WorkSize.x, height});
+    const float em = ImGui::GetFontSize();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.7F * em, 0.15F * em});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0F, 1.0F});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
+    ImGui::Begin("###status", nullptr, fixed_panel | ImGuiWindowFlags_NoScrollbar);
+    const Session& session = desk_.session;
+    const ui::Catalogue& tr = session.view.tr;
+    const femoop::Model& model = session.model();
+    std::string text = tr("{nodes} nodes, {members} members", {{"nodes", std::to_string(model.nodes.size())},
+                                                               {"members", std::to_string(model.members.size())}});
+    if (const auto& results = session.solution().results) {
+        const femoop::Indeterminacy& degree = results->indeterminacy();
+        text += "   ·   " + tr("degree of indeterminacy {total} = {external} external + {internal} internal",
+                               {{"total", std::to_string(degree.total())},
+                                {"external", std::to_string(degree.external)},
+                                {"internal", std::to_string(degree.internal)}});
+    } else {
+        text += "   ·   " + tr("not solved");
+    }
+    ImGui::TextUnformatted(text.c_str());
+    const ui::DisplayUnits units = session.units();
+    const std::string right = units.unit(ui::Measure::Force).name + ", " + units.unit(ui::Measure::Length).name + ", " +
+                              units.unit(ui::Measure::Displacement).name;
+    ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::CalcTextSize(right.c_str()).x - em);
+    ImGui::TextDisabled("%s", right.c_str());
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(3);
+}
+
+void Application::show_dialogs()
+{
+    Session& session = desk_.session;
+    const ui::Catalogue tr = session.view.tr; // a command may change the language
+    if (const auto path = path_dialog_.show(tr)) {
+        if (path_dialog_.purpose() == ui::PathDialog::Purpose::Open) session.open(*path);
+        else session.save(*path);
+    }
+    palette_.show(commands_, desk_, tr);
+    show_shortcuts();
+    show_quit_question();
+}
+
+void Application::show_shortcuts()
+{
+    if (!shows_shortcuts_) return;
+    const ui::Catalogue& tr = desk_.session.view.tr;
+    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
+    ImGui::Begin((tr("Keys") + "###shortcuts").c_str(), &shows_shortcuts_,
+                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse);
+    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) {
+        for (const auto& command : commands_.all()) {
+            if (command.shortcuts.empty()) continue;
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(text(command.shortcuts.front()).c_str());
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted((tr(command.menu) + "  ›  " + ui::label(command, desk_, tr)).c_str());
+        }
+        ImGui::EndTable();
+    }
+    ImGui::End();
+}
+
+void Application::show_quit_question()
+{
+    if (!asks_to_quit_) return;
+    const ui::Catalogue& tr = desk_.session.view.tr;
+    ImGui::OpenPopup("###quit");
+    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
+    const std::string heading = tr("Unsaved changes") + "###quit";
+    if (!ImGui::BeginPopupModal(heading.c_str(), nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
+    ImGui::TextUnformatted(tr("{file} has changes that are not saved.", {{"file", desk_.session.file_name()}}).c_str());
+    ImGui::Spacing();
+    if (ImGui::Button(tr("Save").c_str())) {
+        asks_to_quit_ = false;
+        if (!desk_.session.path()) desk_.requests.push_back(Request::SaveDialog);
+        else wants_to_quit_ = desk_.session.save(*desk_.session.path());
+    }
+    ImGui::SameLine();
+    if (ImGui::Button(tr("Quit without saving").c_str())) wants_to_quit_ = true;
+    ImGui::SameLine();
+    if (ImGui::Button(tr("Cancel").c_str())) asks_to_quit_ = false;
+    if (!asks_to_quit_ || wants_to_quit_) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+} // namespace frame

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "apps/frame/session/commands.h"
+#include "apps/frame/window/canvas.h"
+#include "ui/context/context.h"
+#include "ui/context/imgui_session.h"
+#include "ui/context/input.h"
+#include "ui/paint/text_measure.h"
+#include "ui/widgets/command_menu.h"
+#include "ui/widgets/number_field.h"
+#include "ui/widgets/path_dialog.h"
+
+namespace frame {
+
+/// The frame app on a context, on the screen or off it. Each frame goes one way: input, edits, document, solution,
+/// picture.
+class Application {
+public:
+    /// \pre context and fonts outlive the application
+    Application(ui::Context& context, const ui::Fonts& fonts, Session session);
+
+    void frame(const ui::Input& input);
+
+    Desk& desk() { return desk_; }
+    Session& session() { return desk_.session; }
+    const CommandTable& commands() const { return commands_; }
+    const Canvas& canvas() const { return canvas_; }
+    /// Something moves by itself, so frames must follow one another.
+    bool is_moving() const;
+    bool wants_to_quit() const { return wants_to_quit_; }
+    /// The window's close button was pressed: closes, or asks first what to do with unsaved changes.
+    void ask_to_quit();
+    std::string window_title() const;
+    /// A heading of a panel that a scenario can click; panels are found by what they show.
+    ui::ImGuiSession& gui() { return gui_; }
+
+private:
+    void take_keys(const ui::Input& input);
+    void take_requests();
+    void show_menu_bar();
+    void show_body();
+    void show_left(float width);
+    void show_right(float width);
+    void show_canvas();
+    void show_banner();
+    void show_status_bar();
+    void show_dialogs();
+    void show_shortcuts();
+    void show_quit_question();
+    void animate(double seconds);
+
+    Desk desk_;
+    CommandTable commands_;
+    ui::ImGuiSession gui_;
+    Canvas canvas_;
+    ui::NumberFields fields_;
+    ui::CommandPalette palette_;
+    ui::PathDialog path_dialog_;
+    ui::ThemeName theme_;
+    float left_width_ = 250.0F; ///< logical pixels
+    float right_width_ = 360.0F;
+    double time_ = 0.0; ///< of the animation [s]
+    bool shows_shortcuts_ = false;
+    bool asks_to_quit_ = false;
+    bool wants_to_quit_ = false;
+};
+
+} // namespace frame

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "apps/frame/session/commands.h"
+#include "ui/widgets/number_field.h"
+
+namespace frame {
+
+/// What is selected: its numbers, its choices and the loads on it; nothing selected: the list of parts.
+void properties_panel(Desk& desk, ui::NumberFields& fields);
+
+} // namespace frame

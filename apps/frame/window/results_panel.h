@@ -1,0 +1,16 @@
+#pragma once
+
+#include "apps/frame/session/commands.h"
+
+namespace frame {
+
+/// Tables of displacements, reactions and section forces of the case that is shown; a row that is clicked is selected.
+void results_panel(Desk& desk);
+
+/// Errors, warnings and mechanisms, each a sentence.
+void problems_panel(Desk& desk);
+
+/// The steps of the history; a click jumps there.
+void history_panel(Desk& desk);
+
+} // namespace frame

@@ -1,0 +1,128 @@
+#include "apps/frame/window/show_panel.h"
+
+#include <imgui.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "ui/text/number_format.h"
+
+namespace frame {
+
+using ui::translatable;
+
+namespace {
+
+void heading(const std::string& text)
+{
+    ImGui::Spacing();
+    ImGui::TextDisabled("%s", text.c_str());
+    ImGui::Separator();
+}
+
+void choose_case(Session& session)
+{
+    const femoop::Model& model = session.model();
+    if (model.n_cases() == 0) {
+        ImGui::TextWrapped("%s", session.view.tr("The model has no load case.").c_str());
+        return;
+    }
+    for (std::size_t i = 0; i < model.n_cases(); ++i) {
+        const bool is_combination = i >= model.load_cases.size();
+        const std::string& name = model.case_name(femoop::CaseId(i));
+        const std::string label = (is_combination ? session.view.tr("{case} (combination)", {{"case", name}}) : name) +
+                                  "###" + std::to_string(i);
+        if (ImGui::RadioButton(label.c_str(), session.view.load_case == femoop::CaseId(i)))
+            session.view.load_case = femoop::CaseId(i);
+    }
+}
+
+void toggle(Desk& desk, const CommandTable& commands, Show item)
+{
+    const auto* const command = commands.find(command_id(item));
+    if (command == nullptr) return;
+    bool is_on = command->is_on(desk);
+    if (ImGui::Checkbox(ui::label(*command, desk, desk.session.view.tr).c_str(), &is_on)) run(*command, desk);
+    if (command->shortcuts.empty()) return;
+    const std::string key = text(command->shortcuts.front());
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(key.c_str()).x);
+    ImGui::TextDisabled("%s", key.c_str());
+}
+
+void show_toggles(Desk& desk, const CommandTable& commands, std::initializer_list<Show> items)
+{
+    for (const Show item : items) toggle(desk, commands, item);
+}
+
+// A name with a value at the end of its line.
+void named_value(const std::string& name, const std::string& value)
+{
+    ImGui::TextUnformatted(name.c_str());
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x);
+    ImGui::TextDisabled("%s", value.c_str());
+}
+
+// A slider over powers of ten; true while it moves.
+bool power_slider(const char* id, double& factor, float least, float most)
+{
+    float power = static_cast<float>(std::log10(factor));
+    ImGui::SetNextItemWidth(-1.0F);
+    if (!ImGui::SliderFloat(id, &power, least, most, "")) return false;
+    factor = std::pow(10.0, static_cast<double>(power));
+    return true;
+}
+
+// A factor from a tenth to ten times the automatic size; a double click brings the automatic size back.
+void factor_slider(const std::string& name, const char* id, double& factor, const ui::NumberFormat& format)
+{
+    named_value(name, "× " + ui::number_text(factor, format));
+    power_slider(id, factor, -1.0F, 1.0F);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) factor = 1.0;
+}
+
+void deformation_slider(Session& session, const ui::NumberFormat& format)
+{
+    std::optional<double>& scale = session.view.deformation_scale;
+    const ui::Catalogue& tr = session.view.tr;
+    named_value(tr("Deformed shape"), scale ? "× " + ui::number_text(*scale, format) : "");
+    bool is_automatic = !scale;
+    if (ImGui::Checkbox(tr("automatic").c_str(), &is_automatic))
+        scale = is_automatic ? std::nullopt : std::optional(100.0);
+    if (!scale || !power_slider("###deformation", *scale, 0.0F, 4.0F)) return;
+    const double decade = std::pow(10.0, std::floor(std::log10(*scale)) - 1.0);
+    scale = std::round(*scale / decade) * decade; // two digits, as on the label
+}
+
+} // namespace
+
+void show_panel(Desk& desk, const CommandTable& commands)
+{
+    using enum Show;
+    Session& session = desk.session;
+    const ui::Catalogue& tr = session.view.tr;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {style.FramePadding.x, 0.3F * style.FramePadding.y});
+    heading(tr("Load case"));
+    choose_case(session);
+    heading(tr("Results"));
+    show_toggles(desk, commands, {N, V, M});
+    const femoop::AnalysisKind kind = session.model().analysis;
+    if (kind == femoop::AnalysisKind::Grillage || kind == femoop::AnalysisKind::Frame3d) toggle(desk, commands, T);
+    show_toggles(desk, commands, {Deformed, Reactions});
+    heading(tr("Picture"));
+    show_toggles(desk, commands, {Loads, Values, NodeNames, MemberNames, Dimensions, LocalAxes, Legend});
+    heading(tr("Scales"));
+    const ui::NumberFormat format{.digits = 2, .mark = session.view.numbers.mark};
+    factor_slider(tr("Diagrams"), "###diagrams", session.view.diagram_factor, format);
+    factor_slider(tr("Load arrows"), "###loads", session.view.load_factor, format);
+    factor_slider(tr("Symbols"), "###symbols", session.view.symbol_factor, format);
+    deformation_slider(session, format);
+    if (const auto* const animate = commands.find("view.animate")) {
+        bool is_on = animate->is_on(desk);
+        if (ImGui::Checkbox(tr(animate->label).c_str(), &is_on)) run(*animate, desk);
+    }
+    ImGui::PopStyleVar();
+}
+
+} // namespace frame

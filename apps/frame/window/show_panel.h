@@ -1,0 +1,11 @@
+#pragma once
+
+#include "apps/frame/session/commands.h"
+#include "ui/widgets/number_field.h"
+
+namespace frame {
+
+/// What is shown and how large: the load case, what the picture shows, the scales.
+void show_panel(Desk& desk, const CommandTable& commands);
+
+} // namespace frame
