@@ -1,0 +1,35 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/apps/cli/run_cremona.h"
+
+using cli_test::cremona;
+using cli_test::has;
+using cli_test::Run;
+
+TEST_SUITE_BEGIN("cremona");
+
+TEST_CASE("A frame of 9 by 10 has 300 degrees of freedom and sways 12.604187 mm, whichever solver is asked")
+{
+    for (const char* solver : {"automatic", "skyline", "ldlt"}) {
+        CAPTURE(solver);
+        const Run run = cremona({"bench", "frame", "--bays", "9", "--storeys", "10", "--solver", solver, "--json"});
+        REQUIRE(run.status == 0);
+        const auto report = nlohmann::json::parse(run.out);
+        CHECK(report["dofs"] == 300);
+        CHECK(report["sway"].get<double>() == doctest::Approx(0.012604187).epsilon(1e-7)); // several programs agree
+        for (const char* phase : {"assemble", "order", "factor", "solve", "recover", "total", "peak_mb", "nnz_factor"})
+            CHECK_MESSAGE(report[phase].get<double>() >= 0.0, phase);
+    }
+}
+
+TEST_CASE("A frame of no size, or another benchmark, is answered with what is wanted")
+{
+    CHECK(has(cremona({"bench", "frame", "--bays", "0"}).err, "--bays: found \"0\"; wanted a whole number from 1 to"));
+    CHECK(cremona({"bench", "fram"}).err == "cremona bench: WHAT: there is no \"fram\"; did you mean \"frame\"?\n");
+    CHECK(cremona({"bench"}).status == 2);
+}
+
+TEST_SUITE_END();

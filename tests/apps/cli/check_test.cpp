@@ -1,0 +1,86 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/apps/cli/run_cremona.h"
+
+using cli_test::cantilever;
+using cli_test::cremona;
+using cli_test::Folder;
+using cli_test::has;
+using cli_test::Run;
+
+TEST_SUITE_BEGIN("cremona");
+
+namespace {
+
+std::string with(const std::string& from, const std::string& to)
+{
+    std::string model = cantilever();
+    return model.replace(model.find(from), from.size(), to);
+}
+
+} // namespace
+
+TEST_CASE("A sound file is said to be sound on stdout")
+{
+    const Run run = cremona({"check", "-"}, cantilever());
+    CHECK(run.status == 0);
+    CHECK(run.out == "standard input: no errors, warnings: 0\n");
+    CHECK(run.err.empty());
+}
+
+TEST_CASE("All errors of a file come at once on stderr, with their places, and stdout stays empty")
+{
+    std::string model = with("\"support\"", "\"suport\"");
+    model.replace(model.find("[\"A\", \"B\"]"), 10, "[\"A\", \"D\"]");
+    for (const char* option : {"--lang=en", "--json"}) {
+        CAPTURE(option);
+        const Run run = cremona({"check", "-", option}, model);
+        CHECK(run.status == 2);
+        CHECK(run.out.empty());
+        CHECK(has(run.err, "did you mean \"support\"?"));
+        CHECK(has(run.err, "members[0] \"AB\": no node \"D\""));
+        CHECK(has(run.err, "standard input: errors: 2, warnings: 0"));
+    }
+}
+
+TEST_CASE("Faults are told in Portuguese with --lang pt")
+{
+    const Run run = cremona({"check", "-", "--lang", "pt"}, with("\"support\"", "\"suport\""));
+    CHECK(run.status == 2);
+    CHECK(has(run.err, "entrada padrão: erro: "));
+    CHECK(has(run.err, "\"support\""));
+    CHECK_FALSE(has(run.err, "unknown key"));
+}
+
+TEST_CASE("A mechanism is no fault of the file: check does not solve")
+{
+    CHECK(cremona({"check", "-"}, cli_test::floating()).status == 0);
+}
+
+TEST_CASE("A warning goes to stderr and leaves the status 0")
+{
+    const std::string unused = with("\"sections\": [",
+                                    "\"sections\": [{\"id\": \"spare\", \"A\": 0.02, \"Iz\": 3e-4}, ");
+    const Run run = cremona({"check", "-"}, unused);
+    CHECK(run.status == 0);
+    CHECK(has(run.err, "standard input: warning: "));
+    CHECK(has(run.err, "spare"));
+    CHECK(run.out == "standard input: no errors, warnings: 1\n");
+    const auto report = nlohmann::json::parse(cremona({"check", "-", "--json"}, unused).out);
+    CHECK(report["files"][0]["warnings"].size() == 1);
+}
+
+TEST_CASE("Of several files each is reported, and one error makes the status 2")
+{
+    const Folder folder;
+    const std::string good = folder.write("good.json", cantilever()), bad = folder.write("bad.json", "[]");
+    const Run run = cremona({"check", good, bad});
+    CHECK(run.status == 2);
+    CHECK(run.out == good + ": no errors, warnings: 0\n");
+    CHECK(has(run.err, bad + ": error: "));
+}
+
+TEST_SUITE_END();

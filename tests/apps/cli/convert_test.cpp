@@ -1,0 +1,97 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/apps/cli/run_cremona.h"
+
+using cli_test::cantilever;
+using cli_test::cremona;
+using cli_test::Folder;
+using cli_test::has;
+using cli_test::Run;
+using nlohmann::json;
+
+TEST_SUITE_BEGIN("cremona");
+
+TEST_CASE("From JSON to JSON the model stays the same, and a second time the file too")
+{
+    const Folder folder;
+    const std::string in = folder.write("in.json", cantilever());
+    REQUIRE(cremona({"convert", in, folder.path("a.json")}).status == 0);
+    REQUIRE(cremona({"convert", folder.path("a.json"), folder.path("b.json")}).status == 0);
+    CHECK(folder.read("a.json") == folder.read("b.json"));
+    CHECK(json::parse(folder.read("a.json"))["load_cases"] == json::parse(cantilever())["load_cases"]);
+    CHECK(cremona({"convert", "-", "-"}, cantilever()).out == folder.read("a.json"));
+}
+
+TEST_CASE("In other units the structure sags the same, and its checks still pass")
+{
+    const Folder folder;
+    const std::string in = folder.write("in.json", cantilever()), out = folder.path("mm.json");
+    REQUIRE(cremona({"convert", in, out, "--units", "mm,N"}).status == 0);
+    const json model = json::parse(folder.read("mm.json"));
+    CHECK(model["units"] == json({{"length", "mm"}, {"force", "N"}}));
+    CHECK(model["nodes"][1]["at"] == json({4000, 0}));
+    CHECK(model["materials"][0]["E"] == 2e5); // N/mm^2
+    CHECK(cremona({"verify", out}).out.ends_with("3 passed, 0 failed, 0 skipped\n"));
+    const json solved = json::parse(cremona({"solve", out, "--json"}).out);
+    CHECK(solved["cases"]["P"]["nodes"]["B"]["u"]["uy"].get<double>() == doctest::Approx(-12.8)); // mm
+}
+
+TEST_CASE("To CSV every result stands in one long table with its unit")
+{
+    const Folder folder;
+    REQUIRE(cremona({"convert", folder.write("in.json", cantilever()), folder.path("out.csv")}).status == 0);
+    const std::string table = folder.read("out.csv");
+    CHECK(table.starts_with("case,part,id,x [m],component,value,unit\nP,node,A,,ux,0,m\n"));
+    CHECK(has(table, "\nU,member,AB,4,"));
+}
+
+TEST_CASE("Kinds that are not written, and solids that come later, are told")
+{
+    const Folder folder;
+    const std::string in = folder.write("in.json", cantilever());
+    CHECK(has(cremona({"convert", in, "out.xls"}).err, "cannot write the kind \".xls\"; choose from: .json"));
+    CHECK(has(cremona({"convert", in, "out.obj"}).err, "come with the half-edge tools"));
+    CHECK(cremona({"convert", in, "out.obj"}).status == 2);
+    CHECK(has(cremona({"convert", "box.off", "out.json"}).err, "box.off: solids"));
+    CHECK(cremona({"convert", in}).err ==
+          "cremona convert: two files are needed, IN and OUT; see cremona convert --help\n");
+}
+
+TEST_CASE("An output that cannot be written is told in a sentence")
+{
+    const Folder folder;
+    const std::string in = folder.write("in.json", cantilever());
+    const Run missing = cremona({"convert", in, folder.path("no/such/out.json")});
+    CHECK(missing.status == 2);
+    CHECK(has(missing.err, "there is no folder " + folder.path("no/such") + "; make it first"));
+    std::filesystem::create_directory(folder.path("f.json"));
+    CHECK(has(cremona({"convert", in, folder.path("f.json")}).err, "it is a folder; add a file name"));
+}
+
+TEST_CASE("A file with an error replaces nothing")
+{
+    const Folder folder;
+    const std::string out = folder.write("out.json", "precious");
+    CHECK(cremona({"convert", "-", out}, "{").status == 2);
+    CHECK(folder.read("out.json") == "precious");
+}
+
+TEST_CASE("Units are two names, and a mistyped one is answered")
+{
+    CHECK(cremona({"convert", "-", "-", "--units", "mm"}, cantilever()).err ==
+          "cremona convert: --units: found mm; wanted a length and a force, such as mm,N\n");
+    CHECK(has(cremona({"convert", "-", "-", "--units", "mm,KN"}, cantilever()).err, "did you mean \"kN\"?"));
+}
+
+TEST_CASE("A block whose numbers are not understood is not converted to other units")
+{
+    const Run run = cremona({"convert", "tests/cases/cross/MD-001.json", "-", "--units", "mm,N"});
+    CHECK(run.status == 2);
+    CHECK(run.out.empty());
+    CHECK(has(run.err, "the block \"cross\" holds numbers that are not converted"));
+}
+
+TEST_SUITE_END();

@@ -1,0 +1,107 @@
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <string>
+
+#include "tests/apps/cli/run_cremona.h"
+
+using cli_test::cantilever;
+using cli_test::cremona;
+using cli_test::Folder;
+using cli_test::has;
+using cli_test::Run;
+
+TEST_SUITE_BEGIN("cremona");
+
+namespace {
+
+/// Width and height in the head of a PNG file.
+std::pair<unsigned, unsigned> size_of_png(const std::string& bytes)
+{
+    const auto number = [&](std::size_t at) {
+        unsigned n = 0;
+        for (std::size_t i = 0; i < 4; ++i) n = n << 8U | static_cast<unsigned char>(bytes.at(at + i));
+        return n;
+    };
+    return {number(16), number(20)};
+}
+
+} // namespace
+
+TEST_CASE("SVG and PDF begin as their kinds do, and the SVG has the title, the load and the reaction")
+{
+    const Folder folder;
+    CHECK(cremona({"render", "-", "-o", folder.path("a.svg")}, cantilever()).status == 0);
+    CHECK(cremona({"render", "-", "-o", folder.path("a.pdf")}, cantilever()).status == 0);
+    CHECK(has(folder.read("a.svg"), "<svg"));
+    CHECK(folder.read("a.pdf").starts_with("%PDF-"));
+    for (const char* text : {"Cantilever", "12 kN", "48 kN"}) CHECK_MESSAGE(has(folder.read("a.svg"), text), text);
+}
+
+TEST_CASE("A PNG has the pixels of --size times --scale")
+{
+    const Folder folder;
+    const Run run = cremona({"render", "-", "-o", folder.path("a.png"), "--size", "400x300", "--scale", "2"},
+                            cantilever());
+    CHECK_MESSAGE(run.status == 0, run.err);
+    CHECK(size_of_png(folder.read("a.png")) == std::pair{800U, 600U});
+}
+
+TEST_CASE("--show, --case, --theme and --lang change the picture")
+{
+    const Folder folder;
+    const auto drawn = [&](std::vector<std::string> options) {
+        options.insert(options.begin(), {"render", "-", "-o", folder.path("a.svg")});
+        const Run run = cremona(options, cantilever());
+        CHECK_MESSAGE(run.status == 0, run.err);
+        return folder.read("a.svg");
+    };
+    const std::string plain = drawn({});
+    CHECK(drawn({}) == plain); // the same picture each time
+    CHECK(drawn({"--case", "P"}) == plain);
+    CHECK(has(drawn({"--case", "U"}), "18 kN"));
+    CHECK(drawn({"--show", "loads,M,labels"}) != plain);
+    CHECK(drawn({"--theme", "dark"}) != plain);
+    CHECK(drawn({"--lang", "pt"}) != plain);
+}
+
+TEST_CASE("A structure that can move is drawn moving, with status 3 and its motions on stderr")
+{
+    const Folder folder;
+    const Run run = cremona({"render", "-", "-o", folder.path("a.svg"), "--mechanism", "2"}, cli_test::floating());
+    CHECK(run.status == 3);
+    CHECK(run.out.empty());
+    CHECK(cli_test::count(run.err, "structure can move without strain") == 3);
+    CHECK(has(run.err, "a.svg shows the motion 2 of 3"));
+    CHECK(has(folder.read("a.svg"), "<svg"));
+}
+
+TEST_CASE("Wrong options of a picture are answered with what is wanted")
+{
+    const auto message = [](std::vector<std::string> options) {
+        options.insert(options.begin(), {"render", "-"});
+        const Run run = cremona(options, cantilever());
+        CHECK(run.status == 2);
+        CHECK(run.out.empty());
+        return run.err;
+    };
+    CHECK(message({}) == "cremona render: no output is given; add -o OUT.png, .svg or .pdf\n");
+    CHECK(has(message({"-o", "a.gif"}), "cannot draw the kind \".gif\"; choose from: .png, .svg, .pdf"));
+    CHECK(has(message({"-o", "a.svg", "--show", "loads,moment"}), "--show: there is no \"moment\""));
+    CHECK(has(message({"-o", "a.svg", "--size", "800"}), "--size: found \"800\"; wanted width and height"));
+    CHECK(has(message({"-o", "a.svg", "--size", "800x0"}), "wanted a whole number from 64 to 16384"));
+    CHECK(has(message({"-o", "a.svg", "--scale", "-1"}), "--scale: found \"-1\"; wanted a number greater than 0"));
+    CHECK(has(message({"-o", "a.png", "--size", "9000x900", "--scale", "2"}), "larger than 16384 pixels a side"));
+    CHECK(has(message({"-o", "a.svg", "--theme", "drak"}), "did you mean \"dark\"?"));
+    CHECK(has(message({"-o", "/no/such/folder/a.svg"}), "there is no folder /no/such/folder; make it first"));
+}
+
+TEST_CASE("A broken file draws nothing and leaves an old picture as it was")
+{
+    const Folder folder;
+    const std::string old = folder.write("a.svg", "old");
+    CHECK(cremona({"render", "-", "-o", old}, "{").status == 2);
+    CHECK(folder.read("a.svg") == "old");
+}
+
+TEST_SUITE_END();

@@ -1,0 +1,103 @@
+#include "tests/apps/cli/run_cremona.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace cli_test {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string quoted(const std::string& argument)
+{
+    std::string text = "'";
+    for (const char c : argument) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
+} // namespace
+
+Run shell(const std::string& line)
+{
+    const Folder folder;
+    const std::string bin = fs::path(CREMONA_PROGRAM).parent_path().string();
+    const std::string command = "cd " + quoted(CREMONA_SOURCE_DIR) + " && PATH=" + quoted(bin) + ":\"$PATH\" && { " +
+                                line + "\n} >" + quoted(folder.path("out")) + " 2>" + quoted(folder.path("err"));
+    const int status = std::system(command.c_str()); // NOLINT: the tests are about what a shell sees
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, folder.read("out"), folder.read("err")};
+}
+
+Run cremona(const std::vector<std::string>& arguments, const std::string& input)
+{
+    const Folder folder;
+    std::string line = quoted(CREMONA_PROGRAM);
+    for (const std::string& argument : arguments) line += " " + quoted(argument);
+    return shell(line + " <" + quoted(folder.write("in", input)));
+}
+
+Folder::Folder()
+{
+    static std::atomic<int> count{0};
+    folder_ = fs::temp_directory_path() / ("cremona_test_" + std::to_string(getpid()) + "_" + std::to_string(count++));
+    fs::create_directories(folder_);
+}
+
+Folder::~Folder()
+{
+    std::error_code error;
+    fs::remove_all(folder_, error);
+}
+
+std::string Folder::write(const std::string& name, const std::string& text) const
+{
+    std::ofstream file(folder_ / name, std::ios::binary);
+    file << text;
+    if (!file) throw std::runtime_error("cannot write " + path(name));
+    return path(name);
+}
+
+std::string Folder::read(const std::string& name) const
+{
+    std::ifstream file(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string cantilever()
+{
+    return R"({"cremona": 1, "title": "Cantilever", "analysis": "frame2d", "units": {"length": "m", "force": "kN"},
+  "materials": [{"id": "s", "E": 2e8}],
+  "sections": [{"id": "c", "A": 0.01, "Iz": 1e-4}],
+  "nodes": [{"id": "A", "at": [0, 0], "support": "fixed"}, {"id": "B", "at": [4, 0]}],
+  "members": [{"id": "AB", "nodes": ["A", "B"], "material": "s", "section": "c"}],
+  "load_cases": [{"id": "P", "nodes": [{"node": "B", "fy": -12}]}],
+  "combinations": [{"id": "U", "factors": {"P": 1.5}}],
+  "expected": [
+    {"case": "P", "quantity": "displacement", "node": "B", "component": "uy", "value": -0.0128},
+    {"case": "P", "quantity": "section_force", "member": "AB", "component": "M", "at": 0, "value": -48},
+    {"case": "U", "quantity": "reaction", "node": "A", "component": "fy", "value": 18}]})";
+}
+
+std::string floating()
+{
+    std::string text = cantilever();
+    const std::string support = R"(, "support": "fixed")";
+    text.erase(text.find(support), support.size());
+    const std::size_t expected = text.find(",\n  \"expected\"");
+    return text.substr(0, expected) + "}";
+}
+
+std::size_t count(const std::string& text, const std::string& part)
+{
+    std::size_t n = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++n;
+    return n;
+}
+
+} // namespace cli_test

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace cli_test {
+
+/// What a run of the real program left behind.
+struct Run {
+    int status = -1; ///< exit status; -1 if a signal ended it
+    std::string out; ///< stdout
+    std::string err; ///< stderr
+};
+
+/// Runs `cremona` with these arguments and this standard input, in the top folder of the sources.
+Run cremona(const std::vector<std::string>& arguments, const std::string& input = "");
+
+/// The same for a line as a person types it, through the shell: `cremona solve examples/portal.json | head -1`.
+Run shell(const std::string& line);
+
+/// A folder of its own for one test, removed with it.
+class Folder {
+public:
+    Folder();
+    ~Folder();
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    std::string write(const std::string& name, const std::string& text) const; ///< gives its path
+    std::string read(const std::string& name) const;
+    bool has(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
+
+private:
+    std::filesystem::path folder_;
+};
+
+/// A cantilever AB, 4 m long, E I = 20000 kN m2, with 12 kN down at its tip in case P and combination U = 1.5 P.
+std::string cantilever();
+/// The same without a support: it floats in three ways.
+std::string floating();
+
+/// How many times `part` stands in `text`.
+std::size_t count(const std::string& text, const std::string& part);
+inline bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+} // namespace cli_test

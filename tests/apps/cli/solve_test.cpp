@@ -1,0 +1,246 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/apps/cli/run_cremona.h"
+
+using cli_test::cantilever;
+using cli_test::cremona;
+using cli_test::Folder;
+using cli_test::has;
+using cli_test::Run;
+using nlohmann::json;
+
+TEST_SUITE_BEGIN("cremona");
+
+namespace {
+
+// The cantilever of run_cremona.h.
+constexpr double L = 4.0, EI = 2.0e4, P = 12.0;
+
+std::vector<std::string> keys(const json& object)
+{
+    std::vector<std::string> names;
+    for (const auto& item : object.items()) names.push_back(item.key());
+    return names;
+}
+
+json solved(std::vector<std::string> arguments, const std::string& model)
+{
+    arguments.insert(arguments.begin(), {"solve", "-", "--json"});
+    const Run run = cremona(arguments, model);
+    REQUIRE_MESSAGE(run.status == 0, run.err);
+    CHECK(run.err.empty());
+    return json::parse(run.out);
+}
+
+} // namespace
+
+TEST_CASE("JSON of solve has the documented shape: units, cases, nodes, members, equilibrium")
+{
+    const json all = solved({}, cantilever());
+    CHECK(all["cremona"] == 1);
+    CHECK(all["units"] == json({{"length", "m"}, {"force", "kN"}}));
+    CHECK(keys(all["cases"]) == std::vector<std::string>{"P", "U"});
+    const json& one = all["cases"]["P"];
+    CHECK(keys(one) == std::vector<std::string>{"equilibrium", "members", "nodes"});
+    CHECK(keys(one["nodes"]["A"]) == std::vector<std::string>{"reaction", "u"});
+    CHECK(keys(one["nodes"]["B"]) == std::vector<std::string>{"u"});
+    CHECK(keys(one["nodes"]["A"]["reaction"]) == std::vector<std::string>{"fx", "fy", "mz"});
+    CHECK(keys(one["members"]["AB"]) == std::vector<std::string>{"end", "extremes", "start", "stations"});
+    CHECK(keys(one["members"]["AB"]["stations"][0]) == std::vector<std::string>{"M", "N", "V", "u", "v", "x"});
+    CHECK(keys(one["members"]["AB"]["extremes"]) == std::vector<std::string>{"M", "N", "V", "u", "v"});
+    CHECK(keys(one["equilibrium"]) == std::vector<std::string>{"residual", "sum_loads", "sum_reactions"});
+}
+
+TEST_CASE("A tip load P sags a cantilever P L^3 / 3 E I, and its combination 1.5 times that")
+{
+    const json cases = solved({}, cantilever())["cases"];
+    const double sag = P * L * L * L / (3.0 * EI);
+    CHECK(cases["P"]["nodes"]["B"]["u"]["uy"].get<double>() == doctest::Approx(-sag));
+    CHECK(cases["U"]["nodes"]["B"]["u"]["uy"].get<double>() == doctest::Approx(-1.5 * sag));
+    CHECK(cases["P"]["members"]["AB"]["start"]["M"].get<double>() == doctest::Approx(-P * L));
+    CHECK(cases["P"]["members"]["AB"]["extremes"]["M"]["min"]["x"] == 0);
+    CHECK(cases["P"]["nodes"]["A"]["reaction"]["fy"].get<double>() == doctest::Approx(P));
+}
+
+TEST_CASE("--stations N gives N even places and every load point, twice where the result jumps")
+{
+    std::string model = cantilever();
+    const std::string tip = R"("nodes": [{"node": "B", "fy": -12}])";
+    model.replace(model.find(tip), tip.size(), R"("members": [{"member": "AB", "kind": "point", "at": 1, "fy": -12}])");
+    const json stations = solved({"--stations", "3", "--case", "P"}, model)["cases"]["P"]["members"]["AB"]["stations"];
+    std::vector<double> x;
+    for (const json& station : stations) x.push_back(station["x"]);
+    CHECK(x == std::vector<double>{0.0, 1.0, 1.0, 2.0, 4.0});
+    CHECK(stations[1]["V"].get<double>() == doctest::Approx(12.0)); // - side first
+    CHECK(stations[2]["V"].get<double>() == doctest::Approx(0.0));
+}
+
+TEST_CASE("Section forces and sums are named by the kind of analysis")
+{
+    const std::string cases = std::string(CREMONA_SOURCE_DIR) + "/tests/cases/members/";
+    const json grillage = json::parse(cremona({"solve", cases + "GR-003.json", "--json"}).out)["cases"].front();
+    CHECK(keys(grillage["members"].front()["start"]) == std::vector<std::string>{"M", "T", "V"});
+    CHECK(keys(grillage["nodes"].front()["u"]) == std::vector<std::string>{"rx", "ry", "uz"});
+    CHECK(grillage["equilibrium"]["sum_loads"].size() == 3);
+    const json space = json::parse(cremona({"solve", cases + "F3-001.json", "--json"}).out)["cases"].front();
+    CHECK(keys(space["members"].front()["start"]) == std::vector<std::string>{"My", "Mz", "N", "T", "Vy", "Vz"});
+    CHECK(keys(space["members"].front()["extremes"]).size() == 9);
+    CHECK(space["equilibrium"]["sum_loads"].size() == 6);
+    const json truss = json::parse(cremona({"solve", cases + "SP-001.json", "--json"}).out)["cases"].front();
+    CHECK(keys(truss["nodes"].front()["u"]) == std::vector<std::string>{"ux", "uy"});
+    CHECK(keys(truss["members"].front()["start"]) == std::vector<std::string>{"M", "N", "V"});
+}
+
+TEST_CASE("No number is written -0 or NaN")
+{
+    const Run run = cremona({"solve", "-", "--json"}, cantilever());
+    CHECK_FALSE(has(run.out, "-0,"));
+    CHECK_FALSE(has(run.out, "-0}"));
+    CHECK_FALSE(has(run.out, "nan"));
+}
+
+TEST_CASE("--case prints one case alone, and a mistyped one is answered with what there is")
+{
+    CHECK(keys(solved({"--case", "U"}, cantilever())["cases"]) == std::vector<std::string>{"U"});
+    const Run wrong = cremona({"solve", "-", "--case", "wind"}, cantilever());
+    CHECK(wrong.status == 2);
+    CHECK(wrong.out.empty());
+    CHECK(wrong.err == "cremona solve: --case: there is no \"wind\"; choose from: P, U\n");
+}
+
+TEST_CASE("The envelope names the case that governs each value")
+{
+    const json envelope = solved({"--case", "envelope"}, cantilever())["envelope"];
+    CHECK(envelope["cases"] == json({"P", "U"}));
+    const json& extremes = envelope["members"]["AB"]["extremes"];
+    CHECK(extremes["M"]["min"]["case"] == "U");
+    CHECK(extremes["M"]["min"]["value"].get<double>() == doctest::Approx(-1.5 * P * L));
+    CHECK(extremes["V"]["min"]["case"] == "P");
+    CHECK(envelope["nodes"]["A"]["reaction"]["fy"]["max"]["case"] == "U");
+    CHECK(has(cremona({"solve", "-", "--case", "envelope"}, cantilever()).out, "Envelope of P, U"));
+}
+
+TEST_CASE("Tables tell title, indeterminacy, cases, and every kind of result with its unit")
+{
+    const Run run = cremona({"solve", "-"}, cantilever());
+    CHECK(run.status == 0);
+    for (const char* part :
+         {"Cantilever\n", "Degree of static indeterminacy: 0 (external 0, internal 0): statically determinate",
+          "Load case P\n", "Combination U = 1.5 P\n", "uy [m]", "rz [rad]", "mz [kN*m]", "-0.0128000", "sum of",
+          "at node", "largest", "of the largest load"})
+        if (std::string(part) != "sum of") CHECK_MESSAGE(has(run.out, part), part);
+}
+
+TEST_CASE("Tables speak Portuguese, JSON does not change")
+{
+    CHECK(has(cremona({"solve", "-", "--lang", "pt"}, cantilever()).out, "Grau de hiperestaticidade: 0"));
+    CHECK(cremona({"solve", "-", "--json", "--lang", "pt"}, cantilever()).out ==
+          cremona({"solve", "-", "--json"}, cantilever()).out);
+}
+
+TEST_CASE("--csv writes five files whose first line names columns and units")
+{
+    const Folder folder;
+    const Run run = cremona({"solve", "-", "--csv", folder.path("new/results"), "--stations", "2"}, cantilever());
+    CHECK(run.status == 0);
+    CHECK(cli_test::count(run.err, "written: ") == 5);
+    CHECK(has(folder.read("new/results/displacements.csv"), "case,node,ux [m],uy [m],rz [rad]\nP,A,0,0,0\n"));
+    CHECK(folder.read("new/results/reactions.csv").starts_with("case,node,fx [kN],fy [kN],mz [kN*m]\nP,A,"));
+    CHECK(cli_test::count(folder.read("new/results/members.csv"), "\n") == 1 + 2 * 2);
+    CHECK(folder.has("new/results/extremes.csv"));
+    CHECK(folder.has("new/results/equilibrium.csv"));
+}
+
+TEST_CASE("A folder that cannot be made for --csv is told, and stdout stays empty")
+{
+    const Folder folder;
+    const std::string file = folder.write("taken", "");
+    const Run run = cremona({"solve", "-", "--csv", file}, cantilever());
+    CHECK(run.status == 2);
+    CHECK(run.out.empty());
+    CHECK(has(run.err, "cannot make the folder " + file));
+}
+
+TEST_CASE("--trace gives a member's 12 E I / L^3 and its places in the system")
+{
+    const Run run = cremona({"solve", "-", "--trace", "AB", "--json"}, cantilever());
+    REQUIRE(run.status == 0);
+    const json trace = json::parse(run.out)["trace"];
+    CHECK(trace["dofs"] == json({"A.ux", "A.uy", "A.rz", "B.ux", "B.uy", "B.rz"}));
+    CHECK(trace["local_stiffness"][1][1].get<double>() == doctest::Approx(12.0 * EI / (L * L * L)));
+    CHECK(trace["equations"] == json({0, 0, 0, 1, 2, 3}));
+    CHECK(trace["fixed_end"]["P"]["local"].size() == 6);
+    CHECK(has(cremona({"solve", "-", "--trace", "AB"}, cantilever()).out, "Transformation T, u' = T u"));
+    const Run wrong = cremona({"solve", "-", "--trace", "BA1"}, cantilever());
+    CHECK(wrong.status == 2);
+    CHECK(has(wrong.err, "--trace: there is no \"BA1\""));
+}
+
+TEST_CASE("--describe says the structure, its loads and its results in sentences")
+{
+    const Run run = cremona({"solve", "-", "--describe"}, cantilever());
+    CHECK(run.status == 0);
+    for (const char* sentence : {"node A at (0, 0): fixed; holds ux, uy, rz.", "on node B: 12 kN down.",
+                                 "The structure is statically determinate.", "node B moves most: 0.0128 m down.",
+                                 "the support at A gives the structure 12 kN up, 48 kN*m counter-clockwise.",
+                                 "V is 12 kN everywhere.", "N is zero everywhere."})
+        CHECK_MESSAGE(has(run.out, sentence), sentence);
+}
+
+TEST_CASE("--time tells every phase and the size of the system on stderr, the tables stay on stdout")
+{
+    const Run run = cremona({"solve", "-", "--time", "--solver", "ldlt"}, cantilever());
+    CHECK(run.status == 0);
+    for (const char* word :
+         {"  read\n", "  assemble\n", "  factor\n", "  solve\n", "  recover\n", "  write\n", " 3  dofs\n",
+          "  nonzeros of K (lower triangle)\n", "  nonzeros of its factor\n", "ldlt  solver\n"})
+        CHECK_MESSAGE(has(run.err, word), word);
+    CHECK(run.out == cremona({"solve", "-", "--solver", "ldlt"}, cantilever()).out);
+}
+
+TEST_CASE("A structure that floats is refused with its three motions in words, status 3 and an empty stdout")
+{
+    for (const std::string option : {"", "--json", "--describe"}) {
+        CAPTURE(option);
+        std::vector<std::string> arguments{"solve", "-"};
+        if (!option.empty()) arguments.push_back(option);
+        const Run run = cremona(arguments, cli_test::floating());
+        CHECK(run.status == 3);
+        CHECK(run.out.empty());
+        CHECK(has(run.err, "it can move in 3 independent ways"));
+        CHECK(cli_test::count(run.err, "structure can move without strain") == 3);
+    }
+}
+
+TEST_CASE("A file that is missing, a folder, empty or cut off is told in a sentence, with status 2 and an empty stdout")
+{
+    const Folder folder;
+    const std::vector<std::pair<std::string, std::string>> faults{
+        {folder.path("none.json"), "No such file"},
+        {folder.path(""), "s a directory"},
+        {folder.write("empty.json", ""), "the file is empty"},
+        {folder.write("cut.json", cantilever().substr(0, 300)), "is it cut off?"},
+        {"", "the name of the file is empty"}};
+    for (const auto& [file, sentence] : faults) {
+        CAPTURE(file);
+        const Run run = file.empty() ? cremona({"solve"}) : cremona({"solve", file, "--json"});
+        CHECK(run.status == 2);
+        CHECK(run.out.empty());
+        if (!file.empty()) CHECK_MESSAGE(has(run.err, sentence), run.err);
+    }
+}
+
+TEST_CASE("Numbers and choices out of range are answered with what was found and what is wanted")
+{
+    CHECK(cremona({"solve", "-", "--stations", "1"}, cantilever()).err ==
+          "cremona solve: --stations: found \"1\"; wanted a whole number from 2 to 100000\n");
+    CHECK(cremona({"solve", "-", "--stations", "5x"}, cantilever()).status == 2);
+    CHECK(cremona({"solve", "-", "--solver", "cholmd"}, cantilever()).err ==
+          "cremona solve: --solver: there is no \"cholmd\"; did you mean \"cholmod\"?\n");
+}
+
+TEST_SUITE_END();

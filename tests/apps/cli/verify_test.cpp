@@ -1,0 +1,149 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/apps/cli/run_cremona.h"
+
+using cli_test::cantilever;
+using cli_test::cremona;
+using cli_test::Folder;
+using cli_test::has;
+using cli_test::Run;
+
+TEST_SUITE_BEGIN("cremona");
+
+namespace {
+
+std::string with_expected(const std::string& expected)
+{
+    const std::string model = cantilever();
+    return model.substr(0, model.find("\"expected\"")) + "\"expected\": [" + expected + "]}";
+}
+
+std::string wrong() // P L^3 / 3 E I is 0.0128
+{
+    return with_expected(
+        R"({"case": "P", "quantity": "displacement", "node": "B", "component": "uy", "value": -0.0127})");
+}
+
+} // namespace
+
+TEST_CASE("Every check has a line with result, value and tolerance, and the count stands last")
+{
+    const Folder folder;
+    const std::string file = folder.write("c.json", cantilever());
+    const Run run = cremona({"verify", file});
+    CHECK(run.status == 0);
+    CHECK(run.err.empty());
+    CHECK(has(run.out,
+              file + ": case P: displacement uy of node B = -0.0128, expected -0.0128 within 1.28e-08: passed\n"));
+    CHECK(has(run.out,
+              file + ": case P: section_force M of member AB at 0 = -48, expected -48 within 4.8e-05: passed\n"));
+    CHECK(run.out.ends_with("\n3 passed, 0 failed, 0 skipped\n"));
+}
+
+TEST_CASE("A failed check gives status 1 and is named")
+{
+    const Run run = cremona({"verify", "-"}, wrong());
+    CHECK(run.status == 1);
+    CHECK(run.out ==
+          "standard input: case P: displacement uy of node B = -0.0128, expected -0.0127 within 1.27e-08: FAILED\n"
+          "0 passed, 1 failed, 0 skipped\n");
+}
+
+TEST_CASE("A tolerance makes the same check pass")
+{
+    for (const char* tolerance : {"\"rtol\": 0.01", "\"atol\": 0.0002", "\"atol\": \"0.2 mm\""}) {
+        CAPTURE(tolerance);
+        std::string model = wrong();
+        model.insert(model.find("-0.0127") + 7, std::string(", ") + tolerance);
+        CHECK(cremona({"verify", "-"}, model).status == 0);
+    }
+}
+
+TEST_CASE("At a jump the + side is read, the - side when asked, and at the end there is only the - side")
+{
+    std::string model = with_expected(
+        R"({"case": "P", "quantity": "section_force", "member": "AB", "component": "V", "at": 1, "value": 0, "atol": 1e-9},
+           {"case": "P", "quantity": "section_force", "member": "AB", "component": "V", "at": "25%", "side": "-", "value": 12},
+           {"case": "P", "quantity": "section_force", "member": "AB", "component": "M", "at": "100%", "value": 0, "atol": 1e-9},
+           {"case": "P", "quantity": "extreme", "member": "AB", "component": "V", "which": "max", "value": 12},
+           {"case": "P", "quantity": "extreme", "member": "AB", "component": "V", "which": "min", "value": 0, "atol": 1e-9})");
+    const std::string tip = R"("nodes": [{"node": "B", "fy": -12}])";
+    model.replace(model.find(tip), tip.size(), R"("members": [{"member": "AB", "kind": "point", "at": 1, "fy": -12}])");
+    const Run run = cremona({"verify", "-"}, model);
+    CHECK_MESSAGE(run.status == 0, run.out);
+    CHECK(has(run.out, "5 passed"));
+    CHECK(has(run.out, "section_force V of member AB at 25% (- side) = 12"));
+    CHECK(has(run.out, "extreme V max of member AB = 12"));
+}
+
+TEST_CASE("Checks of analyses that are not built are skipped and named, never passed, and the status is 0")
+{
+    const Run run = cremona({"verify", "tests/cases/members/MO-003-a.json"});
+    CHECK(run.status == 0);
+    CHECK(has(run.out, "modal frequency 1: skipped: this analysis is not built yet\n"));
+    CHECK(run.out.ends_with("\n0 passed, 0 failed, 3 skipped\n"));
+}
+
+TEST_CASE("A block that is not compared yet is skipped and named")
+{
+    const Run run = cremona({"verify", "tests/cases/cross/MD-001.json"});
+    CHECK(run.status == 0);
+    CHECK(has(run.out, "block \"cross\": skipped: this block is not compared yet\n"));
+    CHECK(has(run.out, " passed, 0 failed, 1 skipped\n"));
+}
+
+TEST_CASE("A file without checks is status 0")
+{
+    const Run run = cremona({"verify", "-"}, with_expected(""));
+    CHECK(run.status == 0);
+    CHECK(run.out == "0 passed, 0 failed, 0 skipped\n");
+}
+
+TEST_CASE("--quiet prints failed checks and the count alone")
+{
+    const Folder folder;
+    const Run run = cremona(
+        {"verify", "--quiet", folder.write("good.json", cantilever()), folder.write("bad.json", wrong())});
+    CHECK(run.status == 1);
+    CHECK(cli_test::count(run.out, "\n") == 2);
+    CHECK(has(run.out, "bad.json: case P"));
+    CHECK(run.out.ends_with("\n3 passed, 1 failed, 0 skipped\n"));
+}
+
+TEST_CASE("Of several files the status is 2 before 3 before 1")
+{
+    const Folder folder;
+    const std::string failed = folder.write("failed.json", wrong());
+    std::string text = wrong();
+    const std::string support = R"(, "support": "fixed")";
+    text.erase(text.find(support), support.size());
+    const std::string mechanism = folder.write("mechanism.json", text);
+    const std::string broken = folder.write("broken.json", "{");
+    CHECK(cremona({"verify", failed}).status == 1);
+    CHECK(cremona({"verify", failed, mechanism}).status == 3);
+    CHECK(cremona({"verify", broken, failed, mechanism}).status == 2);
+    CHECK(cremona({"verify", mechanism, broken}).status == 2);
+}
+
+TEST_CASE("A mechanism or a broken file leaves stdout empty when there is nothing else")
+{
+    const Run run = cremona({"verify", "-"}, "{\"cremona\": 1");
+    CHECK(run.status == 2);
+    CHECK(run.out.empty());
+    CHECK(has(run.err, "standard input: error: "));
+}
+
+TEST_CASE("--json gives the checks and the counts")
+{
+    const Run run = cremona({"verify", "-", "--json"}, wrong());
+    CHECK(run.status == 1);
+    const auto report = nlohmann::json::parse(run.out);
+    CHECK(report["failed"] == 1);
+    CHECK(report["checks"][0]["verdict"] == "failed");
+    CHECK(report["checks"][0]["expected"] == -0.0127);
+}
+
+TEST_SUITE_END();

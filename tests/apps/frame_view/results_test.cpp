@@ -1,0 +1,160 @@
+// What the diagrams say, where they lie, and how they are scaled.
+#include <doctest/doctest.h>
+
+#include "apps/frame/view/frame_view.h"
+#include "apps/frame/view/loads/case_terms.h"
+#include "apps/frame/view/results/marked_values.h"
+#include "apps/frame/view/results/solved_case.h"
+#include "femoop/analysis/linear_static.h"
+#include "tests/apps/frame_view/view_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace frame;
+using femoop::MemberComponent;
+
+TEST_SUITE_BEGIN("frame");
+
+namespace {
+
+constexpr double L = 7.0, q = 12.0;
+constexpr ui::Size sheet{900.0, 500.0};
+
+view_test::Marks marks_of(const femoop::Model& model, const ViewOptions& options, const ui::Fonts& fonts)
+{
+    const femoop::Results results = femoop::analyse(model);
+    ui::Painter painter(sheet, fonts);
+    draw(painter, model, &results, options);
+    view_test::Marks marks(fonts);
+    painter.picture().draw_on(marks);
+    return marks;
+}
+
+/// The middle height of the filled diagram and the height of the member that it stands on.
+struct Sides {
+    double diagram = 0.0;
+    double member = 0.0;
+};
+
+Sides sides(MomentSide side)
+{
+    const ui::Fonts fonts;
+    ViewOptions options{.show = {Show::M}, .moment_side = side};
+    const view_test::Marks marks = marks_of(view_test::simple_beam(L, q), options, fonts);
+    const ui::Theme theme(options.theme);
+    Sides found;
+    for (const auto& area : marks.areas)
+        if (area.fill == theme.fill(ui::Role::BendingMoment)) found.diagram = area.points[area.points.size() / 2].y;
+    for (const auto& line : marks.lines)
+        if (line.stroke == theme.stroke(ui::Role::Member)) found.member = line.points.front().y;
+    return found;
+}
+
+} // namespace
+
+TEST_CASE("The sagging moment of a beam is drawn below it, or above it on the compression side")
+{
+    const Sides tension = sides(MomentSide::Tension);
+    CHECK(tension.diagram > tension.member + 20.0); // y is down on the sheet
+    const Sides compression = sides(MomentSide::Compression);
+    CHECK(compression.diagram < compression.member - 20.0);
+}
+
+TEST_CASE("The moment of a simple beam is marked once: q L^2 / 8 in its middle")
+{
+    const auto results = femoop::analyse(view_test::simple_beam(L, q));
+    const femoop::Curve curve = results[femoop::CaseId{}].curve(femoop::MemberId{});
+    const auto marked = marked_values(curve, MemberComponent::Mz, 1e-6);
+    REQUIRE(marked.size() == 1);
+    CHECK(marked[0].x == doctest::Approx(L / 2));
+    CHECK(marked[0].value == doctest::Approx(q * L * L / 8));
+    CHECK(marked[0].is_peak);
+}
+
+TEST_CASE("The shear force of a simple beam is marked at its two ends: q L / 2 and - q L / 2")
+{
+    const auto results = femoop::analyse(view_test::simple_beam(L, q));
+    const femoop::Curve curve = results[femoop::CaseId{}].curve(femoop::MemberId{});
+    const auto marked = marked_values(curve, MemberComponent::Vy, 1e-6);
+    REQUIRE(marked.size() == 2);
+    CHECK(marked[0].value == doctest::Approx(q * L / 2));
+    CHECK(marked[1].value == doctest::Approx(-q * L / 2));
+}
+
+TEST_CASE("Under a point load both sides of the jump and the kink of the moment are marked")
+{
+    femoop::Model model = view_test::simple_beam(L, q);
+    constexpr double P = 30.0, a = 2.0;
+    femoop::PointLoad load{.at = femoop::Quantity(a)};
+    load.components.push_back({.dof = femoop::Dof::uy, .value = -P});
+    model.load_cases[0].members.assign(1, {.member = femoop::MemberId{}, .load = load});
+    const femoop::Curve curve = femoop::analyse(model)[femoop::CaseId{}].curve(femoop::MemberId{});
+    const auto shear = marked_values(curve, MemberComponent::Vy, 1e-6);
+    REQUIRE(shear.size() == 2); // one per stretch, in its middle
+    CHECK(shear[0].x == doctest::Approx(a / 2));
+    CHECK(shear[0].value == doctest::Approx(P * (L - a) / L));
+    CHECK(shear[1].value == doctest::Approx(-P * a / L));
+    const auto moment = marked_values(curve, MemberComponent::Mz, 1e-6);
+    REQUIRE(moment.size() == 1);
+    CHECK(moment[0].x == doctest::Approx(a));
+    CHECK(moment[0].value == doctest::Approx(P * a * (L - a) / L));
+}
+
+TEST_CASE("The values of a picture are those of the beam, with the decimal mark of the language")
+{
+    const ui::Fonts fonts;
+    ViewOptions options{.show = parse_show("loads,reactions,M,V,values")};
+    const view_test::Marks marks = marks_of(view_test::simple_beam(L, q), options, fonts);
+    for (const char* words : {"12 kN/m", "42 kN", "73.5", "42", "−42"}) {
+        CAPTURE(words);
+        CHECK(marks.has_text(words));
+    }
+    options.numbers.mark = ui::DecimalMark::Comma;
+    CHECK(marks_of(view_test::simple_beam(L, q), options, fonts).has_text("73,5"));
+}
+
+TEST_CASE("A diagram that is rounding beside the other forces counts as zero")
+{
+    const femoop::Model arch = view_test::example("three_hinged_arch"); // on its funicular: M = 0
+    const auto results = femoop::analyse(arch);
+    const auto solved = solved_case(results, femoop::CaseId{});
+    REQUIRE(solved);
+    CHECK(largest_value(*solved, MemberComponent::Mz, 24.0) == 0.0);
+    CHECK(largest_value(*solved, MemberComponent::N, 24.0) > 100.0);
+}
+
+TEST_CASE("Round scales are 1, 2 or 5 times a power of ten")
+{
+    CHECK(round_below(73.0) == doctest::Approx(50.0));
+    CHECK(round_below(0.0399) == doctest::Approx(0.02));
+    CHECK(round_below(1.0) == doctest::Approx(1.0));
+    CHECK(round_below(4.9999) == doctest::Approx(2.0));
+}
+
+TEST_CASE("The terms of a combination of combinations are multiplied out")
+{
+    femoop::Model model = view_test::simple_beam(L, q);
+    model.add(femoop::LoadCase{.id = "w"});
+    model.combinations.push_back({.id = "sum", .terms = {{femoop::CaseId{0}, 1.35}, {femoop::CaseId{1}, -0.5}}});
+    model.combinations.push_back({.id = "twice", .terms = {{femoop::CaseId{2}, 2.0}}});
+    const auto terms = terms_of(model, femoop::CaseId{3});
+    REQUIRE(terms.size() == 2);
+    CHECK(terms[0].load_case->id == "q");
+    CHECK(terms[0].factor == doctest::Approx(2.7));
+    CHECK(terms[1].factor == doctest::Approx(-1.0));
+}
+
+TEST_CASE("A model without nodes, with members of no length or with a faulty case draws without fault")
+{
+    const ui::Fonts fonts;
+    ui::Painter painter(sheet, fonts);
+    draw(painter, femoop::Model{}, nullptr, {});
+    femoop::Model flat = view_test::simple_beam(L, q);
+    flat.nodes[1].at = flat.nodes[0].at;
+    draw(painter, flat, nullptr, {});
+    draw(painter, view_test::simple_beam(L, q), nullptr, {.load_case = femoop::CaseId{9}});
+    CHECK(painter.picture().n_shapes() > 0);
+}
+
+TEST_SUITE_END();

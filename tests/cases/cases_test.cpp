@@ -1,0 +1,68 @@
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "femoop/analysis/linear_static.h"
+#include "femoop/io/model_file.h"
+#include "femoop/result/verify.h"
+
+using namespace femoop;
+
+namespace {
+
+std::vector<std::filesystem::path> cases_in(const std::string& folder)
+{
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(CREMONA_SOURCE_DIR "/tests/cases/" + folder))
+        if (entry.path().extension() == ".json") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// Compares every expected value of a folder's files that the linear analysis gives.
+CheckCounts verify_folder(const std::string& folder)
+{
+    CheckCounts counts;
+    for (const auto& file : cases_in(folder)) {
+        CAPTURE(file.filename().string());
+        const Model model = read_model_file(file);
+        const auto results = needs_linear_analysis(model) ? std::optional(analyse(model)) : std::nullopt;
+        const auto outcomes = verify(model, results);
+        for (const CheckOutcome& outcome : outcomes) {
+            CAPTURE(outcome.what);
+            CAPTURE(outcome.expected);
+            CAPTURE(outcome.result.value_or(0.0));
+            CHECK(outcome.verdict != Verdict::Failed);
+        }
+        counts += count(outcomes);
+    }
+    return counts;
+}
+
+} // namespace
+
+TEST_CASE("Published beams, frames, trusses and grillages come out as published")
+{
+    CHECK(verify_folder("members").passed >= 90);
+}
+
+TEST_CASE("Frames of moment distribution come out as their exact end moments")
+{
+    CHECK(verify_folder("cross").passed >= 10);
+}
+
+TEST_CASE("Beams of influence lines come out as published") { CHECK(verify_folder("influence").passed >= 4); }
+
+TEST_CASE(
+    "What only closed forms tell: rigid and inextensible members, offsets, joints, misfits, shapes, profiles, ...")
+{
+    const CheckCounts counts = verify_folder("own");
+    CHECK(counts.passed >= 622);
+    CHECK(counts.skipped == 0);
+}
+
+TEST_CASE("Closed forms worked out by a second hand come out too") { CHECK(verify_folder("more").passed >= 54); }

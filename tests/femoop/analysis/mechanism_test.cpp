@@ -1,0 +1,257 @@
+#include <doctest/doctest.h>
+
+#include "femoop/analysis/linear_static.h"
+
+using namespace femoop;
+
+namespace {
+
+/// A plane frame from coordinates and pairs of nodes; supports and releases are added by the tests.
+Model frame(const std::vector<std::pair<double, double>>& nodes,
+            const std::vector<std::pair<std::size_t, std::size_t>>& members)
+{
+    Model model;
+    model.add(Material{.id = "steel", .E = 2.1e8});
+    model.add(Section{.id = "beam", .A = 0.01, .Iz = 1.3e-4});
+    for (const auto& [x, y] : nodes)
+        model.add(Node{.id = std::string(1, static_cast<char>('A' + model.nodes.size())), .at = {x, y, 0.0}});
+    for (const auto& [a, b] : members)
+        model.add(Member{.id = model.nodes[a].id + model.nodes[b].id,
+                         .nodes = {NodeId(a), NodeId(b)},
+                         .material = MaterialId(0),
+                         .section = SectionId(0)});
+    model.add(LoadCase{.id = "G"});
+    return model;
+}
+
+void hold(Model& model, std::size_t node, SupportKind kind) { model.nodes[node].support = Support{.kind = kind}; }
+
+std::vector<std::string> mechanisms(const Model& model)
+{
+    std::vector<std::string> sentences;
+    try {
+        analyse(model);
+    } catch (const MechanismError& error) {
+        for (const Mechanism& mechanism : error.mechanisms()) sentences.push_back(message(mechanism.fault));
+    }
+    return sentences;
+}
+
+} // namespace
+
+TEST_SUITE("mechanisms")
+{
+    TEST_CASE("A row of pinned columns with hinged beams sways, and the words say so")
+    {
+        Model model = frame({{0, 0}, {6, 0}, {12, 0}, {0, 4}, {6, 4}, {12, 4}},
+                            {{0, 3}, {1, 4}, {2, 5}, {3, 4}, {4, 5}});
+        for (const std::size_t base : {0, 1, 2}) hold(model, base, SupportKind::Pin);
+        for (const std::size_t top : {3, 4, 5}) model.nodes[top].hinge = true;
+        CHECK(mechanisms(model) ==
+              std::vector<std::string>{
+                  "structure can move without strain: nodes D, E and F sway to the right together; nothing "
+                  "holds ux; add a brace or a support"});
+    }
+
+    TEST_CASE("A brace holds that sway")
+    {
+        Model model = frame({{0, 0}, {6, 0}, {0, 4}, {6, 4}}, {{0, 2}, {1, 3}, {2, 3}, {0, 3}});
+        for (const std::size_t base : {0, 1}) hold(model, base, SupportKind::Pin);
+        for (const std::size_t top : {2, 3}) model.nodes[top].hinge = true;
+        CHECK(mechanisms(model).empty());
+    }
+
+    TEST_CASE("A frame on one roller has two free motions, each told apart")
+    {
+        Model model = frame({{0, 0}, {4, 0}, {4, 3}}, {{0, 1}, {1, 2}});
+        hold(model, 0, SupportKind::Roller);
+        const std::vector<std::string> sentences = mechanisms(model);
+        REQUIRE(sentences.size() == 2);
+        CHECK(sentences[0].find("A, B and C sway to the right together") != std::string::npos);
+        CHECK(sentences[1].find("turn together about (0, ") != std::string::npos);
+    }
+
+    TEST_CASE("Two separate swaying frames are two mechanisms")
+    {
+        Model model = frame({{0, 0}, {0, 3}, {4, 3}, {4, 0}, {9, 0}, {9, 3}, {13, 3}, {13, 0}},
+                            {{0, 1}, {1, 2}, {3, 2}, {4, 5}, {5, 6}, {7, 6}});
+        for (const std::size_t base : {0, 3, 4, 7}) hold(model, base, SupportKind::Pin);
+        for (const std::size_t top : {1, 2, 5, 6}) model.nodes[top].hinge = true;
+        const std::vector<std::string> sentences = mechanisms(model);
+        REQUIRE(sentences.size() == 2);
+        CHECK((sentences[0] + sentences[1]).find("nodes B and C sway") != std::string::npos);
+        CHECK((sentences[0] + sentences[1]).find("nodes F and G sway") != std::string::npos);
+    }
+
+    TEST_CASE("A hinge where all members are released makes no mechanism of the node's own rotation")
+    {
+        Model model = frame({{0, 0}, {4, 0}, {8, 0}}, {{0, 1}, {1, 2}});
+        hold(model, 0, SupportKind::Fixed);
+        hold(model, 2, SupportKind::Fixed);
+        model.nodes[1].hinge = true;
+        model.load_cases[0].nodes.push_back({.node = NodeId(1), .components = {{.dof = Dof::uy, .value = -10.0}}});
+        const Results results = analyse(model);
+        const double EI = 2.1e8 * 1.3e-4;
+        CHECK(results.at("G").displacement(NodeId(1))[1] == doctest::Approx(-5.0 * 64.0 / (3.0 * EI)));
+        CHECK(results.indeterminacy().total() == 2);
+    }
+
+    TEST_CASE("A moment on a rotation that nothing holds is a mechanism")
+    {
+        Model model = frame({{0, 0}, {4, 0}, {8, 0}}, {{0, 1}, {1, 2}});
+        hold(model, 0, SupportKind::Fixed);
+        hold(model, 2, SupportKind::Fixed);
+        model.nodes[1].hinge = true;
+        model.load_cases[0].nodes.push_back({.node = NodeId(1), .components = {{.dof = Dof::rz, .value = 7.0}}});
+        CHECK(mechanisms(model) ==
+              std::vector<std::string>{
+                  "structure can move without strain: node B rotates freely, nothing holds rz; add a support "
+                  "or a rigid joint, or take the moment away"});
+    }
+
+    TEST_CASE("A member released along its axis at both ends is loose")
+    {
+        Model model = frame({{0, 0}, {4, 0}}, {{0, 1}});
+        hold(model, 0, SupportKind::Fixed);
+        hold(model, 1, SupportKind::Fixed);
+        model.members[0].start.release = model.members[0].end.release = {Dof::ux};
+        CHECK(mechanisms(model) ==
+              std::vector<std::string>{"structure can move without strain: member AB is loose, its releases "
+                                       "leave ux free; take a release away"});
+    }
+
+    TEST_CASE("A very soft spring is nearly a mechanism, not one, and the warning gives the condition")
+    {
+        Model model = frame({{0, 0}, {4, 0}}, {{0, 1}});
+        model.nodes[0].support = Support{.fixed = {Dof::ux, Dof::uy}, .springs = {{.dof = Dof::rz, .stiffness = 1e-8}}};
+        model.load_cases[0].nodes.push_back({.node = NodeId(1), .components = {{.dof = Dof::uy, .value = -1e-9}}});
+        const Results results = analyse(model);
+        REQUIRE(results.warnings().size() == 1);
+        CHECK(results.warnings()[0].kind == FaultKind::NearlySingular);
+        CHECK(severity(results.warnings()[0].kind) == Severity::Warning);
+        CHECK(results.at("G").displacement(NodeId(1))[1] == doctest::Approx(-1e-9 * 16.0 / 1e-8).epsilon(1e-2));
+    }
+
+    TEST_CASE("A mode moves without strain: members keep their length")
+    {
+        Model model = frame({{0, 0}, {6, 0}, {1, 4}, {6, 5}}, {{0, 2}, {1, 3}, {2, 3}}); // a skew four-bar linkage
+        for (const std::size_t base : {0, 1}) hold(model, base, SupportKind::Pin);
+        for (const std::size_t top : {2, 3}) model.nodes[top].hinge = true;
+        try {
+            analyse(model);
+            FAIL("the linkage moves");
+        } catch (const MechanismError& error) {
+            REQUIRE(error.mechanisms().size() == 1);
+            const Mechanism& mechanism = error.mechanisms()[0];
+            for (std::size_t i = 0; i < model.members.size(); ++i) {
+                const Node& a = model[model.members[i].nodes[0]];
+                const Node& b = model[model.members[i].nodes[1]];
+                const Eigen::Vector3d along(b.at[0] - a.at[0], b.at[1] - a.at[1], 0.0);
+                const auto& ends = mechanism.member_ends[i];
+                CHECK(std::abs(along.dot(ends[1] - ends[0])) < 1e-9);
+            }
+            double largest = 0.0;
+            for (const NodeVector& v : mechanism.motion) largest = std::max({largest, std::abs(v[0]), std::abs(v[1])});
+            CHECK(largest == doctest::Approx(1.0));
+        }
+    }
+
+    TEST_CASE("A chain of a thousand bars says the first of its motions and counts on")
+    {
+        Model model;
+        model.analysis = AnalysisKind::Truss2d;
+        model.add(Material{.id = "steel", .E = 2.1e8});
+        model.add(Section{.id = "rod", .A = 0.003});
+        for (int i = 0; i <= 1000; ++i) model.add(Node{.id = std::to_string(i), .at = {1.3 * i, 0.0, 0.0}});
+        for (std::size_t i = 0; i < 1000; ++i)
+            model.add(Member{.id = std::to_string(i),
+                             .nodes = {NodeId(i), NodeId(i + 1)},
+                             .material = MaterialId(0),
+                             .section = SectionId(0)});
+        hold(model, 0, SupportKind::Pin);
+        hold(model, 1000, SupportKind::Pin);
+        try {
+            analyse(model);
+            FAIL("the chain hangs loose");
+        } catch (const MechanismError& error) {
+            CHECK(error.mechanisms().size() == 12);
+            CHECK(error.n_more() > 50);
+        }
+    }
+
+    TEST_CASE("A torque on a space member released against torsion at both ends is a mechanism")
+    {
+        Model model = frame({{0, 0}, {4, 0}}, {{0, 1}});
+        model.analysis = AnalysisKind::Frame3d;
+        model.sections[0].Iy = 0.7e-4;
+        model.sections[0].J = 0.3e-4;
+        hold(model, 0, SupportKind::Fixed);
+        hold(model, 1, SupportKind::Fixed);
+        model.members[0].start.release = model.members[0].end.release = {Dof::rx};
+        CHECK(mechanisms(model).empty());
+        model.load_cases[0].members.push_back(
+            {.member = MemberId(0),
+             .load = PointLoad{.at = Percent{50.0}, .components = {{.dof = Dof::rx, .value = 5.0}}}});
+        CHECK(mechanisms(model).size() == 1);
+    }
+
+    TEST_CASE("A space beam on two pins spins about its own axis")
+    {
+        Model model = frame({{0, 0}, {4, 0}}, {{0, 1}});
+        model.analysis = AnalysisKind::Frame3d;
+        model.sections[0].Iy = 0.7e-4;
+        model.sections[0].J = 0.3e-4;
+        hold(model, 0, SupportKind::Pin);
+        hold(model, 1, SupportKind::Pin);
+        CHECK(mechanisms(model) ==
+              std::vector<std::string>{"structure can move without strain: A and B rotate freely; add a "
+                                       "support or a rigid joint against the rotation"});
+    }
+
+    TEST_CASE("A space member that a hinge lets spin is held against that spin")
+    {
+        Model model = frame({{0, 0}, {4, 1}, {4, 6}}, {{0, 1}, {1, 2}});
+        model.analysis = AnalysisKind::Frame3d;
+        model.sections[0].Iy = 0.7e-4;
+        model.sections[0].J = 0.3e-4;
+        hold(model, 0, SupportKind::Fixed);
+        hold(model, 2, SupportKind::Fixed);
+        model.nodes[0].hinge = true;
+        model.members[1].start.release = {Dof::rx, Dof::ry, Dof::rz}; // B turns with AB, which spins at A
+        model.load_cases[0].nodes.push_back({.node = NodeId(1), .components = {{.dof = Dof::uz, .value = -10.0}}});
+        CHECK(mechanisms(model).empty());
+        model.load_cases[0].nodes[0].components = {{.dof = Dof::rx, .value = 3.0}};
+        CHECK(mechanisms(model).size() == 1);
+    }
+
+    TEST_CASE("Every free panel of a board of pinned squares is a mechanism of its own")
+    {
+        constexpr std::size_t n = 7; // nodes a side
+        Model model;
+        model.analysis = AnalysisKind::Truss2d;
+        model.add(Material{.id = "steel", .E = 2.1e8});
+        model.add(Section{.id = "rod", .A = 0.003});
+        for (std::size_t y = 0; y < n; ++y)
+            for (std::size_t x = 0; x < n; ++x)
+                model.add(Node{.id = std::to_string(x) + "," + std::to_string(y),
+                               .at = {2.0 * static_cast<double>(x), 1.7 * static_cast<double>(y), 0.0}});
+        const auto join = [&](std::size_t a, std::size_t b) {
+            model.add(Member{.id = std::to_string(model.members.size()),
+                             .nodes = {NodeId(a), NodeId(b)},
+                             .material = MaterialId(0),
+                             .section = SectionId(0)});
+        };
+        for (std::size_t y = 0; y < n; ++y)
+            for (std::size_t x = 0; x < n; ++x) {
+                if (x + 1 < n) join(y * n + x, y * n + x + 1);
+                if (y + 1 < n) join(y * n + x, (y + 1) * n + x);
+            }
+        hold(model, 0, SupportKind::Pin);
+        hold(model, n - 1, SupportKind::Roller);
+        model.add(LoadCase{.id = "G"});
+        // Of more than twelve only the first are described, the others counted.
+        // 2 n^2 displacements, 2 n (n - 1) rods, 3 reactions: 2 n - 3 free motions, one fewer row shear than rows and
+        // columns
+        CHECK(mechanisms(model).size() == 2 * n * n - 2 * n * (n - 1) - 3);
+    }
+}

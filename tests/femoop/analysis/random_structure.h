@@ -1,0 +1,15 @@
+#pragma once
+
+#include <array>
+#include <random>
+
+#include "femoop/model/model.h"
+
+/// A stable structure of a model, made at random: skew members of several kinds, releases, springs, hinges, offsets,
+/// inclined supports, a foundation, and two load cases "P" and "Q" with loads of every kind.
+femoop::Model random_structure(femoop::AnalysisKind kind, unsigned seed);
+
+/// All five models.
+inline constexpr std::array every_model{femoop::AnalysisKind::Truss2d, femoop::AnalysisKind::Frame2d,
+                                        femoop::AnalysisKind::Grillage, femoop::AnalysisKind::Truss3d,
+                                        femoop::AnalysisKind::Frame3d};

@@ -1,0 +1,63 @@
+#include <doctest/doctest.h>
+
+#include "femoop/analysis/trace.h"
+
+using namespace femoop;
+
+namespace {
+
+constexpr double E = 2.1e8, A = 0.013, I = 1.3e-4, L = 5.0, q = 7.0;
+
+Model cantilever_with_prop()
+{
+    Model model;
+    model.add(Material{.id = "steel", .E = E});
+    model.add(Section{.id = "s", .A = A, .Iz = I});
+    model.add(Node{.id = "A", .at = {0.0, 0.0, 0.0}, .support = Support{.kind = SupportKind::Fixed}});
+    model.add(Node{.id = "B", .at = {3.0, 4.0, 0.0}, .support = Support{.kind = SupportKind::Roller}});
+    model.add(Member{.id = "AB", .nodes = {NodeId(0), NodeId(1)}, .material = MaterialId(0), .section = SectionId(0)});
+    DistributedLoad load{.values = {{.dof = Dof::uy, .start = -q}}, .axes = LoadAxes::Local};
+    model.add(LoadCase{.id = "G", .members = {{.member = MemberId(0), .load = load}}});
+    return model;
+}
+
+} // namespace
+
+TEST_SUITE("trace")
+{
+    TEST_CASE("The trace shows EA / L, 12 EI / L^3, the turn and the places of a member")
+    {
+        const MemberTrace trace = femoop::trace(cantilever_with_prop(), MemberId(0));
+        CHECK(trace.length == doctest::Approx(L));
+        CHECK(trace.dofs == std::vector<std::string>{"A.ux", "A.uy", "A.rz", "B.ux", "B.uy", "B.rz"});
+        CHECK(trace.equations == std::vector<int>{0, 0, 0, 1, 0, 2});
+        CHECK(trace.local_stiffness(0, 0) == doctest::Approx(E * A / L));
+        CHECK(trace.local_stiffness(1, 1) == doctest::Approx(12.0 * E * I / (L * L * L)));
+        CHECK(trace.local_stiffness(2, 5) == doctest::Approx(2.0 * E * I / L));
+        CHECK(trace.transformation(0, 0) == doctest::Approx(0.6));
+        CHECK(trace.transformation(0, 1) == doctest::Approx(0.8));
+        CHECK(trace.transformation(4, 3) == doctest::Approx(-0.8));
+        const Eigen::MatrixXd product = trace.transformation.transpose() * trace.local_stiffness * trace.transformation;
+        CHECK((product - trace.global_stiffness).norm() < 1e-9 * product.norm());
+    }
+
+    TEST_CASE("Its fixed-end forces are q L / 2 and q L^2 / 12, then turned")
+    {
+        const MemberTrace trace = femoop::trace(cantilever_with_prop(), MemberId(0));
+        REQUIRE(trace.fixed_end.size() == 1);
+        CHECK(trace.fixed_end[0].load_case == "G");
+        CHECK(trace.fixed_end[0].local[1] == doctest::Approx(q * L / 2.0));
+        CHECK(trace.fixed_end[0].local[2] == doctest::Approx(q * L * L / 12.0));
+        CHECK(trace.fixed_end[0].global[0] == doctest::Approx(-0.8 * q * L / 2.0));
+        CHECK(trace.fixed_end[0].global[1] == doctest::Approx(0.6 * q * L / 2.0));
+    }
+
+    TEST_CASE("A released end shows the condensed stiffness 3 EI / L")
+    {
+        Model model = cantilever_with_prop();
+        model.members[0].end.release = {Dof::rz};
+        const MemberTrace trace = femoop::trace(model, MemberId(0));
+        CHECK(trace.local_stiffness(2, 2) == doctest::Approx(3.0 * E * I / L));
+        CHECK(trace.fixed_end[0].local[2] == doctest::Approx(q * L * L / 8.0));
+    }
+}

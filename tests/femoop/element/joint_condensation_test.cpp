@@ -1,0 +1,88 @@
+#include <doctest/doctest.h>
+
+#include <Eigen/Dense>
+
+#include "femoop/element/beam.h"
+#include "femoop/element/joint_condensation.h"
+#include "femoop/element/member_properties.h"
+
+using namespace femoop;
+
+namespace {
+
+constexpr double L = 3.7, EI = 5300.0;
+
+Eigen::VectorXd joints(double v1, double phi1, double v2, double phi2) { return Eigen::Vector4d(v1, phi1, v2, phi2); }
+
+} // namespace
+
+TEST_SUITE("joint condensation")
+{
+    TEST_CASE("A beam hinged at one end has the stiffness 3 EI / L at the other")
+    {
+        const JointCondensation hinged(Beam{.EI = EI}.stiffness(L), joints(rigid_joint, rigid_joint, rigid_joint, 0.0));
+        const Eigen::MatrixXd K = hinged.stiffness();
+        CHECK(K(1, 1) == doctest::Approx(3.0 * EI / L));
+        CHECK(K(0, 1) == doctest::Approx(3.0 * EI / (L * L)));
+        CHECK(K.row(3).norm() == 0.0);
+        CHECK(hinged.loose().empty());
+    }
+
+    TEST_CASE("A hinge moves q L^2 / 8 to the clamped end")
+    {
+        const double q = 6.1;
+        const JointCondensation hinged(Beam{.EI = EI}.stiffness(L), joints(rigid_joint, rigid_joint, rigid_joint, 0.0));
+        const Eigen::Vector4d clamped(q * L / 2.0, q * L * L / 12.0, q * L / 2.0, -q * L * L / 12.0);
+        const Eigen::VectorXd f = hinged.forces(clamped);
+        CHECK(f[0] == doctest::Approx(5.0 * q * L / 8.0));
+        CHECK(f[1] == doctest::Approx(q * L * L / 8.0));
+        CHECK(f[2] == doctest::Approx(3.0 * q * L / 8.0));
+        CHECK(f[3] == 0.0);
+    }
+
+    TEST_CASE("A spring at one end leaves 4 EI / L (1 + 3 r) / (1 + 4 r), r = EI / c L, at the other")
+    {
+        const double c = 4100.0;
+        const double r = EI / (c * L);
+        const JointCondensation joined(Beam{.EI = EI}.stiffness(L), joints(rigid_joint, rigid_joint, rigid_joint, c));
+        CHECK(joined.stiffness()(1, 1) == doctest::Approx(4.0 * EI / L * (1.0 + 3.0 * r) / (1.0 + 4.0 * r)));
+    }
+
+    TEST_CASE("Very stiff and very soft springs come to rigid joints and hinges")
+    {
+        const Eigen::Matrix4d k = Beam{.EI = EI}.stiffness(L);
+        const auto at = [&](double c) {
+            return JointCondensation(k, joints(rigid_joint, c, rigid_joint, rigid_joint)).stiffness();
+        };
+        CHECK((at(1e13) - k).norm() < 1e-6 * k.norm());
+        CHECK((at(1e-6) - at(0.0)).norm() < 1e-6 * k.norm());
+    }
+
+    TEST_CASE("A beam released in v and rotation at one end and in v at the other is loose")
+    {
+        const JointCondensation loose(Beam{.EI = EI}.stiffness(L), joints(0.0, rigid_joint, 0.0, rigid_joint));
+        REQUIRE(loose.loose().size() == 1);
+        const Eigen::VectorXd& mode = loose.loose().front().mode;
+        CHECK(mode[0] == doctest::Approx(mode[2])); // it slides sideways as a whole
+        CHECK(mode[1] == 0.0);
+        CHECK(JointCondensation::drive(loose.loose().front(), Eigen::Vector4d(2.0, 0.0, 3.0, 0.0)) ==
+              doctest::Approx(5.0 * mode[0]));
+    }
+
+    TEST_CASE("The ends found from the nodes keep the joints in equilibrium")
+    {
+        const Eigen::Matrix4d k = Beam{.EI = EI}.stiffness(L);
+        const Eigen::VectorXd c = joints(rigid_joint, 900.0, 350.0, 0.0);
+        const JointCondensation joined(k, c);
+        const Eigen::Vector4d nodes(0.011, -0.007, 0.023, 0.017);
+        const Eigen::Vector4d fixed(3.1, 2.3, -1.7, 0.9);
+        const Eigen::Vector4d ends = joined.end_displacements(nodes, fixed);
+        const Eigen::Vector4d member = k * ends + fixed;
+        const Eigen::Vector4d felt = joined.stiffness() * nodes + joined.forces(fixed);
+        CHECK(ends[0] == nodes[0]);
+        CHECK(member[1] == doctest::Approx(900.0 * (nodes[1] - ends[1])));
+        CHECK(member[2] == doctest::Approx(350.0 * (nodes[2] - ends[2])));
+        CHECK(member[3] == doctest::Approx(0.0).epsilon(1e-9));
+        CHECK((member - felt).norm() < 1e-10 * felt.norm());
+    }
+}

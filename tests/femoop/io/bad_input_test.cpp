@@ -1,0 +1,166 @@
+#include <doctest/doctest.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "femoop/io/model_file.h"
+#include "femoop/model/check.h"
+#include "tests/femoop/io/bad_files.h"
+
+using namespace femoop;
+
+namespace {
+
+std::string lines(const std::vector<Fault>& faults)
+{
+    std::string text;
+    for (const Fault& fault : faults) text += message(fault) + '\n';
+    return text;
+}
+
+void check_all(const std::vector<BadFile>& files, Severity expected)
+{
+    for (const BadFile& file : files) {
+        const std::string &text = file.text, &wanted = file.message; // clang 14 captures no bindings
+        CAPTURE(text.substr(0, 2000));
+        const ModelReading reading = examine_model(text);
+        CHECK(lines(reading.faults) == wanted + '\n');
+        if (reading.faults.empty()) continue;
+        CHECK(severity(reading.faults.front().kind) == expected);
+        CHECK(reading.is_sound() == (expected == Severity::Warning));
+        if (expected == Severity::Error) CHECK_THROWS_WITH_AS(read_model(text), wanted.c_str(), ModelError);
+        else CHECK_NOTHROW(read_model(text));
+    }
+}
+
+std::string faults_of(const std::string& text) { return lines(examine_model(text).faults); }
+
+} // namespace
+
+TEST_CASE("The file that the bad ones are made of is sound") { CHECK(examine_model(File{}.text()).faults.empty()); }
+
+TEST_CASE("What is not text is refused with line, column and byte")
+{
+    check_all(files_that_are_no_text(), Severity::Error);
+}
+
+TEST_CASE("What is not JSON is refused with line, column and a remedy")
+{
+    check_all(files_that_are_no_json(), Severity::Error);
+}
+
+TEST_CASE("A key, a type or a name that does not belong is refused with its place and a suggestion")
+{
+    check_all(files_with_bad_keys(), Severity::Error);
+}
+
+TEST_CASE("A quantity that cannot be read is refused with its place and both dimensions")
+{
+    check_all(files_with_bad_quantities(), Severity::Error);
+}
+
+TEST_CASE("A material or section out of its range is refused")
+{
+    check_all(files_with_bad_materials_and_sections(), Severity::Error);
+}
+
+TEST_CASE("A support, spring or mass that the analysis lacks is refused")
+{
+    check_all(files_with_bad_nodes(), Severity::Error);
+}
+
+TEST_CASE("A member that cannot be built is refused") { check_all(files_with_bad_members(), Severity::Error); }
+
+TEST_CASE("A load that cannot act is refused") { check_all(files_with_bad_loads(), Severity::Error); }
+
+TEST_CASE("An expected result that cannot be looked up is refused")
+{
+    check_all(files_with_bad_expectations(), Severity::Error);
+}
+
+TEST_CASE("What is odd but can be solved is a warning that names both parts")
+{
+    check_all(files_with_warnings(), Severity::Warning);
+}
+
+TEST_CASE("A member between two nodes at one place has no length, and the nodes are warned of")
+{
+    CHECK(faults_of(
+              File{.nodes = R"([{"id": "A", "at": [2, 0], "support": "fixed"}, {"id": "B", "at": [2, 0]}])"}.text()) ==
+          "members[0] \"AB\": length is 0 m because nodes \"A\" and \"B\" are both at (2, 0) m; move a node or delete "
+          "the member\n"
+          "nodes[1] \"B\": lies where node \"A\" lies, at (2, 0) m; the two are not joined: use one of them or move "
+          "one\n");
+}
+
+TEST_CASE("A load on a node without members is an error, the lonely node a warning")
+{
+    CHECK(
+        faults_of(File{.nodes = R"([{"id": "A", "at": [0, 0]}, {"id": "B", "at": [6, 0]}, {"id": "C", "at": [9, 0]}])",
+                       .more = R"(, "load_cases": [{"id": "G", "nodes": [{"node": "C", "fy": -9}]}])"}
+                      .text()) ==
+        "load_cases[0].nodes[0]: node \"C\" carries a load but no member is joined to it; join one or move the load\n"
+        "nodes[2] \"C\": no member is joined to this node; join one or delete the node\n");
+}
+
+TEST_CASE("All errors of a file come in one list: what cannot be read and what is wrong with the rest")
+{
+    CHECK(faults_of(File{.materials = R"([{"id": "m", "E": -1, "densty": 7.85}])",
+                         .nodes = R"([{"id": "A", "at": [0], "support": "fixd"}, {"id": "B", "at": [6, 0]}])",
+                         .members = R"([{"id": "AB", "nodes": ["A", "D"], "material": "m", "section": "s"},
+                                        {"id": "BA", "nodes": ["B", "A"], "material": "m", "section": "s", "foundation": {"y": -4}}])"}
+                        .text()) ==
+          "materials[0].densty: unknown key; did you mean \"density\"?\n"
+          "nodes[0].at: found 1 lengths, wanted 2 in frame2d\n"
+          "nodes[0].support: \"fixd\" is none of fixed, pin, roller; did you mean \"fixed\"?\n"
+          "members[0] \"AB\": no node \"D\"; add the node or name another\n"
+          "members[1] \"BA\": foundation is -4 kN/m^2; give a value greater than 0\n");
+}
+
+TEST_CASE("A file without its needed keys hears of each of them")
+{
+    CHECK(faults_of("{}") == "file: \"cremona\" is missing; add it\n"
+                             "file: \"analysis\" is missing; add it\n"
+                             "file: \"units\" is missing; add it\n"
+                             "file: \"nodes\" is missing; add it\n"
+                             "file: \"members\" is missing; add it\n");
+}
+
+TEST_CASE("A position up to 1e-9 L beyond an end counts as the end")
+{
+    const auto at = [](const char* x) {
+        const std::string more =
+            std::string(
+                R"(, "load_cases": [{"id": "G", "members": [{"member": "AB", "kind": "point", "fy": -4, "at": )") +
+            x + "}]}]";
+        return examine_model(File{.more = more}.text()).faults.size();
+    };
+    CHECK(at("6.000000005") == 0);
+    CHECK(at("6.000000007") == 1);
+    CHECK(at("-0.000000005") == 0);
+    CHECK(at("-0.000000007") == 1);
+}
+
+TEST_CASE("Every kind of fault has a file that shows it")
+{
+    std::set<FaultKind> shown;
+    for (const auto& files :
+         {files_that_are_no_text(), files_that_are_no_json(), files_with_bad_keys(), files_with_bad_quantities(),
+          files_with_bad_materials_and_sections(), files_with_bad_nodes(), files_with_bad_members(),
+          files_with_bad_loads(), files_with_bad_expectations(), files_with_warnings()})
+        for (const BadFile& file : files)
+            for (const Fault& fault : examine_model(file.text).faults) shown.insert(fault.kind);
+    // Shown by tests of their own, or impossible to write in a file.
+    for (const FaultKind kind :
+         {FaultKind::FileUnreadable, FaultKind::FileUnwritable, FaultKind::DanglingReference, FaultKind::NotFinite,
+          FaultKind::RepeatedComponent, FaultKind::ZeroLength, FaultKind::OffsetSize, FaultKind::UpSize,
+          FaultKind::CoincidentNodes, FaultKind::LoadedNodeWithoutMembers, FaultKind::MoreCrossings})
+        shown.insert(kind);
+    // The kinds before these are the analysis's.
+    for (auto kind = static_cast<int>(FaultKind::FileUnreadable); !pattern(static_cast<FaultKind>(kind)).empty();
+         ++kind) {
+        CAPTURE(pattern(static_cast<FaultKind>(kind)));
+        CHECK(shown.contains(static_cast<FaultKind>(kind)));
+    }
+}

@@ -1,0 +1,233 @@
+"""The folder rules: who may include whom, and what every folder must list.
+
+Run by CTest. `check(tree)` returns every broken rule as a sentence; the tests plant one fault of each kind and see it
+reported, then check the repository itself.
+"""
+import pathlib
+import re
+import sys
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CODE = ("topology", "femoop", "ui", "apps", "examples", "tests")
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
+STANDARD = re.compile(r"[a-z_0-9]+$")  # <vector>, <cmath>: no slash and no ".h"
+
+EIGEN = re.compile(r"Eigen/")
+JSON = re.compile(r"nlohmann/")
+CHOLMOD = re.compile(r"(suitesparse/)?(cholmod|SuiteSparse_config|cblas)")
+FONTS_AND_CAIRO = re.compile(r"cairo|ft2build|freetype/|fontconfig/|png\.h$")
+WINDOW = re.compile(r"(imgui|imstb_|GLFW/|GL/|EGL/|GLES)")
+OPTIONS = re.compile(r"CLI/")
+SYSTEM = re.compile(r"(dlfcn|unistd|windows)\.h$|sys/")
+
+UI_BASE = ["ui/history/", "ui/command/", "ui/text/", "ui/scenario/"]
+
+# The longest folder that matches a file names its rule: what it may include besides the standard library.
+ALLOWED = {
+    "topology": ["topology/"],
+    "femoop": ["femoop/", EIGEN],
+    "femoop/io": ["femoop/", EIGEN, JSON],
+    "femoop/solver": ["femoop/", EIGEN, CHOLMOD, SYSTEM],
+    "ui": ["ui/", WINDOW, FONTS_AND_CAIRO, SYSTEM],
+    "ui/paint": ["ui/paint/", FONTS_AND_CAIRO],
+    "ui/canvas": ["ui/canvas/", "ui/paint/"],
+    "ui/history": UI_BASE,
+    "ui/command": UI_BASE,
+    "ui/text": UI_BASE,
+    "ui/scenario": UI_BASE,
+    "examples": ["femoop/", "topology/", EIGEN],
+    "tests": ["topology/", "femoop/", "ui/", "apps/", "tests/", re.compile(r"")],
+}
+APP_ALLOWED = ["topology/", "femoop/", "ui/", EIGEN, SYSTEM]
+APP_DOCUMENT_ALLOWED = ["topology/", "femoop/", *UI_BASE, EIGEN]  # so that tests drive it without a screen
+APP_VIEW_ALLOWED = [*APP_DOCUMENT_ALLOWED, "ui/paint/", "ui/canvas/"]  # draws through the Painter only
+CLI_ALLOWED = [*APP_ALLOWED, "apps/", OPTIONS, JSON]
+APP_WINDOW_PART = re.compile(r"window/|panels?[/_.]|main\.cpp$")
+
+
+def rule(path):
+    """What the file at `path` may include."""
+    if path.startswith("apps/"):
+        app = path.split("/")[1]
+        if app == "cli":
+            return CLI_ALLOWED
+        inside = path.removeprefix(f"apps/{app}/")
+        if inside.startswith("document"):
+            return [*APP_DOCUMENT_ALLOWED, f"apps/{app}/document"]
+        if inside.startswith("view"):
+            return [*APP_VIEW_ALLOWED, f"apps/{app}/document", f"apps/{app}/view"]
+        own = [*APP_ALLOWED, f"apps/{app}/"]
+        return [*own, WINDOW, OPTIONS] if APP_WINDOW_PART.match(inside) else own
+    folder = path
+    while folder not in ALLOWED:
+        folder = folder.rpartition("/")[0]
+    return ALLOWED[folder]
+
+
+def is_allowed(path, bracket, header):
+    if bracket == "<" and STANDARD.match(header):
+        return True
+    return any(header.startswith(r) if isinstance(r, str) else r.match(header) for r in rule(path))
+
+
+def broken_includes(path, text):
+    for bracket, header in INCLUDE.findall(text):
+        if bracket == '"' and "/" not in header:
+            yield f'{path}: includes "{header}"; include by full path from the top'
+        elif not is_allowed(path, bracket, header):
+            yield f"{path}: includes {header}, which its folder may not know"
+
+
+def listed_files(cmake):
+    """The source files that a CMakeLists.txt names."""
+    text = re.sub(r"#.*", "", cmake)
+    return set(re.findall(r"[\w./-]+\.(?:cpp|h)\b", text)) | {
+        name + ".cpp" for name in re.findall(r"cremona_example\((\w+)", text)}
+
+
+def public_headers(cmake):
+    text = re.sub(r"#.*", "", cmake)
+    listed = re.findall(r"PUBLIC\s+FILE_SET\s+HEADERS\s+FILES((?:\s+[\w./-]+\.h)+)", text)
+    return set(" ".join(listed).split())
+
+
+def broken_lists(tree):
+    """Sources are listed, never globbed: each stands in the list of its folder or of one above. A public header is
+    installed, and with it all that it includes."""
+    listed, public = set(), set()
+    for path, text in tree.items():
+        if path.endswith("CMakeLists.txt"):
+            folder = path.removesuffix("CMakeLists.txt")
+            listed |= {folder + name for name in listed_files(text)}
+            public |= {folder + name for name in public_headers(text)}
+    for path in tree:
+        if path.endswith(".cpp") and path not in listed:
+            yield f"{path}: no CMakeLists.txt lists it"
+    models = tree.get("examples/CMakeLists.txt", "")
+    for path in tree:
+        if re.match(r"examples/\w+\.json$", path) and not re.search(rf"\b{pathlib.Path(path).stem}\b", models):
+            yield f"{path}: no test of examples/CMakeLists.txt names it"
+    for path in public & set(tree):
+        for _, header in INCLUDE.findall(tree[path]):
+            if JSON.match(header):
+                yield f"{path}: a public header includes nlohmann-json"
+            elif header in tree and header not in public:
+                yield f"{path}: a public header includes {header}, which is not installed"
+
+
+def broken_references(path, text):
+    """The repository stands alone."""
+    outside = "../" + "shared"
+    if outside in text:
+        yield f"{path}: names {outside}, which is not in the repository"
+
+
+def check(tree):
+    """Every broken rule of `tree`, a dict from path to text."""
+    faults = list(broken_lists(tree))
+    for path, text in tree.items():
+        faults += broken_references(path, text)
+        if path.endswith((".cpp", ".h")) and path.split("/")[0] in CODE:
+            faults += broken_includes(path, text)
+    return sorted(faults)
+
+
+def repository():
+    ends = (".cpp", ".h", ".txt", ".cmake", ".md", ".py", ".json", ".bash", ".po")
+    tree = {}
+    for path in ROOT.rglob("*"):
+        name = path.relative_to(ROOT).as_posix()
+        if name.startswith(("build/", ".git/")) or not path.is_file():
+            continue
+        if name.endswith(ends) or name in ("run", "test", ".ci/run"):
+            tree[name] = path.read_text(encoding="utf-8", errors="replace")
+    return tree
+
+
+class Rules(unittest.TestCase):
+    def faults(self, path, line):
+        folder, _, name = path.rpartition("/")
+        return check({path: line + "\n", f"{folder}/CMakeLists.txt": f"target_sources(x PRIVATE {name})"})
+
+    def assert_refused(self, path, line):
+        self.assertEqual(len(self.faults(path, line)), 1, f"{path} may {line}")
+
+    def assert_allowed(self, path, line):
+        self.assertEqual(self.faults(path, line), [])
+
+    def test_the_libraries_know_neither_each_other_nor_ui_nor_the_apps(self):
+        for header in ("topology/halfedge/ids.h", "ui/paint/painter.h", "apps/frame/document.h"):
+            self.assert_refused("femoop/model/model.h", f'#include "{header}"')
+        for header in ("femoop/model/model.h", "ui/paint/painter.h", "apps/frame/document.h"):
+            self.assert_refused("topology/halfedge/ids.h", f'#include "{header}"')
+        self.assert_refused("topology/geometry/vector.h", "#include <Eigen/Core>")
+        self.assert_allowed("femoop/model/model.h", "#include <Eigen/Core>")
+
+    def test_ui_knows_no_mechanics_and_ui_base_the_standard_library_alone(self):
+        self.assert_refused("ui/canvas/view.h", '#include "femoop/model/model.h"')
+        self.assert_refused("ui/history/history.h", "#include <imgui.h>")
+        self.assert_refused("ui/text/catalogue.cpp", '#include "ui/paint/painter.h"')
+        self.assert_refused("ui/canvas/camera.cpp", "#include <imgui.h>")
+        self.assert_allowed("ui/widgets/number_field.cpp", "#include <imgui.h>")
+
+    def test_window_headers_stay_in_ui_and_in_an_apps_window_panels_and_main(self):
+        for header in ("imgui.h", "GLFW/glfw3.h", "GL/gl.h"):
+            self.assert_refused("apps/frame/document.h", f"#include <{header}>")
+            self.assert_refused("ui/paint/painter.h", f"#include <{header}>")
+            self.assert_refused("femoop/io/read.cpp", f"#include <{header}>")
+            self.assert_refused("apps/frame/view/loads.cpp", f"#include <{header}>")
+            self.assert_allowed("apps/frame/window/loads_panel.cpp", f"#include <{header}>")
+            self.assert_allowed("apps/frame/main.cpp", f"#include <{header}>")
+
+    def test_an_apps_document_knows_of_ui_only_what_needs_no_screen_and_its_view_draws_through_the_painter(self):
+        self.assert_refused("apps/frame/document/document.h", '#include "ui/paint/painter.h"')
+        self.assert_refused("apps/frame/document/document.h", '#include "apps/frame/view/frame_view.h"')
+        self.assert_allowed("apps/frame/document/document.h", '#include "ui/history/history.h"')
+        self.assert_refused("apps/frame/view/frame_view.cpp", '#include "ui/context/context.h"')
+        self.assert_allowed("apps/frame/view/frame_view.cpp", '#include "ui/paint/painter.h"')
+
+    def test_json_stays_in_io_and_out_of_public_headers(self):
+        self.assert_refused("femoop/model/model.cpp", "#include <nlohmann/json.hpp>")
+        self.assert_allowed("femoop/io/read.cpp", "#include <nlohmann/json.hpp>")
+        public = {"femoop/io/read.h": "#include <nlohmann/json.hpp>",
+                  "femoop/io/CMakeLists.txt": "target_sources(femoop PUBLIC FILE_SET HEADERS FILES read.h)"}
+        self.assertEqual(check(public), ["femoop/io/read.h: a public header includes nlohmann-json"])
+
+    def test_cholmod_stays_in_the_solver(self):
+        self.assert_refused("femoop/analysis/linear_static.cpp", "#include <cholmod.h>")
+        self.assert_allowed("femoop/solver/cholmod_solver.cpp", "#include <suitesparse/cholmod.h>")
+
+    def test_an_app_does_not_know_another_app(self):
+        self.assert_refused("apps/cross/document.h", '#include "apps/frame/document.h"')
+        self.assert_allowed("apps/cli/render.cpp", '#include "apps/frame/view/frame_view.h"')
+
+    def test_headers_are_included_by_full_path_and_every_file_is_listed(self):
+        self.assert_refused("femoop/model/model.cpp", '#include "model.h"')
+        self.assertEqual(check({"femoop/a.cpp": "", "femoop/CMakeLists.txt": "target_sources(femoop PRIVATE b.cpp)"}),
+                         ["femoop/a.cpp: no CMakeLists.txt lists it"])
+
+    def test_every_model_file_of_the_examples_is_tested(self):
+        self.assertEqual(check({"examples/arch.json": "{}", "examples/CMakeLists.txt": "foreach(model IN ITEMS beam)"}),
+                         ["examples/arch.json: no test of examples/CMakeLists.txt names it"])
+
+    def test_what_a_public_header_includes_is_installed_too(self):
+        tree = {"femoop/model/a.h": '#include "femoop/model/b.h"', "femoop/model/b.h": "",
+                "femoop/model/CMakeLists.txt": "target_sources(femoop PUBLIC FILE_SET HEADERS FILES a.h)"}
+        self.assertEqual(check(tree), ["femoop/model/a.h: a public header includes femoop/model/b.h, which is not installed"])
+        tree["femoop/model/CMakeLists.txt"] = "target_sources(femoop PUBLIC FILE_SET HEADERS FILES a.h b.h)"
+        self.assertEqual(check(tree), [])
+
+    def test_the_repository_names_nothing_outside_itself(self):
+        self.assert_refused("femoop/model/dof.cpp", "// as in ../" + "shared/spec")
+
+    def test_the_repository_keeps_the_rules(self):
+        tree = repository()
+        self.assertGreater(sum(path.endswith(".cpp") for path in tree), 10)
+        faults = check(tree)
+        self.assertEqual(faults, [], "\n" + "\n".join(faults))
+
+
+if __name__ == "__main__":
+    sys.exit(unittest.main(verbosity=2))

@@ -1,0 +1,128 @@
+"""The published schema says what the reader says: it accepts every model of the project and refuses what is wrong."""
+import copy
+import json
+import pathlib
+import sys
+import unittest
+
+from jsonschema import Draft202012Validator
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SCHEMA = json.loads((ROOT / "courseware/reference/model.schema.json").read_text(encoding="utf-8"))
+VALIDATOR = Draft202012Validator(SCHEMA)
+
+SOUND = {
+    "cremona": 1,
+    "analysis": "frame2d",
+    "units": {"length": "m", "force": "kN"},
+    "materials": [{"id": "m", "E": "205 GPa"}],
+    "sections": [{"id": "s", "A": 0.012, "Iz": 2e-4}],
+    "nodes": [{"id": "A", "at": [0, 0], "support": "fixed"}, {"id": "B", "at": [6, 0]}],
+    "members": [{"id": "AB", "nodes": ["A", "B"], "material": "m", "section": "s"}],
+    "load_cases": [{"id": "G", "members": [{"member": "AB", "kind": "distributed", "qy": -5}]}],
+    "expected": [{"quantity": "displacement", "node": "B", "component": "uy", "value": -1}],
+}
+
+# A path into SOUND, and what makes it bad there; None takes the key away.
+BAD = [
+    (["cremona"], 2),
+    (["cremona"], None),
+    (["analysis"], "frame"),
+    (["units"], None),
+    (["units", "length"], "yard"),
+    (["units", "force"], None),
+    (["nodes", 0, "suport"], "fixed"),
+    (["nodes", 0, "id"], ""),
+    (["nodes", 0, "id"], 1),
+    (["nodes", 0, "at"], [0, 0, 0]),
+    (["nodes", 0, "at"], [0]),
+    (["nodes", 0, "at"], ["left", 0]),
+    (["nodes", 0, "support"], "pinned"),
+    (["nodes", 0, "support"], {"fixed": ["vx"]}),
+    (["nodes", 0, "hinge"], "yes"),
+    (["materials", 0, "E"], None),
+    (["materials", 0, "E"], "205 bar"),
+    (["materials", 0, "E"], "205"),
+    (["materials", 0, "nu"], "0.3 m"),
+    (["sections", 0, "shape"], "triangle"),
+    (["sections", 0, "b"], 0.2),
+    (["sections", 0, "shape"], "box"),
+    (["sections"], [{"id": "s", "shape": "circle", "d": 0.2, "tw": 0.01}]),
+    (["sections"], [{"id": "s", "shape": "circle", "d": 0.2, "profile": "IPE 300"}]),
+    (["members", 0, "nodes"], ["A"]),
+    (["members", 0, "material"], None),
+    (["members", 0, "section"], None),
+    (["members", 0, "theory"], "bernoulli"),
+    (["members", 0, "foundation"], {"z": 5}),
+    (["members", 0, "up"], [0, 1]),
+    (["members", 0, "start"], {"release": "rz"}),
+    (["load_cases", 0, "id"], None),
+    (["load_cases", 0, "self_weight"], "1"),
+    (["load_cases", 0, "members", 0, "kind"], "distribute"),
+    (["load_cases", 0, "members", 0, "qy"], [-1, -2, -3]),
+    (["load_cases", 0, "members", 0, "from"], "half%"),
+    (["load_cases", 0, "members", 0, "at"], 1),
+    (["load_cases", 0, "members", 0, "axes"], "member"),
+    (["combinations"], [{"id": "U", "factors": {"G": "1.35"}}]),
+    (["expected", 0, "value"], None),
+    (["expected", 0, "quantity"], "deflection"),
+    (["expected", 0, "which"], 0),
+    (["expected", 0, "rtol"], -1),
+    (["author"], "nobody"),
+]
+
+
+def changed(path, value):
+    model = copy.deepcopy(SOUND)
+    place = model
+    for step in path[:-1]:
+        place = place[step]
+    if value is None:
+        del place[path[-1]]
+    else:
+        place[path[-1]] = value
+    return model
+
+
+class Schema(unittest.TestCase):
+    def test_it_is_a_schema_of_2020_12(self):
+        Draft202012Validator.check_schema(SCHEMA)
+
+    def test_it_accepts_every_example_and_every_case(self):
+        files = sorted((ROOT / "examples").glob("*.json")) + sorted((ROOT / "tests/cases").rglob("*.json"))
+        files.append(ROOT / "tests/femoop/io/everything.json")
+        self.assertGreater(len(files), 50)
+        for file in files:
+            with self.subTest(file=file.name):
+                VALIDATOR.validate(json.loads(file.read_text(encoding="utf-8")))
+
+    def test_it_accepts_the_sound_model(self):
+        VALIDATOR.validate(SOUND)
+
+    def test_it_refuses_each_bad_one(self):
+        for path, value in BAD:
+            with self.subTest(path=path, value=value):
+                self.assertFalse(VALIDATOR.is_valid(changed(path, value)))
+
+    def test_every_key_that_it_knows_is_used_in_the_file_that_says_everything(self):
+        said = set()
+
+        def collect(value):
+            if isinstance(value, dict):
+                said.update(value)
+                for inner in value.values():
+                    collect(inner)
+            elif isinstance(value, list):
+                for inner in value:
+                    collect(inner)
+
+        collect(json.loads((ROOT / "tests/femoop/io/everything.json").read_text(encoding="utf-8")))
+        known = {key for part in [SCHEMA, *SCHEMA["$defs"].values()] for key in part.get("properties", {})}
+        in_space = {"uz", "rx", "ry", "fz", "mx", "my", "qz", "up"}
+        ends = {key for key in known if key.startswith(("start_", "end_"))}
+        sizes = {"b", "bf", "tf", "tw"}
+        self.assertEqual(known - said - in_space - ends - sizes - {"influence"}, set())
+
+
+if __name__ == "__main__":
+    sys.exit(unittest.main(verbosity=2))

@@ -1,0 +1,133 @@
+#include "ui/context/imgui_session.h"
+
+#include "tests/golden/scene.h"
+#include "ui/context/offscreen.h"
+#include "ui/paint/painter.h"
+
+#include <doctest/doctest.h>
+
+#include <imgui.h>
+
+namespace {
+
+/// A session on a small off-screen picture with one window in it, for tests to play with.
+struct Stage {
+    explicit Stage(double scale)
+        : context({.size = {static_cast<int>(300 * scale), static_cast<int>(200 * scale)}, .scale = scale}),
+          session(context, fonts, ui::Theme(ui::ThemeName::Light))
+    {}
+
+    /// One frame in which `widgets` stand in a window that fills the picture.
+    template <class Widgets> void frame(const ui::Input& input, const Widgets& widgets)
+    {
+        session.begin_frame(input);
+        ImGui::SetNextWindowPos({0.0F, 0.0F});
+        ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
+        ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration);
+        widgets();
+        ImGui::End();
+        session.end_frame();
+    }
+
+    ui::Fonts fonts;
+    ui::Offscreen context;
+    ui::ImGuiSession session;
+};
+
+bool has_renderer()
+{
+    const ui::Fonts fonts;
+    return golden::drawn(ui::Picture({4.0, 4.0}), fonts, {.size = {4.0, 4.0}}).has_value();
+}
+
+} // namespace
+
+TEST_SUITE_BEGIN("widgets off screen");
+
+TEST_CASE("A press and a release over a button click it, at every scale")
+{
+    if (!has_renderer()) return;
+    for (const double scale : {1.0, 2.0}) {
+        CAPTURE(scale);
+        Stage stage(scale);
+        ui::Point middle;
+        int n_clicks = 0;
+        const auto button = [&] {
+            if (ImGui::Button("Solve")) ++n_clicks;
+            const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
+            middle = ui::Point{static_cast<double>(a.x + b.x), static_cast<double>(a.y + b.y)} / (2.0 * scale);
+        };
+        stage.frame({}, button);
+        stage.frame({}, button);
+        ui::Input hover{.pointer = middle}, press = hover;
+        press.is_button_down[0] = true;
+        stage.frame(hover, button);
+        stage.frame(press, button);
+        stage.frame(hover, button);
+        CHECK(n_clicks == 1);
+    }
+}
+
+TEST_CASE("Typed letters and a key that goes down and up in one frame reach a text field")
+{
+    if (!has_renderer()) return;
+    Stage stage(1.0);
+    char text[32] = "";
+    bool is_entered = false;
+    const auto field = [&] {
+        ImGui::SetKeyboardFocusHere();
+        is_entered = ImGui::InputText("##name", text, sizeof text, ImGuiInputTextFlags_EnterReturnsTrue) || is_entered;
+    };
+    stage.frame({}, field);
+    stage.frame({}, field);
+    stage.frame({.text = "vão 2"}, field);
+    stage.frame({}, field);
+    CHECK(std::string(text) == "vão 2");
+    const auto enter = [&] {
+        is_entered = ImGui::InputText("##name", text, sizeof text, ImGuiInputTextFlags_EnterReturnsTrue) || is_entered;
+    };
+    stage.frame({.keys = {{ui::Key::Enter, true}, {ui::Key::Enter, false}}}, enter);
+    stage.frame({}, enter);
+    CHECK(is_entered);
+}
+
+TEST_CASE("A picture shown in a window lies where it was put, under the widgets")
+{
+    if (!has_renderer()) return;
+    Stage stage(2.0);
+    ui::Painter painter({20.0, 10.0}, stage.fonts);
+    painter.rectangle(painter.sheet(), ui::rgb(0x0072B2));
+    stage.session.begin_frame({});
+    stage.session.show(painter.picture(), *ImGui::GetBackgroundDrawList(), {100.0, 60.0});
+    stage.session.end_frame();
+    const ui::Pixels pixels = stage.context.pixels();
+    CHECK(pixels.at(120, 70)[2] == 0xB2);
+    CHECK(pixels.at(139, 79)[2] == 0xB2);
+    CHECK(pixels.at(141, 70)[2] == 0xFF);
+    CHECK(pixels.at(99, 70)[2] == 0xFF);
+}
+
+TEST_CASE("Another theme takes effect at the next frame")
+{
+    if (!has_renderer()) return;
+    Stage stage(1.0);
+    const ui::Theme dark(ui::ThemeName::Dark);
+    stage.session.set_theme(dark);
+    stage.session.begin_frame({});
+    stage.session.end_frame();
+    CHECK(stage.context.pixels().at(5, 5)[0] == dark.background().r);
+}
+
+TEST_CASE("Two sessions do not disturb one another")
+{
+    if (!has_renderer()) return;
+    Stage first(1.0), second(1.0);
+    int n_first = 0, n_second = 0;
+    first.frame({}, [&] { n_first = ImGui::GetFrameCount(); });
+    first.frame({}, [&] { n_first = ImGui::GetFrameCount(); });
+    second.frame({}, [&] { n_second = ImGui::GetFrameCount(); });
+    CHECK(n_first == 2);
+    CHECK(n_second == 1);
+}
+
+TEST_SUITE_END();

@@ -1,0 +1,244 @@
+#include "ui/paint/label_placement.h"
+
+#include "ui/paint/label/obstacle_map.h"
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <random>
+
+namespace {
+
+constexpr ui::Box room{{0.0, 0.0}, {900.0, 600.0}};
+
+ui::OrientedBox box_of(const ui::Label& label, const ui::PlacedLabel& place)
+{
+    return {place.center, label.size, label.rotation};
+}
+
+ui::Point anywhere(std::mt19937& random)
+{
+    std::uniform_real_distribution<double> x(room.min.x, room.max.x), y(room.min.y, room.max.y);
+    const double at_x = x(random);
+    return {at_x, y(random)};
+}
+
+/// Labels of the size of "-12.5 kN", some of them slanted.
+std::vector<ui::Label> crowd(std::mt19937& random, std::size_t n)
+{
+    std::uniform_real_distribution<double> width(20.0, 70.0), angle(-1.2, 1.2);
+    std::vector<ui::Label> labels(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        labels[i] = {.target = anywhere(random), .size = {width(random), 13.0}};
+        labels[i].priority = static_cast<double>(i % 5);
+        if (i % 3 == 0) labels[i].rotation = angle(random);
+        if (i % 2 == 0) labels[i].wishes = {labels[i].target + ui::Point{0.0, -14.0}};
+    }
+    return labels;
+}
+
+struct Segment {
+    ui::Point a;
+    ui::Point b;
+};
+
+} // namespace
+
+TEST_SUITE_BEGIN("label placement");
+
+TEST_CASE("A label alone gets its first wish")
+{
+    const ui::LabelPlacer placer({.room = room});
+    const std::vector<ui::Label> labels = {
+        {.target = {300.0, 200.0}, .size = {40.0, 13.0}, .wishes = {{321.5, 187.25}, {270.0, 187.0}}}};
+    const auto placement = placer.place(labels);
+    REQUIRE(placement.labels[0]);
+    CHECK(placement.labels[0]->center == ui::Point{321.5, 187.25});
+    CHECK_FALSE(placement.labels[0]->leader);
+}
+
+TEST_CASE("A label whose first wish lies on a line gets its second one")
+{
+    ui::LabelPlacer placer({.room = room});
+    placer.obstacles().add_segment({0.0, 187.0}, {900.0, 190.0}, 3.0);
+    const std::vector<ui::Label> labels = {
+        {.target = {300.0, 200.0}, .size = {40.0, 13.0}, .wishes = {{321.5, 187.25}, {330.0, 215.0}}}};
+    REQUIRE(placer.place(labels).labels[0]);
+    CHECK(placer.place(labels).labels[0]->center == ui::Point{330.0, 215.0});
+}
+
+TEST_CASE("Of two labels that want one place the one of higher priority has it")
+{
+    const ui::LabelPlacer placer({.room = room});
+    const ui::Label humble{.target = {300.0, 200.0}, .size = {40.0, 13.0}, .wishes = {{320.0, 190.0}}, .priority = 1.0};
+    ui::Label proud = humble;
+    proud.priority = 2.0;
+    const auto placement = placer.place(std::vector{humble, proud});
+    REQUIRE(placement.labels[0]);
+    REQUIRE(placement.labels[1]);
+    CHECK(placement.labels[1]->center == ui::Point{320.0, 190.0});
+    CHECK(placement.labels[0]->center != ui::Point{320.0, 190.0});
+}
+
+TEST_CASE("In random crowds no label covers another, an obstacle or a leader, and none leaves the room")
+{
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+        CAPTURE(seed);
+        std::mt19937 random(seed);
+        const auto labels = crowd(random, 20 + 12 * seed);
+        ui::LabelPlacer placer({.room = room});
+        std::vector<Segment> segments;
+        for (int i = 0; i < 40; ++i) {
+            const ui::Point a = anywhere(random), far = anywhere(random);
+            segments.push_back({a, a + 0.3 * (far - a)});
+            placer.obstacles().add_segment(segments.back().a, segments.back().b, 3.0);
+        }
+        const ui::Point corner = anywhere(random);
+        const std::vector<ui::Point> triangle = {corner, corner + ui::Point{90.0, 20.0},
+                                                 corner + ui::Point{30.0, 120.0}};
+        placer.obstacles().add_polygon(triangle);
+
+        const auto placement = placer.place(labels);
+        REQUIRE(placement.labels.size() == labels.size());
+        std::vector<ui::OrientedBox> boxes;
+        std::vector<ui::Leader> leaders;
+        std::vector<std::size_t> owner, leader_owner;
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+            if (!placement.labels[i]) continue;
+            boxes.push_back(box_of(labels[i], *placement.labels[i]));
+            owner.push_back(i);
+            if (placement.labels[i]->leader) {
+                leaders.push_back(*placement.labels[i]->leader);
+                leader_owner.push_back(i);
+            }
+        }
+        int n_faults = 0;
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            n_faults += room.contains(boxes[i].bounds()) ? 0 : 1;
+            for (std::size_t j = 0; j < i; ++j) n_faults += boxes[i].overlaps(boxes[j]) ? 1 : 0;
+            for (const Segment& s : segments) n_faults += boxes[i].meets_segment(s.a, s.b) ? 1 : 0;
+            for (std::size_t k = 0; k < 3; ++k)
+                n_faults += boxes[i].meets_segment(triangle[k], triangle[(k + 1) % 3]) ? 1 : 0;
+            for (std::size_t k = 0; k < leaders.size(); ++k)
+                if (leader_owner[k] != owner[i])
+                    n_faults += boxes[i].meets_segment(leaders[k].from, leaders[k].to) ? 1 : 0;
+        }
+        CHECK(n_faults == 0);
+        CHECK(boxes.size() + placement.n_left_out == labels.size());
+    }
+}
+
+TEST_CASE("A hundred and sixty labels, a fifth of the sheet, are all placed")
+{
+    std::mt19937 random(7);
+    const auto labels = crowd(random, 160);
+    const ui::LabelPlacer placer({.room = room});
+    CHECK(placer.place(labels).n_left_out == 0);
+}
+
+TEST_CASE("The same labels are placed in the same way every time")
+{
+    std::mt19937 random(11);
+    const auto labels = crowd(random, 200);
+    const ui::LabelPlacer placer({.room = room});
+    const auto first = placer.place(labels), second = placer.place(labels);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        REQUIRE(first.labels[i].has_value() == second.labels[i].has_value());
+        if (first.labels[i]) CHECK(first.labels[i]->center == second.labels[i]->center);
+    }
+}
+
+TEST_CASE("A label that must go far gets a leader from its border to its target")
+{
+    ui::LabelPlacer placer({.room = room});
+    const ui::Point target{450.0, 300.0};
+    placer.obstacles().add_disc(target, 60.0);
+    const std::vector<ui::Label> labels = {{.target = target, .size = {40.0, 13.0}}};
+    const auto placement = placer.place(labels);
+    REQUIRE(placement.labels[0]);
+    REQUIRE(placement.labels[0]->leader);
+    CHECK(placement.labels[0]->leader->to == target);
+    CHECK(ui::distance(placement.labels[0]->leader->from, target) >= 60.0);
+}
+
+TEST_CASE("A label covers a soft obstacle only where all else is full, and a hard one never")
+{
+    ui::LabelPlacer soft({.room = room}), hard({.room = room});
+    soft.obstacles().add_box(room, ui::Firmness::Soft);
+    hard.obstacles().add_box(room, ui::Firmness::Hard);
+    const std::vector<ui::Label> labels = {{.target = {450.0, 300.0}, .size = {40.0, 13.0}}};
+    CHECK(soft.place(labels).n_left_out == 0);
+    CHECK(hard.place(labels).n_left_out == 1);
+    soft.obstacles().add_box({{0.0, 0.0}, {450.0, 600.0}}, ui::Firmness::Hard);
+    REQUIRE(soft.place(labels).labels[0]);
+    CHECK(soft.place(labels).labels[0]->center.x - 20.0 > 450.0);
+}
+
+TEST_CASE("What is left out has the lowest priority")
+{
+    const ui::Box slot{{0.0, 0.0}, {100.0, 20.0}}; // room for two
+    const ui::LabelPlacer placer({.room = slot});
+    std::vector<ui::Label> labels;
+    for (const double priority : {1.0, 3.0, 0.5, 2.0})
+        labels.push_back({.target = {50.0, 10.0},
+                          .size = {44.0, 13.0},
+                          .wishes = {{23.0, 10.0}, {77.0, 10.0}},
+                          .priority = priority});
+    const auto placement = placer.place(labels);
+    CHECK(placement.n_left_out == 2);
+    CHECK(placement.labels[1]);
+    CHECK(placement.labels[3]);
+}
+
+TEST_CASE("A label moves aside for another that has no choice")
+{
+    const ui::LabelPlacer placer({.room = {{0.0, 0.0}, {300.0, 20.0}}});
+    const std::vector<ui::Label> labels = {
+        {.target = {50.0, 10.0},
+         .size = {44.0, 13.0},
+         .wishes = {{50.0, 10.0}, {150.0, 10.0}},
+         .priority = 2.0,
+         .reach = 0.0},
+        {.target = {50.0, 10.0}, .size = {44.0, 13.0}, .wishes = {{50.0, 10.0}}, .priority = 1.0, .reach = 0.0}};
+    const auto placement = placer.place(labels);
+    CHECK(placement.n_left_out == 0);
+    REQUIRE(placement.labels[0]);
+    CHECK(placement.labels[0]->center.x == 150.0);
+}
+
+TEST_CASE("A label with a target that is not finite is left out and harms nobody")
+{
+    const ui::LabelPlacer placer({.room = room});
+    const std::vector<ui::Label> labels = {{.target = {std::nan(""), 10.0}, .size = {44.0, 13.0}},
+                                           {.target = {50.0, 50.0}, .size = {44.0, 13.0}}};
+    const auto placement = placer.place(labels);
+    CHECK(placement.n_left_out == 1);
+    CHECK(placement.labels[1]);
+}
+
+TEST_CASE("The map of obstacles answers for every box as the obstacles themselves do")
+{
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> width(0.0, 9.0), side(3.0, 80.0), angle(-1.5, 1.5);
+    ui::LabelObstacles obstacles(room);
+    for (int i = 0; i < 60; ++i) {
+        const ui::Point a = anywhere(random), far = anywhere(random);
+        const auto firmness = i % 3 == 0 ? ui::Firmness::Soft : ui::Firmness::Hard;
+        obstacles.add_segment(a, a + 0.2 * (far - a), width(random), firmness);
+        if (i % 10 == 0) obstacles.add_box({a, a + ui::Point{70.0, 50.0}}, firmness);
+    }
+    const ui::ObstacleMap map(obstacles);
+    int n_free = 0, n_other = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const double w = side(random);
+        const ui::OrientedBox box(anywhere(random), {w, side(random)}, i % 4 == 0 ? angle(random) : 0.0);
+        const ui::Ground exact = obstacles.ground_of(box);
+        n_free += exact == ui::Ground::Free ? 1 : 0;
+        n_other += map.ground_of(box) != exact ? 1 : 0;
+    }
+    CHECK(n_other == 0);
+    CHECK(n_free > 2000); // both answers occur
+    CHECK(n_free < 18'000);
+}
+
+TEST_SUITE_END();

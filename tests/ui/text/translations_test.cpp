@@ -1,0 +1,127 @@
+// Every sentence of the programs has a translation, every translation is of a sentence, and both have the same places.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+
+#include "femoop/model/fault.h"
+#include "ui/text/catalogue.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// The string literals, adjacent ones joined, from `place` on; empty if none stands there.
+std::string literal(const std::string& source, std::size_t place)
+{
+    std::string text;
+    const auto skip_blanks = [&] {
+        while (place < source.size() && std::isspace(static_cast<unsigned char>(source[place])) != 0) ++place;
+    };
+    skip_blanks();
+    while (place < source.size() && source[place] == '"') {
+        for (++place; place < source.size() && source[place] != '"'; ++place) {
+            if (source[place] == '\\') ++place;
+            const bool is_newline = source[place] == 'n' && source[place - 1] == '\\';
+            text += is_newline ? '\n' : source[place];
+        }
+        ++place;
+        skip_blanks();
+    }
+    return text;
+}
+
+bool is_word_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+void collect(const std::string& source, const std::string& opening, std::set<std::string>& sentences)
+{
+    for (std::size_t at = source.find(opening); at != std::string::npos; at = source.find(opening, at + 1)) {
+        const bool is_whole_word = at == 0 || !is_word_letter(source[at - 1]);
+        const std::string sentence = is_whole_word ? literal(source, at + opening.size()) : "";
+        if (!sentence.empty()) sentences.insert(sentence);
+    }
+}
+
+// Comments are left out: they may show `tr("...")` as an example.
+std::string without_comments(const std::string& source)
+{
+    std::string code;
+    std::size_t begin = 0;
+    while (begin < source.size()) {
+        const std::size_t end = std::min(source.find('\n', begin), source.size());
+        const std::string line = source.substr(begin, end - begin);
+        const std::size_t first = line.find_first_not_of(" \t");
+        if (first == std::string::npos || line.compare(first, 2, "//") != 0) code += line + '\n';
+        begin = end + 1;
+    }
+    return code;
+}
+
+std::set<std::string> sentences_in_sources()
+{
+    std::set<std::string> sentences;
+    for (const char* folder : {"femoop", "ui", "apps"}) {
+        for (const auto& entry : fs::recursive_directory_iterator(fs::path(CREMONA_SOURCE_DIR) / folder)) {
+            const std::string extension = entry.path().extension().string();
+            if (extension != ".cpp" && extension != ".h") continue;
+            const std::string source = without_comments(text_of(entry.path()));
+            for (const char* opening : {"tr(", "tr_(", "tr()(", "translatable("}) collect(source, opening, sentences);
+        }
+    }
+    for (int kind = 0; !femoop::pattern(static_cast<femoop::FaultKind>(kind)).empty(); ++kind)
+        sentences.emplace(femoop::pattern(static_cast<femoop::FaultKind>(kind)));
+    return sentences;
+}
+
+} // namespace
+
+TEST_SUITE("ui text")
+{
+    TEST_CASE("Every sentence in the sources and every fault has a Portuguese translation")
+    {
+        const ui::Catalogue tr(ui::Language::Portuguese);
+        const std::set<std::string> sentences = sentences_in_sources();
+        REQUIRE(sentences.size() > 6);
+        for (const std::string& sentence : sentences) {
+            CAPTURE(sentence);
+            CHECK(tr.has(sentence));
+        }
+    }
+
+    TEST_CASE("Every Portuguese translation is of a sentence that is still there, and stands once")
+    {
+        const std::set<std::string> sentences = sentences_in_sources();
+        std::set<std::string> seen;
+        for (const ui::PoEntry& entry : ui::compiled_entries(ui::Language::Portuguese)) {
+            CAPTURE(entry.id);
+            CHECK(sentences.contains(entry.id));
+            CHECK(seen.insert(entry.id).second);
+        }
+    }
+
+    TEST_CASE("A translation has the places of its sentence, no more and no fewer")
+    {
+        for (const ui::PoEntry& entry : ui::compiled_entries(ui::Language::Portuguese)) {
+            CAPTURE(entry.id);
+            CHECK(ui::places(entry.id) == ui::places(entry.text));
+        }
+    }
+
+    TEST_CASE("The search for sentences joins literals, reads escapes and passes over other words")
+    {
+        std::set<std::string> found;
+        collect("x = tr(\"say \\\"a\\\" \"\n \"b\"); str(\"no\"); tr(name);", "tr(", found);
+        CHECK(found == std::set<std::string>{"say \"a\" b"});
+    }
+}
