@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <memory>
 #include <memory_resource>
 #include <optional>
@@ -76,12 +75,6 @@ private:
 
 class JsonValue::Iterator {
 public:
-    using iterator_category = std::input_iterator_tag;
-    using value_type = JsonValue;
-    using difference_type = std::ptrdiff_t;
-    using pointer = const JsonValue*;
-    using reference = JsonValue;
-
     Iterator() = default;
     explicit Iterator(JsonValue value) : value_(value) {}
     JsonValue operator*() const { return value_; }

@@ -109,7 +109,7 @@ std::vector<PoEntry> compiled_entries(Language language)
 {
     std::vector<PoEntry> all;
     if (language == Language::English) return all;
-    for (const std::string_view file : compiled_pt_BR()) {
+    for (const std::string_view file : compiled_portuguese()) {
         const std::vector<PoEntry> entries = read_po(file);
         all.insert(all.end(), entries.begin(), entries.end());
     }

@@ -20,7 +20,7 @@ ${arrays}} // namespace
 
 namespace ui {
 
-std::vector<std::string_view> compiled_pt_BR()
+std::vector<std::string_view> compiled_portuguese()
 {
     return {
 ${list}    };

@@ -17,7 +17,7 @@ namespace frame {
 
 namespace {
 
-enum ExitStatus : int { done = 0, answer_is_no = 1, bad_input = 2 };
+enum ExitStatus : int { Done = 0, AnswerIsNo = 1, BadInput = 2 };
 
 // What the options ask for is in the session; a file that cannot be opened leaves a notice in it.
 Session begin(const Options& options)
@@ -69,7 +69,7 @@ int take_screenshot(const Options& options, Session session)
     Application application(context, fonts, std::move(session));
     for (int i = 0; i < 3; ++i) application.frame({}); // widgets find their sizes in the first ones
     ui::write_png(*options.screenshot, context.pixels());
-    return done;
+    return Done;
 }
 
 int play_scenario(const Options& options, Session session)
@@ -77,7 +77,7 @@ int play_scenario(const Options& options, Session session)
     std::ifstream file(*options.play, std::ios::binary);
     if (!file) {
         std::cerr << "frame: " << session.view.tr("cannot read {file}", {{"file", options.play->string()}}) << '\n';
-        return bad_input;
+        return BadInput;
     }
     const std::string script{std::istreambuf_iterator<char>(file), {}};
     const ui::Fonts fonts;
@@ -89,9 +89,9 @@ int play_scenario(const Options& options, Session session)
         });
     } catch (const ui::ScenarioError& error) {
         std::cerr << "frame: " << options.play->string() << ": " << error.what() << '\n';
-        return answer_is_no;
+        return AnswerIsNo;
     }
-    return done;
+    return Done;
 }
 
 bool is_quiet(const ui::Input& input, const std::optional<ui::Point>& pointer_before)
@@ -126,7 +126,7 @@ int show_window(const Options& options, Session session)
             application.ask_to_quit();
         }
     }
-    return done;
+    return Done;
 }
 
 } // namespace
@@ -137,9 +137,9 @@ int run(const Options& options)
     const bool is_headless = options.screenshot || options.play;
     if (is_headless && session.notice) {
         print(*session.notice, session.view.tr);
-        return bad_input;
+        return BadInput;
     }
-    if (!choose_case(session, options)) return bad_input;
+    if (!choose_case(session, options)) return BadInput;
     if (options.play) return play_scenario(options, std::move(session));
     if (options.screenshot) return take_screenshot(options, std::move(session));
     if (!ui::Window::has_display()) {
@@ -147,7 +147,7 @@ int run(const Options& options)
                   << session.view.tr("there is no display to open a window on; --screenshot OUT.png draws without one, "
                                      "and so does cremona render")
                   << '\n';
-        return bad_input;
+        return BadInput;
     }
     return show_window(options, std::move(session));
 }

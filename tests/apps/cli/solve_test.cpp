@@ -225,8 +225,9 @@ TEST_CASE("A file that is missing, a folder, empty or cut off is told in a sente
         {folder.write("empty.json", ""), "the file is empty"},
         {folder.write("cut.json", cantilever().substr(0, 300)), "is it cut off?"},
         {"", "the name of the file is empty"}};
-    for (const auto& [file, sentence] : faults) {
-        CAPTURE(file);
+    for (const auto& fault : faults) {
+        const auto& [file, sentence] = fault;
+        CAPTURE(fault.first);
         const Run run = file.empty() ? cremona({"solve"}) : cremona({"solve", file, "--json"});
         CHECK(run.status == 2);
         CHECK(run.out.empty());
