@@ -44,7 +44,12 @@ JsonValue::Iterator JsonValue::end() const
     return Iterator(JsonValue(document_, document_ ? document_->entries_[index_].end : 0));
 }
 
-std::size_t JsonValue::size() const { return static_cast<std::size_t>(std::distance(begin(), end())); }
+std::size_t JsonValue::size() const
+{
+    std::size_t n = 0;
+    for (Iterator it = begin(); it != end(); ++it) ++n;
+    return n;
+}
 
 JsonValue::Iterator& JsonValue::Iterator::operator++()
 {
