@@ -112,7 +112,8 @@ public:
 
     void operator()(MemberLoadPlace p)
     {
-        std::visit([this](auto& load) { this->member_load(load); }, model_.load_cases[p.load_case].members[p.load].load);
+        std::visit([this](auto& load) { this->member_load(load); },
+                   model_.load_cases[p.load_case].members[p.load].load);
     }
 
 private:
