@@ -24,9 +24,9 @@ std::vector<std::string_view> component_names(AnalysisKind kind)
 void ModelReader::read_expected(JsonValue list)
 {
     for_each(list, {}, [this](JsonValue value, const Place& place) {
-        const std::size_t before = reader_.n_faults();
+        const std::size_t before = reader_.n_troubles();
         model.expected.push_back(expected(value, place));
-        unreadable_.expected.push_back(reader_.n_faults() != before);
+        unreadable_.expected.push_back(reader_.n_troubles() != before);
     });
 }
 

@@ -53,14 +53,15 @@ LoadCase ModelReader::load_case(JsonValue value, const Place& place)
 {
     const auto [id, self_weight, nodes, settlements, members] = reader_.fields(value, case_keys, place);
     LoadCase load_case;
-    load_case.id = reader_.text(id, place).value_or("");
+    load_case.id = reader_.id(id, place);
+    unreadable_.load_cases.push_back(load_case.id.empty());
     load_case.self_weight = reader_.number(self_weight, place).value_or(0.0);
     const auto read_all = [&](JsonValue list, auto& loads, std::vector<std::vector<bool>>& marks, auto read) {
         auto& marked = marks.emplace_back();
         for_each(list, place, [&](JsonValue entry, const Place& here) {
-            const std::size_t before = reader_.n_faults();
+            const std::size_t before = reader_.n_troubles();
             loads.push_back((this->*read)(entry, here));
-            marked.push_back(reader_.n_faults() != before);
+            marked.push_back(reader_.n_troubles() != before);
         });
     };
     read_all(nodes, load_case.nodes, unreadable_.node_loads, &ModelReader::node_load);
@@ -220,9 +221,9 @@ Misfit ModelReader::misfit(JsonValue value, const Place& place)
 void ModelReader::read_combinations(JsonValue list)
 {
     for_each(list, {}, [this](JsonValue value, const Place& place) {
-        const std::size_t before = reader_.n_faults();
+        const std::size_t before = reader_.n_troubles();
         model.combinations.push_back(combination(value, place));
-        unreadable_.combinations.push_back(reader_.n_faults() != before);
+        unreadable_.combinations.push_back(reader_.n_troubles() != before);
     });
 }
 
@@ -230,7 +231,7 @@ Combination ModelReader::combination(JsonValue value, const Place& place)
 {
     const auto [id, factors] = reader_.fields(value, combination_keys, place);
     Combination combination;
-    combination.id = reader_.text(id, place).value_or("");
+    combination.id = reader_.id(id, place);
     if (!reader_.is_object(factors, place)) return combination;
     const Place here = place.key("factors");
     for (const JsonValue factor : factors) {

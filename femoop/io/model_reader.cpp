@@ -36,24 +36,27 @@ ModelReader::ModelReader(JsonValue file, std::vector<Fault> faults)
     read_nodes(nodes);
     read_members(members);
     cases_ = names_of(load_cases);
-    for (const auto& [name, index] : names_of(combinations)) cases_.emplace(name, load_cases.size() + index);
+    const NameTable combined = names_of(combinations);
+    for (const auto& [name, index] : combined.entries) cases_.entries.emplace(name, load_cases.size() + index);
+    cases_.n_lost += combined.n_lost;
+    cases_.is_lost = cases_.is_lost || combined.is_lost;
     read_load_cases(load_cases);
     read_combinations(combinations);
     read_expected(expected);
     keep_extra_blocks(file);
-    unreadable_.is_incomplete = reader_.n_faults() > 0;
+    unreadable_.is_incomplete = reader_.n_troubles() > 0;
 }
 
 void ModelReader::read_header(JsonValue cremona, JsonValue analysis, JsonValue units, JsonValue mass)
 {
     const Place top;
-    const std::size_t before = reader_.n_faults();
+    const std::size_t before = reader_.n_troubles();
     const auto found = reader_.number(cremona, top);
     if (found && *found != format) reader_.add({FaultKind::UnknownFormat, {compact_json(cremona)}});
     if (const auto kind = reader_.choice(analysis, names::analyses, top))
         model.analysis = static_cast<AnalysisKind>(*kind);
     read_units(units);
-    unreadable_.header = reader_.n_faults() != before || !analysis.is_present() || !units.is_present();
+    unreadable_.header = reader_.n_troubles() != before || !analysis.is_present() || !units.is_present();
     if (const auto kind = reader_.choice(mass, names::masses, top)) model.mass = static_cast<MassKind>(*kind);
 }
 
@@ -88,15 +91,22 @@ std::string_view ModelReader::id_of(JsonValue entry)
 
 ModelReader::NameTable ModelReader::names_of(JsonValue list)
 {
-    NameTable table;
-    if (!list.is(JsonKind::Array)) return table;
+    NameTable table{.is_lost = list.is_present() && !list.is(JsonKind::Array)};
     std::size_t i = 0;
-    for (const JsonValue entry : list) table.emplace(id_of(entry), i++);
-    table.erase(std::string_view());
+    if (!table.is_lost)
+        for (const JsonValue entry : list) table.entries.emplace(id_of(entry), i++);
+    table.entries.erase(std::string_view());
+    table.n_lost = i - table.entries.size();
     return table;
 }
 
-std::size_t ModelReader::reference(JsonValue value, const NameTable& names, Missing missing, const Place& place)
+bool ModelReader::NameTable::excuses(std::string_view name)
+{
+    if (is_lost || excused.contains(name)) return true;
+    return excused.size() < n_lost && excused.insert(name).second;
+}
+
+std::size_t ModelReader::reference(JsonValue value, NameTable& names, Missing missing, const Place& place)
 {
     if (!value.is_present()) return nowhere;
     if (!value.is(JsonKind::String)) {
@@ -106,15 +116,19 @@ std::size_t ModelReader::reference(JsonValue value, const NameTable& names, Miss
     return lookup(value.text(), names, missing, place);
 }
 
-std::size_t ModelReader::lookup(std::string_view id, const NameTable& names, Missing missing, const Place& place)
+std::size_t ModelReader::lookup(std::string_view id, NameTable& names, Missing missing, const Place& place)
 {
-    const auto found = names.find(id);
-    if (found != names.end()) return found->second;
+    const auto found = names.entries.find(id);
+    if (found != names.entries.end()) return found->second;
+    if (names.excuses(id)) {
+        reader_.excuse();
+        return nowhere;
+    }
     // Comparing with every name is slow: in a file with hundreds of errors, only the first ones get a suggestion.
     constexpr std::size_t patience = 100;
     std::vector<std::string_view> known;
-    if (reader_.n_faults() < patience)
-        for (const auto& [name, index] : names) known.push_back(name);
+    if (reader_.n_troubles() < patience)
+        for (const auto& [name, index] : names.entries) known.push_back(name);
     std::sort(known.begin(), known.end());
     auto near = nearest(id, known);
     std::vector<std::string> details{place.text(), std::string(id)};

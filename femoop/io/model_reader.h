@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "femoop/io/json_document.h"
@@ -27,7 +28,16 @@ public:
     const Unreadable& unreadable() const { return unreadable_; }
 
 private:
-    using NameTable = std::unordered_map<std::string_view, std::size_t>;
+    /// The names of a list. A name that is not in it may be that of an entry whose own name cannot be read: each such
+    /// entry, which is a fault already, excuses one unknown name.
+    struct NameTable {
+        std::unordered_map<std::string_view, std::size_t> entries;
+        std::size_t n_lost = 0; ///< entries whose name is missing, no text or taken
+        bool is_lost = false;   ///< the list itself cannot be read
+        std::unordered_set<std::string_view> excused = {};
+
+        bool excuses(std::string_view name);
+    };
 
     // model_reader.cpp
     void read_header(JsonValue format, JsonValue analysis, JsonValue units, JsonValue mass);
@@ -39,8 +49,8 @@ private:
     struct Missing {
         FaultKind plain, near; ///< without and with a suggestion
     };
-    std::size_t reference(JsonValue value, const NameTable& names, Missing missing, const Place& place);
-    std::size_t lookup(std::string_view name, const NameTable& names, Missing missing, const Place& place);
+    std::size_t reference(JsonValue value, NameTable& names, Missing missing, const Place& place);
+    std::size_t lookup(std::string_view name, NameTable& names, Missing missing, const Place& place);
 
     // structure_reader.cpp
     void read_materials(JsonValue list);

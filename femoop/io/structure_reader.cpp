@@ -28,9 +28,9 @@ void ModelReader::read_materials(JsonValue list)
 {
     materials_ = names_of(list);
     for_each(list, {}, [this](JsonValue value, const Place& place) {
-        const std::size_t before = reader_.n_faults();
+        const std::size_t before = reader_.n_troubles();
         model.materials.push_back(material(value, place));
-        unreadable_.materials.push_back(reader_.n_faults() != before);
+        unreadable_.materials.push_back(reader_.n_troubles() != before);
     });
 }
 
@@ -38,7 +38,7 @@ Material ModelReader::material(JsonValue value, const Place& place)
 {
     const auto [id, E, nu, G, alpha, density, fy] = reader_.fields(value, material_keys, place);
     Material material;
-    material.id = reader_.text(id, place).value_or("");
+    material.id = reader_.id(id, place);
     material.E = reader_.quantity(E, dimension::stress, place).value_or(0.0);
     material.nu = reader_.quantity(nu, dimension::none, place);
     material.G = reader_.quantity(G, dimension::stress, place);
@@ -52,9 +52,9 @@ void ModelReader::read_sections(JsonValue list)
 {
     sections_ = names_of(list);
     for_each(list, {}, [this](JsonValue value, const Place& place) {
-        const std::size_t before = reader_.n_faults();
+        const std::size_t before = reader_.n_troubles();
         model.sections.push_back(section(value, place));
-        unreadable_.sections.push_back(reader_.n_faults() != before);
+        unreadable_.sections.push_back(reader_.n_troubles() != before);
     });
 }
 
@@ -64,7 +64,7 @@ Section ModelReader::section(JsonValue value, const Place& place)
                 tw] = reader_.fields(value, section_keys, place);
     const auto length = [&](JsonValue field) { return reader_.quantity(field, dimension::length, place); };
     Section section;
-    section.id = reader_.text(id, place).value_or("");
+    section.id = reader_.id(id, place);
     section.profile = reader_.text(profile, place);
     section.A = reader_.quantity(A, dimension::area, place);
     section.Iz = reader_.quantity(Iz, dimension::second_moment, place);
@@ -97,10 +97,11 @@ Section ModelReader::section(JsonValue value, const Place& place)
 void ModelReader::read_nodes(JsonValue list)
 {
     nodes_ = names_of(list);
+    nodes_.is_lost = !list.is(JsonKind::Array); // a missing list is a fault
     for_each(list, {}, [this](JsonValue value, const Place& place) {
-        const std::size_t before = reader_.n_faults();
+        const std::size_t before = reader_.n_troubles();
         model.nodes.push_back(node(value, place));
-        unreadable_.nodes.push_back(reader_.n_faults() != before);
+        unreadable_.nodes.push_back(reader_.n_troubles() != before);
     });
 }
 
@@ -108,7 +109,7 @@ Node ModelReader::node(JsonValue value, const Place& place)
 {
     const auto [id, at, support_value, hinge, mass] = reader_.fields(value, node_keys, place);
     Node node;
-    node.id = reader_.text(id, place).value_or("");
+    node.id = reader_.id(id, place);
     std::vector<Quantity> coordinates = lengths(at, n_coordinates(model.analysis), place);
     for (std::size_t i = 0; i < coordinates.size(); ++i) node.at[i] = std::move(coordinates[i]);
     node.support = support(support_value, place);
@@ -146,12 +147,22 @@ std::optional<Support> ModelReader::support(JsonValue value, const Place& place)
 
 DofSet ModelReader::dof_set(JsonValue value, const Place& place)
 {
+    if (!reader_.is_list(value, place)) return {};
+    const Place here = place.key(value.key());
+    std::array<std::optional<std::size_t>, n_dofs> seen;
     DofSet dofs;
-    const Place here = place.key(value.is_present() ? value.key() : std::string_view());
-    if (!reader_.is_list(value, place)) return dofs;
     std::size_t i = 0;
-    for (const JsonValue entry : value)
-        if (const auto dof = reader_.choice(entry, names::displacements, here.entry(i++))) dofs.insert(all_dofs[*dof]);
+    for (const JsonValue entry : value) {
+        const Place own_place = here.entry(i);
+        if (const auto dof = reader_.choice(entry, names::displacements, own_place)) {
+            if (auto& first = seen[*dof])
+                reader_.add({FaultKind::RepeatedDof,
+                             {own_place.text(), std::string(names::displacements[*dof]), here.entry(*first).text()}});
+            else first = i;
+            dofs.insert(all_dofs[*dof]);
+        }
+        ++i;
+    }
     return dofs;
 }
 
@@ -188,10 +199,11 @@ std::vector<Quantity> ModelReader::lengths(JsonValue value, std::size_t n, const
 void ModelReader::read_members(JsonValue list)
 {
     members_ = names_of(list);
+    members_.is_lost = !list.is(JsonKind::Array); // a missing list is a fault
     for_each(list, {}, [this](JsonValue value, const Place& place) {
-        const std::size_t before = reader_.n_faults();
+        const std::size_t before = reader_.n_troubles();
         model.members.push_back(member(value, place));
-        unreadable_.members.push_back(reader_.n_faults() != before);
+        unreadable_.members.push_back(reader_.n_troubles() != before);
     });
 }
 
@@ -200,7 +212,7 @@ Member ModelReader::member(JsonValue value, const Place& place)
     const auto [id, nodes, material, section, start, end, theory, inextensible, unshearable, rigid, bar, tension_only,
                 compression_only, foundation_value, up] = reader_.fields(value, member_keys, place);
     Member member;
-    member.id = reader_.text(id, place).value_or("");
+    member.id = reader_.id(id, place);
     if (reader_.is_list(nodes, place) && nodes.size() != 2)
         reader_.add({FaultKind::WrongNodeCount, {place.text(), std::to_string(nodes.size())}});
     else if (nodes.is(JsonKind::Array))

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 
+#include "femoop/io/json_word.h"
+
 namespace femoop {
 
 namespace {
 
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 bool is_word(char c)
 {
@@ -76,11 +79,21 @@ std::optional<std::size_t> opening_quote(std::string_view text, std::size_t offs
     return quote;
 }
 
+std::string_view word_before(std::string_view text, std::size_t end)
+{
+    std::size_t begin = end;
+    while (begin > 0 && is_word(text[begin - 1])) --begin;
+    return text.substr(begin, end - begin);
+}
+
+bool is_json(std::string_view word) { return word.empty() || json_spelling(word) == word; }
+
 /// Where the token that the parser could not use begins; `last` is its last character or the first wrong one.
 std::size_t token_begin(std::string_view text, std::size_t last)
 {
     if (text[last] == '"') return opening_quote(text, last).value_or(last);
     std::size_t begin = last;
+    if (begin > 0 && !is_word(text[begin]) && !is_json(word_before(text, begin))) --begin; // 1. or tru before a bracket
     while (begin > 0 && is_word(text[begin]) && is_word(text[begin - 1])) --begin;
     return begin;
 }
@@ -95,21 +108,65 @@ char before(std::string_view text, std::size_t offset)
 bool ends_value(char c) { return c == '"' || c == '}' || c == ']' || is_word(c); }
 bool begins_value(char c) { return c == '"' || c == '{' || c == '[' || is_word(c); }
 
-FaultKind nature(std::string_view text, std::size_t begin, SyntaxError error)
+bool is_not_finite(std::string_view word)
 {
-    if (error == SyntaxError::NumberOverflow) return FaultKind::JsonNumberTooLarge;
-    if (error == SyntaxError::AfterEnd) return FaultKind::JsonAfterEnd;
-    const char c = text[begin];
-    const char previous = before(text, begin);
+    static constexpr std::array<std::string_view, 6> names{"NaN", "nan", "Infinity", "inf", "Inf", "∞"};
+    if (!word.empty() && (word.front() == '-' || word.front() == '+')) word.remove_prefix(1);
+    return std::find(names.begin(), names.end(), word) != names.end();
+}
+
+/// A number with a decimal comma, of which `begin` is the part behind the comma: 1,5.
+std::optional<std::string> with_comma(std::string_view text, std::size_t begin)
+{
+    if (begin < 2 || text[begin - 1] != ',' || !is_digit(text[begin])) return std::nullopt;
+    const std::string_view whole = word_before(text, begin - 1);
+    if (whole.empty() || !is_json(whole)) return std::nullopt;
+    return std::string(whole) + ',' + excerpt(text, begin);
+}
+
+/// A word that is none of JSON's: what it was meant to be.
+Fault word_fault(std::string_view text, std::size_t begin)
+{
     const std::string word = excerpt(text, begin);
-    static constexpr std::array<std::string_view, 9> not_finite{"NaN",  "nan",  "Infinity", "-Infinity", "inf",
-                                                                "-inf", "-NaN", "Inf",      "-nan"};
-    if (c == '/' || c == '#') return FaultKind::JsonComment;
-    if (c == '\'') return FaultKind::JsonSingleQuotes;
-    if (std::find(not_finite.begin(), not_finite.end(), word) != not_finite.end()) return FaultKind::JsonNotFinite;
-    if ((c == '}' || c == ']') && previous == ',') return FaultKind::JsonTrailingComma;
-    if (begins_value(c) && ends_value(previous) && begin > 0) return FaultKind::JsonMissingComma;
-    return FaultKind::JsonUnexpected;
+    if (is_not_finite(word)) return fault_at(FaultKind::JsonNotFinite, text, begin, word);
+    if (auto number = with_comma(text, begin)) {
+        Fault fault = fault_at(FaultKind::JsonDecimalComma, text, begin - (number->size() - word.size()), *number);
+        number->replace(number->find(','), 1, ".");
+        fault.arguments.push_back(*number);
+        return fault;
+    }
+    if (const auto spelling = json_spelling(word); spelling && spelling != word) {
+        Fault fault = fault_at(FaultKind::JsonSpelling, text, begin, word);
+        fault.arguments.push_back(*spelling);
+        return fault;
+    }
+    if (is_bare_quantity(word)) return fault_at(FaultKind::JsonBareQuantity, text, begin, word);
+    const bool is_numeric = is_digit(word.front()) || std::string_view("+-.").find(word.front()) != std::string::npos;
+    return fault_at(is_numeric ? FaultKind::JsonNoNumber : FaultKind::JsonBareText, text, begin, word);
+}
+
+/// A number, a blank and a unit: 5 kN. The place is that of the number.
+std::optional<Fault> spaced_quantity(std::string_view text, std::size_t begin)
+{
+    if (begin < 2 || text[begin - 1] != ' ') return std::nullopt;
+    const std::string number(word_before(text, begin - 1));
+    const std::string words = number + ' ' + excerpt(text, begin);
+    if (!is_bare_quantity(words)) return std::nullopt;
+    return fault_at(FaultKind::JsonBareQuantity, text, begin - 1 - number.size(), words);
+}
+
+Fault token_fault(std::string_view text, std::size_t begin, SyntaxError error)
+{
+    const auto fault = [&](FaultKind kind) { return fault_at(kind, text, begin, excerpt(text, begin)); };
+    if (error == SyntaxError::NumberOverflow) return fault(FaultKind::JsonNumberTooLarge);
+    if (error == SyntaxError::AfterEnd) return fault(FaultKind::JsonAfterEnd);
+    const char c = text[begin], previous = before(text, begin);
+    if (c == '/' || c == '#') return fault(FaultKind::JsonComment);
+    if (c == '\'') return fault(FaultKind::JsonSingleQuotes);
+    if ((c == '}' || c == ']') && previous == ',') return fault(FaultKind::JsonTrailingComma);
+    if (auto quantity = spaced_quantity(text, begin)) return *quantity;
+    if (begins_value(c) && ends_value(previous) && begin > 0) return fault(FaultKind::JsonMissingComma);
+    return is_word(c) ? word_fault(text, begin) : fault(FaultKind::JsonUnexpected);
 }
 
 } // namespace
@@ -164,7 +221,7 @@ Fault syntax_fault(std::string_view text, std::size_t position, SyntaxError erro
     if (is_in_text && text[last] == '\t')
         return fault_at(FaultKind::FileWithControlCharacter, text, last, hexadecimal(text[last]));
     const std::size_t begin = token_begin(text, last);
-    return fault_at(nature(text, begin, error), text, begin, excerpt(text, begin));
+    return token_fault(text, begin, error);
 }
 
 } // namespace femoop

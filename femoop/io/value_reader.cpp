@@ -29,10 +29,17 @@ void ValueReader::wrong_type(JsonValue value, std::string_view wanted, const Pla
     add({FaultKind::WrongType, {text_of(place, value), std::move(found), std::string(wanted)}});
 }
 
+void ValueReader::not_an_object(JsonValue value, const Place& own_place)
+{
+    if (!value.is_present()) return;
+    add({FaultKind::WrongType,
+         {own_place.text(), std::string(name(value.kind())), std::string(name(JsonKind::Object))}});
+}
+
 void ValueReader::unknown_key(JsonValue value, const std::vector<std::string_view>& known, const Place& place)
 {
     constexpr std::size_t patience = 1000; // a file with so many mistakes is of another kind
-    auto near = n_faults() < patience ? nearest(value.key(), known) : std::nullopt;
+    auto near = n_troubles() < patience ? nearest(value.key(), known) : std::nullopt;
     if (near) add({FaultKind::UnknownKeyNear, {text_of(place, value), std::move(*near)}});
     else add({FaultKind::UnknownKey, {text_of(place, value), joined(known)}});
 }
@@ -60,6 +67,13 @@ std::optional<std::string> ValueReader::text(JsonValue value, const Place& place
     if (value.is(JsonKind::String)) return std::string(value.text());
     wrong_type(value, name(JsonKind::String), place);
     return std::nullopt;
+}
+
+std::string ValueReader::id(JsonValue value, const Place& place)
+{
+    const auto id = text(value, place);
+    if (id && id->empty()) add({FaultKind::EmptyId, {place.text()}});
+    return id.value_or("");
 }
 
 std::optional<double> ValueReader::number(JsonValue value, const Place& place)

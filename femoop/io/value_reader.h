@@ -32,19 +32,20 @@ public:
     template <std::size_t N> std::array<JsonValue, N> fields(JsonValue object, const Keys<N>& keys, const Place& place)
     {
         std::array<JsonValue, N> found;
-        if (!is_object(object, place)) return found;
+        if (!object.is(JsonKind::Object)) not_an_object(object, place);
         for (const JsonValue value : object) {
             std::size_t i = 0;
             while (i < N && keys.names[i] != value.key()) ++i;
             if (i < N) found[i] = value;
             else unknown_key(value, {keys.names.begin(), keys.names.end()}, place);
         }
-        for (std::size_t i = 0; i < keys.n_needed; ++i)
+        for (std::size_t i = 0; i < keys.n_needed && object.is(JsonKind::Object); ++i)
             if (!found[i].is_present()) missing_key(keys.names[i], place);
         return found;
     }
 
     std::optional<std::string> text(JsonValue value, const Place& place);
+    std::string id(JsonValue value, const Place& place); ///< "" when it cannot be read, and a fault if it is ""
     std::optional<double> number(JsonValue value, const Place& place);
     bool boolean(JsonValue value, const Place& place); ///< false when absent
     std::optional<Quantity> quantity(JsonValue value, Dimension dimension, const Place& place,
@@ -63,18 +64,22 @@ public:
     bool is_list(JsonValue value, const Place& place);
 
     void wrong_type(JsonValue value, std::string_view wanted, const Place& place);
+    void not_an_object(JsonValue value, const Place& own_place); ///< a fault if it is present
     void unknown_key(JsonValue value, const std::vector<std::string_view>& known, const Place& place);
     void missing_key(std::string_view key, const Place& place);
     void add(Fault fault) { faults_.push_back(std::move(fault)); }
 
     const Units& units() const { return units_; }
     void set_units(const Units& units) { units_ = units; }
-    std::size_t n_faults() const { return faults_.size(); }
+    /// A value that cannot be understood because of a fault that is noted already.
+    void excuse() { ++n_excused_; }
+    std::size_t n_troubles() const { return faults_.size() + n_excused_; }
     std::vector<Fault> take_faults() { return std::move(faults_); }
 
 private:
     Units units_;
     std::vector<Fault> faults_;
+    std::size_t n_excused_ = 0;
 };
 
 } // namespace femoop

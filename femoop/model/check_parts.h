@@ -15,6 +15,7 @@ struct Unreadable {
     std::vector<bool> materials, sections, nodes, members;
     std::vector<std::vector<bool>> node_loads, settlements, member_loads; ///< per load case
     std::vector<bool> combinations, expected;
+    std::vector<bool> load_cases; ///< their ids alone
 };
 
 enum class Thoroughness : std::uint8_t {

@@ -27,7 +27,7 @@ std::vector<Fault> Checker::run(Thoroughness thoroughness)
     check_combinations();
     check_expected();
     if (thoroughness == Thoroughness::Errors) return std::move(faults_);
-    if (!unreadable_.is_incomplete) check_use();
+    if (!is_incomplete_) check_use();
     check_coincident_nodes();
     check_crossings();
     return std::move(faults_);
@@ -63,6 +63,12 @@ void Checker::require_positive(const Entry& place, std::string_view key, const Q
 {
     if (require_finite(place, key, value) && value <= 0.0)
         add(FaultKind::NotPositive, place, {std::string(key), shown(value, dimension)});
+}
+
+void Checker::require_stiffness(const Entry& place, std::string_view key, const Quantity& value, Dimension dimension)
+{
+    if (value.value() == 0.0) add(FaultKind::ZeroStiffness, place, {std::string(key), shown(value, dimension)});
+    else require_positive(place, key, value, dimension);
 }
 
 void Checker::require_not_negative(const Entry& place, std::string_view key, const Quantity& value, Dimension dimension)

@@ -29,7 +29,9 @@ struct Entry {
 /// Goes through a model part by part and writes down what is wrong with it.
 class Checker {
 public:
-    Checker(const Model& model, const Unreadable& unreadable) : model_(model), unreadable_(unreadable) {}
+    Checker(const Model& model, const Unreadable& unreadable)
+        : model_(model), unreadable_(unreadable), is_incomplete_(unreadable.is_incomplete)
+    {}
     std::vector<Fault> run(Thoroughness thoroughness);
 
 private:
@@ -47,6 +49,7 @@ private:
     std::string analysis() const { return std::string(name(model_.analysis)); }
     bool require_finite(const Entry& place, std::string_view key, double value);
     void require_positive(const Entry& place, std::string_view key, const Quantity& value, Dimension dimension);
+    void require_stiffness(const Entry& place, std::string_view key, const Quantity& value, Dimension dimension);
     void require_not_negative(const Entry& place, std::string_view key, const Quantity& value, Dimension dimension);
     void require_distinct(const Entry& place, const std::vector<Component>& components);
     bool is_readable(NodeId id) const { return id.index < model_.nodes.size() && !flag(unreadable_.nodes, id.index); }
@@ -123,6 +126,7 @@ private:
     const Model& model_;
     const Unreadable& unreadable_;
     std::vector<Fault> faults_;
+    bool is_incomplete_ = false; ///< what looks unused may be meant where a fault is
     bool has_repeated_id_ = false;
     std::vector<bool> has_member_;                              ///< per node
     std::set<std::pair<std::uint32_t, std::string_view>> said_; ///< section and property that it lacks

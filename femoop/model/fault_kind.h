@@ -39,10 +39,16 @@ enum class FaultKind : std::uint8_t {
     JsonTrailingComma,
     JsonMissingComma,
     JsonNotFinite,
+    JsonSpelling, ///< {3} how JSON writes it
+    JsonNoNumber,
+    JsonBareQuantity,
+    JsonBareText,
+    JsonDecimalComma, ///< {3} the number with a point
     JsonNumberTooLarge,
     JsonAfterEnd,
     JsonUnexpected,
     RepeatedKey,
+    RepeatedDof, ///< {1} which, {2} the first one's place
 
     // the file's keys and values
     WrongType,
@@ -83,11 +89,14 @@ enum class FaultKind : std::uint8_t {
 
     // the parts of a model
     EmptyId,
+    ControlCharacterInId,
     RepeatedId,
     DanglingReference,
     NotFinite,
     NotPositive,
     Negative,
+    ZeroStiffness,
+    ZeroEndSpring,
     RepeatedComponent,
     PoissonOutOfRange,
     CentroidOutside,

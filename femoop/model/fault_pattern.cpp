@@ -66,12 +66,21 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::JsonTrailingComma: return "line {0}, column {1}: comma before {2}; take the comma away";
     case FaultKind::JsonMissingComma: return "line {0}, column {1}: a comma is missing before {2}";
     case FaultKind::JsonNotFinite: return "line {0}, column {1}: found {2}; write a finite number";
+    case FaultKind::JsonSpelling: return "line {0}, column {1}: found {2}; write {3}";
+    case FaultKind::JsonNoNumber:
+        return "line {0}, column {1}: found {2}, which is no number; write it like -12.5 or 3e-4";
+    case FaultKind::JsonBareQuantity:
+        return "line {0}, column {1}: found {2}; write a number with its unit in quotation marks, like \"12.5 kN\"";
+    case FaultKind::JsonBareText: return "line {0}, column {1}: found {2}; write keys and texts between two \" marks";
+    case FaultKind::JsonDecimalComma: return "line {0}, column {1}: found {2}; write a decimal point: {3}";
     case FaultKind::JsonNumberTooLarge:
         return "line {0}, column {1}: {2} is beyond the range of numbers (1.8e308); write a smaller one";
     case FaultKind::JsonAfterEnd:
         return "line {0}, column {1}: found {2} after the end of the model; a file holds one JSON object";
     case FaultKind::JsonUnexpected: return "line {0}, column {1}: found {2}, which JSON does not allow here";
     case FaultKind::RepeatedKey: return "{0}: key is given twice in one object; keep one of them";
+
+    case FaultKind::RepeatedDof: return "{0}: \"{1}\" stands at {2} already; keep one of them";
 
     case FaultKind::WrongType: return "{0}: found {1}, wanted {2}";
     case FaultKind::UnknownKey: return "{0}: unknown key; known here: {1}";
@@ -116,12 +125,18 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::QuantityTooLarge: return "{0}: \"{1}\" is beyond the range of numbers; write a smaller one";
 
     case FaultKind::EmptyId: return "{0}: \"id\" is empty; give it a name";
+    case FaultKind::ControlCharacterInId:
+        return "{0}: the id has a control character, such as a line break or a tab; use letters, digits and blanks";
     case FaultKind::RepeatedId: return "{0}: the id is taken by {1} already; choose another";
     case FaultKind::DanglingReference:
         return "{0}: refers to entry {2} of {1}, which has {3}; refer to one that is there";
     case FaultKind::NotFinite: return "{0}: {1} is {2}; give a finite number";
     case FaultKind::NotPositive: return "{0}: {1} is {2}; give a value greater than 0";
     case FaultKind::Negative: return "{0}: {1} is {2}; give 0 or a positive value";
+    case FaultKind::ZeroStiffness:
+        return "{0}: {1} is {2}, which holds nothing; take it away or give a value greater than 0";
+    case FaultKind::ZeroEndSpring:
+        return "{0}: {1} is {2}, which is a full release; write \"release\": [\"{3}\"] or give a value greater than 0";
     case FaultKind::RepeatedComponent: return "{0}: {1} is given twice; keep one";
     case FaultKind::PoissonOutOfRange: return "{0}: nu is {1}; give a value greater than -1 and at most 0.5";
     case FaultKind::CentroidOutside:

@@ -209,11 +209,15 @@ void sort_pairs(std::vector<Pair>& pairs)
 void Checker::check_coincident_nodes()
 {
     std::vector<Point> points;
-    for (const Node& node : model_.nodes) {
-        Point point{node.at[0], node.at[1], is_3d(model_.analysis) ? node.at[2].value() : 0.0};
+    std::vector<std::uint32_t> owners;
+    for (std::uint32_t i = 0; i < model_.nodes.size(); ++i) {
+        if (!is_readable(NodeId(i))) continue;
+        const Node& node = model_.nodes[i];
+        const Point point{node.at[0], node.at[1], is_3d(model_.analysis) ? node.at[2].value() : 0.0};
         for (const double x : point)
             if (!std::isfinite(x)) return;
         points.push_back(point);
+        owners.push_back(i);
     }
     if (points.size() < 2) return;
     const Box box = box_around(points);
@@ -235,8 +239,8 @@ void Checker::check_coincident_nodes()
             }
         });
         if (twin)
-            add(FaultKind::CoincidentNodes, {"nodes", i, model_.nodes[i].id},
-                {model_.nodes[*twin].id, shown(points[i])});
+            add(FaultKind::CoincidentNodes, {"nodes", owners[i], model_.nodes[owners[i]].id},
+                {model_.nodes[owners[*twin]].id, shown(points[i])});
         else
             nodes_in[Grid::cell(grid.step(points[i][0], 0), grid.step(points[i][1], 1), grid.step(points[i][2], 2))]
                 .push_back(i);

@@ -88,7 +88,7 @@ void Checker::check_load(const NodeLoad& load, const Entry& place)
         check_load_dof(part.dof, LoadAxes::Global, force_name(part.dof), place);
         require_finite(place, force_name(part.dof), part.value);
     }
-    const bool is_lonely = !has_member_[load.node.index] && !unreadable_.is_incomplete;
+    const bool is_lonely = !has_member_[load.node.index] && !is_incomplete_;
     if (is_lonely && is_loaded(load.components))
         add(FaultKind::LoadedNodeWithoutMembers, place, {model_[load.node].id});
 }
@@ -130,7 +130,8 @@ std::optional<double> Checker::check_position(const Position& position, std::str
     const double length = axis(member).length;
     const Percent* const percent = std::get_if<Percent>(&position);
     const double x = percent ? percent->value / 100.0 * length : std::get<Quantity>(position).value();
-    if (!require_finite(place, key, x) || !std::isfinite(length)) return std::nullopt;
+    const bool has_length = std::isfinite(length) && length > 0.0; // else the member is a fault
+    if (!require_finite(place, key, x) || !has_length) return std::nullopt;
     const std::string found = percent ? number_text(percent->value) + "%"
                                       : shown(std::get<Quantity>(position), dimension::length);
     const std::vector<std::string> details{std::string(key), found, member.id,

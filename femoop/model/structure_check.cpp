@@ -35,6 +35,8 @@ std::vector<Need> needs(AnalysisKind kind, const Member& member)
     return {area};
 }
 
+bool is_control_character(char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\x7f'; }
+
 std::string_view end_name(bool is_start) { return is_start ? "start" : "end"; }
 
 } // namespace
@@ -42,20 +44,24 @@ std::string_view end_name(bool is_start) { return is_start ? "start" : "end"; }
 void Checker::check_ids()
 {
     std::vector<Entry> entries;
-    const auto collect = [&](std::string_view list, const auto& parts) {
-        for (std::size_t i = 0; i < parts.size(); ++i) entries.push_back({list, i, parts[i].id});
+    const auto collect = [&](std::string_view list, const auto& parts, const std::vector<bool>& unreadable) {
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            entries.push_back({list, i, parts[i].id});
+            if (parts[i].id.empty() && !flag(unreadable, i)) add(FaultKind::EmptyId, entries.back(), {});
+        }
     };
-    const auto check_own = [&](std::string_view list, const auto& parts) {
-        collect(list, parts);
+    const auto check_own = [&](std::string_view list, const auto& parts, const std::vector<bool>& unreadable) {
+        collect(list, parts, unreadable);
         check_names(entries);
         entries.clear();
     };
-    check_own("materials", model_.materials);
-    check_own("sections", model_.sections);
-    check_own("nodes", model_.nodes);
-    check_own("members", model_.members);
-    collect("load_cases", model_.load_cases); // load cases and combinations share one set of names
-    collect("combinations", model_.combinations);
+    check_own("materials", model_.materials, unreadable_.materials);
+    check_own("sections", model_.sections, unreadable_.sections);
+    check_own("nodes", model_.nodes, unreadable_.nodes);
+    check_own("members", model_.members, unreadable_.members);
+    // load cases and combinations share one set of names
+    collect("load_cases", model_.load_cases, unreadable_.load_cases);
+    collect("combinations", model_.combinations, unreadable_.combinations);
     check_names(entries);
 }
 
@@ -65,7 +71,8 @@ void Checker::check_names(const std::vector<Entry>& entries)
     names.reserve(entries.size());
     for (const Entry& entry : entries) names.push_back(entry.id);
     for (const Entry& entry : entries)
-        if (entry.id.empty()) add(FaultKind::EmptyId, entry, {});
+        if (std::any_of(entry.id.begin(), entry.id.end(), is_control_character))
+            add(FaultKind::ControlCharacterInId, entry, {});
     for (const auto& [index, first] : repeated_names(names)) {
         if (names[index].empty()) continue;
         has_repeated_id_ = true;
@@ -154,7 +161,7 @@ void Checker::check_support(const Support& support, const Entry& place)
         if (support.blocked(model_.analysis).contains(spring.dof)) add(FaultKind::SpringOnFixedDof, place, {dof});
         if (sprung.contains(spring.dof)) add(FaultKind::RepeatedComponent, place, {dof});
         sprung.insert(spring.dof);
-        require_positive(place, "spring " + dof, spring.stiffness, spring_dimension(spring.dof));
+        require_stiffness(place, "spring " + dof, spring.stiffness, spring_dimension(spring.dof));
     }
 }
 
@@ -191,7 +198,7 @@ void Checker::check_member(const Member& member, const Entry& place)
     check_end(member, End::Finish, place);
     if (member.tension_only && member.compression_only) add(FaultKind::TensionAndCompressionOnly, place, {});
     else if (member.tension_only || member.compression_only) add(FaultKind::OneWayMember, place, {});
-    if (member.foundation) require_positive(place, "foundation", *member.foundation, dimension::stress);
+    if (member.foundation) require_stiffness(place, "foundation", *member.foundation, dimension::stress);
     const bool is_bar = member.bar || is_truss(model_.analysis);
     if (member.foundation && is_bar) add(FaultKind::FoundationOfBar, place, {});
     if (is_readable(member.nodes[0]) && is_readable(member.nodes[1])) {
@@ -220,7 +227,10 @@ void Checker::check_end(const Member& member, End which, const Entry& place)
         if (end.release.contains(spring.dof)) add(FaultKind::ReleaseAndSpring, place, {dof, at});
         const bool is_hinged = is_readable(node) && model_[node].hinge && is_rotation(spring.dof);
         if (is_hinged) add(FaultKind::HingeAndSpring, place, {dof, at, model_[node].id});
-        require_positive(place, at + " spring " + dof, spring.stiffness, spring_dimension(spring.dof));
+        if (spring.stiffness.value() == 0.0)
+            add(FaultKind::ZeroEndSpring, place,
+                {at + " spring " + dof, shown(spring.stiffness, spring_dimension(spring.dof)), dof});
+        else require_positive(place, at + " spring " + dof, spring.stiffness, spring_dimension(spring.dof));
     }
     if (!end.offset.empty() && end.offset.size() != n_coordinates(model_.analysis))
         add(FaultKind::OffsetSize, place, {at, std::to_string(end.offset.size()), analysis()});
@@ -262,8 +272,10 @@ void Checker::check_length(const Member& member, const Entry& place)
     const bool has_offset = !member.start.offset.empty() || !member.end.offset.empty();
     const Axis whole = node_axis(member), part = has_offset ? axis(member) : whole;
     if (!std::isfinite(part.length)) return; // the coordinates are faults already
-    if (member.nodes[0] == member.nodes[1]) add(FaultKind::SameNodeTwice, place, {first.id});
-    else if (!has_offset && part.length == 0.0)
+    if (member.nodes[0] == member.nodes[1]) {
+        add(FaultKind::SameNodeTwice, place, {first.id});
+        is_incomplete_ = true;
+    } else if (!has_offset && part.length == 0.0)
         add(FaultKind::ZeroLength, place,
             {"0 " + std::string(name(model_.units.length)), first.id, second.id, shown(whole.start)});
     if (!has_offset) return;

@@ -118,6 +118,46 @@ TEST_CASE("All errors of a file come in one list: what cannot be read and what i
           "members[1] \"BA\": foundation is -4 kN/m^2; give a value greater than 0\n");
 }
 
+TEST_CASE("One cause gets one message: what follows from a fault is not told again")
+{
+    const auto count_faults = [](const File& file) { return examine_model(file.text()).faults.size(); };
+    const auto with_loads = [](File file) {
+        file.more = R"(, "load_cases": [{"id": "G", "nodes": [{"node": "A", "fx": 3}, {"node": "B", "fx": 3}],
+            "members": [{"member": "AB", "kind": "point", "at": 2, "fy": -9},
+                        {"member": "AB", "kind": "distributed", "from": 2, "to": 4, "qy": -9}]}])";
+        return file;
+    };
+    const std::vector<File> files{
+        {.nodes = R"([{"id": "A", "at": [0, 0]}, {"id": "B", "at": [6]}])"},
+        {.nodes = R"([{"id": "A", "at": [0, 0]}, {"id": 7, "at": [6, 0]}])"},
+        {.nodes = R"([{"id": "A", "at": [0, 0]}, {"id": "", "at": [6, 0]}])"},
+        {.nodes = R"([{"id": "A", "at": [0, 0]}, {"at": [6, 0]}])"},
+        {.nodes = R"([{"id": "A", "at": [0, 0]}, {"id": "A", "at": [6, 0]}])"},
+        {.nodes = R"({"A": [0, 0], "B": [6, 0]})"},
+        {.materials = R"([{"id": null, "E": 2e8}])"},
+        {.sections = R"([{"id": ["s"], "A": 0.012, "Iz": 2e-4}])"},
+        {.members = R"([{"id": true, "nodes": ["A", "B"], "material": "m", "section": "s"}])"},
+        {.members = R"([{"id": "AB", "nodes": ["A", "A"], "material": "m", "section": "s"}])"},
+        {.members = R"("AB")"}};
+    for (const File& file : files) {
+        CAPTURE(file.text());
+        CHECK(count_faults(with_loads(file)) == 1);
+    }
+    CHECK(count_faults(
+              {.more = R"(, "load_cases": [{"id": 7}], "combinations": [{"id": "U", "factors": {"G": 2}}])"}) == 1);
+    CHECK(count_faults({.more = R"(, "load_cases": [{"id": ""}, {"id": "Q"}])"}) == 1);
+}
+
+TEST_CASE("An entry without a name excuses one unknown name, not two")
+{
+    CHECK(faults_of(File{.nodes = R"([{"id": "A", "at": [0, 0]}, {"at": [6, 0]}, {"id": "C", "at": [9, 2]}])",
+                         .members = R"([{"id": "AB", "nodes": ["A", "B"], "material": "m", "section": "s"},
+                                        {"id": "BC", "nodes": ["B", "C"], "material": "m", "section": "s"},
+                                        {"id": "CD", "nodes": ["C", "D"], "material": "m", "section": "s"}])"}
+                        .text()) == "nodes[1]: \"id\" is missing; add it\n"
+                                    "members[2] \"CD\": no node \"D\"; add the node or name another\n");
+}
+
 TEST_CASE("A file without its needed keys hears of each of them")
 {
     CHECK(faults_of("{}") == "file: \"cremona\" is missing; add it\n"
