@@ -127,17 +127,22 @@ public:
         return place;
     }
 
-    /// Labels that the new place would disturb; stops after two, since nobody asks for more.
-    std::vector<std::size_t> disturbed_by(const Candidate& place) const
+    /// The labels that a new place would disturb, counted up to two, since nobody asks for more.
+    struct Disturbed {
+        std::size_t n = 0;
+        std::size_t first = 0;
+    };
+    Disturbed disturbed_by(const Candidate& place) const
     {
-        std::vector<std::size_t> found;
+        Disturbed found;
         const CellRange range = cells(place);
         for (int y = range.y0; y <= range.y1; ++y) {
             for (int x = range.x0; x <= range.x1; ++x) {
                 for (const std::size_t label : cells_[index(x, y)]) {
-                    if (std::find(found.begin(), found.end(), label) != found.end()) continue;
-                    if (clash(place, *places_[label])) found.push_back(label);
-                    if (found.size() >= 2) return found;
+                    const bool is_known = found.n > 0 && label == found.first;
+                    if (is_known || !clash(place, *places_[label])) continue;
+                    if (found.n == 1) return {2, found.first};
+                    found = {1, label};
                 }
             }
         }
@@ -251,7 +256,7 @@ private:
         for (std::size_t i = 0; i < n; ++i) {
             if (candidates.ground(i) > worst) continue;
             const Candidate place = candidates[i];
-            if (!placed_.disturbed_by(place).empty()) continue;
+            if (placed_.disturbed_by(place).n > 0) continue;
             effort_ -= n - i - 1;
             placed_.put(label, place);
             return true;
@@ -268,9 +273,9 @@ private:
             if (candidates.ground(i) > worst) continue;
             const Candidate place = candidates[i];
             const auto in_the_way = placed_.disturbed_by(place);
-            if (in_the_way.size() != 1) continue;
+            if (in_the_way.n != 1) continue;
             ++n_asked;
-            if (swap(label, place, in_the_way.front(), worst)) return true;
+            if (swap(label, place, in_the_way.first, worst)) return true;
         }
         return false;
     }

@@ -39,6 +39,8 @@ void LabelObstacles::add_segment(Point a, Point b, double width, Firmness firmne
     const Box bounds = united({a, a}, {b, b}).grown(0.5 * width + 1e-6); // never without area
     segments_.push_back({a, b, 0.5 * width, firmness, bounds});
     const CellRange range = cells(bounds);
+    const bool is_in_one_cell = range.x0 == range.x1 && range.y0 == range.y1;
+    if (is_in_one_cell) return cell(range.x0, range.y0).segments.push_back(index);
     for (int y = range.y0; y <= range.y1; ++y) {
         for (int x = range.x0; x <= range.x1; ++x) {
             const Point corner{room_.min.x + x * cell_side, room_.min.y + y * cell_side};

@@ -113,8 +113,9 @@ void Sketch::caption(Caption caption)
 {
     if (caption.text.empty() || !ui::is_finite(caption.target)) return;
     const auto says_the_same = [&](const Request& other) {
-        return other.caption.role == caption.role && other.caption.text == caption.text &&
-               ui::distance(other.caption.target, caption.target) < same_place;
+        const ui::Point apart = other.caption.target - caption.target;
+        return dot(apart, apart) < same_place * same_place && other.caption.role == caption.role &&
+               other.caption.text == caption.text;
     };
     if (std::any_of(requests_.begin(), requests_.end(), says_the_same)) return;
     const ui::TextStyle style = style_of(caption);

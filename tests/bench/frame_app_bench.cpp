@@ -1,0 +1,135 @@
+// What one frame of the frame app costs while a number of a plane frame of 200 members is dragged, off screen and
+// drawn by software: `ninja bench`. The best of many frames counts.
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <functional>
+
+#include "apps/cli/bench_frame.h"
+#include "apps/frame/document/number.h"
+#include "apps/frame/window/application.h"
+#include "ui/context/draw_list_renderer.h"
+#include "ui/context/offscreen.h"
+
+namespace {
+
+constexpr int n_frames = 60;
+
+double milliseconds(const std::function<void()>& work)
+{
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+double best_frame(const std::function<double(int)>& frame)
+{
+    double best = frame(0);
+    for (int i = 1; i < n_frames; ++i) best = std::min(best, frame(i));
+    return best;
+}
+
+/// The app on a sheet in memory, with a load that is dragged.
+class DraggedFrame {
+public:
+    DraggedFrame(ui::PixelSize size, frame::ShowSet show)
+        : context_({.size = size}), application_(context_, fonts_, session(show)), renderer_(context_)
+    {
+        for (int i = 0; i < 3; ++i) application_.frame({});
+    }
+
+    double edit_and_solve(int i)
+    {
+        const frame::Part load = frame::MemberLoadPlace{0, 0};
+        const frame::NumberId number = frame::numbers(application_.session().model(), load).front().id;
+        const femoop::Quantity value{-20.0 - 0.1 * (i % 2 + 1)};
+        return milliseconds([&] {
+            application_.session().change(frame::Step::Drag, ui::translatable("Change"),
+                                          [&](frame::Document& document) { set_number(document, number, value); });
+        });
+    }
+    double solve()
+    {
+        return milliseconds([&] { frame::solve(application_.session().document()); });
+    }
+    double frame()
+    {
+        return milliseconds([&] {
+            application_.frame({});
+            context_.gl().Finish();
+        });
+    }
+    /// Rasterizes once more what the last frame drew.
+    double raster()
+    {
+        return milliseconds([&] {
+            renderer_.clear(ui::rgb(0xFFFFFF));
+            renderer_.render(*ImGui::GetDrawData());
+            context_.gl().Finish();
+        });
+    }
+    int n_triangles() const { return ImGui::GetDrawData()->TotalIdxCount / 3; }
+
+private:
+    static frame::Session session(frame::ShowSet show)
+    {
+        frame::Session session({cli::plane_frame({.bays = 12, .storeys = 8})});
+        session.view.layout = frame::Layout::Overlay;
+        session.view.show = show;
+        return session;
+    }
+
+    ui::Fonts fonts_;
+    ui::Offscreen context_;
+    frame::Application application_;
+    ui::DrawListRenderer renderer_;
+};
+
+double empty_frame(ui::PixelSize size)
+{
+    const ui::Fonts fonts;
+    ui::Offscreen context({.size = size});
+    ui::ImGuiSession gui(context, fonts, ui::Theme(ui::ThemeName::Light));
+    return best_frame([&](int) {
+        return milliseconds([&] {
+            gui.begin_frame({});
+            gui.end_frame();
+            context.gl().Finish();
+        });
+    });
+}
+
+void print_row(const char* name, ui::PixelSize size, frame::ShowSet show)
+{
+    DraggedFrame dragged(size, show);
+    double edit = 1e9, solve = 1e9, frame = 1e9, raster = 1e9;
+    for (int i = 0; i < n_frames; ++i) {
+        edit = std::min(edit, dragged.edit_and_solve(i));
+        solve = std::min(solve, dragged.solve());
+        frame = std::min(frame, dragged.frame());
+        raster = std::min(raster, dragged.raster());
+    }
+    std::printf("%-28s %5.2f %6.2f %8.2f %7.2f | %6.2f   %d triangles\n", name, edit - solve, solve, frame - raster,
+                raster, edit + frame, dragged.n_triangles());
+    std::fflush(stdout);
+}
+
+} // namespace
+
+int main()
+{
+    constexpr ui::PixelSize size{1280, 800};
+    constexpr frame::ShowSet by_default = frame::shown_by_default | frame::ShowSet{frame::Show::M};
+    std::printf("a number of a frame of 200 members is dragged, window of %d x %d, software renderer [ms]\n"
+                "shown                         edit  solve  picture  raster |  total\n",
+                size.width, size.height);
+    print_row("bare", size, {});
+    print_row("loads, reactions, M, labels", size, by_default);
+    print_row("N, V, M, deformed, all else", size,
+              by_default |
+                  frame::ShowSet{frame::Show::N, frame::Show::V, frame::Show::Deformed, frame::Show::Dimensions});
+    std::printf("%-28s %40.2f\n", "(an empty window)", empty_frame(size));
+}
