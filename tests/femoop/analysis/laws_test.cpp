@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 
 #include "femoop/analysis/linear_static.h"
+#include "femoop/edit/split.h"
 #include "tests/femoop/analysis/random_structure.h"
 
 using namespace femoop;
@@ -139,28 +140,6 @@ Model turned(Model model, double angle)
             for (Settlement& settlement : load_case.settlements)
                 settlement.components = turned(settlement.components, angle);
         for (MemberLoad& load : load_case.members) turn_member_load(load, angle);
-    }
-    return model;
-}
-
-/// Cuts a member in two equal ones with a node between them; its loads, uniform ones over the whole length, go along.
-Model split(Model model, MemberId id, const MemberFrame& frame)
-{
-    const Eigen::Vector3d middle = 0.5 * (frame.start + frame.end);
-    const NodeId node = model.add(
-        Node{.id = "middle", .at = {middle.x(), middle.y(), is_3d(model.analysis) ? middle.z() : 0.0}});
-    Member second = model[id];
-    second.id = "second half";
-    second.nodes[0] = node;
-    second.start = {};
-    model.members[id.index].nodes[1] = node;
-    model.members[id.index].end = {};
-    const MemberId other = model.add(std::move(second));
-    for (LoadCase& load_case : model.load_cases) {
-        const std::size_t n = load_case.members.size();
-        for (std::size_t i = 0; i < n; ++i)
-            if (load_case.members[i].member == id)
-                load_case.members.push_back({.member = other, .load = load_case.members[i].load});
     }
     return model;
 }
@@ -402,7 +381,9 @@ TEST_SUITE("laws")
                     {.member = id, .load = DistributedLoad{.values = {{.dof = down, .start = -7.0}}}});
             }
             const Results whole = analyse(model);
-            const Results halves = analyse(split(model, id, whole.frame(id)));
+            Model cut = model;
+            split_member(cut, id, 0.5 * whole.frame(id).length);
+            const Results halves = analyse(cut);
             CHECK(difference(whole.at("P"), halves.at("P"), model.nodes.size()) < 1e-7);
             const Curve curve = whole.at("P").curve(id), first = halves.at("P").curve(id);
             CHECK(first.forces(first.length(), Side::Before).Mz ==

@@ -1,0 +1,261 @@
+#include "femoop/edit/merge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "femoop/edit/erase.h"
+#include "femoop/edit/member_line.h"
+#include "femoop/edit/naming.h"
+#include "femoop/edit/reverse.h"
+
+namespace femoop {
+
+namespace {
+
+std::vector<MemberId> members_at(const Model& model, NodeId node)
+{
+    std::vector<MemberId> members;
+    for (std::size_t i = 0; i < model.members.size(); ++i)
+        if (std::ranges::count(model.members[i].nodes, node) > 0) members.emplace_back(i);
+    return members;
+}
+
+/// Two members in line: `first` ends at the node where `second` begins.
+struct Pair {
+    MemberId first, second;
+};
+
+bool begins_at(const Model& model, MemberId member, NodeId node) { return model[member].nodes[0] == node; }
+
+/// The members at the node, one turned round where both begin or both end there.
+std::optional<Pair> make_pair_at(Model& model, NodeId node)
+{
+    const std::vector<MemberId> members = members_at(model, node);
+    if (members.size() != 2) return std::nullopt;
+    const bool begins = begins_at(model, members[0], node);
+    if (begins_at(model, members[1], node) == begins) reverse_member(model, members[1]);
+    return begins ? Pair{members[1], members[0]} : Pair{members[0], members[1]};
+}
+
+bool go_on_straight(const Model& model, const Pair& pair)
+{
+    const MemberLine a = line_of(model, model[pair.first]), b = line_of(model, model[pair.second]);
+    return (a.direction - b.direction).norm() <= 1e-6;
+}
+
+bool is_rigid_joint(const Model& model, NodeId node, const Pair& pair)
+{
+    return !model[node].hinge && model[pair.first].end == MemberEnd{} && model[pair.second].start == MemberEnd{};
+}
+
+bool are_alike(Member a, Member b)
+{
+    const auto strip = [](Member& member) {
+        member.id.clear();
+        member.nodes = {};
+        member.start = member.end = MemberEnd{};
+    };
+    strip(a);
+    strip(b);
+    return a == b && !a.bar; // two bars turn where they meet
+}
+
+bool is_held(const Model& model, NodeId node)
+{
+    if (model[node].support || !model[node].mass.empty()) return true;
+    return std::ranges::any_of(model.load_cases, [&](const LoadCase& load_case) {
+        return std::ranges::count(load_case.settlements, node, &Settlement::node) > 0;
+    });
+}
+
+std::vector<TemperatureLoad> temperatures(const LoadCase& load_case, MemberId member)
+{
+    std::vector<TemperatureLoad> found;
+    for (const MemberLoad& load : load_case.members)
+        if (const auto* const temperature = std::get_if<TemperatureLoad>(&load.load);
+            temperature && load.member == member)
+            found.push_back(*temperature);
+    return found;
+}
+
+bool have_one_temperature(const Model& model, const Pair& pair)
+{
+    return std::ranges::all_of(model.load_cases, [&](const LoadCase& load_case) {
+        return temperatures(load_case, pair.first) == temperatures(load_case, pair.second);
+    });
+}
+
+/// Moves the loads of both members to the merged one, which has the first's id and the whole length.
+class LoadMerger {
+public:
+    LoadMerger(const Pair& pair, NodeId node, double first_length, double second_length)
+        : pair_(pair), node_(node), first_(first_length), second_(second_length)
+    {}
+
+    void merge(LoadCase& load_case)
+    {
+        std::vector<MemberLoad> loads;
+        loads.swap(load_case.members);
+        for (MemberLoad& load : loads) {
+            if (load.member == pair_.first) {
+                std::visit([this](auto& kind) { lengthen(kind); }, load.load);
+            } else if (load.member == pair_.second) {
+                if (std::holds_alternative<TemperatureLoad>(load.load)) continue; // the first has the same
+                std::visit([this](auto& kind) { shift(kind); }, load.load);
+                load.member = pair_.first;
+                if (join(load_case.members, load)) continue;
+            }
+            load_case.members.push_back(std::move(load));
+        }
+        take_node_loads(load_case);
+    }
+
+private:
+    double whole() const { return first_ + second_; }
+
+    Position on_whole(const Position& position, double begin, double length) const
+    {
+        if (std::holds_alternative<Percent>(position))
+            return Percent{100.0 * (begin + distance(position, length)) / whole()};
+        return begin == 0.0 ? position : Position(Quantity(begin + distance(position, length)));
+    }
+
+    void lengthen(DistributedLoad& load) const
+    {
+        if (load.from) load.from = on_whole(*load.from, 0.0, first_);
+        load.to = load.to ? on_whole(*load.to, 0.0, first_) : Position(Quantity(first_));
+    }
+    void lengthen(PointLoad& load) const { load.at = on_whole(load.at, 0.0, first_); }
+    void lengthen(EndLoads&) const {}
+    void lengthen(TemperatureLoad&) const {}
+    void lengthen(Misfit&) const {}
+
+    void shift(DistributedLoad& load) const
+    {
+        load.from = load.from ? on_whole(*load.from, first_, second_) : Position(Quantity(first_));
+        if (load.to) load.to = on_whole(*load.to, first_, second_);
+    }
+    void shift(PointLoad& load) const { load.at = on_whole(load.at, first_, second_); }
+    void shift(EndLoads&) const {}
+    void shift(TemperatureLoad&) const {}
+    void shift(Misfit&) const {}
+
+    /// Adds a load of the second member to one of the first that it continues.
+    bool join(std::vector<MemberLoad>& loads, const MemberLoad& load) const
+    {
+        return std::ranges::any_of(loads, [&](MemberLoad& earlier) {
+            if (earlier.member != pair_.first || earlier.load.index() != load.load.index()) return false;
+            return std::visit(
+                [&](auto& before) { return join(before, std::get<std::decay_t<decltype(before)>>(load.load)); },
+                earlier.load);
+        });
+    }
+
+    static bool join(PointLoad&, const PointLoad&) { return false; }
+    static bool join(TemperatureLoad&, const TemperatureLoad&) { return false; }
+    static bool join(Misfit& before, const Misfit& after)
+    {
+        before.elongation = before.elongation + after.elongation;
+        return true;
+    }
+    static bool join(EndLoads& before, const EndLoads& after)
+    {
+        if (before.axes != after.axes || !before.end.empty() || !after.start.empty()) return false;
+        before.end = after.end;
+        return true;
+    }
+    bool join(DistributedLoad& before, const DistributedLoad& after) const
+    {
+        if (before.axes != after.axes || before.projected != after.projected) return false;
+        if (!before.to || !after.from || before.values.size() != after.values.size()) return false;
+        const double begin = before.from ? distance(*before.from, whole()) : 0.0;
+        const double middle = distance(*before.to, whole());
+        const double end = after.to ? distance(*after.to, whole()) : whole();
+        if (std::abs(middle - distance(*after.from, whole())) > 1e-9 * whole()) return false;
+        for (std::size_t i = 0; i < before.values.size(); ++i)
+            if (!continues(before.values[i], after.values[i], (middle - begin) / (end - begin))) return false;
+        for (std::size_t i = 0; i < before.values.size(); ++i)
+            if (before.values[i].end) before.values[i].end = after.values[i].end;
+        before.to = after.to;
+        return true;
+    }
+
+    /// Is the second the straight continuation of the first, which is this share of both?
+    static bool continues(const DistributedLoad::Value& a, const DistributedLoad::Value& b, double share)
+    {
+        if (a.dof != b.dof || a.end.has_value() != b.end.has_value()) return false;
+        if (!a.end) return a.start == b.start;
+        const double expected = a.start + share * (*b.end - a.start);
+        const double slack = 1e-9 * (std::abs(a.start) + std::abs(*b.end));
+        return std::abs(*a.end - expected) <= slack && std::abs(b.start - expected) <= slack;
+    }
+
+    void take_node_loads(LoadCase& load_case) const
+    {
+        for (const NodeLoad& load : load_case.nodes)
+            if (load.node == node_)
+                load_case.members.push_back(
+                    {pair_.first, PointLoad{.at = Quantity(first_), .components = load.components, .axes = {}}});
+    }
+
+    Pair pair_;
+    NodeId node_;
+    double first_, second_;
+};
+
+bool is_loaded_inside(const Model& model, const Pair& pair)
+{
+    const auto acts_at_joint = [&](const MemberLoad& load) {
+        const auto* const ends = std::get_if<EndLoads>(&load.load);
+        if (!ends) return false;
+        return (load.member == pair.first && !ends->end.empty()) ||
+               (load.member == pair.second && !ends->start.empty());
+    };
+    return std::ranges::any_of(model.load_cases, [&](const LoadCase& load_case) {
+        return std::ranges::any_of(load_case.members, acts_at_joint);
+    });
+}
+
+std::optional<MergeObstacle> obstacle(const Model& model, NodeId node, const Pair& pair)
+{
+    if (!go_on_straight(model, pair)) return MergeObstacle::NotInLine;
+    if (!are_alike(model[pair.first], model[pair.second])) return MergeObstacle::DifferentMembers;
+    if (!is_rigid_joint(model, node, pair)) return MergeObstacle::NotRigidJoint;
+    if (is_held(model, node)) return MergeObstacle::Held;
+    if (!have_one_temperature(model, pair)) return MergeObstacle::DifferentHeating;
+    if (is_loaded_inside(model, pair)) return MergeObstacle::LoadedInsideJoint;
+    return std::nullopt;
+}
+
+} // namespace
+
+std::optional<MergeObstacle> why_not_merge_at(const Model& model, NodeId node)
+{
+    Model trial = model;
+    const std::optional<Pair> pair = make_pair_at(trial, node);
+    return pair ? obstacle(trial, node, *pair) : MergeObstacle::NotTwoMembers;
+}
+
+MemberId merge_members_at(Model& model, NodeId node)
+{
+    if (why_not_merge_at(model, node)) throw std::invalid_argument("merge_members_at: the members cannot be one");
+    const Pair pair = *make_pair_at(model, node);
+    Member& member = model.members[pair.first.index];
+    const Member& tail = model[pair.second];
+    const bool rename = is_named_after_nodes(model, member) && model.extra.empty();
+
+    LoadMerger merger(pair, node, line_of(model, member).length, line_of(model, tail).length);
+    for (LoadCase& load_case : model.load_cases) merger.merge(load_case);
+    std::erase_if(model.expected, [&](const Expected& check) { return check.member == pair.first; });
+    member.nodes[1] = tail.nodes[1];
+    member.end = tail.end;
+    if (rename) member.id = fresh_member_id(model, member.nodes[0], member.nodes[1]);
+    const std::string name = member.id;
+    erase(model, {.nodes = {node}, .members = {pair.second}});
+    return *model.find_member(name);
+}
+
+} // namespace femoop

@@ -1,0 +1,71 @@
+#include "femoop/edit/naming.h"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <unordered_set>
+
+namespace femoop {
+
+namespace {
+
+std::optional<std::uint32_t> number_in(std::string_view name)
+{
+    std::uint32_t number = 0;
+    const char* const end = name.data() + name.size();
+    const auto [stop, error] = std::from_chars(name.data(), end, number);
+    return error == std::errc() && stop == end ? std::optional(number) : std::nullopt;
+}
+
+/// One more than the largest, if the list holds numbers alone.
+template <class List> std::optional<std::string> next_number(const List& list)
+{
+    std::uint32_t largest = 0;
+    for (const auto& entry : list) {
+        const std::optional<std::uint32_t> number = number_in(entry.id);
+        if (!number) return std::nullopt;
+        largest = std::max(largest, *number);
+    }
+    if (list.empty()) return std::nullopt;
+    return std::to_string(largest + 1);
+}
+
+template <class List> std::unordered_set<std::string_view> names_of(const List& list)
+{
+    std::unordered_set<std::string_view> names;
+    for (const auto& entry : list) names.insert(entry.id);
+    return names;
+}
+
+} // namespace
+
+std::string fresh_node_id(const Model& model)
+{
+    if (std::optional<std::string> number = next_number(model.nodes)) return *number;
+    const std::unordered_set<std::string_view> taken = names_of(model.nodes);
+    for (int round = 0;; ++round) {
+        for (char letter = 'A'; letter <= 'Z'; ++letter) {
+            std::string name = letter + (round == 0 ? std::string() : std::to_string(round));
+            if (!taken.contains(name)) return name;
+        }
+    }
+}
+
+std::string fresh_member_id(const Model& model, NodeId start, NodeId end)
+{
+    if (std::optional<std::string> number = next_number(model.members)) return *number;
+    const std::unordered_set<std::string_view> taken = names_of(model.members);
+    const bool are_numbers = number_in(model[start].id) || number_in(model[end].id);
+    const std::string joined = model[start].id + (are_numbers ? "-" : "") + model[end].id;
+    std::string name = model.members.empty() && are_numbers ? "1" : joined;
+    for (int round = 2; taken.contains(name); ++round) name = joined + '\'' + std::to_string(round);
+    return name;
+}
+
+bool is_named_after_nodes(const Model& model, const Member& member)
+{
+    return member.id == model[member.nodes[0]].id + model[member.nodes[1]].id;
+}
+
+} // namespace femoop

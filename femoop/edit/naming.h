@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "femoop/model/model.h"
+
+namespace femoop {
+
+/// A free name in the manner of the others: the next number where all nodes are numbered, else the first free of
+/// A ... Z, A1 ... Z1, ...
+std::string fresh_node_id(const Model& model);
+
+/// The next number where all members (or nodes) are numbered, else the names of its nodes: "BC", then "BC2", ...
+std::string fresh_member_id(const Model& model, NodeId start, NodeId end);
+
+/// Does the member have the names of its nodes for a name, "BC" from B to C?
+bool is_named_after_nodes(const Model& model, const Member& member);
+
+} // namespace femoop

@@ -1,0 +1,264 @@
+#include "femoop/edit/place.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "femoop/edit/member_line.h"
+#include "femoop/edit/naming.h"
+
+namespace femoop {
+
+namespace {
+
+bool mirrors(const Placement& placement) { return placement.linear().determinant() < 0.0; }
+
+double scale_of(const Placement& placement) { return std::cbrt(std::abs(placement.linear().determinant())); }
+
+/// [degrees], of a turn about z; for a mirror, of the image of the x axis.
+double turn_of(const Placement& placement)
+{
+    const Eigen::Vector3d x = placement.linear().col(0);
+    return std::atan2(x.y(), x.x()) * 180.0 / std::numbers::pi;
+}
+
+void place_node(const Model& model, Node& node, const Eigen::Vector3d& place)
+{
+    const std::size_t n = n_coordinates(model.analysis);
+    for (std::size_t i = 0; i < n; ++i)
+        if (const double x = place[static_cast<Eigen::Index>(i)]; node.at[i].value() != x) node.at[i] = x;
+}
+
+void place_offset(std::vector<Quantity>& offset, const Placement& placement)
+{
+    Eigen::Vector3d v = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < offset.size(); ++i) v[static_cast<Eigen::Index>(i)] = offset[i];
+    const Eigen::Vector3d placed = placement.linear() * v;
+    for (std::size_t i = 0; i < offset.size(); ++i) offset[i] = placed[static_cast<Eigen::Index>(i)];
+}
+
+/// The support's axes turn: angle 0 is +x, so a turn adds to it, a mirror takes it from the image of +x.
+void place_support(Support& support, const Placement& placement)
+{
+    const bool has_no_direction = support.kind == SupportKind::Fixed || support.kind == SupportKind::Pin;
+    const double turn = turn_of(placement);
+    if (has_no_direction || (turn == 0.0 && !mirrors(placement))) return;
+    double angle = mirrors(placement) ? turn - support.angle : support.angle + turn;
+    if (mirrors(placement) && std::abs(std::remainder(turn, 360.0)) > 90.0) angle += 180.0; // keeps it upright
+    support.angle = std::remainder(angle, 360.0);
+    if (support.kind == SupportKind::Roller && support.angle.value() != 0.0) {
+        support.kind = SupportKind::Custom;
+        support.fixed = {Dof::uy};
+    }
+}
+
+/// Keeps the loads of a member on it.
+class LoadFitter {
+public:
+    LoadFitter(AnalysisKind kind, double length, double stretch, bool is_mirrored)
+        : kind_(kind), length_(length), stretch_(stretch), is_mirrored_(is_mirrored)
+    {}
+
+    void operator()(DistributedLoad& load) const
+    {
+        if (load.from) fit(*load.from);
+        if (load.to) fit(*load.to);
+        for (DistributedLoad::Value& value : load.values) {
+            turn(value.dof, value.start, load.axes);
+            if (value.end) turn(value.dof, *value.end, load.axes);
+        }
+    }
+    void operator()(PointLoad& load) const
+    {
+        fit(load.at);
+        for (Component& component : load.components) turn(component.dof, component.value, load.axes);
+    }
+    void operator()(EndLoads& load) const
+    {
+        for (Component& component : load.start) turn(component.dof, component.value, load.axes);
+        for (Component& component : load.end) turn(component.dof, component.value, load.axes);
+    }
+    void operator()(TemperatureLoad& load) const
+    {
+        if (is_mirrored_ && is_plane()) std::swap(load.top, load.bottom);
+    }
+    void operator()(Misfit&) const {}
+
+private:
+    bool is_plane() const { return kind_ == AnalysisKind::Truss2d || kind_ == AnalysisKind::Frame2d; }
+    void fit(Position& position) const
+    {
+        auto* const at = std::get_if<Quantity>(&position);
+        if (!at) return;
+        const double x = std::min(at->value() * stretch_, length_);
+        if (x != at->value()) *at = x;
+    }
+    void turn(Dof dof, Quantity& value, LoadAxes axes) const
+    {
+        const bool is_across = dof == Dof::uy || dof == Dof::rz;
+        if (is_mirrored_ && is_plane() && is_across && axes == LoadAxes::Local) value = -value.value();
+    }
+
+    AnalysisKind kind_;
+    double length_, stretch_;
+    bool is_mirrored_;
+};
+
+/// Which nodes are placed, and which members go with them as a whole.
+class Placing {
+public:
+    Placing(Model& model, std::span<const NodeId> nodes, const Placement& placement)
+        : model_(model), placement_(placement), is_placed_(model.nodes.size(), false)
+    {
+        for (const NodeId node : nodes) is_placed_.at(node.index) = true;
+    }
+
+    void run()
+    {
+        std::vector<double> lengths;
+        for (const Member& member : model_.members) lengths.push_back(line_of(model_, member).length);
+        place_supports();
+        for (std::size_t i = 0; i < model_.nodes.size(); ++i)
+            if (is_placed_[i]) place_node(model_, model_.nodes[i], placement_ * position_of(model_, NodeId(i)));
+        for (Member& member : model_.members) {
+            if (!goes_along(member)) continue;
+            place_offset(member.start.offset, placement_);
+            place_offset(member.end.offset, placement_);
+        }
+        for (LoadCase& load_case : model_.load_cases)
+            for (MemberLoad& load : load_case.members) fit(load, lengths[load.member.index]);
+    }
+
+private:
+    bool is_placed(NodeId node) const { return is_placed_[node.index]; }
+    bool goes_along(const Member& member) const { return is_placed(member.nodes[0]) && is_placed(member.nodes[1]); }
+    bool is_touched(const Member& member) const { return is_placed(member.nodes[0]) || is_placed(member.nodes[1]); }
+
+    void place_supports()
+    {
+        std::vector<bool> goes_along_whole(model_.nodes.size(), true);
+        for (const Member& member : model_.members)
+            for (const NodeId node : member.nodes)
+                if (!goes_along(member)) goes_along_whole[node.index] = false;
+        for (std::size_t i = 0; i < model_.nodes.size(); ++i)
+            if (is_placed_[i] && goes_along_whole[i] && model_.nodes[i].support)
+                place_support(*model_.nodes[i].support, placement_);
+    }
+
+    void fit(MemberLoad& load, double old_length) const
+    {
+        const Member& member = model_[load.member];
+        if (!is_touched(member)) return;
+        const double length = line_of(model_, member).length;
+        const bool is_scaled = goes_along(member) && std::abs(scale_of(placement_) - 1.0) > 1e-12;
+        const double stretch = is_scaled && old_length > 0.0 ? length / old_length : 1.0;
+        std::visit(LoadFitter(model_.analysis, length, stretch, goes_along(member) && mirrors(placement_)), load.load);
+    }
+
+    Model& model_;
+    Placement placement_;
+    std::vector<bool> is_placed_;
+};
+
+/// Copies at the same place.
+class Copying {
+public:
+    explicit Copying(Model& model)
+        : model_(model), twin_of_node_(model.nodes.size()), twin_of_member_(model.members.size())
+    {}
+
+    Parts run(const Parts& parts)
+    {
+        for (const NodeId node : parts.nodes) copy(node);
+        for (const MemberId member : parts.members) copy(member);
+        for (LoadCase& load_case : model_.load_cases) {
+            copy_loads(load_case.nodes, &NodeLoad::node, twin_of_node_);
+            copy_loads(load_case.settlements, &Settlement::node, twin_of_node_);
+            copy_loads(load_case.members, &MemberLoad::member, twin_of_member_);
+        }
+        return copies_;
+    }
+
+private:
+    NodeId copy(NodeId id)
+    {
+        std::optional<NodeId>& twin = twin_of_node_.at(id.index);
+        if (twin) return *twin;
+        Node node = model_[id];
+        node.id = fresh_node_id(model_);
+        copies_.nodes.push_back(model_.add(std::move(node)));
+        twin = copies_.nodes.back();
+        return *twin;
+    }
+
+    void copy(MemberId id)
+    {
+        Member member = model_.members.at(id.index);
+        for (NodeId& node : member.nodes) node = copy(node);
+        member.id = fresh_member_id(model_, member.nodes[0], member.nodes[1]);
+        copies_.members.push_back(model_.add(std::move(member)));
+        twin_of_member_[id.index] = copies_.members.back();
+    }
+
+    /// A load on what was copied acts on its twin too.
+    template <class Load, class Id>
+    static void copy_loads(std::vector<Load>& loads, Id Load::*place, const std::vector<std::optional<Id>>& twins)
+    {
+        const std::size_t n = loads.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            const std::optional<Id>& twin = twins[(loads[i].*place).index];
+            if (!twin) continue;
+            Load load = loads[i];
+            load.*place = *twin;
+            loads.push_back(std::move(load));
+        }
+    }
+
+    Model& model_;
+    Parts copies_;
+    std::vector<std::optional<NodeId>> twin_of_node_;
+    std::vector<std::optional<MemberId>> twin_of_member_;
+};
+
+} // namespace
+
+Placement moved_by(const Eigen::Vector3d& shift) { return Placement(Eigen::Translation3d(shift)); }
+
+Placement turned(const Eigen::Vector3d& about, double angle)
+{
+    return Eigen::Translation3d(about) * Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()) *
+           Eigen::Translation3d(-about);
+}
+
+Placement mirrored(const Eigen::Vector3d& on_line, const Eigen::Vector3d& and_on_line)
+{
+    const Eigen::Vector3d along = and_on_line - on_line;
+    if (along.norm() == 0.0) throw std::invalid_argument("mirrored: the two points of the line are one");
+    const Eigen::Vector3d normal = Eigen::Vector3d(-along.y(), along.x(), 0.0).normalized();
+    Placement mirror = Placement::Identity();
+    mirror.linear() = Eigen::Matrix3d::Identity() - 2.0 * normal * normal.transpose();
+    return Eigen::Translation3d(on_line) * mirror * Eigen::Translation3d(-on_line);
+}
+
+Placement scaled(const Eigen::Vector3d& about, double factor)
+{
+    if (!(factor > 0.0)) throw std::invalid_argument("scaled: the factor is not positive");
+    return Eigen::Translation3d(about) * Eigen::Scaling(factor) * Eigen::Translation3d(-about);
+}
+
+void place_nodes(Model& model, std::span<const NodeId> nodes, const Placement& placement)
+{
+    Placing(model, nodes, placement).run();
+}
+
+Parts copy_parts(Model& model, const Parts& parts, const Placement& placement)
+{
+    Parts copies = Copying(model).run(parts);
+    place_nodes(model, copies.nodes, placement);
+    return copies;
+}
+
+} // namespace femoop

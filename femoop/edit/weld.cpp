@@ -1,0 +1,103 @@
+#include "femoop/edit/weld.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "femoop/edit/draw.h"
+#include "femoop/edit/erase.h"
+#include "femoop/edit/member_line.h"
+#include "femoop/edit/reverse.h"
+
+namespace femoop {
+
+namespace {
+
+/// Of each node the earliest one at its place.
+std::vector<NodeId> earliest_at_place(const Model& model)
+{
+    const double nearness = nearness_of(model);
+    std::vector<NodeId> earliest;
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        const Eigen::Vector3d place = position_of(model, NodeId(i));
+        const auto is_here = [&](NodeId other) { return (position_of(model, other) - place).norm() <= nearness; };
+        const auto found = std::ranges::find_if(earliest, is_here);
+        earliest.push_back(found == earliest.end() ? NodeId(i) : *found);
+    }
+    return earliest;
+}
+
+void take_over(Node& kept, const Node& dropped)
+{
+    if (!kept.support) kept.support = dropped.support;
+    kept.hinge = kept.hinge || dropped.hinge;
+    kept.mass.insert(kept.mass.end(), dropped.mass.begin(), dropped.mass.end());
+}
+
+void refer_to_earliest(Model& model, const std::vector<NodeId>& earliest)
+{
+    const auto refer = [&](NodeId& node) { node = earliest[node.index]; };
+    for (Member& member : model.members) std::ranges::for_each(member.nodes, refer);
+    for (LoadCase& load_case : model.load_cases) {
+        for (NodeLoad& load : load_case.nodes) refer(load.node);
+        std::erase_if(load_case.settlements, [&](const Settlement& late) {
+            const NodeId kept = earliest[late.node.index];
+            return kept != late.node && std::ranges::count(load_case.settlements, kept, &Settlement::node) > 0;
+        });
+        for (Settlement& settlement : load_case.settlements) refer(settlement.node);
+    }
+    for (Expected& check : model.expected)
+        if (check.node) refer(*check.node);
+}
+
+void weld_nodes(Model& model)
+{
+    const std::vector<NodeId> earliest = earliest_at_place(model);
+    Parts gone;
+    for (std::size_t i = 0; i < earliest.size(); ++i) {
+        if (earliest[i] == NodeId(i)) continue;
+        take_over(model.nodes[earliest[i].index], model.nodes[i]);
+        gone.nodes.emplace_back(i);
+    }
+    if (gone.nodes.empty()) return;
+    refer_to_earliest(model, earliest);
+    for (std::size_t i = 0; i < model.members.size(); ++i)
+        if (model.members[i].nodes[0] == model.members[i].nodes[1]) gone.members.emplace_back(i);
+    erase(model, gone);
+}
+
+/// The loads of a member go to its twin, which has the same direction.
+void hand_over_loads(Model& model, MemberId from, MemberId to)
+{
+    for (LoadCase& load_case : model.load_cases)
+        for (MemberLoad& load : load_case.members)
+            if (load.member == from) load.member = to;
+}
+
+void weld_members(Model& model)
+{
+    std::map<std::pair<NodeId, NodeId>, MemberId> between;
+    Parts gone;
+    for (std::size_t i = 0; i < model.members.size(); ++i) {
+        const MemberId late(i);
+        const auto [low, high] = std::minmax(model[late].nodes[0], model[late].nodes[1]);
+        const auto [found, is_first] = between.try_emplace({low, high}, late);
+        if (is_first) continue;
+        if (model[found->second].nodes != model[late].nodes) reverse_member(model, late);
+        hand_over_loads(model, late, found->second);
+        gone.members.push_back(late);
+    }
+    if (!gone.members.empty()) erase(model, gone);
+}
+
+} // namespace
+
+void weld(Model& model)
+{
+    weld_nodes(model);
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) cut_members_at(model, NodeId(i));
+    weld_members(model);
+}
+
+} // namespace femoop

@@ -1,0 +1,106 @@
+// Moving, turning, mirroring, scaling and copying.
+#include <doctest/doctest.h>
+
+#include <numbers>
+
+#include "femoop/analysis/linear_static.h"
+#include "femoop/edit/member_line.h"
+#include "femoop/edit/place.h"
+
+using namespace femoop;
+
+namespace {
+
+/// A cantilever with a load in its own axes at a length, on a roller at the tip.
+Model propped()
+{
+    Model model;
+    model.add(Material{.id = "steel", .E = 210e6});
+    model.add(Section{.id = "s", .A = 0.01, .Iz = 1e-4});
+    const NodeId a = model.add(Node{.id = "A", .at = {1, 2}, .support = Support{.kind = SupportKind::Fixed}});
+    const NodeId b = model.add(Node{.id = "B", .at = {6, 2}, .support = Support{.kind = SupportKind::Roller}});
+    const MemberId ab = model.add(
+        Member{.id = "AB", .nodes = {a, b}, .material = MaterialId(0), .section = SectionId(0)});
+    const PointLoad point{.at = Quantity(2.0), .components = {{Dof::uy, -30}}, .axes = LoadAxes::Local};
+    model.add(LoadCase{.id = "P", .members = {{ab, point}}});
+    return model;
+}
+
+const std::vector<NodeId> both{NodeId(0), NodeId(1)};
+
+double moment_at_wall(const Model& model) { return analyse(model).at("P").curve(MemberId(0)).forces(0.0).Mz; }
+
+} // namespace
+
+TEST_SUITE("edit: placing")
+{
+    TEST_CASE("A structure turned as a whole, supports too, is stressed as before")
+    {
+        const double M = moment_at_wall(propped());
+        for (const double angle : {0.3, 1.9, -2.4}) {
+            Model model = propped();
+            place_nodes(model, both, turned({4, -3, 0}, angle));
+            CHECK(moment_at_wall(model) == doctest::Approx(M));
+        }
+    }
+
+    TEST_CASE("A mirrored structure bends to the mirrored side")
+    {
+        const double M = moment_at_wall(propped());
+        for (const Eigen::Vector3d& along :
+             {Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(2, 3, 0)}) {
+            Model model = propped();
+            place_nodes(model, both, mirrored({9, 1, 0}, Eigen::Vector3d(9, 1, 0) + along));
+            CHECK(moment_at_wall(model) == doctest::Approx(-M)); // the member's y' is on the other side
+        }
+    }
+
+    TEST_CASE("Scaling keeps a load at its share of the member")
+    {
+        Model model = propped();
+        place_nodes(model, both, scaled({0, 0, 0}, 3.0));
+        CHECK(line_of(model, model.members[0]).length == doctest::Approx(15.0));
+        CHECK(std::get<Quantity>(std::get<PointLoad>(model.load_cases[0].members[0].load).at) == doctest::Approx(6.0));
+    }
+
+    TEST_CASE("A node dragged in takes a load along that would fall off, and no other")
+    {
+        Model model = propped();
+        place_nodes(model, std::vector{NodeId(1)}, moved_by({-1, 0, 0}));
+        const auto at = [&] { return std::get<Quantity>(std::get<PointLoad>(model.load_cases[0].members[0].load).at); };
+        CHECK(at() == 2.0);
+        place_nodes(model, std::vector{NodeId(1)}, moved_by({-2.5, 0, 0}));
+        CHECK(at() == doctest::Approx(1.5));
+    }
+
+    TEST_CASE("A support turns only where its whole surroundings do")
+    {
+        Model model = propped();
+        place_nodes(model, std::vector{NodeId(1)}, turned({1, 2, 0}, 0.5));
+        CHECK(model.nodes[1].support->kind == SupportKind::Roller);
+    }
+
+    TEST_CASE("A coordinate that does not change keeps the text that was typed")
+    {
+        Model model = propped();
+        model.nodes[1].at[1] = Quantity(2.0, "200 cm");
+        place_nodes(model, both, moved_by({3, 0, 0}));
+        CHECK(model.nodes[1].at[1].text() == "200 cm");
+        CHECK(model.nodes[1].at[0] == 9.0);
+    }
+
+    TEST_CASE("A copy brings its nodes, supports and loads, and leaves the original alone")
+    {
+        Model model = propped();
+        const Parts copies = copy_parts(model, {.members = {MemberId(0)}}, moved_by({0, 4, 0}));
+        REQUIRE(copies.members.size() == 1);
+        CHECK(model[copies.members[0]].id == "CD");
+        CHECK(model.nodes[2].support == model.nodes[0].support);
+        REQUIRE(model.load_cases[0].members.size() == 2);
+        CHECK(model.load_cases[0].members[1].member == copies.members[0]);
+        CHECK(model.nodes[3].at[1] == 6.0);
+        const CaseResult result = analyse(model).at("P");
+        CHECK(result.curve(copies.members[0]).forces(0.0).Mz ==
+              doctest::Approx(result.curve(MemberId(0)).forces(0.0).Mz));
+    }
+}
