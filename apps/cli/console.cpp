@@ -21,10 +21,7 @@ void Console::report(std::string_view file, const std::vector<femoop::Fault>& fa
     }
 }
 
-std::string Console::sentence(const femoop::Fault& fault) const
-{
-    return femoop::fill(tr_(femoop::pattern(fault.kind)), fault.arguments);
-}
+std::string Console::sentence(const femoop::Fault& fault) const { return femoop::message(fault, tr_); }
 
 void Console::flush()
 {
@@ -32,7 +29,7 @@ void Console::flush()
     errno = 0;
     const bool is_written = std::fwrite(results.data(), 1, results.size(), stdout) == results.size();
     if ((is_written && std::fflush(stdout) == 0) || errno == EPIPE) return;
-    const std::string reason = std::generic_category().message(errno);
+    const std::string reason = tr_(std::generic_category().message(errno));
     throw UsageError(tr_("cannot write the results to standard output: {reason}", {{"reason", reason}}));
 }
 

@@ -18,7 +18,7 @@ UsageError cannot_write(const fs::path& path, const std::string& reason, const u
     return UsageError(tr("cannot write {file}: {reason}", {{"file", path.string()}, {"reason", reason}}));
 }
 
-std::string last_reason() { return std::generic_category().message(errno); }
+std::string last_reason(const ui::Catalogue& tr) { return tr(std::generic_category().message(errno)); }
 
 } // namespace
 
@@ -43,14 +43,14 @@ void write_file(const fs::path& path, std::string_view text, const ui::Catalogue
     out.write(text.data(), static_cast<std::streamsize>(text.size()));
     out.close();
     if (!out) {
-        const std::string reason = last_reason();
+        const std::string reason = last_reason(tr);
         if (!is_special) fs::remove(written, error);
         throw cannot_write(path, reason, tr);
     }
     if (is_special) return;
     fs::rename(written, path, error);
     if (!error) return;
-    const std::string reason = error.message();
+    const std::string reason = tr(error.message());
     fs::remove(written, error);
     throw cannot_write(path, reason, tr);
 }

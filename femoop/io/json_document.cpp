@@ -5,13 +5,15 @@
 #include <utility>
 
 #include "femoop/model/number_text.h"
+#include "femoop/model/translator.h"
 
 namespace femoop {
 
 std::string_view name(JsonKind kind)
 {
-    static constexpr std::array<std::string_view, 7> names{"nothing", "null",   "true or false", "a number",
-                                                           "a text",  "a list", "an object"};
+    static constexpr std::array<std::string_view, 7> names{
+        translatable("nothing"), translatable("null"),   translatable("true or false"), translatable("a number"),
+        translatable("a text"),  translatable("a list"), translatable("an object")};
     return names[static_cast<std::size_t>(kind)];
 }
 

@@ -12,6 +12,7 @@
 #include "femoop/io/json_document.h"
 #include "femoop/io/model_reader.h"
 #include "femoop/model/check_parts.h"
+#include "femoop/model/translator.h"
 
 namespace femoop {
 
@@ -33,9 +34,21 @@ std::string contents(std::istream& input)
     return {std::istreambuf_iterator<char>(input), std::istreambuf_iterator<char>()};
 }
 
+std::string reason_text(std::errc reason)
+{
+    switch (reason) {
+    case std::errc::no_such_file_or_directory: return std::string(translatable("No such file or directory"));
+    case std::errc::permission_denied: return std::string(translatable("Permission denied"));
+    case std::errc::is_a_directory: return std::string(translatable("Is a directory"));
+    case std::errc::no_space_on_device: return std::string(translatable("No space left on device"));
+    case std::errc::read_only_file_system: return std::string(translatable("Read-only file system"));
+    default: return std::make_error_code(reason).message();
+    }
+}
+
 Fault file_fault(FaultKind kind, const std::filesystem::path& path, std::errc reason)
 {
-    return {kind, {path.string(), std::make_error_code(reason).message()}};
+    return {kind, {path.string(), reason_text(reason)}};
 }
 
 } // namespace

@@ -110,7 +110,7 @@ std::size_t ModelReader::reference(JsonValue value, NameTable& names, Missing mi
 {
     if (!value.is_present()) return nowhere;
     if (!value.is(JsonKind::String)) {
-        reader_.wrong_type(value, "the id of an entry, a text", place);
+        reader_.wrong_type(value, translatable("the id of an entry, a text"), place);
         return nowhere;
     }
     return lookup(value.text(), names, missing, place);

@@ -134,7 +134,7 @@ std::optional<Support> ModelReader::support(JsonValue value, const Place& place)
         return support;
     }
     if (!value.is(JsonKind::Object)) {
-        reader_.wrong_type(value, "\"fixed\", \"pin\", \"roller\" or an object", place);
+        reader_.wrong_type(value, translatable("\"fixed\", \"pin\", \"roller\" or an object"), place);
         return std::nullopt;
     }
     const Place here = place.key("support");

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "femoop/model/suggestion.h"
+#include "femoop/model/translator.h"
 
 namespace femoop {
 
@@ -12,6 +13,15 @@ namespace {
 
 // An array's value has no key of its own: then the place is the array's entry already.
 std::string text_of(const Place& place, JsonValue value) { return place.text(value.key()); }
+
+/// As much of a text as a message has room for, cut between characters.
+std::string_view beginning(std::string_view text)
+{
+    constexpr std::size_t longest = 40;
+    std::size_t end = std::min(text.size(), longest);
+    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) ++end;
+    return text.substr(0, end);
+}
 
 std::string joined(const std::vector<std::string_view>& names)
 {
@@ -24,9 +34,10 @@ std::string joined(const std::vector<std::string_view>& names)
 
 void ValueReader::wrong_type(JsonValue value, std::string_view wanted, const Place& place)
 {
-    std::string found(name(value.kind()));
-    if (value.is(JsonKind::String)) found += ' ' + quoted_json(value.text().substr(0, 40));
-    add({FaultKind::WrongType, {text_of(place, value), std::move(found), std::string(wanted)}});
+    const bool is_text = value.is(JsonKind::String);
+    add({is_text ? FaultKind::WrongTypeText : FaultKind::WrongType,
+         {text_of(place, value), is_text ? quoted_json(beginning(value.text())) : std::string(name(value.kind())),
+          std::string(wanted)}});
 }
 
 void ValueReader::not_an_object(JsonValue value, const Place& own_place)
@@ -95,7 +106,7 @@ std::optional<Quantity> ValueReader::quantity(JsonValue value, Dimension dimensi
     if (!value.is_present()) return std::nullopt;
     if (value.is(JsonKind::Number)) return Quantity(value.number());
     if (!value.is(JsonKind::String)) {
-        wrong_type(value, "a number, or a text with a unit", place);
+        wrong_type(value, translatable("a number, or a text with a unit"), place);
         return std::nullopt;
     }
     auto parsed = parse_quantity(value.text(), dimension, units_, angle);

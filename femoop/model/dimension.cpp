@@ -4,31 +4,33 @@
 #include <string_view>
 #include <utility>
 
+#include "femoop/model/translator.h"
+
 namespace femoop {
 
 namespace {
 
 constexpr std::array<std::pair<Dimension, std::string_view>, 20> names{{
-    {dimension::none, "plain number"},
-    {dimension::length, "length"},
-    {dimension::area, "area"},
-    {{.length = 3}, "volume or section modulus"},
-    {dimension::second_moment, "second moment of area"},
-    {dimension::angle, "angle"},
-    {dimension::force, "force"},
-    {dimension::moment, "moment"},
-    {dimension::force_per_length, "force per length"},
-    {dimension::moment_per_angle, "rotational stiffness"},
-    {dimension::stress, "stress or force per area"},
-    {{.length = -3, .force = 1}, "weight per volume"},
-    {dimension::mass, "mass"},
-    {dimension::rotary_mass, "rotary mass"},
-    {dimension::density, "density"},
-    {{.length = -2, .force = 1, .time = 2}, "mass per length"},
-    {{.time = 1}, "time"},
-    {dimension::frequency, "frequency"},
-    {dimension::temperature, "temperature"},
-    {dimension::expansion, "coefficient of thermal expansion"},
+    {dimension::none, translatable("plain number")},
+    {dimension::length, translatable("length")},
+    {dimension::area, translatable("area")},
+    {{.length = 3}, translatable("volume or section modulus")},
+    {dimension::second_moment, translatable("second moment of area")},
+    {dimension::angle, translatable("angle")},
+    {dimension::force, translatable("force")},
+    {dimension::moment, translatable("moment")},
+    {dimension::force_per_length, translatable("force per length")},
+    {dimension::moment_per_angle, translatable("rotational stiffness")},
+    {dimension::stress, translatable("stress or force per area")},
+    {{.length = -3, .force = 1}, translatable("weight per volume")},
+    {dimension::mass, translatable("mass")},
+    {dimension::rotary_mass, translatable("rotary mass")},
+    {dimension::density, translatable("density")},
+    {{.length = -2, .force = 1, .time = 2}, translatable("mass per length")},
+    {{.time = 1}, translatable("time")},
+    {dimension::frequency, translatable("frequency")},
+    {dimension::temperature, translatable("temperature")},
+    {dimension::expansion, translatable("coefficient of thermal expansion")},
 }};
 
 void append(std::string& text, std::string_view name, int exponent)

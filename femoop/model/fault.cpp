@@ -1,5 +1,6 @@
 #include "femoop/model/fault.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -59,7 +60,54 @@ std::string fill(std::string_view pattern, const std::vector<std::string>& argum
     return text;
 }
 
-std::string message(const Fault& fault) { return fill(pattern(fault.kind), fault.arguments); }
+bool is_word(FaultKind kind, std::size_t argument)
+{
+    switch (kind) {
+    case FaultKind::QuantityWrongDimension: return argument == 2 || argument == 3;
+    case FaultKind::QuantityUnwantedUnit: return argument == 2;
+    case FaultKind::WrongType: return argument == 1 || argument == 2;
+    case FaultKind::WrongTypeText: return argument == 2;
+    case FaultKind::FileUnreadable:
+    case FaultKind::FileUnwritable: return argument == 1;
+    default: return false;
+    }
+}
+
+namespace {
+
+/// A dimension without a name of its own is put together of single words: force^2*length.
+std::string word_by_word(std::string_view text, const Translator& tr)
+{
+    const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
+    std::string translated;
+    while (!text.empty()) {
+        const auto end = std::find_if_not(text.begin(), text.end(), is_letter) - text.begin();
+        const std::size_t length = std::max<std::size_t>(static_cast<std::size_t>(end), 1);
+        translated += end == 0 ? std::string(1, text.front()) : tr(text.substr(0, length));
+        text.remove_prefix(length);
+    }
+    return translated;
+}
+
+std::string translated_word(std::string_view text, const Translator& tr)
+{
+    std::string translated = tr(text);
+    const bool is_put_together = text.find(' ') == std::string_view::npos && translated == text;
+    return is_put_together ? word_by_word(text, tr) : translated;
+}
+
+} // namespace
+
+std::string message(const Fault& fault, const Translator& tr)
+{
+    const std::string_view plain = pattern(fault.kind);
+    const std::string sentence = tr(plain);
+    std::vector<std::string> arguments = fault.arguments;
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+        if (is_word(fault.kind, i)) arguments[i] = translated_word(arguments[i], tr);
+    // A sentence that has no translation keeps its own conjunction.
+    return fill(sentence, arguments, sentence == plain ? std::string("and") : tr(translatable("and")));
+}
 
 namespace {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "femoop/model/fault_kind.h"
+#include "femoop/model/translator.h"
 
 namespace femoop {
 
@@ -14,8 +16,8 @@ enum class Severity : std::uint8_t { Error, Warning };
 
 /// One thing wrong with a model: what kind, and the words that fill its sentence.
 ///
-/// The English sentence is `message(fault)`. A program that speaks another language looks up `pattern(fault.kind)`
-/// in its catalogue and fills it with `fill(translated, fault.arguments)`.
+/// `message(fault)` is its English sentence, `message(fault, tr)` that of another language. An argument is a name, a
+/// number, a key of the file or (`is_word`) a word of ours, such as the name of a dimension, which is translated too.
 struct Fault {
     FaultKind kind;
     std::vector<std::string> arguments;
@@ -23,6 +25,7 @@ struct Fault {
     friend bool operator==(const Fault&, const Fault&) = default;
 };
 
+bool is_word(FaultKind kind, std::size_t argument);
 std::string_view pattern(FaultKind kind); ///< English sentence with places {0}, {1} ... for the arguments
 Severity severity(FaultKind kind);
 
@@ -32,7 +35,7 @@ std::string listed(const std::vector<std::string>& names);
 /// Puts the arguments into a pattern; `conjunction` stands before the last name of a list.
 std::string fill(std::string_view pattern, const std::vector<std::string>& arguments,
                  std::string_view conjunction = "and");
-std::string message(const Fault& fault); ///< the English sentence
+std::string message(const Fault& fault, const Translator& tr = english);
 
 /// A model that cannot be used, with every reason. `what()` is the sentences, one a line.
 class ModelError : public std::runtime_error {

@@ -52,6 +52,7 @@ enum class FaultKind : std::uint8_t {
 
     // the file's keys and values
     WrongType,
+    WrongTypeText,
     UnknownKey,
     UnknownKeyNear,
     MissingKey,

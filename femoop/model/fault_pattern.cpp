@@ -83,6 +83,7 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::RepeatedDof: return "{0}: \"{1}\" stands at {2} already; keep one of them";
 
     case FaultKind::WrongType: return "{0}: found {1}, wanted {2}";
+    case FaultKind::WrongTypeText: return "{0}: found a text {1}, wanted {2}";
     case FaultKind::UnknownKey: return "{0}: unknown key; known here: {1}";
     case FaultKind::UnknownKeyNear: return "{0}: unknown key; did you mean \"{1}\"?";
     case FaultKind::MissingKey: return "{0}: \"{1}\" is missing; add it";

@@ -53,7 +53,7 @@ ui::Phrase change_label(const Session& session, const Number& number)
 
 std::string reason(const femoop::Fault& fault, const ui::Catalogue& tr)
 {
-    std::string text = femoop::fill(tr(femoop::pattern(fault.kind)), fault.arguments);
+    std::string text = femoop::message(fault, tr);
     if (text.starts_with(": ")) text.erase(0, 2); // the place, which the field itself shows
     return text;
 }

@@ -99,6 +99,25 @@ TEST_SUITE("ui text")
         }
     }
 
+    TEST_CASE("The words that fill a fault's sentence are translated with it, names and keys are not")
+    {
+        const ui::Catalogue tr(ui::Language::Portuguese);
+        using femoop::FaultKind;
+        CHECK(femoop::message(
+                  {FaultKind::QuantityWrongDimension, {"a.E", "5 kN", "force", "stress or force per area", "Pa"}},
+                  tr) == "a.E: \"5 kN\" mede força, esperado tensão ou força por área, por exemplo em Pa");
+        CHECK(femoop::message({FaultKind::QuantityUnwantedUnit, {"nu", "5 kN^2*m", "force^2*length"}}, tr) ==
+              "nu: \"5 kN^2*m\" mede força^2*comprimento, esperado um número puro; retire a unidade");
+        CHECK(femoop::message({FaultKind::WrongType, {"nodes", "an object", "a list"}}, tr) ==
+              "nodes: encontrado um objeto, esperado uma lista");
+        CHECK(femoop::message({FaultKind::WrongTypeText, {"nodes", "\"length\"", "a list"}}, tr) ==
+              "nodes: encontrado um texto \"length\", esperado uma lista");
+        CHECK(femoop::message({FaultKind::NoSuchNode, {"members[0]", "length"}}, tr) ==
+              "members[0]: não há nó \"length\"; acrescente o nó ou indique outro");
+        CHECK(femoop::message({FaultKind::MechanismSwayX, {femoop::listed({"B", "and"})}}, tr)
+                  .starts_with("a estrutura pode se mover sem se deformar: os nós B e and se deslocam"));
+    }
+
     TEST_CASE("Every Portuguese translation is of a sentence that is still there, and stands once")
     {
         const std::set<std::string> sentences = sentences_in_sources();

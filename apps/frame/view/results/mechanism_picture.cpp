@@ -54,12 +54,6 @@ void draw_motion(const Scene& scene, const femoop::Mechanism& mechanism)
         draw_node_motion(scene, femoop::NodeId{i}, mechanism.motion[i], factor);
 }
 
-std::string sentence(const femoop::Fault& fault, const ui::Catalogue& tr)
-{
-    const std::string_view english = femoop::pattern(fault.kind);
-    // A sentence that is not translated keeps its own conjunction.
-    const std::string conjunction = tr.has(english) ? tr("and") : "and";
-    return femoop::fill(tr(english), fault.arguments, conjunction);
-}
+std::string sentence(const femoop::Fault& fault, const ui::Catalogue& tr) { return femoop::message(fault, tr); }
 
 } // namespace frame
