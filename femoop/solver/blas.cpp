@@ -1,22 +1,16 @@
 #include "femoop/solver/blas.h"
 
-#if __has_include(<dlfcn.h>)
-#include <dlfcn.h>
-#endif
-
 #include "femoop/solver/cholmod_solver.h"
+#include "femoop/solver/loaded_function.h"
 
 namespace femoop {
 
 Blas blas()
 {
     if (!has_cholmod()) return {.name = "none", .threads = 1};
-#if __has_include(<dlfcn.h>)
-    // Which BLAS the program got is decided when it is loaded: it is asked by name.
-    const auto config = reinterpret_cast<const char* (*)()>(dlsym(RTLD_DEFAULT, "openblas_get_config"));
-    const auto threads = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "openblas_get_num_threads"));
+    const auto config = loaded_function<const char*()>("openblas_get_config");
+    const auto threads = loaded_function<int()>("openblas_get_num_threads");
     if (config != nullptr && threads != nullptr) return {.name = config(), .threads = threads()};
-#endif
     return {.name = "BLAS of unknown make", .threads = 1};
 }
 

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <new>
+#include <optional>
 #include <stdexcept>
 
 #include "femoop/solver/cholmod_session.h"
+#include "femoop/solver/one_thread.h"
 
 namespace femoop {
 
 namespace {
+
+constexpr double worth_threads = 2e10; // operations, see courseware/decisions/0008-threads-where-they-pay.md
 
 class CholmodSolver final : public SymmetricSolver {
 public:
@@ -29,6 +33,11 @@ private:
     Pivots factorize_ordered(const SparseMatrix& K) override;
     Eigen::MatrixXd solve_ordered(Eigen::MatrixXd B) const override;
     void require_done(bool is_done) const;
+
+    std::optional<SerialBlas> serial_where_faster() const
+    {
+        return session_.common.fl < worth_threads ? std::optional<SerialBlas>(std::in_place) : std::nullopt;
+    }
 
     mutable CholmodSession session_; // workspace, no state
     cholmod_factor* factor_ = nullptr;
@@ -85,6 +94,8 @@ Pivots CholmodSolver::factorize_ordered(const SparseMatrix& K)
 {
     const auto n = static_cast<std::size_t>(K.cols());
     cholmod_sparse view_of_K = view(std::span(K.outerIndexPtr(), n + 1), K.innerIndexPtr(), K.valuePtr());
+    const SerialLoops serial; // a team of threads for the scatter of each supernode costs more than the scatter
+    const std::optional<SerialBlas> serial_blas = serial_where_faster();
     require_done(cholmod_factorize(&view_of_K, factor_, &session_.common) != 0);
     const auto broke_down = static_cast<std::int32_t>(std::min(factor_->minor, n));
     Pivots pivots;
@@ -104,6 +115,7 @@ Eigen::MatrixXd CholmodSolver::solve_ordered(Eigen::MatrixXd B) const
     view_of_B.x = B.data();
     view_of_B.xtype = CHOLMOD_REAL;
     view_of_B.dtype = CHOLMOD_DOUBLE;
+    const std::optional<SerialBlas> serial_blas = serial_where_faster();
     cholmod_dense* X = cholmod_solve(CHOLMOD_A, factor_, &view_of_B, &session_.common);
     require_done(X != nullptr);
     std::copy_n(static_cast<const double*>(X->x), B.size(), B.data());
