@@ -1,0 +1,171 @@
+#include "apps/frame/document/drawing.h"
+
+#include <algorithm>
+
+#include "femoop/edit/draw.h"
+#include "femoop/edit/erase.h"
+#include "femoop/edit/merge.h"
+#include "femoop/edit/weld.h"
+#include "femoop/model/in_units.h"
+
+namespace frame {
+
+using femoop::Model;
+
+namespace {
+
+Eigen::Vector3d in_space(const Eigen::Vector2d& place) { return {place.x(), place.y(), 0.0}; }
+
+/// The material and the section that the first member of a new model gets, in the model's units.
+Model first_properties(const Model& model) { return in_units(starting_document().model, model.units); }
+
+femoop::MaterialId some_material(Model& model)
+{
+    if (model.materials.empty()) return model.add(first_properties(model).materials.front());
+    return femoop::MaterialId(model.materials.size() - 1);
+}
+
+femoop::SectionId some_section(Model& model)
+{
+    if (model.sections.empty()) return model.add(first_properties(model).sections.front());
+    return femoop::SectionId(model.sections.size() - 1);
+}
+
+/// What the next member is made like.
+femoop::Member pattern(Model& model)
+{
+    femoop::Member member;
+    if (!model.members.empty()) {
+        const femoop::Member& last = model.members.back();
+        member.material = last.material;
+        member.section = last.section;
+        member.theory = last.theory;
+    }
+    if (!member.material) member.material = some_material(model);
+    if (!member.section) member.section = some_section(model);
+    return member;
+}
+
+/// Erases entries of a list by their places.
+template <class Entry> void erase_places(std::vector<Entry>& list, std::vector<std::size_t> places)
+{
+    std::ranges::sort(places, std::ranges::greater());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    for (const std::size_t place : places) list.erase(list.begin() + static_cast<std::ptrdiff_t>(place));
+}
+
+/// The places of the loads of one kind in one load case.
+template <class Place> std::vector<std::size_t> places_in(std::span<const Part> parts, std::size_t load_case)
+{
+    std::vector<std::size_t> places;
+    for (const Part& part : parts)
+        if (const auto* const place = std::get_if<Place>(&part); place && place->load_case == load_case) {
+            if constexpr (std::is_same_v<Place, SettlementPlace>) places.push_back(place->settlement);
+            else places.push_back(place->load);
+        }
+    return places;
+}
+
+void remove_loads(Model& model, std::span<const Part> parts)
+{
+    for (std::size_t i = 0; i < model.load_cases.size(); ++i) {
+        femoop::LoadCase& load_case = model.load_cases[i];
+        erase_places(load_case.nodes, places_in<NodeLoadPlace>(parts, i));
+        erase_places(load_case.settlements, places_in<SettlementPlace>(parts, i));
+        erase_places(load_case.members, places_in<MemberLoadPlace>(parts, i));
+    }
+}
+
+/// Of the other parts, those that femoop erases.
+class ToErase {
+public:
+    explicit ToErase(const Model& model) : model_(model) {}
+
+    void operator()(femoop::NodeId id) { node_names.push_back(model_[id].id); }
+    void operator()(femoop::MemberId id) { parts.members.push_back(id); }
+    void operator()(femoop::MaterialId id)
+    {
+        if (!is_used(model_, id)) parts.materials.push_back(id);
+    }
+    void operator()(femoop::SectionId id)
+    {
+        if (!is_used(model_, id)) parts.sections.push_back(id);
+    }
+    void operator()(LoadCasePlace place) { parts.cases.emplace_back(place.load_case); }
+    void operator()(CombinationPlace place) { parts.cases.emplace_back(model_.load_cases.size() + place.combination); }
+    template <class LoadPlace> void operator()(const LoadPlace&) {} // remove_loads has seen to it
+
+    femoop::Parts parts;
+    std::vector<std::string> node_names; ///< nodes go last, and then have other ids
+
+private:
+    const Model& model_;
+};
+
+femoop::Parts structural(std::span<const Part> parts)
+{
+    femoop::Parts found;
+    for (const Part& part : parts) {
+        if (const auto* const node = std::get_if<femoop::NodeId>(&part)) found.nodes.push_back(*node);
+        if (const auto* const member = std::get_if<femoop::MemberId>(&part)) found.members.push_back(*member);
+    }
+    return found;
+}
+
+/// Erases the node, unless two equal members go on straight there: these become one.
+void take_out(Model& model, const std::string& node_name)
+{
+    const std::optional<femoop::NodeId> node = model.find_node(node_name);
+    if (!node) return;
+    if (why_not_merge_at(model, *node)) femoop::erase(model, {.nodes = {*node}});
+    else merge_members_at(model, *node);
+}
+
+} // namespace
+
+void add_node(Document& document, const Eigen::Vector2d& place) { femoop::place_node(document.model, in_space(place)); }
+
+void draw_member(Document& document, const Eigen::Vector2d& start, const Eigen::Vector2d& end)
+{
+    Model next = document.model;
+    const femoop::Member like = pattern(next);
+    femoop::draw_member(next, in_space(start), in_space(end), like);
+    document.model = std::move(next);
+}
+
+void remove(Document& document, std::span<const Part> parts)
+{
+    ToErase erased(document.model);
+    for (const Part& part : parts) std::visit(erased, part);
+    remove_loads(document.model, parts);
+    femoop::erase(document.model, erased.parts);
+    for (const std::string& name : erased.node_names) take_out(document.model, name);
+}
+
+std::vector<femoop::NodeId> nodes_of(const Model& model, std::span<const Part> parts)
+{
+    femoop::Parts found = structural(parts);
+    for (const femoop::MemberId member : found.members)
+        for (const femoop::NodeId node : model[member].nodes) found.nodes.push_back(node);
+    std::ranges::sort(found.nodes);
+    found.nodes.erase(std::unique(found.nodes.begin(), found.nodes.end()), found.nodes.end());
+    return found.nodes;
+}
+
+void place(Document& document, std::span<const Part> parts, const femoop::Placement& placement)
+{
+    femoop::place_nodes(document.model, nodes_of(document.model, parts), placement);
+}
+
+std::vector<Part> copy(Document& document, std::span<const Part> parts, const femoop::Placement& placement, int times)
+{
+    femoop::Parts latest = structural(parts);
+    for (int i = 0; i < times; ++i) latest = femoop::copy_parts(document.model, latest, placement);
+    std::vector<Part> copies(latest.nodes.begin(), latest.nodes.end());
+    copies.insert(copies.end(), latest.members.begin(), latest.members.end());
+    return copies;
+}
+
+void join(Document& document) { femoop::weld(document.model); }
+
+} // namespace frame

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "apps/frame/document/document.h"
+#include "apps/frame/document/part.h"
+#include "femoop/edit/place.h"
+
+namespace frame {
+
+/// Commands that change what a structure consists of. Places are in the plane of the model, in its unit of length.
+
+/// A node where there is none yet; a member that passes there is cut.
+void add_node(Document& document, const Eigen::Vector2d& place);
+
+/// Members along a straight line, made like the last one of the model: its material, section and theory. A model
+/// without any gets steel and a section to begin with. Crossed members are cut (femoop/edit/draw.h). \throws
+/// std::invalid_argument where the places are one
+void draw_member(Document& document, const Eigen::Vector2d& start, const Eigen::Vector2d& end);
+
+/// Takes these parts out, and what cannot be without them; where a node goes at which two equal members go on straight,
+/// they become one member. Materials and sections in use stay.
+void remove(Document& document, std::span<const Part> parts);
+
+/// The nodes of the parts: themselves, and the ends of members.
+std::vector<femoop::NodeId> nodes_of(const femoop::Model& model, std::span<const Part> parts);
+
+/// Moves, turns, mirrors or scales the nodes of the parts. What lands on something is not joined to it yet: see `join`.
+void place(Document& document, std::span<const Part> parts, const femoop::Placement& placement);
+
+/// Copies nodes and members with their supports and loads, `times` times, each copy placed on from the one before.
+/// \returns the parts of the last copies
+std::vector<Part> copy(Document& document, std::span<const Part> parts, const femoop::Placement& placement,
+                       int times = 1);
+
+/// Makes one of what lies at one place (femoop/edit/weld.h): the end of every gesture that moved something.
+void join(Document& document);
+
+} // namespace frame

@@ -1,0 +1,64 @@
+#include "apps/frame/tools/member_tool.h"
+
+#include <utility>
+
+#include "apps/frame/document/drawing.h"
+#include "ui/text/catalogue.h"
+
+namespace frame {
+
+using Eigen::Vector2d;
+
+std::optional<Change> MemberTool::press(const Snap& at)
+{
+    pointer_ = at.place;
+    if (start_ && *start_ == at.place) { // the second click at one place ends the line
+        start_.reset();
+        return std::nullopt;
+    }
+    if (start_) return draw_to(at.place);
+    start_ = at.place;
+    may_drag_ = true;
+    return std::nullopt;
+}
+
+void MemberTool::move(const Snap& to) { pointer_ = to.place; }
+
+std::optional<Change> MemberTool::release(const Snap& at)
+{
+    const bool was_dragged = std::exchange(may_drag_, false) && start_ && *start_ != at.place;
+    if (!was_dragged) return std::nullopt;
+    std::optional<Change> change = draw_to(at.place);
+    start_.reset();
+    return change;
+}
+
+std::optional<Change> MemberTool::type(const Vector2d& place)
+{
+    if (start_ && *start_ != place) return draw_to(place);
+    start_ = place;
+    return std::nullopt;
+}
+
+bool MemberTool::escape()
+{
+    may_drag_ = false;
+    const bool had_begun = start_.has_value();
+    start_.reset();
+    return had_begun;
+}
+
+Preview MemberTool::preview() const
+{
+    if (!start_ || *start_ == pointer_) return {};
+    return {.lines = {{*start_, pointer_}}};
+}
+
+std::optional<Change> MemberTool::draw_to(const Vector2d& place)
+{
+    const Vector2d start = *std::exchange(start_, place);
+    return Change{ui::translatable("Draw a member"),
+                  [start, place](Document& document) { draw_member(document, start, place); }};
+}
+
+} // namespace frame

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "apps/frame/tools/tool.h"
+
+namespace frame {
+
+/// Draws members: click and click, where the line goes on from the last place until Esc or a second click there; or
+/// press, drag and release, which draws one member alone.
+class MemberTool : public Tool {
+public:
+    std::optional<Change> press(const Snap& at) override;
+    void move(const Snap& to) override;
+    std::optional<Change> release(const Snap& at) override;
+    std::optional<Change> type(const Eigen::Vector2d& place) override;
+    bool escape() override;
+    std::optional<Eigen::Vector2d> from() const override { return start_; }
+    Preview preview() const override;
+
+private:
+    std::optional<Change> draw_to(const Eigen::Vector2d& place);
+
+    std::optional<Eigen::Vector2d> start_;
+    Eigen::Vector2d pointer_ = Eigen::Vector2d::Zero();
+    bool may_drag_ = false; ///< the press that began the line is still held
+};
+
+} // namespace frame

@@ -1,0 +1,129 @@
+#include "apps/frame/tools/snap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace frame {
+
+using Eigen::Vector2d;
+using femoop::Model;
+
+namespace {
+
+struct Line {
+    Vector2d start, chord;
+    double length() const { return chord.norm(); }
+    Vector2d at(double share) const { return start + share * chord; }
+    /// Share of the chord at the foot of a place.
+    double foot(const Vector2d& place) const { return chord.dot(place - start) / chord.squaredNorm(); }
+};
+
+Vector2d place_of(const Model& model, femoop::NodeId node) { return {model[node].at[0], model[node].at[1]}; }
+
+std::vector<Line> lines_of(const Model& model)
+{
+    std::vector<Line> lines;
+    for (const femoop::Member& member : model.members) {
+        const Vector2d start = place_of(model, member.nodes[0]);
+        const Line line{start, place_of(model, member.nodes[1]) - start};
+        if (line.length() > 0.0) lines.push_back(line);
+    }
+    return lines;
+}
+
+bool is_inside(double share) { return share > 0.0 && share < 1.0; }
+
+std::optional<Vector2d> crossing(const Line& a, const Line& b)
+{
+    const double determinant = a.chord.x() * b.chord.y() - a.chord.y() * b.chord.x();
+    if (std::abs(determinant) <= 1e-12 * a.length() * b.length()) return std::nullopt;
+    const Vector2d r = b.start - a.start;
+    const double s = (r.x() * b.chord.y() - r.y() * b.chord.x()) / determinant;
+    const double t = (r.x() * a.chord.y() - r.y() * a.chord.x()) / determinant;
+    return is_inside(s) && is_inside(t) ? std::optional(a.at(s)) : std::nullopt;
+}
+
+/// Collects candidates and keeps the best.
+class Magnet {
+public:
+    Magnet(const Vector2d& pointer, double reach) : pointer_(pointer), reach_(reach) {}
+
+    void offer(const Vector2d& place, SnapKind kind)
+    {
+        const double distance = (place - pointer_).norm();
+        if (distance > reach_) return;
+        if (best_ && (best_->kind < kind || (best_->kind == kind && distance_ <= distance))) return;
+        best_ = Snap{place, kind};
+        distance_ = distance;
+    }
+    Snap best() const { return best_.value_or(Snap{pointer_, SnapKind::Free}); }
+
+private:
+    Vector2d pointer_;
+    double reach_;
+    std::optional<Snap> best_;
+    double distance_ = 0.0;
+};
+
+void offer_crossings(Magnet& magnet, const std::vector<Line>& near)
+{
+    for (std::size_t i = 0; i < near.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (const std::optional<Vector2d> place = crossing(near[j], near[i]))
+                magnet.offer(*place, SnapKind::Intersection);
+}
+
+void offer_line(Magnet& magnet, const Line& line, const Vector2d& pointer, const SnapOptions& options)
+{
+    magnet.offer(line.at(0.5), SnapKind::Midpoint);
+    if (const double share = line.foot(pointer); is_inside(share)) magnet.offer(line.at(share), SnapKind::OnMember);
+    if (!options.from) return;
+    const double share = line.foot(*options.from);
+    const bool begins_on_line = (line.at(share) - *options.from).norm() <= 1e-9 * line.length();
+    if (is_inside(share) && !begins_on_line) magnet.offer(line.at(share), SnapKind::Perpendicular);
+}
+
+double rounded(double x, double step) { return step > 0.0 ? step * std::round(x / step) : x; }
+
+void offer_ray(Magnet& magnet, const Vector2d& pointer, const Vector2d& from, double grid)
+{
+    constexpr double step = std::numbers::pi / 12.0;
+    const Vector2d arm = pointer - from;
+    const double angle = rounded(std::atan2(arm.y(), arm.x()), step);
+    const Vector2d direction(std::cos(angle), std::sin(angle));
+    const double along = arm.dot(direction), round_length = rounded(along, grid);
+    magnet.offer(from + (round_length > 0.0 ? round_length : along) * direction, SnapKind::Ray);
+    magnet.offer(from + along * direction, SnapKind::Ray);
+}
+
+} // namespace
+
+Snap snap(const Model& model, const Vector2d& pointer, const SnapOptions& options)
+{
+    Magnet magnet(pointer, options.reach);
+    for (std::size_t i = 0; i < model.nodes.size(); ++i)
+        magnet.offer(place_of(model, femoop::NodeId(i)), SnapKind::Node);
+    std::vector<Line> near;
+    for (const Line& line : lines_of(model)) {
+        const Vector2d nearest = line.at(std::clamp(line.foot(pointer), 0.0, 1.0));
+        if ((nearest - pointer).norm() <= options.reach) near.push_back(line);
+    }
+    for (const Line& line : near) offer_line(magnet, line, pointer, options);
+    offer_crossings(magnet, near);
+    if (options.grid > 0.0)
+        magnet.offer({rounded(pointer.x(), options.grid), rounded(pointer.y(), options.grid)}, SnapKind::Grid);
+    if (options.from) offer_ray(magnet, pointer, *options.from, options.grid);
+    return magnet.best();
+}
+
+double round_grid(double smallest)
+{
+    const double power = std::pow(10.0, std::floor(std::log10(smallest)));
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (factor * power >= smallest * (1.0 - 1e-12)) return factor * power;
+    return 10.0 * power;
+}
+
+} // namespace frame

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+
+#include "femoop/model/model.h"
+
+namespace frame {
+
+/// What a place that is pointed at was drawn to, the strongest first.
+enum class SnapKind : std::uint8_t {
+    Node,
+    Intersection,  ///< of two members that cross without a node
+    Midpoint,      ///< of a member
+    Perpendicular, ///< the foot on a member of a line from the place where drawing began
+    OnMember,
+    Grid,
+    Ray, ///< a multiple of 15 degrees from the place where drawing began, a round length along it
+    Free
+};
+
+/// A place in the plane of a model, in its unit of length, and what it was drawn to.
+struct Snap {
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();
+    SnapKind kind = SnapKind::Free;
+
+    friend bool operator==(const Snap&, const Snap&) = default;
+};
+
+struct SnapOptions {
+    double reach = 0.1;                    ///< how near the pointer must be to what it is drawn to [length]
+    double grid = 1.0;                     ///< distance of the grid's lines [length]; 0: there is none
+    std::optional<Eigen::Vector2d> from{}; ///< where drawing began
+};
+
+/// The place that is meant by the pointer's place. Of what lies within reach the strongest kind wins, of one kind the
+/// nearest.
+/// \pre a plane model (truss2d, frame2d, grillage)
+Snap snap(const femoop::Model& model, const Eigen::Vector2d& pointer, const SnapOptions& options);
+
+/// A distance of grid lines that is round (1, 2 or 5 times a power of ten) and at least `smallest`.
+double round_grid(double smallest);
+
+} // namespace frame

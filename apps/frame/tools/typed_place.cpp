@@ -1,0 +1,65 @@
+#include "apps/frame/tools/typed_place.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "ui/text/number_format.h"
+
+namespace frame {
+
+using Eigen::Vector2d;
+
+namespace {
+
+std::optional<Vector2d> pair(std::string_view text)
+{
+    const std::size_t semicolon = text.find(';');
+    const std::size_t mark = semicolon != std::string_view::npos ? semicolon : text.find(',');
+    if (mark == std::string_view::npos) return std::nullopt;
+    if (text[mark] == ',' && text.find(',', mark + 1) != std::string_view::npos) return std::nullopt;
+    const auto x = ui::number_typed(text.substr(0, mark)), y = ui::number_typed(text.substr(mark + 1));
+    return x && y ? std::optional(Vector2d(*x, *y)) : std::nullopt;
+}
+
+std::optional<Vector2d> polar(std::string_view text)
+{
+    const std::size_t mark = text.find('<');
+    const auto length = ui::number_typed(text.substr(0, mark)), angle = ui::number_typed(text.substr(mark + 1));
+    if (!length || !angle) return std::nullopt;
+    // Whole quarters are exact: 4<90 lies straight above.
+    const double quarter = std::remainder(*angle, 360.0) / 90.0;
+    if (quarter == std::round(quarter)) {
+        const double sine = std::sin(0.5 * std::numbers::pi * quarter),
+                     cosine = std::cos(0.5 * std::numbers::pi * quarter);
+        return *length * Vector2d(std::round(cosine), std::round(sine));
+    }
+    const double radians = *angle * std::numbers::pi / 180.0;
+    return *length * Vector2d(std::cos(radians), std::sin(radians));
+}
+
+std::optional<Vector2d> from_start(const std::optional<Vector2d>& arm, const DrawingHand& hand)
+{
+    return arm && hand.from ? std::optional<Vector2d>(*hand.from + *arm) : std::nullopt;
+}
+
+/// A length towards the pointer.
+std::optional<Vector2d> towards_pointer(std::string_view text, const DrawingHand& hand)
+{
+    const auto length = ui::number_typed(text);
+    if (!length || !hand.from) return std::nullopt;
+    const Vector2d arm = hand.pointer - *hand.from;
+    if (arm.norm() == 0.0) return std::nullopt;
+    return *hand.from + *length * arm.normalized();
+}
+
+} // namespace
+
+std::optional<Vector2d> place_typed(std::string_view text, const DrawingHand& hand)
+{
+    if (text.starts_with('@')) return from_start(pair(text.substr(1)), hand);
+    if (text.find('<') != std::string_view::npos) return from_start(polar(text), hand);
+    if (text.find(',') != std::string_view::npos || text.find(';') != std::string_view::npos) return pair(text);
+    return towards_pointer(text, hand);
+}
+
+} // namespace frame

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string_view>
+
+namespace frame {
+
+/// A place that a person typed while drawing, lengths in the model's unit:
+///
+///     6,4      x and y
+///     @3,2     so far from where drawing began
+///     4<30     a length and an angle from +x in degrees, counter-clockwise, from where drawing began
+///     4        a length, towards the pointer
+///
+/// Where the numbers have decimal commas a semicolon stands between them: `6,5;4`, `@3,25;2`, and `4,5<30`.
+struct DrawingHand {
+    std::optional<Eigen::Vector2d> from; ///< where drawing began
+    Eigen::Vector2d pointer = Eigen::Vector2d::Zero();
+};
+
+/// Nothing for what is none of these, or needs a place where drawing began and there is none.
+std::optional<Eigen::Vector2d> place_typed(std::string_view text, const DrawingHand& hand);
+
+} // namespace frame
