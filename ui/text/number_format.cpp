@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "ui/text/arithmetic.h"
+
 namespace ui {
 
 namespace {
@@ -57,17 +59,10 @@ std::string number_text(double value, const NumberFormat& format)
 
 std::optional<double> number_typed(std::string_view text)
 {
-    const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
-    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-    if (text.starts_with('+') && text.size() > 1 && text[1] != '-') text.remove_prefix(1);
-    if (text.find('.') != std::string_view::npos && text.find(',') != std::string_view::npos) return std::nullopt;
-    std::string plain(text);
-    std::replace(plain.begin(), plain.end(), ',', '.');
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
-    const bool is_whole = error == std::errc() && end == plain.data() + plain.size();
-    return is_whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+    const std::optional<LeadingNumber> number = leading_number(text);
+    if (!number) return std::nullopt;
+    const bool is_whole = text.find_first_not_of(" \t", number->length) == std::string_view::npos;
+    return is_whole ? std::optional(number->value) : std::nullopt;
 }
 
 } // namespace ui

@@ -7,6 +7,7 @@
 #include "femoop/model/dimension.h"
 #include "femoop/model/number_text.h"
 #include "femoop/model/quantity_parser.h"
+#include "ui/text/arithmetic.h"
 #include "ui/text/catalogue.h"
 
 namespace frame {
@@ -253,6 +254,18 @@ std::string unit_in_file(std::string_view shown)
     return unit;
 }
 
+/// A number with a unit as files have it: calculated, with a decimal point.
+std::string as_in_file(std::string_view text)
+{
+    const std::optional<ui::LeadingNumber> number = ui::leading_number(text);
+    if (!number) return std::string(text);
+    const std::string rest(text.substr(number->length));
+    if (number->is_computed) return femoop::number_text(number->value) + rest;
+    std::string plain(text.substr(0, number->length));
+    std::ranges::replace(plain, ',', '.');
+    return plain + rest;
+}
+
 } // namespace
 
 std::vector<Number> numbers(const Model& model, const Part& part)
@@ -292,14 +305,10 @@ void clear_number(Document& document, const NumberId& number)
 std::variant<Quantity, Fault> quantity_typed(std::string_view text, Measure measure, const Units& file,
                                              const ui::DisplayUnits& shown)
 {
-    const std::optional<double> bare = ui::number_typed(text);
     const ui::DisplayUnit unit = shown.unit(measure);
-    const bool is_file_unit = unit.factor == 1.0;
-    if (bare && is_file_unit) return Quantity(*bare);
-    std::string full(text);
-    if (const std::size_t comma = full.find(','); comma != std::string::npos && full.find('.') == std::string::npos)
-        full[comma] = '.';
-    if (bare) full = femoop::number_text(*bare) + ' ' + unit_in_file(unit.name);
+    const std::optional<double> bare = ui::number_typed(text);
+    if (bare && unit.factor == 1.0) return Quantity(*bare);
+    const std::string full = bare ? femoop::number_text(*bare) + ' ' + unit_in_file(unit.name) : as_in_file(text);
     const AngleUnit angle = measure == Measure::Angle ? AngleUnit::Degrees : AngleUnit::Radians;
     auto parsed = parse_quantity(full, dimension_of(measure), file, angle);
     if (auto* const fault = std::get_if<Fault>(&parsed)) return std::move(*fault);

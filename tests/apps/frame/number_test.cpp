@@ -97,6 +97,9 @@ TEST_SUITE("frame document")
         CHECK(typed("25", ui::Measure::ForcePerLength) == femoop::Quantity(25.0)); // kN/m is N/mm: nothing to convert
         CHECK(typed("0,3", ui::Measure::Plain) == femoop::Quantity(0.3));
         CHECK(typed("30", ui::Measure::Angle) == femoop::Quantity(30.0));
+        CHECK(typed("2*12,5", ui::Measure::Force) == femoop::Quantity(25000.0, "25 kN"));
+        CHECK(typed("5*3^2/8 kN*m", ui::Measure::Moment) == femoop::Quantity(5.625e6, "5.625 kN*m"));
+        CHECK(typed("1/3", ui::Measure::Plain) == femoop::Quantity(1.0 / 3.0));
     }
 
     TEST_CASE("What is no quantity, or one of the wrong dimension, is refused with a reason")
