@@ -1,11 +1,10 @@
 #include "apps/cli/output_file.h"
 
-#include <cerrno>
-#include <fstream>
 #include <string>
 #include <system_error>
 
 #include "apps/cli/console.h"
+#include "femoop/io/whole_file.h"
 
 namespace cli {
 
@@ -17,8 +16,6 @@ UsageError cannot_write(const fs::path& path, const std::string& reason, const u
 {
     return UsageError(tr("cannot write {file}: {reason}", {{"file", path.string()}, {"reason", reason}}));
 }
-
-std::string last_reason(const ui::Catalogue& tr) { return tr(std::generic_category().message(errno)); }
 
 } // namespace
 
@@ -35,24 +32,8 @@ void require_writable(const fs::path& path, const ui::Catalogue& tr)
 void write_file(const fs::path& path, std::string_view text, const ui::Catalogue& tr)
 {
     require_writable(path, tr);
-    std::error_code error;
-    const bool is_special = fs::exists(path, error) && !fs::is_regular_file(path, error); // /dev/stdout, a pipe
-    const fs::path written = is_special ? path : fs::path(path.string() + ".part");
-    errno = 0;
-    std::ofstream out(written, std::ios::binary);
-    out.write(text.data(), static_cast<std::streamsize>(text.size()));
-    out.close();
-    if (!out) {
-        const std::string reason = last_reason(tr);
-        if (!is_special) fs::remove(written, error);
-        throw cannot_write(path, reason, tr);
-    }
-    if (is_special) return;
-    fs::rename(written, path, error);
-    if (!error) return;
-    const std::string reason = tr(error.message());
-    fs::remove(written, error);
-    throw cannot_write(path, reason, tr);
+    if (const std::error_code error = femoop::write_whole_file(path, text))
+        throw cannot_write(path, tr(error.message()), tr);
 }
 
 void make_folder(const fs::path& folder, const ui::Catalogue& tr)

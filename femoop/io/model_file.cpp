@@ -11,6 +11,7 @@
 
 #include "femoop/io/json_document.h"
 #include "femoop/io/model_reader.h"
+#include "femoop/io/whole_file.h"
 #include "femoop/model/check_parts.h"
 #include "femoop/model/translator.h"
 
@@ -84,18 +85,8 @@ Model read_model_file(const std::filesystem::path& path) { return sound_model(ex
 
 void write_model_file(const Model& model, const std::filesystem::path& path)
 {
-    // A crash or a full disk must not cost the old file: write beside it, then rename.
-    const std::string text = write_model(model);
-    std::filesystem::path draft = path;
-    draft += ".part";
-    errno = 0;
-    std::ofstream file(draft, std::ios::binary | std::ios::trunc);
-    file << text << std::flush;
-    if (!file) throw ModelError({file_fault(FaultKind::FileUnwritable, path, static_cast<std::errc>(errno))});
-    file.close();
-    std::error_code error;
-    std::filesystem::rename(draft, path, error);
-    if (error) throw ModelError({{FaultKind::FileUnwritable, {path.string(), error.message()}}});
+    const std::error_code error = write_whole_file(path, write_model(model));
+    if (error) throw ModelError({file_fault(FaultKind::FileUnwritable, path, static_cast<std::errc>(error.value()))});
 }
 
 } // namespace femoop
