@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace frame {
+
+/// The files that were opened or saved last, kept in a file of one path a line.
+class RecentFiles {
+public:
+    static constexpr std::size_t most = 10;
+
+    /// The list as it was kept; empty where there is none.
+    explicit RecentFiles(std::filesystem::path list);
+
+    const std::vector<std::filesystem::path>& paths() const { return paths_; } ///< the last used first
+    /// Puts the file first, and keeps the list; a list that cannot be written is no reason to stop.
+    void add(const std::filesystem::path& path);
+
+private:
+    std::filesystem::path list_;
+    std::vector<std::filesystem::path> paths_;
+};
+
+} // namespace frame
