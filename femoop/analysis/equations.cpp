@@ -82,10 +82,10 @@ BlockGraph block_graph(const Structure& structure, const std::vector<std::int32_
 
 } // namespace
 
-Equations::Equations(const Structure& structure, Ordering ordering)
+Equations::Equations(const Structure& structure, SolverKind wanted)
     : dofs_per_node_(model_dofs(structure.kind).size()),
       own_end_of_(members_with_own_ends(structure)),
-      pattern_(block_graph(structure, own_end_of_), ordering)
+      pattern_(block_graph(structure, own_end_of_), wanted)
 {
     const std::span<const Dof> dofs = model_dofs(structure.kind);
     of_node_.assign(structure.positions.size() * dofs.size(), none);

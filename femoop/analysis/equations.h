@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "femoop/analysis/structure.h"
-#include "femoop/solver/ordering.h"
+#include "femoop/solver/solver_kind.h"
 #include "femoop/solver/system_pattern.h"
 
 namespace femoop {
@@ -19,7 +19,7 @@ class Equations {
 public:
     static constexpr std::int32_t none = SystemPattern::none;
 
-    Equations(const Structure& structure, Ordering ordering);
+    Equations(const Structure& structure, SolverKind wanted); ///< in the order that suits the solver
 
     const SystemPattern& pattern() const { return pattern_; }
     std::size_t n_unknowns() const { return pattern_.n_equations(); }

@@ -40,19 +40,12 @@ private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-std::size_t n_displacements(const Structure& structure)
-{
-    return structure.positions.size() * model_dofs(structure.kind).size();
-}
-
 } // namespace
 
 /// The analysis of one structure, whatever the model.
 struct LinearStatic::Parts {
     Parts(std::shared_ptr<const Structure> s, SolverKind solver)
-        : structure(std::move(s)),
-          kind_of_solver(solver),
-          equations(*structure, preferred_ordering(solver, n_displacements(*structure)))
+        : structure(std::move(s)), kind_of_solver(solver), equations(*structure, solver)
     {
         statistics.order = watch.lap();
     }
@@ -163,6 +156,7 @@ private:
     {
         if (structure->has_constraints) factor_constrained(model);
         else if (K_.rows() > 0) {
+            solver_ = make_solver(equations.pattern().solver());
             solver_->analyse(equations.pattern());
             statistics.order += watch.lap();
             factorize(model, K_);
@@ -175,7 +169,7 @@ private:
         const SparseMatrix reduced =
             SparseMatrix(T_.transpose() * elastic * T_).template triangularView<Eigen::Lower>();
         if (reduced.rows() > 0) {
-            solver_->analyse(reduced);
+            solver_ = solver_for(reduced, kind_of_solver);
             statistics.order += watch.lap();
             factorize(model, reduced);
         }
@@ -186,7 +180,7 @@ private:
         S_.setFromTriplets(pick.begin(), pick.end());
         const SparseMatrix own = K_constrained_.template selfadjointView<Eigen::Lower>();
         const SparseMatrix picked = SparseMatrix(S_.transpose() * own * S_).template triangularView<Eigen::Lower>();
-        constraint_solver_->analyse(picked);
+        constraint_solver_ = solver_for(picked, kind_of_solver);
         constraint_solver_->factorize(picked);
     }
 
@@ -317,16 +311,14 @@ private:
     SparseMatrix T_, S_;         ///< all unknowns from the independent, from the dependent ones
     std::vector<std::int32_t> dependent_;
     std::vector<HeldRotation> held_;
-    std::unique_ptr<SymmetricSolver> solver_ = make_solver(kind_of_solver),
-                                     constraint_solver_ = make_solver(kind_of_solver);
+    std::unique_ptr<SymmetricSolver> solver_, constraint_solver_;
 };
 
 std::unique_ptr<LinearStatic::Parts> make_system(const Model& model, SolverKind wanted)
 {
     auto structure = std::make_shared<const Structure>(structure_of(model));
-    const SolverKind solver = resolve(wanted, n_displacements(*structure));
     return with_model(model.analysis, [&](auto kind) -> std::unique_ptr<LinearStatic::Parts> {
-        return std::make_unique<System<decltype(kind)::value>>(model, std::move(structure), solver);
+        return std::make_unique<System<decltype(kind)::value>>(model, std::move(structure), wanted);
     });
 }
 

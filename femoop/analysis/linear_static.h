@@ -14,7 +14,7 @@
 namespace femoop {
 
 struct AnalysisOptions {
-    SolverKind solver = SolverKind::Automatic; ///< by size
+    SolverKind solver = SolverKind::Automatic; ///< the fastest
 };
 
 /// Seconds spent in each phase, and the size of the system.

@@ -22,7 +22,7 @@ template <AnalysisKind kind> MemberTrace trace_of(const Model& model, const Stru
 {
     constexpr int n = MemberElement<kind>::n;
     constexpr int m = MemberElement<kind>::m;
-    const Equations equations(structure, Ordering::MinimumDegree);
+    const Equations equations(structure, SolverKind::Automatic);
     const Assembly<kind> assembly(structure, equations);
     const MemberFrame frame = structure.frame(member);
     const auto element = assembly.element(member, frame);

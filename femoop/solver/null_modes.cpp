@@ -39,12 +39,11 @@ double norm_1(const SparseMatrix& K)
 /// Factors K + shift I with the least shift that keeps it positive definite.
 std::unique_ptr<SymmetricSolver> shifted_inverse(const SparseMatrix& K)
 {
-    auto solver = make_solver(resolve(SolverKind::Automatic, static_cast<std::size_t>(K.cols())));
     SparseMatrix identity(K.rows(), K.cols());
     identity.setIdentity();
     double shift = least_shift;
     SparseMatrix shifted = K + shift * identity;
-    solver->analyse(shifted);
+    std::unique_ptr<SymmetricSolver> solver = solver_for(shifted);
     while (!solver->factorize(shifted).is_positive_definite) {
         shift *= 10.0;
         shifted = K + shift * identity;

@@ -43,17 +43,4 @@ std::optional<SolverKind> solver_named(std::string_view name)
     return std::nullopt;
 }
 
-SolverKind resolve(SolverKind kind, std::size_t n_unknowns)
-{
-    if (kind != SolverKind::Automatic) return kind;
-    if (n_unknowns <= 300) return SolverKind::Skyline;
-    return has_cholmod() && n_unknowns > 1000 ? SolverKind::Cholmod : SolverKind::Ldlt;
-}
-
-Ordering preferred_ordering(SolverKind kind, std::size_t n_unknowns)
-{
-    if (kind == SolverKind::Skyline) return Ordering::CuthillMcKee;
-    return kind == SolverKind::Cholmod && n_unknowns > 20000 ? Ordering::NestedDissection : Ordering::MinimumDegree;
-}
-
 } // namespace femoop

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "femoop/solver/cholmod_solver.h"
+#include "femoop/solver/elimination_plan.h"
 #include "femoop/solver/ldlt_solver.h"
 #include "femoop/solver/skyline_solver.h"
 
@@ -44,8 +45,12 @@ void SymmetricSolver::analyse(const SystemPattern& pattern)
 
 void SymmetricSolver::analyse(const SparseMatrix& K, Ordering ordering)
 {
+    analyse(K, elimination_order(BlockAdjacency(graph_of(K)), ordering));
+}
+
+void SymmetricSolver::analyse(const SparseMatrix& K, const std::vector<std::int32_t>& order)
+{
     if (K.cols() == 0) return;
-    const std::vector<std::int32_t> order = elimination_order(BlockAdjacency(graph_of(K)), ordering);
     to_order_.resize(K.cols());
     for (std::size_t i = 0; i < order.size(); ++i) to_order_.indices()[order[i]] = static_cast<std::int32_t>(i);
     const SparseMatrix ordered = in_order(K);
@@ -87,6 +92,15 @@ std::unique_ptr<SymmetricSolver> make_solver(SolverKind kind)
     if (kind == SolverKind::Ldlt) solver = std::make_unique<LdltSolver>();
     if (kind == SolverKind::Cholmod) solver = make_cholmod_solver();
     if (!solver) throw std::invalid_argument("make_solver: there is no solver \"" + std::string(name(kind)) + '"');
+    return solver;
+}
+
+std::unique_ptr<SymmetricSolver> solver_for(const SparseMatrix& K, SolverKind wanted)
+{
+    const BlockGraph graph = graph_of(K);
+    const EliminationPlan plan = plan_elimination(wanted, graph, BlockAdjacency(graph));
+    std::unique_ptr<SymmetricSolver> solver = make_solver(plan.solver);
+    solver->analyse(K, plan.order);
     return solver;
 }
 

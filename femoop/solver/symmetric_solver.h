@@ -65,6 +65,8 @@ protected:
     };
 
 private:
+    friend std::unique_ptr<SymmetricSolver> solver_for(const SparseMatrix& K, SolverKind wanted);
+    void analyse(const SparseMatrix& K, const std::vector<std::int32_t>& order);
     virtual void analyse_ordered(Pattern pattern) = 0;
     virtual Pivots factorize_ordered(const SparseMatrix& K) = 0;
     virtual Eigen::MatrixXd solve_ordered(Eigen::MatrixXd B) const = 0;
@@ -75,8 +77,11 @@ private:
     Permutation to_order_; ///< given order to that of elimination; empty where they are the same
 };
 
-/// A solver of a kind. \throws std::invalid_argument for Automatic (see resolve) and for a kind that the library is
-/// built without.
+/// A solver of a kind. \throws std::invalid_argument for Automatic (see SystemPattern::solver and solver_for) and for a
+/// kind that the library is built without.
 std::unique_ptr<SymmetricSolver> make_solver(SolverKind kind);
+
+/// A solver with the symbolic analysis of matrices that have their nonzeros where K (lower triangle) has.
+std::unique_ptr<SymmetricSolver> solver_for(const SparseMatrix& K, SolverKind wanted = SolverKind::Automatic);
 
 } // namespace femoop

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
+
+#include "femoop/solver/elimination_plan.h"
 
 namespace femoop {
 
@@ -12,11 +15,28 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 } // namespace
 
-SystemPattern::SystemPattern(const BlockGraph& graph, Ordering ordering)
+SystemPattern::SystemPattern(const BlockGraph& graph)
     : block_sizes_(graph.block_sizes), clique_start_(graph.clique_start), clique_blocks_(graph.clique_blocks)
+{}
+
+SystemPattern::SystemPattern(const BlockGraph& graph, SolverKind wanted) : SystemPattern(graph)
+{
+    const BlockAdjacency adjacency(graph);
+    EliminationPlan plan = plan_elimination(wanted, graph, adjacency);
+    solver_ = plan.solver;
+    order_ = std::move(plan.order);
+    fill(adjacency);
+}
+
+SystemPattern::SystemPattern(const BlockGraph& graph, Ordering ordering) : SystemPattern(graph)
 {
     const BlockAdjacency adjacency(graph);
     order_ = elimination_order(adjacency, ordering, graph.positions);
+    fill(adjacency);
+}
+
+void SystemPattern::fill(const BlockAdjacency& adjacency)
+{
     number();
     fill_columns(adjacency);
     place_cliques();

@@ -9,6 +9,7 @@
 
 #include "femoop/solver/block_graph.h"
 #include "femoop/solver/ordering.h"
+#include "femoop/solver/solver_kind.h"
 
 namespace femoop {
 
@@ -21,7 +22,7 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 /// permutation. Since the rows of a block are contiguous and the columns of a block end with the same rows, one number
 /// per pair of blocks (how far from the end of the column) places a whole element matrix.
 ///
-///     SystemPattern pattern(graph, preferred_ordering(kind, graph));
+///     SystemPattern pattern(graph, SolverKind::Automatic);
 ///     SparseMatrix K = pattern.matrix();                                  // zeros, all places there
 ///     for (each member) pattern.add(K, clique, equations, Ke);
 class SystemPattern {
@@ -29,8 +30,11 @@ public:
     static constexpr std::int32_t none = -1; ///< equation of a prescribed displacement
     static constexpr std::size_t max_element_rows = 64;
 
-    /// Clique i of the graph is element i of `add`.
+    /// Clique i of the graph is element i of `add`. In the order that suits the solver, or in one of a kind.
+    SystemPattern(const BlockGraph& graph, SolverKind wanted);
     SystemPattern(const BlockGraph& graph, Ordering ordering);
+
+    SolverKind solver() const { return solver_; } ///< that was wanted; of Automatic the fastest
 
     std::size_t n_equations() const { return column_start_.size() - 1; }
     std::size_t n_blocks() const { return block_sizes_.size(); }
@@ -87,11 +91,14 @@ private:
         const auto end = static_cast<std::size_t>(clique_start_[clique + 1]);
         return std::span(clique_blocks_).subspan(start, end - start);
     }
+    explicit SystemPattern(const BlockGraph& graph);
+    void fill(const BlockAdjacency& adjacency);
     void number();
     void fill_columns(const BlockAdjacency& adjacency);
     void place_cliques();
     std::int32_t distance_from_end(std::int32_t lower, std::int32_t upper) const;
 
+    SolverKind solver_ = SolverKind::Automatic;
     std::vector<std::int32_t> order_;
     std::vector<std::int32_t> block_sizes_;
     std::vector<std::int32_t> first_equation_;

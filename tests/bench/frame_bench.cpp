@@ -104,7 +104,7 @@ void bench_small()
 {
     const Model model = cli::plane_frame({.bays = 2, .storeys = 6});
     const Structure structure = structure_of(model);
-    const Equations equations(structure, Ordering::CuthillMcKee);
+    const Equations equations(structure, SolverKind::Skyline);
     const Assembly<AnalysisKind::Frame2d> assembly(structure, equations);
     SparseMatrix K = equations.pattern().matrix();
     assembly.add_stiffness(K);

@@ -77,7 +77,7 @@ TEST_CASE("New numbers need no new analysis")
 {
     for (const SolverKind kind : solvers()) {
         CAPTURE(name(kind));
-        RandomSystem system(13, 40, 60, preferred_ordering(kind, 80));
+        RandomSystem system(13, 40, 60, Ordering::MinimumDegree);
         const Eigen::MatrixXd B = random_columns(system.dense.rows(), 2);
         const auto solver = make_solver(kind);
         solver->analyse(system.pattern);
@@ -161,7 +161,7 @@ TEST_CASE("A system without unknowns has a solution without numbers")
     for (const SolverKind kind : solvers()) {
         CAPTURE(name(kind));
         const auto solver = make_solver(kind);
-        solver->analyse(SystemPattern(BlockGraph{}, preferred_ordering(kind, 0)));
+        solver->analyse(SystemPattern(BlockGraph{}, kind));
         CHECK(solver->factorize(SparseMatrix(0, 0)).is_positive_definite);
         CHECK(solver->solve(Eigen::MatrixXd(0, 2)).cols() == 2);
     }
