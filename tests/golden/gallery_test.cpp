@@ -1,3 +1,4 @@
+#include "tests/folder.h"
 #include "tests/golden/comparison.h"
 #include "tests/golden/gallery.h"
 #include "tests/golden/scene.h"
@@ -9,7 +10,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <random>
 
 namespace {
 
@@ -29,17 +29,6 @@ ui::Pixels gray(std::uint8_t level)
     for (std::size_t i = 3; i < pixels.rgba.size(); i += 4) pixels.rgba[i] = 255;
     return pixels;
 }
-
-/// A folder of this test's own, gone when the test ends.
-struct Folder {
-    std::filesystem::path path;
-
-    Folder() : path(std::filesystem::temp_directory_path() / ("cremona-" + std::to_string(std::random_device()())))
-    {
-        std::filesystem::create_directories(path);
-    }
-    ~Folder() { std::filesystem::remove_all(path); }
-};
 
 } // namespace
 
@@ -78,11 +67,11 @@ TEST_CASE("Pictures of other sizes are never the same")
 TEST_CASE("A failing picture leaves new, reference, difference, text and pages behind, a good one takes them away")
 {
     const Folder references, failures;
-    const golden::Gallery gallery(references.path, failures.path);
+    const golden::Gallery gallery(references.path(), failures.path());
     const auto right = reading("12.50 kN"), wrong = reading("12.51 kN");
     if (!right.pixels) return;
-    ui::write_png(references.path / "reading.png", *right.pixels);
-    std::ofstream(references.path / "reading.txt") << right.text;
+    ui::write_png(references.path() / "reading.png", *right.pixels);
+    std::ofstream(references.path() / "reading.txt") << right.text;
 
     CHECK(gallery.judge(right).is_good);
     const auto verdict = gallery.judge(wrong);
@@ -91,25 +80,25 @@ TEST_CASE("A failing picture leaves new, reference, difference, text and pages b
     for (const char* file : {"reading.new.png", "reading.reference.png", "reading.difference.png", "reading.new.txt",
                              "reading.html", "index.html"}) {
         CAPTURE(file);
-        CHECK(std::filesystem::exists(failures.path / file));
+        CHECK(std::filesystem::exists(failures.path() / file));
     }
-    CHECK(golden::compare(ui::read_png(failures.path / "reading.new.png"), *wrong.pixels).is_same());
+    CHECK(golden::compare(ui::read_png(failures.path() / "reading.new.png"), *wrong.pixels).is_same());
 
     CHECK(gallery.judge(right).is_good);
-    CHECK_FALSE(std::filesystem::exists(failures.path / "reading.new.png"));
-    CHECK_FALSE(std::filesystem::exists(failures.path / "reading.html"));
+    CHECK_FALSE(std::filesystem::exists(failures.path() / "reading.new.png"));
+    CHECK_FALSE(std::filesystem::exists(failures.path() / "reading.html"));
 }
 
 TEST_CASE("A picture without a reference fails and shows itself")
 {
     const Folder references, failures;
-    const golden::Gallery gallery(references.path, failures.path);
+    const golden::Gallery gallery(references.path(), failures.path());
     const auto exhibit = reading("12.50 kN");
     if (!exhibit.pixels) return;
     const auto verdict = gallery.judge(exhibit);
     CHECK_FALSE(verdict.is_good);
     CHECK(verdict.words.find("there is no reference picture") != std::string::npos);
-    CHECK(std::filesystem::exists(failures.path / "reading.new.png"));
+    CHECK(std::filesystem::exists(failures.path() / "reading.new.png"));
 }
 
 namespace {
@@ -133,8 +122,8 @@ TEST_CASE("A picture written as PNG is read back to the last bit")
     const Folder folder;
     const auto exhibit = reading("θ ≤ 2·10⁻³");
     if (!exhibit.pixels) return;
-    ui::write_png(folder.path / "picture.png", *exhibit.pixels);
-    CHECK(ui::read_png(folder.path / "picture.png") == *exhibit.pixels);
+    ui::write_png(folder.path("picture.png"), *exhibit.pixels);
+    CHECK(ui::read_png(folder.path("picture.png")) == *exhibit.pixels);
 }
 
 TEST_SUITE_END();

@@ -113,7 +113,7 @@ TEST_CASE("--version prints one line")
 
 TEST_CASE("A reader that goes away is no error")
 {
-    const cli_test::Folder folder;
+    const Folder folder;
     const std::string file = folder.write("c.json", cli_test::cantilever());
     const Run run = cli_test::shell("{ cremona solve --stations 50000 --json " + file +
                                     "; echo status $? >&2; } | head -c 1");
@@ -124,7 +124,7 @@ TEST_CASE("A reader that goes away is no error")
 TEST_CASE("A full disk behind stdout is told, with status 2")
 {
     if (!std::filesystem::exists("/dev/full")) return;
-    const cli_test::Folder folder;
+    const Folder folder;
     const Run run = cli_test::shell("cremona solve " + folder.write("c.json", cli_test::cantilever()) + " >/dev/full");
     CHECK(run.status == 2);
     CHECK(has(run.err, "cannot write the results to standard output"));

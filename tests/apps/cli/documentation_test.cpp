@@ -10,7 +10,6 @@
 
 #include "tests/apps/cli/run_cremona.h"
 
-using cli_test::Folder;
 using cli_test::has;
 using cli_test::Run;
 

@@ -1,19 +1,13 @@
 #include "tests/apps/cli/run_cremona.h"
 
 #include <sys/wait.h>
-#include <unistd.h>
 
-#include <atomic>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 namespace cli_test {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 std::string quoted(const std::string& argument)
 {
@@ -27,7 +21,7 @@ std::string quoted(const std::string& argument)
 Run shell(const std::string& line)
 {
     const Folder folder;
-    const std::string bin = fs::path(CREMONA_PROGRAM).parent_path().string();
+    const std::string bin = std::filesystem::path(CREMONA_PROGRAM).parent_path().string();
     const std::string command = "cd " + quoted(CREMONA_SOURCE_DIR) + " && PATH=" + quoted(bin) + ":\"$PATH\" && { " +
                                 line + "\n} >" + quoted(folder.path("out")) + " 2>" + quoted(folder.path("err"));
     const int status = std::system(command.c_str()); // NOLINT: the tests are about what a shell sees
@@ -40,33 +34,6 @@ Run cremona(const std::vector<std::string>& arguments, const std::string& input)
     std::string line = quoted(CREMONA_PROGRAM);
     for (const std::string& argument : arguments) line += " " + quoted(argument);
     return shell(line + " <" + quoted(folder.write("in", input)));
-}
-
-Folder::Folder()
-{
-    static std::atomic<int> count{0};
-    folder_ = fs::temp_directory_path() / ("cremona_test_" + std::to_string(getpid()) + "_" + std::to_string(count++));
-    fs::create_directories(folder_);
-}
-
-Folder::~Folder()
-{
-    std::error_code error;
-    fs::remove_all(folder_, error);
-}
-
-std::string Folder::write(const std::string& name, const std::string& text) const
-{
-    std::ofstream file(folder_ / name, std::ios::binary);
-    file << text;
-    if (!file) throw std::runtime_error("cannot write " + path(name));
-    return path(name);
-}
-
-std::string Folder::read(const std::string& name) const
-{
-    std::ifstream file(folder_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
 }
 
 std::string cantilever()

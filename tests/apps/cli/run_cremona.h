@@ -1,8 +1,9 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
+
+#include "tests/folder.h"
 
 namespace cli_test {
 
@@ -18,23 +19,6 @@ Run cremona(const std::vector<std::string>& arguments, const std::string& input 
 
 /// The same for a line as a person types it, through the shell: `cremona solve examples/portal.json | head -1`.
 Run shell(const std::string& line);
-
-/// A folder of its own for one test, removed with it.
-class Folder {
-public:
-    Folder();
-    ~Folder();
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
-    std::string write(const std::string& name, const std::string& text) const; ///< gives its path
-    std::string read(const std::string& name) const;
-    bool has(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
-
-private:
-    std::filesystem::path folder_;
-};
 
 /// A cantilever AB, 4 m long, E I = 20000 kN m2, with 12 kN down at its tip in case P and combination U = 1.5 P.
 std::string cantilever();

@@ -7,7 +7,6 @@
 
 using cli_test::cantilever;
 using cli_test::cremona;
-using cli_test::Folder;
 using cli_test::has;
 using cli_test::Run;
 

@@ -4,36 +4,16 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdlib>
-#include <fstream>
 #include <string>
 
 #include "apps/frame/session/recent_files.h"
 #include "apps/frame/session/recovery.h"
 #include "femoop/io/model_file.h"
+#include "tests/folder.h"
 
 namespace fs = std::filesystem;
 
 namespace {
-
-/// A folder that goes with the test.
-class Folder {
-public:
-    Folder()
-    {
-        std::string name = (fs::temp_directory_path() / "cremona.XXXXXX").string();
-        REQUIRE(mkdtemp(name.data()) != nullptr);
-        path = name;
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder()
-    {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-    fs::path path;
-};
 
 /// Keeps a draft in another process, which is then killed.
 void keep_and_be_killed(const fs::path& folder, const frame::Document& document)
@@ -59,27 +39,27 @@ TEST_SUITE("frame session")
         const Folder folder;
         frame::Document document = frame::starting_document();
         document.model.nodes[1].at[0] = 0.1 + 0.2;
-        keep_and_be_killed(folder.path, document);
-        const frame::Recovery recovery(folder.path);
+        keep_and_be_killed(folder.path(), document);
+        const frame::Recovery recovery(folder.path());
         const auto leftovers = recovery.leftovers();
         REQUIRE(leftovers.size() == 1);
         CHECK(leftovers[0].original == fs::path("/tmp/lesson.json"));
         CHECK(femoop::read_model_file(leftovers[0].draft) == document.model);
         frame::Recovery::discard(leftovers[0]);
         CHECK(recovery.leftovers().empty());
-        CHECK(fs::is_empty(folder.path));
+        CHECK(fs::is_empty(folder.path()));
     }
 
     TEST_CASE("The draft of a program that runs is nobody else's leftover")
     {
         const Folder folder;
-        frame::Recovery mine(folder.path), other(folder.path);
+        frame::Recovery mine(folder.path()), other(folder.path());
         REQUIRE_FALSE(mine.keep(frame::starting_document(), std::nullopt));
         CHECK(other.leftovers().empty());
         REQUIRE_FALSE(other.keep(frame::starting_document(), std::nullopt));
         mine.forget();
         other.forget();
-        CHECK(fs::is_empty(folder.path));
+        CHECK(fs::is_empty(folder.path()));
     }
 
     TEST_CASE("A folder that cannot be made is said")
@@ -92,7 +72,7 @@ TEST_SUITE("frame session")
     TEST_CASE("The file opened last is the first of the recent ones, each once, ten at most")
     {
         const Folder folder;
-        const fs::path list = folder.path / "state" / "recent";
+        const fs::path list = folder.path() / "state" / "recent";
         frame::RecentFiles recent(list);
         CHECK(recent.paths().empty());
         for (int i = 0; i < 14; ++i) recent.add("/tmp/" + std::to_string(i) + ".json");

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "tests/femoop/io/bad_files.h"
+#include "tests/folder.h"
 
 using namespace femoop;
 
@@ -119,21 +120,19 @@ TEST_CASE("Nesting as deep as 64 is read, and kept in a block that others read")
 
 TEST_CASE("A file is written whole and read back; a file that is not there is refused by name")
 {
-    const auto folder = std::filesystem::temp_directory_path() / "cremona_model_file_test";
-    std::filesystem::create_directories(folder);
+    const Folder folder;
     const Model model = read_model(everything());
-    write_model_file(model, folder / "model.json");
-    CHECK(read_model_file(folder / "model.json") == model);
-    CHECK(std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator()) == 1);
-    const std::string missing = (folder / "missing.json").string();
+    write_model_file(model, folder.path("model.json"));
+    CHECK(read_model_file(folder.path("model.json")) == model);
+    CHECK(folder.n_entries() == 1);
+    const std::string missing = folder.path("missing.json");
     CHECK_THROWS_WITH_AS(read_model_file(missing), ("cannot read " + missing + ": No such file or directory").c_str(),
                          ModelError);
-    CHECK_THROWS_WITH_AS(read_model_file(folder), ("cannot read " + folder.string() + ": Is a directory").c_str(),
-                         ModelError);
-    const std::string nowhere = (folder / "none" / "model.json").string();
+    CHECK_THROWS_WITH_AS(read_model_file(folder.path()),
+                         ("cannot read " + folder.path().string() + ": Is a directory").c_str(), ModelError);
+    const std::string nowhere = folder.path("none/model.json");
     CHECK_THROWS_WITH_AS(write_model_file(model, nowhere),
                          ("cannot write " + nowhere + ": No such file or directory").c_str(), ModelError);
-    std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("A stream is read like a text")

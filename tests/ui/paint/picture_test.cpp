@@ -1,3 +1,4 @@
+#include "tests/folder.h"
 #include "ui/paint/paint_to_file.h"
 #include "ui/paint/painter.h"
 #include "ui/paint/surface/golden_text.h"
@@ -6,11 +7,8 @@
 
 #include <doctest/doctest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <numbers>
-#include <random>
 
 using doctest::Approx;
 
@@ -221,14 +219,11 @@ TEST_CASE("SVG is valid whatever bytes a string has")
 
 TEST_CASE("A PDF has a page of 72 points to 96 pixels, and its text can be searched for")
 {
-    const auto path = std::filesystem::temp_directory_path() /
-                      ("cremona-" + std::to_string(std::random_device()()) + ".pdf");
-    ui::paint_to_pdf(path, {.size = {400.0, 300.0}, .title = "Portal"}, [](ui::Painter& painter) {
+    const Folder folder;
+    ui::paint_to_pdf(folder.path("portal.pdf"), {.size = {400.0, 300.0}, .title = "Portal"}, [](ui::Painter& painter) {
         painter.text({100.0, 50.0}, "M = 12.5 kN·m", {});
     });
-    std::ifstream in(path, std::ios::binary);
-    const std::string pdf{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    std::filesystem::remove(path);
+    const std::string pdf = folder.read("portal.pdf");
     CHECK(pdf.starts_with("%PDF-"));
     CHECK(pdf.find("/MediaBox [ 0 0 300 225 ]") != std::string::npos);
     CHECK(pdf.find("/ToUnicode") != std::string::npos); // glyphs name their characters
