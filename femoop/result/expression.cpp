@@ -1,0 +1,97 @@
+#include "femoop/result/expression.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+#include <string_view>
+
+namespace femoop {
+
+namespace {
+
+constexpr std::size_t most_terms = 6; // a solution without foundation has degree five at most
+constexpr double noise = 1e-11;       // of the largest term on the stretch
+
+/// The same polynomial of x = t + begin.
+std::vector<double> shifted(const Polynomial& p, double begin)
+{
+    std::vector<double> shifted(p.n_terms(), 0.0);
+    for (std::size_t power = p.n_terms(); power-- > 0;) { // Horner's scheme with the polynomial x - begin
+        for (std::size_t i = shifted.size(); i-- > 1;) shifted[i] = shifted[i - 1] - begin * shifted[i];
+        if (!shifted.empty()) shifted[0] = p[power] - begin * shifted[0];
+    }
+    return shifted;
+}
+
+void drop_noise(std::vector<double>& coefficients, double length)
+{
+    double largest = 0.0, power = 1.0;
+    for (const double c : coefficients) {
+        largest = std::max(largest, std::abs(c) * power);
+        power *= length;
+    }
+    power = 1.0;
+    for (double& c : coefficients) {
+        if (std::abs(c) * power <= noise * largest) c = 0.0;
+        power *= length;
+    }
+    while (!coefficients.empty() && coefficients.back() == 0.0) coefficients.pop_back();
+}
+
+bool go_on(const Expression& a, const Expression& b, double length)
+{
+    if (a.is_series || b.is_series) return false;
+    const std::size_t n = std::max(a.coefficients.size(), b.coefficients.size());
+    const auto at = [](const Expression& e, std::size_t i) {
+        return i < e.coefficients.size() ? e.coefficients[i] : 0.0;
+    };
+    double largest = 0.0, apart = 0.0, power = 1.0;
+    for (std::size_t i = 0; i < n; ++i) {
+        largest = std::max({largest, std::abs(at(a, i)) * power, std::abs(at(b, i)) * power});
+        apart = std::max(apart, std::abs(at(a, i) - at(b, i)) * power);
+        power *= length;
+    }
+    return apart <= noise * largest;
+}
+
+std::string_view power_text(std::size_t power)
+{
+    static constexpr std::array<std::string_view, most_terms> texts{"", " x", " x²", " x³", " x⁴", " x⁵"};
+    return texts.at(power);
+}
+
+} // namespace
+
+std::vector<Expression> expressions(const Curve& curve, MemberComponent component)
+{
+    const double length = curve.length();
+    std::vector<Expression> all;
+    for (const Curve::Piece& piece : curve.pieces()) {
+        const Polynomial p = curve.polynomial(component, piece);
+        Expression next{piece.load.begin, piece.load.end, {}, p.n_terms() > most_terms};
+        next.coefficients = shifted(p, piece.load.begin);
+        drop_noise(next.coefficients, length);
+        if (!all.empty() && go_on(all.back(), next, length)) all.back().to = next.to;
+        else all.push_back(std::move(next));
+    }
+    return all;
+}
+
+std::string text(const Expression& expression, int digits)
+{
+    std::ostringstream line;
+    line.precision(digits);
+    const std::size_t n = std::min(expression.coefficients.size(), most_terms);
+    for (std::size_t i = 0; i < n; ++i) {
+        const double c = expression.coefficients[i];
+        if (c == 0.0) continue;
+        const bool is_first = line.tellp() == std::streampos(0);
+        line << (is_first ? (c < 0.0 ? "-" : "") : (c < 0.0 ? " - " : " + ")) << std::abs(c) << power_text(i);
+    }
+    if (expression.is_series) line << " + …";
+    return line.tellp() == std::streampos(0) ? "0" : line.str();
+}
+
+} // namespace femoop
