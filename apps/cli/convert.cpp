@@ -105,7 +105,7 @@ ExitStatus Convert::to_csv(const femoop::Model& model, Console& console) const
 
 void refuse_solid(const std::string& file, const ui::Catalogue& tr)
 {
-    const std::string kind = std::filesystem::path(file).extension().string();
+    const std::string kind = kind_of(file);
     if (kind == ".obj" || kind == ".off" || kind == ".eul")
         throw UsageError(tr("{file}: solids (.obj, .off, .eul) come with the half-edge tools, which are not built yet",
                             {{"file", file}}));
@@ -117,7 +117,7 @@ ExitStatus Convert::run(Console& console)
     if (in_.empty() || out_.empty())
         throw UsageError(
             tr("two files are needed, IN and OUT; see {command}", {{"command", "cremona convert --help"}}));
-    const std::string kind = out_ == "-" ? ".json" : std::filesystem::path(out_).extension().string();
+    const std::string kind = out_ == "-" ? ".json" : kind_of(out_);
     for (const std::string& file : {in_, out_}) refuse_solid(file, tr);
     if (kind != ".json" && kind != ".csv" && !is_picture(out_))
         throw UsageError(tr("{file}: cannot write the kind {kind}; choose from: .json, .csv, .svg, .pdf, .png",

@@ -16,15 +16,6 @@ namespace cli {
 
 namespace {
 
-/// The extension in small letters: A.PNG is a PNG too.
-std::string kind_of(const std::filesystem::path& path)
-{
-    std::string kind = path.extension().string();
-    std::transform(kind.begin(), kind.end(), kind.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return kind;
-}
-
 void write_picture(const PictureOrder& order, const std::string& title, const ui::Drawing& drawing,
                    const ui::Catalogue& tr)
 {
@@ -58,6 +49,14 @@ ExitStatus draw_mechanism(const femoop::Model& model, const femoop::MechanismErr
 }
 
 } // namespace
+
+std::string kind_of(const std::filesystem::path& path)
+{
+    std::string kind = path.extension().string();
+    std::transform(kind.begin(), kind.end(), kind.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return kind;
+}
 
 bool is_picture(const std::filesystem::path& path)
 {

@@ -21,6 +21,9 @@ struct PictureOrder {
     frame::ViewOptions view;
 };
 
+/// The extension in small letters: A.PNG is a .png too.
+std::string kind_of(const std::filesystem::path& path);
+
 /// True for an extension that a picture can have.
 bool is_picture(const std::filesystem::path& path);
 

@@ -19,6 +19,7 @@
 #include "femoop/io/results_csv.h"
 #include "femoop/io/results_json.h"
 #include "femoop/io/results_table.h"
+#include "femoop/model/number_text.h"
 #include "femoop/result/describe.h"
 
 namespace cli {
@@ -220,7 +221,7 @@ void report_time(const Phases& phases, const femoop::AnalysisStatistics& statist
     const auto seconds = [&](const std::string& what, double duration) {
         std::array<char, 32> number{};
         static_cast<void>(std::snprintf(number.data(), number.size(), "%12.6f s  ", duration));
-        console.message(number.data() + what);
+        console.message(femoop::localized(number.data(), tr) + what);
     };
     const auto size = [&](const std::string& what, std::size_t n) {
         const std::string number = std::to_string(n);

@@ -11,6 +11,7 @@
 #include "apps/cli/analysis_run.h"
 #include "apps/cli/model_input.h"
 #include "femoop/io/json_writer.h"
+#include "femoop/model/number_text.h"
 #include "femoop/result/verify.h"
 
 namespace cli {
@@ -27,11 +28,11 @@ struct FileOutcome {
     std::vector<CheckOutcome> checks;
 };
 
-std::string number(double value, int digits = 10)
+std::string number(double value, const ui::Catalogue& tr, int digits = 10)
 {
     std::array<char, 32> buffer{};
     static_cast<void>(std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, value == 0.0 ? 0.0 : value));
-    return buffer.data();
+    return femoop::localized(buffer.data(), tr);
 }
 
 std::string reason(const CheckOutcome& check, const ui::Catalogue& tr)
@@ -45,9 +46,9 @@ std::string line(const std::string& file, const CheckOutcome& check, const ui::C
     if (check.verdict == Verdict::Skipped)
         return file + ": " + check.what + ": " + tr("skipped: {reason}", {{"reason", reason(check, tr)}}) + "\n";
     const std::string numbers = tr("{result}, expected {expected} within {tolerance}",
-                                   {{"result", number(*check.result)},
-                                    {"expected", number(check.expected)},
-                                    {"tolerance", number(check.tolerance, 3)}});
+                                   {{"result", number(*check.result, tr)},
+                                    {"expected", number(check.expected, tr)},
+                                    {"tolerance", number(check.tolerance, tr, 3)}});
     return file + ": " + check.what + " = " + numbers + ": " +
            (check.verdict == Verdict::Passed ? tr("passed") : tr("FAILED")) + "\n";
 }

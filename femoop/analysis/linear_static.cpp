@@ -22,6 +22,7 @@ namespace {
 
 constexpr double doubtful_pivot = 1e-11;    // of the diagonal: a smaller one may be rounding alone
 constexpr double zero_eigenvalue = 1e-14;   // of the scaled K: a free motion leaves less
+constexpr double largest_number = 1e250;    // a few lengths, multiplied with it, are still numbers
 constexpr Eigen::Index most_modes = 100;    // to look for in a structure that moves in many ways
 constexpr Eigen::Index most_described = 12; // of them: who reads more sentences than that?
 
@@ -94,6 +95,8 @@ public:
         } else {
             solve_constrained(model, loads, F, X, Z);
         }
+        if (F.rows() > 0) require_finite(model, F);
+        if (F.rows() > 0) require_finite(model, X);
         Eigen::MatrixXd residual = F - K_.selfadjointView<Eigen::Lower>() * X;
         if (structure->has_constraints) residual -= K_constrained_.selfadjointView<Eigen::Lower>() * Z;
         statistics.solve = watch.lap();
@@ -192,10 +195,31 @@ private:
         const Pivots pivots = solver_->factorize(K);
         statistics.factor_nonzeros = solver_->factor_nonzeros();
         if (pivots.is_positive_definite && pivots.smallest_ratio > doubtful_pivot) return;
+        require_finite(model);
         const NullModes free = null_modes(K, zero_eigenvalue, most_modes);
         if (free.is_singular()) refuse(model, free.modes);
         const Eigen::VectorXd softest = all_unknowns(free.softest);
         warnings.push_back(nearly_singular_fault(model, free.condition, node_displacements(softest, {}), n));
+    }
+
+    void require_finite(const Model& model) const
+    {
+        std::vector<NodeId> nodes;
+        for (std::size_t node = 0; node < structure->positions.size(); ++node)
+            for (std::size_t i = 0; i < n; ++i) {
+                const std::int32_t row = equations.of(NodeId(node), i);
+                const bool is_new = nodes.empty() || nodes.back() != NodeId(node);
+                if (row != Equations::none && is_new && !(std::abs(K_.coeff(row, row)) < largest_number))
+                    nodes.emplace_back(node);
+            }
+        if (!nodes.empty()) throw ModelError({beyond_range_fault(model, nodes)});
+    }
+
+    static void require_finite(const Model& model, const Eigen::MatrixXd& values)
+    {
+        for (Eigen::Index c = 0; c < values.cols(); ++c)
+            if (!(values.col(c).cwiseAbs().template maxCoeff<Eigen::PropagateNaN>() < largest_number))
+                throw ModelError({{FaultKind::ResultsBeyondRange, {model.load_cases[static_cast<std::size_t>(c)].id}}});
     }
 
     /// From the unknowns that constraints leave independent.

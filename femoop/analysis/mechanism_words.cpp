@@ -216,6 +216,11 @@ std::vector<Mechanism> driven_spins(const Model& model, const Structure& structu
     return mechanisms;
 }
 
+Fault beyond_range_fault(const Model& model, const std::vector<NodeId>& nodes)
+{
+    return {.kind = FaultKind::StiffnessBeyondRange, .arguments = {names(model, nodes)}};
+}
+
 Fault nearly_singular_fault(const Model& model, double condition, const std::vector<double>& displacements,
                             std::size_t n)
 {

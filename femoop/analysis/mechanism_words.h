@@ -22,6 +22,9 @@ Mechanism flying_member(const Model& model, const Structure& structure, MemberId
 std::vector<Mechanism> driven_spins(const Model& model, const Structure& structure, const Eigen::MatrixXd& F,
                                     const std::vector<HeldRotation>& held);
 
+/// The stiffness at these nodes cannot be counted with.
+Fault beyond_range_fault(const Model& model, const std::vector<NodeId>& nodes);
+
 /// A warning that names the nodes that move most in the softest motion, one row of `n` numbers per node.
 Fault nearly_singular_fault(const Model& model, double condition, const std::vector<double>& displacements,
                             std::size_t n);

@@ -44,9 +44,9 @@ std::string component_header(MemberComponent component, const Model& model)
     return with_unit(name(component, model.analysis), dimension_of(component), model.units);
 }
 
-std::string section(const std::string& title, const TextTable& table)
+std::string section(const std::string& title, const TextTable& table, const Translator& tr)
 {
-    return table.is_empty() ? std::string() : "\n" + title + "\n" + table.text(indent);
+    return table.is_empty() ? std::string() : "\n" + title + "\n" + table.text(indent, decimal_mark(tr));
 }
 
 /// The columns from `first` on whose degree of freedom is a translation, and those whose is a rotation, each without
@@ -115,7 +115,7 @@ std::string case_title(const Model& model, CaseId id, const Translator& tr)
     for (const Combination::Term& term : combination.terms) {
         const bool is_minus = term.factor < 0.0;
         if (!sum.empty() || is_minus) sum += sum.empty() ? "-" : is_minus ? " - " : " + ";
-        sum += number_text(is_minus ? -term.factor : term.factor) + " " + model.case_name(term.of);
+        sum += localized(number_text(is_minus ? -term.factor : term.factor), tr) + " " + model.case_name(term.of);
     }
     return fill(tr("Combination {0} = {1}"), {combination.id, sum});
 }
@@ -239,8 +239,10 @@ std::string equilibrium_text(const Model& model, const Equilibrium& equilibrium,
     silence_by_dimension(table, dofs, 1);
     std::array<char, 32> residual{};
     static_cast<void>(std::snprintf(residual.data(), residual.size(), "%.1e", equilibrium.residual));
-    return section(tr("Equilibrium (moments about the origin)"), table) + "  " +
-           fill(tr("largest force out of balance at a node: {0} of the largest load"), {residual.data()}) + "\n";
+    return section(tr("Equilibrium (moments about the origin)"), table, tr) + "  " +
+           fill(tr("largest force out of balance at a node: {0} of the largest load"),
+                {localized(residual.data(), tr)}) +
+           "\n";
 }
 
 /// Rows of "largest, in case, smallest, in case" under one heading.
@@ -309,7 +311,7 @@ std::string equations_text(const MemberTrace& trace, const Translator& tr)
     for (std::size_t i = 0; i < trace.dofs.size(); ++i)
         table.add_row({trace.dofs[i],
                        trace.equations[i] == 0 ? tr("none: held by a support") : std::to_string(trace.equations[i])});
-    return section(tr("Where each row is added"), table);
+    return section(tr("Where each row is added"), table, tr);
 }
 
 } // namespace
@@ -322,8 +324,7 @@ std::string heading_text(const Model& model, const Results& results, const Trans
                   std::string(name(model.units.force))}) +
             "\n";
     text += counts(model, tr) + "\n" + indeterminacy_text(results.indeterminacy(), tr) + "\n";
-    for (const Fault& warning : results.warnings())
-        text += tr("warning") + ": " + fill(tr(pattern(warning.kind)), warning.arguments) + "\n";
+    for (const Fault& warning : results.warnings()) text += tr("warning") + ": " + message(warning, tr) + "\n";
     return text;
 }
 
@@ -332,14 +333,14 @@ std::string case_text(const Model& model, const Results& results, CaseId id, con
     const CaseResult result = results[id];
     const std::string title = case_title(model, id, tr);
     std::string text = "\n" + title + "\n" + std::string(shown_width(title), '=') + "\n";
-    text += section(tr("Displacements of the nodes"), displacement_table(model, result, tr));
-    text += section(tr("Reactions of the supports on the structure"), reaction_table(model, result, tr));
+    text += section(tr("Displacements of the nodes"), displacement_table(model, result, tr), tr);
+    text += section(tr("Reactions of the supports on the structure"), reaction_table(model, result, tr), tr);
     text += section(tr("Section forces at the ends of the members") + "\n  (" + sign_legend(model.analysis, tr) + ")",
-                    end_force_table(model, result, tr));
+                    end_force_table(model, result, tr), tr);
     text += section(tr("Extreme section forces along the members"),
-                    extremes_table(model, result, shown_forces(model, {result}), tr));
+                    extremes_table(model, result, shown_forces(model, {result}), tr), tr);
     text += section(tr("Extreme displacements along the members, in their own axes"),
-                    extremes_table(model, result, local_displacement_components(model.analysis), tr));
+                    extremes_table(model, result, local_displacement_components(model.analysis), tr), tr);
     return text + equilibrium_text(model, result.equilibrium(), tr);
 }
 
@@ -363,29 +364,29 @@ std::string envelope_text(const Model& model, const Results& results, const std:
     for (const CaseId id : cases) names += (names.empty() ? "" : ", ") + model.case_name(id);
     const std::string title = fill(tr("Envelope of {0}"), {names});
     return "\n" + title + "\n" + std::string(shown_width(title), '=') + "\n" +
-           section(tr("Displacements of the nodes"), displacements.table()) +
-           section(tr("Reactions of the supports on the structure"), reactions.table()) +
+           section(tr("Displacements of the nodes"), displacements.table(), tr) +
+           section(tr("Reactions of the supports on the structure"), reactions.table(), tr) +
            section(tr("Extreme section forces along the members"),
-                   member_envelope(model, envelope, shown_forces(model, shown), tr)) +
+                   member_envelope(model, envelope, shown_forces(model, shown), tr), tr) +
            section(tr("Extreme displacements along the members, in their own axes"),
-                   member_envelope(model, envelope, local_displacement_components(model.analysis), tr));
+                   member_envelope(model, envelope, local_displacement_components(model.analysis), tr), tr);
 }
 
 std::string trace_text(const MemberTrace& trace, const Units& units, const Translator& tr)
 {
     const std::vector<std::string> local = primed(trace.dofs);
     std::string text = fill(tr("Member {0}, length {1}: how it enters the system K u = f"),
-                            {trace.member, quantity_text(trace.length, dimension::length, units)}) +
+                            {trace.member, localized(quantity_text(trace.length, dimension::length, units), tr)}) +
                        "\n";
-    text += section(tr("Stiffness k' in the member's own axes"), matrix_table(local, local, trace.local_stiffness));
-    text += section(tr("Transformation T, u' = T u"), matrix_table(local, trace.dofs, trace.transformation));
+    text += section(tr("Stiffness k' in the member's own axes"), matrix_table(local, local, trace.local_stiffness), tr);
+    text += section(tr("Transformation T, u' = T u"), matrix_table(local, trace.dofs, trace.transformation), tr);
     text += section(tr("Stiffness in global axes, k = T^T k' T"),
-                    matrix_table(trace.dofs, trace.dofs, trace.global_stiffness));
+                    matrix_table(trace.dofs, trace.dofs, trace.global_stiffness), tr);
     for (const MemberTrace::FixedEnd& forces : trace.fixed_end) {
         Eigen::MatrixXd columns(forces.local.size(), 2);
         columns << forces.local, forces.global;
         text += section(fill(tr("Fixed-end forces on the member, load case {0}"), {forces.load_case}),
-                        matrix_table(trace.dofs, {tr("own axes"), tr("global axes")}, columns));
+                        matrix_table(trace.dofs, {tr("own axes"), tr("global axes")}, columns), tr);
     }
     return text + equations_text(trace, tr);
 }

@@ -14,6 +14,7 @@ namespace {
 struct NumberFormat {
     bool is_scientific = false;
     int decimals = 0;
+    char mark = '.';
 };
 
 NumberFormat format_for(double largest)
@@ -33,14 +34,15 @@ std::string number(double value, NumberFormat format)
     std::array<char, 512> buffer{};
     const int n = format.is_scientific ? std::snprintf(buffer.data(), buffer.size(), "%.*e", format.decimals, value)
                                        : std::snprintf(buffer.data(), buffer.size(), "%.*f", format.decimals, value);
-    const std::string text(buffer.data(), static_cast<std::size_t>(n));
+    std::string text(buffer.data(), static_cast<std::size_t>(n));
+    std::replace(text.begin(), text.end(), '.', format.mark);
     return is_zero_text(text) ? "0" : text;
 }
 
 /// One column, written: every cell as wide as the others.
 class Column {
 public:
-    explicit Column(std::string header) : header_(std::move(header)) {}
+    Column(std::string header, char decimal_mark) : header_(std::move(header)), mark_(decimal_mark) {}
 
     void add(const TextTable::Cell& cell)
     {
@@ -72,7 +74,8 @@ private:
     /// A lone 0 stands where the other numbers have their units digit.
     std::vector<std::string> numbers() const
     {
-        const NumberFormat format = format_for(largest_);
+        NumberFormat format = format_for(largest_);
+        format.mark = mark_;
         const std::string tail(static_cast<std::size_t>(format.decimals > 0 ? format.decimals + 1 : 0) +
                                    (format.is_scientific ? 4U : 0U),
                                ' ');
@@ -86,6 +89,7 @@ private:
     }
 
     std::string header_;
+    char mark_;
     std::vector<TextTable::Cell> cells_;
     double largest_ = 0.0;
     bool is_numeric_ = false;
@@ -118,11 +122,11 @@ void TextTable::silence_round_off(const std::vector<std::size_t>& columns)
                 *value = 0.0;
 }
 
-std::string TextTable::text(std::size_t indent) const
+std::string TextTable::text(std::size_t indent, char decimal_mark) const
 {
     std::vector<std::string> lines(rows_.size() + 1, std::string(indent, ' '));
     for (std::size_t c = 0; c < headers_.size(); ++c) {
-        Column column(headers_[c]);
+        Column column(headers_[c], decimal_mark);
         for (const std::vector<Cell>& row : rows_) column.add(row[c]);
         const std::vector<std::string> cells = column.lines();
         for (std::size_t i = 0; i < lines.size(); ++i) lines[i] += (c == 0 ? "" : "  ") + cells[i];

@@ -26,7 +26,7 @@ public:
     void silence_round_off(const std::vector<std::size_t>& columns);
 
     /// Every line begins with `indent` blanks and ends with a line break; none has blanks at its end.
-    std::string text(std::size_t indent = 0) const;
+    std::string text(std::size_t indent = 0, char decimal_mark = '.') const;
 
 private:
     std::vector<std::string> headers_;

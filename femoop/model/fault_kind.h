@@ -21,6 +21,8 @@ enum class FaultKind : std::uint8_t {
     MechanismMixed,       ///< {0} nodes that move, each in its way
     MechanismMemberFlies, ///< {0} member, {1} release
     ConstraintConflict,   ///< {0} members, {1} case
+    StiffnessBeyondRange, ///< {0} nodes
+    ResultsBeyondRange,   ///< {0} case
     NearlySingular,       ///< {0} condition estimate, {1} nodes
 
     // the file

@@ -42,6 +42,13 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::ConstraintConflict:
         return "case {1}: {0} cannot follow the imposed settlement, temperature or misfit, being inextensible or "
                "rigid; take one such constraint away";
+    case FaultKind::StiffnessBeyondRange:
+        return "the stiffness at {0} is beyond the range of numbers; check E, the sections, the lengths and their "
+               "units";
+    case FaultKind::ResultsBeyondRange:
+        return "case {0}: its forces or displacements are beyond the range of numbers; check the loads, the lengths "
+               "and "
+               "their units";
     case FaultKind::NearlySingular:
         return "structure is nearly a mechanism: condition estimate {0}, softest at {1}; results may have few correct "
                "digits; check supports, releases and very small stiffnesses";

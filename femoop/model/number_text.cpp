@@ -1,5 +1,6 @@
 #include "femoop/model/number_text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -30,6 +31,12 @@ std::string number_text(double value)
     std::array<char, 64> buffer{};
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format).ptr;
     return without_padding({buffer.data(), static_cast<std::size_t>(end - buffer.data())});
+}
+
+std::string localized(std::string number, const Translator& tr)
+{
+    std::replace(number.begin(), number.end(), '.', decimal_mark(tr));
+    return number;
 }
 
 std::string quantity_text(double value, Dimension dimension, const Units& units)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "femoop/model/dimension.h"
+#include "femoop/model/number_text.h"
 #include "femoop/result/components.h"
 
 namespace femoop {
@@ -17,7 +18,7 @@ namespace {
 
 constexpr double noise = 1.0e-9; // of the largest of its kind
 
-std::string number(double value)
+std::string six_digits(double value)
 {
     std::array<char, 32> buffer{};
     static_cast<void>(std::snprintf(buffer.data(), buffer.size(), "%.6g", value == 0.0 ? 0.0 : value));
@@ -37,6 +38,7 @@ public:
     Words(const Model& model, const Translator& tr) : model_(model), tr_(tr) {}
 
     std::string tr(std::string_view text) const { return tr_(text); }
+    std::string number(double value) const { return localized(six_digits(value), tr_); }
     std::string quantity(double value, Dimension dimension) const
     {
         return number(value) + " " + unit_text(dimension, model_.units);
@@ -47,7 +49,7 @@ public:
     {
         std::vector<std::string> coordinates;
         for (std::size_t i = 0; i < n_coordinates(model_.analysis); ++i) coordinates.push_back(number(node.at[i]));
-        return "(" + join(coordinates, ", ") + ")";
+        return "(" + join(coordinates, decimal_mark(tr_) == ',' ? "; " : ", ") + ")";
     }
 
     /// "12 kN down": the size and where it points.
@@ -110,7 +112,8 @@ std::string support_words(const Model& model, const Support& support, const Word
         parts.push_back(fill(words.tr("spring of {0} on {1}"),
                              {words.quantity(spring.stiffness, dimension), std::string(name(spring.dof))}));
     }
-    if (support.angle.value() != 0.0) parts.push_back(fill(words.tr("turned by {0} degrees"), {number(support.angle)}));
+    if (support.angle.value() != 0.0)
+        parts.push_back(fill(words.tr("turned by {0} degrees"), {words.number(support.angle)}));
     return join(parts, "; ");
 }
 
@@ -162,7 +165,7 @@ std::string member_words(const Model& model, const Member& member, const Words& 
 
 std::string place(const Position& position, const Words& words)
 {
-    if (const auto* percent = std::get_if<Percent>(&position)) return number(percent->value) + "%";
+    if (const auto* percent = std::get_if<Percent>(&position)) return words.number(percent->value) + "%";
     return words.length(std::get<Quantity>(position));
 }
 
@@ -226,7 +229,7 @@ std::string load_words(const EndLoads& load, const Words& words)
 std::string load_words(const TemperatureLoad& load, const Words& words)
 {
     return fill(words.tr("warmed by {0} K at its +y' side and {1} K at its -y' side"),
-                {number(load.top), number(load.bottom)});
+                {words.number(load.top), words.number(load.bottom)});
 }
 
 std::string load_words(const Misfit& load, const Words& words)
@@ -246,7 +249,7 @@ void add_node_loads(std::vector<std::string>& lines, const Model& model, const L
         std::vector<std::string> parts;
         for (const Component& component : settlement.components) {
             const std::string unit = is_rotation(component.dof) ? "rad" : unit_text(dimension::length, model.units);
-            parts.push_back(std::string(name(component.dof)) + " = " + number(component.value) + " " + unit);
+            parts.push_back(std::string(name(component.dof)) + " = " + words.number(component.value) + " " + unit);
         }
         lines.push_back(fill(words.tr("support {0} is moved: {1}"), {model[settlement.node].id, join(parts, ", ")}));
     }
@@ -255,7 +258,8 @@ void add_node_loads(std::vector<std::string>& lines, const Model& model, const L
 std::vector<std::string> case_loads(const Model& model, const LoadCase& loads, const Words& words)
 {
     std::vector<std::string> lines;
-    if (loads.self_weight != 0.0) lines.push_back(fill(words.tr("self-weight times {0}"), {number(loads.self_weight)}));
+    if (loads.self_weight != 0.0)
+        lines.push_back(fill(words.tr("self-weight times {0}"), {words.number(loads.self_weight)}));
     add_node_loads(lines, model, loads, words);
     for (const MemberLoad& load : loads.members) {
         const std::string what = std::visit([&](const auto& kind) { return load_words(kind, words); }, load.load);

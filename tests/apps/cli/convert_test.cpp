@@ -24,6 +24,16 @@ TEST_CASE("From JSON to JSON the model stays the same, and a second time the fil
     CHECK(cremona({"convert", "-", "-"}, cantilever()).out == folder.read("a.json"));
 }
 
+TEST_CASE("The extension of the output may be in capital letters")
+{
+    const Folder folder;
+    const std::string in = folder.write("in.json", cantilever());
+    CHECK(cremona({"convert", in, folder.path("a.JSON")}).status == 0);
+    CHECK(cremona({"convert", in, folder.path("a.Csv")}).status == 0);
+    CHECK(folder.read("a.Csv").starts_with("case,part,id"));
+    CHECK(has(cremona({"convert", in, folder.path("a.OBJ")}).err, "not built yet"));
+}
+
 TEST_CASE("In other units the structure sags the same, and its checks still pass")
 {
     const Folder folder;

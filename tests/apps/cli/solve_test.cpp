@@ -141,6 +141,41 @@ TEST_CASE("Tables speak Portuguese, JSON does not change")
           cremona({"solve", "-", "--json"}, cantilever()).out);
 }
 
+TEST_CASE("Numbers for people have the decimal comma in Portuguese, files and programs get the point")
+{
+    const auto in_portuguese = [](std::vector<std::string> arguments) {
+        arguments.insert(arguments.end(), {"--lang", "pt"});
+        return cremona(arguments, cantilever()).out;
+    };
+    CHECK(has(cremona({"solve", "-"}, cantilever()).out, "-0.0128"));
+    CHECK(has(in_portuguese({"solve", "-"}), "-0,0128"));
+    CHECK(has(in_portuguese({"solve", "-"}), "Combinação U = 1,5 P"));
+    CHECK(has(in_portuguese({"solve", "-", "--case", "envelope"}), "-0,0128"));
+    CHECK(has(in_portuguese({"solve", "-", "--describe"}), "0,0128 m"));
+    CHECK(has(in_portuguese({"verify", "-"}), "-0,0128"));
+    CHECK(has(in_portuguese({"convert", "-", "-"}), "1.5"));
+}
+
+TEST_CASE("Numbers beyond the range of arithmetic end with status 2 and the place to look at, in no time")
+{
+    const auto refused = [](const std::string& found, const std::string& replacement, const std::string& message) {
+        std::string model = cantilever();
+        const std::size_t at = model.find(found);
+        REQUIRE(at != std::string::npos);
+        const Run run = cremona({"solve", "-"}, model.replace(at, found.size(), replacement));
+        CAPTURE(run.err);
+        CHECK(run.status == 2);
+        CHECK(run.out.empty());
+        CHECK(has(run.err, message));
+    };
+    const std::string stiff = "the stiffness at B is beyond the range of numbers";
+    const std::string strong = "case P: its forces or displacements are beyond the range of numbers";
+    refused("\"A\": 0.01", "\"A\": 1e300", stiff);
+    refused("[4, 0]", "[1e-290, 0]", stiff);
+    refused("-12", "-1e307", strong);
+    refused("\"E\": 2e8", "\"E\": 1e-250", strong);
+}
+
 TEST_CASE("--csv writes five files whose first line names columns and units")
 {
     const Folder folder;
