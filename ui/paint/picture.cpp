@@ -22,6 +22,15 @@ Picture::Range Picture::store(std::span<const Point> points)
     return range;
 }
 
+std::vector<Box> Picture::text_boxes(const Fonts& fonts) const
+{
+    std::vector<Box> boxes;
+    for (const Shape& shape : shapes_)
+        if (const auto* text = std::get_if<Text>(&shape.what))
+            boxes.push_back(text_box(fonts, text->at, words(*text), text->style));
+    return boxes;
+}
+
 void Picture::draw_on(Surface& surface) const
 {
     std::array<std::vector<const Shape*>, n_layers> by_layer;
@@ -53,7 +62,7 @@ void Picture::draw(const Shape& shape, Surface& surface) const
         fill_disc_trimmed(disc->center, disc->radius, disc->fill, clip.grown(fill_margin), surface);
     } else {
         const auto& text = std::get<Text>(shape.what);
-        surface.text(text.at, std::string_view(bytes_).substr(text.bytes.begin, text.bytes.count), text.style);
+        surface.text(text.at, words(text), text.style);
     }
 }
 

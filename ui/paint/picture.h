@@ -3,6 +3,7 @@
 #include "ui/paint/geometry.h"
 #include "ui/paint/style.h"
 #include "ui/paint/surface.h"
+#include "ui/paint/text_measure.h"
 
 #include <cstddef>
 #include <string>
@@ -20,6 +21,9 @@ public:
     /// Layer by layer, in each the order of the calls. Lines that leave the sheet far behind are cut first, so a
     /// surface never meets a million dashes out of sight.
     void draw_on(Surface& surface) const;
+
+    /// Of all strings, in the order of the calls.
+    std::vector<Box> text_boxes(const Fonts& fonts) const;
 
     std::size_t n_shapes() const { return shapes_.size(); }
     /// Shapes that were left out because a number in them is not finite or out of its range.
@@ -63,6 +67,10 @@ private:
 
     Range store(std::span<const Point> points);
     std::span<const Point> points(Range range) const { return {points_.data() + range.begin, range.count}; }
+    std::string_view words(const Text& text) const
+    {
+        return std::string_view(bytes_).substr(text.bytes.begin, text.bytes.count);
+    }
     void draw(const Shape& shape, Surface& surface) const;
 
     Size size_;

@@ -23,11 +23,14 @@ double drag_step(double value)
     return size / decade >= 50.0 ? decade : 0.5 * decade;
 }
 
+bool NumberFields::is_typing() const { return typing_ != 0 && ImGui::GetFrameCount() <= last_shown_ + 1; }
+
 NumberFieldEvent NumberFields::show(std::string_view id, const Look& look)
 {
     const unsigned key = ImGui::GetID(id.data(), id.data() + id.size());
     const float width = look.width > 0.0F ? look.width : ImGui::GetContentRegionAvail().x;
     ImGui::PushID(static_cast<int>(key));
+    if (!is_typing()) typing_ = 0;
     NumberFieldEvent event = typing_ == key ? show_editor(key, width) : show_value(key, look, width);
     ImGui::PopID();
     return event;
@@ -62,6 +65,7 @@ NumberFieldEvent NumberFields::show_value(unsigned id, const Look& look, float w
     }
     if (ImGui::IsItemDeactivated() && ImGui::IsItemHovered()) {
         typing_ = id;
+        last_shown_ = ImGui::GetFrameCount();
         is_open_ = false;
         text_ = opening_text_ = look.exact_text;
         reason_.clear();
@@ -89,6 +93,7 @@ NumberFieldEvent NumberFields::drag(double start)
 
 NumberFieldEvent NumberFields::show_editor(unsigned id, float width)
 {
+    last_shown_ = ImGui::GetFrameCount();
     ImGui::SetNextItemWidth(width);
     if (!std::exchange(is_open_, true)) ImGui::SetKeyboardFocusHere();
     const bool has_reason = !reason_.empty();
@@ -97,13 +102,14 @@ NumberFieldEvent NumberFields::show_editor(unsigned id, float width)
         "text", &text_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     if (has_reason) ImGui::PopStyleColor();
     const bool is_left = ImGui::IsItemDeactivated();
+    const bool is_given_up = is_left && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
     if (has_reason) ImGui::TextWrapped("%s", reason_.c_str());
     if (!is_confirmed && !is_left) return {};
 
     typing_ = 0;
     last_typed_ = id;
     reason_.clear();
-    if (text_ == opening_text_) return {};
+    if (is_given_up || text_ == opening_text_) return {};
     return {.kind = NumberFieldEvent::Kind::Typed, .value = 0.0, .text = text_};
 }
 

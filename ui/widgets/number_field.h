@@ -38,7 +38,8 @@ public:
 
     /// Says why what was typed last was not taken; the field is opened again with the text.
     void reject(const NumberFieldEvent& event, std::string reason);
-    bool is_typing() const { return typing_ != 0; }
+    /// A field has the keyboard. One that is no longer shown has lost it.
+    bool is_typing() const;
 
 private:
     NumberFieldEvent show_value(unsigned id, const Look& look, float width);
@@ -46,6 +47,7 @@ private:
     NumberFieldEvent drag(double start);
 
     unsigned typing_ = 0;  ///< the field whose text is edited, 0 for none
+    int last_shown_ = 0;   ///< the frame in which it was
     bool is_open_ = false; ///< the editor was shown before, so it has the keyboard
     std::string text_;
     std::string opening_text_;

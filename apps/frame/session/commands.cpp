@@ -202,6 +202,34 @@ void add_camera_commands(CommandTable& table)
                .is_on = [](const Desk& desk) { return desk.session.view.moment_side == MomentSide::Tension; }});
 }
 
+constexpr std::array topic_entries{
+    TopicEntry{Topic::Properties, "view.panel.properties", translatable("Properties")},
+    TopicEntry{Topic::Results, "view.panel.results", translatable("Results")},
+    TopicEntry{Topic::Problems, "view.panel.problems", translatable("Problems")},
+    TopicEntry{Topic::History, "view.panel.history", translatable("History")},
+};
+
+void add_panel_commands(CommandTable& table)
+{
+    table.add({.id = "view.panels",
+               .menu = view_menu,
+               .label = translatable("Panels"),
+               .shortcuts = {{Key::P, {}}},
+               .run = [](Desk& desk) { desk.has_panels = !desk.has_panels; },
+               .is_on = [](const Desk& desk) { return desk.has_panels; }});
+    for (const TopicEntry& entry : topic_entries) {
+        table.add({.id = entry.id,
+                   .menu = view_menu,
+                   .label = entry.label,
+                   .run =
+                       [topic = entry.topic](Desk& desk) {
+                           desk.topic = topic;
+                           desk.has_panels = true;
+                       },
+                   .is_on = [topic = entry.topic](const Desk& desk) { return desk.topic == topic; }});
+    }
+}
+
 struct ThemeEntry {
     ui::ThemeName theme;
     std::string_view id, label;
@@ -282,10 +310,13 @@ CommandTable command_table()
     add_edit_commands(table);
     add_show_commands(table);
     add_camera_commands(table);
+    add_panel_commands(table);
     add_look_commands(table);
     add_help_commands(table);
     return table;
 }
+
+std::span<const TopicEntry> topics() { return topic_entries; }
 
 std::string_view command_id(Show item)
 {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "apps/frame/session/session.h"
 #include "ui/command/command_table.h"
 
@@ -8,16 +10,29 @@ namespace frame {
 /// What the user asks the window for, since the session has none: a dialog, a list, the end.
 enum class Request : std::uint8_t { OpenDialog, SaveDialog, Palette, ShortcutList, Fit, ZoomIn, ZoomOut, Quit };
 
-/// A session and what its commands ask the window for. The window takes the requests once a frame.
+/// What the panel at the right shows.
+enum class Topic : std::uint8_t { Properties, Results, Problems, History };
+
+/// A session, the panels around its picture, and what its commands ask the window for. The window takes the requests
+/// once a frame.
 struct Desk {
     Session session;
     std::vector<Request> requests{};
+    Topic topic = Topic::Properties;
+    bool has_panels = true;
 };
 
 using CommandTable = ui::CommandTable<Desk>;
 
 /// Everything that the app can do, by name.
 CommandTable command_table();
+
+/// The commands that choose what the panel at the right shows, in the order of its tabs.
+struct TopicEntry {
+    Topic topic;
+    std::string_view id, label;
+};
+std::span<const TopicEntry> topics();
 
 /// The word that a scenario and a menu use for each thing that the picture can show: "view.show.loads".
 std::string_view command_id(Show item);

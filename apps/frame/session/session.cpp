@@ -21,6 +21,7 @@ void Session::restart(Document document)
     view.load_case = femoop::CaseId(0);
     view.camera.reset();
     view.units.reset();
+    view.scaled_by.reset();
     mechanism = 0;
     refresh();
 }
@@ -46,31 +47,48 @@ void Session::change(Step step, const ui::Phrase& label, const std::function<voi
     Document next = document();
     command(next);
     const bool is_new = next != document();
+    hold_scales(step);
     if (step == Step::Click) history_.apply(std::move(next), label);
     if (step == Step::Drag) history_.drag(std::move(next), label);
     if (is_new) refresh();
 }
 
+void Session::hold_scales(Step step)
+{
+    if (step == Step::Click) view.scaled_by.reset();
+    else if (!history_.is_dragging()) view.scaled_by = solution_.results;
+}
+
+void Session::settle()
+{
+    history_.settle();
+    view.scaled_by.reset();
+}
+
 void Session::cancel()
 {
     history_.cancel();
+    settle();
     refresh();
 }
 
 void Session::undo()
 {
+    settle();
     history_.undo();
     refresh();
 }
 
 void Session::redo()
 {
+    settle();
     history_.redo();
     refresh();
 }
 
 void Session::jump(std::size_t place)
 {
+    settle();
     history_.jump(place);
     refresh();
 }

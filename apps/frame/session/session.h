@@ -10,6 +10,7 @@
 #include "apps/frame/document/document.h"
 #include "apps/frame/document/part.h"
 #include "apps/frame/document/solution.h"
+#include "apps/frame/view/pick.h"
 #include "apps/frame/view/view_options.h"
 #include "femoop/model/fault.h"
 #include "ui/history/history.h"
@@ -17,14 +18,6 @@
 #include "ui/text/phrase.h"
 
 namespace frame {
-
-/// A section of a member that is read.
-struct Cut {
-    femoop::MemberId member;
-    double x = 0.0; ///< from the start of the member's flexible part, in the model's unit of length
-
-    friend bool operator==(const Cut&, const Cut&) = default;
-};
 
 /// Something that the app tells its user: one sentence, and the faults that it is about.
 struct Notice {
@@ -49,7 +42,7 @@ public:
     std::uint64_t generation() const { return generation_; }
 
     void change(Step step, const ui::Phrase& label, const std::function<void(Document&)>& command);
-    void settle() { history_.settle(); }
+    void settle();
     void cancel();
     void undo();
     void redo();
@@ -78,6 +71,8 @@ public:
 
 private:
     void refresh();
+    /// While a number is dragged, diagrams keep the scale that they had before: one sees them grow.
+    void hold_scales(Step step);
     void restart(Document document);
 
     ui::History<Document> history_;

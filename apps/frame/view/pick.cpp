@@ -1,8 +1,7 @@
 #include "apps/frame/view/pick.h"
 
-#include "apps/frame/view/sheet/subject.h"
-
 #include <algorithm>
+#include <cmath>
 
 namespace frame {
 
@@ -10,7 +9,7 @@ namespace {
 
 constexpr double node_reach = 9.0;      // [px]
 constexpr double member_reach = 8.0;    // [px]
-constexpr double ordinate_reach = 70.0; // [px] over a diagram
+constexpr double ordinate_reach = 45.0; // [px] over a diagram
 
 struct Near {
     double distance;
@@ -47,10 +46,10 @@ std::optional<femoop::NodeId> nearest_node(const StructureShape& shape, const Pr
     return found;
 }
 
-std::optional<MemberPlace> nearest_member(const StructureShape& shape, const Projection& projection, ui::Point cursor,
-                                          double reach)
+std::optional<Cut> nearest_member(const StructureShape& shape, const Projection& projection, ui::Point cursor,
+                                  double reach)
 {
-    std::optional<MemberPlace> found;
+    std::optional<Cut> found;
     Near best{};
     for (std::size_t i = 0; i < shape.members.size(); ++i) {
         const MemberShape& member = shape.members[i];
@@ -58,7 +57,7 @@ std::optional<MemberPlace> nearest_member(const StructureShape& shape, const Pro
         now.nearness = projection.nearness(member.at(now.share * member.length));
         if (now.distance > reach || (found && !is_better(now, best))) continue;
         best = now;
-        found = MemberPlace{femoop::MemberId{i}, now.share * member.length};
+        found = Cut{femoop::MemberId{i}, now.share * member.length};
     }
     return found;
 }
@@ -72,20 +71,11 @@ bool shows_results(const ShowSet& show)
 
 } // namespace
 
-std::optional<Picked> pick(const femoop::Model& model, const femoop::Results* results, const ViewOptions& options,
-                           const ui::Painter& painter, ui::Point cursor)
+Pick pick(const StructureShape& shape, const Projection& projection, ui::Point cursor, const ShowSet& shown)
 {
-    const Subject subject(model, results, options);
-    const Subject::Plan plan = subject.plan(painter.size(), painter.fonts());
-    const auto panel = std::find_if(plan.panels.begin(), plan.panels.end(),
-                                    [&](const Panel& p) { return p.box.contains(cursor); });
-    if (panel == plan.panels.end()) return std::nullopt;
-    const Projection projection(plan.camera, panel->box.min);
-    if (const auto node = nearest_node(subject.shape(), projection, cursor)) return *node;
-    if (const auto place = nearest_member(subject.shape(), projection, cursor, member_reach)) return *place;
-    if (!results || !shows_results(panel->show)) return std::nullopt;
-    if (const auto place = nearest_member(subject.shape(), projection, cursor, ordinate_reach)) return *place;
-    return std::nullopt;
+    if (const auto node = nearest_node(shape, projection, cursor)) return {.node = node, .cut = std::nullopt};
+    const double reach = shows_results(shown) ? ordinate_reach : member_reach;
+    return {.node = std::nullopt, .cut = nearest_member(shape, projection, cursor, reach)};
 }
 
 } // namespace frame

@@ -1,45 +1,22 @@
-#include "apps/frame/view/pick.h"
+#include "apps/frame/view/reading.h"
 
+#include "apps/frame/view/results/case_numbers.h"
 #include "apps/frame/view/results/diagram.h"
 #include "apps/frame/view/sheet/subject.h"
 #include "apps/frame/view/sketch/scene.h"
 #include "apps/frame/view/sketch/symbols.h"
+#include "femoop/result/components.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace frame {
 
 namespace {
 
 using femoop::MemberComponent;
-
-/// A line of the reading: "M", "12.5 kN·m", in the colour of its diagram.
-struct Line {
-    std::string name;
-    std::string value;
-    ui::Role role;
-};
-
-std::string printed(const ui::DisplayUnits& units, double value, ui::Measure measure)
-{
-    const std::string text = units.text(value, measure);
-    return text.starts_with('-') ? "−" + text.substr(1) : text;
-}
-
-std::vector<Line> lines(const femoop::Model& model, const ui::DisplayUnits& units, const femoop::Curve& curve,
-                        const MemberPlace& place)
-{
-    std::vector<Line> list{{"x", printed(units, place.x, ui::Measure::Length), ui::Role::Label}};
-    for (const MemberComponent component : femoop::all_member_components) {
-        const std::string name(femoop::name(component, model.analysis));
-        if (name.empty()) continue;
-        const bool is_displacement = component >= MemberComponent::u;
-        list.push_back({name, printed(units, curve.value(component, place.x), measure_of(component)),
-                        is_displacement ? ui::Role::Deformed : role_of(component)});
-    }
-    return list;
-}
 
 /// The part of the member before the section, with what acts on its cut face.
 class CutMember {
@@ -117,11 +94,11 @@ double largest(const femoop::SectionForces& f)
 /// A box beside the cursor with a sketch at its left and lines of text at its right.
 class ReadingBox {
 public:
-    ReadingBox(ui::Painter& painter, const ui::Theme& theme, std::string title, std::vector<Line> lines)
+    ReadingBox(ui::Painter& painter, const ui::Theme& theme, std::string title, std::vector<ReadingLine> lines)
         : painter_(painter), theme_(theme), title_(std::move(title)), lines_(std::move(lines))
     {
         sketch_width_ = 114.0 * theme.symbol_scale();
-        for (const Line& line : lines_) {
+        for (const ReadingLine& line : lines_) {
             name_width_ = std::max(name_width_, painter.measure(line.name, style(line)).width);
             value_width_ = std::max(value_width_, painter.measure(line.value, style(line)).width);
         }
@@ -131,15 +108,16 @@ public:
                  16.0 + step() * static_cast<double>(lines_.size() + 1)};
     }
 
-    void draw(ui::Point cursor, const femoop::SectionForces& forces) const
+    void draw(ui::Point beside, const femoop::SectionForces& forces) const
     {
-        const ui::Box box = placed(cursor);
+        const ui::Box box = placed(beside);
+        draw_leader(beside, box);
         painter_.rectangle(box.grown(1.0), theme_.stroke(ui::Role::Dimension).color);
         painter_.rectangle(box, theme_.background());
         ui::Point at = box.min + ui::Point{10.0, 8.0 + 0.5 * step()};
         painter_.text(at, title_, title_style());
         const double left = box.max.x - 10.0 - value_width_ - 12.0 - name_width_;
-        for (const Line& line : lines_) {
+        for (const ReadingLine& line : lines_) {
             at.y += step();
             painter_.text({left, at.y}, line.name, style(line));
             ui::TextStyle right = style(line);
@@ -153,7 +131,7 @@ public:
 
 private:
     double step() const { return 1.45 * theme_.type().normal; }
-    ui::TextStyle style(const Line& line) const { return theme_.text(line.role, ui::Anchor::Left); }
+    ui::TextStyle style(const ReadingLine& line) const { return theme_.text(line.role, ui::Anchor::Left); }
     ui::TextStyle title_style() const
     {
         ui::TextStyle style = theme_.text(ui::Role::Label, ui::Anchor::Left);
@@ -161,51 +139,113 @@ private:
         return style;
     }
 
-    // Right below the cursor, or on its other side where the sheet ends.
-    ui::Box placed(ui::Point cursor) const
+    // On one of the four sides of the place, near or farther off, where it covers the fewest strings.
+    ui::Box placed(ui::Point beside) const
     {
-        const ui::Box sheet = painter_.sheet();
-        ui::Point corner = cursor + ui::Point{18.0, 18.0};
-        if (corner.x + size_.width > sheet.max.x - 4.0) corner.x = cursor.x - 18.0 - size_.width;
-        if (corner.y + size_.height > sheet.max.y - 4.0) corner.y = cursor.y - 18.0 - size_.height;
-        corner = {std::max(4.0, corner.x), std::max(4.0, corner.y)};
-        return ui::box_at(corner, size_);
+        const std::vector<ui::Box> strings = painter_.picture().text_boxes(painter_.fonts());
+        const auto n_covered = [&](const ui::Box& box) {
+            return std::count_if(strings.begin(), strings.end(), [&](const ui::Box& s) { return s.overlaps(box); });
+        };
+        ui::Box best;
+        auto fewest = std::numeric_limits<std::ptrdiff_t>::max();
+        for (const double away : {18.0, 60.0, 110.0, 160.0, 220.0}) {
+            for (const ui::Point side : {ui::Point{1.0, 1.0}, {-1.0, 1.0}, {1.0, -1.0}, {-1.0, -1.0}}) {
+                const ui::Box box = on_sheet(
+                    beside + ui::Point{side.x * (away + 0.5 * size_.width), side.y * (away + 0.5 * size_.height)});
+                const auto n = n_covered(box) + (box.contains(beside) ? 100 : 0);
+                if (n >= fewest) continue;
+                fewest = n;
+                best = box;
+            }
+        }
+        return best;
+    }
+
+    ui::Box on_sheet(ui::Point center) const
+    {
+        const ui::Box room = painter_.sheet().grown(-4.0);
+        const ui::Point corner = center - 0.5 * ui::Point{size_.width, size_.height};
+        return ui::box_at({std::max(room.min.x, std::min(corner.x, room.max.x - size_.width)),
+                           std::max(room.min.y, std::min(corner.y, room.max.y - size_.height))},
+                          size_);
+    }
+
+    void draw_leader(ui::Point beside, const ui::Box& box) const
+    {
+        const ui::Point nearest{std::clamp(beside.x, box.min.x, box.max.x), std::clamp(beside.y, box.min.y, box.max.y)};
+        if (ui::distance(beside, nearest) > 40.0) painter_.line(beside, nearest, theme_.stroke(ui::Role::Leader));
     }
 
     ui::Painter& painter_;
     const ui::Theme& theme_;
     std::string title_;
-    std::vector<Line> lines_;
+    std::vector<ReadingLine> lines_;
     double sketch_width_ = 0.0;
     double name_width_ = 0.0;
     double value_width_ = 0.0;
     ui::Size size_{};
 };
 
-} // namespace
-
-void draw_reading(ui::Painter& painter, const femoop::Model& model, const femoop::Results& results,
-                  const ViewOptions& options, const MemberPlace& place, ui::Point cursor)
+bool has(const femoop::Model& model, const femoop::Results& results, const ViewOptions& options, const Cut& cut)
 {
-    const bool is_there = place.member.index < model.members.size() && options.load_case.index < results.n_cases();
-    if (!is_there || results.n_members() != model.members.size()) return;
-    const ui::LayerScope layer(painter, ui::Layer::Overlay);
-    const ui::Theme theme(options.theme);
-    const Subject subject(model, &results, options);
+    return cut.member.index < model.members.size() && options.load_case.index < results.n_cases() &&
+           results.n_members() == model.members.size() && results.n_nodes() == model.nodes.size();
+}
+
+std::vector<ReadingLine> lines(const Subject& subject, const femoop::CaseResult& result, const ui::DisplayUnits& units,
+                               const Cut& cut)
+{
+    const CaseNumbers numbers(result, subject.shape(), units);
+    const femoop::Curve curve = result.curve(cut.member);
+    std::vector<ReadingLine> list{{"x", numbers.text(cut.x, ui::Measure::Length), ui::Role::Label}};
+    for (const MemberComponent component : femoop::member_components(subject.model().analysis))
+        list.push_back({std::string(femoop::name(component, subject.model().analysis)),
+                        numbers.text(curve.value(component, cut.x), measure_of(component)),
+                        femoop::is_displacement(component) ? ui::Role::Deformed : role_of(component)});
+    return list;
+}
+
+Cut within(const femoop::Results& results, const Cut& cut)
+{
+    return {cut.member, std::clamp(cut.x, 0.0, results.frame(cut.member).length)};
+}
+
+void mark_section(ui::Painter& painter, const Subject& subject, const ui::Theme& theme, const Cut& cut)
+{
     const Subject::Plan plan = subject.plan(painter.size(), painter.fonts());
-    const MemberShape& member = subject.shape()[place.member];
+    const MemberShape& member = subject.shape()[cut.member];
     for (const Panel& panel : plan.panels) {
         const Projection projection(plan.camera, panel.box.min);
-        const ui::Point at = projection(member.at(place.x));
+        const ui::Point at = projection(member.at(cut.x));
         const ui::Point across = ui::left_normal(ui::direction(projection.direction(member.x())));
         const double half = 10.0 * theme.symbol_scale();
         painter.line(at - half * across, at + half * across, theme.stroke(ui::Role::Selection));
     }
-    const femoop::Curve curve = results[options.load_case].curve(place.member);
-    const double x = std::clamp(place.x, 0.0, curve.length());
-    const std::string title = options.tr("member {member}", {{"member", model[place.member].id}});
-    ReadingBox(painter, theme, title, lines(model, display_units(model, options), curve, {place.member, x}))
-        .draw(cursor, curve.forces(x));
+}
+
+} // namespace
+
+std::vector<ReadingLine> reading(const femoop::Model& model, const femoop::Results& results, const ViewOptions& options,
+                                 const Cut& cut)
+{
+    if (!has(model, results, options, cut)) return {};
+    const Subject subject(model, &results, options);
+    return lines(subject, results[options.load_case], display_units(model, options), within(results, cut));
+}
+
+void draw_reading(ui::Painter& painter, const femoop::Model& model, const femoop::Results& results,
+                  const ViewOptions& options, const Cut& cut, ui::Point beside)
+{
+    if (!has(model, results, options, cut)) return;
+    const ui::LayerScope layer(painter, ui::Layer::Overlay);
+    const ui::Theme theme(options.theme);
+    const Subject subject(model, &results, options);
+    mark_section(painter, subject, theme, cut);
+    const femoop::CaseResult result = results[options.load_case];
+    const Cut read = within(results, cut);
+    const std::string title = options.tr("member {member}", {{"member", model[cut.member].id}});
+    ReadingBox(painter, theme, title, lines(subject, result, display_units(model, options), read))
+        .draw(beside, result.curve(cut.member).forces(read.x));
 }
 
 } // namespace frame

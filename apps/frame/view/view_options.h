@@ -3,6 +3,7 @@
 #include "apps/frame/view/geometry/projection.h"
 #include "apps/frame/view/show.h"
 #include "femoop/model/ids.h"
+#include "femoop/result/results.h"
 #include "ui/paint/theme.h"
 #include "ui/text/catalogue.h"
 #include "ui/text/display_units.h"
@@ -40,8 +41,10 @@ struct ViewOptions {
     double load_factor = 1.0;                ///< > 0, length of the arrows
     double symbol_factor = 1.0;              ///< > 0, size of supports, hinges and heads of arrows
     std::optional<double> deformation_scale; ///< 50 draws displacements fifty times as large
-    double phase = 1.0;                      ///< share of the displacement that is drawn, -1 to 1: animation
-    std::optional<Camera> camera;            ///< fits the sheet when absent
+    /// Whose largest values set the scales of diagrams and displacements; those of the results drawn when absent.
+    std::optional<femoop::Results> scaled_by;
+    double phase = 1.0;           ///< share of the displacement that is drawn, -1 to 1: animation
+    std::optional<Camera> camera; ///< fits the sheet when absent
     Layout layout = Layout::Automatic;
     Highlight hover, selection;
 };

@@ -19,20 +19,23 @@ using ui::translatable;
 namespace {
 
 constexpr double seconds_per_swing = 2.4;
+constexpr double full_swing = 0.25 * seconds_per_swing; // a still picture shows the full displacement
+
+constexpr float splitter_ems = 0.35F;
+constexpr float most_left = 0.25F, most_right = 0.30F; // of the window's width
 
 constexpr ImGuiWindowFlags fixed_panel = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                          ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-// A bar between two panels that is dragged to share the room; the width that the first panel gets [physical pixels].
-float splitter(const char* id, float width, float sign, float height)
+// A bar beside a panel, dragged to give it another width [ems].
+std::optional<float> splitter(const char* id, float width, float sign, float height)
 {
-    const float thickness = 0.35F * ImGui::GetFontSize();
-    ImGui::InvisibleButton(id, {thickness, height});
-    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     const float em = ImGui::GetFontSize();
-    if (ImGui::IsItemActive()) width += sign * ImGui::GetIO().MouseDelta.x;
-    return std::clamp(width, 8.0F * em, 40.0F * em);
+    ImGui::InvisibleButton(id, {splitter_ems * em, height});
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (!ImGui::IsItemActive()) return std::nullopt;
+    return std::clamp(width + sign * ImGui::GetIO().MouseDelta.x / em, 8.0F, 40.0F);
 }
 
 } // namespace
@@ -42,7 +45,8 @@ Application::Application(ui::Context& context, const ui::Fonts& fonts, Session s
       commands_(command_table()),
       gui_(context, fonts, ui::Theme(desk_.session.view.theme)),
       canvas_(fonts),
-      theme_(desk_.session.view.theme)
+      theme_(desk_.session.view.theme),
+      time_(full_swing)
 {}
 
 bool Application::is_moving() const
@@ -64,7 +68,7 @@ void Application::ask_to_quit()
 
 void Application::animate(double seconds)
 {
-    time_ = is_moving() ? time_ + seconds : 0.25 * seconds_per_swing; // a still picture shows the full displacement
+    time_ = is_moving() ? time_ + seconds : full_swing;
     desk_.session.view.phase = std::sin(2.0 * std::numbers::pi * time_ / seconds_per_swing);
 }
 
@@ -74,7 +78,7 @@ void Application::frame(const ui::Input& input)
         theme_ = desk_.session.view.theme;
         gui_.set_theme(ui::Theme(theme_));
     }
-    if (!input.dropped_files.empty()) desk_.session.open(input.dropped_files.front());
+    if (!input.dropped_files.empty()) take_file(input.dropped_files.front());
     gui_.begin_frame(input);
     take_keys(input);
     animate(input.seconds);
@@ -85,9 +89,20 @@ void Application::frame(const ui::Input& input)
     gui_.end_frame();
 }
 
+void Application::explain(const ui::Phrase& reason) { desk_.session.notice = Notice{reason, {}}; }
+
+// A file that was dropped on the window.
+void Application::take_file(const std::filesystem::path& file)
+{
+    const auto reason = why_not(*commands_.find("file.open"), desk_);
+    if (reason) explain(*reason);
+    else desk_.session.open(file);
+}
+
 void Application::take_keys(const ui::Input& input)
 {
-    const bool is_blocked = palette_.is_open() || path_dialog_.is_open() || asks_to_quit_;
+    const bool is_popup_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    const bool is_blocked = palette_.is_open() || path_dialog_.is_open() || asks_to_quit_ || is_popup_open;
     if (is_blocked) return;
     for (const ui::KeyEvent& event : input.keys) {
         const bool has_ctrl = input.modifiers.ctrl;
@@ -99,7 +114,8 @@ void Application::take_keys(const ui::Input& input)
         }
         const auto* const command = commands_.find(ui::Chord{event.key, input.modifiers});
         const bool is_edit_of_text = types && command != nullptr && command->id.starts_with("edit.");
-        if (command != nullptr && !is_edit_of_text) run(*command, desk_);
+        if (command == nullptr || is_edit_of_text) continue;
+        if (const auto reason = run(*command, desk_)) explain(*reason);
     }
 }
 
@@ -143,30 +159,35 @@ void Application::show_body()
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.0F});
     ImGui::PushStyleColor(ImGuiCol_WindowBg, 0U);
     ImGui::Begin("###body", nullptr, fixed_panel);
-    const auto scale = static_cast<float>(gui_.scale());
-    const float height = ImGui::GetContentRegionAvail().y;
-
-    // The right panel is laid out before the canvas is drawn, so that the canvas shows what it changed.
-    const float whole = ImGui::GetContentRegionAvail().x;
-    const float bar = 0.35F * ImGui::GetFontSize();
-    show_left(scale * left_width_);
-    ImGui::SameLine();
-    left_width_ = splitter("###left splitter", scale * left_width_, 1.0F, height) / scale;
-    ImGui::SameLine(whole - scale * right_width_ - bar);
-    right_width_ = splitter("###right splitter", scale * right_width_, -1.0F, height) / scale;
-    ImGui::SameLine();
-    show_right(scale * right_width_);
-    ImGui::SameLine(scale * left_width_ + bar);
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, 0U);
-    ImGui::BeginChild("###canvas", {whole - scale * (left_width_ + right_width_) - 2.0F * bar, height});
-    show_canvas();
-    ImGui::EndChild();
-    ImGui::PopStyleColor();
-
+    if (desk_.has_panels) show_panels_and_canvas();
+    else show_canvas();
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(4);
     show_status_bar();
+}
+
+void Application::show_panels_and_canvas()
+{
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float em = ImGui::GetFontSize();
+    const float bar = splitter_ems * em;
+    const float left = std::min(left_width_ * em, most_left * room.x);
+    const float right = std::min(right_width_ * em, most_right * room.x);
+    // The right panel is laid out before the canvas is drawn, so that the canvas shows what it changed.
+    show_left(left);
+    ImGui::SameLine();
+    if (const auto wider = splitter("###left splitter", left / em, 1.0F, room.y)) left_width_ = *wider;
+    ImGui::SameLine(room.x - right - bar);
+    if (const auto wider = splitter("###right splitter", right / em, -1.0F, room.y)) right_width_ = *wider;
+    ImGui::SameLine();
+    show_right(right);
+    ImGui::SameLine(left + bar);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, 0U);
+    ImGui::BeginChild("###canvas", {room.x - left - right - 2.0F * bar, room.y});
+    show_canvas();
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
 }
 
 namespace {
@@ -199,31 +220,34 @@ void Application::show_left(float width)
 void Application::show_right(float width)
 {
     begin_panel("###right", width);
-    const ui::Catalogue& tr = desk_.session.view.tr;
-    const auto tab = [](const std::string& title, const char* id) {
-        return ImGui::BeginTabItem((title + "###" + id).c_str());
-    };
-    if (ImGui::BeginTabBar("###tabs")) {
-        if (tab(tr("Properties"), "properties")) {
-            properties_panel(desk_, fields_);
-            ImGui::EndTabItem();
-        }
-        if (tab(tr("Results"), "results")) {
-            results_panel(desk_);
-            ImGui::EndTabItem();
-        }
-        const std::size_t n = desk_.session.solution().faults.size();
-        if (tab(tr("Problems") + (n > 0 ? " (" + std::to_string(n) + ")" : ""), "problems")) {
-            problems_panel(desk_);
-            ImGui::EndTabItem();
-        }
-        if (tab(tr("History"), "history")) {
-            history_panel(desk_);
-            ImGui::EndTabItem();
-        }
-        ImGui::EndTabBar();
+    show_tabs();
+    ImGui::Separator();
+    switch (desk_.topic) {
+    case Topic::Properties: properties_panel(desk_, fields_); break;
+    case Topic::Results: results_panel(desk_); break;
+    case Topic::Problems: problems_panel(desk_); break;
+    case Topic::History: history_panel(desk_); break;
     }
     end_panel();
+}
+
+// One tab beside the other, in a second row where there is no room: a word is never cut.
+void Application::show_tabs()
+{
+    const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    const float gap = 0.3F * ImGui::GetFontSize();
+    for (const TopicEntry& entry : topics()) {
+        std::string title = desk_.session.view.tr(entry.label);
+        const std::size_t n_faults = desk_.session.solution().faults.size();
+        if (entry.topic == Topic::Problems && n_faults > 0) title += " (" + std::to_string(n_faults) + ")";
+        const float width = ImGui::CalcTextSize(title.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+        const bool is_first = entry.topic == topics().front().topic;
+        if (!is_first && ImGui::GetItemRectMax().x + gap + width <= end) ImGui::SameLine(0.0F, gap);
+        const bool is_chosen = entry.topic == desk_.topic;
+        ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(is_chosen ? ImGuiCol_TabActive : ImGuiCol_Tab));
+        if (ImGui::Button((title + "###" + std::string(entry.id)).c_str())) desk_.topic = entry.topic;
+        ImGui::PopStyleColor();
+    }
 }
 
 void Application::show_canvas()

@@ -39,11 +39,15 @@ public:
 
 private:
     void take_keys(const ui::Input& input);
+    void take_file(const std::filesystem::path& file);
+    void explain(const ui::Phrase& reason);
     void take_requests();
     void show_menu_bar();
     void show_body();
+    void show_panels_and_canvas();
     void show_left(float width);
     void show_right(float width);
+    void show_tabs();
     void show_canvas();
     void show_banner();
     void show_status_bar();
@@ -60,9 +64,9 @@ private:
     ui::CommandPalette palette_;
     ui::PathDialog path_dialog_;
     ui::ThemeName theme_;
-    float left_width_ = 250.0F; ///< logical pixels
-    float right_width_ = 360.0F;
-    double time_ = 0.0; ///< of the animation [s]
+    float left_width_ = 16.5F; ///< of the panel that was asked for [ems]
+    float right_width_ = 24.0F;
+    double time_; ///< of the animation since the middle of a swing [s]
     bool shows_shortcuts_ = false;
     bool asks_to_quit_ = false;
     bool wants_to_quit_ = false;

@@ -6,17 +6,27 @@
 #include <utility>
 #include <variant>
 
-#include "apps/frame/session/readout.h"
+#include "apps/frame/session/snapping.h"
 #include "apps/frame/view/frame_view.h"
+#include "apps/frame/view/reading.h"
 
 namespace frame {
 
 namespace {
 
 constexpr double zoom_per_turn = 1.15;
-constexpr double reach = 9.0; ///< of the pointer [logical pixels]
 
-bool is_nothing(const Pick& pick) { return !pick.node && !pick.cut; }
+std::optional<std::size_t> shown_mechanism(const Session& session)
+{
+    return session.solution().mechanisms.empty() ? std::nullopt : std::optional(session.mechanism);
+}
+
+Subject subject(const Session& session, const ViewOptions& options)
+{
+    const Solution& solution = session.solution();
+    if (const auto i = shown_mechanism(session)) return {session.model(), solution.mechanisms[*i], options};
+    return {session.model(), solution.results ? &*solution.results : nullptr, options};
+}
 
 ui::World3 middle_of(const StructureShape& shape)
 {
@@ -39,12 +49,18 @@ void Canvas::follow_structure(const Session& session)
     if (generation_ != session.generation()) shape_ = shape_of(session.model());
     generation_ = session.generation();
     ViewOptions options = session.view;
-    const FittedFor wanted{sheet_, options.show, options.layout, options.theme, shape_.nodes, session.model().analysis};
+    options.phase = 1.0; // room for the whole motion
+    const FittedFor wanted{sheet_,
+                           options.show,
+                           options.layout,
+                           options.theme,
+                           shape_.nodes,
+                           session.model().analysis,
+                           shown_mechanism(session)};
     const bool is_fitted = fitted_for_ == wanted;
     if (!options.camera && is_fitted) options.camera = plan_.camera;
     if (!session.view.camera) fitted_for_ = wanted;
-    const auto& results = session.solution().results;
-    plan_ = Subject(session.model(), results ? &*results : nullptr, options).plan(sheet_, fonts_);
+    plan_ = subject(session, options).plan(sheet_, fonts_);
 }
 
 ui::Point Canvas::corner_of_panel(ui::Point at) const
@@ -118,7 +134,7 @@ void Canvas::follow(Desk& desk, const Pointer& pointer)
     session.view.hover = {};
     if (!pointer.is_over) return;
     const Projection projection = projection_at(pointer.at);
-    Pick under = pick(shape_, projection, pointer.at, reach);
+    Pick under = pick(shape_, projection, pointer.at, session.solution().results ? session.view.show : ShowSet{});
     if (under.cut) under.cut = snapped(session, shape_, *under.cut, pixels_along(projection, *under.cut));
     const double wheel = static_cast<double>(ImGui::GetIO().MouseWheel);
     if (wheel != 0.0) {
@@ -127,9 +143,9 @@ void Canvas::follow(Desk& desk, const Pointer& pointer)
         std::visit([&](auto& camera) { camera.zoom(cursor, std::pow(zoom_per_turn, wheel)); }, changed);
         session.view.camera = changed;
     }
-    move(session, under);
+    move(session);
     if (is_panning_) return;
-    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && is_nothing(under)) fit(session);
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && under.is_nothing()) fit(session);
     if (under.node) session.view.hover.nodes.push_back(*under.node);
     if (under.cut) session.view.hover.members.push_back(under.cut->member);
     session.hover = under.cut;
@@ -142,11 +158,11 @@ void Canvas::press(Session& session, const Pick& under)
 {
     if (under.node) session.selection = *under.node;
     if (under.cut) session.selection = under.cut->member;
-    if (is_nothing(under)) session.selection.reset();
+    if (under.is_nothing()) session.selection.reset();
     session.pin = under.cut;
 }
 
-void Canvas::move(Session& session, const Pick& under)
+void Canvas::move(Session& session)
 {
     const ImGuiIO& io = ImGui::GetIO();
     const bool is_held = ImGui::IsMouseDown(ImGuiMouseButton_Left) || ImGui::IsMouseDown(ImGuiMouseButton_Middle) ||
@@ -160,7 +176,7 @@ void Canvas::move(Session& session, const Pick& under)
     const bool has_moved = ImGui::IsMouseDragging(ImGuiMouseButton_Left) ||
                            ImGui::IsMouseDragging(ImGuiMouseButton_Middle) ||
                            ImGui::IsMouseDragging(ImGuiMouseButton_Right);
-    if (!is_panning_ && (!has_moved || (is_left && !is_nothing(under)))) return;
+    if (!is_panning_ && !has_moved) return;
     is_panning_ = true;
     const double pixel = sheet_.width / std::max(1.0, static_cast<double>(ImGui::GetItemRectSize().x));
     const ui::Point drag{pixel * static_cast<double>(io.MouseDelta.x), pixel * static_cast<double>(io.MouseDelta.y)};
@@ -185,15 +201,15 @@ void Canvas::paint(const Session& session)
             options.selection.members.push_back(*member);
     }
     ui::Painter painter(sheet_, fonts_);
-    const Solution& solution = session.solution();
-    if (!solution.mechanisms.empty()) draw(painter, session.model(), solution.mechanisms[session.mechanism], options);
-    else draw(painter, session.model(), solution.results ? &*solution.results : nullptr, options);
-    const ui::Point first = plan_.panels.empty() ? ui::Point{} : plan_.panels.front().box.min;
-    const Projection projection(*options.camera, first);
-    if (session.pin) draw_readout(painter, session, *session.pin, place_on_sheet(shape_, projection, *session.pin));
-    if (session.hover && session.hover != session.pin)
-        draw_readout(painter, session, *session.hover,
-                     place_on_sheet(shape_, Projection(*options.camera, hover_panel_), *session.hover));
+    subject(session, options).draw(painter);
+    if (const auto& results = session.solution().results) {
+        const auto read = [&](const Cut& cut, ui::Point panel) {
+            const ui::Point at = Projection(*options.camera, panel)(shape_[cut.member].at(cut.x));
+            draw_reading(painter, session.model(), *results, options, cut, at);
+        };
+        if (session.pin && !plan_.panels.empty()) read(*session.pin, plan_.panels.front().box.min);
+        if (session.hover && session.hover != session.pin) read(*session.hover, hover_panel_);
+    }
     picture_ = painter.picture();
 }
 

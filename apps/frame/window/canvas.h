@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "apps/frame/session/commands.h"
-#include "apps/frame/session/picking.h"
+#include "apps/frame/view/pick.h"
 #include "apps/frame/view/sheet/subject.h"
 #include "ui/context/imgui_session.h"
 #include "ui/paint/painter.h"
@@ -15,7 +15,7 @@ namespace frame {
 /// The picture in the middle of the window: it shows the session's model, is moved and zoomed by the mouse, and says
 /// what lies under the pointer. It changes camera, hover, selection and pin alone.
 ///
-///     wheel: zoom to the cursor      drag on nothing: pan, in space orbit      middle or right button: pan
+///     wheel: zoom to the cursor      drag: pan, in space orbit      middle or right button, or Shift: pan
 ///     click: select, read a cut      double click on nothing: show the whole model
 class Canvas {
 public:
@@ -42,7 +42,7 @@ private:
 
     void follow(Desk& desk, const Pointer& pointer);
     void press(Session& session, const Pick& under);
-    void move(Session& session, const Pick& under);
+    void move(Session& session);
     void paint(const Session& session);
     void follow_structure(const Session& session);
     /// The panel of the sheet under a point, the first one where there is none.
@@ -62,6 +62,7 @@ private:
         ui::ThemeName theme;
         std::vector<Eigen::Vector3d> nodes;
         femoop::AnalysisKind kind;
+        std::optional<std::size_t> mechanism;
 
         friend bool operator==(const FittedFor&, const FittedFor&) = default;
     };

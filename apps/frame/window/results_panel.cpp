@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "apps/frame/session/readout.h"
+#include "apps/frame/view/results/case_numbers.h"
+#include "apps/frame/view/results/diagram.h"
 #include "apps/frame/view/results/mechanism_picture.h"
+#include "femoop/result/components.h"
 #include "femoop/result/results.h"
 
 namespace frame {
@@ -18,14 +20,16 @@ using ui::translatable;
 
 namespace {
 
-std::vector<Dof> dofs_of(AnalysisKind kind)
-{
-    std::vector<Dof> list;
-    for (const Dof dof : all_dofs) {
-        if (dofs(kind).contains(dof)) list.push_back(dof);
-    }
-    return list;
-}
+// The results of the case that is shown, and how its numbers are written.
+struct ShownCase {
+    Session& session;
+    CaseResult result;
+    ui::DisplayUnits units;
+    CaseNumbers numbers;
+
+    const Model& model() const { return session.model(); }
+    const ui::Catalogue& tr() const { return session.view.tr; }
+};
 
 void right_aligned(const std::string& text)
 {
@@ -71,62 +75,56 @@ void number_cell(const std::string& text)
     right_aligned(text);
 }
 
-void displacements(Session& session, const CaseResult& result)
+void displacements(const ShownCase& shown)
 {
-    const ui::DisplayUnits units = session.units();
-    const std::vector<Dof> list = dofs_of(session.model().analysis);
-    const auto measure = [](Dof dof) { return index(dof) < 3 ? Measure::Displacement : Measure::Rotation; };
-    std::vector<std::string> headings{session.view.tr("Node")};
-    for (const Dof dof : list) headings.push_back(units.label(name(dof), measure(dof)));
-    table("displacements", headings, session.model().nodes.size(), [&](std::size_t i) {
-        part_cell(session, NodeId(i), session.model().nodes[i].id);
-        const NodeVector u = result.displacement(NodeId(i));
-        for (const Dof dof : list) number_cell(units.number(u[index(dof)], measure(dof)));
+    const std::vector<Dof> list = dof_list(shown.model().analysis);
+    const auto measure = [](Dof dof) { return is_rotation(dof) ? Measure::Rotation : Measure::Displacement; };
+    std::vector<std::string> headings{shown.tr()("Node")};
+    for (const Dof dof : list) headings.push_back(shown.units.label(name(dof), measure(dof)));
+    table("displacements", headings, shown.model().nodes.size(), [&](std::size_t i) {
+        part_cell(shown.session, NodeId(i), shown.model().nodes[i].id);
+        const NodeVector u = shown.result.displacement(NodeId(i));
+        for (const Dof dof : list) number_cell(shown.numbers.number(u[index(dof)], measure(dof)));
     });
 }
 
-void reactions(Session& session, const CaseResult& result)
+Measure force_measure(Dof dof) { return is_rotation(dof) ? Measure::Moment : Measure::Force; }
+
+void reactions(const ShownCase& shown)
 {
-    const ui::DisplayUnits units = session.units();
-    const std::vector<Dof> list = dofs_of(session.model().analysis);
-    const auto measure = [](Dof dof) { return index(dof) < 3 ? Measure::Force : Measure::Moment; };
+    const std::vector<Dof> list = dof_list(shown.model().analysis);
     std::vector<NodeId> supported;
-    for (std::size_t i = 0; i < session.model().nodes.size(); ++i) {
-        if (result.is_supported(NodeId(i))) supported.emplace_back(i);
+    for (std::size_t i = 0; i < shown.model().nodes.size(); ++i) {
+        if (shown.result.is_supported(NodeId(i))) supported.emplace_back(i);
     }
-    std::vector<std::string> headings{session.view.tr("Node")};
-    for (const Dof dof : list) headings.push_back(units.label(force_name(dof), measure(dof)));
+    std::vector<std::string> headings{shown.tr()("Node")};
+    for (const Dof dof : list) headings.push_back(shown.units.label(force_name(dof), force_measure(dof)));
     table("reactions", headings, supported.size(), [&](std::size_t i) {
-        part_cell(session, supported[i], session.model()[supported[i]].id);
-        const NodeVector r = result.reaction(supported[i]);
-        for (const Dof dof : list) number_cell(units.number(r[index(dof)], measure(dof)));
+        part_cell(shown.session, supported[i], shown.model()[supported[i]].id);
+        const NodeVector r = shown.result.reaction(supported[i]);
+        for (const Dof dof : list) number_cell(shown.numbers.number(r[index(dof)], force_measure(dof)));
     });
 }
 
 // For each member its largest and its smallest value of one section force, and where they are.
-void member_forces(Session& session, const CaseResult& result, const Reading& column)
+void member_forces(const ShownCase& shown, MemberComponent component, const std::string& id)
 {
-    const ui::DisplayUnits units = session.units();
-    const ui::Catalogue& tr = session.view.tr;
-    const std::string value = units.label(column.name, column.measure);
-    const std::string at = units.label("x", Measure::Length);
-    const std::vector<std::string> headings{tr("Member"),
-                                            tr("{value}, start", {{"value", value}}),
-                                            tr("{value}, end", {{"value", value}}),
-                                            tr("max"),
-                                            at + "###x1",
-                                            tr("min"),
-                                            at + "###x2"};
-    table(column.name, headings, session.model().members.size(), [&](std::size_t i) {
-        part_cell(session, MemberId(i), session.model().members[i].id);
-        const Curve curve = result.curve(MemberId(i));
-        const Extremes extremes = curve.extremes(column.component);
-        number_cell(units.number(curve.value(column.component, 0.0), column.measure));
-        number_cell(units.number(curve.value(column.component, curve.length(), Side::Before), column.measure));
-        number_cell(units.number(extremes.max.value, column.measure));
-        number_cell(units.number(extremes.max.x, Measure::Length));
-        number_cell(units.number(extremes.min.value, column.measure));
-        number_cell(units.number(extremes.min.x, Measure::Length));
+    const ui::Catalogue& tr = shown.tr();
+    const std::string at = shown.units.label("x", Measure::Length);
+    const std::vector<std::string> headings{tr("Member"), tr("start"), tr("end"),   tr("max"),
+                                            at + "###x1", tr("min"),   at + "###x2"};
+    table(id.c_str(), headings, shown.model().members.size(), [&](std::size_t i) {
+        part_cell(shown.session, MemberId(i), shown.model().members[i].id);
+        const Curve curve = shown.result.curve(MemberId(i));
+        const Extremes extremes = curve.extremes(component);
+        const auto value = [&](double v) { number_cell(shown.numbers.number(v, measure_of(component))); };
+        const auto place = [&](double x) { number_cell(shown.numbers.number(x, Measure::Length)); };
+        value(curve.value(component, 0.0));
+        value(curve.value(component, curve.length(), Side::Before));
+        value(extremes.max.value);
+        place(extremes.max.x);
+        value(extremes.min.value);
+        place(extremes.min.x);
     });
 }
 
@@ -135,23 +133,22 @@ bool section(const std::string& title, const char* id)
     return ImGui::CollapsingHeader((title + "###" + id).c_str(), ImGuiTreeNodeFlags_DefaultOpen);
 }
 
-void show_equilibrium(Session& session, const CaseResult& result)
+void show_equilibrium(const ShownCase& shown)
 {
-    const ui::DisplayUnits units = session.units();
-    const ui::Catalogue& tr = session.view.tr;
-    const Equilibrium& equilibrium = result.equilibrium();
-    for (const Dof dof : dofs_of(session.model().analysis)) {
-        const Measure measure = index(dof) < 3 ? Measure::Force : Measure::Moment;
-        ImGui::TextWrapped("%s", tr("Σ{force}: loads {loads}, reactions {reactions}",
-                                    {{"force", force_name(dof)},
-                                     {"loads", units.text(equilibrium.sum_loads[index(dof)], measure)},
-                                     {"reactions", units.text(equilibrium.sum_reactions[index(dof)], measure)}})
-                                     .c_str());
+    const ui::Catalogue& tr = shown.tr();
+    const Equilibrium equilibrium = shown.result.equilibrium();
+    for (const Dof dof : equilibrium_dofs(shown.model().analysis)) {
+        const auto sum = [&](const NodeVector& of) { return shown.numbers.text(of[index(dof)], force_measure(dof)); };
+        ImGui::TextWrapped(
+            "%s", tr("Σ{force}: loads {loads}, reactions {reactions}", {{"force", force_name(dof)},
+                                                                        {"loads", sum(equilibrium.sum_loads)},
+                                                                        {"reactions", sum(equilibrium.sum_reactions)}})
+                      .c_str());
     }
-    ImGui::TextWrapped(
-        "%s", tr("Largest force out of balance: {residual} of the largest load",
-                 {{"residual", ui::number_text(equilibrium.residual, {.digits = 2, .mark = units.format().mark})}})
-                  .c_str());
+    const ui::NumberFormat two_digits{.digits = 2, .mark = shown.units.format().mark};
+    ImGui::TextWrapped("%s", tr("Largest force out of balance: {residual} of the largest load",
+                                {{"residual", ui::number_text(equilibrium.residual, two_digits)}})
+                                 .c_str());
 }
 
 } // namespace
@@ -170,14 +167,17 @@ void results_panel(Desk& desk)
         return;
     }
     const CaseResult result = (*results)[session.view.load_case];
+    const ui::DisplayUnits units = session.units();
+    const ShownCase shown{session, result, units, CaseNumbers(result, shape_of(session.model()), units)};
     ImGui::TextDisabled("%s", tr("Case {case}", {{"case", result.name()}}).c_str());
-    for (const Reading& column : section_forces(session.model().analysis)) {
-        if (section(tr("Members: {value}", {{"value", column.name}}), column.name))
-            member_forces(session, result, column);
+    for (const MemberComponent component : section_force_components(session.model().analysis)) {
+        const std::string id(name(component, session.model().analysis));
+        if (section(tr("Members: {value}", {{"value", units.label(id, measure_of(component))}}), id.c_str()))
+            member_forces(shown, component, id);
     }
-    if (section(tr("Reactions"), "reactions")) reactions(session, result);
-    if (section(tr("Displacements"), "displacements")) displacements(session, result);
-    if (section(tr("Equilibrium"), "equilibrium")) show_equilibrium(session, result);
+    if (section(tr("Reactions"), "reactions")) reactions(shown);
+    if (section(tr("Displacements"), "displacements")) displacements(shown);
+    if (section(tr("Equilibrium"), "equilibrium")) show_equilibrium(shown);
 }
 
 void problems_panel(Desk& desk)

@@ -46,7 +46,10 @@ void toggle(Desk& desk, const CommandTable& commands, Show item)
     if (ImGui::Checkbox(ui::label(*command, desk, desk.session.view.tr).c_str(), &is_on)) run(*command, desk);
     if (command->shortcuts.empty()) return;
     const std::string key = text(command->shortcuts.front());
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(key.c_str()).x);
+    const float at = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(key.c_str()).x;
+    const float end_of_label = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
+    if (end_of_label + 0.3F * ImGui::GetFontSize() > at) return; // no room for it
+    ImGui::SameLine(at);
     ImGui::TextDisabled("%s", key.c_str());
 }
 

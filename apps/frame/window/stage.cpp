@@ -5,8 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "apps/frame/session/readout.h"
 #include "apps/frame/view/geometry/structure_shape.h"
+#include "apps/frame/view/reading.h"
+#include "apps/frame/view/sketch/scene.h"
 #include "ui/text/number_format.h"
 
 namespace frame {
@@ -108,9 +109,10 @@ std::optional<std::string> expect_value(const Session& session, const std::vecto
 {
     const auto cut = cut_at(session.model(), words[1], words[4]);
     if (!cut) return "no place " + words[4] + " of a member \"" + words[1] + "\"";
-    std::string wanted = words[6];
+    if (!session.solution().results) return "the model has no results";
+    std::string wanted = with_minus(words[6]);
     for (std::size_t i = 7; i < words.size(); ++i) wanted += ' ' + words[i];
-    for (const ReadoutLine& line : readout_lines(session, *cut)) {
+    for (const ReadingLine& line : reading(session.model(), *session.solution().results, session.view, *cut)) {
         if (line.name != words[2]) continue;
         if (line.value == wanted) return std::nullopt;
         return "expected " + words[2] + " = " + wanted + ", found " + line.value;

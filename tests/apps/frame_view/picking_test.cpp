@@ -3,6 +3,7 @@
 
 #include "apps/frame/view/frame_view.h"
 #include "apps/frame/view/pick.h"
+#include "apps/frame/view/reading.h"
 #include "femoop/analysis/linear_static.h"
 #include "tests/apps/frame_view/view_model.h"
 
@@ -22,7 +23,7 @@ struct Scene {
     ui::Painter painter{{900.0, 600.0}, fonts};
     ViewOptions options{.show = {Show::Loads}, .camera = camera};
 
-    std::optional<Picked> at(ui::Point cursor) const { return pick(model, &results, options, painter, cursor); }
+    Pick at(ui::Point cursor) const { return pick(shape_of(model), Projection(camera), cursor, options.show); }
 };
 
 } // namespace
@@ -30,21 +31,21 @@ struct Scene {
 TEST_CASE("Near a node the node is picked, beside it the member with the place along it")
 {
     const Scene scene;
-    CHECK(scene.at({503.0, 298.0}) == Picked(femoop::NodeId{1}));
-    const auto member = scene.at({250.0, 304.0});
-    REQUIRE(member);
-    REQUIRE(std::holds_alternative<MemberPlace>(*member));
-    CHECK(std::get<MemberPlace>(*member).x == doctest::Approx(3.0));
-    CHECK(!scene.at({250.0, 340.0}));
+    CHECK(scene.at({503.0, 298.0}).node == femoop::NodeId{1});
+    const Pick member = scene.at({250.0, 304.0});
+    CHECK(!member.node);
+    REQUIRE(member.cut);
+    CHECK(member.cut->x == doctest::Approx(3.0));
+    CHECK(scene.at({250.0, 340.0}).is_nothing());
 }
 
 TEST_CASE("Over a diagram a member is picked from farther off")
 {
     Scene scene;
     scene.options.show = {Show::M};
-    const auto member = scene.at({300.0, 340.0});
-    REQUIRE(member);
-    CHECK(std::get<MemberPlace>(*member).x == doctest::Approx(4.0));
+    const Pick member = scene.at({300.0, 340.0});
+    REQUIRE(member.cut);
+    CHECK(member.cut->x == doctest::Approx(4.0));
 }
 
 TEST_CASE("A reading tells the section's forces with units")
@@ -57,6 +58,34 @@ TEST_CASE("A reading tells the section's forces with units")
     CHECK(marks.has_text("10 kN"));   // V = q (L / 2 - x)
     CHECK(marks.has_text("30 kN·m")); // M = q x (L - x) / 2
     for (const auto& text : marks.texts) CHECK(scene.painter.sheet().contains(text.box));
+}
+
+TEST_CASE("A reading shows zero where there is nothing but rounding, and a true minus sign")
+{
+    const femoop::Model model = view_test::example("portal");
+    const femoop::Results results = femoop::analyse(model);
+    std::map<std::string, std::string> read; // in the middle of the beam, on the axis of symmetry
+    for (const ReadingLine& line : reading(model, results, {}, {femoop::MemberId{1}, 4.0}))
+        read[line.name] = line.value;
+    CHECK(read["x"] == "4 m");
+    CHECK(read["N"] == "−14.2 kN");
+    CHECK(read["V"] == "0 kN");
+    CHECK(read["u"] == "0 mm");
+}
+
+TEST_CASE("The card of a reading covers no string of the picture where there is room beside them")
+{
+    const femoop::Model model = view_test::example("portal");
+    const femoop::Results results = femoop::analyse(model);
+    const ui::Fonts fonts;
+    ui::Painter painter({900.0, 620.0}, fonts);
+    const ViewOptions options{.show = shown_by_default | ShowSet{Show::M}, .layout = Layout::Overlay};
+    draw(painter, model, &results, options);
+    const std::vector<ui::Box> before = painter.picture().text_boxes(fonts);
+    draw_reading(painter, model, results, options, {femoop::MemberId{1}, 4.0}, {450.0, 250.0});
+    const std::vector<ui::Box> after = painter.picture().text_boxes(fonts);
+    for (std::size_t i = 0; i < before.size(); ++i)
+        for (std::size_t j = before.size(); j < after.size(); ++j) CHECK(!before[i].overlaps(after[j]));
 }
 
 TEST_SUITE_END();

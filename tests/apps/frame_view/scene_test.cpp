@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "apps/frame/view/frame_view.h"
-#include "apps/frame/view/pick.h"
+#include "apps/frame/view/reading.h"
 #include "femoop/analysis/linear_static.h"
 #include "tests/apps/frame_view/view_model.h"
 #include "tests/golden/scene.h"

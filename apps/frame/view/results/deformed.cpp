@@ -123,10 +123,10 @@ LargestDisplacement largest_displacement(const SolvedCase& solved)
     return largest;
 }
 
-double deformation_scale(const Scene& scene, const SolvedCase& solved, ui::Size panel)
+double deformation_scale(const Scene& scene, const SolvedCase& solved, const SolvedCase& scaled_by, ui::Size panel)
 {
     if (scene.options.deformation_scale) return *scene.options.deformation_scale;
-    const double largest = largest_displacement(solved).value;
+    const double largest = held(largest_displacement(scaled_by).value, largest_displacement(solved).value);
     if (!(largest > 1e-15 * scene.shape.size) || !std::isfinite(largest)) return 1.0;
     const double room = 0.22 * std::min(panel.width, panel.height) / scene.projection.scale();
     return round_below(std::min(drawn_share * scene.shape.size, room) / largest);

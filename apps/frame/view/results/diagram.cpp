@@ -136,7 +136,7 @@ public:
         line.push_back(at(curve_.length(), 0.0));
         {
             const ui::LayerScope layer(sketch().painter(), ui::Layer::Areas);
-            sketch().polygon(line, sketch().theme().fill(role_));
+            sketch().polygon(line, sketch().theme().fill(role_), Clearance::Soft);
             draw_hatching();
         }
         sketch().polyline(line, sketch().stroke(role_), Clearance::Hard);
@@ -304,7 +304,8 @@ bool is_moment(MemberComponent component)
     return component == MemberComponent::Mz || component == MemberComponent::My;
 }
 
-Diagram make_diagram(const Scene& scene, const SolvedCase& solved, MemberComponent component, ui::Size panel)
+Diagram make_diagram(const Scene& scene, const SolvedCase& solved, const SolvedCase& scaled_by,
+                     MemberComponent component, ui::Size panel)
 {
     Diagram diagram{.component = component, .largest = largest_value(solved, component, scene.shape.size)};
     if (!(diagram.largest > 0.0)) return diagram;
@@ -313,7 +314,8 @@ Diagram make_diagram(const Scene& scene, const SolvedCase& solved, MemberCompone
     const double spare = std::max(0.0, panel.height - height_of(scene) - 100.0);
     const double room = share * (std::min(panel.width, panel.height) + 0.6 * spare);
     const double height = std::clamp(std::min(room, 3.2 * share * median_length(scene)), 16.0, 130.0);
-    diagram.pixels_per_unit = height * scene.options.diagram_factor / diagram.largest;
+    const double given = largest_value(scaled_by, component, scene.shape.size);
+    diagram.pixels_per_unit = height * scene.options.diagram_factor / held(given, diagram.largest);
     return diagram;
 }
 

@@ -14,8 +14,10 @@ struct Diagram {
     bool is_zero() const { return pixels_per_unit == 0.0; }
 };
 
-/// The diagram at a height that suits the members and the panel.
-Diagram make_diagram(const Scene& scene, const SolvedCase& solved, femoop::MemberComponent component, ui::Size panel);
+/// The diagram at a height that suits the members and the panel; it is the largest value of `scaled_by` that would get
+/// it, unless the diagram would become many times as high.
+Diagram make_diagram(const Scene& scene, const SolvedCase& solved, const SolvedCase& scaled_by,
+                     femoop::MemberComponent component, ui::Size panel);
 
 /// Filled and hatched ordinates along all members with values at ends, jumps and extremes, signs where the side alone
 /// does not tell them. In trusses N is a band as broad as the force is large.

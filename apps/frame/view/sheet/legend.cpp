@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace frame {
 
@@ -130,26 +129,49 @@ SheetHead sheet_head(const femoop::Model& model, const femoop::Results* results,
     return head;
 }
 
-double head_height(const SheetHead& head, const ui::Theme& theme)
+namespace {
+
+ui::TextStyle title_style(const ui::Theme& theme)
 {
-    const double title = head.title.empty() ? 0.0 : 1.45 * theme.type().large;
-    return 12.0 + title + 1.5 * theme.type().small;
+    ui::TextStyle style = theme.text(ui::Role::Label, ui::Anchor::TopLeft);
+    style.weight = ui::Weight::Bold;
+    style.size = theme.type().large;
+    return style;
+}
+
+ui::TextStyle line_style(const ui::Theme& theme)
+{
+    ui::TextStyle style = theme.text(ui::Role::FaintLabel, ui::Anchor::TopLeft);
+    style.size = theme.type().small;
+    return style;
+}
+
+constexpr double title_spacing = 1.45, line_spacing = 1.5; // of the type's size
+
+} // namespace
+
+double head_height(const SheetHead& head, const ui::Theme& theme, const ui::Fonts& fonts, double width)
+{
+    const auto height = [&](const std::string& text, const ui::TextStyle& style, double spacing) {
+        const auto n_lines = wrapped(fonts, text, style, width - 2.0 * border).size();
+        return spacing * style.size * static_cast<double>(n_lines);
+    };
+    return 12.0 + height(head.title, title_style(theme), title_spacing) +
+           height(head.line, line_style(theme), line_spacing);
 }
 
 void draw_head(ui::Painter& painter, const SheetHead& head, const ui::Theme& theme)
 {
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
     double y = 12.0;
-    ui::TextStyle style = theme.text(ui::Role::Label, ui::Anchor::TopLeft);
-    style.weight = ui::Weight::Bold;
-    style.size = theme.type().large;
-    if (!head.title.empty()) {
-        painter.text({border, y}, head.title, style);
-        y += 1.45 * style.size;
-    }
-    style = theme.text(ui::Role::FaintLabel, ui::Anchor::TopLeft);
-    style.size = theme.type().small;
-    painter.text({border, y}, head.line, style);
+    const auto write = [&](const std::string& text, const ui::TextStyle& style, double spacing) {
+        for (const std::string& line : wrapped(painter.fonts(), text, style, painter.size().width - 2.0 * border)) {
+            painter.text({border, y}, line, style);
+            y += spacing * style.size;
+        }
+    };
+    write(head.title, title_style(theme), title_spacing);
+    write(head.line, line_style(theme), line_spacing);
 }
 
 PanelHead diagram_head(const Scene& scene, const std::vector<Diagram>& diagrams)
@@ -214,19 +236,18 @@ void draw_panel_head(ui::Painter& painter, const PanelHead& head, const ui::Them
 std::vector<std::string> wrapped(const ui::Fonts& fonts, std::string_view text, const ui::TextStyle& style,
                                  double width)
 {
+    const auto word_end = [&](std::size_t from) {
+        return std::min(text.find(' ', text.find_first_not_of(' ', from)), text.size());
+    };
+    const auto fits = [&](std::string_view line) { return fonts.measure(line, style).width <= width; };
     std::vector<std::string> lines;
-    std::istringstream words{std::string(text)};
-    std::string line;
-    for (std::string word; words >> word;) {
-        const std::string longer = line.empty() ? word : line + " " + word;
-        if (line.empty() || fonts.measure(longer, style).width <= width) {
-            line = longer;
-            continue;
-        }
-        lines.push_back(line);
-        line = word;
+    while (text.find_first_not_of(' ') != std::string_view::npos) {
+        text.remove_prefix(text.find_first_not_of(' '));
+        std::size_t end = word_end(0);
+        while (end < text.size() && fits(text.substr(0, word_end(end)))) end = word_end(end);
+        lines.emplace_back(text.substr(0, end));
+        text.remove_prefix(end);
     }
-    if (!line.empty()) lines.push_back(line);
     return lines;
 }
 

@@ -16,7 +16,8 @@ struct SheetHead {
     std::string line;
 };
 SheetHead sheet_head(const femoop::Model& model, const femoop::Results* results, const ViewOptions& options);
-double head_height(const SheetHead& head, const ui::Theme& theme);
+/// On a sheet of this width [logical pixels], which longer lines are broken for.
+double head_height(const SheetHead& head, const ui::Theme& theme, const ui::Fonts& fonts, double width);
 void draw_head(ui::Painter& painter, const SheetHead& head, const ui::Theme& theme);
 
 /// What stands over one panel: its name, and a line about signs or scales.

@@ -32,12 +32,12 @@ class PanelPicture {
 public:
     PanelPicture(const Scene& scene, ui::Size size) : scene_(scene), size_(size) {}
 
-    void draw_solved(const SolvedCase* solved)
+    void draw_solved(const SolvedCase* solved, const SolvedCase* scaled_by)
     {
         const bool is_behind = solved && scene_.shows(Show::Deformed) && !shows_any(scene_.options.show, diagrams);
         draw_highlights(scene_);
         draw_members(scene_, is_behind ? Presence::Behind : Presence::Subject);
-        if (solved) draw_results(*solved);
+        if (solved) draw_results(*solved, scaled_by ? *scaled_by : *solved);
         draw_structure();
         if (scene_.shows(Show::Loads)) draw_loads(scene_);
         if (solved && scene_.shows(Show::Reactions)) draw_reactions(scene_, *solved);
@@ -56,20 +56,20 @@ public:
     const std::vector<PanelHead>& heads() const { return heads_; }
 
 private:
-    void draw_results(const SolvedCase& solved)
+    void draw_results(const SolvedCase& solved, const SolvedCase& scaled_by)
     {
         for (const Show item : diagrams) {
             if (!scene_.shows(item)) continue;
             std::vector<Diagram> drawn;
             for (const femoop::MemberComponent component : components(item, scene_.model.analysis))
-                drawn.push_back(make_diagram(scene_, solved, component, size_));
+                drawn.push_back(make_diagram(scene_, solved, scaled_by, component, size_));
             if (drawn.empty()) continue;
             use_one_scale(drawn);
             for (const Diagram& diagram : drawn) draw_diagram(scene_, solved, diagram);
             heads_.push_back(diagram_head(scene_, drawn));
         }
         if (!scene_.shows(Show::Deformed)) return;
-        const double scale = deformation_scale(scene_, solved, size_);
+        const double scale = deformation_scale(scene_, solved, scaled_by, size_);
         draw_deformed(scene_, solved, scale);
         heads_.push_back(deformed_head(scene_, scale));
     }
@@ -129,9 +129,11 @@ Subject::Subject(const femoop::Model& model, const femoop::Results* results, con
       units_(display_units(model, options)),
       shape_(shape_of(model))
 {
-    const bool fits = results && results->n_members() == model.members.size() &&
-                      results->n_nodes() == model.nodes.size();
-    if (fits) solved_ = solved_case(*results, options.load_case);
+    const auto fits = [&](const femoop::Results& r) {
+        return r.n_members() == model.members.size() && r.n_nodes() == model.nodes.size();
+    };
+    if (results && fits(*results)) solved_ = solved_case(*results, options.load_case);
+    if (options.scaled_by && fits(*options.scaled_by)) scaled_by_ = solved_case(*options.scaled_by, options.load_case);
 }
 
 Subject::Subject(const femoop::Model& model, const femoop::Mechanism& mechanism, const ViewOptions& options)
@@ -160,7 +162,8 @@ double Subject::aspect() const
 ui::Box Subject::area(ui::Size sheet, const ui::Fonts& fonts) const
 {
     ui::Box area{{0.0, 0.0}, {sheet.width, sheet.height}};
-    if (options_.show.contains(Show::Legend)) area.min.y += head_height(sheet_head(model_, results_, options_), theme_);
+    if (options_.show.contains(Show::Legend))
+        area.min.y += head_height(sheet_head(model_, results_, options_), theme_, fonts, sheet.width);
     const double line = 1.4 * theme_.type().normal;
     const std::size_t n_lines = sentence_lines(sheet, fonts).size();
     if (n_lines > 0) area.max.y -= 14.0 + line * static_cast<double>(n_lines);
@@ -216,6 +219,10 @@ ui::Margins Subject::needed_margins(const std::vector<Panel>& panels, const Came
         margins.top = std::max(margins.top, nodes.min.y - marks->min.y + edge + heads);
         margins.bottom = std::max(margins.bottom, marks->max.y - nodes.max.y + edge);
     }
+    if (mechanism_) { // it moves to both sides
+        margins.left = margins.right = std::max(margins.left, margins.right);
+        margins.top = margins.bottom = std::max(margins.top, margins.bottom);
+    }
     const auto limit = [](double& a, double& b, double room) {
         const double factor = std::min(1.0, 0.96 * room / (a + b));
         a *= factor;
@@ -254,7 +261,7 @@ Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, con
     const Scene scene{model_, shape_, projection, options, units_, sketch};
     PanelPicture picture(scene, panel.box.size());
     if (mechanism_) picture.draw_mechanism(*mechanism_);
-    else picture.draw_solved(solved_ ? &*solved_ : nullptr);
+    else picture.draw_solved(solved_ ? &*solved_ : nullptr, scaled_by_ ? &*scaled_by_ : nullptr);
     const std::optional<ui::Box> bounds = sketch.bounds();
     sketch.write_captions();
     if (panel.show.contains(Show::Legend) && !mechanism_) {

@@ -28,6 +28,7 @@ public:
     Plan plan(ui::Size sheet, const ui::Fonts& fonts) const;
     void draw(ui::Painter& painter) const;
 
+    const femoop::Model& model() const { return model_; }
     const StructureShape& shape() const { return shape_; }
     const std::optional<SolvedCase>& solved() const { return solved_; }
 
@@ -57,6 +58,7 @@ private:
     ui::DisplayUnits units_;
     StructureShape shape_;
     std::optional<SolvedCase> solved_;
+    std::optional<SolvedCase> scaled_by_;
 };
 
 } // namespace frame

@@ -2,11 +2,7 @@
 
 namespace frame {
 
-namespace {
-
 std::string with_minus(const std::string& text) { return text.starts_with('-') ? "−" + text.substr(1) : text; }
-
-} // namespace
 
 std::string Scene::number(double value, ui::Measure measure) const { return with_minus(units.number(value, measure)); }
 

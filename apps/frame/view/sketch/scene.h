@@ -33,6 +33,9 @@ struct Scene {
     bool is_flat() const { return projection.is_plane(); }
 };
 
+/// A number's text with a true minus sign for its hyphen.
+std::string with_minus(const std::string& text);
+
 /// The units that numbers of a model are shown in.
 ui::DisplayUnits display_units(const femoop::Model& model, const ViewOptions& options);
 

@@ -1,4 +1,4 @@
-#include "apps/frame/session/picking.h"
+#include "apps/frame/session/snapping.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,42 +7,6 @@
 #include "femoop/result/results.h"
 
 namespace frame {
-
-namespace {
-
-// Where along a..b (0 to 1) the point is nearest.
-double nearest_along(ui::Point a, ui::Point b, ui::Point p)
-{
-    const ui::Point d = b - a;
-    const double square = dot(d, d);
-    return square > 0.0 ? std::clamp(dot(p - a, d) / square, 0.0, 1.0) : 0.0;
-}
-
-} // namespace
-
-Pick pick(const StructureShape& shape, const Projection& projection, ui::Point pointer, double reach)
-{
-    Pick found;
-    double nearest = reach;
-    for (std::size_t i = 0; i < shape.nodes.size(); ++i) {
-        const double away = distance(projection(shape.nodes[i]), pointer);
-        if (away > nearest) continue;
-        nearest = away;
-        found.node = femoop::NodeId(i);
-    }
-    if (found.node) return found;
-    for (std::size_t i = 0; i < shape.members.size(); ++i) {
-        const MemberShape& member = shape.members[i];
-        const ui::Point a = projection(member.start);
-        const ui::Point b = projection(member.end);
-        const double along = nearest_along(a, b, pointer);
-        const double away = distance(a + along * (b - a), pointer);
-        if (away > nearest) continue;
-        nearest = away;
-        found.cut = Cut{femoop::MemberId(i), along * member.length};
-    }
-    return found;
-}
 
 namespace {
 
@@ -80,11 +44,6 @@ Cut snapped(const Session& session, const StructureShape& shape, const Cut& cut,
     }
     const double step = round_above(1.0 / pixels_per_length);
     return {cut.member, std::clamp(std::round(cut.x / step) * step, 0.0, length)};
-}
-
-ui::Point place_on_sheet(const StructureShape& shape, const Projection& projection, const Cut& cut)
-{
-    return projection(shape[cut.member].at(cut.x));
 }
 
 } // namespace frame

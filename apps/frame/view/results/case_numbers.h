@@ -1,0 +1,29 @@
+#pragma once
+
+#include "apps/frame/view/geometry/structure_shape.h"
+#include "femoop/result/results.h"
+#include "ui/text/display_units.h"
+
+#include <map>
+#include <string>
+
+namespace frame {
+
+/// Writes the numbers of one load case: what is nothing but rounding beside the largest of its kind is 0, and minus is
+/// a true minus sign.
+class CaseNumbers {
+public:
+    /// \pre the shape is that of the model that was solved
+    CaseNumbers(const femoop::CaseResult& result, const StructureShape& shape, const ui::DisplayUnits& units);
+
+    std::string number(double value, ui::Measure measure) const;
+    std::string text(double value, ui::Measure measure) const; ///< with its unit
+
+private:
+    double without_rounding(double value, ui::Measure measure) const;
+
+    ui::DisplayUnits units_;
+    std::map<ui::Measure, double> least_; ///< below which there is rounding alone
+};
+
+} // namespace frame
