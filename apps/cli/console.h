@@ -27,7 +27,8 @@ public:
 
     void print(std::string_view result) { results_ += result; }
     void message(std::string_view line) const; ///< to stderr, a line of its own
-    /// "portal.json: error: ..." for each fault, errors and warnings told apart.
+    /// "portal.json: error: ..." for each fault, errors and warnings told apart; of many warnings of one kind the first
+    /// ones and how many more there are.
     void report(std::string_view file, const std::vector<femoop::Fault>& faults) const;
     std::string sentence(const femoop::Fault& fault) const; ///< in the user's language
 

@@ -59,6 +59,18 @@ TEST_CASE("A mechanism is no fault of the file: check does not solve")
     CHECK(cremona({"check", "-"}, cli_test::floating()).status == 0);
 }
 
+TEST_CASE("Of many warnings of one kind the first fifty are told, then how many more and the last")
+{
+    std::string nodes;
+    for (int i = 0; i < 70; ++i)
+        nodes += R"({"id": "n)" + std::to_string(i) + R"(", "at": [)" + std::to_string(i) + ", 5]}, ";
+    const Run run = cremona({"check", "-"}, with("{\"id\": \"A\"", nodes + "{\"id\": \"A\""));
+    CHECK(run.status == 0);
+    CHECK(cli_test::count(run.err, "no member is joined to this node") == 51);
+    CHECK(has(run.err, "and 20 more like \"nodes[69] \"n69\": no member is joined"));
+    CHECK(has(run.out, "warnings: 70"));
+}
+
 TEST_CASE("A warning goes to stderr and leaves the status 0")
 {
     const std::string unused = with("\"sections\": [",
