@@ -26,8 +26,9 @@ Session begin(const Options& options)
     session.set_language(options.language);
     session.view.theme = options.theme;
     session.view.layout = Layout::Overlay;
-    session.view.show = options.show.value_or(shown_by_default | ShowSet{Show::M});
     if (options.file) session.open(*options.file);
+    const bool is_truss = femoop::is_truss(session.model().analysis); // M says nothing there
+    session.view.show = options.show.value_or(shown_by_default | ShowSet{is_truss ? Show::N : Show::M});
     session.view.units = options.units;
     return session;
 }
