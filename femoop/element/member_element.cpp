@@ -165,6 +165,7 @@ template <AnalysisKind kind>
 auto MemberElement<kind>::rigid_joint_forces(const SpanLoading& loading) const -> LocalVector
 {
     LocalVector F = LocalVector::Zero();
+    if (loading.is_zero()) return F;
     const auto add_bar_forces = [&](const Bar& bar, LocalAxis axis, int row) {
         const Eigen::Vector2d f = bar.fixed_end_forces(loading, axis);
         F[row] += f[0];

@@ -25,7 +25,9 @@ SpanLoading SpanLoading::without_strain() const
 
 void SpanLoading::cut(std::span<const Scaled> terms, double longest)
 {
-    places_.assign({0.0, length_});
+    places_.clear();
+    places_.push_back(0.0);
+    places_.push_back(length_);
     for (const Scaled& term : terms)
         for (const SpanLoad& load : term.loads) {
             if (load.kind == SpanLoad::Kind::Strain) continue;
@@ -40,11 +42,12 @@ void SpanLoading::cut(std::span<const Scaled> terms, double longest)
     for (std::size_t i = 0; i + 1 < places_.size(); ++i) {
         const double stretch = places_[i + 1] - places_[i];
         const auto n = stretch > longest ? static_cast<std::size_t>(std::ceil(stretch / longest)) : 1;
+        const double step = stretch / static_cast<double>(n);
         for (std::size_t k = 0; k < n; ++k) {
-            const double begin = places_[i] + stretch * static_cast<double>(k) / static_cast<double>(n);
-            const double end = k + 1 == n ? places_[i + 1]
-                                          : places_[i] + stretch * static_cast<double>(k + 1) / static_cast<double>(n);
-            pieces_.push_back({.begin = begin, .end = end, .begins_at_load = k == 0});
+            SpanPiece& piece = pieces_.emplace_back();
+            piece.begin = places_[i] + step * static_cast<double>(k);
+            piece.end = k + 1 == n ? places_[i + 1] : places_[i] + step * static_cast<double>(k + 1);
+            piece.begins_at_load = k == 0;
         }
     }
 }

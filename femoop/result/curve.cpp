@@ -33,10 +33,10 @@ const Curve::Piece& Curve::piece_at(double x, Side side) const
 
 Polynomial Curve::polynomial(MemberComponent component, const Piece& piece) const
 {
-    const auto axial = [&] { return law_.axial.series(piece.axial, piece.load, LocalAxis::x, law_.strain); };
-    const auto torsion = [&] { return law_.torsion.series(piece.torsion, piece.load, LocalAxis::rx, 0.0); };
-    const auto xy = [&] { return law_.xy.series(piece.xy, piece.load, BendingPlane::xy, law_.curvature); };
-    const auto xz = [&] { return law_.xz.series(piece.xz, piece.load, BendingPlane::xz, 0.0); };
+    const auto axial = [&] { return law_.axial.series(piece.begin.axial, piece.load, LocalAxis::x, law_.strain); };
+    const auto torsion = [&] { return law_.torsion.series(piece.begin.torsion, piece.load, LocalAxis::rx, 0.0); };
+    const auto xy = [&] { return law_.xy.series(piece.begin.xy, piece.load, BendingPlane::xy, law_.curvature); };
+    const auto xz = [&] { return law_.xz.series(piece.begin.xz, piece.load, BendingPlane::xz, 0.0); };
     switch (component) {
     case MemberComponent::N: return axial().N;
     case MemberComponent::T: return torsion().N;
@@ -55,12 +55,12 @@ SectionForces Curve::forces(double x, Side side) const
 {
     const Piece& piece = piece_at(x, side);
     const double t = x - piece.load.begin;
-    const Beam::Forces xy = law_.xy.forces_at(t, piece.xy, piece.load, BendingPlane::xy, law_.curvature);
-    const Beam::Forces xz = law_.xz.forces_at(t, piece.xz, piece.load, BendingPlane::xz, 0.0);
-    return {.N = law_.axial.force_at(t, piece.axial, piece.load, LocalAxis::x),
+    const Beam::Forces xy = law_.xy.forces_at(t, piece.begin.xy, piece.load, BendingPlane::xy, law_.curvature);
+    const Beam::Forces xz = law_.xz.forces_at(t, piece.begin.xz, piece.load, BendingPlane::xz, 0.0);
+    return {.N = law_.axial.force_at(t, piece.begin.axial, piece.load, LocalAxis::x),
             .Vy = xy.V,
             .Vz = xz.V,
-            .T = law_.torsion.force_at(t, piece.torsion, piece.load, LocalAxis::rx),
+            .T = law_.torsion.force_at(t, piece.begin.torsion, piece.load, LocalAxis::rx),
             .My = xz.M,
             .Mz = xy.M};
 }
@@ -69,12 +69,12 @@ LocalDisplacement Curve::displacement(double x, Side side) const
 {
     const Piece& piece = piece_at(x, side);
     const double t = x - piece.load.begin;
-    const Beam::State xy = law_.xy.at(t, piece.xy, piece.load, BendingPlane::xy, law_.curvature);
-    const Beam::State xz = law_.xz.at(t, piece.xz, piece.load, BendingPlane::xz, 0.0);
-    return {.u = law_.axial.at(t, piece.axial, piece.load, LocalAxis::x, law_.strain).u,
+    const Beam::State xy = law_.xy.at(t, piece.begin.xy, piece.load, BendingPlane::xy, law_.curvature);
+    const Beam::State xz = law_.xz.at(t, piece.begin.xz, piece.load, BendingPlane::xz, 0.0);
+    return {.u = law_.axial.at(t, piece.begin.axial, piece.load, LocalAxis::x, law_.strain).u,
             .v = xy.v,
             .w = xz.v,
-            .rx = law_.torsion.at(t, piece.torsion, piece.load, LocalAxis::rx, 0.0).u,
+            .rx = law_.torsion.at(t, piece.begin.torsion, piece.load, LocalAxis::rx, 0.0).u,
             .ry = -xz.phi,
             .rz = xy.phi};
 }

@@ -46,11 +46,15 @@ struct Station {
 /// Accuracy  exact for the member's theory (Euler-Bernoulli, Timoshenko, Winkler foundation), nothing is sampled
 class Curve {
 public:
+    /// The solution at one place.
+    struct State {
+        Bar::State axial, torsion;
+        Beam::State xy, xz;
+    };
     /// A stretch between load points, with the solution at its beginning, after the point loads there.
     struct Piece {
         SpanPiece load;
-        Bar::State axial, torsion;
-        Beam::State xy, xz;
+        State begin;
     };
     /// What governs the shape between the states: infinite stiffness where a member does not strain.
     struct Law {
@@ -62,7 +66,7 @@ public:
 
     /// For who makes a curve: starts over with a law, then takes the pieces from the first end to the last.
     void begin(const Law& law);
-    void append(const Piece& piece) { pieces_.push_back(piece); }
+    void append(const SpanPiece& load, const State& begin) { pieces_.push_back({load, begin}); }
 
     double length() const { return pieces_.back().load.end; }
 

@@ -75,26 +75,14 @@ public:
         const MemberState s = state();
         const Curve::Law law = this->law(s);
         curve.begin(law);
-        Curve::Piece piece{.load = {},
-                           .axial = {.u = s.d[0][0], .N = -s.p[0][0]},
-                           .torsion = {.u = s.d[0][3], .N = -s.p[0][3]},
-                           .xy = {.v = s.d[0][1], .phi = s.d[0][5], .V = s.p[0][1], .M = -s.p[0][5]},
-                           .xz = {.v = s.d[0][2], .phi = -s.d[0][4], .V = s.p[0][2], .M = s.p[0][4]}};
-        if (is_bar()) {
-            piece.xy.phi = (s.d[1][1] - s.d[0][1]) / frame_.length;
-            piece.xz.phi = (s.d[1][2] - s.d[0][2]) / frame_.length;
-            piece.xy.M = piece.xz.M = 0.0;
-        }
+        Curve::State at = first_state(s);
         const std::vector<Beam::State> on_foundation = foundation_states(s, law);
-        for (std::size_t i = 0; i < loading_.pieces().size(); ++i) {
-            piece.load = loading_.pieces()[i];
-            if (!on_foundation.empty()) piece.xy = on_foundation[i];
-            piece.axial.N -= piece.load.jump[index(LocalAxis::x)];
-            piece.torsion.N -= piece.load.jump[index(LocalAxis::rx)];
-            piece.xy = Beam::after_jump(piece.xy, piece.load.jump, BendingPlane::xy);
-            piece.xz = Beam::after_jump(piece.xz, piece.load.jump, BendingPlane::xz);
-            curve.append(piece);
-            if (i + 1 < loading_.pieces().size()) advance(piece, law);
+        const std::vector<SpanPiece>& pieces = loading_.pieces();
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            if (!on_foundation.empty()) at.xy = on_foundation[i];
+            pass_jump(at, pieces[i]);
+            curve.append(pieces[i], at);
+            if (i + 1 < pieces.size()) pass_piece(at, pieces[i], law);
         }
     }
 
@@ -108,21 +96,29 @@ private:
         std::array<Vector6, 2> d{Vector6::Zero(), Vector6::Zero()};
         constexpr auto& global = AnalysisModel<kind>::global;
         for (std::size_t end = 0; end < 2; ++end) {
-            Vector6 node = Vector6::Zero();
             const std::size_t first = structure_.members[member_.index].nodes[end].index * global.size();
-            for (const CaseTerms::Term& term : terms_) {
-                const std::vector<double>& u = solution_.solutions[term.load_case].*displacements;
-                for (std::size_t i = 0; i < global.size(); ++i)
-                    node[static_cast<int>(index(global[i]))] += term.factor * u[first + i];
+            for (std::size_t i = 0; i < global.size(); ++i) {
+                double sum = 0.0;
+                for (const CaseTerms::Term& term : terms_)
+                    sum += term.factor * (solution_.solutions[term.load_case].*displacements)[first + i];
+                follow(global[i], sum, end, d[end]);
             }
-            Eigen::Vector3d moved = node.head<3>();
-            if (extras_ != nullptr && extras_->has_offset)
-                moved += Eigen::Vector3d(node.tail<3>()).cross(extras_->offsets[end]);
-            d[end].head<3>() = frame_.axes * moved;
-            d[end].tail<3>() = frame_.axes * node.tail<3>();
         }
         if (!solution_.own_end_of.empty() && solution_.own_end_of[member_.index] >= 0) read_own_ends(d, own_ends);
         return d;
+    }
+
+    /// Adds what a node's displacement moves an end by: along its own axes, and by a rotation through the rigid arm.
+    void follow(Dof dof, double value, std::size_t end, Vector6& d) const
+    {
+        const auto axis = static_cast<int>(index(dof));
+        if (axis < 3) {
+            d.head<3>() += value * frame_.axes.col(axis);
+            return;
+        }
+        d.tail<3>() += value * frame_.axes.col(axis - 3);
+        if (extras_ != nullptr && extras_->has_offset)
+            d.head<3>() += frame_.axes * (value * Eigen::Vector3d::Unit(axis - 3)).cross(extras_->offsets[end]);
     }
 
     void read_own_ends(std::array<Vector6, 2>& d, std::vector<double> CaseSolution::*own_ends) const
@@ -195,13 +191,36 @@ private:
         return FoundationBeam(law.xy, loading_, BendingPlane::xy, law.curvature).states(d);
     }
 
-    static void advance(Curve::Piece& piece, const Curve::Law& law)
+    /// Before the point loads at the first end.
+    Curve::State first_state(const MemberState& s) const
     {
-        const double h = piece.load.length();
-        piece.axial = law.axial.at(h, piece.axial, piece.load, LocalAxis::x, law.strain);
-        piece.torsion = law.torsion.at(h, piece.torsion, piece.load, LocalAxis::rx, 0.0);
-        piece.xy = law.xy.at(h, piece.xy, piece.load, BendingPlane::xy, law.curvature);
-        piece.xz = law.xz.at(h, piece.xz, piece.load, BendingPlane::xz, 0.0);
+        Curve::State first{.axial = {.u = s.d[0][0], .N = -s.p[0][0]},
+                           .torsion = {.u = s.d[0][3], .N = -s.p[0][3]},
+                           .xy = {.v = s.d[0][1], .phi = s.d[0][5], .V = s.p[0][1], .M = -s.p[0][5]},
+                           .xz = {.v = s.d[0][2], .phi = -s.d[0][4], .V = s.p[0][2], .M = s.p[0][4]}};
+        if (is_bar()) {
+            first.xy.phi = (s.d[1][1] - s.d[0][1]) / frame_.length;
+            first.xz.phi = (s.d[1][2] - s.d[0][2]) / frame_.length;
+            first.xy.M = first.xz.M = 0.0;
+        }
+        return first;
+    }
+
+    static void pass_jump(Curve::State& at, const SpanPiece& piece)
+    {
+        at.axial.N -= piece.jump[index(LocalAxis::x)];
+        at.torsion.N -= piece.jump[index(LocalAxis::rx)];
+        at.xy = Beam::after_jump(at.xy, piece.jump, BendingPlane::xy);
+        at.xz = Beam::after_jump(at.xz, piece.jump, BendingPlane::xz);
+    }
+
+    static void pass_piece(Curve::State& at, const SpanPiece& piece, const Curve::Law& law)
+    {
+        const double h = piece.length();
+        at.axial = law.axial.at(h, at.axial, piece, LocalAxis::x, law.strain);
+        at.torsion = law.torsion.at(h, at.torsion, piece, LocalAxis::rx, 0.0);
+        at.xy = law.xy.at(h, at.xy, piece, BendingPlane::xy, law.curvature);
+        at.xz = law.xz.at(h, at.xz, piece, BendingPlane::xz, 0.0);
     }
 
     const Solution& solution_;
