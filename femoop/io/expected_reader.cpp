@@ -21,15 +21,6 @@ std::vector<std::string_view> component_names(AnalysisKind kind)
 
 } // namespace
 
-void ModelReader::read_expected(JsonValue list)
-{
-    for_each(list, {}, [this](JsonValue value, const Place& place) {
-        const std::size_t before = reader_.n_troubles();
-        model.expected.push_back(expected(value, place));
-        unreadable_.expected.push_back(reader_.n_troubles() != before);
-    });
-}
-
 Expected ModelReader::expected(JsonValue value, const Place& place)
 {
     const auto [quantity, number, load_case, analysis, node, member, component, at, side, which, rtol, atol,
@@ -39,14 +30,9 @@ Expected ModelReader::expected(JsonValue value, const Place& place)
     if (chosen) check.quantity = static_cast<ExpectedQuantity>(*chosen);
     if (const auto kind = reader_.choice(analysis, names::expected_analyses, place))
         check.analysis = static_cast<ExpectedAnalysis>(*kind);
-    if (load_case.is_present())
-        check.load_case = CaseId(
-            reference(load_case, cases_, {FaultKind::NoSuchCase, FaultKind::NoSuchCaseNear}, place));
-    if (node.is_present())
-        check.node = NodeId(reference(node, nodes_, {FaultKind::NoSuchNode, FaultKind::NoSuchNodeNear}, place));
-    if (member.is_present())
-        check.member = MemberId(
-            reference(member, members_, {FaultKind::NoSuchMember, FaultKind::NoSuchMemberNear}, place));
+    if (load_case.is_present()) check.load_case = CaseId(reference(load_case, cases_, place));
+    if (node.is_present()) check.node = NodeId(reference(node, nodes_, place));
+    if (member.is_present()) check.member = MemberId(reference(member, members_, place));
     if (chosen) read_component(check, component, place);
     check.at = position(at, place);
     if (const auto chosen_side = reader_.choice(side, names::sides, place))

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "femoop/io/json_document.h"
+
 namespace femoop {
 
 JsonWriter& JsonWriter::begin_object(Layout layout) { return begin(true, layout); }
@@ -31,7 +33,7 @@ JsonWriter& JsonWriter::end()
 JsonWriter& JsonWriter::key(std::string_view key)
 {
     next_item();
-    append_quoted(key);
+    text_ += quoted_json(key);
     text_ += ": ";
     last_key_ = key;
     has_key_ = true;
@@ -65,7 +67,7 @@ JsonWriter& JsonWriter::value(std::size_t number)
 JsonWriter& JsonWriter::value(std::string_view text)
 {
     next_item();
-    append_quoted(text);
+    text_ += quoted_json(text);
     return *this;
 }
 
@@ -107,26 +109,6 @@ void JsonWriter::new_line()
 {
     text_ += '\n';
     text_.append(2 * levels_.size(), ' ');
-}
-
-void JsonWriter::append_quoted(std::string_view text)
-{
-    static constexpr std::string_view hex = "0123456789abcdef";
-    text_ += '"';
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\') {
-            text_ += '\\';
-            text_ += c;
-        } else if (byte < 0x20) {
-            text_ += "\\u00";
-            text_ += hex[byte >> 4U];
-            text_ += hex[byte & 0xFU];
-        } else {
-            text_ += c;
-        }
-    }
-    text_ += '"';
 }
 
 } // namespace femoop

@@ -44,7 +44,6 @@ private:
     JsonWriter& begin(bool is_object, Layout layout);
     void next_item();
     void new_line();
-    void append_quoted(std::string_view text);
 
     std::string text_;
     std::vector<Level> levels_;

@@ -56,17 +56,10 @@ LoadCase ModelReader::load_case(JsonValue value, const Place& place)
     load_case.id = reader_.id(id, place);
     unreadable_.load_cases.push_back(load_case.id.empty());
     load_case.self_weight = reader_.number(self_weight, place).value_or(0.0);
-    const auto read_all = [&](JsonValue list, auto& loads, std::vector<std::vector<bool>>& marks, auto read) {
-        auto& marked = marks.emplace_back();
-        for_each(list, place, [&](JsonValue entry, const Place& here) {
-            const std::size_t before = reader_.n_troubles();
-            loads.push_back((this->*read)(entry, here));
-            marked.push_back(reader_.n_troubles() != before);
-        });
-    };
-    read_all(nodes, load_case.nodes, unreadable_.node_loads, &ModelReader::node_load);
-    read_all(settlements, load_case.settlements, unreadable_.settlements, &ModelReader::settlement);
-    read_all(members, load_case.members, unreadable_.member_loads, &ModelReader::member_load);
+    read_parts(nodes, place, load_case.nodes, unreadable_.node_loads.emplace_back(), &ModelReader::node_load);
+    read_parts(settlements, place, load_case.settlements, unreadable_.settlements.emplace_back(),
+               &ModelReader::settlement);
+    read_parts(members, place, load_case.members, unreadable_.member_loads.emplace_back(), &ModelReader::member_load);
     return load_case;
 }
 
@@ -74,7 +67,7 @@ NodeLoad ModelReader::node_load(JsonValue value, const Place& place)
 {
     NodeLoad load;
     const auto found = reader_.fields(value, node_load_keys, place);
-    load.node = NodeId(reference(found[0], nodes_, {FaultKind::NoSuchNode, FaultKind::NoSuchNodeNear}, place));
+    load.node = NodeId(reference(found[0], nodes_, place));
     for (const JsonValue part : value)
         if (const auto dof = find_force_dof(part.key()))
             if (auto amount = reader_.quantity(part, force_dimension(*dof), place))
@@ -86,7 +79,7 @@ Settlement ModelReader::settlement(JsonValue value, const Place& place)
 {
     Settlement settlement;
     const auto found = reader_.fields(value, settlement_keys, place);
-    settlement.node = NodeId(reference(found[0], nodes_, {FaultKind::NoSuchNode, FaultKind::NoSuchNodeNear}, place));
+    settlement.node = NodeId(reference(found[0], nodes_, place));
     for (const JsonValue part : value)
         if (const auto dof = find_dof(part.key()))
             if (auto amount = reader_.quantity(part, displacement_dimension(*dof), place))
@@ -109,8 +102,7 @@ MemberLoad ModelReader::member_load(JsonValue value, const Place& place)
     case 4: load.load = misfit(value, place); break;
     default: break;
     }
-    load.member = MemberId(
-        reference(field(value, "member"), members_, {FaultKind::NoSuchMember, FaultKind::NoSuchMemberNear}, place));
+    load.member = MemberId(reference(field(value, "member"), members_, place));
     return load;
 }
 
@@ -218,15 +210,6 @@ Misfit ModelReader::misfit(JsonValue value, const Place& place)
     return {reader_.quantity(found[2], dimension::length, place).value_or(0.0)};
 }
 
-void ModelReader::read_combinations(JsonValue list)
-{
-    for_each(list, {}, [this](JsonValue value, const Place& place) {
-        const std::size_t before = reader_.n_troubles();
-        model.combinations.push_back(combination(value, place));
-        unreadable_.combinations.push_back(reader_.n_troubles() != before);
-    });
-}
-
 Combination ModelReader::combination(JsonValue value, const Place& place)
 {
     const auto [id, factors] = reader_.fields(value, combination_keys, place);
@@ -236,7 +219,7 @@ Combination ModelReader::combination(JsonValue value, const Place& place)
     const Place here = place.key("factors");
     for (const JsonValue factor : factors) {
         const auto number = reader_.number(factor, here);
-        const std::size_t of = lookup(factor.key(), cases_, {FaultKind::NoSuchCase, FaultKind::NoSuchCaseNear}, place);
+        const std::size_t of = lookup(factor.key(), cases_, place);
         if (number) combination.terms.push_back({CaseId(of), *number});
     }
     return combination;

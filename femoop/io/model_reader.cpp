@@ -31,18 +31,21 @@ ModelReader::ModelReader(JsonValue file, std::vector<Fault> faults)
     model.title = reader_.text(title, top).value_or("");
     model.notes = reader_.text(notes, top).value_or("");
     read_header(cremona, analysis, units, mass);
-    read_materials(materials);
-    read_sections(sections);
-    read_nodes(nodes);
-    read_members(members);
-    cases_ = names_of(load_cases);
-    const NameTable combined = names_of(combinations);
-    for (const auto& [name, index] : combined.entries) cases_.entries.emplace(name, load_cases.size() + index);
-    cases_.n_lost += combined.n_lost;
-    cases_.is_lost = cases_.is_lost || combined.is_lost;
+    materials_.add(materials);
+    sections_.add(sections);
+    nodes_.add(nodes);
+    members_.add(members);
+    cases_.add(load_cases);
+    cases_.add(combinations, load_cases.size());
+    nodes_.is_lost = !nodes.is(JsonKind::Array); // without these lists a file has that fault already
+    members_.is_lost = !members.is(JsonKind::Array);
+    read_parts(materials, {}, model.materials, unreadable_.materials, &ModelReader::material);
+    read_parts(sections, {}, model.sections, unreadable_.sections, &ModelReader::section);
+    read_parts(nodes, {}, model.nodes, unreadable_.nodes, &ModelReader::node);
+    read_parts(members, {}, model.members, unreadable_.members, &ModelReader::member);
     read_load_cases(load_cases);
-    read_combinations(combinations);
-    read_expected(expected);
+    read_parts(combinations, {}, model.combinations, unreadable_.combinations, &ModelReader::combination);
+    read_parts(expected, {}, model.expected, unreadable_.expected, &ModelReader::expected);
     keep_extra_blocks(file);
     unreadable_.is_incomplete = reader_.n_troubles() > 0;
 }
@@ -89,15 +92,16 @@ std::string_view ModelReader::id_of(JsonValue entry)
     return {};
 }
 
-ModelReader::NameTable ModelReader::names_of(JsonValue list)
+void ModelReader::NameTable::add(JsonValue list, std::size_t first_index)
 {
-    NameTable table{.is_lost = list.is_present() && !list.is(JsonKind::Array)};
-    std::size_t i = 0;
-    if (!table.is_lost)
-        for (const JsonValue entry : list) table.entries.emplace(id_of(entry), i++);
-    table.entries.erase(std::string_view());
-    table.n_lost = i - table.entries.size();
-    return table;
+    is_lost = is_lost || (list.is_present() && !list.is(JsonKind::Array));
+    if (!list.is(JsonKind::Array)) return;
+    for (std::size_t i = first_index; const JsonValue entry : list) {
+        const std::string_view id = id_of(entry);
+        const bool is_new = !id.empty() && entries.emplace(id, i).second;
+        if (!is_new) ++n_lost;
+        ++i;
+    }
 }
 
 bool ModelReader::NameTable::excuses(std::string_view name)
@@ -106,17 +110,17 @@ bool ModelReader::NameTable::excuses(std::string_view name)
     return excused.size() < n_lost && excused.insert(name).second;
 }
 
-std::size_t ModelReader::reference(JsonValue value, NameTable& names, Missing missing, const Place& place)
+std::size_t ModelReader::reference(JsonValue value, NameTable& names, const Place& place)
 {
     if (!value.is_present()) return nowhere;
     if (!value.is(JsonKind::String)) {
         reader_.wrong_type(value, translatable("the id of an entry, a text"), place);
         return nowhere;
     }
-    return lookup(value.text(), names, missing, place);
+    return lookup(value.text(), names, place);
 }
 
-std::size_t ModelReader::lookup(std::string_view id, NameTable& names, Missing missing, const Place& place)
+std::size_t ModelReader::lookup(std::string_view id, NameTable& names, const Place& place)
 {
     const auto found = names.entries.find(id);
     if (found != names.entries.end()) return found->second;
@@ -133,7 +137,7 @@ std::size_t ModelReader::lookup(std::string_view id, NameTable& names, Missing m
     auto near = nearest(id, known);
     std::vector<std::string> details{place.text(), std::string(id)};
     if (near) details.push_back(std::move(*near));
-    reader_.add({details.size() > 2 ? missing.near : missing.plain, std::move(details)});
+    reader_.add({details.size() > 2 ? names.missing_near : names.missing, std::move(details)});
     return nowhere;
 }
 

@@ -31,11 +31,13 @@ private:
     /// The names of a list. A name that is not in it may be that of an entry whose own name cannot be read: each such
     /// entry, which is a fault already, excuses one unknown name.
     struct NameTable {
-        std::unordered_map<std::string_view, std::size_t> entries;
+        FaultKind missing, missing_near; ///< what an unknown name is, without and with a suggestion
+        std::unordered_map<std::string_view, std::size_t> entries = {};
         std::size_t n_lost = 0; ///< entries whose name is missing, no text or taken
         bool is_lost = false;   ///< the list itself cannot be read
         std::unordered_set<std::string_view> excused = {};
 
+        void add(JsonValue list, std::size_t first_index = 0);
         bool excuses(std::string_view name);
     };
 
@@ -45,18 +47,13 @@ private:
     void keep_extra_blocks(JsonValue file);
     template <class Read> void for_each(JsonValue list, const Place& place, Read read);
     static std::string_view id_of(JsonValue entry); ///< "" if it has none
-    static NameTable names_of(JsonValue list);
-    struct Missing {
-        FaultKind plain, near; ///< without and with a suggestion
-    };
-    std::size_t reference(JsonValue value, NameTable& names, Missing missing, const Place& place);
-    std::size_t lookup(std::string_view name, NameTable& names, Missing missing, const Place& place);
+    std::size_t reference(JsonValue value, NameTable& names, const Place& place);
+    std::size_t lookup(std::string_view name, NameTable& names, const Place& place);
+    template <class Part>
+    void read_parts(JsonValue list, const Place& place, std::vector<Part>& parts, std::vector<bool>& unreadable,
+                    Part (ModelReader::*read)(JsonValue, const Place&));
 
     // structure_reader.cpp
-    void read_materials(JsonValue list);
-    void read_sections(JsonValue list);
-    void read_nodes(JsonValue list);
-    void read_members(JsonValue list);
     Material material(JsonValue value, const Place& place);
     Section section(JsonValue value, const Place& place);
     Node node(JsonValue value, const Place& place);
@@ -71,7 +68,6 @@ private:
 
     // load_reader.cpp
     void read_load_cases(JsonValue list);
-    void read_combinations(JsonValue list);
     LoadCase load_case(JsonValue value, const Place& place);
     NodeLoad node_load(JsonValue value, const Place& place);
     Settlement settlement(JsonValue value, const Place& place);
@@ -87,14 +83,17 @@ private:
     Combination combination(JsonValue value, const Place& place);
 
     // expected_reader.cpp
-    void read_expected(JsonValue list);
     Expected expected(JsonValue value, const Place& place);
     void read_component(Expected& check, JsonValue component, const Place& place);
     void read_which(Expected& check, JsonValue which, const Place& place);
 
     ValueReader reader_;
     Unreadable unreadable_;
-    NameTable materials_, sections_, nodes_, members_, cases_;
+    NameTable materials_{FaultKind::NoSuchMaterial, FaultKind::NoSuchMaterialNear};
+    NameTable sections_{FaultKind::NoSuchSection, FaultKind::NoSuchSectionNear};
+    NameTable nodes_{FaultKind::NoSuchNode, FaultKind::NoSuchNodeNear};
+    NameTable members_{FaultKind::NoSuchMember, FaultKind::NoSuchMemberNear};
+    NameTable cases_{FaultKind::NoSuchCase, FaultKind::NoSuchCaseNear};
 };
 
 /// What a reference that names nothing becomes: the fault is noted, the index is out of every list.
@@ -106,6 +105,18 @@ template <class Read> void ModelReader::for_each(JsonValue list, const Place& pl
     const Place here = place.key(list.key());
     std::size_t i = 0;
     for (const JsonValue value : list) read(value, here.entry(i++, id_of(value)));
+}
+
+/// Every entry of a list as a part of the model, and whether it could be read.
+template <class Part>
+void ModelReader::read_parts(JsonValue list, const Place& place, std::vector<Part>& parts,
+                             std::vector<bool>& unreadable, Part (ModelReader::*read)(JsonValue, const Place&))
+{
+    for_each(list, place, [&](JsonValue value, const Place& own_place) {
+        const std::size_t before = reader_.n_troubles();
+        parts.push_back((this->*read)(value, own_place));
+        unreadable.push_back(reader_.n_troubles() != before);
+    });
 }
 
 } // namespace femoop

@@ -24,16 +24,6 @@ bool has_depth(ShapeKind kind) { return kind != ShapeKind::Circle && kind != Sha
 
 } // namespace
 
-void ModelReader::read_materials(JsonValue list)
-{
-    materials_ = names_of(list);
-    for_each(list, {}, [this](JsonValue value, const Place& place) {
-        const std::size_t before = reader_.n_troubles();
-        model.materials.push_back(material(value, place));
-        unreadable_.materials.push_back(reader_.n_troubles() != before);
-    });
-}
-
 Material ModelReader::material(JsonValue value, const Place& place)
 {
     const auto [id, E, nu, G, alpha, density, fy] = reader_.fields(value, material_keys, place);
@@ -46,16 +36,6 @@ Material ModelReader::material(JsonValue value, const Place& place)
     material.density = reader_.quantity(density, dimension::density, place);
     material.fy = reader_.quantity(fy, dimension::stress, place);
     return material;
-}
-
-void ModelReader::read_sections(JsonValue list)
-{
-    sections_ = names_of(list);
-    for_each(list, {}, [this](JsonValue value, const Place& place) {
-        const std::size_t before = reader_.n_troubles();
-        model.sections.push_back(section(value, place));
-        unreadable_.sections.push_back(reader_.n_troubles() != before);
-    });
 }
 
 Section ModelReader::section(JsonValue value, const Place& place)
@@ -92,17 +72,6 @@ Section ModelReader::section(JsonValue value, const Place& place)
     sizes.tw = length(tw);
     section.shape = std::move(sizes);
     return section;
-}
-
-void ModelReader::read_nodes(JsonValue list)
-{
-    nodes_ = names_of(list);
-    nodes_.is_lost = !list.is(JsonKind::Array); // a missing list is a fault
-    for_each(list, {}, [this](JsonValue value, const Place& place) {
-        const std::size_t before = reader_.n_troubles();
-        model.nodes.push_back(node(value, place));
-        unreadable_.nodes.push_back(reader_.n_troubles() != before);
-    });
 }
 
 Node ModelReader::node(JsonValue value, const Place& place)
@@ -196,17 +165,6 @@ std::vector<Quantity> ModelReader::lengths(JsonValue value, std::size_t n, const
     return lengths;
 }
 
-void ModelReader::read_members(JsonValue list)
-{
-    members_ = names_of(list);
-    members_.is_lost = !list.is(JsonKind::Array); // a missing list is a fault
-    for_each(list, {}, [this](JsonValue value, const Place& place) {
-        const std::size_t before = reader_.n_troubles();
-        model.members.push_back(member(value, place));
-        unreadable_.members.push_back(reader_.n_troubles() != before);
-    });
-}
-
 Member ModelReader::member(JsonValue value, const Place& place)
 {
     const auto [id, nodes, material, section, start, end, theory, inextensible, unshearable, rigid, bar, tension_only,
@@ -217,14 +175,9 @@ Member ModelReader::member(JsonValue value, const Place& place)
         reader_.add({FaultKind::WrongNodeCount, {place.text(), std::to_string(nodes.size())}});
     else if (nodes.is(JsonKind::Array))
         for (std::size_t i = 0; const JsonValue node : nodes)
-            member.nodes[i++] = NodeId(
-                reference(node, nodes_, {FaultKind::NoSuchNode, FaultKind::NoSuchNodeNear}, place));
-    if (material.is_present())
-        member.material = MaterialId(
-            reference(material, materials_, {FaultKind::NoSuchMaterial, FaultKind::NoSuchMaterialNear}, place));
-    if (section.is_present())
-        member.section = SectionId(
-            reference(section, sections_, {FaultKind::NoSuchSection, FaultKind::NoSuchSectionNear}, place));
+            member.nodes[i++] = NodeId(reference(node, nodes_, place));
+    if (material.is_present()) member.material = MaterialId(reference(material, materials_, place));
+    if (section.is_present()) member.section = SectionId(reference(section, sections_, place));
     member.start = member_end(start, place);
     member.end = member_end(end, place);
     if (const auto chosen = reader_.choice(theory, names::theories, place))

@@ -52,7 +52,7 @@ TEST_CASE("Quotation marks, backslashes and control characters in names are esca
 {
     JsonWriter json;
     json.value("a\"b\\c\nd\x01");
-    CHECK(json.take() == "\"a\\\"b\\\\c\\u000ad\\u0001\"\n");
+    CHECK(json.take() == "\"a\\\"b\\\\c\\nd\\u0001\"\n");
 }
 
 TEST_CASE("A text with an open object is not handed out")
