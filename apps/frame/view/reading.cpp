@@ -6,8 +6,10 @@
 #include "apps/frame/view/sketch/scene.h"
 #include "apps/frame/view/sketch/symbols.h"
 #include "femoop/result/components.h"
+#include "ui/paint/label/oriented_box.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -91,6 +93,15 @@ double largest(const femoop::SectionForces& f)
     return std::max({std::abs(f.N), std::abs(f.Vy), std::abs(f.Vz), std::abs(f.T), std::abs(f.My), std::abs(f.Mz)});
 }
 
+ui::Point nearest(const ui::Box& box, ui::Point p)
+{
+    return {std::clamp(p.x, box.min.x, box.max.x), std::clamp(p.y, box.min.y, box.max.y)};
+}
+
+// Diagonals first: straight above and below stand loads and diagrams.
+constexpr std::array<ui::Point, 8> sides{
+    {{1.0, 1.0}, {-1.0, 1.0}, {1.0, -1.0}, {-1.0, -1.0}, {1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}};
+
 /// A box beside the cursor with a sketch at its left and lines of text at its right.
 class ReadingBox {
 public:
@@ -139,22 +150,28 @@ private:
         return style;
     }
 
-    // On one of the four sides of the place, near or farther off, where it covers the fewest strings.
+    // Beside the place, near or farther off, where it and its leader disturb the fewest strings.
     ui::Box placed(ui::Point beside) const
     {
         const std::vector<ui::Box> strings = painter_.picture().text_boxes(painter_.fonts());
-        const auto n_covered = [&](const ui::Box& box) {
-            return std::count_if(strings.begin(), strings.end(), [&](const ui::Box& s) { return s.overlaps(box); });
+        const auto harm = [&](const ui::Box& box) { // a string that is crossed by the leader can still be read
+            int sum = box.contains(beside) ? 100 : 0;
+            for (const ui::Box& string : strings) {
+                const ui::OrientedBox words(string.center(), string.size());
+                if (string.overlaps(box.grown(4.0))) sum += 4;
+                else if (words.meets_segment(beside, nearest(box, beside))) sum += 1;
+            }
+            return sum;
         };
         ui::Box best;
-        auto fewest = std::numeric_limits<std::ptrdiff_t>::max();
-        for (const double away : {18.0, 60.0, 110.0, 160.0, 220.0}) {
-            for (const ui::Point side : {ui::Point{1.0, 1.0}, {-1.0, 1.0}, {1.0, -1.0}, {-1.0, -1.0}}) {
+        int least = std::numeric_limits<int>::max();
+        for (const double away : {18.0, 50.0, 90.0, 140.0, 200.0, 270.0}) {
+            for (const ui::Point side : sides) {
                 const ui::Box box = on_sheet(
                     beside + ui::Point{side.x * (away + 0.5 * size_.width), side.y * (away + 0.5 * size_.height)});
-                const auto n = n_covered(box) + (box.contains(beside) ? 100 : 0);
-                if (n >= fewest) continue;
-                fewest = n;
+                const int now = harm(box);
+                if (now >= least) continue;
+                least = now;
                 best = box;
             }
         }

@@ -268,7 +268,11 @@ void show_messages(const std::vector<std::string>& lines, float left, float top,
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.6F * em, 0.35F * em});
     constexpr ImGuiWindowFlags flags = fixed_panel | ImGuiWindowFlags_AlwaysAutoResize |
                                        ImGuiWindowFlags_NoFocusOnAppearing;
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg)); // the canvas has none
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
     ImGui::Begin("###banner", nullptr, flags & ~ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
     for (const std::string& line : lines) {
         ImGui::PushTextWrapPos(width - 4.0F * em);
         ImGui::TextUnformatted(line.c_str());

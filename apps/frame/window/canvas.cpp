@@ -7,7 +7,6 @@
 #include <variant>
 
 #include "apps/frame/session/snapping.h"
-#include "apps/frame/view/frame_view.h"
 #include "apps/frame/view/reading.h"
 
 namespace frame {

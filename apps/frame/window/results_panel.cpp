@@ -38,13 +38,15 @@ void right_aligned(const std::string& text)
     ImGui::TextUnformatted(text.c_str());
 }
 
-// A table whose first column names a part. Calls row(i) for the rows that are in sight.
+// A table whose first column names a part; where it is too wide it is scrolled, never cut. Calls row(i) for the rows
+// that are in sight.
 template <class Row> void table(const char* id, const std::vector<std::string>& headings, std::size_t n_rows, Row&& row)
 {
-    constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_ScrollY |
-                                      ImGuiTableFlags_SizingStretchSame;
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_ScrollX |
+                                      ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit;
     const float line = ImGui::GetTextLineHeightWithSpacing() + 2.0F * ImGui::GetStyle().CellPadding.y;
-    const float height = std::min(static_cast<float>(n_rows + 1) * line + 2.0F, 12.0F * line);
+    const float height = std::min(static_cast<float>(n_rows + 1) * line, 12.0F * line) +
+                         ImGui::GetStyle().ScrollbarSize;
     if (!ImGui::BeginTable(id, static_cast<int>(headings.size()), flags, {0.0F, height})) return;
     ImGui::TableSetupScrollFreeze(1, 1);
     for (const std::string& heading : headings) ImGui::TableSetupColumn(heading.c_str());
