@@ -18,14 +18,17 @@ constexpr double default_rtol = 1.0e-6;
 
 std::string_view word(ExpectedAnalysis analysis)
 {
-    static constexpr std::array<std::string_view, 5> words{"linear", "p_delta", "buckling", "modal", "plastic"};
+    static constexpr std::array<std::string_view, 5> words{"linear", translatable("p_delta"), translatable("buckling"),
+                                                           translatable("modal"), translatable("plastic")};
     return words[static_cast<std::size_t>(analysis)];
 }
 
 std::string_view word(ExpectedQuantity quantity)
 {
-    static constexpr std::array<std::string_view, 7> words{"displacement", "reaction",  "section_force",  "extreme",
-                                                           "load_factor",  "frequency", "collapse_factor"};
+    static constexpr std::array<std::string_view, 7> words{translatable("displacement"),   translatable("reaction"),
+                                                           translatable("section_force"),  translatable("extreme"),
+                                                           translatable("load_factor"),    translatable("frequency"),
+                                                           translatable("collapse_factor")};
     return words[static_cast<std::size_t>(quantity)];
 }
 
@@ -50,19 +53,20 @@ std::string component_text(const Model& model, const Expected& check)
 }
 
 /// "case L: section_force M of member AB at 50% (- side)"
-std::string describe_check(const Model& model, const Expected& check)
+std::string describe_check(const Model& model, const Expected& check, const Translator& tr)
 {
     std::string what;
-    if (check.load_case) what += "case " + model.case_name(*check.load_case) + ": ";
-    if (check.analysis != ExpectedAnalysis::Linear) what += std::string(word(check.analysis)) + " ";
-    what += word(check.quantity);
-    if (const std::string component = component_text(model, check); !component.empty()) what += " " + component;
-    if (check.extreme) what += *check.extreme == ExtremeKind::Max ? " max" : " min";
-    if (check.mode) what += " " + std::to_string(*check.mode);
-    if (check.node) what += " of node " + model[*check.node].id;
-    if (check.member) what += " of member " + model[*check.member].id;
-    if (check.at) what += " at " + text(*check.at);
-    if (check.side) what += *check.side == Side::Before ? " (- side)" : " (+ side)";
+    const auto add = [&](const std::string& words) { what += (what.empty() ? "" : " ") + words; };
+    if (check.load_case) add(fill(tr("case {0}:"), {model.case_name(*check.load_case)}));
+    if (check.analysis != ExpectedAnalysis::Linear) add(tr(word(check.analysis)));
+    add(tr(word(check.quantity)));
+    if (const std::string component = component_text(model, check); !component.empty()) add(component);
+    if (check.extreme) add(*check.extreme == ExtremeKind::Max ? "max" : "min");
+    if (check.mode) add(std::to_string(*check.mode));
+    if (check.node) add(fill(tr("of node {0}"), {model[*check.node].id}));
+    if (check.member) add(fill(tr("of member {0}"), {model[*check.member].id}));
+    if (check.at) add(fill(tr("at {0}"), {text(*check.at)}));
+    if (check.side) add(*check.side == Side::Before ? tr("(- side)") : tr("(+ side)"));
     return what;
 }
 
@@ -102,10 +106,10 @@ double result_of(const Expected& check, const CaseResult& result)
     throw std::logic_error("verify: not a result of the linear analysis");
 }
 
-CheckOutcome verify_one(const Model& model, const Results* results, const Expected& check)
+CheckOutcome verify_one(const Model& model, const Results* results, const Expected& check, const Translator& tr)
 {
     CheckOutcome outcome;
-    outcome.what = describe_check(model, check);
+    outcome.what = describe_check(model, check, tr);
     outcome.expected = check.value;
     outcome.tolerance = std::max(check.atol ? check.atol->value() : 0.0,
                                  check.rtol.value_or(default_rtol) * std::abs(check.value.value()));
@@ -146,14 +150,14 @@ bool needs_linear_analysis(const Model& model)
     return std::any_of(model.expected.begin(), model.expected.end(), is_linear);
 }
 
-std::vector<CheckOutcome> verify(const Model& model, const std::optional<Results>& results)
+std::vector<CheckOutcome> verify(const Model& model, const std::optional<Results>& results, const Translator& tr)
 {
     std::vector<CheckOutcome> outcomes;
     for (const Expected& check : model.expected)
-        outcomes.push_back(verify_one(model, results ? &*results : nullptr, check));
+        outcomes.push_back(verify_one(model, results ? &*results : nullptr, check, tr));
     for (const ExtraBlock& block : model.extra) {
         CheckOutcome outcome;
-        outcome.what = "block \"" + block.key + "\"";
+        outcome.what = fill(tr("block \"{0}\""), {block.key});
         outcome.skipped = SkipReason::SheetNotBuilt;
         outcomes.push_back(std::move(outcome));
     }

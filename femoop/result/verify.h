@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "femoop/model/model.h"
+#include "femoop/model/translator.h"
 #include "femoop/result/results.h"
 
 namespace femoop {
@@ -20,7 +21,7 @@ enum class SkipReason : std::uint8_t {
 
 /// What became of one expected result.
 struct CheckOutcome {
-    std::string what; ///< "case L: displacement uy of node B", in the words of the file
+    std::string what; ///< "case L: displacement uy of node B", in the reader's language
     Verdict verdict = Verdict::Skipped;
     double expected = 0.0;
     std::optional<double> result; ///< nothing when skipped
@@ -44,6 +45,7 @@ bool needs_linear_analysis(const Model& model);
 ///
 /// At a jump the + side is read unless the check says `"side": "-"`; at the member's end there is only the - side.
 /// \pre `check(model)` finds no error; `results` are the model's own, or nothing if no check needs them
-std::vector<CheckOutcome> verify(const Model& model, const std::optional<Results>& results);
+std::vector<CheckOutcome> verify(const Model& model, const std::optional<Results>& results,
+                                 const Translator& tr = english);
 
 } // namespace femoop

@@ -28,6 +28,16 @@ std::string wrong() // P L^3 / 3 E I is 0.0128
 
 } // namespace
 
+TEST_CASE("A check is told in Portuguese with --lang pt, in JSON always in English")
+{
+    const auto in_portuguese = cremona({"verify", "-", "--lang", "pt"}, cantilever()).out;
+    CHECK(has(in_portuguese, ": caso P: deslocamento uy do nó B = -0,0128, esperado"));
+    CHECK(has(in_portuguese, ": caso P: esforço interno M da barra AB "));
+    CHECK(cremona({"verify", "-", "--json", "--lang", "pt"}, cantilever()).err.empty());
+    CHECK(has(cremona({"verify", "-", "--json", "--lang", "pt"}, cantilever()).out,
+              "\"case P: displacement uy of node B\""));
+}
+
 TEST_CASE("Every check has a line with result, value and tolerance, and the count stands last")
 {
     const Folder folder;
