@@ -2,12 +2,13 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
+
+#include "femoop/analysis/spinning_chain.h"
 
 namespace femoop {
 
 namespace {
-
-constexpr double idle = 1e-12; // of the stiffness of the members at a node: less is rounding
 
 /// Does a rigid member follow the rotation of its node? Through a rigid joint it does, and through a rigid arm.
 bool turns_with_node(const MemberExtras& extras, std::size_t end)
@@ -18,28 +19,65 @@ bool turns_with_node(const MemberExtras& extras, std::size_t end)
     return is_rigid(LocalAxis::rx) || is_rigid(LocalAxis::ry) || is_rigid(LocalAxis::rz);
 }
 
-/// Nodes whose rotation some joint may have left idle, with the stiffness that their members have.
-std::vector<double> doubtful_nodes(const Structure& structure)
+NodeJoints node_joints(const Structure& structure)
 {
-    std::vector<double> stiffness(structure.positions.size(), 0.0);
-    std::vector<bool> is_doubtful(structure.positions.size(), false);
-    std::vector<bool> is_rigid(structure.positions.size(), false);
+    const std::size_t n = structure.positions.size();
+    NodeJoints joints{.stiffness = std::vector<double>(n, 0.0),
+                      .is_flexible = std::vector<bool>(n, false),
+                      .is_rigid = std::vector<bool>(n, false)};
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
         const MemberExtras* extras = structure.extras_of(MemberId(i));
         const MemberProperties& p = structure.properties_of(MemberId(i));
         const double L = structure.frame(MemberId(i)).length;
         for (std::size_t end = 0; end < 2; ++end) {
-            const NodeId node = structure.members[i].nodes[end];
-            double& sum = stiffness[node.index];
-            sum = std::max({sum, 4.0 * p.xy.EI / L, 4.0 * p.xz.EI / L});
+            const std::size_t node = structure.members[i].nodes[end].index;
+            joints.stiffness[node] = std::max({joints.stiffness[node], 4.0 * p.xy.EI / L, 4.0 * p.xz.EI / L});
             if (extras == nullptr) continue;
-            if (extras->is_bar || extras->has_flexible_joint) is_doubtful[node.index] = true;
-            if (extras->constraint == Constraint::Rigid && turns_with_node(*extras, end)) is_rigid[node.index] = true;
+            if (extras->is_bar || extras->has_flexible_joint) joints.is_flexible[node] = true;
+            if (extras->constraint == Constraint::Rigid && turns_with_node(*extras, end)) joints.is_rigid[node] = true;
         }
     }
-    for (std::size_t i = 0; i < stiffness.size(); ++i)
-        if (!is_doubtful[i] || is_rigid[i]) stiffness[i] = 0.0;
-    return stiffness;
+    return joints;
+}
+
+double& entry(SparseMatrix& K, std::int32_t a, std::int32_t b) { return K.coeffRef(std::max(a, b), std::min(a, b)); }
+
+/// The rotations of a node that are unknown.
+std::vector<HeldRotation::Part> free_rotations(const Structure& structure, const Equations& equations, NodeId node)
+{
+    std::vector<HeldRotation::Part> parts;
+    const std::span<const Dof> dofs = model_dofs(structure.kind);
+    for (std::size_t i = 0; i < dofs.size(); ++i)
+        if (const std::int32_t row = equations.of(node, i); index(dofs[i]) >= 3 && row != Equations::none)
+            parts.push_back({.node = node, .dof = dofs[i], .row = row});
+    return parts;
+}
+
+/// The motions of one node that its own block of K does nothing against.
+std::vector<HeldRotation> idle_at_node(const std::vector<HeldRotation::Part>& parts, double stiffness, SparseMatrix& K)
+{
+    const auto size = static_cast<Eigen::Index>(parts.size());
+    if (size == 0) return {};
+    Eigen::MatrixXd block(size, size);
+    for (Eigen::Index i = 0; i < size; ++i)
+        for (Eigen::Index j = 0; j < size; ++j)
+            block(i, j) = entry(K, parts[static_cast<std::size_t>(i)].row, parts[static_cast<std::size_t>(j)].row);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(block);
+    std::vector<HeldRotation> idle;
+    for (Eigen::Index mode = 0; mode < size; ++mode)
+        if (eigen.eigenvalues()[mode] <= idle_stiffness * stiffness)
+            idle.push_back({.parts = parts, .direction = eigen.eigenvectors().col(mode)});
+    return idle;
+}
+
+/// A stiffness at the first node of the rotation is enough: the others cannot turn without it.
+void hold(const HeldRotation& rotation, double stiffness, SparseMatrix& K)
+{
+    const auto& parts = rotation.parts;
+    for (std::size_t i = 0; i < parts.size() && parts[i].node == parts[0].node; ++i)
+        for (std::size_t j = 0; j <= i; ++j)
+            entry(K, parts[i].row, parts[j].row) += stiffness * rotation.direction[static_cast<Eigen::Index>(i)] *
+                                                    rotation.direction[static_cast<Eigen::Index>(j)];
 }
 
 } // namespace
@@ -47,38 +85,19 @@ std::vector<double> doubtful_nodes(const Structure& structure)
 std::vector<HeldRotation> hold_idle_rotations(const Structure& structure, const Equations& equations, SparseMatrix& K)
 {
     std::vector<HeldRotation> held;
-    const std::span<const Dof> dofs = model_dofs(structure.kind);
     if (is_truss(structure.kind)) return held;
-    const std::vector<double> stiffness = doubtful_nodes(structure);
-    for (std::size_t node = 0; node < stiffness.size(); ++node) {
-        if (stiffness[node] == 0.0) continue;
-        HeldRotation rotation{.node = NodeId(node), .rows = {}, .dofs = {}, .direction = {}};
-        for (std::size_t i = 0; i < dofs.size(); ++i)
-            if (const std::int32_t row = equations.of(NodeId(node), i); index(dofs[i]) >= 3 && row != Equations::none) {
-                rotation.rows.push_back(row);
-                rotation.dofs.push_back(dofs[i]);
-            }
-        const auto size = static_cast<Eigen::Index>(rotation.rows.size());
-        if (size == 0) continue;
-        Eigen::MatrixXd block(size, size);
-        for (Eigen::Index i = 0; i < size; ++i)
-            for (Eigen::Index j = 0; j < size; ++j) {
-                const auto [low, high] = std::minmax(rotation.rows[static_cast<std::size_t>(i)],
-                                                     rotation.rows[static_cast<std::size_t>(j)]);
-                block(i, j) = K.coeff(high, low);
-            }
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(block);
-        for (Eigen::Index mode = 0; mode < size; ++mode) {
-            if (eigen.eigenvalues()[mode] > idle * stiffness[node]) continue;
-            rotation.direction = eigen.eigenvectors().col(mode);
-            for (Eigen::Index i = 0; i < size; ++i)
-                for (Eigen::Index j = 0; j <= i; ++j) {
-                    const auto [low, high] = std::minmax(rotation.rows[static_cast<std::size_t>(i)],
-                                                         rotation.rows[static_cast<std::size_t>(j)]);
-                    K.coeffRef(high, low) += stiffness[node] * rotation.direction[i] * rotation.direction[j];
-                }
+    const NodeJoints joints = node_joints(structure);
+    for (std::size_t node = 0; node < joints.stiffness.size(); ++node) {
+        if (!joints.may_turn(node)) continue;
+        const auto parts = free_rotations(structure, equations, NodeId(node));
+        for (const HeldRotation& rotation : idle_at_node(parts, joints.stiffness[node], K)) {
+            hold(rotation, joints.stiffness[node], K);
             held.push_back(rotation);
         }
+    }
+    for (const HeldRotation& rotation : spinning_chains(structure, equations, joints, K)) {
+        hold(rotation, joints.stiffness[rotation.parts.front().node.index], K);
+        held.push_back(rotation);
     }
     return held;
 }

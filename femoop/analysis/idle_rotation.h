@@ -9,13 +9,20 @@
 
 namespace femoop {
 
-/// A rotation of a node that no member end and no support takes part in: all members are hinged there, or those that
-/// are not can spin about their own axis. It is held, so that it makes no false mechanism; a moment on it is one.
+/// A rotation that strains nothing because joints let it: of one node, where all members are hinged or can spin about
+/// their own axis, or of the nodes of a chain of members in one line that spins as a whole.
+///
+///      A >o------B-------C------o< D      hinged at A and D, B and C turn together about the line
+///
+/// It is held, so that it makes no false mechanism; a moment on it is one.
 struct HeldRotation {
-    NodeId node;
-    std::vector<std::int32_t> rows; ///< equations of the node's rotations
-    std::vector<Dof> dofs;          ///< which they are
-    Eigen::VectorXd direction;      ///< over rows, length 1
+    struct Part {
+        NodeId node;
+        Dof dof;
+        std::int32_t row; ///< its equation
+    };
+    std::vector<Part> parts;
+    Eigen::VectorXd direction; ///< over parts, length 1
 };
 
 /// Finds the rotations that nothing takes part in and adds a stiffness to K that holds them; exact, since K does

@@ -86,7 +86,7 @@ public:
         Eigen::MatrixXd F(static_cast<Eigen::Index>(equations.n_unknowns()), n_cases);
         for (Eigen::Index c = 0; c < n_cases; ++c) F.col(c) = assembly_.load_vector(loads[static_cast<std::size_t>(c)]);
         statistics.assemble += watch.lap();
-        refuse_driven_spins(model, F, held_);
+        refuse(driven_spins(model, *structure, F, held_));
         refuse_driven_twists(model, loads);
         Eigen::MatrixXd X = F;
         Eigen::MatrixXd Z;
@@ -288,15 +288,11 @@ private:
     void refuse_loose_members(const Model& model) const
     {
         std::vector<Mechanism> mechanisms;
-        for (std::size_t i = 0; i < structure->members.size(); ++i) {
-            const MemberExtras* extras = structure->extras_of(MemberId(i));
-            if (extras == nullptr || !extras->has_flexible_joint || extras->constraint != Constraint::None) continue;
-            const MemberFrame frame = structure->frame(MemberId(i));
-            for (const LooseEnd& loose : assembly_.element(MemberId(i), frame).loose_ends())
-                if (loose.axis != LocalAxis::rx)
-                    mechanisms.push_back(flying_member(model, *structure, MemberId(i), loose));
-        }
-        if (!mechanisms.empty()) throw MechanismError(std::move(mechanisms));
+        visit_jointed_members([&](MemberId member, const MemberFrame&, const auto& element) {
+            for (const LooseEnd& loose : element.loose_ends())
+                if (loose.axis != LocalAxis::rx) mechanisms.push_back(flying_member(model, *structure, member, loose));
+        });
+        refuse(std::move(mechanisms));
     }
 
     /// A member released against torsion at both ends is held, unless a torque on it drives the twist.
@@ -304,12 +300,7 @@ private:
     {
         std::vector<Mechanism> mechanisms;
         SpanLoading loading;
-        for (std::size_t i = 0; i < structure->members.size(); ++i) {
-            const MemberId member(i);
-            const MemberExtras* extras = structure->extras_of(member);
-            if (extras == nullptr || !extras->has_flexible_joint || extras->constraint != Constraint::None) continue;
-            const MemberFrame frame = structure->frame(member);
-            const auto element = assembly_.element(member, frame);
+        visit_jointed_members([&](MemberId member, const MemberFrame& frame, const auto& element) {
             for (const CaseLoads& each : loads) {
                 if (each.of(member).empty()) continue;
                 const std::array<SpanLoading::Scaled, 1> terms{{{.loads = each.of(member)}}};
@@ -319,13 +310,24 @@ private:
                     if (std::abs(loose.drive) > 1e-9 * forces.cwiseAbs().maxCoeff())
                         mechanisms.push_back(flying_member(model, *structure, member, loose));
             }
-        }
-        if (!mechanisms.empty()) throw MechanismError(std::move(mechanisms));
+        });
+        refuse(std::move(mechanisms));
     }
 
-    void refuse_driven_spins(const Model& model, const Eigen::MatrixXd& F, const std::vector<HeldRotation>& held) const
+    /// Calls visit(member, frame, element) for every member that hangs on a release or spring and that no constraint
+    /// ties.
+    template <class Visit> void visit_jointed_members(Visit&& visit) const
     {
-        std::vector<Mechanism> mechanisms = driven_spins(model, *structure, F, held);
+        for (std::size_t i = 0; i < structure->members.size(); ++i) {
+            const MemberExtras* extras = structure->extras_of(MemberId(i));
+            if (extras == nullptr || !extras->has_flexible_joint || extras->constraint != Constraint::None) continue;
+            const MemberFrame frame = structure->frame(MemberId(i));
+            visit(MemberId(i), frame, assembly_.element(MemberId(i), frame));
+        }
+    }
+
+    static void refuse(std::vector<Mechanism> mechanisms)
+    {
         if (!mechanisms.empty()) throw MechanismError(std::move(mechanisms));
     }
 

@@ -63,8 +63,8 @@ std::optional<Eigen::Vector3d> pivot(const Structure& structure, const std::vect
     return Eigen::Vector3d(-fit[1] / fit[2], fit[0] / fit[2], 0.0);
 }
 
-/// Makes the largest translation (or, without one, rotation) 1 and its main component positive.
-void normalize(std::vector<NodeVector>& motion)
+/// Makes the largest translation (or, without one, rotation) 1 and its main component positive; returns the factor.
+double normalize(std::vector<NodeVector>& motion)
 {
     for (const std::size_t first : {std::size_t{0}, std::size_t{3}}) {
         double largest = 0.0;
@@ -77,8 +77,9 @@ void normalize(std::vector<NodeVector>& motion)
         if (std::abs(largest) <= still * everything || largest == 0.0) continue;
         for (NodeVector& v : motion)
             for (double& component : v) component /= largest;
-        return;
+        return 1.0 / largest;
     }
+    return 1.0;
 }
 
 Fault along(const Model& model, const std::vector<NodeId>& moving, const Eigen::Vector3d& direction)
@@ -167,12 +168,7 @@ std::vector<Mechanism> mechanisms_of(const Model& model, const std::shared_ptr<c
     std::vector<Mechanism> mechanisms;
     for (detail::CaseSolution& motion : motions) {
         std::vector<NodeVector> nodes = motion_of(*structure, motion.displacements);
-        const std::vector<NodeVector> before = nodes;
-        normalize(nodes);
-        double factor = 1.0; // what normalizing did, for the members' ends
-        for (std::size_t i = 0; i < nodes.size(); ++i)
-            for (std::size_t j = 0; j < n_dofs; ++j)
-                if (std::abs(nodes[i][j]) == 1.0 && before[i][j] != 0.0) factor = nodes[i][j] / before[i][j];
+        const double factor = normalize(nodes);
         for (double& u : motion.displacements) u *= factor;
         for (double& u : motion.own_ends) u *= factor;
         Mechanism mechanism{.fault = words(model, *structure, nodes), .motion = std::move(nodes), .member_ends = {}};
@@ -200,15 +196,16 @@ std::vector<Mechanism> driven_spins(const Model& model, const Structure& structu
 {
     std::vector<Mechanism> mechanisms;
     for (const HeldRotation& rotation : held) {
-        Eigen::MatrixXd moments(static_cast<Eigen::Index>(rotation.rows.size()), F.cols());
+        Eigen::MatrixXd moments(static_cast<Eigen::Index>(rotation.parts.size()), F.cols());
         for (Eigen::Index i = 0; i < moments.rows(); ++i)
-            moments.row(i) = F.row(rotation.rows[static_cast<std::size_t>(i)]);
+            moments.row(i) = F.row(rotation.parts[static_cast<std::size_t>(i)].row);
         const Eigen::RowVectorXd drive = (rotation.direction.transpose() * moments).cwiseAbs();
         const double largest = moments.size() > 0 ? moments.cwiseAbs().maxCoeff() : 0.0;
         if (drive.size() == 0 || drive.maxCoeff() <= 1e-9 * largest || largest == 0.0) continue;
         std::vector<NodeVector> motion(structure.positions.size());
-        for (std::size_t i = 0; i < rotation.dofs.size(); ++i)
-            motion[rotation.node.index][index(rotation.dofs[i])] = rotation.direction[static_cast<Eigen::Index>(i)];
+        for (std::size_t i = 0; i < rotation.parts.size(); ++i)
+            motion[rotation.parts[i].node.index][index(rotation.parts[i].dof)] =
+                rotation.direction[static_cast<Eigen::Index>(i)];
         normalize(motion);
         mechanisms.push_back(
             {.fault = words(model, structure, motion), .motion = motion, .member_ends = still_ends(structure)});

@@ -26,6 +26,21 @@ Model frame(const std::vector<std::pair<double, double>>& nodes,
 
 void hold(Model& model, std::size_t node, SupportKind kind) { model.nodes[node].support = Support{.kind = kind}; }
 
+/// Three space members of length 3 h in a row along (1, 2, 2) / 3, from A to D, hinged at the fixed ends A and D.
+Model skew_chain(double h)
+{
+    Model model = frame({{0, 0}, {h, 2 * h}, {2 * h, 4 * h}, {3 * h, 6 * h}}, {{0, 1}, {1, 2}, {2, 3}});
+    model.analysis = AnalysisKind::Frame3d;
+    model.sections[0].Iy = 0.7e-4;
+    model.sections[0].J = 0.3e-4;
+    for (Node& node : model.nodes) node.at[2] = node.at[1];
+    for (const std::size_t end : {0U, 3U}) {
+        hold(model, end, SupportKind::Fixed);
+        model.nodes[end].hinge = true;
+    }
+    return model;
+}
+
 std::vector<std::string> mechanisms(const Model& model)
 {
     std::vector<std::string> sentences;
@@ -222,6 +237,71 @@ TEST_SUITE("mechanisms")
         CHECK(mechanisms(model).empty());
         model.load_cases[0].nodes[0].components = {{.dof = Dof::rx, .value = 3.0}};
         CHECK(mechanisms(model).size() == 1);
+    }
+
+    TEST_CASE("A chain of space members that hinges let spin together is held, and bends as one beam")
+    {
+        const double h = 2.5, P = 10.0;
+        Model model = skew_chain(h);
+        model.load_cases[0].nodes.push_back({.node = NodeId(1), .components = {{.dof = Dof::ux, .value = P}}});
+        model.load_cases[0].nodes.push_back({.node = NodeId(2), .components = {{.dof = Dof::uy, .value = 0.5 * P}}});
+        REQUIRE(mechanisms(model).empty());
+        const CaseResult result = analyse(model)[CaseId(0)];
+        const SectionForces first = result.curve(MemberId(0)).forces(0.0);
+        const SectionForces last = result.curve(MemberId(2)).forces(3.0 * h);
+        const Eigen::Vector3d start(first.N, first.Vy, first.Vz), end(last.N, last.Vy, last.Vz);
+        CHECK(start.norm() > 0.0);
+        CHECK(std::hypot(first.My, first.Mz) == doctest::Approx(0.0));
+        CHECK(std::hypot(last.My, last.Mz) == doctest::Approx(0.0));
+        CHECK(result.equilibrium().residual < 1e-9);
+        CHECK(result.equilibrium().sum_reactions[0] == doctest::Approx(-P));
+        CHECK(result.equilibrium().sum_reactions[1] == doctest::Approx(-0.5 * P));
+    }
+
+    TEST_CASE("A torque that spins a chain is a mechanism of all its nodes, two that twist it are none")
+    {
+        Model model = skew_chain(2.5);
+        const auto turn = [&](std::size_t node, double torque) { // about (1, 2, 2) / 3
+            model.load_cases[0].nodes.push_back({.node = NodeId(node),
+                                                 .components = {{.dof = Dof::rx, .value = torque / 3.0},
+                                                                {.dof = Dof::ry, .value = 2.0 * torque / 3.0},
+                                                                {.dof = Dof::rz, .value = 2.0 * torque / 3.0}}});
+        };
+        turn(1, 7.0);
+        CHECK(mechanisms(model) ==
+              std::vector<std::string>{"structure can move without strain: B and C rotate freely; add a "
+                                       "support or a rigid joint against the rotation"});
+        turn(2, -7.0);
+        REQUIRE(mechanisms(model).empty());
+        CHECK(analyse(model)[CaseId(0)].curve(MemberId(1)).forces(1.0).T == doctest::Approx(-7.0));
+        CHECK(analyse(model).indeterminacy().total() == 1); // between two fixed ends N alone is free to choose
+    }
+
+    TEST_CASE("A chain in a grillage that hinges let spin is held too")
+    {
+        Model model = frame({{0, 0}, {2, 0}, {5, 0}, {9, 0}}, {{0, 1}, {2, 1}, {2, 3}});
+        model.analysis = AnalysisKind::Grillage;
+        model.sections[0].J = 0.3e-4;
+        for (const std::size_t end : {0U, 3U}) {
+            hold(model, end, SupportKind::Fixed);
+            model.nodes[end].hinge = true;
+        }
+        model.load_cases[0].nodes.push_back({.node = NodeId(2), .components = {{.dof = Dof::uz, .value = -9.0}}});
+        REQUIRE(mechanisms(model).empty());
+        CHECK(analyse(model)[CaseId(0)].curve(MemberId(2)).forces(0.0).Mz == doctest::Approx(9.0 * 5 * 4 / 9.0));
+        model.load_cases[0].nodes[0].components = {{.dof = Dof::rx, .value = 3.0}};
+        CHECK(mechanisms(model).size() == 1);
+    }
+
+    TEST_CASE("A member welded to a chain crosswise stops its spin: a torque is carried")
+    {
+        Model model = skew_chain(2.5);
+        model.add(Node{.id = "E", .at = {9.0, 1.0, 4.0}});
+        hold(model, 4, SupportKind::Fixed);
+        model.add(
+            Member{.id = "BE", .nodes = {NodeId(1), NodeId(4)}, .material = MaterialId(0), .section = SectionId(0)});
+        model.load_cases[0].nodes.push_back({.node = NodeId(2), .components = {{.dof = Dof::rx, .value = 3.0}}});
+        CHECK(mechanisms(model).empty());
     }
 
     TEST_CASE("Every free panel of a board of pinned squares is a mechanism of its own")

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "femoop/analysis/idle_rotation.h"
+
+namespace femoop {
+
+inline constexpr double idle_stiffness = 1e-12; ///< of the stiffness of the members at a node: less is rounding
+
+/// What meets at each node, as far as its rotation is concerned.
+struct NodeJoints {
+    std::vector<double> stiffness; ///< the largest 4 EI / L of its members
+    std::vector<bool> is_flexible; ///< has a member with a release, a spring or a hinge at either end
+    std::vector<bool> is_rigid;    ///< turns with a rigid member
+
+    /// May some joint have left a rotation of the node idle?
+    bool may_turn(std::size_t node) const { return is_flexible[node] && !is_rigid[node] && stiffness[node] > 0.0; }
+};
+
+/// Members in one line, joined against torsion, that K lets spin together about that line because of the joints at
+/// their ends. A line without any release or hinge that its supports alone let spin is not among them.
+std::vector<HeldRotation> spinning_chains(const Structure& structure, const Equations& equations,
+                                          const NodeJoints& joints, const SparseMatrix& K);
+
+} // namespace femoop
