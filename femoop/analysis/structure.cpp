@@ -5,6 +5,7 @@
 #include <numbers>
 #include <unordered_map>
 
+#include "femoop/model/member_axes.h"
 #include "femoop/section/section_properties.h"
 
 namespace femoop {
@@ -186,20 +187,7 @@ MemberFrame Structure::frame(MemberId member) const
     }
     const Eigen::Vector3d along = frame.end - frame.start;
     frame.length = along.norm();
-    const Eigen::Vector3d x = along / frame.length;
-    frame.axes.row(0) = x;
-    if (kind == AnalysisKind::Truss2d || kind == AnalysisKind::Frame2d) {
-        frame.axes.row(1) = Eigen::Vector3d(-x.y(), x.x(), 0.0);
-        frame.axes.row(2) = Eigen::Vector3d::UnitZ();
-        return frame;
-    }
-    if (towards.isZero()) {
-        const bool is_vertical = std::hypot(x.x(), x.y()) < 1e-9;
-        towards = is_vertical ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
-    }
-    const Eigen::Vector3d y = (towards - towards.dot(x) * x).normalized();
-    frame.axes.row(1) = y;
-    frame.axes.row(2) = x.cross(y);
+    frame.axes = member_axes(kind, along / frame.length, towards);
     return frame;
 }
 

@@ -1,7 +1,6 @@
 #include "apps/frame/view/geometry/structure_shape.h"
 
-#include <Eigen/Geometry>
-#include <cmath>
+#include "femoop/model/member_axes.h"
 
 namespace frame {
 
@@ -16,30 +15,6 @@ Vector3d vector_of(const std::vector<femoop::Quantity>& numbers)
     return v;
 }
 
-Vector3d default_up(const Vector3d& x)
-{
-    const bool is_vertical = std::hypot(x.x(), x.y()) < 1e-9;
-    return is_vertical ? Vector3d::UnitY() : Vector3d::UnitZ();
-}
-
-// femoop's rule (spec of the model file), for members of any model, those of no length included.
-Eigen::Matrix3d axes_of(const Vector3d& x, const Vector3d& up, bool is_plane)
-{
-    Eigen::Matrix3d axes;
-    axes.row(0) = x;
-    if (is_plane) {
-        axes.row(1) = Vector3d(-x.y(), x.x(), 0.0);
-        axes.row(2) = Vector3d::UnitZ();
-        return axes;
-    }
-    Vector3d y = up - up.dot(x) * x;
-    if (y.norm() < 1e-9) y = default_up(x) - default_up(x).dot(x) * x;
-    y.normalize();
-    axes.row(1) = y;
-    axes.row(2) = x.cross(y);
-    return axes;
-}
-
 MemberShape shape_of(const femoop::Model& model, const femoop::Member& member, const std::vector<Vector3d>& nodes)
 {
     MemberShape shape;
@@ -50,9 +25,7 @@ MemberShape shape_of(const femoop::Model& model, const femoop::Member& member, c
     const Vector3d along = shape.end - shape.start;
     shape.length = along.norm();
     const Vector3d x = shape.length > 0.0 ? Vector3d(along / shape.length) : Vector3d::UnitX();
-    const bool is_plane = model.analysis == femoop::AnalysisKind::Truss2d ||
-                          model.analysis == femoop::AnalysisKind::Frame2d;
-    shape.axes = axes_of(x, member.up.empty() ? default_up(x) : vector_of(member.up), is_plane);
+    shape.axes = femoop::member_axes(model.analysis, x, vector_of(member.up));
     return shape;
 }
 
