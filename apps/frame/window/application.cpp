@@ -398,7 +398,8 @@ void Application::show_quit_question()
     ImGui::SameLine();
     if (ImGui::Button(tr("Quit without saving").c_str())) wants_to_quit_ = true;
     ImGui::SameLine();
-    if (ImGui::Button(tr("Cancel").c_str())) asks_to_quit_ = false;
+    const bool is_escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    if (ImGui::Button(tr("Cancel").c_str()) || is_escaped) asks_to_quit_ = false;
     if (!asks_to_quit_ || wants_to_quit_) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }

@@ -46,7 +46,7 @@ private:
 
     void subdivide(double a, ui::Point at_a, double b, ui::Point at_b, int depth, std::vector<ui::Point>& points) const
     {
-        constexpr int least_depth = 3; // a member bent in an S has its middle on the chord
+        constexpr int least_depth = 2; // a member bent in an S has its middle on the chord
         constexpr int most_depth = 8;
         if (depth >= most_depth) return;
         const double middle = 0.5 * (a + b);
@@ -126,7 +126,8 @@ LargestDisplacement largest_displacement(const SolvedCase& solved)
 double deformation_scale(const Scene& scene, const SolvedCase& solved, const SolvedCase& scaled_by, ui::Size panel)
 {
     if (scene.options.deformation_scale) return *scene.options.deformation_scale;
-    const double largest = held(largest_displacement(scaled_by).value, largest_displacement(solved).value);
+    const double now = largest_displacement(solved).value;
+    const double largest = &scaled_by == &solved ? now : held(largest_displacement(scaled_by).value, now);
     if (!(largest > 1e-15 * scene.shape.size) || !std::isfinite(largest)) return 1.0;
     const double room = 0.22 * std::min(panel.width, panel.height) / scene.projection.scale();
     return round_below(std::min(drawn_share * scene.shape.size, room) / largest);

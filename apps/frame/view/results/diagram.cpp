@@ -314,7 +314,8 @@ Diagram make_diagram(const Scene& scene, const SolvedCase& solved, const SolvedC
     const double spare = std::max(0.0, panel.height - height_of(scene) - 100.0);
     const double room = share * (std::min(panel.width, panel.height) + 0.6 * spare);
     const double height = std::clamp(std::min(room, 3.2 * share * median_length(scene)), 16.0, 130.0);
-    const double given = largest_value(scaled_by, component, scene.shape.size);
+    const bool is_held = &scaled_by != &solved;
+    const double given = is_held ? largest_value(scaled_by, component, scene.shape.size) : diagram.largest;
     diagram.pixels_per_unit = height * scene.options.diagram_factor / held(given, diagram.largest);
     return diagram;
 }

@@ -286,6 +286,7 @@ void Subject::draw(ui::Painter& painter) const
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
     ui::TextStyle style = theme_.text(ui::Role::FaintLabel, ui::Anchor::BottomRight);
     style.size = theme_.type().small;
+    style.plate = theme_.background();
     painter.text(painter.sheet().max - ui::Point{8.0, 6.0},
                  options_.tr("labels without room: {count}", {{"count", std::to_string(n_left_out)}}), style);
 }
