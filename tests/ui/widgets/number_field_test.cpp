@@ -1,0 +1,108 @@
+#include "ui/widgets/number_field.h"
+
+#include "tests/ui/widget_stage.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+using Kind = ui::NumberFieldEvent::Kind;
+
+TEST_SUITE_BEGIN("number fields");
+
+namespace {
+
+/// One field that shows 12 and takes no text: whatever is typed is rejected.
+struct FieldStage {
+    ui_test::WidgetStage stage{1.0};
+    ui::NumberFields fields;
+    ui::Point middle;
+    std::vector<ui::NumberFieldEvent> events;
+
+    void frame(const ui::Input& input)
+    {
+        stage.frame(input, [&] {
+            const ui::NumberFieldEvent event = fields.show("q", {.text = "12", .exact_text = "12", .value = 12.0});
+            const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
+            middle = ui::Point{static_cast<double>(a.x + b.x), static_cast<double>(a.y + b.y)} / 2.0;
+            if (event.kind != Kind::None) events.push_back(event);
+            if (event.kind == Kind::Typed) fields.reject(event, "no number");
+        });
+    }
+    void key(ui::Key key)
+    {
+        frame({.keys = {{key, true}}});
+        frame({.keys = {{key, false}}});
+        frame({});
+    }
+    void click()
+    {
+        frame({});
+        frame({});
+        const ui::Input hover{.pointer = middle};
+        ui::Input press = hover;
+        press.is_button_down[0] = true;
+        for (const ui::Input& input : {hover, press, hover, hover, hover}) frame(input);
+    }
+    void type_nonsense()
+    {
+        click();
+        frame({.text = "abc"});
+        key(ui::Key::Enter);
+    }
+};
+
+} // namespace
+
+TEST_CASE("A text that is rejected stays to be mended; Esc leaves the number as it was")
+{
+    if (!ui_test::has_renderer()) return;
+    FieldStage field;
+    field.type_nonsense();
+    REQUIRE(field.events.size() == 1);
+    CHECK(field.events[0].text == "abc");
+    CHECK(field.fields.is_typing());
+    field.key(ui::Key::Escape);
+    CHECK(!field.fields.is_typing());
+    CHECK(field.events.size() == 1);
+}
+
+TEST_CASE("A field that is no longer shown does not keep the keyboard")
+{
+    if (!ui_test::has_renderer()) return;
+    FieldStage field;
+    field.type_nonsense();
+    REQUIRE(field.fields.is_typing());
+    field.stage.frame({}, [] { ImGui::TextUnformatted("another panel"); });
+    field.stage.frame({}, [&] { CHECK(!field.fields.is_typing()); });
+}
+
+TEST_CASE("Dragging passes through values that a person would type, and settles once")
+{
+    if (!ui_test::has_renderer()) return;
+    FieldStage field;
+    field.frame({});
+    field.frame({});
+    ui::Input input{.pointer = field.middle};
+    field.frame(input);
+    input.is_button_down[0] = true;
+    field.frame(input);
+    for (int i = 0; i < 5; ++i) {
+        input.pointer->x += 6.0;
+        field.frame(input);
+    }
+    input.is_button_down[0] = false;
+    field.frame(input);
+    REQUIRE(field.events.size() > 1);
+    const double step = ui::drag_step(12.0);
+    for (const auto& event : field.events) {
+        CAPTURE(event.value);
+        CHECK(std::abs(event.value / step - std::round(event.value / step)) < 1e-9);
+    }
+    CHECK(field.events.back().kind == Kind::Settled);
+    CHECK(field.events.back().value > 12.0);
+}
+
+TEST_SUITE_END();
