@@ -109,11 +109,8 @@ void print_row(const char* name, ui::PixelSize size, frame::ShowSet show)
     for (int i = 0; i < n_frames; ++i) {
         edit = std::min(edit, dragged.edit_and_solve(i));
         solve = std::min(solve, dragged.solve());
-        const double now = dragged.frame();
-        const double raster_of_it = dragged.raster();
-        if (now > frame) continue;
-        frame = now;
-        raster = std::min(raster_of_it, now);
+        frame = std::min(frame, dragged.frame());
+        raster = std::min({raster, dragged.raster(), dragged.raster()});
     }
     std::printf("%-28s %5.2f %6.2f %8.2f %7.2f | %6.2f   %d triangles\n", name, edit - solve, solve, frame - raster,
                 raster, edit + frame, dragged.n_triangles());

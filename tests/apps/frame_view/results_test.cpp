@@ -157,4 +157,26 @@ TEST_CASE("A model without nodes, with members of no length or with a faulty cas
     CHECK(painter.picture().n_shapes() > 0);
 }
 
+TEST_CASE("A diagram that keeps the scale of another load is as much larger as its load")
+{
+    const ui::Fonts fonts;
+    const femoop::Results before = femoop::analyse(view_test::simple_beam(L, q));
+    const auto depth = [&](double load, const std::optional<femoop::Results>& scaled_by) {
+        const femoop::Model model = view_test::simple_beam(L, load);
+        const femoop::Results results = femoop::analyse(model);
+        ui::Painter painter({900.0, 600.0}, fonts);
+        draw(painter, model, &results,
+             {.show = {Show::M}, .scaled_by = scaled_by, .camera = ui::PlaneCamera({100.0, 200.0}, 50.0)});
+        view_test::Marks marks(fonts);
+        painter.picture().draw_on(marks);
+        double lowest = 0.0;
+        for (const auto& area : marks.areas)
+            for (const ui::Point p : area.points) lowest = std::max(lowest, p.y - 200.0);
+        return lowest;
+    };
+    CHECK(depth(1.6 * q, std::nullopt) == doctest::Approx(depth(q, std::nullopt)));
+    CHECK(depth(1.6 * q, before) == doctest::Approx(1.6 * depth(q, std::nullopt)));
+    CHECK(depth(50.0 * q, before) == doctest::Approx(2.5 * depth(q, std::nullopt))); // never beyond bounds
+}
+
 TEST_SUITE_END();

@@ -1,4 +1,6 @@
 // The whole window of the frame app, played by scenarios: what a person clicks, types and then sees.
+#include "apps/frame/document/command.h"
+#include "apps/frame/document/number.h"
 #include "apps/frame/window/stage.h"
 #include "tests/golden/scene.h"
 #include "ui/paint/surface/golden_text.h"
@@ -134,6 +136,48 @@ TEST_CASE("Without its panels the window is all picture")
         drag pixel 300 650 to pixel 350 640
         hover pixel 20 780
     )");
+}
+
+TEST_CASE("A file that is dropped on the window is opened, but not over changes that are not saved")
+{
+    const ui::Fonts fonts;
+    golden::if_drawn(
+        [&] {
+            ui::Offscreen context({.size = {320, 200}});
+            Application application(context, fonts, opened("examples/portal.json"));
+            Session& session = application.session();
+            session.change(Step::Click, ui::translatable("Change"),
+                           [](Document& document) { set_title(document, "Changed"); });
+            application.frame({.dropped_files = {folder + "examples/truss.json"}});
+            CHECK(session.model().title == "Changed");
+            CHECK(session.notice);
+            session.undo();
+            application.frame({.dropped_files = {folder + "examples/truss.json"}});
+            CHECK(session.file_name() == "truss.json");
+            return context.pixels();
+        },
+        golden::this_machine());
+}
+
+TEST_CASE("While a number is dragged the diagrams keep their scale, and find a new one when it is let go")
+{
+    Session session = opened("examples/portal.json");
+    const auto load = [&](Step step, double value) {
+        session.change(step, ui::translatable("Change"), [&](Document& document) {
+            const Part part = MemberLoadPlace{0, 0};
+            set_number(document, numbers(document.model, part).front().id, femoop::Quantity{value});
+        });
+    };
+    const auto before = session.solution().results;
+    load(Step::Drag, -13.0);
+    REQUIRE(session.view.scaled_by);
+    load(Step::Drag, -20.0);
+    const auto moment = [](const femoop::Results& r) {
+        return r[femoop::CaseId(0)].curve(femoop::MemberId(1)).forces(4.0).Mz;
+    };
+    CHECK(moment(*session.view.scaled_by) == moment(*before));
+    session.settle();
+    CHECK(!session.view.scaled_by);
 }
 
 TEST_SUITE_END();
