@@ -310,6 +310,13 @@ void Application::show_banner()
     ImGui::PopStyleVar(2);
 }
 
+namespace {
+
+// As the second of two: hinges take more from the whole than the supports give.
+std::string summand(int number) { return number < 0 ? "(−" + std::to_string(-number) + ")" : std::to_string(number); }
+
+} // namespace
+
 void Application::show_status_bar()
 {
     const ImGuiViewport& viewport = *ImGui::GetMainViewport();
@@ -332,7 +339,7 @@ void Application::show_status_bar()
         text += "   ·   " + tr("degree of indeterminacy {total} = {external} external + {internal} internal",
                                {{"total", std::to_string(degree.total())},
                                 {"external", std::to_string(degree.external)},
-                                {"internal", std::to_string(degree.internal)}});
+                                {"internal", summand(degree.internal)}});
     } else {
         text += "   ·   " + tr("not solved");
     }
