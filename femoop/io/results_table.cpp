@@ -318,7 +318,7 @@ std::string equations_text(const MemberTrace& trace, const Translator& tr)
 
 std::string heading_text(const Model& model, const Results& results, const Translator& tr)
 {
-    std::string text = model.title.empty() ? std::string() : model.title + "\n";
+    std::string text = model.title.empty() ? std::string() : printable(model.title) + "\n";
     text += fill(tr("Analysis: {0}, linear static; lengths in {1}, forces in {2}, rotations in rad"),
                  {analysis_name(model.analysis, tr), std::string(name(model.units.length)),
                   std::string(name(model.units.force))}) +

@@ -1,5 +1,7 @@
 #include "femoop/model/checker.h"
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -47,8 +49,15 @@ std::string Checker::shown(const Quantity& quantity, Dimension dimension) const
 
 std::string Checker::shown(Point point) const
 {
-    std::string text = "(" + number_text(point[0]) + ", " + number_text(point[1]);
-    if (is_3d(model_.analysis)) text += ", " + number_text(point[2]);
+    const auto rounded = [](double x) { // twelve digits find any place again
+        std::array<char, 32> digits{};
+        const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), x,
+                                                std::chars_format::general, 12);
+        std::from_chars(digits.data(), end, x);
+        return number_text(x);
+    };
+    std::string text = "(" + rounded(point[0]) + ", " + rounded(point[1]);
+    if (is_3d(model_.analysis)) text += ", " + rounded(point[2]);
     return text + ") " + std::string(name(model_.units.length));
 }
 

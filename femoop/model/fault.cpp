@@ -10,19 +10,6 @@ namespace {
 
 constexpr char list_separator = '\x1f'; // the unit separator of ASCII: no id contains it
 
-/// A file's own control characters must not reach a terminal: they are written as JSON writes them.
-std::string printable(std::string_view text)
-{
-    static constexpr std::string_view hex = "0123456789abcdef";
-    std::string shown;
-    for (const char c : text) {
-        const auto code = static_cast<unsigned char>(c);
-        if (code >= 0x20U && code != 0x7FU) shown += c;
-        else shown += {'\\', 'u', '0', '0', hex[code / 16U], hex[code % 16U]};
-    }
-    return shown;
-}
-
 std::string spelled_out(const std::string& argument, std::string_view conjunction)
 {
     std::string text;
@@ -36,6 +23,18 @@ std::string spelled_out(const std::string& argument, std::string_view conjunctio
 }
 
 } // namespace
+
+std::string printable(std::string_view text)
+{
+    static constexpr std::string_view hex = "0123456789abcdef";
+    std::string shown;
+    for (const char c : text) {
+        const auto code = static_cast<unsigned char>(c);
+        if (code >= 0x20U && code != 0x7FU) shown += c;
+        else shown += {'\\', 'u', '0', '0', hex[code / 16U], hex[code % 16U]};
+    }
+    return shown;
+}
 
 std::string listed(const std::vector<std::string>& names)
 {

@@ -32,6 +32,9 @@ Severity severity(FaultKind kind);
 /// An argument that lists several names: `fill` writes them as "A, B and C".
 std::string listed(const std::vector<std::string>& names);
 
+/// A file's own words for a terminal, which its control characters must not reach: they are written as JSON writes them.
+std::string printable(std::string_view text);
+
 /// Puts the arguments into a pattern; `conjunction` stands before the last name of a list.
 std::string fill(std::string_view pattern, const std::vector<std::string>& arguments,
                  std::string_view conjunction = "and");

@@ -437,7 +437,7 @@ std::string kind_sentence(AnalysisKind kind, const Words& words)
 std::string describe(const Model& model, const std::optional<Results>& results, const Translator& tr)
 {
     const Words words(model, tr);
-    std::string text = model.title.empty() ? std::string() : model.title + ".\n";
+    std::string text = model.title.empty() ? std::string() : printable(model.title) + ".\n";
     text += fill(kind_sentence(model.analysis, words),
                  {std::to_string(model.nodes.size()), std::to_string(model.members.size())}) +
             ".\n";

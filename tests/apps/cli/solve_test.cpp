@@ -123,6 +123,19 @@ TEST_CASE("The envelope names the case that governs each value")
     CHECK(has(cremona({"solve", "-", "--case", "envelope"}, cantilever()).out, "Envelope of P, U"));
 }
 
+TEST_CASE("A title's control characters do not reach the terminal")
+{
+    std::string model = cantilever();
+    model.replace(model.find("Cantilever"), 10, "A \\u001b[31mred\\u0007 beam");
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"solve", "-"}, {"solve", "-", "--describe"}}) {
+        const Run run = cremona(arguments, model);
+        CHECK(run.status == 0);
+        CHECK(run.out.find('\x1b') == std::string::npos);
+        CHECK_MESSAGE(has(run.out, "A \\u001b[31mred\\u0007 beam"), run.out);
+    }
+}
+
 TEST_CASE("Tables tell title, indeterminacy, cases, and every kind of result with its unit")
 {
     const Run run = cremona({"solve", "-"}, cantilever());

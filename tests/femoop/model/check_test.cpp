@@ -155,6 +155,15 @@ TEST_CASE("In space, members that pass each other at a distance do not cross")
           "add a node and split both\n");
 }
 
+TEST_CASE("The place of a crossing is told with twelve digits at most")
+{
+    Model model = cantilever();
+    const NodeId C = model.add(Node{.id = "C", .at = {1.0, -1.0}});
+    const NodeId D = model.add(Node{.id = "D", .at = {2.0, 2.0}});
+    model.add(Member{.id = "CD", .nodes = {C, D}, .material = MaterialId(0), .section = SectionId(0)});
+    CHECK_MESSAGE(faults_of(model).find(" at (1.33333333333, 0) m ") != std::string::npos, faults_of(model));
+}
+
 TEST_CASE("Crossings are found wherever they lie and however the model is turned")
 {
     for (int step = 0; step < 36; ++step) {
