@@ -254,12 +254,13 @@ std::string unit_in_file(std::string_view shown)
     return unit;
 }
 
-/// A number with a unit as files have it: calculated, with a decimal point.
+/// A number with a unit as files have it: calculated, with a decimal point, the unit as it is shown or as files have
+/// it.
 std::string as_in_file(std::string_view text)
 {
     const std::optional<ui::LeadingNumber> number = ui::leading_number(text);
     if (!number) return std::string(text);
-    const std::string rest(text.substr(number->length));
+    const std::string rest = unit_in_file(text.substr(number->length));
     if (number->is_computed) return femoop::number_text(number->value) + rest;
     std::string plain(text.substr(0, number->length));
     std::ranges::replace(plain, ',', '.');

@@ -99,6 +99,8 @@ TEST_SUITE("frame document")
         CHECK(typed("30", ui::Measure::Angle) == femoop::Quantity(30.0));
         CHECK(typed("2*12,5", ui::Measure::Force) == femoop::Quantity(25000.0, "25 kN"));
         CHECK(typed("5*3^2/8 kN*m", ui::Measure::Moment) == femoop::Quantity(5.625e6, "5.625 kN*m"));
+        CHECK(typed("12.5 kN·m", ui::Measure::Moment) == femoop::Quantity(12.5e6, "12.5 kN*m"));
+        CHECK(typed("1140 cm⁴", ui::Measure::SecondMoment) == femoop::Quantity(1.14e7, "1140 cm^4"));
         CHECK(typed("1/3", ui::Measure::Plain) == femoop::Quantity(1.0 / 3.0));
     }
 
