@@ -82,39 +82,21 @@ public:
     std::vector<detail::CaseSolution> solve(const Model& model, const std::vector<CaseLoads>& loads) override
     {
         watch.lap();
-        const auto n_cases = static_cast<Eigen::Index>(loads.size());
-        Eigen::MatrixXd F(static_cast<Eigen::Index>(equations.n_unknowns()), n_cases);
-        for (Eigen::Index c = 0; c < n_cases; ++c) F.col(c) = assembly_.load_vector(loads[static_cast<std::size_t>(c)]);
+        const Eigen::MatrixXd F = load_vectors(loads);
         statistics.assemble += watch.lap();
         refuse(driven_spins(model, *structure, F, held_));
         refuse_driven_twists(model, loads);
-        Eigen::MatrixXd X = F;
-        Eigen::MatrixXd Z;
-        if (!structure->has_constraints) {
-            if (F.rows() > 0) X = solver_->solve(F);
-        } else {
-            solve_constrained(model, loads, F, X, Z);
-        }
-        if (F.rows() > 0) require_finite(model, F);
-        if (F.rows() > 0) require_finite(model, X);
-        Eigen::MatrixXd residual = F - K_.selfadjointView<Eigen::Lower>() * X;
-        if (structure->has_constraints) residual -= K_constrained_.selfadjointView<Eigen::Lower>() * Z;
+        const Displacements u = structure->has_constraints ? solve_constrained(model, loads, F)
+                                                           : Displacements{.all = solver_ ? solver_->solve(F) : F};
+        require_finite(model, F);
+        require_finite(model, u.all);
+        const Eigen::VectorXd residuals = relative_residuals(F, u);
         statistics.solve = watch.lap();
 
         std::vector<detail::CaseSolution> solutions;
-        for (Eigen::Index c = 0; c < n_cases; ++c) {
-            const CaseLoads& case_loads = loads[static_cast<std::size_t>(c)];
-            detail::CaseSolution solution;
-            solution.displacements = node_displacements(X.col(c), assembly_.settlements(case_loads));
-            solution.own_ends = own_ends(X.col(c));
-            if (structure->has_constraints) {
-                solution.constraint_displacements = node_displacements(Z.col(c), {});
-                solution.constraint_own_ends = own_ends(Z.col(c));
-            }
-            const double largest = F.rows() > 0 ? F.col(c).cwiseAbs().maxCoeff() : 0.0;
-            const double error = residual.rows() > 0 ? residual.col(c).cwiseAbs().maxCoeff() : 0.0;
-            solution.equilibrium.residual = largest > 0.0 ? error / largest : 0.0;
-            solutions.push_back(std::move(solution));
+        for (std::size_t c = 0; c < loads.size(); ++c) {
+            solutions.push_back(case_solution(static_cast<Eigen::Index>(c), loads[c], u));
+            solutions.back().equilibrium.residual = residuals[static_cast<Eigen::Index>(c)];
         }
         return solutions;
     }
@@ -123,6 +105,44 @@ public:
 
 private:
     static constexpr int n = Assembly<kind>::n;
+
+    /// One column per load case, a row per unknown.
+    struct Displacements {
+        Eigen::MatrixXd all;
+        Eigen::MatrixXd constraint; ///< what forces in constrained members follow from; empty where there are none
+    };
+
+    Eigen::MatrixXd load_vectors(const std::vector<CaseLoads>& loads) const
+    {
+        Eigen::MatrixXd F(static_cast<Eigen::Index>(equations.n_unknowns()), static_cast<Eigen::Index>(loads.size()));
+        for (std::size_t c = 0; c < loads.size(); ++c)
+            F.col(static_cast<Eigen::Index>(c)) = assembly_.load_vector(loads[c]);
+        return F;
+    }
+
+    /// The largest force out of balance over the largest load, of every load case.
+    Eigen::VectorXd relative_residuals(const Eigen::MatrixXd& F, const Displacements& u) const
+    {
+        Eigen::VectorXd ratios = Eigen::VectorXd::Zero(F.cols());
+        if (F.rows() == 0) return ratios;
+        Eigen::MatrixXd residual = F - K_.selfadjointView<Eigen::Lower>() * u.all;
+        if (structure->has_constraints) residual -= K_constrained_.selfadjointView<Eigen::Lower>() * u.constraint;
+        for (Eigen::Index c = 0; c < F.cols(); ++c)
+            if (const double largest = F.col(c).cwiseAbs().maxCoeff(); largest > 0.0)
+                ratios[c] = residual.col(c).cwiseAbs().maxCoeff() / largest;
+        return ratios;
+    }
+
+    detail::CaseSolution case_solution(Eigen::Index c, const CaseLoads& loads, const Displacements& u) const
+    {
+        detail::CaseSolution solution;
+        solution.displacements = node_displacements(u.all.col(c), assembly_.settlements(loads));
+        solution.own_ends = own_ends(u.all.col(c));
+        if (!structure->has_constraints) return solution;
+        solution.constraint_displacements = node_displacements(u.constraint.col(c), {});
+        solution.constraint_own_ends = own_ends(u.constraint.col(c));
+        return solution;
+    }
 
     void assemble()
     {
@@ -217,6 +237,7 @@ private:
 
     static void require_finite(const Model& model, const Eigen::MatrixXd& values)
     {
+        if (values.rows() == 0) return;
         for (Eigen::Index c = 0; c < values.cols(); ++c)
             if (!(values.col(c).cwiseAbs().template maxCoeff<Eigen::PropagateNaN>() < largest_number))
                 throw ModelError({{FaultKind::ResultsBeyondRange, {model.load_cases[static_cast<std::size_t>(c)].id}}});
@@ -228,20 +249,19 @@ private:
         return structure->has_constraints ? Eigen::VectorXd(T_ * independent) : independent;
     }
 
-    void solve_constrained(const Model& model, const std::vector<CaseLoads>& loads, const Eigen::MatrixXd& F,
-                           Eigen::MatrixXd& X, Eigen::MatrixXd& Z)
+    Displacements solve_constrained(const Model& model, const std::vector<CaseLoads>& loads, const Eigen::MatrixXd& F)
     {
         const std::vector<ConstraintRow> rows = constraint_rows<kind>(*structure, assembly_, loads);
         const Elimination elimination = eliminate(rows, equations.n_unknowns(), loads.size(), row_scale());
         refuse(model, elimination.conflicts);
         const auto K = K_.template selfadjointView<Eigen::Lower>();
         const Eigen::MatrixXd load = T_.transpose() * (F - K * elimination.x0);
-        X = elimination.x0;
-        if (T_.cols() > 0) X += T_ * solver_->solve(load);
-        Z = Eigen::MatrixXd::Zero(F.rows(), F.cols());
-        if (dependent_.empty()) return;
-        const Eigen::MatrixXd out_of_balance = F - K * X;
-        Z = S_ * constraint_solver_->solve(S_.transpose() * out_of_balance);
+        Displacements u{.all = elimination.x0, .constraint = Eigen::MatrixXd::Zero(F.rows(), F.cols())};
+        if (T_.cols() > 0) u.all += T_ * solver_->solve(load);
+        if (dependent_.empty()) return u;
+        const Eigen::MatrixXd out_of_balance = F - K * u.all;
+        u.constraint = S_ * constraint_solver_->solve(S_.transpose() * out_of_balance);
+        return u;
     }
 
     std::vector<double> node_displacements(const Eigen::VectorXd& x, const std::vector<double>& settlements) const
