@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "femoop/model/suggestion.h"
+#include "femoop/model/check/suggestion.h"
 
 namespace cli {
 

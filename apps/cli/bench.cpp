@@ -8,7 +8,7 @@
 #include "apps/cli/analysis_run.h"
 #include "apps/cli/argument.h"
 #include "apps/cli/bench_frame.h"
-#include "femoop/io/json_writer.h"
+#include "femoop/io/json/json_writer.h"
 #include "femoop/solver/blas.h"
 
 namespace cli {

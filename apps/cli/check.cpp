@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "apps/cli/model_input.h"
-#include "femoop/io/json_writer.h"
+#include "femoop/io/json/json_writer.h"
 
 namespace cli {
 

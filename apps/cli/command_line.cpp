@@ -11,7 +11,7 @@
 #include "apps/cli/help.h"
 #include "apps/cli/subcommands.h"
 #include "femoop/analysis/mechanism.h"
-#include "femoop/model/suggestion.h"
+#include "femoop/model/check/suggestion.h"
 
 namespace cli {
 

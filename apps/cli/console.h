@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "apps/cli/exit_status.h"
-#include "femoop/model/fault.h"
+#include "femoop/model/fault/fault.h"
 #include "ui/text/catalogue.h"
 
 namespace cli {

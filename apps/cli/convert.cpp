@@ -12,8 +12,8 @@
 #include "apps/cli/model_input.h"
 #include "apps/cli/output_file.h"
 #include "apps/cli/picture.h"
-#include "femoop/io/results_csv.h"
-#include "femoop/model/in_units.h"
+#include "femoop/io/results/results_csv.h"
+#include "femoop/model/quantity/in_units.h"
 
 namespace cli {
 

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <vector>
 
-#include "femoop/io/text_table.h"
+#include "femoop/io/results/text_table.h"
 
 namespace cli {
 

@@ -15,11 +15,11 @@
 #include "apps/cli/model_input.h"
 #include "apps/cli/output_file.h"
 #include "femoop/analysis/trace.h"
-#include "femoop/io/json_writer.h"
-#include "femoop/io/results_csv.h"
-#include "femoop/io/results_json.h"
-#include "femoop/io/results_table.h"
-#include "femoop/model/number_text.h"
+#include "femoop/io/json/json_writer.h"
+#include "femoop/io/results/results_csv.h"
+#include "femoop/io/results/results_json.h"
+#include "femoop/io/results/results_table.h"
+#include "femoop/model/quantity/number_text.h"
 #include "femoop/result/describe.h"
 
 namespace cli {

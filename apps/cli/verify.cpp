@@ -10,8 +10,8 @@
 
 #include "apps/cli/analysis_run.h"
 #include "apps/cli/model_input.h"
-#include "femoop/io/json_writer.h"
-#include "femoop/model/number_text.h"
+#include "femoop/io/json/json_writer.h"
+#include "femoop/model/quantity/number_text.h"
 #include "femoop/result/verify.h"
 
 namespace cli {

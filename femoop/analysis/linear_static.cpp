@@ -11,7 +11,7 @@
 #include "femoop/analysis/equilibrium.h"
 #include "femoop/analysis/idle_rotation.h"
 #include "femoop/analysis/mechanism_words.h"
-#include "femoop/model/check.h"
+#include "femoop/model/check/check.h"
 #include "femoop/result/solution.h"
 #include "femoop/solver/null_modes.h"
 #include "femoop/solver/symmetric_solver.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "femoop/model/fault.h"
+#include "femoop/model/fault/fault.h"
 #include "femoop/result/results.h"
 
 namespace femoop {

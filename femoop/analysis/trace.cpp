@@ -1,7 +1,7 @@
 #include "femoop/analysis/trace.h"
 
 #include "femoop/analysis/assembly.h"
-#include "femoop/model/check.h"
+#include "femoop/model/check/check.h"
 
 namespace femoop {
 

@@ -9,11 +9,11 @@
 #include <system_error>
 #include <utility>
 
-#include "femoop/io/json_document.h"
-#include "femoop/io/model_reader.h"
+#include "femoop/io/json/json_document.h"
+#include "femoop/io/reader/model_reader.h"
 #include "femoop/io/whole_file.h"
-#include "femoop/model/check_parts.h"
-#include "femoop/model/translator.h"
+#include "femoop/model/check/check_parts.h"
+#include "femoop/model/fault/translator.h"
 
 namespace femoop {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "femoop/model/fault.h"
+#include "femoop/model/fault/fault.h"
 #include "femoop/model/model.h"
 
 namespace femoop {

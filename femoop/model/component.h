@@ -1,7 +1,7 @@
 #pragma once
 
 #include "femoop/model/dof.h"
-#include "femoop/model/quantity.h"
+#include "femoop/model/quantity/quantity.h"
 
 namespace femoop {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "femoop/model/dof_dimension.h"
+#include "femoop/model/quantity/dof_dimension.h"
 
 namespace femoop {
 

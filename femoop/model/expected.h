@@ -7,11 +7,11 @@
 #include <string>
 #include <string_view>
 
-#include "femoop/model/dimension.h"
 #include "femoop/model/dof.h"
 #include "femoop/model/ids.h"
 #include "femoop/model/load.h"
-#include "femoop/model/quantity.h"
+#include "femoop/model/quantity/dimension.h"
+#include "femoop/model/quantity/quantity.h"
 
 namespace femoop {
 

@@ -10,7 +10,7 @@
 #include "femoop/model/component.h"
 #include "femoop/model/dof.h"
 #include "femoop/model/ids.h"
-#include "femoop/model/quantity.h"
+#include "femoop/model/quantity/quantity.h"
 
 namespace femoop {
 

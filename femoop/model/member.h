@@ -9,7 +9,7 @@
 #include "femoop/model/dof.h"
 #include "femoop/model/ids.h"
 #include "femoop/model/node.h"
-#include "femoop/model/quantity.h"
+#include "femoop/model/quantity/quantity.h"
 
 namespace femoop {
 

@@ -13,7 +13,7 @@
 #include "femoop/model/member.h"
 #include "femoop/model/node.h"
 #include "femoop/model/property.h"
-#include "femoop/model/units.h"
+#include "femoop/model/quantity/units.h"
 
 namespace femoop {
 
@@ -28,10 +28,11 @@ struct ExtraBlock {
 };
 
 /// A structure, its loads and what is expected of it: a plain value that is copied, compared, edited and saved.
-/// `check` (femoop/model/check.h) says what is wrong with it, `analyse` (femoop/analysis/linear_static.h) solves it.
+/// `check` (femoop/model/check/check.h) says what is wrong with it, `analyse` (femoop/analysis/linear_static.h) solves
+/// it.
 ///
 /// Signs  2D: x right, y up, counter-clockwise positive. 3D: right-handed, z up.
-/// Units  every Quantity is in `units`; see femoop/model/units.h
+/// Units  every Quantity is in `units`; see femoop/model/quantity/units.h
 struct Model {
     std::string title;
     std::string notes;

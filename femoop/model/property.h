@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "femoop/model/quantity.h"
+#include "femoop/model/quantity/quantity.h"
 
 namespace femoop {
 

@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "femoop/model/dimension.h"
-#include "femoop/model/number_text.h"
+#include "femoop/model/quantity/dimension.h"
+#include "femoop/model/quantity/number_text.h"
 #include "femoop/result/components.h"
 
 namespace femoop {

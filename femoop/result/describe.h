@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "femoop/model/fault/translator.h"
 #include "femoop/model/model.h"
-#include "femoop/model/translator.h"
 #include "femoop/result/results.h"
 
 namespace femoop {

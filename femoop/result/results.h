@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "femoop/model/fault.h"
+#include "femoop/model/fault/fault.h"
 #include "femoop/model/model.h"
 #include "femoop/result/curve.h"
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <variant>
 
-#include "femoop/model/number_text.h"
+#include "femoop/model/quantity/number_text.h"
 #include "femoop/result/components.h"
 
 namespace femoop {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "femoop/model/fault/translator.h"
 #include "femoop/model/model.h"
-#include "femoop/model/translator.h"
 #include "femoop/result/results.h"
 
 namespace femoop {

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "femoop/model/units.h"
+#include "femoop/model/quantity/units.h"
 
 namespace femoop {
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "femoop/model/property.h"
-#include "femoop/model/units.h"
+#include "femoop/model/quantity/units.h"
 
 namespace femoop {
 

@@ -15,7 +15,7 @@
 #include "femoop/analysis/assembly.h"
 #include "femoop/analysis/equations.h"
 #include "femoop/io/model_file.h"
-#include "femoop/model/check.h"
+#include "femoop/model/check/check.h"
 #include "femoop/result/curve_reader.h"
 #include "femoop/solver/blas.h"
 #include "tests/bench/cholmod_reference.h"

@@ -6,7 +6,7 @@
 #include "femoop/edit/erase.h"
 #include "femoop/edit/merge.h"
 #include "femoop/edit/weld.h"
-#include "femoop/model/in_units.h"
+#include "femoop/model/quantity/in_units.h"
 
 namespace frame {
 

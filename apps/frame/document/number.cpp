@@ -4,9 +4,9 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "femoop/model/dimension.h"
-#include "femoop/model/number_text.h"
-#include "femoop/model/quantity_parser.h"
+#include "femoop/model/quantity/dimension.h"
+#include "femoop/model/quantity/number_text.h"
+#include "femoop/model/quantity/quantity_parser.h"
 #include "ui/text/arithmetic.h"
 #include "ui/text/catalogue.h"
 

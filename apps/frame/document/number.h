@@ -9,8 +9,8 @@
 
 #include "apps/frame/document/document.h"
 #include "apps/frame/document/part.h"
-#include "femoop/model/fault.h"
-#include "femoop/model/quantity.h"
+#include "femoop/model/fault/fault.h"
+#include "femoop/model/quantity/quantity.h"
 #include "ui/text/display_units.h"
 #include "ui/text/phrase.h"
 

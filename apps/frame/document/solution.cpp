@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "femoop/analysis/linear_static.h"
-#include "femoop/model/check.h"
+#include "femoop/model/check/check.h"
 
 namespace frame {
 

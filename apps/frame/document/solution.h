@@ -5,7 +5,7 @@
 
 #include "apps/frame/document/document.h"
 #include "femoop/analysis/mechanism.h"
-#include "femoop/model/fault.h"
+#include "femoop/model/fault/fault.h"
 #include "femoop/result/results.h"
 
 namespace frame {

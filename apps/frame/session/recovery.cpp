@@ -14,7 +14,7 @@
 
 #include "femoop/io/model_file.h"
 #include "femoop/io/whole_file.h"
-#include "femoop/model/fault.h"
+#include "femoop/model/fault/fault.h"
 
 namespace frame {
 

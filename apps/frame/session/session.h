@@ -12,7 +12,7 @@
 #include "apps/frame/document/solution.h"
 #include "apps/frame/view/pick.h"
 #include "apps/frame/view/view_options.h"
-#include "femoop/model/fault.h"
+#include "femoop/model/fault/fault.h"
 #include "ui/history/history.h"
 #include "ui/text/display_units.h"
 #include "ui/text/phrase.h"

@@ -3,7 +3,7 @@
 
 #include "femoop/edit/draw.h"
 #include "femoop/edit/member_line.h"
-#include "femoop/model/check.h"
+#include "femoop/model/check/check.h"
 
 using namespace femoop;
 

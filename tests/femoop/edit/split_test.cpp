@@ -8,7 +8,7 @@
 #include "femoop/edit/merge.h"
 #include "femoop/edit/reverse.h"
 #include "femoop/edit/split.h"
-#include "femoop/model/check.h"
+#include "femoop/model/check/check.h"
 #include "tests/femoop/analysis/random_structure.h"
 
 using namespace femoop;

@@ -3,7 +3,7 @@
 
 #include "femoop/edit/place.h"
 #include "femoop/edit/weld.h"
-#include "femoop/model/check.h"
+#include "femoop/model/check/check.h"
 
 using namespace femoop;
 

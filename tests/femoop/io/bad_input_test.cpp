@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "femoop/io/model_file.h"
-#include "femoop/model/check.h"
+#include "femoop/model/check/check.h"
 #include "tests/femoop/io/bad_files.h"
 
 using namespace femoop;

@@ -4,7 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "femoop/io/json_writer.h"
+#include "femoop/io/json/json_writer.h"
 
 using femoop::JsonWriter;
 

@@ -1,4 +1,4 @@
-#include "femoop/io/results_csv.h"
+#include "femoop/io/results/results_csv.h"
 
 #include <doctest/doctest.h>
 

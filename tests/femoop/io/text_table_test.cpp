@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "femoop/io/text_table.h"
+#include "femoop/io/results/text_table.h"
 
 using femoop::TextTable;
 

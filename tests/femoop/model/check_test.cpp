@@ -1,4 +1,4 @@
-#include "femoop/model/check.h"
+#include "femoop/model/check/check.h"
 
 #include <doctest/doctest.h>
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "femoop/io/model_file.h"
-#include "femoop/model/in_units.h"
+#include "femoop/model/quantity/in_units.h"
 
 using namespace femoop;
 

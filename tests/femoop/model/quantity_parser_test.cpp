@@ -1,11 +1,11 @@
-#include "femoop/model/quantity_parser.h"
+#include "femoop/model/quantity/quantity_parser.h"
 
 #include <doctest/doctest.h>
 
 #include <string>
 #include <variant>
 
-#include "femoop/model/number_text.h"
+#include "femoop/model/quantity/number_text.h"
 
 using namespace femoop;
 

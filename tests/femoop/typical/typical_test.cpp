@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "femoop/analysis/linear_static.h"
-#include "femoop/model/check.h"
+#include "femoop/model/check/check.h"
 #include "femoop/typical/typical.h"
 
 using namespace femoop;

@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "femoop/model/fault.h"
+#include "femoop/model/fault/fault.h"
 #include "ui/text/catalogue.h"
 
 namespace {

@@ -1,0 +1,282 @@
+#include "femoop/io/results/results_csv.h"
+
+#include <array>
+#include <charconv>
+#include <string_view>
+
+#include "femoop/model/quantity/dimension.h"
+#include "femoop/result/components.h"
+#include "femoop/result/envelope.h"
+
+namespace femoop {
+
+namespace {
+
+/// Builds the text of one file, cell by cell.
+class CsvText {
+public:
+    CsvText& operator<<(std::string_view cell)
+    {
+        separate();
+        if (cell.find_first_of(",\"\r\n") == std::string_view::npos) {
+            text_ += cell;
+            return *this;
+        }
+        text_ += '"';
+        for (const char c : cell) text_ += c == '"' ? std::string("\"\"") : std::string(1, c);
+        text_ += '"';
+        return *this;
+    }
+
+    CsvText& operator<<(double number)
+    {
+        separate();
+        std::array<char, 32> digits{};
+        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number == 0.0 ? 0.0 : number).ptr;
+        text_.append(digits.data(), end);
+        return *this;
+    }
+
+    void end_row()
+    {
+        text_ += '\n';
+        is_row_begin_ = true;
+    }
+
+    std::string take() { return std::move(text_); }
+
+private:
+    void separate()
+    {
+        if (!is_row_begin_) text_ += ',';
+        is_row_begin_ = false;
+    }
+
+    std::string text_;
+    bool is_row_begin_ = true;
+};
+
+std::string unit(Dof dof, const Units& units) { return is_rotation(dof) ? "rad" : unit_text(dimension::length, units); }
+
+std::string force_unit(Dof dof, const Units& units)
+{
+    return unit_text(is_rotation(dof) ? dimension::moment : dimension::force, units);
+}
+
+std::string unit(MemberComponent component, const Units& units)
+{
+    if (is_displacement(component)) return unit_text(dimension::length, units);
+    return unit_text(is_moment(component) ? dimension::moment : dimension::force, units);
+}
+
+std::string header(std::string_view what, const std::string& unit) { return std::string(what) + " [" + unit + "]"; }
+
+std::string displacements(const Model& model, const Results& results, const std::vector<CaseId>& cases)
+{
+    const std::vector<Dof> dofs = dof_list(model.analysis);
+    CsvText csv;
+    csv << "case"
+        << "node";
+    for (const Dof dof : dofs) csv << header(name(dof), unit(dof, model.units));
+    csv.end_row();
+    for (const CaseId id : cases)
+        for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+            const NodeVector u = results[id].displacement(NodeId(i));
+            csv << model.case_name(id) << model.nodes[i].id;
+            for (const Dof dof : dofs) csv << u[index(dof)];
+            csv.end_row();
+        }
+    return csv.take();
+}
+
+std::string reactions(const Model& model, const Results& results, const std::vector<CaseId>& cases)
+{
+    const std::vector<Dof> dofs = dof_list(model.analysis);
+    CsvText csv;
+    csv << "case"
+        << "node";
+    for (const Dof dof : dofs) csv << header(force_name(dof), force_unit(dof, model.units));
+    csv.end_row();
+    for (const CaseId id : cases)
+        for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+            if (!results[id].is_supported(NodeId(i))) continue;
+            const NodeVector reaction = results[id].reaction(NodeId(i));
+            csv << model.case_name(id) << model.nodes[i].id;
+            for (const Dof dof : dofs) csv << reaction[index(dof)];
+            csv.end_row();
+        }
+    return csv.take();
+}
+
+std::string stations(const Model& model, const Results& results, const std::vector<CaseId>& cases, std::size_t n)
+{
+    const std::vector<MemberComponent> components = member_components(model.analysis);
+    CsvText csv;
+    csv << "case"
+        << "member" << header("x", unit_text(dimension::length, model.units));
+    for (const MemberComponent component : components)
+        csv << header(name(component, model.analysis), unit(component, model.units));
+    csv.end_row();
+    for (const CaseId id : cases)
+        for (std::size_t i = 0; i < model.members.size(); ++i)
+            for (const Station& station : results[id].curve(MemberId(i)).stations(n)) {
+                csv << model.case_name(id) << model.members[i].id << station.x;
+                for (const MemberComponent component : components) csv << value(station, component);
+                csv.end_row();
+            }
+    return csv.take();
+}
+
+std::string extremes(const Model& model, const Results& results, const std::vector<CaseId>& cases)
+{
+    const std::string x = unit_text(dimension::length, model.units);
+    CsvText csv;
+    csv << "case"
+        << "member"
+        << "component"
+        << "unit"
+        << "max" << header("x of max", x) << "min" << header("x of min", x);
+    csv.end_row();
+    for (const CaseId id : cases)
+        for (std::size_t i = 0; i < model.members.size(); ++i) {
+            const Curve curve = results[id].curve(MemberId(i));
+            for (const MemberComponent component : member_components(model.analysis)) {
+                const Extremes found = curve.extremes(component);
+                csv << model.case_name(id) << model.members[i].id << name(component, model.analysis)
+                    << unit(component, model.units) << found.max.value << found.max.x << found.min.value << found.min.x;
+                csv.end_row();
+            }
+        }
+    return csv.take();
+}
+
+std::string equilibrium(const Model& model, const Results& results, const std::vector<CaseId>& cases)
+{
+    const std::vector<Dof> dofs = equilibrium_dofs(model.analysis);
+    CsvText csv;
+    csv << "case"
+        << "sum of";
+    for (const Dof dof : dofs) csv << header(force_name(dof), force_unit(dof, model.units));
+    csv << "residual";
+    csv.end_row();
+    for (const CaseId id : cases) {
+        const CaseResult result = results[id];
+        const Equilibrium& balance = result.equilibrium();
+        for (const bool is_load : {true, false}) {
+            csv << model.case_name(id) << (is_load ? "loads" : "reactions");
+            for (const Dof dof : dofs) csv << (is_load ? balance.sum_loads : balance.sum_reactions)[index(dof)];
+            csv << balance.residual;
+            csv.end_row();
+        }
+    }
+    return csv.take();
+}
+
+void add_range(CsvText& csv, const Model& model, const GoverningRange& range)
+{
+    csv << range.max.value << model.case_name(range.max.load_case) << range.min.value
+        << model.case_name(range.min.load_case);
+    csv.end_row();
+}
+
+std::string node_envelope(const Model& model, const Results& results, const Envelope& envelope)
+{
+    CsvText csv;
+    csv << "node"
+        << "result"
+        << "unit"
+        << "max"
+        << "case of max"
+        << "min"
+        << "case of min";
+    csv.end_row();
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        for (const Dof dof : dof_list(model.analysis)) {
+            csv << model.nodes[i].id << name(dof) << unit(dof, model.units);
+            add_range(csv, model, envelope.displacement(NodeId(i), dof));
+        }
+        if (!results[envelope.cases().front()].is_supported(NodeId(i))) continue;
+        for (const Dof dof : dof_list(model.analysis)) {
+            csv << model.nodes[i].id << force_name(dof) << force_unit(dof, model.units);
+            add_range(csv, model, envelope.reaction(NodeId(i), dof));
+        }
+    }
+    return csv.take();
+}
+
+std::string member_envelope(const Model& model, const Envelope& envelope)
+{
+    const std::string x = unit_text(dimension::length, model.units);
+    CsvText csv;
+    csv << "member"
+        << "component"
+        << "unit"
+        << "max" << header("x of max", x) << "case of max"
+        << "min" << header("x of min", x) << "case of min";
+    csv.end_row();
+    for (std::size_t i = 0; i < model.members.size(); ++i)
+        for (const MemberComponent component : member_components(model.analysis)) {
+            const GoverningExtremes found = envelope.extremes(MemberId(i), component);
+            csv << model.members[i].id << name(component, model.analysis) << unit(component, model.units)
+                << found.max.value << found.max.x << model.case_name(found.max.load_case) << found.min.value
+                << found.min.x << model.case_name(found.min.load_case);
+            csv.end_row();
+        }
+    return csv.take();
+}
+
+} // namespace
+
+std::vector<CsvFile> results_csv(const Model& model, const Results& results, const std::vector<CaseId>& cases,
+                                 std::size_t n_stations)
+{
+    return {{"displacements.csv", displacements(model, results, cases)},
+            {"reactions.csv", reactions(model, results, cases)},
+            {"members.csv", stations(model, results, cases, n_stations)},
+            {"extremes.csv", extremes(model, results, cases)},
+            {"equilibrium.csv", equilibrium(model, results, cases)}};
+}
+
+std::vector<CsvFile> envelope_csv(const Model& model, const Results& results, const std::vector<CaseId>& cases)
+{
+    const Envelope envelope(results, cases);
+    return {{"envelope_nodes.csv", node_envelope(model, results, envelope)},
+            {"envelope_members.csv", member_envelope(model, envelope)}};
+}
+
+std::string long_csv(const Model& model, const Results& results, const std::vector<CaseId>& cases,
+                     std::size_t n_stations)
+{
+    CsvText csv;
+    csv << "case"
+        << "part"
+        << "id" << header("x", unit_text(dimension::length, model.units)) << "component"
+        << "value"
+        << "unit";
+    csv.end_row();
+    for (const CaseId id : cases) {
+        const CaseResult result = results[id];
+        const auto add_node = [&](std::size_t i, std::string_view what, double number, const std::string& in) {
+            csv << result.name() << "node" << model.nodes[i].id << "" << what << number << in;
+            csv.end_row();
+        };
+        for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+            const NodeVector u = result.displacement(NodeId(i)), r = result.reaction(NodeId(i));
+            for (const Dof dof : dof_list(model.analysis))
+                add_node(i, name(dof), u[index(dof)], unit(dof, model.units));
+            if (!result.is_supported(NodeId(i))) continue;
+            for (const Dof dof : dof_list(model.analysis))
+                add_node(i, force_name(dof), r[index(dof)], force_unit(dof, model.units));
+        }
+        for (std::size_t i = 0; i < model.members.size(); ++i)
+            for (const Station& station : result.curve(MemberId(i)).stations(n_stations))
+                for (const MemberComponent component : member_components(model.analysis)) {
+                    csv << result.name() << "member" << model.members[i].id << station.x
+                        << name(component, model.analysis) << value(station, component) << unit(component, model.units);
+                    csv.end_row();
+                }
+    }
+    return csv.take();
+}
+
+} // namespace femoop

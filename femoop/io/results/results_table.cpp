@@ -1,0 +1,394 @@
+#include "femoop/io/results/results_table.h"
+
+#include <array>
+#include <cstdio>
+#include <numeric>
+#include <string_view>
+
+#include "femoop/io/results/text_table.h"
+#include "femoop/model/quantity/dimension.h"
+#include "femoop/model/quantity/number_text.h"
+#include "femoop/result/components.h"
+#include "femoop/result/envelope.h"
+
+namespace femoop {
+
+namespace {
+
+constexpr std::size_t indent = 2;
+
+std::string with_unit(std::string_view what, Dimension dimension, const Units& units)
+{
+    const std::string unit = unit_text(dimension, units);
+    return unit.empty() ? std::string(what) : std::string(what) + " [" + unit + "]";
+}
+
+std::string displacement_header(Dof dof, const Units& units)
+{
+    return is_rotation(dof) ? std::string(name(dof)) + " [rad]" : with_unit(name(dof), dimension::length, units);
+}
+
+std::string force_header(Dof dof, const Units& units)
+{
+    return with_unit(force_name(dof), is_rotation(dof) ? dimension::moment : dimension::force, units);
+}
+
+Dimension dimension_of(MemberComponent component)
+{
+    if (is_displacement(component)) return dimension::length;
+    return is_moment(component) ? dimension::moment : dimension::force;
+}
+
+std::string component_header(MemberComponent component, const Model& model)
+{
+    return with_unit(name(component, model.analysis), dimension_of(component), model.units);
+}
+
+std::string section(const std::string& title, const TextTable& table, const Translator& tr)
+{
+    return table.is_empty() ? std::string() : "\n" + title + "\n" + table.text(indent, decimal_mark(tr));
+}
+
+/// The columns from `first` on whose degree of freedom is a translation, and those whose is a rotation, each without
+/// the round-off of its kind.
+void silence_by_dimension(TextTable& table, const std::vector<Dof>& dofs, std::size_t first)
+{
+    std::vector<std::size_t> translations, rotations;
+    for (std::size_t i = 0; i < dofs.size(); ++i)
+        (is_rotation(dofs[i]) ? rotations : translations).push_back(first + i);
+    table.silence_round_off(translations);
+    table.silence_round_off(rotations);
+}
+
+void silence_by_dimension(TextTable& table, const std::vector<MemberComponent>& components, std::size_t first)
+{
+    std::vector<std::size_t> forces, moments;
+    for (std::size_t i = 0; i < components.size(); ++i)
+        (is_moment(components[i]) ? moments : forces).push_back(first + i);
+    table.silence_round_off(forces);
+    table.silence_round_off(moments);
+}
+
+std::string number_of(std::size_t n, std::string_view one, std::string_view many)
+{
+    return fill(n == 1 ? one : many, {std::to_string(n)});
+}
+
+std::string analysis_name(AnalysisKind kind, const Translator& tr)
+{
+    switch (kind) {
+    case AnalysisKind::Truss2d: return tr("plane truss");
+    case AnalysisKind::Frame2d: return tr("plane frame");
+    case AnalysisKind::Grillage: return tr("grillage");
+    case AnalysisKind::Truss3d: return tr("space truss");
+    case AnalysisKind::Frame3d: break;
+    }
+    return tr("space frame");
+}
+
+std::string counts(const Model& model, const Translator& tr)
+{
+    std::string text = number_of(model.nodes.size(), tr("{0} node"), tr("{0} nodes"));
+    text += ", " + number_of(model.members.size(), tr("{0} member"), tr("{0} members"));
+    text += ", " + number_of(model.load_cases.size(), tr("{0} load case"), tr("{0} load cases"));
+    if (!model.combinations.empty())
+        text += ", " + number_of(model.combinations.size(), tr("{0} combination"), tr("{0} combinations"));
+    return text;
+}
+
+std::string indeterminacy_text(const Indeterminacy& degree, const Translator& tr)
+{
+    const std::vector<std::string> numbers{std::to_string(degree.total()), std::to_string(degree.external),
+                                           std::to_string(degree.internal)};
+    std::string text = fill(tr("Degree of static indeterminacy: {0} (external {1}, internal {2})"), numbers);
+    if (degree.total() == 0 && !degree.has_foundation) text += ": " + tr("statically determinate");
+    if (degree.has_foundation) text += "; " + tr("the continuous foundation is not counted");
+    return text;
+}
+
+/// "Combination ULS = 1.35 G + 1.5 Q"
+std::string case_title(const Model& model, CaseId id, const Translator& tr)
+{
+    if (id.index < model.load_cases.size()) return fill(tr("Load case {0}"), {model.case_name(id)});
+    const Combination& combination = model.combinations[id.index - model.load_cases.size()];
+    std::string sum;
+    for (const Combination::Term& term : combination.terms) {
+        const bool is_minus = term.factor < 0.0;
+        if (!sum.empty() || is_minus) sum += sum.empty() ? "-" : is_minus ? " - " : " + ";
+        sum += localized(number_text(is_minus ? -term.factor : term.factor), tr) + " " + model.case_name(term.of);
+    }
+    return fill(tr("Combination {0} = {1}"), {combination.id, sum});
+}
+
+/// The section forces that are worth a column: in a truss without span loads N alone.
+std::vector<MemberComponent> shown_forces(const Model& model, const std::vector<CaseResult>& results)
+{
+    std::vector<MemberComponent> all = section_force_components(model.analysis);
+    if (!is_truss(model.analysis)) return all;
+    for (const CaseResult& result : results)
+        for (std::size_t i = 0; i < model.members.size(); ++i)
+            for (const MemberComponent component : all) {
+                const Extremes extremes = result.curve(MemberId(i)).extremes(component);
+                const bool is_bent = component != MemberComponent::N;
+                if (is_bent && (extremes.max.value != 0.0 || extremes.min.value != 0.0)) return all;
+            }
+    return {MemberComponent::N};
+}
+
+TextTable displacement_table(const Model& model, const CaseResult& result, const Translator& tr)
+{
+    const std::vector<Dof> dofs = dof_list(model.analysis);
+    std::vector<std::string> headers{tr("node")};
+    for (const Dof dof : dofs) headers.push_back(displacement_header(dof, model.units));
+
+    TextTable table(headers);
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        const NodeVector u = result.displacement(NodeId(i));
+        std::vector<TextTable::Cell> row{model.nodes[i].id};
+        for (const Dof dof : dofs) row.emplace_back(u[index(dof)]);
+        table.add_row(std::move(row));
+    }
+    silence_by_dimension(table, dofs, 1);
+    return table;
+}
+
+TextTable reaction_table(const Model& model, const CaseResult& result, const Translator& tr)
+{
+    const std::vector<Dof> dofs = dof_list(model.analysis);
+    std::vector<std::string> headers{tr("node")};
+    for (const Dof dof : dofs) headers.push_back(force_header(dof, model.units));
+
+    TextTable table(headers);
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        if (!result.is_supported(NodeId(i))) continue;
+        const NodeVector reaction = result.reaction(NodeId(i));
+        std::vector<TextTable::Cell> row{model.nodes[i].id};
+        for (const Dof dof : dofs) row.emplace_back(reaction[index(dof)]);
+        table.add_row(std::move(row));
+    }
+    silence_by_dimension(table, dofs, 1);
+    return table;
+}
+
+TextTable end_force_table(const Model& model, const CaseResult& result, const Translator& tr)
+{
+    const std::vector<MemberComponent> components = shown_forces(model, {result});
+    std::vector<std::string> headers{tr("member"), tr("at node")};
+    for (const MemberComponent component : components) headers.push_back(component_header(component, model));
+
+    TextTable table(headers);
+    for (std::size_t i = 0; i < model.members.size(); ++i) {
+        const Curve curve = result.curve(MemberId(i));
+        for (std::size_t end = 0; end < 2; ++end) {
+            std::vector<TextTable::Cell> row{end == 0 ? model.members[i].id : std::string(),
+                                             model[model.members[i].nodes[end]].id};
+            const double x = end == 0 ? 0.0 : curve.length();
+            const Side side = end == 0 ? Side::After : Side::Before;
+            for (const MemberComponent component : components) row.emplace_back(curve.value(component, x, side));
+            table.add_row(std::move(row));
+        }
+    }
+    silence_by_dimension(table, components, 2);
+    return table;
+}
+
+TextTable extremes_table(const Model& model, const CaseResult& result, const std::vector<MemberComponent>& components,
+                         const Translator& tr)
+{
+    const std::string at = with_unit(tr("at x"), dimension::length, model.units);
+    TextTable table({tr("member"), "", tr("largest"), at, tr("smallest"), at});
+    for (std::size_t i = 0; i < model.members.size(); ++i) {
+        const Curve curve = result.curve(MemberId(i));
+        for (const MemberComponent component : components) {
+            const Extremes extremes = curve.extremes(component);
+            table.add_row({component == components.front() ? model.members[i].id : std::string(),
+                           component_header(component, model), extremes.max.value, extremes.max.x, extremes.min.value,
+                           extremes.min.x});
+        }
+    }
+    table.silence_round_off({2, 4});
+    return table;
+}
+
+std::string sign_legend(AnalysisKind kind, const Translator& tr)
+{
+    if (is_truss(kind)) return tr("N is positive in tension");
+    if (kind == AnalysisKind::Grillage) return tr("M is positive when it stretches the lower fibre (-y'), V = dM/dx");
+    if (is_3d(kind))
+        return tr(
+            "N is positive in tension, Mz when it stretches the -y' fibre, My the -z' fibre; Vy = dMz/dx, Vz = dMy/dx");
+    return tr("N is positive in tension, M when it stretches the -y' fibre; V = dM/dx");
+}
+
+std::string equilibrium_text(const Model& model, const Equilibrium& equilibrium, const Translator& tr)
+{
+    const std::vector<Dof> dofs = equilibrium_dofs(model.analysis);
+    std::vector<std::string> headers{""};
+    for (const Dof dof : dofs) headers.push_back(force_header(dof, model.units));
+
+    TextTable table(headers);
+    std::vector<TextTable::Cell> loads{tr("loads")}, reactions{tr("reactions")}, sums{tr("sum")};
+    for (const Dof dof : dofs) {
+        loads.emplace_back(equilibrium.sum_loads[index(dof)]);
+        reactions.emplace_back(equilibrium.sum_reactions[index(dof)]);
+        sums.emplace_back(equilibrium.sum_loads[index(dof)] + equilibrium.sum_reactions[index(dof)]);
+    }
+    table.add_row(std::move(loads));
+    table.add_row(std::move(reactions));
+    table.add_row(std::move(sums));
+    silence_by_dimension(table, dofs, 1);
+    std::array<char, 32> residual{};
+    static_cast<void>(std::snprintf(residual.data(), residual.size(), "%.1e", equilibrium.residual));
+    return section(tr("Equilibrium (moments about the origin)"), table, tr) + "  " +
+           fill(tr("largest force out of balance at a node: {0} of the largest load"),
+                {localized(residual.data(), tr)}) +
+           "\n";
+}
+
+/// Rows of "largest, in case, smallest, in case" under one heading.
+class GoverningTable {
+public:
+    GoverningTable(const Model& model, std::string_view what, const Translator& tr)
+        : model_(model), table_({std::string(what), "", tr("largest"), tr("case"), tr("smallest"), tr("case")})
+    {}
+    void add(const std::string& of, const std::string& component, const GoverningRange& range)
+    {
+        table_.add_row({of, component, range.max.value, model_.case_name(range.max.load_case), range.min.value,
+                        model_.case_name(range.min.load_case)});
+    }
+    const TextTable& table() const { return table_; }
+
+private:
+    const Model& model_;
+    TextTable table_;
+};
+
+TextTable member_envelope(const Model& model, const Envelope& envelope, const std::vector<MemberComponent>& components,
+                          const Translator& tr)
+{
+    const std::string at = with_unit(tr("at x"), dimension::length, model.units);
+    TextTable table({tr("member"), "", tr("largest"), at, tr("case"), tr("smallest"), at, tr("case")});
+    for (std::size_t i = 0; i < model.members.size(); ++i)
+        for (const MemberComponent component : components) {
+            const GoverningExtremes extremes = envelope.extremes(MemberId(i), component);
+            table.add_row({component == components.front() ? model.members[i].id : std::string(),
+                           component_header(component, model), extremes.max.value, extremes.max.x,
+                           model.case_name(extremes.max.load_case), extremes.min.value, extremes.min.x,
+                           model.case_name(extremes.min.load_case)});
+        }
+    table.silence_round_off({2, 5});
+    return table;
+}
+
+TextTable matrix_table(const std::vector<std::string>& rows, const std::vector<std::string>& columns,
+                       const Eigen::MatrixXd& matrix)
+{
+    std::vector<std::string> headers{""};
+    headers.insert(headers.end(), columns.begin(), columns.end());
+    TextTable table(headers);
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+        std::vector<TextTable::Cell> row{rows[static_cast<std::size_t>(i)]};
+        for (Eigen::Index j = 0; j < matrix.cols(); ++j) row.emplace_back(matrix(i, j));
+        table.add_row(std::move(row));
+    }
+    std::vector<std::size_t> numbers(columns.size());
+    std::iota(numbers.begin(), numbers.end(), std::size_t{1});
+    table.silence_round_off(numbers);
+    return table;
+}
+
+/// Names of the member's own displacements: the ends' degrees of freedom with a prime.
+std::vector<std::string> primed(const std::vector<std::string>& dofs)
+{
+    std::vector<std::string> names;
+    for (const std::string& dof : dofs) names.push_back(dof + "'");
+    return names;
+}
+
+std::string equations_text(const MemberTrace& trace, const Translator& tr)
+{
+    TextTable table({tr("row"), tr("place in the system matrix")});
+    for (std::size_t i = 0; i < trace.dofs.size(); ++i)
+        table.add_row({trace.dofs[i],
+                       trace.equations[i] == 0 ? tr("none: held by a support") : std::to_string(trace.equations[i])});
+    return section(tr("Where each row is added"), table, tr);
+}
+
+} // namespace
+
+std::string heading_text(const Model& model, const Results& results, const Translator& tr)
+{
+    std::string text = model.title.empty() ? std::string() : printable(model.title) + "\n";
+    text += fill(tr("Analysis: {0}, linear static; lengths in {1}, forces in {2}, rotations in rad"),
+                 {analysis_name(model.analysis, tr), std::string(name(model.units.length)),
+                  std::string(name(model.units.force))}) +
+            "\n";
+    text += counts(model, tr) + "\n" + indeterminacy_text(results.indeterminacy(), tr) + "\n";
+    for (const Fault& warning : results.warnings()) text += tr("warning") + ": " + message(warning, tr) + "\n";
+    return text;
+}
+
+std::string case_text(const Model& model, const Results& results, CaseId id, const Translator& tr)
+{
+    const CaseResult result = results[id];
+    const std::string title = case_title(model, id, tr);
+    std::string text = "\n" + title + "\n" + std::string(shown_width(title), '=') + "\n";
+    text += section(tr("Displacements of the nodes"), displacement_table(model, result, tr), tr);
+    text += section(tr("Reactions of the supports on the structure"), reaction_table(model, result, tr), tr);
+    text += section(tr("Section forces at the ends of the members") + "\n  (" + sign_legend(model.analysis, tr) + ")",
+                    end_force_table(model, result, tr), tr);
+    text += section(tr("Extreme section forces along the members"),
+                    extremes_table(model, result, shown_forces(model, {result}), tr), tr);
+    text += section(tr("Extreme displacements along the members, in their own axes"),
+                    extremes_table(model, result, local_displacement_components(model.analysis), tr), tr);
+    return text + equilibrium_text(model, result.equilibrium(), tr);
+}
+
+std::string envelope_text(const Model& model, const Results& results, const std::vector<CaseId>& cases,
+                          const Translator& tr)
+{
+    const Envelope envelope(results, cases);
+    GoverningTable displacements(model, tr("node"), tr), reactions(model, tr("node"), tr);
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        std::string id = model.nodes[i].id;
+        for (const Dof dof : dof_list(model.analysis)) {
+            displacements.add(id, displacement_header(dof, model.units), envelope.displacement(NodeId(i), dof));
+            if (results[cases.front()].is_supported(NodeId(i)))
+                reactions.add(id, force_header(dof, model.units), envelope.reaction(NodeId(i), dof));
+            id.clear();
+        }
+    }
+    std::vector<CaseResult> shown;
+    for (const CaseId id : cases) shown.push_back(results[id]);
+    std::string names;
+    for (const CaseId id : cases) names += (names.empty() ? "" : ", ") + model.case_name(id);
+    const std::string title = fill(tr("Envelope of {0}"), {names});
+    return "\n" + title + "\n" + std::string(shown_width(title), '=') + "\n" +
+           section(tr("Displacements of the nodes"), displacements.table(), tr) +
+           section(tr("Reactions of the supports on the structure"), reactions.table(), tr) +
+           section(tr("Extreme section forces along the members"),
+                   member_envelope(model, envelope, shown_forces(model, shown), tr), tr) +
+           section(tr("Extreme displacements along the members, in their own axes"),
+                   member_envelope(model, envelope, local_displacement_components(model.analysis), tr), tr);
+}
+
+std::string trace_text(const MemberTrace& trace, const Units& units, const Translator& tr)
+{
+    const std::vector<std::string> local = primed(trace.dofs);
+    std::string text = fill(tr("Member {0}, length {1}: how it enters the system K u = f"),
+                            {trace.member, localized(quantity_text(trace.length, dimension::length, units), tr)}) +
+                       "\n";
+    text += section(tr("Stiffness k' in the member's own axes"), matrix_table(local, local, trace.local_stiffness), tr);
+    text += section(tr("Transformation T, u' = T u"), matrix_table(local, trace.dofs, trace.transformation), tr);
+    text += section(tr("Stiffness in global axes, k = T^T k' T"),
+                    matrix_table(trace.dofs, trace.dofs, trace.global_stiffness), tr);
+    for (const MemberTrace::FixedEnd& forces : trace.fixed_end) {
+        Eigen::MatrixXd columns(forces.local.size(), 2);
+        columns << forces.local, forces.global;
+        text += section(fill(tr("Fixed-end forces on the member, load case {0}"), {forces.load_case}),
+                        matrix_table(trace.dofs, {tr("own axes"), tr("global axes")}, columns), tr);
+    }
+    return text + equations_text(trace, tr);
+}
+
+} // namespace femoop

@@ -1,0 +1,142 @@
+#include "femoop/io/results/text_table.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace femoop {
+
+namespace {
+
+/// How the numbers of one column are written.
+struct NumberFormat {
+    bool is_scientific = false;
+    int decimals = 0;
+    char mark = '.';
+};
+
+NumberFormat format_for(double largest)
+{
+    if (largest == 0.0) return {};
+    const int exponent = static_cast<int>(std::floor(std::log10(largest)));
+    if (exponent < -4 || exponent > 8) return {true, 5};
+    if (exponent <= 2) return {false, 5 - exponent};
+    return {false, std::max(0, 6 - exponent)};
+}
+
+bool is_zero_text(std::string_view text) { return text.find_first_of("123456789") == std::string_view::npos; }
+
+std::string number(double value, NumberFormat format)
+{
+    if (value == 0.0) return "0";
+    std::array<char, 512> buffer{};
+    const int n = format.is_scientific ? std::snprintf(buffer.data(), buffer.size(), "%.*e", format.decimals, value)
+                                       : std::snprintf(buffer.data(), buffer.size(), "%.*f", format.decimals, value);
+    std::string text(buffer.data(), static_cast<std::size_t>(n));
+    std::replace(text.begin(), text.end(), '.', format.mark);
+    return is_zero_text(text) ? "0" : text;
+}
+
+/// One column, written: every cell as wide as the others.
+class Column {
+public:
+    Column(std::string header, char decimal_mark) : header_(std::move(header)), mark_(decimal_mark) {}
+
+    void add(const TextTable::Cell& cell)
+    {
+        cells_.push_back(cell);
+        if (const double* value = std::get_if<double>(&cell)) {
+            largest_ = std::max(largest_, std::abs(*value));
+            is_numeric_ = true;
+        }
+    }
+
+    std::vector<std::string> lines() const
+    {
+        std::vector<std::string> lines = is_numeric_ ? numbers() : words();
+        std::size_t width = shown_width(header_);
+        for (const std::string& line : lines) width = std::max(width, shown_width(line));
+        lines.insert(lines.begin(), header_);
+        for (std::string& line : lines) line.insert(is_numeric_ ? 0 : line.size(), width - shown_width(line), ' ');
+        return lines;
+    }
+
+private:
+    std::vector<std::string> words() const
+    {
+        std::vector<std::string> lines;
+        for (const TextTable::Cell& cell : cells_) lines.push_back(std::get<std::string>(cell));
+        return lines;
+    }
+
+    /// A lone 0 stands where the other numbers have their units digit.
+    std::vector<std::string> numbers() const
+    {
+        NumberFormat format = format_for(largest_);
+        format.mark = mark_;
+        const std::string tail(static_cast<std::size_t>(format.decimals > 0 ? format.decimals + 1 : 0) +
+                                   (format.is_scientific ? 4U : 0U),
+                               ' ');
+        std::vector<std::string> lines;
+        for (const TextTable::Cell& cell : cells_) {
+            const double* value = std::get_if<double>(&cell);
+            const std::string text = value ? number(*value, format) : std::get<std::string>(cell);
+            lines.push_back(text == "0" ? text + tail : text);
+        }
+        return lines;
+    }
+
+    std::string header_;
+    char mark_;
+    std::vector<TextTable::Cell> cells_;
+    double largest_ = 0.0;
+    bool is_numeric_ = false;
+};
+
+} // namespace
+
+std::size_t shown_width(std::string_view utf8)
+{
+    return static_cast<std::size_t>(std::count_if(
+        utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+void TextTable::add_row(std::vector<Cell> cells)
+{
+    if (cells.size() != headers_.size()) throw std::invalid_argument("TextTable: a row needs as many cells as headers");
+    rows_.push_back(std::move(cells));
+}
+
+void TextTable::silence_round_off(const std::vector<std::size_t>& columns)
+{
+    constexpr double round_off = 1.0e-12;
+    double largest = 0.0;
+    for (const std::vector<Cell>& row : rows_)
+        for (const std::size_t column : columns)
+            if (const double* value = std::get_if<double>(&row[column])) largest = std::max(largest, std::abs(*value));
+    for (std::vector<Cell>& row : rows_)
+        for (const std::size_t column : columns)
+            if (double* value = std::get_if<double>(&row[column]); value && std::abs(*value) < round_off * largest)
+                *value = 0.0;
+}
+
+std::string TextTable::text(std::size_t indent, char decimal_mark) const
+{
+    std::vector<std::string> lines(rows_.size() + 1, std::string(indent, ' '));
+    for (std::size_t c = 0; c < headers_.size(); ++c) {
+        Column column(headers_[c], decimal_mark);
+        for (const std::vector<Cell>& row : rows_) column.add(row[c]);
+        const std::vector<std::string> cells = column.lines();
+        for (std::size_t i = 0; i < lines.size(); ++i) lines[i] += (c == 0 ? "" : "  ") + cells[i];
+    }
+    std::string text;
+    for (std::string& line : lines) {
+        line.erase(line.find_last_not_of(' ') + 1);
+        text += line + '\n';
+    }
+    return text;
+}
+
+} // namespace femoop

@@ -1,0 +1,365 @@
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "femoop/io/json/json_document.h"
+#include "femoop/io/model_file.h"
+#include "femoop/io/reader/names.h"
+#include "femoop/io/writer/object_text.h"
+
+namespace femoop {
+
+namespace {
+
+constexpr std::size_t line_width = 120;
+using Lines = std::vector<std::string>;
+
+template <std::size_t N, class Enum> std::string word(const std::array<std::string_view, N>& names, Enum value)
+{
+    return quoted_json(names.at(static_cast<std::size_t>(value)));
+}
+
+void add_if(ObjectText& object, std::string_view key, const std::optional<Quantity>& value)
+{
+    if (value) object.add(key, *value);
+}
+
+void add_if(ObjectText& object, std::string_view key, bool value)
+{
+    if (value) object.add(key, "true");
+}
+
+std::string json_text(const Position& position)
+{
+    if (const auto* const percent = std::get_if<Percent>(&position)) return '"' + json_text(percent->value) + "%\"";
+    return json_text(std::get<Quantity>(position));
+}
+
+void add_if(ObjectText& object, std::string_view key, const std::optional<Position>& position)
+{
+    if (position) object.add(key, json_text(*position));
+}
+
+std::string text_of(const Material& material)
+{
+    ObjectText object;
+    object.add_text("id", material.id).add("E", material.E);
+    add_if(object, "nu", material.nu);
+    add_if(object, "G", material.G);
+    add_if(object, "alpha", material.alpha);
+    add_if(object, "density", material.density);
+    add_if(object, "fy", material.fy);
+    return object.str();
+}
+
+void add(ObjectText& object, const Shape& shape)
+{
+    object.add("shape", word(names::shapes, shape.kind));
+    add_if(object, "h", shape.h);
+    add_if(object, "b", shape.b);
+    add_if(object, "d", shape.d);
+    add_if(object, "t", shape.t);
+    add_if(object, "bf", shape.bf);
+    add_if(object, "tf", shape.tf);
+    add_if(object, "tw", shape.tw);
+}
+
+std::string text_of(const Section& section)
+{
+    ObjectText object;
+    object.add_text("id", section.id);
+    if (section.shape) add(object, *section.shape);
+    if (section.profile) object.add_text("profile", *section.profile);
+    add_if(object, "A", section.A);
+    add_if(object, "Iz", section.Iz);
+    add_if(object, "Iy", section.Iy);
+    add_if(object, "J", section.J);
+    add_if(object, "Asy", section.Asy);
+    add_if(object, "Asz", section.Asz);
+    const bool has_own_depth = section.shape && section.shape->h; // then "h" is the shape's, and stands already
+    if (!has_own_depth) add_if(object, "h", section.h);
+    add_if(object, "yc", section.yc);
+    return object.str();
+}
+
+std::string text_of(DofSet dofs)
+{
+    Lines names;
+    for (const Dof dof : all_dofs)
+        if (dofs.contains(dof)) names.push_back(quoted_json(name(dof)));
+    return json_list(names);
+}
+
+std::string text_of(const std::vector<Spring>& springs)
+{
+    ObjectText object;
+    for (const Spring& spring : springs) object.add(name(spring.dof), spring.stiffness);
+    return object.str();
+}
+
+std::string text_of(const Support& support, AnalysisKind analysis)
+{
+    const bool is_turned = support.angle.has_text() || support.angle.value() != 0.0;
+    if (support.kind != SupportKind::Custom && !is_turned && support.springs.empty())
+        return quoted_json(names::supports.at(static_cast<std::size_t>(support.kind) - 1));
+    ObjectText object;
+    const DofSet fixed = support.kind == SupportKind::Custom ? support.fixed : support.blocked(analysis);
+    if (!fixed.is_empty()) object.add("fixed", text_of(fixed));
+    if (is_turned) object.add("angle", support.angle);
+    if (!support.springs.empty()) object.add("springs", text_of(support.springs));
+    return object.str();
+}
+
+void add(ObjectText& object, const std::vector<Component>& components,
+         const std::array<std::string_view, n_dofs>& names, const std::string& prefix = "")
+{
+    for (const Component& component : components)
+        object.add(prefix + std::string(names[index(component.dof)]), component.value);
+}
+
+std::string text_of(const Node& node, AnalysisKind analysis)
+{
+    Lines at;
+    for (std::size_t i = 0; i < n_coordinates(analysis); ++i) at.push_back(json_text(node.at[i]));
+    ObjectText object;
+    object.add_text("id", node.id).add("at", json_list(at));
+    if (node.support) object.add("support", text_of(*node.support, analysis));
+    add_if(object, "hinge", node.hinge);
+    ObjectText mass;
+    add(mass, node.mass, names::displacements);
+    if (!mass.is_empty()) object.add("mass", mass.str());
+    return object.str();
+}
+
+std::string list_of(const std::vector<Quantity>& quantities)
+{
+    Lines texts;
+    for (const Quantity& quantity : quantities) texts.push_back(json_text(quantity));
+    return json_list(texts);
+}
+
+void add_if(ObjectText& object, std::string_view key, const MemberEnd& end)
+{
+    ObjectText inner;
+    if (!end.release.is_empty()) inner.add("release", text_of(end.release));
+    if (!end.springs.empty()) inner.add("spring", text_of(end.springs));
+    if (!end.offset.empty()) inner.add("offset", list_of(end.offset));
+    if (!inner.is_empty()) object.add(key, inner.str());
+}
+
+std::string text_of(const Member& member, const Model& model)
+{
+    const auto node = [&](NodeId id) { return quoted_json(model.nodes.at(id.index).id); };
+    ObjectText object;
+    object.add_text("id", member.id).add("nodes", json_list({node(member.nodes[0]), node(member.nodes[1])}));
+    if (member.material) object.add_text("material", model.materials.at(member.material->index).id);
+    if (member.section) object.add_text("section", model.sections.at(member.section->index).id);
+    add_if(object, "start", member.start);
+    add_if(object, "end", member.end);
+    if (member.theory != BeamTheory::EulerBernoulli) object.add("theory", word(names::theories, member.theory));
+    add_if(object, "inextensible", member.inextensible);
+    add_if(object, "unshearable", member.unshearable);
+    add_if(object, "rigid", member.rigid);
+    add_if(object, "bar", member.bar);
+    add_if(object, "tension_only", member.tension_only);
+    add_if(object, "compression_only", member.compression_only);
+    if (member.foundation) object.add("foundation", ObjectText().add("y", *member.foundation).str());
+    if (!member.up.empty()) object.add("up", list_of(member.up));
+    return object.str();
+}
+
+void add_axes(ObjectText& object, LoadAxes axes)
+{
+    if (axes == LoadAxes::Local) object.add("axes", word(names::axes, axes));
+}
+
+void add(ObjectText& object, const DistributedLoad& load)
+{
+    object.add("kind", word(names::member_loads, 0));
+    for (const DistributedLoad::Value& value : load.values) {
+        const std::string start = json_text(value.start);
+        object.add(names::line_loads[index(value.dof)], value.end ? json_list({start, json_text(*value.end)}) : start);
+    }
+    add_if(object, "from", load.from);
+    add_if(object, "to", load.to);
+    add_axes(object, load.axes);
+    add_if(object, "projected", load.projected);
+}
+
+void add(ObjectText& object, const PointLoad& load)
+{
+    object.add("kind", word(names::member_loads, 1)).add("at", json_text(load.at));
+    add(object, load.components, names::nodal_forces);
+    add_axes(object, load.axes);
+}
+
+void add(ObjectText& object, const EndLoads& load)
+{
+    object.add("kind", word(names::member_loads, 2));
+    add(object, load.start, names::nodal_forces, "start_");
+    add(object, load.end, names::nodal_forces, "end_");
+    add_axes(object, load.axes);
+}
+
+void add(ObjectText& object, const TemperatureLoad& load)
+{
+    object.add("kind", word(names::member_loads, 3)).add("top", load.top).add("bottom", load.bottom);
+}
+
+void add(ObjectText& object, const Misfit& load)
+{
+    object.add("kind", word(names::member_loads, 4)).add("elongation", load.elongation);
+}
+
+std::string text_of(const MemberLoad& load, const Model& model)
+{
+    ObjectText object;
+    object.add_text("member", model.members.at(load.member.index).id);
+    std::visit([&](const auto& kind) { add(object, kind); }, load.load);
+    return object.str();
+}
+
+/// A list with an entry a line, indented by `indent`.
+std::string lines_text(const Lines& lines, std::size_t indent)
+{
+    if (lines.empty()) return "[]";
+    const std::string margin(indent, ' ');
+    std::string text = "[";
+    for (const std::string& line : lines) text += (text.size() > 1 ? ",\n" : "\n") + margin + "  " + line;
+    return text + '\n' + margin + ']';
+}
+
+/// A load case on one line if it fits, else with a load a line.
+std::string text_of(const LoadCase& load_case, const Model& model)
+{
+    ObjectText object;
+    object.add_text("id", load_case.id);
+    if (load_case.self_weight != 0.0) object.add("self_weight", json_text(load_case.self_weight));
+    const auto node = [&](NodeId id) -> const std::string& { return model.nodes.at(id.index).id; };
+    std::vector<std::pair<std::string_view, Lines>> lists{{"nodes", {}}, {"settlements", {}}, {"members", {}}};
+    for (const NodeLoad& load : load_case.nodes) {
+        ObjectText line;
+        line.add_text("node", node(load.node));
+        add(line, load.components, names::nodal_forces);
+        lists[0].second.push_back(line.str());
+    }
+    for (const Settlement& settlement : load_case.settlements) {
+        ObjectText line;
+        line.add_text("node", node(settlement.node));
+        add(line, settlement.components, names::displacements);
+        lists[1].second.push_back(line.str());
+    }
+    for (const MemberLoad& load : load_case.members) lists[2].second.push_back(text_of(load, model));
+
+    std::string narrow = object.str();
+    narrow.pop_back();
+    std::size_t width = narrow.size();
+    for (const auto& [key, lines] : lists) {
+        if (lines.empty()) continue;
+        narrow += ",\n     \"" + std::string(key) + "\": " + lines_text(lines, 5);
+        const std::string list = json_list(lines);
+        width += key.size() + 6 + list.size();
+        if (width < line_width) object.add(key, list);
+    }
+    return width < line_width ? object.str() : narrow + '}';
+}
+
+std::string text_of(const Combination& combination, const Model& model)
+{
+    ObjectText factors;
+    for (const Combination::Term& term : combination.terms)
+        factors.add(model.case_name(term.of), json_text(term.factor));
+    return ObjectText().add_text("id", combination.id).add("factors", factors.str()).str();
+}
+
+std::string text_of(const Expected& check, const Model& model)
+{
+    ObjectText object;
+    if (check.load_case) object.add_text("case", model.case_name(*check.load_case));
+    if (check.analysis != ExpectedAnalysis::Linear)
+        object.add("analysis", word(names::expected_analyses, check.analysis));
+    object.add("quantity", word(names::quantities, check.quantity));
+    if (check.node) object.add_text("node", model.nodes.at(check.node->index).id);
+    if (check.member) object.add_text("member", model.members.at(check.member->index).id);
+    if (check.component) object.add_text("component", name(*check.component, model.analysis));
+    if (check.dof) {
+        const bool is_force = check.quantity == ExpectedQuantity::Reaction;
+        object.add_text("component", is_force ? force_name(*check.dof) : name(*check.dof));
+    }
+    add_if(object, "at", check.at);
+    if (check.side) object.add("side", word(names::sides, *check.side));
+    if (check.extreme) object.add("which", word(names::extremes, *check.extreme));
+    if (check.mode) object.add("which", std::to_string(*check.mode));
+    object.add("value", check.value);
+    if (check.rtol) object.add("rtol", json_text(*check.rtol));
+    add_if(object, "atol", check.atol);
+    if (!check.source.empty()) object.add_text("source", check.source);
+    return object.str();
+}
+
+/// The whole file: a key of the outermost object a line.
+class FileText {
+public:
+    void add(std::string_view key, const std::string& json)
+    {
+        text_ += (text_.size() > 1 ? ",\n  \"" : "\n  \"") + std::string(key) + "\": " + json;
+    }
+    void add_text(std::string_view key, const std::string& value)
+    {
+        if (!value.empty()) add(key, quoted_json(value));
+    }
+    template <class List, class... Context>
+    void add_list(std::string_view key, const List& list, const Context&... context)
+    {
+        Lines lines;
+        for (const auto& entry : list) lines.push_back(text_of(entry, context...));
+        add(key, lines_text(lines, 2));
+    }
+    template <class List, class... Context>
+    void add_if(std::string_view key, const List& list, const Context&... context)
+    {
+        if (!list.empty()) add_list(key, list, context...);
+    }
+    std::string str() const { return text_ + "\n}\n"; }
+
+private:
+    std::string text_ = "{";
+};
+
+std::string pretty(const ExtraBlock& block)
+{
+    const JsonReading json = parse_json(block.json);
+    if (!json.document) throw std::invalid_argument("write_model: block \"" + block.key + "\" does not hold JSON");
+    return pretty_json(json.document->root(), 2, line_width);
+}
+
+} // namespace
+
+std::string write_model(const Model& model)
+{
+    FileText file;
+    file.add("cremona", "1");
+    file.add_text("title", model.title);
+    file.add_text("notes", model.notes);
+    file.add("analysis", word(names::analyses, model.analysis));
+    file.add("units", ObjectText()
+                          .add("length", word(names::lengths, model.units.length))
+                          .add("force", word(names::forces, model.units.force))
+                          .str());
+    if (model.mass) file.add("mass", word(names::masses, *model.mass));
+    file.add_if("materials", model.materials);
+    file.add_if("sections", model.sections);
+    file.add_list("nodes", model.nodes, model.analysis);
+    file.add_list("members", model.members, model);
+    file.add_if("load_cases", model.load_cases, model);
+    file.add_if("combinations", model.combinations, model);
+    for (const ExtraBlock& block : model.extra) file.add(block.key, pretty(block));
+    file.add_if("expected", model.expected, model);
+    return file.str();
+}
+
+} // namespace femoop

@@ -1,0 +1,98 @@
+#include "femoop/model/check/checker.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "femoop/model/quantity/number_text.h"
+
+namespace femoop {
+
+std::string Entry::text() const
+{
+    std::string text(list);
+    text += '[' + std::to_string(index) + ']';
+    return id.empty() ? text : text + " \"" + std::string(id) + '"';
+}
+
+std::vector<Fault> Checker::run(Thoroughness thoroughness)
+{
+    if (unreadable_.header) return {};
+    has_member_.assign(model_.nodes.size(), false);
+    check_ids();
+    check_materials();
+    check_sections();
+    check_nodes();
+    check_members();
+    check_load_cases();
+    check_combinations();
+    check_expected();
+    if (thoroughness == Thoroughness::Errors) return std::move(faults_);
+    if (!is_incomplete_) check_use();
+    check_coincident_nodes();
+    check_crossings();
+    return std::move(faults_);
+}
+
+void Checker::add(FaultKind kind, const Entry& place, std::vector<std::string> details)
+{
+    details.insert(details.begin(), place.text());
+    faults_.push_back({kind, std::move(details)});
+}
+
+std::string Checker::shown(const Quantity& quantity, Dimension dimension) const
+{
+    return quantity.has_text() ? std::string(quantity.text())
+                               : quantity_text(quantity.value(), dimension, model_.units);
+}
+
+std::string Checker::shown(Point point) const
+{
+    const auto rounded = [](double x) { // twelve digits find any place again
+        std::array<char, 32> digits{};
+        const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), x,
+                                                std::chars_format::general, 12);
+        std::from_chars(digits.data(), end, x);
+        return number_text(x);
+    };
+    std::string text = "(" + rounded(point[0]) + ", " + rounded(point[1]);
+    if (is_3d(model_.analysis)) text += ", " + rounded(point[2]);
+    return text + ") " + std::string(name(model_.units.length));
+}
+
+bool Checker::require_finite(const Entry& place, std::string_view key, double value)
+{
+    if (std::isfinite(value)) return true;
+    add(FaultKind::NotFinite, place, {std::string(key), number_text(value)});
+    return false;
+}
+
+void Checker::require_positive(const Entry& place, std::string_view key, const Quantity& value, Dimension dimension)
+{
+    if (require_finite(place, key, value) && value <= 0.0)
+        add(FaultKind::NotPositive, place, {std::string(key), shown(value, dimension)});
+}
+
+void Checker::require_stiffness(const Entry& place, std::string_view key, const Quantity& value, Dimension dimension)
+{
+    if (value.value() == 0.0) add(FaultKind::ZeroStiffness, place, {std::string(key), shown(value, dimension)});
+    else require_positive(place, key, value, dimension);
+}
+
+void Checker::require_not_negative(const Entry& place, std::string_view key, const Quantity& value, Dimension dimension)
+{
+    if (require_finite(place, key, value) && value < 0.0)
+        add(FaultKind::Negative, place, {std::string(key), shown(value, dimension)});
+}
+
+void Checker::require_distinct(const Entry& place, const std::vector<Component>& components)
+{
+    DofSet seen;
+    for (const Component& component : components) {
+        if (seen.contains(component.dof)) add(FaultKind::RepeatedComponent, place, {std::string(name(component.dof))});
+        seen.insert(component.dof);
+    }
+}
+
+} // namespace femoop

@@ -1,0 +1,135 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "femoop/model/check/check_parts.h"
+#include "femoop/model/fault/fault.h"
+#include "femoop/model/model.h"
+#include "femoop/model/quantity/dimension.h"
+
+namespace femoop {
+
+/// An entry of a list, as faults name it: members[2] "BC". Its words are put together only for a fault.
+struct Entry {
+    std::string_view list;
+    std::size_t index = 0;
+    std::string_view id;
+
+    std::string text() const;
+};
+
+/// Goes through a model part by part and writes down what is wrong with it.
+class Checker {
+public:
+    Checker(const Model& model, const Unreadable& unreadable)
+        : model_(model), unreadable_(unreadable), is_incomplete_(unreadable.is_incomplete)
+    {}
+    std::vector<Fault> run(Thoroughness thoroughness);
+
+private:
+    using Point = std::array<double, 3>;
+    struct Axis {
+        Point start{}, end{};
+        double length = 0.0;
+    };
+    enum class End : std::uint8_t { Start, Finish };
+
+    // checker.cpp
+    void add(FaultKind kind, const Entry& place, std::vector<std::string> details);
+    std::string shown(const Quantity& quantity, Dimension dimension) const; ///< as typed, else with its unit
+    std::string shown(Point point) const;
+    std::string analysis() const { return std::string(name(model_.analysis)); }
+    bool require_finite(const Entry& place, std::string_view key, double value);
+    void require_positive(const Entry& place, std::string_view key, const Quantity& value, Dimension dimension);
+    void require_stiffness(const Entry& place, std::string_view key, const Quantity& value, Dimension dimension);
+    void require_not_negative(const Entry& place, std::string_view key, const Quantity& value, Dimension dimension);
+    void require_distinct(const Entry& place, const std::vector<Component>& components);
+    bool is_readable(NodeId id) const { return id.index < model_.nodes.size() && !flag(unreadable_.nodes, id.index); }
+    bool is_readable(MemberId id) const
+    {
+        return id.index < model_.members.size() && !flag(unreadable_.members, id.index);
+    }
+    bool is_readable(MaterialId id) const
+    {
+        return id.index < model_.materials.size() && !flag(unreadable_.materials, id.index);
+    }
+    bool is_readable(SectionId id) const
+    {
+        return id.index < model_.sections.size() && !flag(unreadable_.sections, id.index);
+    }
+    static bool flag(const std::vector<bool>& flags, std::size_t i) { return i < flags.size() && flags[i]; }
+    static bool flag(const std::vector<std::vector<bool>>& flags, std::size_t i, std::size_t j)
+    {
+        return i < flags.size() && flag(flags[i], j);
+    }
+
+    // structure_check.cpp
+    void check_ids();
+    void check_names(const std::vector<Entry>& entries);
+    bool has_references(const Member& member, const Entry& place);
+    void check_materials();
+    void check_material(const Material& material, const Entry& place);
+    void check_sections();
+    void check_section(const Section& section, const Entry& place);
+    void check_nodes();
+    void check_node(const Node& node, const Entry& place);
+    void check_support(const Support& support, const Entry& place);
+    void check_members();
+    void check_member(const Member& member, const Entry& place);
+    void check_length(const Member& member, const Entry& place);
+    void check_up(const Member& member, const Entry& place);
+    void check_end(const Member& member, End which, const Entry& place);
+    void check_section_for(const Member& member);
+    void check_use();
+    static Axis with_length(Axis axis);
+    Axis axis(const Member& member) const;      ///< of the part between the offsets
+    Axis node_axis(const Member& member) const; ///< from node to node
+
+    // shape_check.cpp
+    void check_shape(const Shape& shape, const Entry& place);
+    void check_profile(const std::string& profile, const Entry& place);
+
+    // load_check.cpp
+    void check_load_cases();
+    void check_self_weight(const LoadCase& load_case, const Entry& place);
+    void check_load(const NodeLoad& load, const Entry& place);
+    void check_load(const Settlement& settlement, const Entry& place);
+    void check_load(const MemberLoad& load, const Entry& place);
+    void check_span(const DistributedLoad& load, const Member& member, const Entry& place);
+    void check_span(const PointLoad& load, const Member& member, const Entry& place);
+    void check_span(const EndLoads& load, const Member& member, const Entry& place);
+    void check_span(const TemperatureLoad& load, const Member& member, const Entry& place);
+    void check_span(const Misfit& load, const Member& member, const Entry& place);
+    void check_load_dof(Dof dof, LoadAxes axes, std::string_view component, const Entry& place);
+    std::optional<double> check_position(const Position& position, std::string_view key, const Member& member,
+                                         const Entry& place);
+    void check_combinations();
+    void check_circles();
+    void add_circle(const std::vector<std::size_t>& path, std::size_t again);
+
+    // expected_check.cpp
+    void check_expected();
+    void check_expected(const Expected& check, const Entry& place);
+
+    // geometry_check.cpp
+    void check_coincident_nodes();
+    void check_crossings();
+
+    const Model& model_;
+    const Unreadable& unreadable_;
+    std::vector<Fault> faults_;
+    bool is_incomplete_ = false; ///< what looks unused may be meant where a fault is
+    bool has_repeated_id_ = false;
+    std::vector<bool> has_member_;                              ///< per node
+    std::set<std::pair<std::uint32_t, std::string_view>> said_; ///< section and property that it lacks
+};
+
+} // namespace femoop

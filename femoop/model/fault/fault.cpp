@@ -1,0 +1,124 @@
+#include "femoop/model/fault/fault.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace femoop {
+
+namespace {
+
+constexpr char list_separator = '\x1f'; // the unit separator of ASCII: no id contains it
+
+std::string spelled_out(const std::string& argument, std::string_view conjunction)
+{
+    std::string text;
+    const std::size_t last = argument.rfind(list_separator);
+    for (std::size_t i = 0; i < argument.size(); ++i) {
+        if (argument[i] != list_separator) text += argument[i];
+        else if (i == last) text.append(" ").append(conjunction).append(" ");
+        else text += ", ";
+    }
+    return printable(text);
+}
+
+} // namespace
+
+std::string printable(std::string_view text)
+{
+    static constexpr std::string_view hex = "0123456789abcdef";
+    std::string shown;
+    for (const char c : text) {
+        const auto code = static_cast<unsigned char>(c);
+        if (code >= 0x20U && code != 0x7FU) shown += c;
+        else shown += {'\\', 'u', '0', '0', hex[code / 16U], hex[code % 16U]};
+    }
+    return shown;
+}
+
+std::string listed(const std::vector<std::string>& names)
+{
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : std::string(1, list_separator)) + name;
+    return text;
+}
+
+std::string fill(std::string_view pattern, const std::vector<std::string>& arguments, std::string_view conjunction)
+{
+    std::string text;
+    for (std::size_t i = 0; i < pattern.size(); ++i) {
+        const bool is_place = pattern[i] == '{' && i + 2 < pattern.size() && pattern[i + 2] == '}';
+        const auto place = is_place ? static_cast<std::size_t>(pattern[i + 1] - '0') : arguments.size();
+        if (place < arguments.size()) {
+            text += spelled_out(arguments[place], conjunction);
+            i += 2;
+        } else {
+            text += pattern[i];
+        }
+    }
+    return text;
+}
+
+bool is_word(FaultKind kind, std::size_t argument)
+{
+    switch (kind) {
+    case FaultKind::QuantityWrongDimension: return argument == 2 || argument == 3;
+    case FaultKind::QuantityUnwantedUnit: return argument == 2;
+    case FaultKind::WrongType: return argument == 1 || argument == 2;
+    case FaultKind::WrongTypeText: return argument == 2;
+    case FaultKind::FileUnreadable:
+    case FaultKind::FileUnwritable: return argument == 1;
+    default: return false;
+    }
+}
+
+namespace {
+
+/// A dimension without a name of its own is put together of single words: force^2*length.
+std::string word_by_word(std::string_view text, const Translator& tr)
+{
+    const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
+    std::string translated;
+    while (!text.empty()) {
+        const auto end = std::find_if_not(text.begin(), text.end(), is_letter) - text.begin();
+        const std::size_t length = std::max<std::size_t>(static_cast<std::size_t>(end), 1);
+        translated += end == 0 ? std::string(1, text.front()) : tr(text.substr(0, length));
+        text.remove_prefix(length);
+    }
+    return translated;
+}
+
+std::string translated_word(std::string_view text, const Translator& tr)
+{
+    std::string translated = tr(text);
+    const bool is_put_together = text.find(' ') == std::string_view::npos && translated == text;
+    return is_put_together ? word_by_word(text, tr) : translated;
+}
+
+} // namespace
+
+std::string message(const Fault& fault, const Translator& tr)
+{
+    const std::string_view plain = pattern(fault.kind);
+    const std::string sentence = tr(plain);
+    std::vector<std::string> arguments = fault.arguments;
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+        if (is_word(fault.kind, i)) arguments[i] = translated_word(arguments[i], tr);
+    // A sentence that has no translation keeps its own conjunction.
+    return fill(sentence, arguments, sentence == plain ? std::string("and") : tr(translatable("and")));
+}
+
+namespace {
+
+std::string sentences(const std::vector<Fault>& faults)
+{
+    std::string text;
+    for (const Fault& fault : faults) text += (text.empty() ? "" : "\n") + message(fault);
+    return text;
+}
+
+} // namespace
+
+ModelError::ModelError(std::vector<Fault> faults) : std::runtime_error(sentences(faults)), faults_(std::move(faults)) {}
+
+} // namespace femoop

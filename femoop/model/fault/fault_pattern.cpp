@@ -1,0 +1,275 @@
+#include "femoop/model/fault/fault.h"
+
+namespace femoop {
+
+std::string_view pattern(FaultKind kind)
+{
+    switch (kind) {
+    case FaultKind::MechanismSwayX:
+        return "structure can move without strain: nodes {0} sway to the right together; nothing holds ux; add a brace "
+               "or "
+               "a support";
+    case FaultKind::MechanismSwayY:
+        return "structure can move without strain: nodes {0} move along y together; nothing holds uy; add a brace or a "
+               "support";
+    case FaultKind::MechanismSwayZ:
+        return "structure can move without strain: nodes {0} move up together; nothing holds uz; add a brace or a "
+               "support";
+    case FaultKind::MechanismMoveX:
+        return "structure can move without strain: node {0} moves along x; nothing holds ux; add a brace or a support";
+    case FaultKind::MechanismMoveY:
+        return "structure can move without strain: node {0} moves along y; nothing holds uy; add a brace or a support";
+    case FaultKind::MechanismMoveZ:
+        return "structure can move without strain: node {0} moves along z; nothing holds uz; add a brace or a support";
+    case FaultKind::MechanismMoveOblique:
+        return "structure can move without strain: {0} can move along {1}; add a brace or a support";
+    case FaultKind::MechanismTurn:
+        return "structure can move without strain: nodes {0} turn together about {1}; add a support, a brace or a "
+               "rigid "
+               "joint";
+    case FaultKind::MechanismSpin:
+        return "structure can move without strain: node {0} rotates freely, nothing holds {1}; add a support or a "
+               "rigid "
+               "joint, or take the moment away";
+    case FaultKind::MechanismSpins:
+        return "structure can move without strain: {0} rotate freely; add a support or a rigid joint against the "
+               "rotation";
+    case FaultKind::MechanismMixed:
+        return "structure can move without strain: nodes {0} move; add a brace, a support or a rigid joint";
+    case FaultKind::MechanismMemberFlies:
+        return "structure can move without strain: member {0} is loose, its releases leave {1} free; take a release "
+               "away";
+    case FaultKind::ConstraintConflict:
+        return "case {1}: {0} cannot follow the imposed settlement, temperature or misfit, being inextensible or "
+               "rigid; take one such constraint away";
+    case FaultKind::StiffnessBeyondRange:
+        return "the stiffness at {0} is beyond the range of numbers; check E, the sections, the lengths and their "
+               "units";
+    case FaultKind::ResultsBeyondRange:
+        return "case {0}: its forces or displacements are beyond the range of numbers; check the loads, the lengths "
+               "and "
+               "their units";
+    case FaultKind::NearlySingular:
+        return "structure is nearly a mechanism: condition estimate {0}, softest at {1}; results may have few correct "
+               "digits; check supports, releases and very small stiffnesses";
+
+    case FaultKind::FileUnreadable: return "cannot read {0}: {1}";
+    case FaultKind::FileUnwritable: return "cannot write {0}: {1}";
+    case FaultKind::FileEmpty:
+        return "the file is empty; a model file is a JSON object that begins {\"cremona\": 1, ...}";
+    case FaultKind::FileNotUtf8:
+        return "line {0}, column {1}: byte {2} is not UTF-8 text; save the file as UTF-8 (a model file is plain text)";
+    case FaultKind::FileWithControlCharacter:
+        return "line {0}, column {1}: control character {2}; a model file is plain text: is this another kind of file?";
+    case FaultKind::JsonTooDeep:
+        return "line {0}, column {1}: brackets nest deeper than {2}; no model file needs that: look for a bracket that "
+               "is "
+               "never closed";
+    case FaultKind::JsonCutOff:
+        return "line {0}, column {1}: the file ends here with brackets or quotation marks still open; is it cut off?";
+    case FaultKind::JsonOpenText: return "line {0}, column {1}: text without a closing quotation mark";
+    case FaultKind::JsonComment: return "line {0}, column {1}: found {2}; JSON has no comments: use \"notes\"";
+    case FaultKind::JsonSingleQuotes: return "line {0}, column {1}: found {2}; write text in double quotation marks";
+    case FaultKind::JsonTrailingComma: return "line {0}, column {1}: comma before {2}; take the comma away";
+    case FaultKind::JsonMissingComma: return "line {0}, column {1}: a comma is missing before {2}";
+    case FaultKind::JsonNotFinite: return "line {0}, column {1}: found {2}; write a finite number";
+    case FaultKind::JsonSpelling: return "line {0}, column {1}: found {2}; write {3}";
+    case FaultKind::JsonNoNumber:
+        return "line {0}, column {1}: found {2}, which is no number; write it like -12.5 or 3e-4";
+    case FaultKind::JsonBareQuantity:
+        return "line {0}, column {1}: found {2}; write a number with its unit in quotation marks, like \"12.5 kN\"";
+    case FaultKind::JsonBareText: return "line {0}, column {1}: found {2}; write keys and texts between two \" marks";
+    case FaultKind::JsonDecimalComma: return "line {0}, column {1}: found {2}; write a decimal point: {3}";
+    case FaultKind::JsonNumberTooLarge:
+        return "line {0}, column {1}: {2} is beyond the range of numbers (1.8e308); write a smaller one";
+    case FaultKind::JsonAfterEnd:
+        return "line {0}, column {1}: found {2} after the end of the model; a file holds one JSON object";
+    case FaultKind::JsonUnexpected: return "line {0}, column {1}: found {2}, which JSON does not allow here";
+    case FaultKind::RepeatedKey: return "{0}: key is given twice in one object; keep one of them";
+
+    case FaultKind::RepeatedDof: return "{0}: \"{1}\" stands at {2} already; keep one of them";
+
+    case FaultKind::WrongType: return "{0}: found {1}, wanted {2}";
+    case FaultKind::WrongTypeText: return "{0}: found a text {1}, wanted {2}";
+    case FaultKind::UnknownKey: return "{0}: unknown key; known here: {1}";
+    case FaultKind::UnknownKeyNear: return "{0}: unknown key; did you mean \"{1}\"?";
+    case FaultKind::MissingKey: return "{0}: \"{1}\" is missing; add it";
+    case FaultKind::UnknownFormat: return "cremona: found format {0}; this program reads format 1";
+    case FaultKind::UnknownChoice: return "{0}: \"{1}\" is none of {2}";
+    case FaultKind::UnknownChoiceNear: return "{0}: \"{1}\" is none of {2}; did you mean \"{3}\"?";
+    case FaultKind::WrongCoordinateCount: return "{0}: found {1} lengths, wanted {2} in {3}";
+    case FaultKind::WrongNodeCount: return "{0}: joins {1} nodes, wanted 2; name the first and the second";
+    case FaultKind::WrongVectorSize: return "{0}: found {1} numbers, wanted 3 (x, y, z)";
+    case FaultKind::WrongLineLoadSize:
+        return "{0}: found {1} values, wanted one number or two [value at \"from\", value at \"to\"]";
+    case FaultKind::BadPercentage: return "{0}: cannot read \"{1}\" as a percentage; write it like \"50%\"";
+    case FaultKind::BadMode: return "{0}: found {1}, wanted the number of a mode (1, 2, ...), \"max\" or \"min\"";
+    case FaultKind::SizeWithoutShape: return "{0}: \"{1}\" is the size of a shape; add \"shape\" or take \"{1}\" away";
+    case FaultKind::NoSuchNode: return "{0}: no node \"{1}\"; add the node or name another";
+    case FaultKind::NoSuchNodeNear: return "{0}: no node \"{1}\"; did you mean \"{2}\"?";
+    case FaultKind::NoSuchMember: return "{0}: no member \"{1}\"; add the member or name another";
+    case FaultKind::NoSuchMemberNear: return "{0}: no member \"{1}\"; did you mean \"{2}\"?";
+    case FaultKind::NoSuchMaterial: return "{0}: no material \"{1}\"; add the material or name another";
+    case FaultKind::NoSuchMaterialNear: return "{0}: no material \"{1}\"; did you mean \"{2}\"?";
+    case FaultKind::NoSuchSection: return "{0}: no section \"{1}\"; add the section or name another";
+    case FaultKind::NoSuchSectionNear: return "{0}: no section \"{1}\"; did you mean \"{2}\"?";
+    case FaultKind::NoSuchCase: return "{0}: no load case or combination \"{1}\"; add it or name another";
+    case FaultKind::NoSuchCaseNear: return "{0}: no load case or combination \"{1}\"; did you mean \"{2}\"?";
+
+    case FaultKind::QuantityWithoutNumber:
+        return "{0}: \"{1}\" does not begin with a number; write a number and its unit, like \"{2}\"";
+    case FaultKind::QuantityWithoutUnit:
+        return "{0}: \"{1}\" has no unit; write \"{2}\" for example, or a number without quotation marks";
+    case FaultKind::QuantityWithComma: return "{0}: \"{1}\" has a comma; write a decimal point";
+    case FaultKind::QuantityBadUnit:
+        return "{0}: \"{1}\": cannot read the unit at \"{2}\"; join units with * / and ^, like kN*m/rad or cm^4";
+    case FaultKind::QuantityUnknownUnit:
+        return "{0}: \"{1}\": no unit \"{2}\"; there are m mm cm km in ft, N kN MN lbf kip tf kgf, Pa kPa MPa GPa psi "
+               "ksi, "
+               "kg g t lb, s ms Hz, deg rad, K degC degF";
+    case FaultKind::QuantityUnknownUnitNear: return "{0}: \"{1}\": no unit \"{2}\"; did you mean \"{3}\"?";
+    case FaultKind::QuantityWrongDimension: return "{0}: \"{1}\" measures {2}, wanted {3}, in {4} for example";
+    case FaultKind::QuantityUnwantedUnit: return "{0}: \"{1}\" measures {2}, wanted a plain number; take the unit away";
+    case FaultKind::QuantityTooLarge: return "{0}: \"{1}\" is beyond the range of numbers; write a smaller one";
+
+    case FaultKind::EmptyId: return "{0}: \"id\" is empty; give it a name";
+    case FaultKind::ControlCharacterInId:
+        return "{0}: the id has a control character, such as a line break or a tab; use letters, digits and blanks";
+    case FaultKind::RepeatedId: return "{0}: the id is taken by {1} already; choose another";
+    case FaultKind::DanglingReference:
+        return "{0}: refers to entry {2} of {1}, which has {3}; refer to one that is there";
+    case FaultKind::NotFinite: return "{0}: {1} is {2}; give a finite number";
+    case FaultKind::NotPositive: return "{0}: {1} is {2}; give a value greater than 0";
+    case FaultKind::Negative: return "{0}: {1} is {2}; give 0 or a positive value";
+    case FaultKind::ZeroStiffness:
+        return "{0}: {1} is {2}, which holds nothing; take it away or give a value greater than 0";
+    case FaultKind::ZeroEndSpring:
+        return "{0}: {1} is {2}, which is a full release; write \"release\": [\"{3}\"] or give a value greater than 0";
+    case FaultKind::RepeatedComponent: return "{0}: {1} is given twice; keep one";
+    case FaultKind::PoissonOutOfRange: return "{0}: nu is {1}; give a value greater than -1 and at most 0.5";
+    case FaultKind::CentroidOutside:
+        return "{0}: yc is {1}, more than the depth h = {2}; measure it from the -y' fibre";
+    case FaultKind::ShapeAndProfile: return "{0}: has both a shape and a profile; keep one";
+    case FaultKind::ShapeSizeMissing: return "{0}: shape {1} needs {2}; add \"{3}\"";
+    case FaultKind::ShapeSizeUnwanted: return "{0}: shape {1} has no \"{2}\"; its sizes are {3}";
+    case FaultKind::ShapeTooThick: return "{0}: {1} is {2}, which is not less than {3} = {4}; make it thinner";
+    case FaultKind::UnknownProfile: return "{0}: no profile \"{1}\"; there are IPE, HEA, HEB, HEM, UPN and AISC W";
+    case FaultKind::UnknownProfileNear: return "{0}: no profile \"{1}\"; did you mean \"{2}\"?";
+    case FaultKind::MissingProperty:
+        return "{0}: {1} is missing, which {2} needs for member \"{3}\"; add it, a shape or a profile";
+    case FaultKind::IyzLeftOut:
+        return "{0}: shape {1} bends about y' and z' through its centroid: Iyz and the shear centre's distance are "
+               "left out; "
+               "expect this where the member is held against bending sideways and twisting";
+    case FaultKind::RollerNotPlane:
+        return "{0}: \"roller\" is for truss2d and frame2d, this is {1}; use {\"fixed\": [...]}";
+    case FaultKind::AngleNotPlane: return "{0}: \"angle\" is for truss2d and frame2d, this is {1}; take it away";
+    case FaultKind::FixedDofLacking: return "{0}: fixes {1}, which {2} does not have; it has {3}";
+    case FaultKind::SpringDofLacking: return "{0}: has a spring for {1}, which {2} does not have; it has {3}";
+    case FaultKind::SpringOnFixedDof: return "{0}: {1} is fixed and has a spring; keep one";
+    case FaultKind::MassDofLacking: return "{0}: has a mass for {1}, which {2} does not have; it has {3}";
+    case FaultKind::MemberWithoutMaterial: return "{0}: has no material; name one (only a rigid member needs none)";
+    case FaultKind::MemberWithoutSection: return "{0}: has no section; name one (only a rigid member needs none)";
+    case FaultKind::SameNodeTwice: return "{0}: goes from node \"{1}\" to itself; name two different nodes";
+    case FaultKind::ZeroLength:
+        return "{0}: length is {1} because nodes \"{2}\" and \"{3}\" are both at {4}; move a node or delete the member";
+    case FaultKind::OffsetsEatMember:
+        return "{0}: its offsets leave nothing of the {1} between its nodes; shorten them";
+    case FaultKind::OffsetSize:
+        return "{0}: its {1} offset has {2} lengths, which {3} does not; give one per coordinate";
+    case FaultKind::ReleaseDofLacking:
+        return "{0}: releases {1} at its {2}, which a member of {3} does not have; it has {4}";
+    case FaultKind::EndSpringDofLacking:
+        return "{0}: has a spring for {1} at its {2}, which a member of {3} does not have; it has {4}";
+    case FaultKind::ReleaseAndSpring: return "{0}: {1} at its {2} is released and has a spring; keep one";
+    case FaultKind::HingeAndSpring:
+        return "{0}: {1} at its {2} has a spring, but node \"{3}\" is a hinge, which releases it; take one away";
+    case FaultKind::TensionAndCompressionOnly:
+        return "{0}: takes tension only and compression only, so nothing; keep one";
+    case FaultKind::FoundationOfBar:
+        return "{0}: has a foundation but carries axial force only; take the foundation away or use a frame member";
+    case FaultKind::OneWayMember:
+        return "{0}: takes tension only or compression only, which the linear analysis cannot follow: it counts as an "
+               "ordinary "
+               "member there";
+    case FaultKind::UpNot3d: return "{0}: \"up\" is for 3D models, this is {1}; take it away";
+    case FaultKind::UpSize: return "{0}: \"up\" has {1} numbers, wanted 3; give x, y and z";
+    case FaultKind::UpZero: return "{0}: \"up\" is the zero vector; give a direction";
+    case FaultKind::UpAlongMember: return "{0}: \"up\" points along the member; give another direction";
+    case FaultKind::UnusedMaterial: return "{0}: no member uses this material; use it or delete it";
+    case FaultKind::UnusedSection: return "{0}: no member uses this section; use it or delete it";
+    case FaultKind::NodeWithoutMembers: return "{0}: no member is joined to this node; join one or delete the node";
+    case FaultKind::NoMembers: return "the model has no members: there is nothing to analyse; add some";
+    case FaultKind::CoincidentNodes:
+        return "{0}: lies where node \"{1}\" lies, at {2}; the two are not joined: use one of them or move one";
+    case FaultKind::MembersCross:
+        return "{0}: crosses member \"{1}\" at {2} without a node; if they are joined there, add a node and split both";
+    case FaultKind::MembersOverlap:
+        return "{0}: lies on member \"{1}\" around {2}; delete one, or split them where they part";
+    case FaultKind::MemberPassesNode:
+        return "{0}: passes node \"{1}\" at {2} without being joined to it; if it is joined there, split it at the "
+               "node";
+    case FaultKind::MoreCrossings: return "and {0} more members that cross, overlap or pass a node";
+
+    case FaultKind::LoadDofLacking: return "{0}: {1} works on {2}, which {3} does not have there; it has {4}";
+    case FaultKind::LoadedNodeWithoutMembers:
+        return "{0}: node \"{1}\" carries a load but no member is joined to it; join one or move the load";
+    case FaultKind::EmptyLoad: return "{0}: does nothing: it has no component; give one or delete it";
+    case FaultKind::SettlementOfFreeDof:
+        return "{0}: {1} of node \"{2}\" is free, so it cannot be made to settle; fix it, give it a spring, or use a "
+               "load";
+    case FaultKind::MissingDensity:
+        return "{0}: self_weight needs the density of material \"{1}\" (member \"{2}\"); add \"density\"";
+    case FaultKind::MissingAreaForWeight:
+        return "{0}: self_weight needs the area of section \"{1}\" (member \"{2}\"); add \"A\"";
+    case FaultKind::PositionBeforeStart:
+        return "{0}: \"{1}\" is {2}, before the start of member \"{3}\"; give a length from 0 to {4}";
+    case FaultKind::PositionBeyondEnd:
+        return "{0}: \"{1}\" is {2}, beyond the end of member \"{3}\"; give a length from 0 to {4}";
+    case FaultKind::LoadEndsBeforeStart: return "{0}: goes from {1} to {2}; \"from\" has to be less than \"to\"";
+    case FaultKind::ProjectedLocalLoad:
+        return "{0}: a projected load has global axes; take \"axes\" or \"projected\" away";
+    case FaultKind::ProjectedMoment:
+        return "{0}: {1} is a moment, which has no projected length; give it in a load of its own";
+    case FaultKind::TemperatureOfRigid:
+        return "{0}: member \"{1}\" has no material and section that could be warmed; load another member";
+    case FaultKind::MissingExpansion:
+        return "{0}: material \"{1}\" of member \"{2}\" has no coefficient of thermal expansion; add \"alpha\"";
+    case FaultKind::MissingDepth:
+        return "{0}: top and bottom differ, which needs the depth of section \"{1}\" (member \"{2}\"); add \"h\"";
+    case FaultKind::MisfitOfGrillage:
+        return "{0}: a misfit works along the member, which a grillage cannot feel; take the load away";
+    case FaultKind::CombinationCircle: return "{0}: names itself: {1}; break the circle";
+
+    case FaultKind::ExpectedWithoutCase:
+        return "{0}: which case? the file has {1} load cases and combinations; add \"case\"";
+    case FaultKind::ExpectedKeyMissing: return "{0}: a check of a {1} needs \"{2}\"; add it";
+    case FaultKind::ExpectedNodeAndMember: return "{0}: names a node and a member; keep one";
+    case FaultKind::ExpectedDofLacking: return "{0}: component {1} does not exist in {2}; name another";
+    case FaultKind::ExpectedReactionOfFreeNode:
+        return "{0}: node \"{1}\" has no support, so no reaction; name a supported node";
+    }
+    return "";
+}
+
+Severity severity(FaultKind kind)
+{
+    switch (kind) {
+    case FaultKind::NearlySingular:
+    case FaultKind::IyzLeftOut:
+    case FaultKind::OneWayMember:
+    case FaultKind::UnusedMaterial:
+    case FaultKind::UnusedSection:
+    case FaultKind::NodeWithoutMembers:
+    case FaultKind::NoMembers:
+    case FaultKind::CoincidentNodes:
+    case FaultKind::MembersCross:
+    case FaultKind::MembersOverlap:
+    case FaultKind::MemberPassesNode:
+    case FaultKind::MoreCrossings:
+    case FaultKind::EmptyLoad: return Severity::Warning;
+    default: return Severity::Error;
+    }
+}
+
+} // namespace femoop
