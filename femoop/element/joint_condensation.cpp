@@ -6,7 +6,8 @@ namespace femoop {
 
 namespace {
 
-constexpr double negligible_pivot = 1e-12; // of a row's own stiffness: below it only rounding is left
+constexpr double negligible_pivot = 1e-12;     // of a row's own stiffness: below it only rounding is left
+constexpr double negligible_stiffness = 1e-13; // of the stiffness with rigid joints, likewise
 
 /// Inverse of a symmetric positive semidefinite matrix over the rows that can be eliminated, largest pivot first
 /// (the sweep operator); the rows that cannot are left in `loose`, with zero rows and columns in the inverse.
@@ -105,7 +106,15 @@ Eigen::MatrixXd JointCondensation::stiffness() const
         K.col(j) = k_ * ends;
         for (const int row : flexible_) K(row, j) = joints_[row] * (unit[row] - ends[row]);
     }
-    return 0.5 * (K + K.transpose());
+    K = 0.5 * (K + K.transpose()).eval();
+    // A displacement that the releases leave without stiffness must not keep the rounding of its elimination: a
+    // mechanism would be held by it.
+    for (Eigen::Index j = 0; j < n; ++j) {
+        if (std::abs(K(j, j)) > negligible_stiffness * k_(j, j)) continue;
+        K.row(j).setZero();
+        K.col(j).setZero();
+    }
+    return K;
 }
 
 } // namespace femoop

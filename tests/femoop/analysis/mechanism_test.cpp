@@ -68,6 +68,30 @@ TEST_SUITE("mechanisms")
                   "holds ux; add a brace or a support"});
     }
 
+    TEST_CASE("A hinge too many in a beam is a mechanism whatever the lengths and the slope, loaded or not")
+    {
+        for (const AnalysisKind kind : {AnalysisKind::Frame2d, AnalysisKind::Grillage, AnalysisKind::Frame3d})
+            for (int i = 0; i < 60; ++i) {
+                const double a = 0.31 * (i % 7) + 1.0, b = 0.17 * (i % 11) + 0.4, slope = 0.13 * (i % 5);
+                Model model = frame({{0, 0},
+                                     {3, 3 * slope},
+                                     {3 + a, (3 + a) * slope},
+                                     {3 + a + b, (3 + a + b) * slope},
+                                     {5 + a + b, (5 + a + b) * slope}},
+                                    {{0, 1}, {1, 2}, {2, 3}, {3, 4}});
+                model.analysis = kind;
+                model.sections[0].Iy = 0.7e-4;
+                model.sections[0].J = 0.3e-4;
+                for (const std::size_t end : {0U, 4U}) hold(model, end, SupportKind::Fixed);
+                for (const std::size_t inner : {1U, 2U, 3U}) model.nodes[inner].hinge = true;
+                const Dof down = kind == AnalysisKind::Grillage ? Dof::uz : Dof::uy;
+                if (i % 2 == 0) model.load_cases[0].nodes.push_back({NodeId(2), {{down, -10.0}}});
+                CAPTURE(name(kind));
+                CAPTURE(i);
+                CHECK_FALSE(mechanisms(model).empty());
+            }
+    }
+
     TEST_CASE("A brace holds that sway")
     {
         Model model = frame({{0, 0}, {6, 0}, {0, 4}, {6, 4}}, {{0, 2}, {1, 3}, {2, 3}, {0, 3}});

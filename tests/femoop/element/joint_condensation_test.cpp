@@ -40,6 +40,15 @@ TEST_SUITE("joint condensation")
         CHECK(f[3] == 0.0);
     }
 
+    TEST_CASE("A beam hinged at both ends has no stiffness at all, not even that of rounding")
+    {
+        for (int i = 1; i < 200; ++i) {
+            const JointCondensation hinged(Beam{.EI = EI}.stiffness(0.0173 * i),
+                                           joints(rigid_joint, 0.0, rigid_joint, 0.0));
+            CHECK(hinged.stiffness().norm() == 0.0);
+        }
+    }
+
     TEST_CASE("A spring at one end leaves 4 EI / L (1 + 3 r) / (1 + 4 r), r = EI / c L, at the other")
     {
         const double c = 4100.0;
