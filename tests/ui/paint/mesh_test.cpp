@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <string>
 
 using doctest::Approx;
 
@@ -128,6 +129,64 @@ TEST_CASE("A moment diagram that changes sign is filled on both sides of the mem
     CHECK(std::abs(ui::twice_area(loops[0])) == Approx(20.0 * 20.0));
     CHECK(std::abs(ui::twice_area(loops[1])) == Approx(20.0 * 20.0));
     CHECK(ink(filled(bow_tie), room) == Approx(20.0 * 20.0).epsilon(0.02));
+}
+
+TEST_CASE("A diagram that is zero along part of its member is filled only where it is not")
+{
+    struct Case {
+        std::string claim;
+        std::vector<ui::Point> outline;
+        double area;
+        std::vector<ui::Point> filled, bare;
+    };
+    const std::vector<Case> cases = {
+        {"moment of a cantilever loaded at mid-span",
+         {{10.0, 30.0}, {10.0, 10.0}, {30.0, 30.0}, {50.0, 30.0}},
+         200.0,
+         {{14.0, 20.0}, {12.0, 28.0}},
+         {{34.0, 26.0}, {28.0, 24.0}, {40.0, 33.0}}},
+        {"its shear force",
+         {{10.0, 30.0}, {10.0, 12.0}, {31.0, 12.0}, {31.0, 30.0}, {51.0, 30.0}},
+         21.0 * 18.0,
+         {{12.0, 14.0}, {29.0, 14.0}, {29.0, 28.0}},
+         {{34.0, 26.0}, {33.0, 20.0}, {45.0, 32.0}}},
+        {"the same with the base line first",
+         {{51.0, 30.0}, {10.0, 30.0}, {10.0, 12.0}, {31.0, 12.0}, {31.0, 30.0}},
+         21.0 * 18.0,
+         {{12.0, 14.0}, {29.0, 14.0}, {29.0, 28.0}},
+         {{34.0, 26.0}, {33.0, 20.0}, {45.0, 32.0}}},
+        {"shear force of a simple beam loaded at its thirds",
+         {{5.0, 30.0}, {5.0, 12.0}, {20.0, 12.0}, {20.0, 30.0}, {39.0, 30.0}, {39.0, 51.0}, {55.0, 51.0}, {55.0, 30.0}},
+         15.0 * 18.0 + 16.0 * 21.0,
+         {{7.0, 14.0}, {18.0, 28.0}, {41.0, 32.0}, {53.0, 49.0}},
+         {{24.0, 26.0}, {35.0, 34.0}, {30.0, 28.0}, {30.0, 32.0}}},
+        {"zero at both ends, with a station on the base line and rounding off it",
+         {{5.0, 30.0},
+          {17.0, 30.0 - 3e-6},
+          {21.0, 30.0 + 2e-6},
+          {21.0, 9.0},
+          {34.0, 9.0},
+          {34.0, 30.0},
+          {55.0, 30.0 + 1e-6}},
+         13.0 * 21.0,
+         {{23.0, 11.0}, {32.0, 28.0}},
+         {{13.0, 28.0}, {19.0, 24.0}, {40.0, 26.0}, {45.0, 32.0}}},
+        {"touching the base line at one point, on a slope",
+         {{6.0, 8.0}, {16.0, 3.0}, {26.0, 18.0}, {36.0, 13.0}, {46.0, 28.0}},
+         2.0 * 100.0,
+         {{16.0, 8.0}, {36.0, 18.0}},
+         {{26.0, 13.0}, {26.0, 21.0}}},
+    };
+    for (const Case& c : cases) {
+        CAPTURE(c.claim);
+        std::vector<ui::Point> backwards(c.outline.rbegin(), c.outline.rend());
+        for (const auto& outline : {c.outline, backwards}) {
+            const ui::Mesh mesh = filled(outline);
+            CHECK(ink(mesh, room) == Approx(c.area).epsilon(0.02));
+            for (const ui::Point p : c.filled) CHECK(mesh.coverage_at(p) == Approx(1.0));
+            for (const ui::Point p : c.bare) CHECK(mesh.coverage_at(p) == Approx(0.0));
+        }
+    }
 }
 
 TEST_CASE("A triangulation has n - 2 triangles of the polygon's area in all")

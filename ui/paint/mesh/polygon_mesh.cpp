@@ -55,13 +55,37 @@ std::optional<Point> crossing(Point a, Point b, Point c, Point d)
     return a + t * r;
 }
 
-struct Crossing {
+double distance_to_edge(Point p, Point a, Point b)
+{
+    const Point along = b - a;
+    const double t = std::clamp(dot(p - a, along) / dot(along, along), 0.0, 1.0);
+    return distance(p, a + t * along);
+}
+
+/// Edges i < j of a loop meet in a point; edge k runs from corner k to the next.
+struct Meeting {
     std::size_t i;
     std::size_t j;
     Point at;
 };
 
-std::optional<Crossing> first_crossing(const std::vector<Point>& loop)
+/// A corner that lies on an edge it is no end of, or on another corner.
+std::optional<Meeting> first_touch(const std::vector<Point>& loop)
+{
+    const std::size_t n = loop.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const Point a = loop[i], b = loop[(i + 1) % n];
+        const auto [x0, x1] = std::minmax(a.x, b.x);
+        for (std::size_t k = 0; k < n; ++k) {
+            const Point p = loop[k];
+            if (p.x < x0 - same_place || p.x > x1 + same_place || k == i || k == (i + 1) % n) continue;
+            if (distance_to_edge(p, a, b) <= same_place) return k > i ? Meeting{i, k - 1, p} : Meeting{k, i, p};
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<Meeting> first_crossing(const std::vector<Point>& loop)
 {
     const std::size_t n = loop.size();
     for (std::size_t i = 0; i + 2 < n; ++i) {
@@ -70,10 +94,17 @@ std::optional<Crossing> first_crossing(const std::vector<Point>& loop)
         for (std::size_t j = i + 2; j < n; ++j) {
             const Point c = loop[j], d = loop[(j + 1) % n];
             if (std::max(c.x, d.x) < x0 || std::min(c.x, d.x) > x1 || (i == 0 && j == n - 1)) continue;
-            if (const auto at = crossing(a, b, c, d)) return Crossing{i, j, *at};
+            if (const auto at = crossing(a, b, c, d)) return Meeting{i, j, *at};
         }
     }
     return std::nullopt;
+}
+
+/// Touches come first: where edges retrace each other, a crossing found by rounding would cut slivers.
+std::optional<Meeting> first_meeting(const std::vector<Point>& loop)
+{
+    const auto touch = first_touch(loop);
+    return touch ? touch : first_crossing(loop);
 }
 
 bool is_strictly_inside(Point p, Point a, Point b, Point c, double sense)
@@ -214,7 +245,7 @@ std::vector<std::vector<Point>> simple_loops(std::span<const Point> polygon)
         std::vector<Point> loop = std::move(open.back());
         open.pop_back();
         if (loop.size() < 3) continue;
-        const auto cut = simple.size() + open.size() < most_loops ? first_crossing(loop) : std::nullopt;
+        const auto cut = simple.size() + open.size() < most_loops ? first_meeting(loop) : std::nullopt;
         if (!cut) {
             if (std::abs(twice_area(loop)) > smallest_area) simple.push_back(std::move(loop));
             continue;
