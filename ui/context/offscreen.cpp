@@ -67,7 +67,6 @@ public:
         loader_ = library_.function<gl::Loader>("eglGetProcAddress");
         bind_ = library_.function<Bind>("eglMakeCurrent");
         destroy_ = library_.function<Call2>("eglDestroyContext");
-        terminate_ = library_.function<unsigned (*)(void*)>("eglTerminate");
         open_display();
         try {
             create_context();
@@ -121,18 +120,17 @@ private:
         if (!context_) throw ContextError("EGL: gives no OpenGL 3.3 core context");
     }
 
+    /// The display stays open: all contexts of the program share it, and the drivers do not like to be unloaded.
     void close()
     {
         bind_(display_, nullptr, nullptr, nullptr);
         if (context_) destroy_(display_, context_);
-        terminate_(display_);
     }
 
     SharedLibrary library_;
     gl::Loader loader_ = nullptr;
     Bind bind_ = nullptr;
     Call2 destroy_ = nullptr;
-    unsigned (*terminate_)(void*) = nullptr;
     void* display_ = nullptr;
     void* context_ = nullptr;
 };
