@@ -119,8 +119,8 @@ void Solve::declare(CLI::App& app, const ui::Catalogue& tr)
     app.add_flag("--time", is_timed_, tr("print to stderr how long each phase took, and the size of the system"));
     app.add_option(
            "--trace", traced_member_,
-           tr("print how this member enters the system instead of the results: stiffness in its own and in global "
-              "axes, transformation, fixed-end forces, places in the system matrix"))
+           tr("print how this member enters the system instead of the results: stiffness in its own axes and in "
+              "those of the nodes, transformation, fixed-end forces, places in the system matrix"))
         ->option_text("MEMBER");
     app.add_flag("--describe", is_described_,
                  tr("print sentences instead of tables: for a screen reader, or beside a picture"));

@@ -1,8 +1,11 @@
 #include "femoop/analysis/linear_static.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -380,6 +383,32 @@ LinearStatic::~LinearStatic() = default;
 LinearStatic::LinearStatic(LinearStatic&&) noexcept = default;
 LinearStatic& LinearStatic::operator=(LinearStatic&&) noexcept = default;
 
+namespace {
+
+/// The first node that moves so far that nobody can mean it. Models for exercises with E I = 1 stay well below.
+std::optional<Fault> huge_displacement(const Model& model, const Structure& structure, const Results& results)
+{
+    constexpr double huge = 1e5; // of the structure's size
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& position : structure.positions) box.extend(position);
+    const double limit = huge * (box.isEmpty() ? 0.0 : box.diagonal().norm());
+    for (std::size_t c = 0; c < model.load_cases.size(); ++c) {
+        const CaseResult result = results[CaseId(c)];
+        for (std::size_t i = 0; i < structure.positions.size(); ++i) {
+            const NodeVector u = result.displacement(NodeId(i));
+            const double distance = std::hypot(u[0], u[1], u[2]);
+            if (distance <= limit) continue;
+            std::ostringstream text;
+            text << std::setprecision(3) << distance << ' ' << name(model.units.length);
+            return Fault{.kind = FaultKind::HugeDisplacement,
+                         .arguments = {model.nodes[i].id, text.str(), model.load_cases[c].id}};
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
 Results LinearStatic::solve(const Model& model)
 {
     const Structure& structure = *parts_->structure;
@@ -394,7 +423,9 @@ Results LinearStatic::solve(const Model& model)
     add_reactions(*solution);
     solution->indeterminacy = count_indeterminacy(structure, parts_->n_held());
     solution->warnings = parts_->warnings;
-    return Results(std::move(solution));
+    const Results results(solution);
+    if (auto warning = huge_displacement(model, structure, results)) solution->warnings.push_back(std::move(*warning));
+    return results;
 }
 
 const AnalysisStatistics& LinearStatic::statistics() const { return parts_->statistics; }

@@ -14,13 +14,13 @@ struct MemberTrace {
     struct FixedEnd {
         std::string load_case;
         Eigen::VectorXd local;  ///< fixed-end forces on the member in its own axes, releases included
-        Eigen::VectorXd global; ///< turned to global axes at the nodes
+        Eigen::VectorXd global; ///< in the axes of the nodes: global, or those of a support that is turned
     };
     std::string member;
     std::vector<std::string> dofs; ///< of the rows: "A.ux", "A.uy", "A.rz", "B.ux", ...
     double length = 0.0;
     Eigen::MatrixXd local_stiffness;  ///< in the member's axes, releases and springs condensed
-    Eigen::MatrixXd transformation;   ///< T: local = T global, rigid offsets included
+    Eigen::MatrixXd transformation;   ///< T: local = T u in the axes of the nodes, rigid offsets included
     Eigen::MatrixXd global_stiffness; ///< T^T k T
     std::vector<FixedEnd> fixed_end;  ///< one per load case
     std::vector<int> equations;       ///< place of each row in the system matrix, counted node after node

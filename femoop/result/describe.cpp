@@ -16,7 +16,8 @@ namespace femoop {
 
 namespace {
 
-constexpr double noise = 1.0e-9; // of the largest of its kind
+constexpr double noise = 1.0e-9;     // of the largest of its kind
+constexpr double rounding = 1.0e-15; // of the structure's size
 
 std::string six_digits(double value)
 {
@@ -291,6 +292,17 @@ void add_structure(std::string& text, const Model& model, const Words& words)
     add_section(text, words.tr("Members"), members);
 }
 
+/// The largest distance of a node from the first one.
+double extent_of(const Model& model)
+{
+    double extent = 0.0;
+    for (const Node& node : model.nodes) {
+        const auto& first = model.nodes.front().at;
+        extent = std::max(extent, std::hypot(node.at[0] - first[0], node.at[1] - first[1], node.at[2] - first[2]));
+    }
+    return extent;
+}
+
 std::string largest_displacement(const Model& model, const CaseResult& result, const Words& words)
 {
     double largest = -1.0;
@@ -303,7 +315,7 @@ std::string largest_displacement(const Model& model, const CaseResult& result, c
             where = NodeId(i);
         }
     }
-    if (largest <= 0.0) return words.tr("no node moves");
+    if (largest <= rounding * extent_of(model)) return words.tr("no node moves");
     const NodeVector u = result.displacement(where);
     std::vector<std::string> parts;
     for (const Dof dof : dof_list(model.analysis))

@@ -378,15 +378,16 @@ std::string trace_text(const MemberTrace& trace, const Units& units, const Trans
     std::string text = fill(tr("Member {0}, length {1}: how it enters the system K u = f"),
                             {trace.member, localized(quantity_text(trace.length, dimension::length, units), tr)}) +
                        "\n";
+    text += tr("The axes of a node are the global ones, and those of its support where that is turned.") + "\n";
     text += section(tr("Stiffness k' in the member's own axes"), matrix_table(local, local, trace.local_stiffness), tr);
     text += section(tr("Transformation T, u' = T u"), matrix_table(local, trace.dofs, trace.transformation), tr);
-    text += section(tr("Stiffness in global axes, k = T^T k' T"),
+    text += section(tr("Stiffness in the axes of the nodes, k = T^T k' T"),
                     matrix_table(trace.dofs, trace.dofs, trace.global_stiffness), tr);
     for (const MemberTrace::FixedEnd& forces : trace.fixed_end) {
         Eigen::MatrixXd columns(forces.local.size(), 2);
         columns << forces.local, forces.global;
         text += section(fill(tr("Fixed-end forces on the member, load case {0}"), {forces.load_case}),
-                        matrix_table(trace.dofs, {tr("own axes"), tr("global axes")}, columns), tr);
+                        matrix_table(trace.dofs, {tr("own axes"), tr("axes of the nodes")}, columns), tr);
     }
     return text + equations_text(trace, tr);
 }

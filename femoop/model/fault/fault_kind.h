@@ -24,6 +24,7 @@ enum class FaultKind : std::uint8_t {
     StiffnessBeyondRange, ///< {0} nodes
     ResultsBeyondRange,   ///< {0} case
     NearlySingular,       ///< {0} condition estimate, {1} nodes
+    HugeDisplacement,     ///< {0} node, {1} distance, {2} case
 
     // the file
     FileUnreadable,

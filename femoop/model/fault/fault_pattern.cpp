@@ -52,6 +52,10 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::NearlySingular:
         return "structure is nearly a mechanism: condition estimate {0}, softest at {1}; results may have few correct "
                "digits; check supports, releases and very small stiffnesses";
+    case FaultKind::HugeDisplacement:
+        return "node {0} moves {1} in case {2}, which is no small displacement: the structure is nearly a mechanism, "
+               "or "
+               "far too soft; check supports, releases, stiffnesses and units";
 
     case FaultKind::FileUnreadable: return "cannot read {0}: {1}";
     case FaultKind::FileUnwritable: return "cannot write {0}: {1}";
@@ -256,6 +260,7 @@ Severity severity(FaultKind kind)
 {
     switch (kind) {
     case FaultKind::NearlySingular:
+    case FaultKind::HugeDisplacement:
     case FaultKind::IyzLeftOut:
     case FaultKind::OneWayMember:
     case FaultKind::UnusedMaterial:

@@ -171,6 +171,26 @@ TEST_SUITE("mechanisms")
         CHECK(results.at("G").displacement(NodeId(1))[1] == doctest::Approx(-1e-9 * 16.0 / 1e-8).epsilon(1e-2));
     }
 
+    TEST_CASE("A truss so flat that its node would move further than anybody can mean is solved, with a warning")
+    {
+        const auto flat = [](double rise) {
+            Model model = frame({{0, 0}, {3, rise}, {6, 0}}, {{0, 1}, {1, 2}});
+            model.analysis = AnalysisKind::Truss2d;
+            for (const std::size_t end : {0U, 2U}) hold(model, end, SupportKind::Pin);
+            model.load_cases[0].nodes.push_back({NodeId(1), {{Dof::uy, -10.0}}});
+            return analyse(model);
+        };
+        CHECK(flat(0.5).warnings().empty());
+        for (const double rise : {1e-6, 1e-9}) {
+            const Results results = flat(rise);
+            REQUIRE(results.warnings().size() == 1);
+            CHECK(results.warnings()[0].kind == FaultKind::HugeDisplacement);
+            const double L = std::hypot(3.0, rise);
+            CHECK(results.at("G").displacement(NodeId(1))[1] ==
+                  doctest::Approx(-10.0 * L * L * L / (2.0 * 2.1e8 * 0.01 * rise * rise)));
+        }
+    }
+
     TEST_CASE("A mode moves without strain: members keep their length")
     {
         Model model = frame({{0, 0}, {6, 0}, {1, 4}, {6, 5}}, {{0, 2}, {1, 3}, {2, 3}}); // a skew four-bar linkage
