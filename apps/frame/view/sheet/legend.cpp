@@ -101,21 +101,6 @@ std::string capitalized(std::string text)
     return text;
 }
 
-bool is_narrow(const ui::Theme& theme, double panel_width) { return panel_width < 38.0 * theme.type().normal; }
-
-/// A bar and what it stands for; returns where it ends.
-double draw_bar(ui::Painter& painter, const PanelHead& head, const ui::Theme& theme, ui::Point at)
-{
-    const ui::Stroke stroke = {.color = theme.stroke(head.role).color, .width = theme.stroke(head.role).width};
-    painter.line(at, at + ui::Point{head.bar, 0.0}, stroke);
-    for (const double x : {0.0, head.bar}) painter.line(at + ui::Point{x, -4.0}, at + ui::Point{x, 4.0}, stroke);
-    ui::TextStyle small = theme.text(head.role, ui::Anchor::Left);
-    small.size = theme.type().small;
-    at.x += head.bar + 6.0;
-    painter.text(at, head.bar_text, small);
-    return at.x + painter.measure(head.bar_text, small).width;
-}
-
 } // namespace
 
 SheetHead sheet_head(const femoop::Model& model, const femoop::Results* results, const ViewOptions& options)
@@ -209,28 +194,6 @@ PanelHead structure_head(const Scene& scene)
     if (loads && reactions) return {.name = tr("Loads and reactions"), .note = {}};
     if (reactions) return {.name = tr("Reactions"), .note = {}};
     return {.name = loads ? tr("Loads") : tr("Structure"), .note = {}};
-}
-
-double head_height(const ui::Theme& theme, double panel_width)
-{
-    const double line = 1.6 * theme.type().normal;
-    return is_narrow(theme, panel_width) ? line + 1.4 * theme.type().small : line;
-}
-
-void draw_panel_head(ui::Painter& painter, const PanelHead& head, const ui::Theme& theme, const ui::Box& row)
-{
-    const ui::LayerScope layer(painter, ui::Layer::Overlay);
-    ui::TextStyle style = theme.text(head.role, ui::Anchor::Left);
-    style.weight = ui::Weight::Bold;
-    ui::Point at = row.min + ui::Point{border, 0.8 * theme.type().normal};
-    painter.text(at, head.name, style);
-    at.x += painter.measure(head.name, style).width + 14.0;
-    if (head.bar > 0.0) at.x = draw_bar(painter, head, theme, at) + 14.0;
-    if (is_narrow(theme, row.width()))
-        at = row.min + ui::Point{border, 1.6 * theme.type().normal + 0.6 * theme.type().small};
-    ui::TextStyle note = theme.text(ui::Role::FaintLabel, ui::Anchor::Left);
-    note.size = theme.type().small;
-    painter.text(at, head.note, note);
 }
 
 std::vector<std::string> wrapped(const ui::Fonts& fonts, std::string_view text, const ui::TextStyle& style,
