@@ -33,10 +33,12 @@ ImU32 packed(Color c, float coverage)
 }
 
 /// A line of this width [px] looks crisp with its middle on a pixel's middle when odd, on a border when even.
+/// Halfway between two such places the last bit of a result must not decide, so all of them go the same way.
 double crisp_middle(double place, double width)
 {
+    constexpr double rounding = 1e-6; // [px]
     const bool is_odd = std::lround(std::max(1.0, width)) % 2 == 1;
-    return is_odd ? std::floor(place) + 0.5 : std::round(place);
+    return is_odd ? std::floor(place + rounding) + 0.5 : std::floor(place + 0.5 + rounding);
 }
 
 /// Moves level and upright edges onto the pixel grid; `snap` gives the new place of a coordinate.

@@ -54,6 +54,20 @@ TEST_CASE("A level line of odd width covers whole pixels and not a shade beside 
     }
 }
 
+TEST_CASE("The last bit of a place between two pixels does not move a line")
+{
+    for (const double width : {1.0, 2.0}) {
+        CAPTURE(width);
+        const double between = width == 1.0 ? 100.0 : 100.5;
+        const auto drawn_at = [&](double x) {
+            return pixels_of([&](ui::Painter& p) { p.line({x, 10.0}, {x, 90.0}, {.color = black, .width = width}); });
+        };
+        const auto below = drawn_at(between - 1e-11), above = drawn_at(between + 1e-11);
+        if (!below || !above) return;
+        CHECK(ink_box(*below).min.x == ink_box(*above).min.x);
+    }
+}
+
 TEST_CASE("At scale two a line is twice as thick in pixels")
 {
     const auto pixels = pixels_of(
