@@ -181,13 +181,16 @@ private:
 
     void mark_area(const std::vector<Ordinate>& ordinates, std::size_t begin, std::size_t end) const
     {
+        // An end that is zero but for rounding belongs to the area on either side of it.
+        const double sign = ordinates[begin].value > 0.0 ? 1.0 : -1.0;
+        const std::size_t first = begin > 0 ? begin - 1 : 0, last = std::min(end, ordinates.size() - 1);
         double area = 0.0;
         double moment = 0.0;
-        for (std::size_t i = begin; i + 1 < end; ++i) {
-            const double strip = 0.5 * (ordinates[i].value + ordinates[i + 1].value) *
-                                 (ordinates[i + 1].x - ordinates[i].x);
+        for (std::size_t i = first; i < last; ++i) {
+            const Ordinate &a = ordinates[i], &b = ordinates[i + 1];
+            const double strip = 0.5 * (std::max(0.0, sign * a.value) + std::max(0.0, sign * b.value)) * (b.x - a.x);
             area += strip;
-            moment += strip * 0.5 * (ordinates[i].x + ordinates[i + 1].x);
+            moment += strip * 0.5 * (a.x + b.x);
         }
         if (area == 0.0) return;
         const double x = moment / area;
