@@ -18,6 +18,10 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/cremonaConfigVersion.cma
 install(FILES "${PROJECT_BINARY_DIR}/cremonaConfig.cmake" "${PROJECT_BINARY_DIR}/cremonaConfigVersion.cmake"
   DESTINATION "${package_folder}")
 
+install(FILES LICENSE courseware/conventions.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(DIRECTORY courseware/reference DESTINATION "${CMAKE_INSTALL_DOCDIR}" FILES_MATCHING PATTERN "*.md" PATTERN "*.json"
+  PATTERN "*.svg")
+
 if(CREMONA_APPS)
   install(TARGETS cremona frame RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
   install(FILES apps/frame/cremona-frame.desktop DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")

@@ -150,7 +150,8 @@ std::string member_words(const Model& model, const Member& member, const Words& 
     std::vector<std::string> parts{fill(words.tr("{0} from {1} to {2}, {3} between the nodes"),
                                         {member.id, first, second, words.length(distance(model, member))})};
     if (member.section && member.material)
-        parts.push_back(fill(words.tr("section {0} of {1}"), {model[*member.section].id, model[*member.material].id}));
+        parts.push_back(
+            fill(words.tr("section {0}, material {1}"), {model[*member.section].id, model[*member.material].id}));
     if (member.rigid) parts.push_back(words.tr("rigid"));
     if (member.bar) parts.push_back(words.tr("bar: axial force only"));
     if (member.inextensible) parts.push_back(words.tr("inextensible"));

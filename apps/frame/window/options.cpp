@@ -93,7 +93,7 @@ Options parse_options(int argc, const char* const* argv)
     try {
         if (!show.empty()) options.show = parse_show(show);
     } catch (const ShowError& error) {
-        throw OptionsEnd(std::string("frame: --show: ") + error.what(), bad_arguments);
+        throw OptionsEnd(std::string("frame: ") + error.what(), bad_arguments);
     }
     return options;
 }

@@ -32,14 +32,17 @@ public:
     template <std::size_t N> std::array<JsonValue, N> fields(JsonValue object, const Keys<N>& keys, const Place& place)
     {
         std::array<JsonValue, N> found;
-        if (!object.is(JsonKind::Object)) not_an_object(object, place);
+        if (!object.is(JsonKind::Object)) {
+            not_an_object(object, place);
+            return found;
+        }
         for (const JsonValue value : object) {
             std::size_t i = 0;
             while (i < N && keys.names[i] != value.key()) ++i;
             if (i < N) found[i] = value;
             else unknown_key(value, {keys.names.begin(), keys.names.end()}, place);
         }
-        for (std::size_t i = 0; i < keys.n_needed && object.is(JsonKind::Object); ++i)
+        for (std::size_t i = 0; i < keys.n_needed; ++i)
             if (!found[i].is_present()) missing_key(keys.names[i], place);
         return found;
     }

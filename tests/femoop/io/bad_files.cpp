@@ -163,6 +163,7 @@ std::vector<BadFile> files_with_bad_keys()
     return {
         {"[]", "file: found a list, wanted an object"},
         {"17", "file: found a number, wanted an object"},
+        {"[1, 2]", "file: found a list, wanted an object"},
         {with_nodes(R"([{"id": "A", "at": [0, 0], "suport": "fixed"}, {"id": "B", "at": [6, 0]}])"),
          "nodes[0].suport: unknown key; did you mean \"support\"?"},
         {with_nodes(R"([{"id": "A", "at": [0, 0], "colour": "red"}, {"id": "B", "at": [6, 0]}])"),

@@ -20,7 +20,7 @@ TEST_CASE("A beam is described whole: structure, loads, results of every case, l
           "  node A at (0, 0): pinned; holds ux, uy.\n"
           "  node B at (8, 0): roller; holds uy.\n"
           "Members.\n"
-          "  AB from A to B, 8 m between the nodes; section c of s.\n"
+          "  AB from A to B, 8 m between the nodes; section c, material s.\n"
           "Load case P.\n"
           "  on member AB: 30 kN down at 2 m.\n"
           "The structure is statically determinate.\n"
@@ -55,7 +55,7 @@ TEST_CASE("Every kind of support, joint and load has words")
     const std::string text = describe(model, std::nullopt, english);
     for (const char* sentence :
          {"node C at (9, 4): holds uy; spring of 500 kN/m on ux; turned by 30 degrees.", "Hinges.\n  at B.",
-          "AB from A to B, 5 m between the nodes; section c of s; released at A: rz.",
+          "AB from A to B, 5 m between the nodes; section c, material s; released at A: rz.",
           "on an elastic foundation of 90 kN/m^2; rigid offset at C.", "self-weight times 1.5.",
           "support A is moved: uy = -0.02 m.",
           "3 kN/m along -y' of the member changing to 6 kN/m along -y' of the member from 1 m to 50%.",
