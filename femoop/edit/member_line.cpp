@@ -6,16 +6,12 @@
 
 namespace femoop {
 
-namespace {
-
 Eigen::Vector3d vector_of(const std::vector<Quantity>& offset)
 {
     Eigen::Vector3d v = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < offset.size(); ++i) v[static_cast<Eigen::Index>(i)] = offset[i];
     return v;
 }
-
-} // namespace
 
 Eigen::Vector3d position_of(const Model& model, NodeId node)
 {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <vector>
 
 #include "femoop/model/model.h"
 
@@ -13,6 +15,9 @@ struct MemberLine {
 
     Eigen::Vector3d at(double x) const { return start + x * direction; }
 };
+
+/// An offset as a vector; zero for an empty one.
+Eigen::Vector3d vector_of(const std::vector<Quantity>& offset);
 
 MemberLine line_of(const Model& model, const Member& member);
 

@@ -34,9 +34,7 @@ void place_node(const Model& model, Node& node, const Eigen::Vector3d& place)
 
 void place_offset(std::vector<Quantity>& offset, const Placement& placement)
 {
-    Eigen::Vector3d v = Eigen::Vector3d::Zero();
-    for (std::size_t i = 0; i < offset.size(); ++i) v[static_cast<Eigen::Index>(i)] = offset[i];
-    const Eigen::Vector3d placed = placement.linear() * v;
+    const Eigen::Vector3d placed = placement.linear() * vector_of(offset);
     for (std::size_t i = 0; i < offset.size(); ++i) offset[i] = placed[static_cast<Eigen::Index>(i)];
 }
 
