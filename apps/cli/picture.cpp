@@ -38,9 +38,9 @@ ExitStatus draw_mechanism(const femoop::Model& model, const femoop::MechanismErr
     const ui::Catalogue& tr = console.tr();
     report_mechanisms(error, file, console);
     const std::size_t which = std::min(order.mechanism, error.mechanisms().size() - 1);
-    const femoop::Mechanism& mechanism = error.mechanisms()[which];
+    const frame::MotionChoice motion{error.mechanisms(), which};
     write_picture(
-        order, model.title, [&](ui::Painter& painter) { frame::draw(painter, model, mechanism, order.view); }, tr);
+        order, model.title, [&](ui::Painter& painter) { frame::draw(painter, model, motion, order.view); }, tr);
     console.message(
         tr("{file} shows the motion {n} of {total}", {{"file", order.path.string()},
                                                       {"n", std::to_string(which + 1)},

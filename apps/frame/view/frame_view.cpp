@@ -9,10 +9,9 @@ void draw(ui::Painter& painter, const femoop::Model& model, const femoop::Result
     Subject(model, results, options).draw(painter);
 }
 
-void draw(ui::Painter& painter, const femoop::Model& model, const femoop::Mechanism& mechanism,
-          const ViewOptions& options)
+void draw(ui::Painter& painter, const femoop::Model& model, const MotionChoice& motion, const ViewOptions& options)
 {
-    Subject(model, mechanism, options).draw(painter);
+    Subject(model, motion, options).draw(painter);
 }
 
 Camera fitted_camera(const femoop::Model& model, const femoop::Results* results, const ViewOptions& options,

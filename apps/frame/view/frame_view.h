@@ -17,9 +17,8 @@ namespace frame {
 /// Speed  200 members with diagrams and values take a few milliseconds
 void draw(ui::Painter& painter, const femoop::Model& model, const femoop::Results* results, const ViewOptions& options);
 
-/// Draws how a structure moves that cannot be solved, and says it in its sentence.
-void draw(ui::Painter& painter, const femoop::Model& model, const femoop::Mechanism& mechanism,
-          const ViewOptions& options);
+/// Draws how a structure moves that cannot be solved, and says it in its sentence; of several motions, the one chosen.
+void draw(ui::Painter& painter, const femoop::Model& model, const MotionChoice& motion, const ViewOptions& options);
 
 /// The camera that shows everything: what `draw` uses when the options have none. An app takes it once, keeps it, and
 /// moves it. It belongs to one panel: see `panels` in panels.h.

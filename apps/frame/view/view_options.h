@@ -2,6 +2,7 @@
 
 #include "apps/frame/view/geometry/projection.h"
 #include "apps/frame/view/show.h"
+#include "femoop/analysis/mechanism.h"
 #include "femoop/model/ids.h"
 #include "femoop/result/results.h"
 #include "ui/paint/theme.h"
@@ -9,6 +10,7 @@
 #include "ui/text/display_units.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace frame {
@@ -26,6 +28,12 @@ enum class Layout : std::uint8_t {
 struct Highlight {
     std::vector<femoop::NodeId> nodes;
     std::vector<femoop::MemberId> members;
+};
+
+/// One of the motions of a structure that cannot be solved.
+struct MotionChoice {
+    std::span<const femoop::Mechanism> all; ///< outlives whatever draws it
+    std::size_t shown = 0;                  ///< \pre < all.size()
 };
 
 /// How a model is drawn. Factors are 1 where the automatic size is right.

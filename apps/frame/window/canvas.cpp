@@ -23,7 +23,8 @@ std::optional<std::size_t> shown_mechanism(const Session& session)
 Subject subject(const Session& session, const ViewOptions& options)
 {
     const Solution& solution = session.solution();
-    if (const auto i = shown_mechanism(session)) return {session.model(), solution.mechanisms[*i], options};
+    if (const auto i = shown_mechanism(session))
+        return {session.model(), MotionChoice{solution.mechanisms, *i}, options};
     return {session.model(), solution.results ? &*solution.results : nullptr, options};
 }
 

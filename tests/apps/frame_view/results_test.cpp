@@ -6,6 +6,7 @@
 #include "apps/frame/view/results/marked_values.h"
 #include "apps/frame/view/results/solved_case.h"
 #include "femoop/analysis/linear_static.h"
+#include "femoop/analysis/mechanism.h"
 #include "tests/apps/frame_view/view_model.h"
 
 #include <algorithm>
@@ -177,6 +178,30 @@ TEST_CASE("A diagram that keeps the scale of another load is as much larger as i
     CHECK(depth(1.6 * q, std::nullopt) == doctest::Approx(depth(q, std::nullopt)));
     CHECK(depth(1.6 * q, before) == doctest::Approx(1.6 * depth(q, std::nullopt)));
     CHECK(depth(50.0 * q, before) == doctest::Approx(2.5 * depth(q, std::nullopt))); // never beyond bounds
+}
+
+TEST_CASE("Of several motions the picture says which one it shows, of a single one it does not")
+{
+    const ui::Fonts fonts;
+    const auto words = [&](const femoop::Model& model, std::size_t shown) {
+        try {
+            femoop::analyse(model);
+        } catch (const femoop::MechanismError& error) {
+            ui::Painter painter(sheet, fonts);
+            draw(painter, model, {error.mechanisms(), shown}, {.show = parse_show("labels")});
+            view_test::Marks marks(fonts);
+            painter.picture().draw_on(marks);
+            std::string all;
+            for (const auto& text : marks.texts) all += text.words + "\n";
+            return all;
+        }
+        return std::string("solved");
+    };
+    femoop::Model model = view_test::example("mechanism");
+    CHECK(words(model, 0).find("motion 1 of") == std::string::npos);
+    model.nodes[3].support->kind = femoop::SupportKind::Roller; // the foot D slides as well
+    CHECK(words(model, 0).find("motion 1 of 2: ") != std::string::npos);
+    CHECK(words(model, 1).find("motion 2 of 2: ") != std::string::npos);
 }
 
 TEST_SUITE_END();

@@ -93,7 +93,7 @@ TEST_CASE("A mechanism moves and is named in Portuguese")
         FAIL("the mechanism was solved");
     } catch (const femoop::MechanismError& error) {
         golden::check_scene("frame_mechanism", {.size = {900.0, 600.0}, .background = background(options)},
-                            [&](ui::Painter& painter) { draw(painter, model, error.mechanisms().front(), options); });
+                            [&](ui::Painter& painter) { draw(painter, model, {error.mechanisms()}, options); });
     }
 }
 

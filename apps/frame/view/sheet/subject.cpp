@@ -136,10 +136,10 @@ Subject::Subject(const femoop::Model& model, const femoop::Results* results, con
     if (options.scaled_by && fits(*options.scaled_by)) scaled_by_ = solved_case(*options.scaled_by, options.load_case);
 }
 
-Subject::Subject(const femoop::Model& model, const femoop::Mechanism& mechanism, const ViewOptions& options)
+Subject::Subject(const femoop::Model& model, const MotionChoice& motion, const ViewOptions& options)
     : Subject(model, nullptr, options)
 {
-    mechanism_ = &mechanism;
+    motion_ = motion;
 }
 
 Camera Subject::starting_camera() const
@@ -219,7 +219,7 @@ ui::Margins Subject::needed_margins(const std::vector<Panel>& panels, const Came
         margins.top = std::max(margins.top, nodes.min.y - marks->min.y + edge + heads);
         margins.bottom = std::max(margins.bottom, marks->max.y - nodes.max.y + edge);
     }
-    if (mechanism_) { // it moves to both sides
+    if (motion_) { // it moves to both sides
         margins.left = margins.right = std::max(margins.left, margins.right);
         margins.top = margins.bottom = std::max(margins.top, margins.bottom);
     }
@@ -260,11 +260,11 @@ Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, con
     const Projection projection(camera, panel.box.min);
     const Scene scene{model_, shape_, projection, options, units_, sketch};
     PanelPicture picture(scene, panel.box.size());
-    if (mechanism_) picture.draw_mechanism(*mechanism_);
+    if (motion_) picture.draw_mechanism(motion_->all[motion_->shown]);
     else picture.draw_solved(solved_ ? &*solved_ : nullptr, scaled_by_ ? &*scaled_by_ : nullptr);
     const std::optional<ui::Box> bounds = sketch.bounds();
     sketch.write_captions();
-    if (panel.show.contains(Show::Legend) && !mechanism_) {
+    if (panel.show.contains(Show::Legend) && !motion_) {
         const double height = head_height(theme_, panel.box.width());
         ui::Point corner = panel.box.min;
         for (const PanelHead& head : picture.heads()) {
@@ -281,7 +281,7 @@ void Subject::draw(ui::Painter& painter) const
     if (options_.show.contains(Show::Legend)) draw_head(painter, sheet_head(model_, results_, options_), theme_);
     std::size_t n_left_out = 0;
     for (const Panel& panel : sheet.panels) n_left_out += draw_panel(painter, panel, sheet.camera).n_left_out;
-    if (mechanism_) draw_sentence(painter);
+    if (motion_) draw_sentence(painter);
     if (n_left_out == 0) return;
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
     ui::TextStyle style = theme_.text(ui::Role::FaintLabel, ui::Anchor::BottomRight);
@@ -291,10 +291,19 @@ void Subject::draw(ui::Painter& painter) const
                  options_.tr("labels without room: {count}", {{"count", std::to_string(n_left_out)}}), style);
 }
 
+std::string Subject::motion_sentence() const
+{
+    const auto& [all, shown] = *motion_;
+    const std::string words = sentence(all[shown].fault, options_.tr);
+    if (all.size() == 1) return words;
+    return options_.tr("motion {n} of {total}: {words}",
+                       {{"n", std::to_string(shown + 1)}, {"total", std::to_string(all.size())}, {"words", words}});
+}
+
 std::vector<std::string> Subject::sentence_lines(ui::Size sheet, const ui::Fonts& fonts) const
 {
-    if (!mechanism_) return {};
-    return wrapped(fonts, sentence(mechanism_->fault, options_.tr), theme_.text(ui::Role::Error), sheet.width - 32.0);
+    if (!motion_) return {};
+    return wrapped(fonts, motion_sentence(), theme_.text(ui::Role::Error), sheet.width - 32.0);
 }
 
 void Subject::draw_sentence(ui::Painter& painter) const

@@ -4,7 +4,6 @@
 #include "apps/frame/view/results/solved_case.h"
 #include "apps/frame/view/sheet/panels.h"
 #include "apps/frame/view/view_options.h"
-#include "femoop/analysis/mechanism.h"
 #include "femoop/result/results.h"
 #include "ui/paint/painter.h"
 #include "ui/paint/theme.h"
@@ -18,7 +17,7 @@ namespace frame {
 class Subject {
 public:
     Subject(const femoop::Model& model, const femoop::Results* results, const ViewOptions& options);
-    Subject(const femoop::Model& model, const femoop::Mechanism& mechanism, const ViewOptions& options);
+    Subject(const femoop::Model& model, const MotionChoice& motion, const ViewOptions& options);
 
     /// How a sheet of this size is divided, and the camera of its panels.
     struct Plan {
@@ -47,12 +46,13 @@ private:
     };
     double heads_height(const Panel& panel) const;
     Drawn draw_panel(ui::Painter& painter, const Panel& panel, const Camera& camera) const;
+    std::string motion_sentence() const;
     void draw_sentence(ui::Painter& painter) const;
     std::vector<std::string> sentence_lines(ui::Size sheet, const ui::Fonts& fonts) const;
 
     const femoop::Model& model_;
     const femoop::Results* results_ = nullptr;
-    const femoop::Mechanism* mechanism_ = nullptr;
+    std::optional<MotionChoice> motion_;
     const ViewOptions& options_;
     ui::Theme theme_;
     ui::DisplayUnits units_;
