@@ -66,11 +66,24 @@ public:
         if (index < label_->wishes.size()) return {box, std::nullopt};
         const Point border = box.nearest(label_->target);
         if (distance(border, label_->target) <= options_->leader_after) return {box, std::nullopt};
-        return {box, Leader{border, label_->target}};
+        return {box, Leader{leader_start(box), label_->target}};
     }
 
 private:
     OrientedBox box_at(Point center) const { return {center, label_->size, label_->rotation}; }
+
+    // At the middle of the text's height a level line reads as a minus sign, so leaders begin above or below it: on the
+    // side of the target, unless they would run nearly level along the text's edge.
+    Point leader_start(const OrientedBox& box) const
+    {
+        constexpr double least_slope = 0.3;
+        const Point own = box.to_own(label_->target);
+        const double aside = std::max(0.0, std::abs(own.x) - box.half.x);
+        const bool is_level = std::abs(own.y) - box.half.y < least_slope * aside;
+        const bool is_above = (own.y < 0.0) != is_level;
+        const double y = is_above ? -box.half.y : box.half.y;
+        return box.from_own({std::clamp(own.x, -box.half.x, box.half.x), y});
+    }
 
     Point center(std::size_t index) const
     {
@@ -166,7 +179,7 @@ private:
     {
         Box bounds = place.box.bounds();
         if (place.leader) bounds = united(bounds, {place.leader->to, place.leader->to});
-        const Box wide = bounds.grown(gap_);
+        const Box wide = bounds.grown(3.0 * gap_);
         const auto at = [](double v, int n) {
             return static_cast<int>(std::clamp(std::floor(v / cell_side), 0.0, static_cast<double>(n - 1)));
         };
@@ -185,9 +198,17 @@ private:
     {
         const OrientedBox wide = a.box.grown(gap_);
         if (wide.overlaps(b.box)) return true;
-        if (b.leader && wide.meets_segment(b.leader->from, b.leader->to)) return true;
-        if (a.leader && b.box.grown(gap_).meets_segment(a.leader->from, a.leader->to)) return true;
+        if (b.leader && clear_of_leaders(a.box).meets_segment(b.leader->from, b.leader->to)) return true;
+        if (a.leader && clear_of_leaders(b.box).meets_segment(a.leader->from, a.leader->to)) return true;
         return a.leader && b.leader && do_cross(*a.leader, *b.leader);
+    }
+
+    /// A leader that ended just before another text would read as its minus sign.
+    OrientedBox clear_of_leaders(const OrientedBox& box) const
+    {
+        OrientedBox wide = box.grown(gap_);
+        wide.half.x += 2.0 * gap_;
+        return wide;
     }
 
     static bool do_cross(const Leader& a, const Leader& b)

@@ -23,7 +23,7 @@ struct Label {
     double reach = 90.0;         ///< greatest distance of the box from the target
 };
 
-/// A straight line from a label's border to its target, drawn where they are far apart.
+/// A straight line from the top or the bottom of a label to its target, drawn where they are far apart.
 struct Leader {
     Point from;
     Point to;

@@ -75,6 +75,27 @@ TEST_CASE("In a frame of five storeys and five bays no label lies on a member or
     CHECK(n_lines == 2 * 55); // 30 columns and 25 beams, each with its diagram
 }
 
+TEST_CASE("In a crowded frame no leader reads as the minus sign of a number")
+{
+    const ui::Fonts fonts;
+    const ui::Theme theme(ui::ThemeName::Light);
+    const view_test::Marks marks = crowded_picture(fonts, parse_show("M,labels"));
+    int n_leaders = 0;
+    for (const auto& line : marks.lines) {
+        if (line.stroke != theme.stroke(ui::Role::Leader)) continue;
+        ++n_leaders;
+        const ui::Point run = line.points[1] - line.points[0];
+        if (std::abs(run.y) > 0.4 * std::abs(run.x)) continue; // too steep for a minus sign
+        for (const auto& text : marks.texts) {
+            CAPTURE(text.words);
+            const double middle = 0.5 * (text.box.min.y + text.box.max.y);
+            const ui::Box sign{{text.box.min.x - 5.0, middle - 3.0}, {text.box.min.x, middle + 3.0}};
+            CHECK(!crosses(sign, line.points[0], line.points[1]));
+        }
+    }
+    CHECK(n_leaders > 20);
+}
+
 TEST_CASE("Two hundred members with a diagram and its values are drawn in a frame of the screen")
 {
     const ui::Fonts fonts;

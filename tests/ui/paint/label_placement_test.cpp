@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <chrono>
+#include <numbers>
 #include <random>
 
 namespace {
@@ -159,6 +160,41 @@ TEST_CASE("A label that must go far gets a leader from its border to its target"
     REQUIRE(placement.labels[0]->leader);
     CHECK(placement.labels[0]->leader->to == target);
     CHECK(ui::distance(placement.labels[0]->leader->from, target) >= 60.0);
+}
+
+TEST_CASE("A leader never begins at the middle of its text's height, where it would read as a minus sign")
+{
+    const ui::Point target{450.0, 300.0};
+    for (int i = 0; i < 72; ++i) {
+        const double angle = 5.0 * i * std::numbers::pi / 180.0;
+        const ui::Point wish = target + 70.0 * ui::Point{std::cos(angle), std::sin(angle)};
+        const double most = 40.0; // only the place around `wish` is free
+        ui::LabelPlacer placer({.room = {wish - ui::Point{most, 14.0}, wish + ui::Point{most, 14.0}}});
+        const std::vector<ui::Label> labels = {{.target = target, .size = {40.0, 13.0}}};
+        const auto placement = placer.place(labels);
+        if (!placement.labels[0] || !placement.labels[0]->leader) continue;
+        const ui::Point from = placement.labels[0]->leader->from;
+        CAPTURE(angle);
+        CHECK(std::abs(from.y - placement.labels[0]->center.y) == doctest::Approx(6.5));
+    }
+}
+
+TEST_CASE("A leader keeps farther from the sides of other texts than from their top")
+{
+    // The leader of the first would pass 3 pixels before the second one's text.
+    const std::vector<ui::Label> labels = {
+        {.target = {100.0, 100.0}, .size = {40.0, 13.0}, .wishes = {}, .priority = 1.0, .clearance = 40.0},
+        {.target = {300.0, 80.0}, .size = {40.0, 13.0}, .wishes = {{}}, .priority = 2.0, .reach = 0.0}};
+    const ui::LabelPlacer placer({.room = room});
+    const auto alone = placer.place(std::span(labels).first(1));
+    REQUIRE(alone.labels[0]);
+    REQUIRE(alone.labels[0]->leader);
+    const ui::Point middle = 0.5 * (alone.labels[0]->leader->from + alone.labels[0]->leader->to);
+    std::vector<ui::Label> both = labels;
+    both[1].wishes = {middle + ui::Point{23.0, 0.0}};
+    const auto placement = placer.place(both);
+    REQUIRE(placement.labels[0]);
+    CHECK(placement.labels[0]->center != alone.labels[0]->center);
 }
 
 TEST_CASE("A label covers a soft obstacle only where all else is full, and a hard one never")
