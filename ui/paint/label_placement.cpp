@@ -22,6 +22,8 @@ constexpr double most_cells_a_side = 512.0; // of that grid
 struct Candidate {
     OrientedBox box;
     std::optional<Leader> leader;
+    double rotation = 0.0;
+    bool is_over_soft = false;
 };
 
 /// Directions of a ring, the most readable ones first: diagonals, then above, below and beside, then the rest.
@@ -43,34 +45,41 @@ public:
     Candidates(const Label& label, const LabelPlacer::Options& options, const ObstacleMap& obstacles)
         : label_(&label), options_(&options), obstacles_(&obstacles), step_(std::max(4.0, 0.7 * label.size.height))
     {
-        const Box bounds = box_at(label.target).bounds();
+        const Box bounds = OrientedBox(label.target, label.size, label.rotation).bounds();
         half_ = {0.5 * bounds.width(), 0.5 * bounds.height()};
         if (label.reach >= label.clearance)
             n_rings_ = static_cast<std::size_t>((label.reach - label.clearance) / step_) + 1;
     }
 
-    std::size_t n() const { return label_->wishes.size() + n_rings_ * n_directions; }
+    std::size_t n() const { return n_wishes() + n_rings_ * n_directions; }
     /// How many are near: the wishes and the first ring.
-    std::size_t n_near() const { return std::min(n(), label_->wishes.size() + n_directions); }
+    std::size_t n_near() const { return std::min(n(), n_wishes() + n_directions); }
 
     /// Taken as well where the box leaves the room.
     Ground ground(std::size_t index)
     {
-        while (grounds_.size() <= index) grounds_.push_back(ground_at(center(grounds_.size())));
+        while (grounds_.size() <= index) grounds_.push_back(ground_at(box(grounds_.size())));
         return grounds_[index];
     }
 
-    Candidate operator[](std::size_t index) const
+    Candidate operator[](std::size_t index)
     {
-        const OrientedBox box = box_at(center(index));
-        if (index < label_->wishes.size()) return {box, std::nullopt};
-        const Point border = box.nearest(label_->target);
-        if (distance(border, label_->target) <= options_->leader_after) return {box, std::nullopt};
-        return {box, Leader{leader_start(box), label_->target}};
+        Candidate place{box(index), std::nullopt, rotation(index), ground(index) == Ground::Soft};
+        if (index < n_wishes()) return place;
+        const Point border = place.box.nearest(label_->target);
+        if (distance(border, label_->target) > options_->leader_after)
+            place.leader = Leader{leader_start(place.box), label_->target};
+        return place;
     }
 
 private:
-    OrientedBox box_at(Point center) const { return {center, label_->size, label_->rotation}; }
+    std::size_t n_wishes() const { return label_->wishes.size() + label_->turned.size(); }
+    double rotation(std::size_t index) const
+    {
+        const bool is_turned = index >= label_->wishes.size() && index < n_wishes();
+        return is_turned ? label_->rotation + label_->turn : label_->rotation;
+    }
+    OrientedBox box(std::size_t index) const { return {center(index), label_->size, rotation(index)}; }
 
     // At the middle of the text's height a level line reads as a minus sign, so leaders begin above or below it: on the
     // side of the target, unless they would run nearly level along the text's edge.
@@ -88,19 +97,20 @@ private:
     Point center(std::size_t index) const
     {
         static const auto directions = ring_directions();
-        const std::size_t n_wishes = label_->wishes.size();
-        if (index < n_wishes) return label_->wishes[index];
-        const std::size_t on_rings = index - n_wishes;
+        const std::size_t n_level = label_->wishes.size();
+        if (index < n_level) return label_->wishes[index];
+        if (index < n_wishes()) return label_->turned[index - n_level];
+        const std::size_t on_rings = index - n_wishes();
         const Point direction = directions[on_rings % n_directions];
         const double away = label_->clearance + step_ * static_cast<double>(on_rings / n_directions);
         const double own_reach = std::abs(direction.x) * half_.x + std::abs(direction.y) * half_.y;
         return label_->target + (away + own_reach) * direction;
     }
 
-    Ground ground_at(Point center) const
+    Ground ground_at(const OrientedBox& place) const
     {
-        const bool is_in_room = is_finite(center) && options_->room.contains(Box{center - half_, center + half_});
-        return is_in_room ? obstacles_->ground_of(box_at(center).grown(options_->gap)) : Ground::Taken;
+        const bool is_in_room = is_finite(place.center) && options_->room.contains(place.bounds());
+        return is_in_room ? obstacles_->ground_of(place.grown(options_->gap)) : Ground::Taken;
     }
 
     const Label* label_;
@@ -245,7 +255,9 @@ public:
         LabelPlacement placement;
         for (std::size_t i = 0; i < labels_.size(); ++i) {
             placement.labels.emplace_back();
-            if (const auto& place = placed_[i]) placement.labels.back() = PlacedLabel{place->box.center, place->leader};
+            if (const auto& place = placed_[i])
+                placement.labels.back() = PlacedLabel{place->box.center, place->rotation, place->leader,
+                                                      place->is_over_soft};
             else ++placement.n_left_out;
         }
         return placement;
@@ -338,10 +350,11 @@ void draw_label(Painter& painter, const PlacedLabel& place, std::string_view utf
 {
     TextStyle centered = style;
     centered.anchor = Anchor::Center;
+    centered.rotation = place.rotation;
     const TextExtent extent = painter.measure(utf8, style);
     const double baseline_of_box = 0.5 * (extent.ascent - extent.descent);           // below the box's middle
     const double baseline_of_text = 0.5 * painter.fonts().cap_height() * style.size; // below the anchor
-    const Point down{std::sin(style.rotation), std::cos(style.rotation)};
+    const Point down{std::sin(place.rotation), std::cos(place.rotation)};
     painter.text(place.center + (baseline_of_box - baseline_of_text) * down, utf8, centered);
 }
 

@@ -18,6 +18,8 @@ struct Label {
     Size size;                   ///< of the text's box, unrotated
     std::vector<Point> wishes{}; ///< middles of the box, best first, each good without a leader; may be empty
     double rotation = 0.0;       ///< [rad], positive counter-clockwise as seen
+    std::vector<Point> turned{}; ///< middles of the box turned by `turn`, liked less than the wishes
+    double turn = 0.0;           ///< [rad], added to the rotation
     double priority = 0.0;       ///< larger ones choose first, and are the last to be left out
     double clearance = 5.0;      ///< least distance of the box from the target where no wish can be had
     double reach = 90.0;         ///< greatest distance of the box from the target
@@ -30,8 +32,10 @@ struct Leader {
 };
 
 struct PlacedLabel {
-    Point center; ///< of the box, see `draw_label`
-    std::optional<Leader> leader;
+    Point center;          ///< of the box, see `draw_label`
+    double rotation = 0.0; ///< [rad], the label's own or the turned one
+    std::optional<Leader> leader{};
+    bool is_over_soft = false; ///< it covers something soft: a plate keeps it readable
 };
 
 struct LabelPlacement {
@@ -41,11 +45,11 @@ struct LabelPlacement {
 
 /// Finds a place for every label so that none covers another, an obstacle or another's leader.
 ///
-/// By falling priority each label takes the first free place among its wishes, then on rings around its target, ever
-/// farther out. One that finds none asks the label in its way to move aside; if that fails too, it may cover what is
-/// `Firmness::Soft`; only then is it left out. The result depends on the input alone.
-/// Two hundred labels that find room nearby take about 1 ms. The search is bounded: where a thousand crowd a screen,
-/// those of low priority look nearby only, and the whole takes about 10 ms.
+/// By falling priority each label takes the first free place among its wishes, the turned ones next, then on rings
+/// around its target, ever farther out. One that finds none asks the label in its way to move aside; if that fails too,
+/// it may cover what is `Firmness::Soft`; only then is it left out. The result depends on the input alone. Two hundred
+/// labels that find room nearby take about 1 ms. The search is bounded: where a thousand crowd a screen, those of low
+/// priority look nearby only, and the whole takes about 10 ms.
 class LabelPlacer {
 public:
     struct Options {
@@ -66,7 +70,7 @@ private:
 
 /// The box that a label needs for a string.
 Size label_size(const Fonts& fonts, std::string_view utf8, const TextStyle& style);
-/// Draws the string in its box, whatever the style's anchor; its rotation is to be the label's. Draws no leader.
+/// Draws the string in its box, whatever the style's anchor and rotation. Draws no leader.
 void draw_label(Painter& painter, const PlacedLabel& place, std::string_view utf8, const TextStyle& style);
 
 } // namespace ui

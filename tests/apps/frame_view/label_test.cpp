@@ -5,6 +5,7 @@
 #include "femoop/analysis/linear_static.h"
 #include "tests/apps/frame_view/view_model.h"
 
+#include <algorithm>
 #include <chrono>
 
 using namespace frame;
@@ -94,6 +95,54 @@ TEST_CASE("In a crowded frame no leader reads as the minus sign of a number")
         }
     }
     CHECK(n_leaders > 20);
+}
+
+TEST_CASE("Where all results lie over one another no line runs through a diagram's sign and no label covers it")
+{
+    const ui::Fonts fonts;
+    const ui::Theme theme(ui::ThemeName::Light);
+    const femoop::Model model = view_test::example("portal");
+    const femoop::Results results = femoop::analyse(model);
+    ui::Painter painter({700.0, 760.0}, fonts);
+    draw(painter, model, &results,
+         {.show = parse_show("loads,reactions,labels,N,V,M,deformed"), .layout = Layout::Overlay});
+    view_test::Marks marks(fonts);
+    painter.picture().draw_on(marks);
+    int n_signs = 0;
+    for (const auto& disc : marks.discs) {
+        if (disc.fill != theme.background() || disc.radius != 6.0) continue;
+        ++n_signs;
+        const ui::Box sign = ui::Box{disc.center, disc.center}.grown(5.5);
+        for (const auto& text : marks.texts) {
+            CAPTURE(text.words);
+            CHECK(!text.box.overlaps(sign));
+        }
+        for (const auto& line : marks.lines) {
+            const bool is_its_own = sign.contains(line.points.front());
+            const bool is_below = line.stroke == theme.stroke(ui::Role::Leader) || line.stroke.width < 0.75; // hatching
+            if (is_its_own || is_below) continue;
+            for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
+                CHECK(!crosses(sign, line.points[i], line.points[i + 1]));
+        }
+    }
+    CHECK(n_signs >= 5);
+}
+
+TEST_CASE(
+    "On the projector every bar of a Pratt truss has its force written, along the bar where there is no other room")
+{
+    const ui::Fonts fonts;
+    const femoop::Model model = view_test::example("pratt_truss");
+    const femoop::Results results = femoop::analyse(model);
+    ui::Painter painter({1920.0, 1080.0}, fonts);
+    draw(painter, model, &results,
+         {.show = parse_show("loads,reactions,labels,N,deformed"), .theme = ui::ThemeName::Projector});
+    view_test::Marks marks(fonts);
+    painter.picture().draw_on(marks);
+    const auto n_forces = std::count_if(marks.texts.begin(), marks.texts.end(), [](const auto& text) {
+        return text.words == "0" || text.words.ends_with(" (T)") || text.words.ends_with(" (C)");
+    });
+    CHECK(n_forces == static_cast<std::ptrdiff_t>(model.members.size()));
 }
 
 TEST_CASE("Two hundred members with a diagram and its values are drawn in a frame of the screen")

@@ -35,11 +35,20 @@ public:
         ui::Color fill;
     };
 
+    struct Disc {
+        ui::Point center;
+        double radius = 0.0;
+        ui::Color fill;
+    };
+
     void clip(const ui::Box&) override {}
     void stroke(const ui::Path& path, const ui::Stroke& stroke) override;
     void fill(std::span<const ui::Point> polygon, ui::Color color) override;
     void stroke_arc(const ui::Arc&, const ui::Stroke&) override {}
-    void fill_disc(ui::Point, double, ui::Color) override {}
+    void fill_disc(ui::Point center, double radius, ui::Color color) override
+    {
+        discs.push_back({center, radius, color});
+    }
     void text(ui::Point at, std::string_view utf8, const ui::TextStyle& style) override;
 
     bool has_text(std::string_view words) const;
@@ -47,6 +56,7 @@ public:
     std::vector<Text> texts;
     std::vector<Line> lines;
     std::vector<Area> areas;
+    std::vector<Disc> discs;
 
 private:
     const ui::Fonts& fonts_;

@@ -14,7 +14,7 @@ constexpr ui::Box room{{0.0, 0.0}, {900.0, 600.0}};
 
 ui::OrientedBox box_of(const ui::Label& label, const ui::PlacedLabel& place)
 {
-    return {place.center, label.size, label.rotation};
+    return {place.center, label.size, place.rotation};
 }
 
 ui::Point anywhere(std::mt19937& random)
@@ -197,6 +197,26 @@ TEST_CASE("A leader keeps farther from the sides of other texts than from their 
     CHECK(placement.labels[0]->center != alone.labels[0]->center);
 }
 
+TEST_CASE("A label is turned only where it finds no level place that it wishes")
+{
+    constexpr double upright = std::numbers::pi / 2.0;
+    const std::vector<ui::Label> labels = {{.target = {300.0, 200.0},
+                                            .size = {60.0, 13.0},
+                                            .wishes = {{335.0, 200.0}},
+                                            .turned = {{310.0, 200.0}},
+                                            .turn = upright}};
+    ui::LabelPlacer placer({.room = room});
+    const auto level = placer.place(labels).labels[0];
+    REQUIRE(level);
+    CHECK(level->rotation == 0.0);
+    placer.obstacles().add_segment({325.0, 100.0}, {325.0, 300.0}, 2.0); // leaves a strip of 24 pixels
+    const auto turned = placer.place(labels).labels[0];
+    REQUIRE(turned);
+    CHECK(turned->center == ui::Point{310.0, 200.0});
+    CHECK(turned->rotation == upright);
+    CHECK_FALSE(turned->leader);
+}
+
 TEST_CASE("A label covers a soft obstacle only where all else is full, and a hard one never")
 {
     ui::LabelPlacer soft({.room = room}), hard({.room = room});
@@ -204,6 +224,8 @@ TEST_CASE("A label covers a soft obstacle only where all else is full, and a har
     hard.obstacles().add_box(room, ui::Firmness::Hard);
     const std::vector<ui::Label> labels = {{.target = {450.0, 300.0}, .size = {40.0, 13.0}}};
     CHECK(soft.place(labels).n_left_out == 0);
+    CHECK(soft.place(labels).labels[0]->is_over_soft);
+    CHECK(!ui::LabelPlacer({.room = room}).place(labels).labels[0]->is_over_soft);
     CHECK(hard.place(labels).n_left_out == 1);
     soft.obstacles().add_box({{0.0, 0.0}, {450.0, 600.0}}, ui::Firmness::Hard);
     REQUIRE(soft.place(labels).labels[0]);

@@ -193,22 +193,33 @@ private:
             moment += strip * 0.5 * (a.x + b.x);
         }
         if (area == 0.0) return;
-        const double x = moment / area;
-        const double value = curve_.value(diagram_.component, x);
         const double r = sketch().px(6.0);
-        if (std::abs(value) * diagram_.pixels_per_unit < 2.6 * r) return;
-        draw_sign(at(x, 0.5 * value), r, value);
+        std::vector<ui::Point> places = sign_places(moment / area, sign, r, ordinates[first].x, ordinates[last].x);
+        if (places.empty()) return;
+        sketch().sign({.places = std::move(places), .radius = r, .is_positive = sign > 0.0, .role = role_});
     }
 
-    void draw_sign(ui::Point center, double r, double value) const
+    // Where the area is high enough for a sign of radius r: best about `middle`, else ever farther from it.
+    std::vector<ui::Point> sign_places(double middle, double sign, double r, double from, double to) const
     {
-        const ui::LayerScope layer(sketch().painter(), ui::Layer::Symbols);
-        const ui::Stroke stroke = sketch().thin(role_);
-        sketch().disc(center, r, sketch().theme().background(), Clearance::None);
-        sketch().ring(center, r, stroke, Clearance::None);
-        const double d = 0.55 * r;
-        sketch().line(center - ui::Point{d, 0.0}, center + ui::Point{d, 0.0}, stroke, Clearance::None);
-        if (value > 0.0) sketch().line(center - ui::Point{0.0, d}, center + ui::Point{0.0, d}, stroke, Clearance::None);
+        std::vector<ui::Point> places;
+        const double step = 1.5 * r / scene_.projection.scale();
+        const int n = std::min(24, static_cast<int>((to - from) / step) + 1);
+        for (int i = 0; i < 2 * n; ++i) {
+            const double x = middle + (i % 2 == 0 ? 0.5 : -0.5) * (i + i % 2) * step;
+            if (x < from || x > to) continue;
+            const double value = curve_.value(diagram_.component, x);
+            const double height = sign * value * diagram_.pixels_per_unit;
+            if (height < 2.6 * r) {
+                if (i == 0) return {};
+                continue;
+            }
+            places.push_back(at(x, 0.5 * value));
+            if (height < 5.2 * r) continue;
+            places.push_back(at(x, 0.27 * value));
+            places.push_back(at(x, 0.73 * value));
+        }
+        return places;
     }
 
     void write_values() const
@@ -266,14 +277,15 @@ void draw_band(const Scene& scene, femoop::MemberId id, const Curve& curve, cons
     }
     if (!scene.shows(Show::Values)) return;
     const std::string sense = N > 0.0 ? " (T)" : " (C)";
-    const auto target = [&](double x) { return corner(x * length, half); };
+    const auto target = [&](double x) { return corner(x * length, 0.0); };
     const double number = is_zero ? 0.0 : std::abs(N);
     sketch.caption({.text = scene.number(number, ui::Measure::Force) + (is_zero ? "" : sense),
                     .role = ui::Role::AxialForce,
                     .target = target(0.5),
                     .toward = across,
-                    .gap = 4.0,
-                    .others = {target(0.4), target(0.6), target(0.3), target(0.7)}});
+                    .gap = 4.0 + half,
+                    .others = {target(0.4), target(0.6), target(0.3), target(0.7), target(0.2), target(0.8)},
+                    .along = along});
 }
 
 } // namespace

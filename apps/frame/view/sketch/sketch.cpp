@@ -126,6 +126,39 @@ void Sketch::caption(Caption caption)
     requests_.push_back({std::move(caption), style, size});
 }
 
+void Sketch::sign(SignMark mark)
+{
+    if (std::all_of(mark.places.begin(), mark.places.end(), ui::is_finite)) signs_.push_back(std::move(mark));
+}
+
+std::vector<Sketch::PlacedSign> Sketch::placed_signs()
+{
+    std::vector<PlacedSign> placed;
+    for (SignMark& mark : signs_) {
+        const double side = 2.0 * mark.radius + 2.0;
+        const auto is_free = [&](ui::Point p) {
+            return placer_.obstacles().ground_of({p, {side, side}}) != ui::Ground::Taken;
+        };
+        const auto free = std::find_if(mark.places.begin(), mark.places.end(), is_free);
+        const ui::Point center = free == mark.places.end() ? mark.places.front() : *free;
+        placer_.obstacles().add_disc(center, mark.radius);
+        placed.push_back({std::move(mark), center});
+    }
+    signs_.clear();
+    return placed;
+}
+
+void Sketch::draw(const PlacedSign& sign)
+{
+    const auto& [mark, center] = sign;
+    const ui::Stroke stroke = thin(mark.role);
+    painter_->disc(center, mark.radius, theme_->background());
+    painter_->circle(center, mark.radius, stroke);
+    const double d = 0.55 * mark.radius;
+    painter_->line(center - ui::Point{d, 0.0}, center + ui::Point{d, 0.0}, stroke);
+    if (mark.is_positive) painter_->line(center - ui::Point{0.0, d}, center + ui::Point{0.0, d}, stroke);
+}
+
 ui::Label Sketch::label_of(const Request& request) const
 {
     constexpr double pi = std::numbers::pi;
@@ -143,23 +176,46 @@ ui::Label Sketch::label_of(const Request& request) const
     wish(caption.target, 0.0, caption.gap + 8.0);
     for (const double angle : {pi / 2, -pi / 2, pi, 3 * pi / 4, -3 * pi / 4}) wish(caption.target, angle, caption.gap);
     for (const ui::Point other : caption.others) wish(other, pi, caption.gap);
+    add_turned(label, caption);
     return label;
+}
+
+void Sketch::add_turned(ui::Label& label, const Caption& caption)
+{
+    if (caption.along == ui::Point{}) return;
+    const ui::Point along = (caption.along.x < 0.0 ? -1.0 : 1.0) * ui::direction(caption.along);
+    if (std::abs(along.y) < 0.05) return; // level already
+    label.turn = std::atan2(-along.y, along.x);
+    std::vector<ui::Point> targets{caption.target};
+    targets.insert(targets.end(), caption.others.begin(), caption.others.end());
+    label.turned.reserve(2 * targets.size());
+    const ui::Point away = (caption.gap + 0.5 * label.size.height) * ui::left_normal(along);
+    for (const ui::Point target : targets) label.turned.push_back(target + away);
+    for (const ui::Point target : targets) label.turned.push_back(target - away);
+}
+
+void Sketch::write(const Request& request, const ui::PlacedLabel& place)
+{
+    ui::TextStyle style = request.style;
+    if (place.is_over_soft) style.plate = ui::with_opacity(theme_->background(), 0.8);
+    ui::draw_label(*painter_, place, request.caption.text, style);
 }
 
 void Sketch::write_captions()
 {
+    const std::vector<PlacedSign> signs = placed_signs();
     std::vector<ui::Label> labels;
     labels.reserve(requests_.size());
     for (const Request& request : requests_) labels.push_back(label_of(request));
-    const ui::LabelPlacement placement = placer_.place(labels);
-    n_left_out_ += placement.n_left_out;
+    const ui::LabelPlacement placed = placer_.place(labels);
+    n_left_out_ += placed.n_left_out;
     const ui::LayerScope layer(*painter_, ui::Layer::Labels);
-    for (std::size_t i = 0; i < requests_.size(); ++i) {
-        const auto& place = placement.labels[i];
-        if (!place) continue;
-        if (place->leader) painter_->line(place->leader->from, place->leader->to, theme_->stroke(ui::Role::Leader));
-        ui::draw_label(*painter_, *place, requests_[i].caption.text, requests_[i].style);
-    }
+    for (const auto& place : placed.labels)
+        if (place && place->leader)
+            painter_->line(place->leader->from, place->leader->to, theme_->stroke(ui::Role::Leader));
+    for (const PlacedSign& sign : signs) draw(sign);
+    for (std::size_t i = 0; i < requests_.size(); ++i)
+        if (placed.labels[i]) write(requests_[i], *placed.labels[i]);
     requests_.clear();
 }
 

@@ -29,6 +29,15 @@ struct Caption {
     double size = 0.0;               ///< em; 0 is the theme's normal size
     std::vector<ui::Point> others{}; ///< targets that serve as well, such as places along a member
     double reach = 90.0;             ///< how far off it may stand, with a leader
+    ui::Point along{}; ///< of a member: where there is no room beside it it is written along this; zero: never
+};
+
+/// A plus or a minus in a small disc, which says the sign of an area.
+struct SignMark {
+    std::vector<ui::Point> places; ///< where it may stand, best first; not empty
+    double radius = 6.0;
+    bool is_positive = true;
+    ui::Role role = ui::Role::Label;
 };
 
 /// Draws the marks of a structure and remembers where they are: labels keep clear of them, and the sheet learns how
@@ -62,7 +71,10 @@ public:
     /// The same string twice within a few pixels is written once.
     void caption(Caption caption);
 
-    /// Finds places for all captions and writes them. Call once, at the end.
+    /// Put where no line runs, on a disc that hides what lies below it; labels keep clear of it.
+    void sign(SignMark mark);
+
+    /// Finds places for all signs and captions and writes them. Call once, at the end.
     void write_captions();
 
     const std::optional<ui::Box>& bounds() const { return bounds_; } ///< of all marks and of the captions' first wishes
@@ -76,8 +88,17 @@ private:
         ui::Size size;
     };
 
+    struct PlacedSign {
+        SignMark mark;
+        ui::Point center;
+    };
+
+    std::vector<PlacedSign> placed_signs();
+    void draw(const PlacedSign& sign);
+    void write(const Request& request, const ui::PlacedLabel& place);
     ui::TextStyle style_of(const Caption& caption) const;
     ui::Label label_of(const Request& request) const;
+    static void add_turned(ui::Label& label, const Caption& caption);
     static ui::Firmness firmness(Clearance clearance);
 
     ui::Painter* painter_;
@@ -85,6 +106,7 @@ private:
     double symbol_scale_;
     ui::LabelPlacer placer_;
     std::vector<Request> requests_;
+    std::vector<SignMark> signs_;
     std::optional<ui::Box> bounds_;
     std::size_t n_left_out_ = 0;
 };

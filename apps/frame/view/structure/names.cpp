@@ -41,7 +41,8 @@ void name_member(const Scene& scene, femoop::MemberId id)
                           .rank = Rank::Name,
                           .size = scene.sketch.theme().type().small,
                           .others = {at(0.4), at(0.6), at(0.3), at(0.7)},
-                          .reach = 30.0});
+                          .reach = 30.0,
+                          .along = scene.projection.direction(shape.x())});
 }
 
 void draw_axis(const Scene& scene, const Eigen::Vector3d& origin, const Eigen::Vector3d& axis, const char* name)
