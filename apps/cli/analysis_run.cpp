@@ -22,6 +22,7 @@ void report_mechanisms(const femoop::MechanismError& error, const std::string& f
 {
     const ui::Catalogue& tr = console.tr();
     const std::size_t n = error.mechanisms().size() + error.n_more();
+    for (const Fault& cause : error.causes()) console.message(file + ": " + console.sentence(cause));
     console.message(
         file + ": " +
         (n == 1 ? tr("the structure is a mechanism, so it cannot be solved; it can move in one way:")

@@ -4,17 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "femoop/analysis/rotation_followers.h"
 #include "femoop/analysis/spinning_chain.h"
 
 namespace femoop {
 
 namespace {
 
-/// Does a rigid member follow the rotation of its node? Through a rigid joint it does, and through a rigid arm.
-bool turns_with_node(const MemberExtras& extras, std::size_t end)
+/// Does a constraint tie a member to the rotation of its node? A rigid joint lets it, and a rigid arm.
+bool is_tied(const MemberExtras& extras, std::size_t end)
 {
+    if (extras.constraint == Constraint::None) return false;
     if (extras.has_offset) return true;
-    if (extras.is_bar) return false;
+    if (extras.is_bar || extras.constraint != Constraint::Rigid) return false;
     const auto is_rigid = [&](LocalAxis axis) { return extras.joints[end][index(axis)] == rigid_joint; };
     return is_rigid(LocalAxis::rx) || is_rigid(LocalAxis::ry) || is_rigid(LocalAxis::rz);
 }
@@ -24,7 +26,7 @@ NodeJoints node_joints(const Structure& structure)
     const std::size_t n = structure.positions.size();
     NodeJoints joints{.stiffness = std::vector<double>(n, 0.0),
                       .is_flexible = std::vector<bool>(n, false),
-                      .is_rigid = std::vector<bool>(n, false)};
+                      .is_tied = std::vector<bool>(n, false)};
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
         const MemberExtras* extras = structure.extras_of(MemberId(i));
         const MemberProperties& p = structure.properties_of(MemberId(i));
@@ -34,7 +36,7 @@ NodeJoints node_joints(const Structure& structure)
             joints.stiffness[node] = std::max({joints.stiffness[node], 4.0 * p.xy.EI / L, 4.0 * p.xz.EI / L});
             if (extras == nullptr) continue;
             if (extras->is_bar || extras->has_flexible_joint) joints.is_flexible[node] = true;
-            if (extras->constraint == Constraint::Rigid && turns_with_node(*extras, end)) joints.is_rigid[node] = true;
+            if (is_tied(*extras, end)) joints.is_tied[node] = true;
         }
     }
     return joints;
@@ -80,6 +82,22 @@ void hold(const HeldRotation& rotation, double stiffness, SparseMatrix& K)
                                                     rotation.direction[static_cast<Eigen::Index>(j)];
 }
 
+/// Of idle motions of one node those that no member follows: the others are mechanisms.
+std::vector<HeldRotation> unfollowed(std::vector<HeldRotation> idle, RotationFollowers& followers)
+{
+    if (idle.empty()) return idle;
+    const std::vector<HeldRotation::Part> parts = idle.front().parts;
+    Eigen::MatrixXd directions(static_cast<Eigen::Index>(parts.size()), static_cast<Eigen::Index>(idle.size()));
+    for (std::size_t i = 0; i < idle.size(); ++i) directions.col(static_cast<Eigen::Index>(i)) = idle[i].direction;
+    const Eigen::MatrixXd moved = followers.motion(parts) * directions;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(moved.transpose() * moved);
+    std::vector<HeldRotation> still;
+    for (Eigen::Index i = 0; i < directions.cols(); ++i)
+        if (eigen.eigenvalues()[i] < follows * follows)
+            still.push_back({.parts = parts, .direction = directions * eigen.eigenvectors().col(i)});
+    return still;
+}
+
 } // namespace
 
 std::vector<HeldRotation> hold_idle_rotations(const Structure& structure, const Equations& equations, SparseMatrix& K)
@@ -87,15 +105,16 @@ std::vector<HeldRotation> hold_idle_rotations(const Structure& structure, const 
     std::vector<HeldRotation> held;
     if (is_truss(structure.kind)) return held;
     const NodeJoints joints = node_joints(structure);
+    RotationFollowers followers(structure);
     for (std::size_t node = 0; node < joints.stiffness.size(); ++node) {
         if (!joints.may_turn(node)) continue;
         const auto parts = free_rotations(structure, equations, NodeId(node));
-        for (const HeldRotation& rotation : idle_at_node(parts, joints.stiffness[node], K)) {
+        for (const HeldRotation& rotation : unfollowed(idle_at_node(parts, joints.stiffness[node], K), followers)) {
             hold(rotation, joints.stiffness[node], K);
             held.push_back(rotation);
         }
     }
-    for (const HeldRotation& rotation : spinning_chains(structure, equations, joints, K)) {
+    for (const HeldRotation& rotation : spinning_chains(structure, equations, joints, followers, K)) {
         hold(rotation, joints.stiffness[rotation.parts.front().node.index], K);
         held.push_back(rotation);
     }

@@ -14,6 +14,7 @@
 #include "femoop/analysis/equilibrium.h"
 #include "femoop/analysis/idle_rotation.h"
 #include "femoop/analysis/mechanism_words.h"
+#include "femoop/analysis/rigid_body.h"
 #include "femoop/model/check/check.h"
 #include "femoop/result/solution.h"
 #include "femoop/solver/null_modes.h"
@@ -300,7 +301,10 @@ private:
             motion.own_ends = own_ends(x);
             motions.push_back(std::move(motion));
         }
-        throw MechanismError(mechanisms_of(model, structure, equations, motions), modes.cols() - n_described);
+        std::vector<Fault> causes = unheld_parts(model, *structure);
+        causes.resize(std::min<std::size_t>(causes.size(), most_described));
+        throw MechanismError(mechanisms_of(model, structure, equations, motions), modes.cols() - n_described,
+                             std::move(causes));
     }
 
     void refuse(const Model& model, const std::vector<Elimination::Conflict>& conflicts) const

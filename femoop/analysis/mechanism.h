@@ -17,15 +17,18 @@ struct Mechanism {
 };
 
 /// A structure that can move cannot be solved: its independent mechanisms. Of very many only the first are described.
+/// Where it is not held as a rigid body, that is said first.
 class MechanismError : public ModelError {
 public:
-    explicit MechanismError(std::vector<Mechanism> mechanisms, std::size_t n_more = 0);
+    explicit MechanismError(std::vector<Mechanism> mechanisms, std::size_t n_more = 0, std::vector<Fault> causes = {});
     const std::vector<Mechanism>& mechanisms() const { return mechanisms_; }
     std::size_t n_more() const { return n_more_; } ///< at least so many more were found
+    const std::vector<Fault>& causes() const { return causes_; }
 
 private:
     std::vector<Mechanism> mechanisms_;
     std::size_t n_more_;
+    std::vector<Fault> causes_;
 };
 
 } // namespace femoop

@@ -7,12 +7,13 @@
 #include <sstream>
 #include <string>
 
+#include "femoop/analysis/node_names.h"
+
 namespace femoop {
 
 namespace {
 
-constexpr double still = 1e-6;             // of the largest motion: less does not count as moving
-constexpr std::size_t names_in_words = 12; // a sentence names so many nodes, then counts
+constexpr double still = 1e-6; // of the largest motion: less does not count as moving
 
 Eigen::Vector3d translation(const NodeVector& v) { return {v[0], v[1], v[2]}; }
 Eigen::Vector3d rotation(const NodeVector& v) { return {v[3], v[4], v[5]}; }
@@ -29,19 +30,6 @@ std::string point(const Eigen::Vector3d& at, AnalysisKind kind)
 {
     std::string text = "(" + number(at.x()) + ", " + number(at.y());
     return text + (is_3d(kind) ? ", " + number(at.z()) + ")" : ")");
-}
-
-std::string names(const Model& model, const std::vector<NodeId>& nodes)
-{
-    std::vector<std::string> list;
-    for (const NodeId node : nodes) {
-        if (list.size() + 1 == names_in_words && nodes.size() > names_in_words) {
-            list.push_back("+" + std::to_string(nodes.size() - list.size()));
-            break;
-        }
-        list.push_back(model[node].id);
-    }
-    return listed(list);
 }
 
 /// The point that all moving nodes of a plane model turn about, if they do.
@@ -90,12 +78,13 @@ Fault along(const Model& model, const std::vector<NodeId>& moving, const Eigen::
     for (int axis = 0; axis < 3; ++axis)
         if (std::abs(std::abs(direction[axis]) - direction.norm()) < still)
             return {.kind = (moving.size() > 1 ? together : alone)[static_cast<std::size_t>(axis)],
-                    .arguments = {names(model, moving)}};
+                    .arguments = {names_of(model, moving)}};
     return {.kind = FaultKind::MechanismMoveOblique,
-            .arguments = {names(model, moving), point(direction, model.analysis)}};
+            .arguments = {names_of(model, moving), point(direction, model.analysis)}};
 }
 
-Fault words(const Model& model, const Structure& structure, const std::vector<NodeVector>& motion)
+/// What a single node's rotation is called depends on its cause: nothing holds it, or a moment drives it.
+Fault words(const Model& model, const Structure& structure, const std::vector<NodeVector>& motion, FaultKind spin)
 {
     std::vector<NodeId> moving, turning;
     for (std::size_t i = 0; i < motion.size(); ++i) {
@@ -106,10 +95,10 @@ Fault words(const Model& model, const Structure& structure, const std::vector<No
         Eigen::Index axis = 0;
         rotation(motion[turning.front().index]).cwiseAbs().maxCoeff(&axis);
         return {
-            .kind = FaultKind::MechanismSpin,
+            .kind = spin,
             .arguments = {model[turning.front()].id, std::string(name(all_dofs[3 + static_cast<std::size_t>(axis)]))}};
     }
-    if (moving.empty()) return {.kind = FaultKind::MechanismSpins, .arguments = {names(model, turning)}};
+    if (moving.empty()) return {.kind = FaultKind::MechanismSpins, .arguments = {names_of(model, turning)}};
     const Eigen::Vector3d first = translation(motion[moving.front().index]);
     const bool is_common = std::all_of(moving.begin(), moving.end(), [&](NodeId node) {
         return (translation(motion[node.index]) - first).norm() < still;
@@ -119,8 +108,8 @@ Fault words(const Model& model, const Structure& structure, const std::vector<No
     if (is_plane)
         if (const auto about = pivot(structure, motion, moving))
             return {.kind = FaultKind::MechanismTurn,
-                    .arguments = {names(model, moving), point(*about, model.analysis)}};
-    return {.kind = FaultKind::MechanismMixed, .arguments = {names(model, moving)}};
+                    .arguments = {names_of(model, moving), point(*about, model.analysis)}};
+    return {.kind = FaultKind::MechanismMixed, .arguments = {names_of(model, moving)}};
 }
 
 std::vector<NodeVector> motion_of(const Structure& structure, const std::vector<double>& displacements)
@@ -171,7 +160,9 @@ std::vector<Mechanism> mechanisms_of(const Model& model, const std::shared_ptr<c
         const double factor = normalize(nodes);
         for (double& u : motion.displacements) u *= factor;
         for (double& u : motion.own_ends) u *= factor;
-        Mechanism mechanism{.fault = words(model, *structure, nodes), .motion = std::move(nodes), .member_ends = {}};
+        Mechanism mechanism{.fault = words(model, *structure, nodes, FaultKind::MechanismNodeTurns),
+                            .motion = std::move(nodes),
+                            .member_ends = {}};
         mechanism.member_ends = member_ends(structure, equations, motion);
         mechanisms.push_back(std::move(mechanism));
     }
@@ -207,15 +198,16 @@ std::vector<Mechanism> driven_spins(const Model& model, const Structure& structu
             motion[rotation.parts[i].node.index][index(rotation.parts[i].dof)] =
                 rotation.direction[static_cast<Eigen::Index>(i)];
         normalize(motion);
-        mechanisms.push_back(
-            {.fault = words(model, structure, motion), .motion = motion, .member_ends = still_ends(structure)});
+        mechanisms.push_back({.fault = words(model, structure, motion, FaultKind::MechanismSpin),
+                              .motion = motion,
+                              .member_ends = still_ends(structure)});
     }
     return mechanisms;
 }
 
 Fault beyond_range_fault(const Model& model, const std::vector<NodeId>& nodes)
 {
-    return {.kind = FaultKind::StiffnessBeyondRange, .arguments = {names(model, nodes)}};
+    return {.kind = FaultKind::StiffnessBeyondRange, .arguments = {names_of(model, nodes)}};
 }
 
 Fault nearly_singular_fault(const Model& model, double condition, const std::vector<double>& displacements,
@@ -230,7 +222,7 @@ Fault nearly_singular_fault(const Model& model, double condition, const std::vec
     std::ostringstream estimate;
     estimate.precision(1);
     estimate << std::scientific << condition;
-    return {.kind = FaultKind::NearlySingular, .arguments = {estimate.str(), names(model, softest)}};
+    return {.kind = FaultKind::NearlySingular, .arguments = {estimate.str(), names_of(model, softest)}};
 }
 
 std::vector<Fault> conflict_faults(const Model& model, const std::vector<Elimination::Conflict>& conflicts)
@@ -245,14 +237,21 @@ std::vector<Fault> conflict_faults(const Model& model, const std::vector<Elimina
     return faults;
 }
 
-MechanismError::MechanismError(std::vector<Mechanism> mechanisms, std::size_t n_more)
-    : ModelError([&] {
-          std::vector<Fault> faults;
-          for (const Mechanism& mechanism : mechanisms) faults.push_back(mechanism.fault);
-          return faults;
-      }()),
+namespace {
+
+std::vector<Fault> all_faults(const std::vector<Mechanism>& mechanisms, std::vector<Fault> causes)
+{
+    for (const Mechanism& mechanism : mechanisms) causes.push_back(mechanism.fault);
+    return causes;
+}
+
+} // namespace
+
+MechanismError::MechanismError(std::vector<Mechanism> mechanisms, std::size_t n_more, std::vector<Fault> causes)
+    : ModelError(all_faults(mechanisms, causes)),
       mechanisms_(std::move(mechanisms)),
-      n_more_(n_more)
+      n_more_(n_more),
+      causes_(std::move(causes))
 {}
 
 } // namespace femoop

@@ -20,10 +20,12 @@ bool carries_torque(const MemberExtras* extras)
 
 class ChainSearch {
 public:
-    ChainSearch(const Structure& structure, const Equations& equations, const NodeJoints& joints, const SparseMatrix& K)
+    ChainSearch(const Structure& structure, const Equations& equations, const NodeJoints& joints,
+                RotationFollowers& followers, const SparseMatrix& K)
         : structure_(structure),
           equations_(equations),
           joints_(joints),
+          followers_(followers),
           K_(K),
           is_known_(structure.members.size(), false),
           turn_(Eigen::VectorXd::Zero(K.rows()))
@@ -41,7 +43,7 @@ public:
             const auto may_turn = [&](NodeId node) { return joints_.may_turn(node.index); };
             if (std::none_of(nodes.begin(), nodes.end(), may_turn)) continue;
             const std::optional<HeldRotation> spin = spin_of(nodes, axis);
-            if (spin && is_idle(*spin)) found.push_back(*spin);
+            if (spin && is_idle(*spin) && !swings_a_member(*spin)) found.push_back(*spin);
         }
         return found;
     }
@@ -73,14 +75,14 @@ private:
         return nodes;
     }
 
-    /// The chain's nodes turning by the same angle; nothing where a support or a rigid member stops one of them.
+    /// The chain's nodes turning by the same angle; nothing where a support or a constraint stops one of them.
     std::optional<HeldRotation> spin_of(const std::vector<NodeId>& nodes, const Eigen::Vector3d& axis) const
     {
         HeldRotation spin;
         std::vector<double> direction;
         const std::span<const Dof> dofs = model_dofs(structure_.kind);
         for (const NodeId node : nodes) {
-            if (joints_.is_rigid[node.index]) return std::nullopt;
+            if (joints_.is_tied[node.index]) return std::nullopt;
             for (std::size_t i = 0; i < dofs.size(); ++i) {
                 const auto component = static_cast<Eigen::Index>(index(dofs[i])) - 3;
                 if (component < 0 || std::abs(axis[component]) < square) continue;
@@ -112,9 +114,15 @@ private:
         return work <= idle_stiffness * stiffness;
     }
 
+    bool swings_a_member(const HeldRotation& spin)
+    {
+        return (followers_.motion(spin.parts) * spin.direction).norm() >= follows;
+    }
+
     const Structure& structure_;
     const Equations& equations_;
     const NodeJoints& joints_;
+    RotationFollowers& followers_;
     const SparseMatrix& K_;
     std::vector<std::vector<MemberId>> members_of_;
     std::vector<bool> is_known_;
@@ -124,11 +132,11 @@ private:
 } // namespace
 
 std::vector<HeldRotation> spinning_chains(const Structure& structure, const Equations& equations,
-                                          const NodeJoints& joints, const SparseMatrix& K)
+                                          const NodeJoints& joints, RotationFollowers& followers, const SparseMatrix& K)
 {
     if (structure.kind != AnalysisKind::Frame3d && structure.kind != AnalysisKind::Grillage) return {};
     if (std::find(joints.is_flexible.begin(), joints.is_flexible.end(), true) == joints.is_flexible.end()) return {};
-    return ChainSearch(structure, equations, joints, K).run();
+    return ChainSearch(structure, equations, joints, followers, K).run();
 }
 
 } // namespace femoop

@@ -8,23 +8,28 @@ namespace femoop {
 /// arguments are; the first one is the place: members[2] "BC".
 enum class FaultKind : std::uint8_t {
     // the structure, found by the analysis
-    MechanismSwayX,       ///< {0} nodes that move along x together
-    MechanismSwayY,       ///< {0} nodes that move along y together
-    MechanismSwayZ,       ///< {0} nodes that move along z together
-    MechanismMoveX,       ///< {0} the one node that moves along x
-    MechanismMoveY,       ///< {0} the one node that moves along y
-    MechanismMoveZ,       ///< {0} the one node that moves along z
-    MechanismMoveOblique, ///< {0} nodes, {1} direction
-    MechanismTurn,        ///< {0} nodes that turn together, {1} the point they turn about
-    MechanismSpin,        ///< {0} node, {1} rotation
-    MechanismSpins,       ///< {0} nodes that only rotate
-    MechanismMixed,       ///< {0} nodes that move, each in its way
-    MechanismMemberFlies, ///< {0} member, {1} release
-    ConstraintConflict,   ///< {0} members, {1} case
-    StiffnessBeyondRange, ///< {0} nodes
-    ResultsBeyondRange,   ///< {0} case
-    NearlySingular,       ///< {0} condition estimate, {1} nodes
-    HugeDisplacement,     ///< {0} node, {1} distance, {2} case
+    NoSupport,
+    PartWithoutSupport,     ///< {0} nodes
+    TooFewSupports,         ///< {1} how many motions of a rigid body are held, {2} of how many
+    PartWithTooFewSupports, ///< {0} nodes, {1}, {2} likewise
+    MechanismSwayX,         ///< {0} nodes that move along x together
+    MechanismSwayY,         ///< {0} nodes that move along y together
+    MechanismSwayZ,         ///< {0} nodes that move along z together
+    MechanismMoveX,         ///< {0} the one node that moves along x
+    MechanismMoveY,         ///< {0} the one node that moves along y
+    MechanismMoveZ,         ///< {0} the one node that moves along z
+    MechanismMoveOblique,   ///< {0} nodes, {1} direction
+    MechanismTurn,          ///< {0} nodes that turn together, {1} the point they turn about
+    MechanismNodeTurns,     ///< {0} node, {1} rotation
+    MechanismSpin,          ///< {0} node that a moment spins, {1} rotation
+    MechanismSpins,         ///< {0} nodes that only rotate
+    MechanismMixed,         ///< {0} nodes that move, each in its way
+    MechanismMemberFlies,   ///< {0} member, {1} release
+    ConstraintConflict,     ///< {0} members, {1} case
+    StiffnessBeyondRange,   ///< {0} nodes
+    ResultsBeyondRange,     ///< {0} case
+    NearlySingular,         ///< {0} condition estimate, {1} nodes
+    HugeDisplacement,       ///< {0} node, {1} distance, {2} case
 
     // the file
     FileUnreadable,

@@ -5,6 +5,17 @@ namespace femoop {
 std::string_view pattern(FaultKind kind)
 {
     switch (kind) {
+    case FaultKind::NoSupport:
+        return "no node is supported, so nothing keeps the structure from moving as a whole; add supports";
+    case FaultKind::PartWithoutSupport:
+        return "no node of the part {0} is supported, so nothing keeps it from moving as a whole; add supports or join "
+               "it to the rest";
+    case FaultKind::TooFewSupports:
+        return "the supports hold {1} of the {2} ways in which the structure can move as a whole; add supports, or let "
+               "them act in other directions";
+    case FaultKind::PartWithTooFewSupports:
+        return "the supports hold {1} of the {2} ways in which the part {0} can move as a whole; add supports, or join "
+               "it to the rest";
     case FaultKind::MechanismSwayX:
         return "structure can move without strain: nodes {0} sway to the right together; nothing holds ux; add a brace "
                "or "
@@ -27,6 +38,9 @@ std::string_view pattern(FaultKind kind)
         return "structure can move without strain: nodes {0} turn together about {1}; add a support, a brace or a "
                "rigid "
                "joint";
+    case FaultKind::MechanismNodeTurns:
+        return "structure can move without strain: node {0} rotates freely, nothing holds {1}; add a support or a "
+               "rigid joint";
     case FaultKind::MechanismSpin:
         return "structure can move without strain: node {0} rotates freely, nothing holds {1}; add a support or a "
                "rigid "

@@ -259,6 +259,7 @@ TEST_CASE("A structure that floats is refused with its three motions in words, s
         CHECK(run.status == 3);
         CHECK(run.out.empty());
         CHECK(has(run.err, "it can move in 3 independent ways"));
+        CHECK(has(run.err, "no node is supported"));
         CHECK(cli_test::count(run.err, "structure can move without strain") == 3);
     }
 }

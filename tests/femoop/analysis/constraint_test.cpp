@@ -108,6 +108,32 @@ TEST_SUITE("constraints")
         CHECK(result.displacement(NodeId(1))[1] == doctest::Approx(1.2e-5 * 50.0 * h));
     }
 
+    TEST_CASE("An inextensible member turns a hinged node by its rigid arm")
+    {
+        constexpr double arm = 0.4, P = 7.0;
+        Model model;
+        model.add(Material{.id = "steel", .E = E});
+        model.add(Section{.id = "s", .A = 0.01, .Iz = 8e-5});
+        model.add(Node{.id = "A", .at = {0.0, 0.0, 0.0}, .support = Support{.kind = SupportKind::Fixed}});
+        model.add(Node{.id = "B", .at = {b, 0.0, 0.0}});
+        model.add(Node{.id = "C", .at = {b + h, 0.0, 0.0}, .support = Support{.kind = SupportKind::Fixed}});
+        const Member common{.material = MaterialId(0), .section = SectionId(0)};
+        for (std::size_t i = 0; i < 2; ++i) {
+            Member member = common;
+            member.id = i == 0 ? "AB" : "BC";
+            member.nodes = {NodeId(i), NodeId(i + 1)};
+            model.add(member);
+        }
+        model.members[0].end.release = model.members[1].start.release = model.members[1].end.release = {Dof::rz};
+        model.members[1].start.offset = model.members[1].end.offset = {0.0, arm};
+        model.members[1].inextensible = true;
+        model.add(LoadCase{.id = "W"});
+        model.load_cases[0].nodes.push_back({.node = NodeId(1), .components = {{.dof = Dof::ux, .value = P}}});
+        const NodeVector u = analyse(model).at("W").displacement(NodeId(1));
+        CHECK(u[0] == doctest::Approx(P * b / (E * 0.01)));
+        CHECK(u[5] == doctest::Approx(u[0] / arm));
+    }
+
     TEST_CASE("A rigid member hinged at one end follows its chord and carries no moment there")
     {
         Model model = portal();

@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "femoop/analysis/linear_static.h"
 
 using namespace femoop;
@@ -48,6 +50,18 @@ std::vector<std::string> mechanisms(const Model& model)
         analyse(model);
     } catch (const MechanismError& error) {
         for (const Mechanism& mechanism : error.mechanisms()) sentences.push_back(message(mechanism.fault));
+    }
+    return sentences;
+}
+
+/// Why the structure is not held as a rigid body.
+std::vector<std::string> causes(const Model& model)
+{
+    std::vector<std::string> sentences;
+    try {
+        analyse(model);
+    } catch (const MechanismError& error) {
+        for (const Fault& cause : error.causes()) sentences.push_back(message(cause));
     }
     return sentences;
 }
@@ -110,6 +124,53 @@ TEST_SUITE("mechanisms")
         CHECK(sentences[1].find("turn together about (0, ") != std::string::npos);
     }
 
+    TEST_CASE("A structure without support, or without enough of it, is told so before its motions")
+    {
+        Model model = frame({{0, 0}, {4, 0}, {4, 3}}, {{0, 1}, {1, 2}});
+        CHECK(causes(model) == std::vector<std::string>{"no node is supported, so nothing keeps the structure from "
+                                                        "moving as a whole; add supports"});
+        CHECK(mechanisms(model).size() == 3);
+        hold(model, 0, SupportKind::Roller);
+        hold(model, 1, SupportKind::Roller);
+        CHECK(causes(model) ==
+              std::vector<std::string>{"the supports hold 2 of the 3 ways in which the structure can move as a whole; "
+                                       "add supports, or let them act in other directions"});
+        hold(model, 1, SupportKind::Pin);
+        CHECK(causes(model).empty());
+        model.nodes[0].support->angle = 90.0; // acts along AB, as the pin does already
+        CHECK(causes(model).size() == 1);
+        model.nodes[0].support = Support{.springs = {{.dof = Dof::rz, .stiffness = 5.0}}};
+        CHECK(causes(model).empty());
+    }
+
+    TEST_CASE("A part of a structure that nothing holds is told by its nodes")
+    {
+        Model model = frame({{0, 0}, {4, 0}, {0, 3}, {5, 3}, {5, 7}}, {{0, 1}, {2, 3}, {3, 4}});
+        hold(model, 0, SupportKind::Fixed);
+        CHECK(causes(model) ==
+              std::vector<std::string>{"no node of the part C, D and E is supported, so nothing keeps it from moving "
+                                       "as a whole; add supports or join it to the rest"});
+        hold(model, 4, SupportKind::Pin);
+        CHECK(causes(model) ==
+              std::vector<std::string>{"the supports hold 2 of the 3 ways in which the part C, D and E can move as a "
+                                       "whole; add supports, or join it to the rest"});
+    }
+
+    TEST_CASE("A foundation holds as supports do, and a mechanism inside a held structure blames no support")
+    {
+        Model model = frame({{0, 0}, {4, 0}}, {{0, 1}});
+        model.members[0].foundation = 900.0;
+        CHECK(causes(model) ==
+              std::vector<std::string>{"the supports hold 2 of the 3 ways in which the structure can move as a whole; "
+                                       "add supports, or let them act in other directions"});
+        Model beam = frame({{0, 0}, {4, 0}, {8, 0}, {11, 0}}, {{0, 1}, {1, 2}, {2, 3}});
+        hold(beam, 0, SupportKind::Pin);
+        hold(beam, 3, SupportKind::Pin);
+        beam.nodes[1].hinge = beam.nodes[2].hinge = true;
+        CHECK_FALSE(mechanisms(beam).empty());
+        CHECK(causes(beam).empty());
+    }
+
     TEST_CASE("Two separate swaying frames are two mechanisms")
     {
         Model model = frame({{0, 0}, {0, 3}, {4, 3}, {4, 0}, {9, 0}, {9, 3}, {13, 3}, {13, 0}},
@@ -133,6 +194,43 @@ TEST_SUITE("mechanisms")
         const double EI = 2.1e8 * 1.3e-4;
         CHECK(results.at("G").displacement(NodeId(1))[1] == doctest::Approx(-5.0 * 64.0 / (3.0 * EI)));
         CHECK(results.indeterminacy().total() == 2);
+    }
+
+    TEST_CASE("A member that its releases let fly away whole has every motion of a body told")
+    {
+        Model model = frame({{0, 0}, {4, 0}, {4, 3}}, {{0, 1}, {1, 2}});
+        hold(model, 0, SupportKind::Fixed);
+        model.members[1].start.release = {Dof::ux, Dof::uy, Dof::rz};
+        std::vector<std::string> sentences = mechanisms(model);
+        std::sort(sentences.begin(), sentences.end());
+        const std::string can_move = "structure can move without strain: node C ";
+        CHECK(sentences ==
+              std::vector<std::string>{can_move + "moves along x; nothing holds ux; add a brace or a support",
+                                       can_move + "moves along y; nothing holds uy; add a brace or a support",
+                                       can_move + "rotates freely, nothing holds rz; add a support or a rigid joint"});
+
+        Model space = skew_chain(2.5);
+        for (Node& node : space.nodes) node.hinge = false;
+        space.nodes[3].support.reset();
+        space.members[2].start.release = {Dof::ux, Dof::uy, Dof::uz, Dof::rx, Dof::ry, Dof::rz};
+        CHECK(mechanisms(space).size() == 6);
+    }
+
+    TEST_CASE("A node turns freely if a member that it carries or a rigid arm can swing with it")
+    {
+        Model model = frame({{0, 0}, {4, 0}, {4, 3}}, {{0, 1}, {1, 2}});
+        hold(model, 0, SupportKind::Fixed);
+        hold(model, 2, SupportKind::Pin);
+        model.members[1].start.release = {Dof::uy, Dof::rz}; // BC can swing about C, free of strain
+        CHECK(mechanisms(model).size() == 1);
+
+        Model arm = frame({{0, 0}, {4, 0}}, {{0, 1}});
+        hold(arm, 0, SupportKind::Pin);
+        hold(arm, 1, SupportKind::Pin);
+        arm.members[0].end.release = arm.members[0].start.release = {Dof::rz};
+        CHECK(mechanisms(arm).empty());
+        arm.members[0].end.offset = {-0.5, 0.0};
+        CHECK(mechanisms(arm).size() == 1);
     }
 
     TEST_CASE("A moment on a rotation that nothing holds is a mechanism")
