@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "femoop/model/quantity/number_text.h"
+
 namespace femoop {
 
 namespace {
@@ -72,7 +74,30 @@ bool is_word(FaultKind kind, std::size_t argument)
     }
 }
 
+bool is_computed(FaultKind kind, std::size_t argument)
+{
+    switch (kind) {
+    case FaultKind::NearlySingular: return argument == 0;
+    case FaultKind::MechanismMoveOblique:
+    case FaultKind::MechanismTurn:
+    case FaultKind::HugeDisplacement: return argument == 1;
+    case FaultKind::CoincidentNodes:
+    case FaultKind::MembersCross:
+    case FaultKind::MembersOverlap:
+    case FaultKind::MemberPassesNode: return argument == 2;
+    default: return false;
+    }
+}
+
 namespace {
+
+/// Where the decimal mark is a comma, semicolons part the coordinates of a point: (0,6; 0,8).
+std::string localized_numbers(std::string numbers, const Translator& tr)
+{
+    const char mark = decimal_mark(tr);
+    if (mark == ',') std::replace(numbers.begin(), numbers.end(), ',', ';');
+    return localized(std::move(numbers), tr);
+}
 
 /// A dimension without a name of its own is put together of single words: force^2*length.
 std::string word_by_word(std::string_view text, const Translator& tr)
@@ -102,8 +127,10 @@ std::string message(const Fault& fault, const Translator& tr)
     const std::string_view plain = pattern(fault.kind);
     const std::string sentence = tr(plain);
     std::vector<std::string> arguments = fault.arguments;
-    for (std::size_t i = 0; i < arguments.size(); ++i)
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
         if (is_word(fault.kind, i)) arguments[i] = translated_word(arguments[i], tr);
+        if (is_computed(fault.kind, i)) arguments[i] = localized_numbers(arguments[i], tr);
+    }
     // A sentence that has no translation keeps its own conjunction.
     return fill(sentence, arguments, sentence == plain ? std::string("and") : tr(translatable("and")));
 }

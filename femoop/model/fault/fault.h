@@ -17,7 +17,8 @@ enum class Severity : std::uint8_t { Error, Warning };
 /// One thing wrong with a model: what kind, and the words that fill its sentence.
 ///
 /// `message(fault)` is its English sentence, `message(fault, tr)` that of another language. An argument is a name, a
-/// number, a key of the file or (`is_word`) a word of ours, such as the name of a dimension, which is translated too.
+/// number, a key of the file or (`is_word`) a word of ours, such as the name of a dimension, which is translated too. A
+/// number that was computed (`is_computed`) gets the reader's decimal mark; one that stands in the file stays as it is.
 struct Fault {
     FaultKind kind;
     std::vector<std::string> arguments;
@@ -26,6 +27,7 @@ struct Fault {
 };
 
 bool is_word(FaultKind kind, std::size_t argument);
+bool is_computed(FaultKind kind, std::size_t argument);
 std::string_view pattern(FaultKind kind); ///< English sentence with places {0}, {1} ... for the arguments
 Severity severity(FaultKind kind);
 

@@ -99,6 +99,21 @@ TEST_SUITE("ui text")
         }
     }
 
+    TEST_CASE("A number that was computed has the reader's decimal mark, one of the file stays as it was typed")
+    {
+        const ui::Catalogue tr(ui::Language::Portuguese);
+        using femoop::FaultKind;
+        const auto has = [&](const femoop::Fault& fault, const char* part) {
+            return femoop::message(fault, tr).find(part) != std::string::npos;
+        };
+        CHECK(has({FaultKind::MechanismMoveOblique, {"A.1", "(0.6, 0.8)"}},
+                  "A.1 pode se deslocar ao longo de (0,6; 0,8)"));
+        CHECK(has({FaultKind::MechanismTurn, {"A", "(2, 0, -1.25)"}}, "(2; 0; -1,25)"));
+        CHECK(has({FaultKind::HugeDisplacement, {"A", "1.5e+09 m", "G"}}, "1,5e+09 m"));
+        CHECK(has({FaultKind::MembersCross, {"members[1]", "B", "(0.5, 2) m"}}, "(0,5; 2) m"));
+        CHECK(has({FaultKind::NotPositive, {"sections[0]", "A", "-0.5 m^2"}}, "-0.5 m^2"));
+    }
+
     TEST_CASE("The words that fill a fault's sentence are translated with it, names and keys are not")
     {
         const ui::Catalogue tr(ui::Language::Portuguese);
