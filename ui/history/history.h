@@ -24,6 +24,8 @@ public:
 
     /// The document as it is now, an open gesture included. The reference holds until the next call that is not const.
     const Document& current() const { return states_[place_].document; }
+    /// The document as it was before the open gesture; the current one where none is open.
+    const Document& settled() const { return states_[is_dragging_ ? place_ - 1 : place_].document; }
 
     /// One step. A document equal to the current one is no step.
     void apply(Document next, Phrase label)

@@ -286,6 +286,32 @@ std::vector<Number> numbers(const Model& model, const Part& part)
     return all;
 }
 
+namespace {
+
+/// Adds the number of another part that goes by the same name; false where it has none.
+bool join(SharedNumber& shared, const std::vector<Number>& others)
+{
+    const auto same = std::ranges::find(others, shared.of_first.label, &Number::label);
+    if (same == others.end()) return false;
+    shared.ids.push_back(same->id);
+    shared.is_mixed = shared.is_mixed || same->value != shared.of_first.value;
+    return true;
+}
+
+} // namespace
+
+std::vector<SharedNumber> shared_numbers(const Model& model, std::span<const Part> parts)
+{
+    std::vector<SharedNumber> shared;
+    if (parts.empty()) return shared;
+    for (Number& number : numbers(model, parts.front())) shared.push_back({number, {number.id}});
+    for (const Part& part : parts.subspan(1)) {
+        const std::vector<Number> others = numbers(model, part);
+        std::erase_if(shared, [&](SharedNumber& number) { return !join(number, others); });
+    }
+    return shared;
+}
+
 void set_number(Document& document, const NumberId& number, const Quantity& value)
 {
     change_number(document, number, [&](auto& place) { place = value; });

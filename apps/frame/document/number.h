@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -37,6 +38,16 @@ struct Number {
 
 /// All the numbers of a part, in the order in which a person would ask for them. \pre has(model, part)
 std::vector<Number> numbers(const femoop::Model& model, const Part& part);
+
+/// One number that several parts have in common, such as the x of three nodes.
+struct SharedNumber {
+    Number of_first;
+    std::vector<NumberId> ids; ///< of each part
+    bool is_mixed = false;     ///< the parts have different values
+};
+
+/// The numbers that all of the parts have. \pre every part is there, and all are of one kind
+std::vector<SharedNumber> shared_numbers(const femoop::Model& model, std::span<const Part> parts);
 
 /// The command behind every number field. \throws std::out_of_range if the document has no such number.
 void set_number(Document& document, const NumberId& number, const femoop::Quantity& value);

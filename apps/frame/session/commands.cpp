@@ -1,5 +1,7 @@
 #include "apps/frame/session/commands.h"
 
+#include "apps/frame/session/edit_commands.h"
+
 #include <array>
 #include <utility>
 
@@ -16,7 +18,6 @@ namespace {
 using Reason = std::optional<Phrase>;
 
 constexpr std::string_view file_menu = translatable("File");
-constexpr std::string_view edit_menu = translatable("Edit");
 constexpr std::string_view show_menu = translatable("Show");
 constexpr std::string_view view_menu = translatable("View");
 constexpr std::string_view help_menu = translatable("Help");
@@ -67,37 +68,6 @@ void add_file_commands(CommandTable& table)
                .run = asks(Request::Quit)});
 }
 
-void add_edit_commands(CommandTable& table)
-{
-    table.add({.id = "edit.undo",
-               .menu = edit_menu,
-               .label = translatable("Undo"),
-               .shortcuts = {{Key::Z, ui::ctrl}},
-               .run = [](Desk& desk) { desk.session.undo(); },
-               .why_not = [](const Desk& desk) -> Reason {
-                   if (desk.session.history().can_undo()) return std::nullopt;
-                   return translatable("nothing was changed yet");
-               }});
-    table.add({.id = "edit.redo",
-               .menu = edit_menu,
-               .label = translatable("Redo"),
-               .shortcuts = {{Key::Z, ui::ctrl_shift}, {Key::Y, ui::ctrl}},
-               .run = [](Desk& desk) { desk.session.redo(); },
-               .why_not = [](const Desk& desk) -> Reason {
-                   if (desk.session.history().can_redo()) return std::nullopt;
-                   return translatable("nothing was undone");
-               }});
-    table.add({.id = "edit.deselect",
-               .menu = edit_menu,
-               .label = translatable("Select nothing"),
-               .shortcuts = {{Key::Escape, {}}},
-               .run = [](Desk& desk) {
-                   desk.session.selection.reset();
-                   desk.session.pin.reset();
-                   desk.session.notice.reset();
-               }});
-}
-
 struct Toggle {
     Show item;
     std::string_view id;
@@ -130,7 +100,7 @@ void add_show_commands(CommandTable& table)
 {
     for (const Toggle& toggle : toggles) {
         std::vector<Chord> keys;
-        if (toggle.key) keys.push_back({*toggle.key, {}});
+        if (toggle.key) keys.push_back({*toggle.key, ui::shift});
         table.add({.id = toggle.id,
                    .menu = show_menu,
                    .label = toggle.label,
@@ -308,6 +278,7 @@ CommandTable command_table()
     CommandTable table;
     add_file_commands(table);
     add_edit_commands(table);
+    add_tool_commands(table);
     add_show_commands(table);
     add_camera_commands(table);
     add_panel_commands(table);

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "apps/frame/session/session.h"
+#include "apps/frame/tools/hand.h"
 #include "ui/command/command_table.h"
 
 namespace frame {
@@ -17,6 +18,7 @@ enum class Topic : std::uint8_t { Properties, Results, Problems, History };
 /// once a frame.
 struct Desk {
     Session session;
+    Hand hand{};
     std::vector<Request> requests{};
     Topic topic = Topic::Properties;
     bool has_panels = true;

@@ -17,7 +17,7 @@ void Session::restart(Document document)
 {
     saved_ = document;
     history_ = ui::History<Document>(std::move(document), translatable("Begin"));
-    selection.reset();
+    selection.clear();
     view.load_case = femoop::CaseId(0);
     view.camera.reset();
     view.units.reset();
@@ -35,22 +35,29 @@ void Session::refresh()
         return cut.member.index >= model().members.size() || !solution_.results ||
                cut.x > solution_.results->frame(cut.member).length;
     };
-    if (selection && !has(model(), *selection)) selection.reset();
     if (pin && is_lost(*pin)) pin.reset();
     if (hover && is_lost(*hover)) hover.reset();
     if (view.load_case.index >= model().n_cases()) view.load_case = femoop::CaseId(0);
     if (mechanism >= solution_.mechanisms.size()) mechanism = 0;
 }
 
-void Session::change(Step step, const ui::Phrase& label, const std::function<void(Document&)>& command)
+void Session::change(const Change& change)
 {
-    Document next = document();
-    command(next);
-    const bool is_new = next != document();
-    hold_scales(step);
-    if (step == Step::Click) history_.apply(std::move(next), label);
-    if (step == Step::Drag) history_.drag(std::move(next), label);
-    if (is_new) refresh();
+    Document next = change.step == Step::Drag ? history_.settled() : document();
+    change.command(next);
+    const Document before = document();
+    const bool is_new = next != before;
+    hold_scales(change.step);
+    if (change.step == Step::Click) history_.apply(std::move(next), change.label);
+    if (change.step == Step::Drag) history_.drag(std::move(next), change.label);
+    if (is_new) follow(before);
+}
+
+// The document has gone on from a former state.
+void Session::follow(const Document& before)
+{
+    selection.follow(before.model, model());
+    refresh();
 }
 
 void Session::hold_scales(Step step)
@@ -67,30 +74,34 @@ void Session::settle()
 
 void Session::cancel()
 {
+    const Document before = document();
     history_.cancel();
     settle();
-    refresh();
+    follow(before);
 }
 
 void Session::undo()
 {
+    const Document before = document();
     settle();
     history_.undo();
-    refresh();
+    follow(before);
 }
 
 void Session::redo()
 {
+    const Document before = document();
     settle();
     history_.redo();
-    refresh();
+    follow(before);
 }
 
 void Session::jump(std::size_t place)
 {
+    const Document before = document();
     settle();
     history_.jump(place);
-    refresh();
+    follow(before);
 }
 
 bool Session::open(const std::filesystem::path& path)

@@ -2,13 +2,13 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "apps/frame/document/document.h"
-#include "apps/frame/document/part.h"
+#include "apps/frame/document/change.h"
+#include "apps/frame/document/cut.h"
+#include "apps/frame/document/selection.h"
 #include "apps/frame/document/solution.h"
 #include "apps/frame/view/pick.h"
 #include "apps/frame/view/view_options.h"
@@ -25,9 +25,6 @@ struct Notice {
     std::vector<femoop::Fault> faults;
 };
 
-/// Whether a change is a step of its own or belongs to the gesture that is under way.
-enum class Step : std::uint8_t { Click, Drag };
-
 /// What is open and how it is looked at: the app without its window. The document changes through `change` alone; its
 /// solution follows.
 class Session {
@@ -41,7 +38,8 @@ public:
     /// Counts the solutions: what is derived from one is stale when it has grown.
     std::uint64_t generation() const { return generation_; }
 
-    void change(Step step, const ui::Phrase& label, const std::function<void(Document&)>& command);
+    /// Carries it out, or throws what its command throws and changes nothing.
+    void change(const Change& change);
     void settle();
     void cancel();
     void undo();
@@ -62,7 +60,7 @@ public:
     void set_language(ui::Language language);
 
     ViewOptions view;
-    std::optional<Part> selection;
+    Selection selection;
     std::optional<Cut> hover;
     std::optional<Cut> pin;
     std::optional<Notice> notice;
@@ -71,6 +69,7 @@ public:
 
 private:
     void refresh();
+    void follow(const Document& before);
     /// While a number is dragged, diagrams keep the scale that they had before: one sees them grow.
     void hold_scales(Step step);
     void restart(Document document);

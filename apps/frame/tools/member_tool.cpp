@@ -9,26 +9,31 @@ namespace frame {
 
 using Eigen::Vector2d;
 
-std::optional<Change> MemberTool::press(const Snap& at)
+std::optional<Change> MemberTool::press(const Work&, const Aim& at)
 {
-    pointer_ = at.place;
-    if (start_ && *start_ == at.place) { // the second click at one place ends the line
+    const Vector2d& place = at.snap.place;
+    pointer_ = place;
+    if (start_ && *start_ == place) { // the second click at one place ends the line
         start_.reset();
         return std::nullopt;
     }
-    if (start_) return draw_to(at.place);
-    start_ = at.place;
+    if (start_) return draw_to(place);
+    start_ = place;
     may_drag_ = true;
     return std::nullopt;
 }
 
-void MemberTool::move(const Snap& to) { pointer_ = to.place; }
-
-std::optional<Change> MemberTool::release(const Snap& at)
+std::optional<Change> MemberTool::move(const Work&, const Aim& to)
 {
-    const bool was_dragged = std::exchange(may_drag_, false) && start_ && *start_ != at.place;
+    pointer_ = to.snap.place;
+    return std::nullopt;
+}
+
+std::optional<Change> MemberTool::release(const Work&, const Aim& at)
+{
+    const bool was_dragged = std::exchange(may_drag_, false) && start_ && *start_ != at.snap.place;
     if (!was_dragged) return std::nullopt;
-    std::optional<Change> change = draw_to(at.place);
+    std::optional<Change> change = draw_to(at.snap.place);
     start_.reset();
     return change;
 }

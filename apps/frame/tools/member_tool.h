@@ -8,11 +8,12 @@ namespace frame {
 /// press, drag and release, which draws one member alone.
 class MemberTool : public Tool {
 public:
-    std::optional<Change> press(const Snap& at) override;
-    void move(const Snap& to) override;
-    std::optional<Change> release(const Snap& at) override;
+    std::optional<Change> press(const Work&, const Aim& at) override;
+    std::optional<Change> move(const Work&, const Aim& to) override;
+    std::optional<Change> release(const Work&, const Aim& at) override;
     std::optional<Change> type(const Eigen::Vector2d& place) override;
     bool escape() override;
+    bool draws() const override { return true; }
     std::optional<Eigen::Vector2d> from() const override { return start_; }
     Preview preview() const override;
 

@@ -7,11 +7,9 @@ namespace frame {
 /// A node at each click; one on a member cuts it.
 class NodeTool : public Tool {
 public:
-    std::optional<Change> press(const Snap& at) override { return type(at.place); }
-    void move(const Snap&) override {}
-    std::optional<Change> release(const Snap&) override { return std::nullopt; }
+    std::optional<Change> press(const Work&, const Aim& at) override { return type(at.snap.place); }
     std::optional<Change> type(const Eigen::Vector2d& place) override;
-    bool escape() override { return false; }
+    bool draws() const override { return true; }
 };
 
 } // namespace frame

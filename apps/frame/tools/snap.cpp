@@ -22,10 +22,16 @@ struct Line {
 
 Vector2d place_of(const Model& model, femoop::NodeId node) { return {model[node].at[0], model[node].at[1]}; }
 
-std::vector<Line> lines_of(const Model& model)
+bool moves(const SnapOptions& options, femoop::NodeId node)
+{
+    return std::ranges::find(options.moving, node) != options.moving.end();
+}
+
+std::vector<Line> resting_lines(const Model& model, const SnapOptions& options)
 {
     std::vector<Line> lines;
     for (const femoop::Member& member : model.members) {
+        if (moves(options, member.nodes[0]) || moves(options, member.nodes[1])) continue;
         const Vector2d start = place_of(model, member.nodes[0]);
         const Line line{start, place_of(model, member.nodes[1]) - start};
         if (line.length() > 0.0) lines.push_back(line);
@@ -102,11 +108,14 @@ void offer_ray(Magnet& magnet, const Vector2d& pointer, const Vector2d& from, do
 
 Snap snap(const Model& model, const Vector2d& pointer, const SnapOptions& options)
 {
+    if (options.is_off) return {pointer, SnapKind::Free};
     Magnet magnet(pointer, options.reach);
-    for (std::size_t i = 0; i < model.nodes.size(); ++i)
-        magnet.offer(place_of(model, femoop::NodeId(i)), SnapKind::Node);
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        const femoop::NodeId node(i);
+        if (!moves(options, node)) magnet.offer(place_of(model, node), SnapKind::Node);
+    }
     std::vector<Line> near;
-    for (const Line& line : lines_of(model)) {
+    for (const Line& line : resting_lines(model, options)) {
         const Vector2d nearest = line.at(std::clamp(line.foot(pointer), 0.0, 1.0));
         if ((nearest - pointer).norm() <= options.reach) near.push_back(line);
     }

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "femoop/model/model.h"
 
@@ -29,9 +30,11 @@ struct Snap {
 };
 
 struct SnapOptions {
-    double reach = 0.1;                    ///< how near the pointer must be to what it is drawn to [length]
-    double grid = 1.0;                     ///< distance of the grid's lines [length]; 0: there is none
-    std::optional<Eigen::Vector2d> from{}; ///< where drawing began
+    double reach = 0.1;                       ///< how near the pointer must be to what it is drawn to [length]
+    double grid = 1.0;                        ///< distance of the grid's lines [length]; 0: there is none
+    std::optional<Eigen::Vector2d> from{};    ///< where drawing began
+    std::span<const femoop::NodeId> moving{}; ///< are being dragged: neither they nor their members draw to themselves
+    bool is_off = false;                      ///< the place is where the pointer is
 };
 
 /// The place that is meant by the pointer's place. Of what lies within reach the strongest kind wins, of one kind the

@@ -1,26 +1,50 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "apps/frame/document/document.h"
+#include "apps/frame/document/change.h"
+#include "apps/frame/document/cut.h"
+#include "apps/frame/document/selection.h"
 #include "apps/frame/tools/snap.h"
-#include "ui/text/phrase.h"
 
 namespace frame {
 
-/// One step of the history that a tool asks for.
-struct Change {
-    ui::Phrase label;
-    std::function<void(Document&)> command;
+/// The arrow of a load that can be pulled longer.
+struct LoadGrip {
+    Part load;
+    femoop::Dof dof = femoop::Dof::uy;
+    Eigen::Vector2d pull = Eigen::Vector2d::UnitY(); ///< from the place it acts at to the end that is pulled [length]
 };
 
-/// What a tool shows before it changes anything: lines in the plane of the model.
+/// What the pointer points at.
+struct Aim {
+    Eigen::Vector2d pointer = Eigen::Vector2d::Zero(); ///< its own place in the plane of the model [length]
+    Snap snap;                                         ///< the place that is meant
+    std::optional<femoop::NodeId> node;                ///< under it
+    std::optional<Cut> cut;                            ///< of the member under it, where there is no node
+    std::optional<LoadGrip> grip;                      ///< of the load under it, where there is neither
+    double pixel = 0.01;                               ///< one logical pixel [length]
+    bool adds = false;                                 ///< Shift is held
+
+    /// The part under the pointer.
+    std::optional<Part> part() const;
+};
+
+/// What tools work on.
+struct Work {
+    const Document& document; ///< as it was before the gesture
+    Selection& selection;
+};
+
+/// What a tool shows before it changes anything, in the plane of the model.
 struct Preview {
     std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> lines;
+    /// The rectangle of a selection, from where the hand began to where it is.
+    std::optional<std::pair<Eigen::Vector2d, Eigen::Vector2d>> window{};
 };
 
 /// What the left button does in the picture, from press to release and on to the next press. A tool never changes a
@@ -29,15 +53,18 @@ class Tool {
 public:
     virtual ~Tool() = default;
 
-    virtual std::optional<Change> press(const Snap& at) = 0;
-    virtual void move(const Snap& to) = 0; ///< with or without the button held down
-    virtual std::optional<Change> release(const Snap& at) = 0;
-    /// A place that was typed, as if it had been clicked.
-    virtual std::optional<Change> type(const Eigen::Vector2d& place) = 0;
+    virtual std::optional<Change> press(const Work& work, const Aim& at) = 0;
+    /// With or without the button held down.
+    virtual std::optional<Change> move(const Work&, const Aim&) { return std::nullopt; }
+    virtual std::optional<Change> release(const Work&, const Aim&) { return std::nullopt; }
+    /// A place that was typed, as if it had been clicked; tools that draw nothing have no use for it.
+    virtual std::optional<Change> type(const Eigen::Vector2d&) { return std::nullopt; }
     /// Gives up what was begun; false where nothing was, so that the tool itself is left.
-    virtual bool escape() = 0;
+    virtual bool escape() { return false; }
 
+    virtual bool draws() const { return false; }                                 ///< places that are snapped and typed
     virtual std::optional<Eigen::Vector2d> from() const { return std::nullopt; } ///< where drawing began
+    virtual std::span<const femoop::NodeId> moving() const { return {}; }        ///< nodes that the hand drags
     virtual Preview preview() const { return {}; }
 
 protected:

@@ -74,8 +74,10 @@ bool shows_results(const ShowSet& show)
 Pick pick(const StructureShape& shape, const Projection& projection, ui::Point cursor, const ShowSet& shown)
 {
     if (const auto node = nearest_node(shape, projection, cursor)) return {.node = node, .cut = std::nullopt};
-    const double reach = shows_results(shown) ? ordinate_reach : member_reach;
-    return {.node = std::nullopt, .cut = nearest_member(shape, projection, cursor, reach)};
+    if (const auto cut = nearest_member(shape, projection, cursor, member_reach))
+        return {.node = std::nullopt, .cut = cut, .is_on_member = true};
+    if (!shows_results(shown)) return {};
+    return {.node = std::nullopt, .cut = nearest_member(shape, projection, cursor, ordinate_reach)};
 }
 
 } // namespace frame

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/frame/document/cut.h"
 #include "apps/frame/view/geometry/projection.h"
 #include "apps/frame/view/geometry/structure_shape.h"
 #include "apps/frame/view/show.h"
@@ -9,18 +10,11 @@
 
 namespace frame {
 
-/// A section of a member.
-struct Cut {
-    femoop::MemberId member;
-    double x = 0.0; ///< from the first end of its flexible part, in the model's unit of length
-
-    friend bool operator==(const Cut&, const Cut&) = default;
-};
-
 /// What lies under the cursor: a node, or a cut through a member, or nothing.
 struct Pick {
     std::optional<femoop::NodeId> node;
     std::optional<Cut> cut;
+    bool is_on_member = false; ///< the cursor touches it; false where only a value of it is read
 
     bool is_nothing() const { return !node && !cut; }
 };

@@ -11,6 +11,7 @@
 #include "apps/frame/window/properties_panel.h"
 #include "apps/frame/window/results_panel.h"
 #include "apps/frame/window/show_panel.h"
+#include "apps/frame/window/tool_bar.h"
 
 namespace frame {
 
@@ -44,6 +45,7 @@ Application::Application(ui::Context& context, const ui::Fonts& fonts, Session s
     : desk_{std::move(session)},
       commands_(command_table()),
       gui_(context, fonts, ui::Theme(desk_.session.view.theme)),
+      fonts_(fonts),
       canvas_(fonts),
       theme_(desk_.session.view.theme),
       time_(full_swing)
@@ -104,10 +106,12 @@ void Application::take_keys(const ui::Input& input)
     const bool is_popup_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     const bool is_blocked = palette_.is_open() || path_dialog_.is_open() || asks_to_quit_ || is_popup_open;
     if (is_blocked) return;
+    const bool has_ctrl = input.modifiers.ctrl;
+    const bool types = ImGui::GetIO().WantTextInput || fields_.is_typing();
+    if (!types && !has_ctrl) desk_.hand.type(input.text);
     for (const ui::KeyEvent& event : input.keys) {
-        const bool has_ctrl = input.modifiers.ctrl;
-        const bool types = ImGui::GetIO().WantTextInput || fields_.is_typing();
         if (!event.is_down || (types && !has_ctrl)) continue;
+        if (!types && take_typing(event.key)) continue;
         if (event.key == ui::Key::Escape && desk_.session.history().is_dragging()) {
             desk_.session.cancel();
             continue;
@@ -117,6 +121,17 @@ void Application::take_keys(const ui::Input& input)
         if (command == nullptr || is_edit_of_text) continue;
         if (const auto reason = run(*command, desk_)) explain(*reason);
     }
+}
+
+// The keys that end or mend a place that is typed while drawing.
+bool Application::take_typing(ui::Key key)
+{
+    if (desk_.hand.typed().empty()) return false;
+    if (key == ui::Key::Backspace) desk_.hand.rub_out();
+    if (key == ui::Key::Enter) {
+        if (const auto change = desk_.hand.enter()) desk_.session.change(*change);
+    }
+    return key == ui::Key::Backspace || key == ui::Key::Enter;
 }
 
 void Application::take_requests()
@@ -252,8 +267,18 @@ void Application::show_tabs()
 
 void Application::show_canvas()
 {
+    const float em = ImGui::GetFontSize();
+    const float height = 1.25F * ImGui::GetFrameHeight() + 0.6F * em;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.4F * em, 0.3F * em});
+    ImGui::BeginChild("###tools", {0.0F, height}, false,
+                      ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
+    tool_bar(desk_, commands_, gui_, fonts_, fields_);
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+    ImGui::BeginChild("###picture");
     canvas_.show(desk_, gui_);
     show_banner();
+    ImGui::EndChild();
 }
 
 namespace {

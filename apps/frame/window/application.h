@@ -39,6 +39,7 @@ public:
 
 private:
     void take_keys(const ui::Input& input);
+    bool take_typing(ui::Key key);
     void take_file(const std::filesystem::path& file);
     void explain(const ui::Phrase& reason);
     void take_requests();
@@ -59,6 +60,7 @@ private:
     Desk desk_;
     CommandTable commands_;
     ui::ImGuiSession gui_;
+    const ui::Fonts& fonts_;
     Canvas canvas_;
     ui::NumberFields fields_;
     ui::CommandPalette palette_;

@@ -7,7 +7,9 @@
 #include <variant>
 
 #include "apps/frame/session/snapping.h"
+#include "apps/frame/view/frame_view.h"
 #include "apps/frame/view/reading.h"
+#include "apps/frame/window/hand_picture.h"
 
 namespace frame {
 
@@ -15,16 +17,19 @@ namespace {
 
 constexpr double zoom_per_turn = 1.15;
 
-std::optional<std::size_t> shown_mechanism(const Session& session)
+// While something is drawn the structure is not complete yet, so no motion is played.
+std::optional<std::size_t> shown_mechanism(const Desk& desk)
 {
-    return session.solution().mechanisms.empty() ? std::nullopt : std::optional(session.mechanism);
+    const bool is_drawn = desk.hand.kind() != ToolKind::Select;
+    return is_drawn || desk.session.solution().mechanisms.empty() ? std::nullopt
+                                                                  : std::optional(desk.session.mechanism);
 }
 
-Subject subject(const Session& session, const ViewOptions& options)
+Subject subject(const Desk& desk, const ViewOptions& options)
 {
+    const Session& session = desk.session;
     const Solution& solution = session.solution();
-    if (const auto i = shown_mechanism(session))
-        return {session.model(), MotionChoice{solution.mechanisms, *i}, options};
+    if (const auto i = shown_mechanism(desk)) return {session.model(), MotionChoice{solution.mechanisms, *i}, options};
     return {session.model(), solution.results ? &*solution.results : nullptr, options};
 }
 
@@ -44,23 +49,28 @@ void Canvas::fit(Session& session)
     fitted_for_.reset();
 }
 
-void Canvas::follow_structure(const Session& session)
+void Canvas::follow_structure(const Desk& desk)
 {
+    const Session& session = desk.session;
     if (generation_ != session.generation()) shape_ = shape_of(session.model());
     generation_ = session.generation();
     ViewOptions options = session.view;
     options.phase = 1.0; // room for the whole motion
-    const FittedFor wanted{sheet_,
-                           options.show,
-                           options.layout,
-                           options.theme,
-                           shape_.nodes,
-                           session.model().analysis,
-                           shown_mechanism(session)};
-    const bool is_fitted = fitted_for_ == wanted;
+    const FittedFor wanted{
+        sheet_, options.show, options.layout, options.theme, session.model().analysis, shown_mechanism(desk)};
+    const bool is_fitted = fitted_for_ == wanted && (session.history().is_dragging() || is_all_in_sight());
     if (!options.camera && is_fitted) options.camera = plan_.camera;
     if (!session.view.camera) fitted_for_ = wanted;
-    plan_ = subject(session, options).plan(sheet_, fonts_);
+    plan_ = subject(desk, options).plan(sheet_, fonts_);
+}
+
+// Drawing and dragging must not move the picture under the hand; it moves where it would lose something.
+bool Canvas::is_all_in_sight() const
+{
+    if (plan_.panels.empty()) return false;
+    const ui::Box box = plan_.panels.front().box;
+    const Projection projection(plan_.camera, box.min);
+    return std::ranges::all_of(shape_.nodes, [&](const auto& node) { return box.contains(projection(node)); });
 }
 
 ui::Point Canvas::corner_of_panel(ui::Point at) const
@@ -104,23 +114,23 @@ std::optional<ui::Point> Canvas::in_window(const Cut& cut) const
 
 void Canvas::show(Desk& desk, ui::ImGuiSession& gui)
 {
-    Session& session = desk.session;
     const auto scale = static_cast<float>(gui.scale());
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
     if (room.x < 8.0F || room.y < 8.0F) return;
     corner_ = {static_cast<double>(corner.x / scale), static_cast<double>(corner.y / scale)};
     sheet_ = {static_cast<double>(room.x / scale), static_cast<double>(room.y / scale)};
-    follow_structure(session);
+    follow_structure(desk);
 
     ImGui::InvisibleButton("canvas", room,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
                                ImGuiButtonFlags_MouseButtonRight);
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const ui::Point at{static_cast<double>((mouse.x - corner.x) / scale),
-                       static_cast<double>((mouse.y - corner.y) / scale)};
-    follow(desk, {at, ImGui::IsItemHovered() || ImGui::IsItemActive()});
-    paint(session);
+    const ImGuiIO& io = ImGui::GetIO();
+    const ui::Point at{static_cast<double>((io.MousePos.x - corner.x) / scale),
+                       static_cast<double>((io.MousePos.y - corner.y) / scale)};
+    is_over_ = ImGui::IsItemHovered() || ImGui::IsItemActive();
+    follow(desk, {.at = at, .is_over = is_over_, .adds = io.KeyShift, .is_exact = io.KeyAlt});
+    paint(desk);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(corner, {corner.x + room.x, corner.y + room.y}, true);
     gui.show(*picture_, list, {static_cast<double>(corner.x), static_cast<double>(corner.y)});
@@ -134,55 +144,105 @@ void Canvas::follow(Desk& desk, const Pointer& pointer)
     session.view.hover = {};
     if (!pointer.is_over) return;
     const Projection projection = projection_at(pointer.at);
+    desk.hand.settings().grid = grid_of(projection);
+    desk.hand.settings().load_case = session.view.load_case;
     Pick under = pick(shape_, projection, pointer.at, session.solution().results ? session.view.show : ShowSet{});
     if (under.cut) under.cut = snapped(session, shape_, *under.cut, pixels_along(projection, *under.cut));
-    const double wheel = static_cast<double>(ImGui::GetIO().MouseWheel);
-    if (wheel != 0.0) {
-        Camera changed = plan_.camera;
-        const ui::Point cursor = pointer.at - corner_of_panel(pointer.at);
-        std::visit([&](auto& camera) { camera.zoom(cursor, std::pow(zoom_per_turn, wheel)); }, changed);
-        session.view.camera = changed;
-    }
-    move(session);
+    turn_wheel(session, pointer.at);
+    move_camera(session);
+    const Aim aim = aim_at(session, desk.hand.tool(), projection, pointer, under, marks_);
+    desk.hand.point_at(aim);
     if (is_panning_) return;
-    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && under.is_nothing()) fit(session);
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && under.is_nothing() && !desk.hand.can_type()) fit(session);
     if (under.node) session.view.hover.nodes.push_back(*under.node);
-    if (under.cut) session.view.hover.members.push_back(under.cut->member);
+    if (aim.cut) session.view.hover.members.push_back(aim.cut->member);
     session.hover = under.cut;
     hover_panel_ = corner_of_panel(pointer.at);
-    if (ImGui::IsMouseReleased(ImGuiMouseButton_Left)) press(session, under);
+    work(desk, aim, under);
 }
 
-// A click, told apart from the end of a drag by the caller.
-void Canvas::press(Session& session, const Pick& under)
+void Canvas::turn_wheel(Session& session, ui::Point at) const
 {
-    if (under.node) session.selection = *under.node;
-    if (under.cut) session.selection = under.cut->member;
-    if (under.is_nothing()) session.selection.reset();
-    session.pin = under.cut;
+    const double wheel = static_cast<double>(ImGui::GetIO().MouseWheel);
+    if (wheel == 0.0) return;
+    Camera changed = plan_.camera;
+    const ui::Point cursor = at - corner_of_panel(at);
+    std::visit([&](auto& camera) { camera.zoom(cursor, std::pow(zoom_per_turn, wheel)); }, changed);
+    session.view.camera = changed;
 }
 
-void Canvas::move(Session& session)
+namespace {
+
+void carry_out(Session& session, const std::optional<Change>& change)
+{
+    if (change) session.change(*change);
+}
+
+Work work_of(Session& session) { return {session.history().settled(), session.selection}; }
+
+} // namespace
+
+// The left button: the tool's in the hand.
+void Canvas::work(Desk& desk, const Aim& aim, const Pick& under)
+{
+    if (is_seen_in_space(desk.session.model().analysis)) return click_in_space(desk, aim, under);
+    if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) press(desk, aim);
+    carry_out(desk.session, desk.hand.tool().move(work_of(desk.session), aim));
+    if (is_working_ && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) release(desk, aim, under);
+}
+
+void Canvas::press(Desk& desk, const Aim& aim)
+{
+    is_working_ = true;
+    desk.session.settle();
+    carry_out(desk.session, desk.hand.tool().press(work_of(desk.session), aim));
+}
+
+void Canvas::release(Desk& desk, const Aim& aim, const Pick& under)
+{
+    Session& session = desk.session;
+    is_working_ = false;
+    const bool was_dragging = session.history().is_dragging() || desk.hand.tool().preview().window;
+    carry_out(session, desk.hand.tool().release(work_of(session), aim));
+    session.settle();
+    if (was_dragging || desk.hand.kind() != ToolKind::Select) return;
+    session.pin = under.cut;
+    const bool is_read = under.cut && !aim.part(); // a click on a diagram means its member
+    if (is_read && !aim.adds) session.selection = Part(under.cut->member);
+}
+
+// In space the left button turns the model, so a tool gets clicks alone.
+void Canvas::click_in_space(Desk& desk, const Aim& aim, const Pick& under)
+{
+    if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left)) return;
+    press(desk, aim);
+    release(desk, aim, under);
+}
+
+void Canvas::move_camera(Session& session)
 {
     const ImGuiIO& io = ImGui::GetIO();
-    const bool is_held = ImGui::IsMouseDown(ImGuiMouseButton_Left) || ImGui::IsMouseDown(ImGuiMouseButton_Middle) ||
+    const bool is_in_space = is_seen_in_space(session.model().analysis);
+    const bool is_left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    const bool holds_space = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space)) && !io.WantTextInput;
+    const bool may_use_left = is_left && !is_working_ && (is_in_space || holds_space);
+    const bool is_held = may_use_left || ImGui::IsMouseDown(ImGuiMouseButton_Middle) ||
                          ImGui::IsMouseDown(ImGuiMouseButton_Right);
     if (!is_held) {
         // The release of a drag is no click; it is seen in the frame in which nothing is held any more.
         if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left)) is_panning_ = false;
         return;
     }
-    const bool is_left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
-    const bool has_moved = ImGui::IsMouseDragging(ImGuiMouseButton_Left) ||
+    const bool has_moved = (may_use_left && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) ||
                            ImGui::IsMouseDragging(ImGuiMouseButton_Middle) ||
                            ImGui::IsMouseDragging(ImGuiMouseButton_Right);
-    if (!is_panning_ && !has_moved) return;
+    if (!is_panning_ && !has_moved && !holds_space) return;
     is_panning_ = true;
     const double pixel = sheet_.width / std::max(1.0, static_cast<double>(ImGui::GetItemRectSize().x));
     const ui::Point drag{pixel * static_cast<double>(io.MouseDelta.x), pixel * static_cast<double>(io.MouseDelta.y)};
     Camera changed = plan_.camera;
     auto* const orbit = std::get_if<ui::OrbitCamera>(&changed);
-    if (orbit != nullptr && is_left && !io.KeyShift) {
+    if (orbit != nullptr && is_left && !io.KeyShift && !holds_space) {
         orbit->orbit(drag, middle_of(shape_));
     } else {
         std::visit([&](auto& camera) { camera.pan(drag); }, changed);
@@ -190,26 +250,38 @@ void Canvas::move(Session& session)
     session.view.camera = changed;
 }
 
-void Canvas::paint(const Session& session)
+namespace {
+
+Highlight highlight(const Selection& selection)
 {
+    Highlight chosen;
+    for (const Part& part : selection.parts()) {
+        if (const auto* const node = std::get_if<femoop::NodeId>(&part)) chosen.nodes.push_back(*node);
+        if (const auto* const member = std::get_if<femoop::MemberId>(&part)) chosen.members.push_back(*member);
+    }
+    return chosen;
+}
+
+} // namespace
+
+void Canvas::paint(const Desk& desk)
+{
+    const Session& session = desk.session;
     ViewOptions options = session.view;
     options.camera = session.view.camera.value_or(plan_.camera);
-    if (session.selection) {
-        if (const auto* const node = std::get_if<femoop::NodeId>(&*session.selection))
-            options.selection.nodes.push_back(*node);
-        if (const auto* const member = std::get_if<femoop::MemberId>(&*session.selection))
-            options.selection.members.push_back(*member);
-    }
+    options.selection = highlight(session.selection);
     ui::Painter painter(sheet_, fonts_);
-    subject(session, options).draw(painter);
+    marks_ = subject(desk, options).draw(painter);
     if (const auto& results = session.solution().results) {
         const auto read = [&](const Cut& cut, ui::Point panel) {
             const ui::Point at = Projection(*options.camera, panel)(shape_[cut.member].at(cut.x));
             draw_reading(painter, session.model(), *results, options, cut, at);
         };
         if (session.pin && !plan_.panels.empty()) read(*session.pin, plan_.panels.front().box.min);
-        if (session.hover && session.hover != session.pin) read(*session.hover, hover_panel_);
+        if (session.hover && session.hover != session.pin && !is_working_) read(*session.hover, hover_panel_);
     }
+    if (is_over_ && !plan_.panels.empty())
+        draw_hand(painter, session, desk.hand, Projection(*options.camera, hover_panel_), ui::Theme(options.theme));
     picture_ = painter.picture();
 }
 

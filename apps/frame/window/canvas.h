@@ -6,6 +6,7 @@
 #include "apps/frame/session/commands.h"
 #include "apps/frame/view/pick.h"
 #include "apps/frame/view/sheet/subject.h"
+#include "apps/frame/window/aim.h"
 #include "ui/context/imgui_session.h"
 #include "ui/paint/painter.h"
 #include "ui/paint/picture.h"
@@ -13,10 +14,10 @@
 namespace frame {
 
 /// The picture in the middle of the window: it shows the session's model, is moved and zoomed by the mouse, and says
-/// what lies under the pointer. It changes camera, hover, selection and pin alone.
+/// what lies under the pointer. What the left button does is the tool's in the hand.
 ///
-///     wheel: zoom to the cursor      drag: pan, in space orbit      middle or right button, or Shift: pan
-///     click: select, read a cut      double click on nothing: show the whole model
+///     wheel: zoom to the cursor      middle or right button, or the space bar held: pan
+///     left button in space: orbit    double click on nothing: show the whole model
 class Canvas {
 public:
     explicit Canvas(const ui::Fonts& fonts) : fonts_(fonts) {}
@@ -35,16 +36,16 @@ public:
     const std::optional<ui::Picture>& picture() const { return picture_; }
 
 private:
-    struct Pointer {
-        ui::Point at; ///< on the sheet
-        bool is_over = false;
-    };
-
     void follow(Desk& desk, const Pointer& pointer);
-    void press(Session& session, const Pick& under);
-    void move(Session& session);
-    void paint(const Session& session);
-    void follow_structure(const Session& session);
+    void work(Desk& desk, const Aim& aim, const Pick& under);
+    void press(Desk& desk, const Aim& aim);
+    void release(Desk& desk, const Aim& aim, const Pick& under);
+    void click_in_space(Desk& desk, const Aim& aim, const Pick& under);
+    void turn_wheel(Session& session, ui::Point at) const;
+    void move_camera(Session& session);
+    void paint(const Desk& desk);
+    void follow_structure(const Desk& desk);
+    bool is_all_in_sight() const;
     /// The panel of the sheet under a point, the first one where there is none.
     Projection projection_at(ui::Point at) const;
     double pixels_along(const Projection& projection, const Cut& cut) const;
@@ -53,14 +54,13 @@ private:
     const ui::Fonts& fonts_;
     ui::Size sheet_{};
     ui::Point corner_{}; ///< of the sheet in the window [logical pixels]
-    /// What the fitted camera was made for: it is made anew when one of these changes, and not when a load does, so
-    /// that the picture rests while a number is dragged.
+    /// What the fitted camera was made for: it is made anew when one of these changes, and not when a load or a node
+    /// does, so that the picture rests under the hand.
     struct FittedFor {
         ui::Size sheet;
         ShowSet show;
         Layout layout;
         ui::ThemeName theme;
-        std::vector<Eigen::Vector3d> nodes;
         femoop::AnalysisKind kind;
         std::optional<std::size_t> mechanism;
 
@@ -72,8 +72,11 @@ private:
     std::optional<FittedFor> fitted_for_;
     std::uint64_t generation_ = 0; ///< that shape_ belongs to
     std::optional<ui::Picture> picture_;
-    ui::Point hover_panel_{}; ///< corner of the panel that the pointer is in
+    ui::Point hover_panel_{};     ///< corner of the panel that the pointer is in
+    std::vector<LoadMark> marks_; ///< of the picture that was drawn last
     bool is_panning_ = false;
+    bool is_working_ = false; ///< the left button was pressed in the picture and is held
+    bool is_over_ = false;    ///< the pointer
 };
 
 } // namespace frame

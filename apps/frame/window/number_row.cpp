@@ -2,7 +2,10 @@
 
 #include <imgui.h>
 
+#include <functional>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "ui/text/number_format.h"
 
@@ -38,17 +41,11 @@ namespace {
 constexpr int exact_digits = 15;
 
 // As it is edited: the text that was typed, or every digit of the number in the unit shown.
-std::string exact_text(const Number& number, const ui::DisplayUnits& units)
+std::string exact_text(const std::optional<femoop::Quantity>& value, ui::Measure measure, const ui::DisplayUnits& units)
 {
-    if (!number.value) return "";
-    if (number.value->has_text()) return std::string(number.value->text());
-    return ui::number_text(units.shown(*number.value, number.measure), {exact_digits, units.format().mark});
-}
-
-ui::Phrase change_label(const Session& session, const Number& number)
-{
-    return {translatable("Change {number}: {part}"),
-            {{"number", number.label}, {"part", title(session.model(), number.id.part)}}};
+    if (!value) return "";
+    if (value->has_text()) return std::string(value->text());
+    return ui::number_text(units.shown(*value, measure), {exact_digits, units.format().mark});
 }
 
 std::string reason(const femoop::Fault& fault, const ui::Catalogue& tr)
@@ -58,59 +55,107 @@ std::string reason(const femoop::Fault& fault, const ui::Catalogue& tr)
     return text;
 }
 
-void take_text(Desk& desk, ui::NumberFields& fields, const Number& number, const ui::NumberFieldEvent& event)
+void change(Session& session, const SharedNumber& number,
+            const std::function<void(Document&, const NumberId&)>& command, Step step)
+{
+    std::vector<Part> parts;
+    for (const NumberId& id : number.ids) parts.push_back(id.part);
+    session.change({change_label(session.model(), number.of_first.label, parts),
+                    [&](Document& document) {
+                        for (const NumberId& id : number.ids) command(document, id);
+                    },
+                    step});
+}
+
+void set(Session& session, const SharedNumber& number, const femoop::Quantity& value, Step step)
+{
+    change(
+        session, number, [&](Document& document, const NumberId& id) { set_number(document, id, value); }, step);
+}
+
+void take_text(Desk& desk, ui::NumberFields& fields, const SharedNumber& number, const ui::NumberFieldEvent& event)
 {
     Session& session = desk.session;
     const bool is_emptied = event.text.find_first_not_of(' ') == std::string::npos;
-    if (is_emptied && number.presence == Need::Optional) {
-        session.change(Step::Click, change_label(session, number),
-                       [&](Document& document) { clear_number(document, number.id); });
+    if (is_emptied && number.is_mixed) return;
+    if (is_emptied && number.of_first.presence == Need::Optional) {
+        change(session, number, clear_number, Step::Click);
         return;
     }
-    const auto typed = quantity_typed(event.text, number.measure, session.model().units, session.units());
+    const auto typed = quantity_typed(event.text, number.of_first.measure, session.model().units, session.units());
     if (const auto* const fault = std::get_if<femoop::Fault>(&typed)) {
         fields.reject(event, reason(*fault, session.view.tr));
         return;
     }
-    session.change(Step::Click, change_label(session, number),
-                   [&](Document& document) { set_number(document, number.id, std::get<femoop::Quantity>(typed)); });
+    set(session, number, std::get<femoop::Quantity>(typed), Step::Click);
 }
 
-void take_drag(Desk& desk, const Number& number, double shown)
+void take_drag(Desk& desk, const SharedNumber& number, double shown)
 {
     Session& session = desk.session;
-    const auto value = quantity_typed(ui::number_text(shown, {exact_digits}), number.measure, session.model().units,
-                                      session.units());
-    if (!std::holds_alternative<femoop::Quantity>(value)) return;
-    session.change(Step::Drag, change_label(session, number),
-                   [&](Document& document) { set_number(document, number.id, std::get<femoop::Quantity>(value)); });
+    const auto value = quantity_typed(ui::number_text(shown, {exact_digits}), number.of_first.measure,
+                                      session.model().units, session.units());
+    if (const auto* const quantity = std::get_if<femoop::Quantity>(&value)) set(session, number, *quantity, Step::Drag);
 }
 
-} // namespace
+std::string shown_text(const SharedNumber& number, const ui::DisplayUnits& units, const ui::Catalogue& tr)
+{
+    if (number.is_mixed) return tr("mixed");
+    const Number& first = number.of_first;
+    return first.value ? units.number(*first.value, first.measure) : tr("not given");
+}
 
-void show_number(const Rows& rows, Desk& desk, ui::NumberFields& fields, const Number& number)
+void show_number(const Rows& rows, Desk& desk, ui::NumberFields& fields, const SharedNumber& number)
 {
     const ui::DisplayUnits units = desk.session.units();
     const ui::Catalogue& tr = desk.session.view.tr;
-    rows.name(units.label(tr(number.label), number.measure));
-    const std::optional<double> shown = number.value ? std::optional(units.shown(*number.value, number.measure))
-                                                     : std::nullopt;
+    const Number& first = number.of_first;
+    rows.name(units.label(tr(first.label), first.measure));
+    const std::optional<femoop::Quantity> common = number.is_mixed ? std::nullopt : first.value;
     const ui::NumberFieldEvent event = fields.show(
-        "number" + std::to_string(number.id.place),
-        {.text = number.value ? units.number(*number.value, number.measure) : tr("not given"),
-         .exact_text = exact_text(number, units),
-         .value = shown});
+        "number" + std::to_string(first.id.place),
+        {.text = shown_text(number, units, tr),
+         .exact_text = exact_text(common, first.measure, units),
+         .value = common ? std::optional(units.shown(*common, first.measure)) : std::nullopt});
     if (event.kind == Kind::Dragged) take_drag(desk, number, event.value);
     if (event.kind == Kind::Settled) desk.session.settle();
     if (event.kind == Kind::Typed) take_text(desk, fields, number, event);
 }
 
-void show_numbers(Desk& desk, ui::NumberFields& fields, const Part& part)
+} // namespace
+
+ui::Phrase change_label(const femoop::Model& model, const ui::Phrase& what, std::span<const Part> parts)
 {
-    const std::vector<Number> all = numbers(desk.session.model(), part);
+    const ui::Phrase whose = parts.size() == 1 ? title(model, parts.front())
+                                               : ui::Phrase(translatable("the selection"));
+    return {translatable("Change {number}: {part}"), {{"number", what}, {"part", whose}}};
+}
+
+void show_numbers(Desk& desk, ui::NumberFields& fields, std::span<const Part> parts)
+{
+    const std::vector<SharedNumber> all = shared_numbers(desk.session.model(), parts);
     const Rows rows("numbers");
     if (!rows.is_open()) return;
-    for (const Number& number : all) show_number(rows, desk, fields, number);
+    for (const SharedNumber& number : all) show_number(rows, desk, fields, number);
+}
+
+bool edit_quantity(Desk& desk, ui::NumberFields& fields, const FieldPlace& place, femoop::Quantity& value)
+{
+    const Session& session = desk.session;
+    const ui::DisplayUnits units = session.units();
+    const ui::NumberFieldEvent event = fields.show(place.id, {.text = units.number(value, place.measure),
+                                                              .exact_text = exact_text(value, place.measure, units),
+                                                              .value = units.shown(value, place.measure),
+                                                              .width = place.width});
+    if (event.kind != Kind::Dragged && event.kind != Kind::Typed) return false;
+    const std::string text = event.kind == Kind::Typed ? event.text : ui::number_text(event.value, {exact_digits});
+    const auto typed = quantity_typed(text, place.measure, session.model().units, units);
+    if (const auto* const fault = std::get_if<femoop::Fault>(&typed)) {
+        fields.reject(event, reason(*fault, session.view.tr));
+        return false;
+    }
+    value = std::get<femoop::Quantity>(typed);
+    return true;
 }
 
 } // namespace frame

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <string_view>
+
 #include "apps/frame/document/number.h"
 #include "apps/frame/session/commands.h"
 #include "ui/widgets/number_field.h"
@@ -22,10 +25,19 @@ private:
     bool is_open_;
 };
 
-/// One number of the document, which follows every movement of the hand. \pre rows.is_open()
-void show_number(const Rows& rows, Desk& desk, ui::NumberFields& fields, const Number& number);
+/// How the history names the change of something of these parts: "Change qy: Node B", "Change qy: the selection".
+ui::Phrase change_label(const femoop::Model& model, const ui::Phrase& what, std::span<const Part> parts);
 
-/// All numbers of a part, in a table of their own.
-void show_numbers(Desk& desk, ui::NumberFields& fields, const Part& part);
+/// The numbers that the parts share, in a table of their own. Each follows every movement of the hand.
+void show_numbers(Desk& desk, ui::NumberFields& fields, std::span<const Part> parts);
+
+/// A field of its own for a quantity that is no number of the document, such as a setting of a tool.
+struct FieldPlace {
+    std::string_view id;
+    ui::Measure measure;
+    float width = 0.0F; ///< physical pixels; 0: all that is left
+};
+/// \returns whether the quantity was changed
+bool edit_quantity(Desk& desk, ui::NumberFields& fields, const FieldPlace& place, femoop::Quantity& value);
 
 } // namespace frame

@@ -67,7 +67,7 @@ template <class Row> void table(const char* id, const std::vector<std::string>& 
 
 void part_cell(Session& session, const Part& part, const std::string& name)
 {
-    const bool is_selected = session.selection == part;
+    const bool is_selected = session.selection.contains(part);
     if (ImGui::Selectable(name.c_str(), is_selected, ImGuiSelectableFlags_SpanAllColumns)) session.selection = part;
 }
 

@@ -120,6 +120,14 @@ std::optional<std::string> expect_value(const Session& session, const std::vecto
     return "no value " + words[2];
 }
 
+std::string selection_text(const Session& session, const ui::Catalogue& tr)
+{
+    std::string text;
+    for (const Part& part : session.selection.parts())
+        text += (text.empty() ? "" : ", ") + tr(title(session.model(), part));
+    return text.empty() ? "nothing" : text;
+}
+
 } // namespace
 
 std::optional<std::string> OffscreenStage::expect(std::string_view text)
@@ -137,7 +145,7 @@ std::optional<std::string> OffscreenStage::expect(std::string_view text)
         const auto label = session.history().undo_label();
         found = label ? english(*label) : "nothing";
     } else if (what == "selection") {
-        found = session.selection ? english(title(session.model(), *session.selection)) : "nothing";
+        found = selection_text(session, english);
     } else if (what == "case") {
         found = session.model().case_name(session.view.load_case);
     } else if (what == "problems") {

@@ -1,12 +1,18 @@
 #include <doctest/doctest.h>
 
+#include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/frame/document/drawing.h"
+#include "apps/frame/document/number.h"
+#include "apps/frame/tools/hand.h"
 #include "apps/frame/tools/member_tool.h"
 #include "apps/frame/tools/node_tool.h"
+#include "apps/frame/tools/part_tools.h"
 #include "apps/frame/tools/typed_place.h"
+#include "ui/history/history.h"
 
 using Eigen::Vector2d;
 using frame::Snap;
@@ -33,13 +39,48 @@ Snap snapped(double x, double y, SnapOptions options = {.reach = 0.3})
     return frame::snap(crossing(), {x, y}, options);
 }
 
-Snap at(double x, double y) { return {.place = {x, y}, .kind = SnapKind::Grid}; }
-
-/// Plays what the tool asks for.
-void carry_out(frame::Document& document, const std::optional<frame::Change>& change)
+frame::Aim at(double x, double y)
 {
-    if (change) change->command(document);
+    return {.pointer = {x, y}, .snap = {.place = {x, y}, .kind = SnapKind::Grid}, .pixel = 0.01};
 }
+
+/// A document that tools work on, as the app's session holds it.
+class Bench {
+public:
+    explicit Bench(frame::Document start = {}) : history(std::move(start)) {}
+
+    void press(frame::Tool& tool, const frame::Aim& aim) { carry_out(tool.press(work(), aim)); }
+    void move(frame::Tool& tool, const frame::Aim& aim) { carry_out(tool.move(work(), aim)); }
+    void release(frame::Tool& tool, const frame::Aim& aim)
+    {
+        carry_out(tool.release(work(), aim));
+        history.settle();
+    }
+    void click(frame::Tool& tool, const frame::Aim& aim)
+    {
+        press(tool, aim);
+        release(tool, aim);
+    }
+    void drag(frame::Tool& tool, const frame::Aim& from, const frame::Aim& to)
+    {
+        press(tool, from);
+        move(tool, to);
+        release(tool, to);
+    }
+    void carry_out(const std::optional<frame::Change>& change)
+    {
+        if (!change) return;
+        frame::Document next = change->step == frame::Step::Drag ? history.settled() : history.current();
+        change->command(next);
+        if (change->step == frame::Step::Drag) history.drag(next, change->label);
+        else history.apply(next, change->label);
+    }
+    frame::Work work() { return {history.settled(), selection}; }
+    const femoop::Model& model() const { return history.current().model; }
+
+    ui::History<frame::Document> history;
+    frame::Selection selection;
+};
 
 } // namespace
 
@@ -109,54 +150,213 @@ TEST_SUITE("frame tools")
 
     TEST_CASE("Clicks draw a line that goes on from its last place until a second click there")
     {
-        frame::Document document;
+        Bench bench;
         frame::MemberTool tool;
-        for (const Snap& place : {at(0, 0), at(0, 3), at(5, 3), at(5, 3)}) {
-            carry_out(document, tool.press(place));
-            carry_out(document, tool.release(place));
-        }
-        CHECK(document.model.members.size() == 2);
+        for (const auto& place : {at(0, 0), at(0, 3), at(5, 3), at(5, 3)}) bench.click(tool, place);
+        CHECK(bench.model().members.size() == 2);
         CHECK(!tool.from());
     }
 
     TEST_CASE("Dragging draws one member")
     {
-        frame::Document document;
+        Bench bench;
         frame::MemberTool tool;
-        carry_out(document, tool.press(at(1, 1)));
-        tool.move(at(4, 2));
+        bench.press(tool, at(1, 1));
+        bench.move(tool, at(4, 2));
         CHECK(tool.preview().lines.size() == 1);
-        carry_out(document, tool.release(at(4, 2)));
-        CHECK(document.model.members.size() == 1);
+        bench.release(tool, at(4, 2));
+        CHECK(bench.model().members.size() == 1);
         CHECK(!tool.from());
     }
 
     TEST_CASE("Esc gives up the line, and then the tool")
     {
-        frame::MemberTool tool;
-        tool.press(at(1, 1));
-        CHECK(tool.escape());
-        CHECK(!tool.escape());
-        CHECK(tool.preview().lines.empty());
+        frame::Hand hand;
+        hand.take(frame::ToolKind::Member);
+        Bench bench;
+        bench.press(hand.tool(), at(1, 1));
+        CHECK(hand.escape());
+        CHECK(hand.kind() == frame::ToolKind::Member);
+        CHECK(hand.escape());
+        CHECK(hand.kind() == frame::ToolKind::Select);
+        CHECK(!hand.escape());
     }
 
-    TEST_CASE("Members are drawn by typing alone")
+    TEST_CASE("Members are drawn by typing alone, and what is no place stays to be mended")
     {
-        frame::Document document;
-        frame::MemberTool tool;
-        carry_out(document, tool.type({0, 0}));
-        carry_out(document, tool.type(*frame::place_typed("4<90", {.from = tool.from()})));
-        carry_out(document, tool.type(*frame::place_typed("@6,0", {.from = tool.from()})));
-        REQUIRE(document.model.members.size() == 2);
-        CHECK(document.model.nodes[2].at[0] == 6.0);
-        CHECK(document.model.nodes[2].at[1] == 4.0);
+        frame::Hand hand;
+        CHECK(!hand.type("4"));
+        hand.take(frame::ToolKind::Member);
+        Bench bench;
+        for (const char* place : {"0,0", "4<90", "@6,0"}) {
+            CHECK(hand.type(place));
+            bench.carry_out(hand.enter());
+            CHECK(hand.typed().empty());
+        }
+        REQUIRE(bench.model().members.size() == 2);
+        CHECK(bench.model().nodes[2].at[0] == 6.0);
+        CHECK(bench.model().nodes[2].at[1] == 4.0);
+        hand.type("4<");
+        CHECK(!hand.enter());
+        CHECK(hand.typed() == "4<");
+        hand.rub_out();
+        CHECK(hand.typed() == "4");
     }
 
     TEST_CASE("A node clicked on a member cuts it")
     {
-        frame::Document document = frame::starting_document();
+        Bench bench(frame::starting_document());
         frame::NodeTool tool;
-        carry_out(document, tool.press({.place = {3, 4}, .kind = SnapKind::Midpoint}));
-        CHECK(document.model.members.size() == 4);
+        bench.click(tool, at(3, 4));
+        CHECK(bench.model().members.size() == 4);
+    }
+
+    TEST_CASE("A click selects one part, Shift adds and drops, a click beside all selects nothing")
+    {
+        Bench bench(frame::starting_document());
+        frame::SelectTool tool;
+        frame::Aim node = at(0, 4);
+        node.node = femoop::NodeId(1);
+        bench.click(tool, node);
+        CHECK(bench.selection.only() == frame::Part(femoop::NodeId(1)));
+        frame::Aim member = at(3, 4);
+        member.cut = frame::Cut{femoop::MemberId(1), 3.0};
+        member.adds = true;
+        bench.click(tool, member);
+        CHECK(bench.selection.size() == 2);
+        bench.click(tool, member);
+        CHECK(bench.selection.only() == frame::Part(femoop::NodeId(1)));
+        bench.click(tool, at(20, 20));
+        CHECK(bench.selection.is_empty());
+        CHECK(!bench.history.can_undo());
+    }
+
+    TEST_CASE("A window to the right takes what lies inside, one to the left what it touches")
+    {
+        Bench bench(frame::starting_document()); // A(0,0) B(0,4) C(6,4) D(6,0)
+        frame::SelectTool tool;
+        bench.drag(tool, at(-1, -1), at(2, 5));
+        CHECK(bench.selection.size() == 3); // A, B, AB
+        bench.drag(tool, at(2, 5), at(-1, -1));
+        CHECK(bench.selection.size() == 4); // and BC, which it crosses
+        bench.drag(tool, at(3, 3), at(2, 2));
+        CHECK(bench.selection.is_empty());
+    }
+
+    TEST_CASE("A drag moves the selection to where it is drawn, as one step, and joins what meets")
+    {
+        Bench bench(frame::starting_document());
+        frame::SelectTool tool;
+        frame::Aim corner = at(6, 4);
+        corner.node = femoop::NodeId(2);
+        bench.press(tool, corner);
+        bench.move(tool, at(7, 5));
+        bench.move(tool, at(8, 6));
+        CHECK(bench.model().nodes[2].at[0] == 8.0);
+        bench.release(tool, at(8, 6));
+        CHECK(bench.history.n_states() == 2);
+        CHECK(bench.model().nodes[2].at[1] == 6.0);
+        frame::Aim foot = at(6, 0);
+        foot.node = femoop::NodeId(3);
+        bench.drag(tool, foot, at(8, 6));
+        CHECK(bench.model().nodes.size() == 3);
+        bench.history.undo();
+        bench.history.undo();
+        CHECK(bench.history.current() == frame::starting_document());
+    }
+
+    TEST_CASE("A load's arrow is pulled to twice its length: twice the load, rounded to three digits")
+    {
+        Bench bench(frame::starting_document());
+        frame::SelectTool tool;
+        const frame::Part load = frame::MemberLoadPlace{0, 0};
+        const auto value = [&] { return frame::numbers(bench.model(), load).front().value->value(); };
+        const double before = value();
+        frame::Aim arrow = at(3, 5);
+        arrow.grip = frame::LoadGrip{load, femoop::Dof::uy, {0.0, 1.0}};
+        bench.drag(tool, arrow, at(3, 6));
+        CHECK(value() == doctest::Approx(2.0 * before));
+        CHECK(bench.history.n_states() == 2);
+    }
+
+    TEST_CASE("The support tool sets and takes away, the hinge tool opens and closes")
+    {
+        Bench bench(frame::starting_document());
+        frame::Hand hand;
+        hand.take(frame::ToolKind::Support);
+        frame::Aim corner = at(0, 4);
+        corner.node = femoop::NodeId(1);
+        bench.click(hand.tool(), corner);
+        REQUIRE(bench.model().nodes[1].support);
+        CHECK(bench.model().nodes[1].support->kind == femoop::SupportKind::Pin);
+        bench.click(hand.tool(), corner);
+        CHECK(!bench.model().nodes[1].support);
+        hand.take(frame::ToolKind::Hinge);
+        frame::Aim near_end = at(5, 4);
+        near_end.cut = frame::Cut{femoop::MemberId(1), 5.0};
+        bench.click(hand.tool(), near_end);
+        CHECK(bench.model().members[1].end.release.contains(femoop::Dof::rz));
+        bench.click(hand.tool(), near_end);
+        CHECK(bench.model().members[1].end.release.is_empty());
+        bench.click(hand.tool(), corner);
+        CHECK(bench.model().nodes[1].hinge);
+    }
+
+    TEST_CASE("The load tool loads nodes and members, and makes a load case where there is none")
+    {
+        frame::Document document = frame::starting_document();
+        document.model.load_cases.clear();
+        document.model.combinations.clear();
+        Bench bench(document);
+        frame::Hand hand;
+        hand.take(frame::ToolKind::Load);
+        frame::Aim beam = at(2, 4);
+        beam.cut = frame::Cut{femoop::MemberId(1), 2.0};
+        bench.click(hand.tool(), beam);
+        hand.settings().load = frame::LoadKind::ForceRight;
+        hand.settings().force = femoop::Quantity(7.0);
+        frame::Aim corner = at(0, 4);
+        corner.node = femoop::NodeId(1);
+        bench.click(hand.tool(), corner);
+        bench.click(hand.tool(), corner);
+        bench.click(hand.tool(), beam);
+        REQUIRE(bench.model().load_cases.size() == 1);
+        const femoop::LoadCase& loads = bench.model().load_cases[0];
+        CHECK(loads.members.size() == 2);
+        REQUIRE(loads.nodes.size() == 1);
+        CHECK(loads.nodes[0].components[0].value == 14.0);
+        CHECK(std::get<femoop::PointLoad>(loads.members[1].load).at == femoop::Position(femoop::Quantity(2.0)));
+    }
+
+    TEST_CASE("The delete tool takes out what is clicked")
+    {
+        Bench bench(frame::starting_document());
+        frame::DeleteTool tool;
+        frame::Aim beam = at(3, 4);
+        beam.cut = frame::Cut{femoop::MemberId(1), 3.0};
+        bench.click(tool, beam);
+        CHECK(bench.model().members.size() == 2);
+        bench.click(tool, at(20, 20));
+        CHECK(bench.history.n_states() == 2);
+    }
+
+    TEST_CASE("A selection follows its parts by their names when others go before them")
+    {
+        frame::Document document = frame::starting_document();
+        frame::Selection selection = frame::Part(femoop::NodeId(3));
+        selection.add(femoop::MemberId(2));
+        const femoop::Model before = document.model;
+        frame::remove(document, std::array{frame::Part(femoop::NodeId(0))});
+        selection.follow(before, document.model);
+        CHECK(selection.parts()[0] == frame::Part(femoop::NodeId(2)));
+        CHECK(selection.parts()[1] == frame::Part(femoop::MemberId(1)));
+    }
+
+    TEST_CASE("Parts are selected by what they have in common")
+    {
+        const femoop::Model model = frame::starting_document().model;
+        CHECK(frame::similar(model, frame::Part(femoop::MemberId(0))).size() == 2); // the columns
+        CHECK(frame::similar(model, frame::Part(femoop::NodeId(0))).size() == 2);   // the fixed bases
+        CHECK(frame::everything(model).size() == model.nodes.size() + model.members.size());
     }
 }

@@ -146,8 +146,7 @@ TEST_CASE("A file that is dropped on the window is opened, but not over changes 
             ui::Offscreen context({.size = {320, 200}});
             Application application(context, fonts, opened("examples/portal.json"));
             Session& session = application.session();
-            session.change(Step::Click, ui::translatable("Change"),
-                           [](Document& document) { set_title(document, "Changed"); });
+            session.change({ui::translatable("Change"), [](Document& document) { set_title(document, "Changed"); }});
             application.frame({.dropped_files = {folder + "examples/truss.json"}});
             CHECK(session.model().title == "Changed");
             CHECK(session.notice);
@@ -163,10 +162,11 @@ TEST_CASE("While a number is dragged the diagrams keep their scale, and find a n
 {
     Session session = opened("examples/portal.json");
     const auto load = [&](Step step, double value) {
-        session.change(step, ui::translatable("Change"), [&](Document& document) {
+        const auto command = [value](Document& document) {
             const Part part = MemberLoadPlace{0, 0};
             set_number(document, numbers(document.model, part).front().id, femoop::Quantity{value});
-        });
+        };
+        session.change({ui::translatable("Change"), command, step});
     };
     const auto before = session.solution().results;
     load(Step::Drag, -13.0);

@@ -15,7 +15,7 @@ void add_terms(const femoop::Model& model, femoop::CaseId id, double factor, std
 {
     const std::size_t n_cases = model.load_cases.size();
     if (id.index < n_cases) {
-        terms.push_back({&model.load_cases[id.index], factor});
+        terms.push_back({&model.load_cases[id.index], factor, id.index});
         return;
     }
     if (id.index - n_cases >= model.combinations.size() || depth > model.combinations.size()) return;

@@ -10,6 +10,7 @@ namespace frame {
 struct CaseTerm {
     const femoop::LoadCase* load_case;
     double factor;
+    std::size_t place; ///< of the load case in the model
 };
 
 /// The load cases behind a load case (itself) or a combination, combinations of combinations multiplied out. Empty for

@@ -49,6 +49,12 @@ void draw_force(const Scene& scene, const ForcePicture& force)
                         .head_size = 10.0,
                         .facing = force.direction.dot(scene.projection.toward_eye()),
                         .n_heads = force.n_heads});
+    if (force.grip)
+        scene.sketch.mark({.load = force.grip->load,
+                           .dof = force.grip->dof,
+                           .area = {tail, head},
+                           .root = is_push ? head : tail,
+                           .tip = is_push ? tail : head});
     if (!scene.shows(Show::Values)) return;
     scene.sketch.caption({.text = force.text,
                           .role = force.role,
@@ -68,11 +74,18 @@ void draw_moment(const Scene& scene, const MomentPicture& moment)
                            .gap = scene.sketch.px(4.0),
                            .text = moment.text,
                            .role = moment.role,
-                           .n_heads = 2});
+                           .n_heads = 2,
+                           .grip = moment.grip});
         return;
     }
     const SymbolFrame f = scene.projection.frame(moment.at, Vector3d::UnitX(), Vector3d::UnitY());
     draw(scene.sketch, CurvedArrow{.frame = f, .radius = moment.radius, .sense = moment.axis.z(), .role = moment.role});
+    if (moment.grip)
+        scene.sketch.mark({.load = moment.grip->load,
+                           .dof = moment.grip->dof,
+                           .area = {f(-moment.radius, 0.0), f(0.0, moment.radius), f(moment.radius, 0.0)},
+                           .root = f(0.0, 0.0),
+                           .tip = f(0.0, moment.radius)});
     if (!scene.shows(Show::Values)) return;
     scene.sketch.caption({.text = moment.text,
                           .role = moment.role,
@@ -109,14 +122,16 @@ void draw_node_load(const Scene& scene, const femoop::NodeLoad& load, const Load
                                 .axis = direction,
                                 .text = scene.text(std::abs(value), ui::Measure::Moment),
                                 .radius = 18.0,
-                                .text_side = text_side(scene, load.node)});
+                                .text_side = text_side(scene, load.node),
+                                .grip = GripOf{scale.load, component.dof}});
             continue;
         }
         draw_force(scene, {.at = scene.shape[load.node],
                            .direction = direction,
                            .length = force_length(scene, value, scale.largest.force),
                            .touches = free_end(scene, load.node, direction),
-                           .text = scene.text(std::abs(value), ui::Measure::Force)});
+                           .text = scene.text(std::abs(value), ui::Measure::Force),
+                           .grip = GripOf{scale.load, component.dof}});
     }
 }
 
@@ -130,7 +145,10 @@ void draw_point_load(const Scene& scene, femoop::MemberId id, const femoop::Poin
         if (value == 0.0) continue;
         const Vector3d direction = (value < 0.0 ? -1.0 : 1.0) * axis_in(member, component.dof, load.axes);
         if (femoop::is_rotation(component.dof)) {
-            draw_moment(scene, {.at = at, .axis = direction, .text = scene.text(std::abs(value), ui::Measure::Moment)});
+            draw_moment(scene, {.at = at,
+                                .axis = direction,
+                                .text = scene.text(std::abs(value), ui::Measure::Moment),
+                                .grip = GripOf{scale.load, component.dof}});
             continue;
         }
         const double over = stack.height(-direction);
@@ -138,7 +156,8 @@ void draw_point_load(const Scene& scene, femoop::MemberId id, const femoop::Poin
         draw_force(scene, {.at = at,
                            .direction = direction,
                            .length = std::max(force_length(scene, value, scale.largest.force), least),
-                           .text = scene.text(std::abs(value), ui::Measure::Force)});
+                           .text = scene.text(std::abs(value), ui::Measure::Force),
+                           .grip = GripOf{scale.load, component.dof}});
     }
 }
 
@@ -156,12 +175,14 @@ void draw_end_loads(const Scene& scene, femoop::MemberId id, const femoop::EndLo
                 draw_moment(scene, {.at = member.at(along),
                                     .axis = direction,
                                     .text = scene.text(std::abs(value), ui::Measure::Moment),
-                                    .radius = 14.0});
+                                    .radius = 14.0,
+                                    .grip = GripOf{scale.load, component.dof}});
             else
                 draw_force(scene, {.at = member.at(along),
                                    .direction = direction,
                                    .length = force_length(scene, value, scale.largest.force),
-                                   .text = scene.text(std::abs(value), ui::Measure::Force)});
+                                   .text = scene.text(std::abs(value), ui::Measure::Force),
+                                   .grip = GripOf{scale.load, component.dof}});
         }
     };
     draw_end(load.start, inside);

@@ -7,6 +7,12 @@
 
 namespace frame {
 
+/// The load that an arrow stands for.
+struct GripOf {
+    Part load;
+    femoop::Dof dof;
+};
+
 /// A force as an arrow with its value.
 struct ForcePicture {
     Eigen::Vector3d at;
@@ -17,6 +23,7 @@ struct ForcePicture {
     std::string text;
     ui::Role role = ui::Role::Load;
     int n_heads = 1;
+    std::optional<GripOf> grip{}; ///< it can be pulled
 };
 void draw_force(const Scene& scene, const ForcePicture& force);
 
@@ -28,6 +35,7 @@ struct MomentPicture {
     ui::Role role = ui::Role::LoadMoment;
     double radius = 16.0;
     ui::Point text_side{0.7, -0.7}; ///< where its value would stand
+    std::optional<GripOf> grip{};   ///< it can be pulled
 };
 void draw_moment(const Scene& scene, const MomentPicture& moment);
 

@@ -56,18 +56,17 @@ public:
     }
 
     ui::Point tail(double t) const { return head(t) + height(t) * away(); }
-
-private:
-    double height(double t) const { return placing_.height * load_.at(t) / load_.largest(); }
-    ui::Point away() const { return scene_.projection.direction(placing_.away); }
-    Vector3d on_member(double t) const { return member_.at(load_.from + t * (load_.to - load_.from)); }
-
     ui::Point head(double t) const
     {
         Vector3d place = on_member(t);
         if (placing_.is_projected) place += (placing_.level - place.dot(placing_.away)) * placing_.away;
         return scene_.projection(place) + placing_.base * away();
     }
+
+private:
+    double height(double t) const { return placing_.height * load_.at(t) / load_.largest(); }
+    ui::Point away() const { return scene_.projection.direction(placing_.away); }
+    Vector3d on_member(double t) const { return member_.at(load_.from + t * (load_.to - load_.from)); }
 
     int n_arrows() const
     {
@@ -147,13 +146,15 @@ struct StretchLoad {
     Vector3d direction;        ///< of a positive value
     bool is_projected = false; ///< per unit of projected length
     double largest = 0.0;      ///< value per length in the whole case
+    Part part;                 ///< the load
+    femoop::Dof dof;
 
     double along() const { return direction.dot(member.x()); }
 };
 
 void draw_across(const Scene& scene, const StretchLoad& stretch, LoadStack& stack)
 {
-    const auto& [member, load, direction, is_projected, largest] = stretch;
+    const auto& [member, load, direction, is_projected, largest, part, dof] = stretch;
     Placing placing{.away = -load.sign() * direction, .height = arrow_height(scene, load.largest(), largest)};
     const double taken = stack.height(placing.away);
     placing.base = taken > 0.0 ? taken + scene.sketch.px(5.0) : scene.sketch.px(3.0);
@@ -162,6 +163,14 @@ void draw_across(const Scene& scene, const StretchLoad& stretch, LoadStack& stac
     if (placing.is_projected) placing.base += scene.sketch.px(12.0);
     const LineLoadPicture picture(scene, member, load, placing);
     picture.draw();
+    const double at = std::abs(load.start) > std::abs(load.end)   ? 0.0
+                      : std::abs(load.start) < std::abs(load.end) ? 1.0
+                                                                  : 0.5;
+    scene.sketch.mark({.load = part,
+                       .dof = dof,
+                       .area = {picture.head(0.0), picture.tail(0.0), picture.tail(1.0), picture.head(1.0)},
+                       .root = picture.head(at),
+                       .tip = picture.tail(at)});
     write_values(scene, load, picture, scene.projection.direction(placing.away));
     // The value stands between this load and the one on top of it.
     const double text = scene.shows(Show::Values) ? 1.3 * scene.sketch.theme().type().normal : 0.0;
@@ -243,7 +252,8 @@ void draw_line_load(const Scene& scene, femoop::MemberId id, const femoop::Distr
         const Vector3d direction = direction_of(member, value.dof, load.axes);
         for (const Stretch& part : of_one_sign(whole)) {
             if (!(part.largest() > 0.0)) continue;
-            const StretchLoad stretch{member, part, direction, load.projected, scale.largest.per_length};
+            const StretchLoad stretch{member,     part,     direction, load.projected, scale.largest.per_length,
+                                      scale.load, value.dof};
             if (femoop::is_rotation(value.dof)) draw_moments(scene, stretch, stack);
             else if (std::abs(stretch.along()) > 0.95) draw_along(scene, stretch, stack);
             else draw_across(scene, stretch, stack);

@@ -14,6 +14,7 @@ void draw_loads(const Scene& scene);
 struct LoadScale {
     LargestLoads largest;
     double factor = 1.0; ///< of the case in the combination
+    Part load;           ///< whose arrows are drawn, for the hand that pulls them
 };
 void draw_line_load(const Scene& scene, femoop::MemberId member, const femoop::DistributedLoad& load,
                     const LoadScale& scale, LoadStack& stack);

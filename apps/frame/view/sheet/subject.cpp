@@ -272,17 +272,27 @@ Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, con
             corner.y += height;
         }
     }
-    return {bounds, sketch.n_left_out()};
+    return {bounds, sketch.n_left_out(), sketch.marks()};
 }
 
-void Subject::draw(ui::Painter& painter) const
+std::vector<LoadMark> Subject::draw(ui::Painter& painter) const
 {
     const Plan sheet = plan(painter.size(), painter.fonts());
     if (options_.show.contains(Show::Legend)) draw_head(painter, sheet_head(model_, results_, options_), theme_);
     std::size_t n_left_out = 0;
-    for (const Panel& panel : sheet.panels) n_left_out += draw_panel(painter, panel, sheet.camera).n_left_out;
+    std::vector<LoadMark> marks;
+    for (const Panel& panel : sheet.panels) {
+        const Drawn drawn = draw_panel(painter, panel, sheet.camera);
+        n_left_out += drawn.n_left_out;
+        marks.insert(marks.end(), drawn.marks.begin(), drawn.marks.end());
+    }
     if (motion_) draw_sentence(painter);
-    if (n_left_out == 0) return;
+    if (n_left_out > 0) draw_left_out(painter, n_left_out);
+    return marks;
+}
+
+void Subject::draw_left_out(ui::Painter& painter, std::size_t n_left_out) const
+{
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
     ui::TextStyle style = theme_.text(ui::Role::FaintLabel, ui::Anchor::BottomRight);
     style.size = theme_.type().small;

@@ -3,6 +3,7 @@
 #include "apps/frame/view/geometry/structure_shape.h"
 #include "apps/frame/view/results/solved_case.h"
 #include "apps/frame/view/sheet/panels.h"
+#include "apps/frame/view/sketch/sketch.h"
 #include "apps/frame/view/view_options.h"
 #include "femoop/result/results.h"
 #include "ui/paint/painter.h"
@@ -25,7 +26,8 @@ public:
         Camera camera;
     };
     Plan plan(ui::Size sheet, const ui::Fonts& fonts) const;
-    void draw(ui::Painter& painter) const;
+    /// \returns the arrows that a hand can pull, where they are on the sheet
+    std::vector<LoadMark> draw(ui::Painter& painter) const;
 
     const femoop::Model& model() const { return model_; }
     const StructureShape& shape() const { return shape_; }
@@ -43,11 +45,13 @@ private:
     struct Drawn {
         std::optional<ui::Box> bounds;
         std::size_t n_left_out = 0;
+        std::vector<LoadMark> marks{};
     };
     double heads_height(const Panel& panel) const;
     Drawn draw_panel(ui::Painter& painter, const Panel& panel, const Camera& camera) const;
     std::string motion_sentence() const;
     void draw_sentence(ui::Painter& painter) const;
+    void draw_left_out(ui::Painter& painter, std::size_t n_left_out) const;
     std::vector<std::string> sentence_lines(ui::Size sheet, const ui::Fonts& fonts) const;
 
     const femoop::Model& model_;

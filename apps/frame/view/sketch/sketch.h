@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/frame/document/part.h"
 #include "apps/frame/view/geometry/projection.h"
 #include "ui/paint/label_placement.h"
 #include "ui/paint/painter.h"
@@ -7,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace frame {
@@ -38,6 +40,14 @@ struct SignMark {
     double radius = 6.0;
     bool is_positive = true;
     ui::Role role = ui::Role::Label;
+};
+
+/// Where the arrow of a load stands, so that a hand can pull it.
+struct LoadMark {
+    Part load;
+    femoop::Dof dof;             ///< along or about which it acts
+    std::vector<ui::Point> area; ///< of the arrows, or the two ends of one
+    ui::Point root, tip;         ///< from the place it acts at to the end that is pulled
 };
 
 /// Draws the marks of a structure and remembers where they are: labels keep clear of them, and the sheet learns how
@@ -74,6 +84,9 @@ public:
     /// Put where no line runs, on a disc that hides what lies below it; labels keep clear of it.
     void sign(SignMark mark);
 
+    void mark(LoadMark mark) { marks_.push_back(std::move(mark)); }
+    const std::vector<LoadMark>& marks() const { return marks_; }
+
     /// Finds places for all signs and captions and writes them. Call once, at the end.
     void write_captions();
 
@@ -107,6 +120,7 @@ private:
     ui::LabelPlacer placer_;
     std::vector<Request> requests_;
     std::vector<SignMark> signs_;
+    std::vector<LoadMark> marks_;
     std::optional<ui::Box> bounds_;
     std::size_t n_left_out_ = 0;
 };

@@ -1,0 +1,94 @@
+#include "apps/frame/document/loading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace frame {
+
+using namespace femoop;
+
+LoadCasePlace load_case_for(Document& document, CaseId wanted)
+{
+    std::vector<LoadCase>& cases = document.model.load_cases;
+    if (cases.empty()) {
+        const bool is_taken = document.model.find_case("1").has_value(); // by a combination
+        document.model.add(LoadCase{.id = is_taken ? "load" : "1"});
+    }
+    return {wanted.index < cases.size() ? wanted.index : 0};
+}
+
+Part add_node_load(Document& document, LoadCasePlace load_case, NodeId node, const Component& load)
+{
+    std::vector<NodeLoad>& loads = document.model.load_cases.at(load_case.load_case).nodes;
+    auto found = std::ranges::find(loads, node, &NodeLoad::node);
+    if (found == loads.end()) found = loads.insert(loads.end(), NodeLoad{node, {}});
+    const auto there = std::ranges::find(found->components, load.dof, &Component::dof);
+    if (there == found->components.end()) found->components.push_back(load);
+    else there->value = Quantity(there->value + load.value);
+    return NodeLoadPlace{load_case.load_case, static_cast<std::size_t>(found - loads.begin())};
+}
+
+Part add_member_load(Document& document, LoadCasePlace load_case, MemberId member,
+                     const decltype(MemberLoad::load)& load)
+{
+    std::vector<MemberLoad>& loads = document.model.load_cases.at(load_case.load_case).members;
+    loads.push_back({member, load});
+    return MemberLoadPlace{load_case.load_case, loads.size() - 1};
+}
+
+namespace {
+
+/// To a hundredth of the power of ten of what it was: 25.37 to 25.4, 104.9 to 105.
+void scale(Quantity& value, double factor)
+{
+    if (value.value() == 0.0) return;
+    const double step = std::pow(10.0, std::floor(std::log10(std::abs(value.value()))) - 2.0);
+    const double scaled = std::round(value.value() * factor / step);
+    value = Quantity(step < 1.0 ? scaled / std::round(1.0 / step) : scaled * step); // 253 / 10, not 253 * 0.1
+}
+
+class Scaling {
+public:
+    Scaling(Dof dof, double factor) : dof_(dof), factor_(factor) {}
+
+    void operator()(std::vector<Component>& components) const
+    {
+        for (Component& component : components)
+            if (component.dof == dof_) scale(component.value, factor_);
+    }
+    void operator()(DistributedLoad& load) const
+    {
+        for (DistributedLoad::Value& value : load.values) {
+            if (value.dof != dof_) continue;
+            scale(value.start, factor_);
+            if (value.end) scale(*value.end, factor_);
+        }
+    }
+    void operator()(PointLoad& load) const { (*this)(load.components); }
+    void operator()(EndLoads& load) const
+    {
+        (*this)(load.start);
+        (*this)(load.end);
+    }
+    void operator()(TemperatureLoad&) const {}
+    void operator()(Misfit&) const {}
+
+private:
+    Dof dof_;
+    double factor_;
+};
+
+} // namespace
+
+void scale_load(Document& document, const Part& load, Dof dof, double factor)
+{
+    std::vector<LoadCase>& cases = document.model.load_cases;
+    const Scaling scaling(dof, factor);
+    if (const auto* const place = std::get_if<NodeLoadPlace>(&load))
+        scaling(cases.at(place->load_case).nodes.at(place->load).components);
+    if (const auto* const place = std::get_if<MemberLoadPlace>(&load))
+        std::visit(scaling, cases.at(place->load_case).members.at(place->load).load);
+}
+
+} // namespace frame

@@ -1,0 +1,110 @@
+#include "apps/frame/document/selection.h"
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+namespace frame {
+
+using namespace femoop;
+
+bool Selection::contains(const Part& part) const { return std::ranges::find(parts_, part) != parts_.end(); }
+
+std::optional<Part> Selection::only() const { return size() == 1 ? std::optional(parts_.front()) : std::nullopt; }
+
+void Selection::add(const Part& part)
+{
+    if (!contains(part)) parts_.push_back(part);
+}
+
+void Selection::toggle(const Part& part)
+{
+    if (std::erase(parts_, part) == 0) parts_.push_back(part);
+}
+
+namespace {
+
+/// Finds the part of one model in another.
+class Follower {
+public:
+    Follower(const Model& before, const Model& after) : before_(before), after_(after) {}
+
+    std::optional<Part> operator()(NodeId id) const { return part(after_.find_node(before_[id].id)); }
+    std::optional<Part> operator()(MemberId id) const { return part(after_.find_member(before_[id].id)); }
+    std::optional<Part> operator()(MaterialId id) const { return named(after_.materials, before_[id]); }
+    std::optional<Part> operator()(SectionId id) const { return named(after_.sections, before_[id]); }
+    template <class Place> std::optional<Part> operator()(const Place& place) const
+    {
+        return has(after_, place) ? std::optional<Part>(place) : std::nullopt;
+    }
+
+private:
+    template <class Id> static std::optional<Part> part(const std::optional<Id>& id)
+    {
+        return id ? std::optional<Part>(*id) : std::nullopt;
+    }
+    template <class Entry> static std::optional<Part> named(const std::vector<Entry>& list, const Entry& entry)
+    {
+        using Id = std::conditional_t<std::is_same_v<Entry, Material>, MaterialId, SectionId>;
+        const auto found = std::ranges::find(list, entry.id, &Entry::id);
+        return found != list.end() ? std::optional<Part>(Id(static_cast<std::size_t>(found - list.begin())))
+                                   : std::nullopt;
+    }
+
+    const Model& before_;
+    const Model& after_;
+};
+
+} // namespace
+
+void Selection::follow(const Model& before, const Model& after)
+{
+    const Follower follower(before, after);
+    std::vector<Part> found;
+    for (const Part& part : parts_) {
+        if (!has(before, part)) continue;
+        if (const std::optional<Part> now = std::visit(follower, part)) found.push_back(*now);
+    }
+    parts_ = std::move(found);
+}
+
+Selection everything(const Model& model)
+{
+    Selection all;
+    for (const Part& part : parts(model)) {
+        if (std::holds_alternative<NodeId>(part) || std::holds_alternative<MemberId>(part)) all.add(part);
+    }
+    return all;
+}
+
+namespace {
+
+bool are_alike(const Node& a, const Node& b) { return a.support == b.support && a.hinge == b.hinge; }
+
+bool are_alike(const Member& a, const Member& b)
+{
+    return a.material == b.material && a.section == b.section && a.bar == b.bar && a.theory == b.theory;
+}
+
+template <class Id, class Entry> void add_like(Selection& found, const std::vector<Entry>& entries, const Part& pattern)
+{
+    const auto* const id = std::get_if<Id>(&pattern);
+    if (id == nullptr) return;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        if (are_alike(entries[i], entries[id->index])) found.add(Id(i));
+    }
+}
+
+} // namespace
+
+Selection similar(const Model& model, const Selection& selection)
+{
+    Selection found;
+    for (const Part& part : selection.parts()) {
+        add_like<NodeId>(found, model.nodes, part);
+        add_like<MemberId>(found, model.members, part);
+    }
+    return found;
+}
+
+} // namespace frame

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "apps/frame/session/commands.h"
+
+namespace frame {
+
+/// The commands that draw and change: tools, selection, undo, delete, nudges.
+void add_tool_commands(CommandTable& table);
+void add_edit_commands(CommandTable& table);
+
+/// The commands that take up a tool, in the order of the tool bar.
+struct ToolEntry {
+    ToolKind tool;
+    std::string_view id, label;
+    ui::Key key;
+};
+std::span<const ToolEntry> tools();
+
+} // namespace frame

@@ -1,0 +1,72 @@
+#include "apps/frame/tools/hand.h"
+
+#include <utility>
+
+#include "apps/frame/tools/member_tool.h"
+#include "apps/frame/tools/node_tool.h"
+#include "apps/frame/tools/part_tools.h"
+#include "apps/frame/tools/typed_place.h"
+
+namespace frame {
+
+namespace {
+
+std::unique_ptr<Tool> tool_of(ToolKind kind, const ToolSettings& settings)
+{
+    switch (kind) {
+    case ToolKind::Select: break;
+    case ToolKind::Member: return std::make_unique<MemberTool>();
+    case ToolKind::Node: return std::make_unique<NodeTool>();
+    case ToolKind::Support: return std::make_unique<SupportTool>(settings);
+    case ToolKind::Load: return std::make_unique<LoadTool>(settings);
+    case ToolKind::Hinge: return std::make_unique<HingeTool>();
+    case ToolKind::Delete: return std::make_unique<DeleteTool>();
+    }
+    return std::make_unique<SelectTool>();
+}
+
+constexpr std::string_view place_letters = "0123456789+-.,;<@eE";
+
+} // namespace
+
+Hand::Hand() : settings_(std::make_unique<ToolSettings>()), tool_(tool_of(kind_, *settings_)) {}
+
+void Hand::take(ToolKind kind)
+{
+    kind_ = kind;
+    tool_ = tool_of(kind, *settings_);
+    typed_.clear();
+}
+
+bool Hand::escape()
+{
+    if (!std::exchange(typed_, {}).empty() || tool_->escape()) return true;
+    if (kind_ == ToolKind::Select) return false;
+    take(ToolKind::Select);
+    return true;
+}
+
+bool Hand::type(const std::string& letters)
+{
+    if (!can_type()) return false;
+    const std::size_t before = typed_.size();
+    for (const char letter : letters) {
+        if (place_letters.find(letter) != std::string_view::npos) typed_ += letter;
+    }
+    return typed_.size() > before;
+}
+
+void Hand::rub_out()
+{
+    if (!typed_.empty()) typed_.pop_back();
+}
+
+std::optional<Change> Hand::enter()
+{
+    const auto place = place_typed(typed_, {.from = tool_->from(), .pointer = aim_.pointer});
+    if (!place) return std::nullopt;
+    typed_.clear();
+    return tool_->type(*place);
+}
+
+} // namespace frame

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "apps/frame/tools/select_tool.h"
+#include "apps/frame/tools/settings.h"
+
+namespace frame {
+
+enum class ToolKind : std::uint8_t { Select, Member, Node, Support, Load, Hinge, Delete };
+
+/// The hand that works in the picture: the tool it holds, how the tools are set, and a place that is being typed.
+class Hand {
+public:
+    Hand();
+
+    ToolKind kind() const { return kind_; }
+    Tool& tool() { return *tool_; }
+    const Tool& tool() const { return *tool_; }
+    /// Takes up a tool, anew if it is the same: what was begun with the last one is given up.
+    void take(ToolKind kind);
+    /// Gives up what is typed, else what is begun, else the tool. \returns false where there was none of these
+    bool escape();
+
+    /// The tool can use a place that is typed; what has been typed of it so far.
+    bool can_type() const { return tool_->draws(); }
+    const std::string& typed() const { return typed_; }
+    /// Takes those of the letters that a place is made of. \returns whether there was one
+    bool type(const std::string& letters);
+    void rub_out();
+    /// Ends the typing: the change that the tool asks for at this place. What is no place stays, to be mended.
+    std::optional<Change> enter();
+
+    void point_at(const Aim& aim) { aim_ = aim; }
+    const Aim& aim() const { return aim_; }
+
+    ToolSettings& settings() { return *settings_; }
+    const ToolSettings& settings() const { return *settings_; }
+
+private:
+    std::unique_ptr<ToolSettings> settings_; ///< the tools know where it is
+    ToolKind kind_ = ToolKind::Select;
+    std::unique_ptr<Tool> tool_;
+    std::string typed_;
+    Aim aim_;
+};
+
+} // namespace frame

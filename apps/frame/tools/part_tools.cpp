@@ -1,0 +1,118 @@
+#include "apps/frame/tools/part_tools.h"
+
+#include <array>
+
+#include "apps/frame/document/command.h"
+#include "apps/frame/document/drawing.h"
+#include "apps/frame/document/loading.h"
+#include "femoop/edit/member_line.h"
+#include "ui/text/catalogue.h"
+
+namespace frame {
+
+using namespace femoop;
+using ui::Phrase;
+using ui::translatable;
+
+namespace {
+
+Phrase about(const Document& document, std::string_view sentence, const Part& part)
+{
+    return {sentence, {{"part", title(document.model, part)}}};
+}
+
+} // namespace
+
+std::optional<Change> SupportTool::press(const Work& work, const Aim& at)
+{
+    if (!at.node) return std::nullopt;
+    const NodeId node = *at.node;
+    const std::optional<Support>& there = work.document.model[node].support;
+    std::optional<SupportKind> kind = settings_.support;
+    if (there && there->kind == *kind) kind.reset();
+    const std::string_view sentence = kind ? translatable("Support: {part}") : translatable("Free: {part}");
+    return Change{about(work.document, sentence, node), [=](Document& changed) { set_support(changed, node, kind); }};
+}
+
+namespace {
+
+/// The force or moment of the settings, in the degrees of freedom of a model of this kind.
+std::optional<Component> component(const ToolSettings& settings, AnalysisKind kind)
+{
+    const bool is_upright = kind == AnalysisKind::Grillage || is_3d(kind); // z is up
+    Component load;
+    switch (settings.load) {
+    case LoadKind::ForceDown: load = {is_upright ? Dof::uz : Dof::uy, Quantity(-settings.force)}; break;
+    case LoadKind::ForceRight: load = {Dof::ux, settings.force}; break;
+    case LoadKind::Moment: load = {kind == AnalysisKind::Grillage ? Dof::rx : Dof::rz, settings.moment}; break;
+    case LoadKind::UniformDown:
+    case LoadKind::UniformAcross: return std::nullopt;
+    }
+    return dofs(kind).contains(load.dof) ? std::optional(load) : std::nullopt;
+}
+
+std::optional<decltype(MemberLoad::load)> member_load(const ToolSettings& settings, AnalysisKind kind, double x)
+{
+    if (const auto load = component(settings, kind)) return PointLoad{.at = Quantity(x), .components = {*load}};
+    const bool is_upright = kind == AnalysisKind::Grillage || is_3d(kind);
+    const Quantity down(-settings.line_load);
+    if (settings.load == LoadKind::UniformDown)
+        return DistributedLoad{.values = {{is_upright ? Dof::uz : Dof::uy, down, std::nullopt}}};
+    if (settings.load == LoadKind::UniformAcross)
+        return DistributedLoad{.values = {{Dof::uy, down, std::nullopt}}, .axes = LoadAxes::Local};
+    return std::nullopt;
+}
+
+} // namespace
+
+std::optional<Change> LoadTool::press(const Work& work, const Aim& at)
+{
+    const AnalysisKind kind = work.document.model.analysis;
+    const CaseId wanted = settings_.load_case;
+    if (at.node) {
+        const auto load = component(settings_, kind);
+        if (!load) return std::nullopt;
+        return Change{about(work.document, translatable("Load: {part}"), *at.node),
+                      [=, node = *at.node](Document& changed) {
+                          add_node_load(changed, load_case_for(changed, wanted), node, *load);
+                      }};
+    }
+    if (!at.cut) return std::nullopt;
+    const auto load = member_load(settings_, kind, at.cut->x);
+    if (!load) return std::nullopt;
+    return Change{about(work.document, translatable("Load: {part}"), at.cut->member),
+                  [=, member = at.cut->member](Document& changed) {
+                      add_member_load(changed, load_case_for(changed, wanted), member, *load);
+                  }};
+}
+
+std::optional<Change> HingeTool::press(const Work& work, const Aim& at)
+{
+    const Model& model = work.document.model;
+    if (is_truss(model.analysis)) return std::nullopt; // hinged already
+    const std::string_view sentence = translatable("Hinge: {part}");
+    if (at.node) {
+        const Joint joint = model[*at.node].hinge ? Joint::Rigid : Joint::Hinged;
+        return Change{about(work.document, sentence, *at.node),
+                      [joint, node = *at.node](Document& changed) { set_joint(changed, node, joint); }};
+    }
+    if (!at.cut) return std::nullopt;
+    const Member& member = model[at.cut->member];
+    const bool is_start = at.cut->x < 0.5 * line_of(model, member).length;
+    const MemberEndName end = is_start ? MemberEndName::Start : MemberEndName::End;
+    const Dof bending = is_3d(model.analysis) ? Dof::ry : Dof::rz;
+    const bool is_hinged = (is_start ? member.start : member.end).release.contains(bending);
+    return Change{about(work.document, sentence, at.cut->member), [=, id = at.cut->member](Document& changed) {
+                      set_release(changed, id, end, bending, is_hinged ? Switch::Off : Switch::On);
+                  }};
+}
+
+std::optional<Change> DeleteTool::press(const Work& work, const Aim& at)
+{
+    const std::optional<Part> part = at.part();
+    if (!part) return std::nullopt;
+    return Change{about(work.document, translatable("Delete: {part}"), *part),
+                  [part = *part](Document& changed) { remove(changed, std::array{part}); }};
+}
+
+} // namespace frame

@@ -1,0 +1,152 @@
+#include "apps/frame/tools/select_tool.h"
+
+#include <algorithm>
+#include <array>
+
+#include "apps/frame/document/drawing.h"
+#include "apps/frame/document/loading.h"
+#include "ui/text/catalogue.h"
+
+namespace frame {
+
+using Eigen::Vector2d;
+using femoop::Model;
+using ui::translatable;
+
+namespace {
+
+constexpr double click_reach = 4.0; // [px] that a hand trembles
+
+Vector2d place_of(const Model& model, femoop::NodeId node) { return {model[node].at[0], model[node].at[1]}; }
+
+/// A rectangle along the axes.
+struct Window {
+    Vector2d least, most;
+
+    bool contains(const Vector2d& p) const
+    {
+        return (p.array() >= least.array()).all() && (p.array() <= most.array()).all();
+    }
+    /// A part of the line lies inside (Liang and Barsky's clipping).
+    bool meets(const Vector2d& a, const Vector2d& b) const
+    {
+        double enters = 0.0, leaves = 1.0;
+        for (int i = 0; i < 2; ++i) {
+            const double run = b[i] - a[i];
+            if (run == 0.0 && (a[i] < least[i] || a[i] > most[i])) return false;
+            if (run == 0.0) continue;
+            const double t = (least[i] - a[i]) / run, u = (most[i] - a[i]) / run;
+            enters = std::max(enters, std::min(t, u));
+            leaves = std::min(leaves, std::max(t, u));
+        }
+        return enters <= leaves;
+    }
+};
+
+} // namespace
+
+std::optional<Change> SelectTool::press(const Work& work, const Aim& at)
+{
+    start_ = now_ = at;
+    is_dragging_ = false;
+    const std::optional<Part> part = at.part();
+    gesture_ = !part ? Gesture::Window : at.grip && !at.node && !at.cut ? Gesture::Pull : Gesture::Move;
+    if (!part) return std::nullopt;
+    was_selected_ = work.selection.contains(*part);
+    if (at.adds) work.selection.add(*part);
+    else if (!was_selected_) work.selection = *part;
+    if (gesture_ == Gesture::Move) moving_ = nodes_of(work.document.model, work.selection.parts());
+    return std::nullopt;
+}
+
+std::optional<Change> SelectTool::move(const Work& work, const Aim& to)
+{
+    if (gesture_ == Gesture::None) return std::nullopt;
+    now_ = to;
+    is_dragging_ = is_dragging_ || (to.pointer - start_.pointer).norm() > click_reach * to.pixel;
+    if (!is_dragging_) return std::nullopt;
+    if (gesture_ == Gesture::Move) return moved(work, to);
+    if (gesture_ == Gesture::Pull) return pulled(work, to);
+    return std::nullopt;
+}
+
+Change SelectTool::moved(const Work& work, const Aim& to) const
+{
+    const Vector2d anchor = start_.node ? place_of(work.document.model, *start_.node) : start_.snap.place;
+    const Vector2d shift = to.snap.place - anchor;
+    const std::vector<Part> parts(work.selection.parts().begin(), work.selection.parts().end());
+    const ui::Phrase label = work.selection.only() ? ui::Phrase(translatable("Move: {part}"),
+                                                                {{"part", title(work.document.model, parts.front())}})
+                                                   : ui::Phrase(translatable("Move the selection"));
+    return {label,
+            [=](Document& changed) {
+                place(changed, parts, femoop::moved_by({shift.x(), shift.y(), 0.0}));
+            },
+            Step::Drag};
+}
+
+Change SelectTool::pulled(const Work& work, const Aim& to) const
+{
+    const LoadGrip& grip = *start_.grip;
+    const double factor = 1.0 + (to.pointer - start_.pointer).dot(grip.pull) / grip.pull.squaredNorm();
+    return {{translatable("Change the value: {part}"), {{"part", title(work.document.model, grip.load)}}},
+            [=](Document& changed) { scale_load(changed, grip.load, grip.dof, factor); },
+            Step::Drag};
+}
+
+std::optional<Change> SelectTool::release(const Work& work, const Aim& at)
+{
+    const Gesture gesture = std::exchange(gesture_, Gesture::None);
+    const bool was_dragged = std::exchange(is_dragging_, false);
+    now_ = at;
+    moving_.clear();
+    if (gesture == Gesture::Window) {
+        if (!at.adds) work.selection.clear();
+        if (was_dragged) select_window(work);
+        return std::nullopt;
+    }
+    const std::optional<Part> part = start_.part();
+    if (!part || gesture == Gesture::None) return std::nullopt;
+    if (!was_dragged) {
+        if (at.adds && was_selected_) work.selection.toggle(*part);
+        if (!at.adds) work.selection = *part;
+        return std::nullopt;
+    }
+    if (gesture == Gesture::Pull) return pulled(work, at);
+    const Change move = moved(work, at);
+    return Change{move.label,
+                  [command = move.command](Document& changed) {
+                      command(changed);
+                      join(changed);
+                  },
+                  Step::Drag};
+}
+
+void SelectTool::select_window(const Work& work) const
+{
+    const Model& model = work.document.model;
+    const Window window{start_.pointer.cwiseMin(now_.pointer), start_.pointer.cwiseMax(now_.pointer)};
+    const bool must_lie_inside = now_.pointer.x() >= start_.pointer.x();
+    for (std::size_t i = 0; i < model.nodes.size(); ++i)
+        if (window.contains(place_of(model, femoop::NodeId(i)))) work.selection.add(femoop::NodeId(i));
+    for (std::size_t i = 0; i < model.members.size(); ++i) {
+        const Vector2d a = place_of(model, model.members[i].nodes[0]), b = place_of(model, model.members[i].nodes[1]);
+        const bool is_in = must_lie_inside ? window.contains(a) && window.contains(b) : window.meets(a, b);
+        if (is_in) work.selection.add(femoop::MemberId(i));
+    }
+}
+
+bool SelectTool::escape()
+{
+    is_dragging_ = false;
+    moving_.clear();
+    return std::exchange(gesture_, Gesture::None) != Gesture::None;
+}
+
+Preview SelectTool::preview() const
+{
+    if (gesture_ != Gesture::Window || !is_dragging_) return {};
+    return {.lines = {}, .window = std::pair(start_.pointer, now_.pointer)};
+}
+
+} // namespace frame

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+
+#include "apps/frame/tools/tool.h"
+
+namespace frame {
+
+/// Selects: a click one part, with Shift more; a window drawn to the right what lies inside it, one drawn to the left
+/// what it touches. A drag of a selected part moves the selection, a drag of a load's arrow changes its value.
+class SelectTool : public Tool {
+public:
+    std::optional<Change> press(const Work& work, const Aim& at) override;
+    std::optional<Change> move(const Work& work, const Aim& to) override;
+    std::optional<Change> release(const Work& work, const Aim& at) override;
+    bool escape() override;
+    std::span<const femoop::NodeId> moving() const override { return moving_; }
+    Preview preview() const override;
+
+    /// The hand has gone so far that the gesture is no click.
+    bool is_dragging() const { return is_dragging_; }
+
+private:
+    enum class Gesture : std::uint8_t { None, Move, Pull, Window };
+
+    Change moved(const Work& work, const Aim& to) const;
+    Change pulled(const Work& work, const Aim& to) const;
+    void select_window(const Work& work) const;
+
+    Gesture gesture_ = Gesture::None;
+    Aim start_, now_;
+    std::vector<femoop::NodeId> moving_;
+    bool is_dragging_ = false;
+    bool was_selected_ = false; ///< before the press
+};
+
+} // namespace frame

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+
+#include "femoop/model/model.h"
+
+namespace frame {
+
+/// What the load tool puts on a part.
+enum class LoadKind : std::uint8_t {
+    ForceDown, ///< on a node, or at a place of a member
+    ForceRight,
+    Moment,        ///< counter-clockwise
+    UniformDown,   ///< along a whole member
+    UniformAcross, ///< along a whole member, square to it, against its y'
+};
+
+/// How the tools that put something on a part do it.
+struct ToolSettings {
+    femoop::SupportKind support = femoop::SupportKind::Pin;
+    LoadKind load = LoadKind::UniformDown;
+    femoop::Quantity force{10.0}, moment{10.0}, line_load{10.0};
+    femoop::CaseId load_case; ///< that is shown
+    double grid = 1.0;        ///< distance of the grid's lines [length]
+};
+
+} // namespace frame

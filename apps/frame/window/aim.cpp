@@ -1,0 +1,92 @@
+#include "apps/frame/window/aim.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frame {
+
+using Eigen::Vector2d;
+
+namespace {
+
+constexpr double snap_reach = 10.0;   // [px]
+constexpr double grid_spacing = 16.0; // [px] at least
+constexpr double grip_reach = 6.0;    // [px]
+
+double distance_to(ui::Point a, ui::Point b, ui::Point p)
+{
+    const ui::Point along = b - a;
+    const double square = ui::dot(along, along);
+    const double t = square > 0.0 ? std::clamp(ui::dot(p - a, along) / square, 0.0, 1.0) : 0.0;
+    return ui::distance(p, a + t * along);
+}
+
+// By the count of its edges that a ray to the right crosses.
+bool is_inside(const std::vector<ui::Point>& area, ui::Point p)
+{
+    bool is_in = false;
+    for (std::size_t i = 0, j = area.size() - 1; i < area.size(); j = i++) {
+        const bool straddles = (area[i].y > p.y) != (area[j].y > p.y);
+        if (straddles && p.x < area[i].x + (area[j].x - area[i].x) * (p.y - area[i].y) / (area[j].y - area[i].y))
+            is_in = !is_in;
+    }
+    return is_in;
+}
+
+bool is_under(const LoadMark& mark, ui::Point p)
+{
+    if (mark.area.size() > 2 && is_inside(mark.area, p)) return true;
+    for (std::size_t i = 1; i < mark.area.size(); ++i)
+        if (distance_to(mark.area[i - 1], mark.area[i], p) <= grip_reach) return true;
+    return false;
+}
+
+std::optional<LoadGrip> grip_at(const Projection& projection, ui::Point at, std::span<const LoadMark> marks)
+{
+    const auto mark = std::ranges::find_if(marks, [&](const LoadMark& m) { return is_under(m, at); });
+    if (mark == marks.end()) return std::nullopt;
+    const auto root = place_in_plane(projection, mark->root), tip = place_in_plane(projection, mark->tip);
+    if (!root || !tip || *root == *tip) return std::nullopt;
+    return LoadGrip{mark->load, mark->dof, *tip - *root};
+}
+
+} // namespace
+
+std::optional<Vector2d> place_in_plane(const Projection& projection, ui::Point at)
+{
+    const ui::Point origin = projection(Eigen::Vector3d::Zero());
+    const ui::Point x = projection.direction(Eigen::Vector3d::UnitX()),
+                    y = projection.direction(Eigen::Vector3d::UnitY());
+    const double determinant = projection.scale() * (x.x * y.y - x.y * y.x);
+    if (std::abs(determinant) < 1e-6 * projection.scale()) return std::nullopt;
+    const ui::Point r = at - origin;
+    return Vector2d(r.x * y.y - r.y * y.x, x.x * r.y - x.y * r.x) / determinant;
+}
+
+double grid_of(const Projection& projection) { return round_grid(grid_spacing / projection.scale()); }
+
+Aim aim_at(const Session& session, const Tool& tool, const Projection& projection, const Pointer& pointer,
+           const Pick& under, std::span<const LoadMark> marks)
+{
+    Aim aim;
+    aim.node = under.node;
+    aim.cut = under.cut;
+    aim.adds = pointer.adds;
+    aim.pixel = 1.0 / projection.scale();
+    const bool is_near = under.node || under.is_on_member;
+    if (!is_near) {
+        aim.grip = grip_at(projection, pointer.at, marks);
+        aim.cut.reset(); // what is read at a distance is not touched
+    }
+    const Document& document = session.history().settled();
+    aim.pointer = place_in_plane(projection, pointer.at).value_or(Vector2d::Zero());
+    aim.snap = snap(document.model, aim.pointer,
+                    {.reach = snap_reach * aim.pixel,
+                     .grid = grid_of(projection),
+                     .from = tool.from(),
+                     .moving = tool.moving(),
+                     .is_off = pointer.is_exact});
+    return aim;
+}
+
+} // namespace frame

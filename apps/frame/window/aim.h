@@ -1,0 +1,30 @@
+#pragma once
+
+#include "apps/frame/session/session.h"
+#include "apps/frame/tools/tool.h"
+#include "apps/frame/view/geometry/projection.h"
+#include "apps/frame/view/geometry/structure_shape.h"
+#include "apps/frame/view/pick.h"
+#include "apps/frame/view/sketch/sketch.h"
+
+namespace frame {
+
+/// The place of the xy plane that is seen at a point of the sheet; nothing where the plane is seen edge-on.
+std::optional<Eigen::Vector2d> place_in_plane(const Projection& projection, ui::Point at);
+
+/// The pointer over a panel of the picture.
+struct Pointer {
+    ui::Point at; ///< on the sheet
+    bool is_over = false;
+    bool adds = false;     ///< Shift is held
+    bool is_exact = false; ///< Alt is held: nothing draws the place to it
+};
+
+/// What a tool is told of the pointer. Places are drawn to the model as it was before the gesture that is under way.
+Aim aim_at(const Session& session, const Tool& tool, const Projection& projection, const Pointer& pointer,
+           const Pick& under, std::span<const LoadMark> marks);
+
+/// The distance of the grid's lines at this scale [length].
+double grid_of(const Projection& projection);
+
+} // namespace frame

@@ -1,0 +1,136 @@
+#include "apps/frame/window/hand_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "apps/frame/view/sketch/scene.h"
+#include "apps/frame/window/aim.h"
+#include "ui/text/number_format.h"
+
+namespace frame {
+
+using Eigen::Vector2d;
+using ui::Point;
+using ui::Role;
+
+namespace {
+
+class HandPicture {
+public:
+    HandPicture(ui::Painter& painter, const Session& session, const Projection& projection, const ui::Theme& theme)
+        : painter_(painter), session_(session), projection_(projection), theme_(theme), units_(session.units())
+    {}
+
+    void grid()
+    {
+        const ui::LayerScope layer(painter_, ui::Layer::Grid);
+        const double step = grid_of(projection_);
+        const auto least = place_in_plane(projection_, {0.0, painter_.size().height});
+        const auto most = place_in_plane(projection_, {painter_.size().width, 0.0});
+        if (!least || !most || !projection_.is_plane()) return;
+        const ui::Color ink = ui::with_opacity(theme_[Role::FaintLabel].text, 0.4);
+        for (double x = std::ceil(least->x() / step) * step; x <= most->x(); x += step)
+            for (double y = std::ceil(least->y() / step) * step; y <= most->y(); y += step)
+                painter_.rectangle(dot(at({x, y})), ink);
+    }
+
+    void glyph(const Snap& snap)
+    {
+        const Point p = at(snap.place);
+        const double r = 6.0 * theme_.symbol_scale();
+        const ui::Stroke stroke = theme_.stroke(Role::Member);
+        const ui::Stroke line{.color = stroke.color, .width = 2.0};
+        switch (snap.kind) {
+        case SnapKind::Node:
+            painter_.polyline({p + Point{-r, -r}, p + Point{r, -r}, p + Point{r, r}, p + Point{-r, r}}, line,
+                              ui::PathEnds::Closed);
+            break;
+        case SnapKind::Intersection: cross(p, r, line); break;
+        case SnapKind::Midpoint:
+            painter_.polyline({p + Point{-r, r}, p + Point{r, r}, p + Point{0.0, -r}}, line, ui::PathEnds::Closed);
+            break;
+        case SnapKind::Perpendicular:
+            painter_.polyline({p + Point{-r, -r}, p + Point{-r, r}, p + Point{r, r}}, line);
+            break;
+        case SnapKind::OnMember:
+            painter_.polyline({p + Point{-r, -r}, p + Point{r, -r}, p + Point{-r, r}, p + Point{r, r}}, line,
+                              ui::PathEnds::Closed);
+            break;
+        case SnapKind::Grid:
+            painter_.line(p - Point{r, 0.0}, p + Point{r, 0.0}, line);
+            painter_.line(p - Point{0.0, r}, p + Point{0.0, r}, line);
+            break;
+        case SnapKind::Ray: painter_.circle(p, r, line); break;
+        case SnapKind::Free: painter_.disc(p, 2.5, stroke.color); break;
+        }
+    }
+
+    void line(const Vector2d& start, const Vector2d& end)
+    {
+        const ui::Stroke stroke{.color = theme_.stroke(Role::Selection).color, .width = 2.5, .dash = {8.0, 5.0}};
+        painter_.line(at(start), at(end), stroke);
+        const Vector2d arm = end - start;
+        if (arm.norm() == 0.0) return;
+        const double degrees = std::atan2(arm.y(), arm.x()) * 180.0 / std::numbers::pi;
+        const std::string text = with_minus(units_.text(arm.norm(), ui::Measure::Length) + "   " +
+                                            ui::number_text(degrees, units_.format()) + "°");
+        note(at(end), text);
+    }
+
+    void window(const Vector2d& start, const Vector2d& end)
+    {
+        const Point a = at(start), b = at(end);
+        const ui::Color color = theme_.stroke(Role::Selection).color;
+        const bool touches = end.x() < start.x();
+        const ui::Stroke stroke{
+            .color = color, .width = 1.5, .dash = touches ? ui::DashPattern{6.0, 4.0} : ui::DashPattern{}};
+        const std::initializer_list<Point> corners{a, {b.x, a.y}, b, {a.x, b.y}};
+        painter_.polygon(corners, ui::with_opacity(color, 0.10));
+        painter_.polyline(corners, stroke, ui::PathEnds::Closed);
+    }
+
+    /// A text beside a place, on a plate.
+    void note(Point beside, const std::string& text)
+    {
+        ui::TextStyle style = theme_.text(Role::Label, ui::Anchor::BottomLeft);
+        style.weight = ui::Weight::Bold;
+        style.plate = theme_.background();
+        painter_.text(beside + Point{14.0, -14.0}, text, style);
+    }
+
+    Point at(const Vector2d& place) const { return projection_({place.x(), place.y(), 0.0}); }
+
+private:
+    static ui::Box dot(Point p) { return {p - Point{0.75, 0.75}, p + Point{0.75, 0.75}}; }
+    void cross(Point p, double r, const ui::Stroke& stroke)
+    {
+        painter_.line(p + Point{-r, -r}, p + Point{r, r}, stroke);
+        painter_.line(p + Point{-r, r}, p + Point{r, -r}, stroke);
+    }
+
+    ui::Painter& painter_;
+    const Session& session_;
+    const Projection& projection_;
+    const ui::Theme& theme_;
+    ui::DisplayUnits units_;
+};
+
+} // namespace
+
+void draw_hand(ui::Painter& painter, const Session& session, const Hand& hand, const Projection& projection,
+               const ui::Theme& theme)
+{
+    HandPicture picture(painter, session, projection, theme);
+    if (hand.can_type()) picture.grid();
+    const ui::LayerScope layer(painter, ui::Layer::Overlay);
+    const Preview preview = hand.tool().preview();
+    for (const auto& [start, end] : preview.lines) picture.line(start, end);
+    if (preview.window) picture.window(preview.window->first, preview.window->second);
+    const bool is_placing = hand.can_type() || !hand.tool().moving().empty();
+    if (is_placing) picture.glyph(hand.aim().snap);
+    if (!hand.typed().empty()) picture.note(picture.at(hand.aim().snap.place) + Point{0.0, 40.0}, hand.typed() + "▏");
+}
+
+} // namespace frame

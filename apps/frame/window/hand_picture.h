@@ -1,0 +1,16 @@
+#pragma once
+
+#include "apps/frame/session/session.h"
+#include "apps/frame/tools/hand.h"
+#include "apps/frame/view/geometry/projection.h"
+#include "ui/paint/painter.h"
+#include "ui/paint/theme.h"
+
+namespace frame {
+
+/// Draws over the picture what the hand is about to do: the grid, the place that is meant and what drew it there, the
+/// line with its length and angle, the window of a selection, what is typed.
+void draw_hand(ui::Painter& painter, const Session& session, const Hand& hand, const Projection& projection,
+               const ui::Theme& theme);
+
+} // namespace frame

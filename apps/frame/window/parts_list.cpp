@@ -1,0 +1,59 @@
+#include "apps/frame/window/parts_list.h"
+
+#include <imgui.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace frame {
+
+using namespace femoop;
+using ui::translatable;
+
+namespace {
+
+void show_list(Desk& desk, std::string_view heading, const std::vector<Part>& list)
+{
+    const ui::Catalogue& tr = desk.session.view.tr;
+    const std::string label = tr(heading) + "  (" + std::to_string(list.size()) + ")###" + std::string(heading);
+    if (list.empty() || !ImGui::CollapsingHeader(label.c_str(), ImGuiTreeNodeFlags_DefaultOpen)) return;
+    ImGui::PushID(heading.data());
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(list.size()));
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            const Part& part = list[static_cast<std::size_t>(i)];
+            const std::string name = tr(title(desk.session.model(), part)) + "###" + std::to_string(i);
+            if (ImGui::Selectable(name.c_str())) desk.session.selection = part;
+        }
+    }
+    ImGui::PopID();
+}
+
+template <class... Types> std::vector<Part> of_type(const std::vector<Part>& all)
+{
+    std::vector<Part> chosen;
+    for (const Part& part : all) {
+        if ((std::holds_alternative<Types>(part) || ...)) chosen.push_back(part);
+    }
+    return chosen;
+}
+
+} // namespace
+
+void parts_list(Desk& desk)
+{
+    const std::vector<Part> all = parts(desk.session.model());
+    ImGui::TextWrapped("%s", desk.session.view.tr("Click a part in the picture or in this list to change it.").c_str());
+    ImGui::Spacing();
+    show_list(desk, translatable("Members"), of_type<MemberId>(all));
+    show_list(desk, translatable("Nodes"), of_type<NodeId>(all));
+    show_list(desk, translatable("Materials"), of_type<MaterialId>(all));
+    show_list(desk, translatable("Sections"), of_type<SectionId>(all));
+    show_list(desk, translatable("Load cases"), of_type<LoadCasePlace>(all));
+    show_list(desk, translatable("Loads"), of_type<NodeLoadPlace, SettlementPlace, MemberLoadPlace>(all));
+    show_list(desk, translatable("Combinations"), of_type<CombinationPlace>(all));
+}
+
+} // namespace frame

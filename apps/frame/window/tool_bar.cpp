@@ -1,0 +1,144 @@
+#include "apps/frame/window/tool_bar.h"
+
+#include <imgui.h>
+
+#include <array>
+#include <string>
+
+#include "apps/frame/session/edit_commands.h"
+#include "apps/frame/window/number_row.h"
+#include "apps/frame/window/tool_icon.h"
+
+namespace frame {
+
+using ui::translatable;
+
+namespace {
+
+// One button of the row: the tool's icon, framed where the hand holds it.
+void tool_button(Desk& desk, const CommandTable& commands, const ToolEntry& entry, ui::ImGuiSession& gui,
+                 const ui::Fonts& fonts)
+{
+    const auto& command = *commands.find(entry.id);
+    const auto reason = why_not(command, desk);
+    const ui::Catalogue& tr = desk.session.view.tr;
+    const float side = ImGui::GetFrameHeight() * 1.25F;
+    const bool is_on = command.is_on(desk);
+    if (is_on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_ButtonActive));
+    ImGui::BeginDisabled(reason.has_value());
+    const bool is_clicked = ImGui::Button(("###" + std::string(entry.id)).c_str(), {side, side});
+    ImGui::EndDisabled();
+    if (is_on) ImGui::PopStyleColor();
+    const ImVec2 corner = ImGui::GetItemRectMin();
+    const double edge = 0.12 * static_cast<double>(side);
+    const double size = (static_cast<double>(side) - 2.0 * edge) / gui.scale();
+    ui::Painter painter({size, size}, fonts);
+    draw_tool_icon(painter, entry.tool, ui::Theme(desk.session.view.theme));
+    gui.show(painter.picture(), *ImGui::GetWindowDrawList(),
+             {static_cast<double>(corner.x) + edge, static_cast<double>(corner.y) + edge});
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+        const std::string tip = reason ? tr(*reason) : tr(entry.label) + "  (" + text(command.shortcuts.front()) + ")";
+        ImGui::SetTooltip("%s", tip.c_str());
+    }
+    if (is_clicked) run(command, desk);
+}
+
+struct SupportChoice {
+    femoop::SupportKind kind;
+    std::string_view label;
+};
+constexpr std::array supports{
+    SupportChoice{femoop::SupportKind::Pin, translatable("Pinned")},
+    SupportChoice{femoop::SupportKind::Roller, translatable("Roller")},
+    SupportChoice{femoop::SupportKind::Fixed, translatable("Fixed")},
+};
+
+struct LoadChoice {
+    LoadKind kind;
+    std::string_view label;
+    ui::Measure measure;
+    femoop::Quantity ToolSettings::*value;
+};
+const std::array loads{
+    LoadChoice{LoadKind::UniformDown, translatable("Uniform load ↓"), ui::Measure::ForcePerLength,
+               &ToolSettings::line_load},
+    LoadChoice{LoadKind::UniformAcross, translatable("Uniform load across"), ui::Measure::ForcePerLength,
+               &ToolSettings::line_load},
+    LoadChoice{LoadKind::ForceDown, translatable("Force ↓"), ui::Measure::Force, &ToolSettings::force},
+    LoadChoice{LoadKind::ForceRight, translatable("Force →"), ui::Measure::Force, &ToolSettings::force},
+    LoadChoice{LoadKind::Moment, translatable("Moment"), ui::Measure::Moment, &ToolSettings::moment},
+};
+
+void support_settings(Desk& desk)
+{
+    ToolSettings& settings = desk.hand.settings();
+    for (const SupportChoice& choice : supports) {
+        const std::string label = desk.session.view.tr(choice.label) + "###" + std::string(choice.label);
+        if (ImGui::RadioButton(label.c_str(), settings.support == choice.kind)) settings.support = choice.kind;
+        ImGui::SameLine();
+    }
+}
+
+void load_settings(Desk& desk, ui::NumberFields& fields)
+{
+    ToolSettings& settings = desk.hand.settings();
+    const ui::Catalogue& tr = desk.session.view.tr;
+    const auto* const chosen = std::ranges::find(loads, settings.load, &LoadChoice::kind);
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextItemWidth(11.0F * em);
+    if (ImGui::BeginCombo("###load kind", tr(chosen->label).c_str())) {
+        for (const LoadChoice& choice : loads)
+            if (ImGui::Selectable(tr(choice.label).c_str(), choice.kind == settings.load)) settings.load = choice.kind;
+        ImGui::EndCombo();
+    }
+    ImGui::SameLine();
+    edit_quantity(desk, fields, {"tool load", chosen->measure, 6.0F * em}, settings.*chosen->value);
+    ImGui::SameLine();
+    ImGui::TextUnformatted(desk.session.units().unit(chosen->measure).name.c_str());
+    ImGui::SameLine();
+}
+
+std::string_view hint(ToolKind tool)
+{
+    switch (tool) {
+    case ToolKind::Select: return translatable("Click, drag, or draw a window; Shift adds.");
+    case ToolKind::Member: return translatable("Click from place to place, or type: 4  4<30  @3,2  6,4");
+    case ToolKind::Node: return translatable("Click a place, or type it: 6,4");
+    case ToolKind::Support: return translatable("Click nodes.");
+    case ToolKind::Load: return translatable("Click members or nodes.");
+    case ToolKind::Hinge: return translatable("Click nodes or the ends of members.");
+    case ToolKind::Delete: break;
+    }
+    return translatable("Click what is to go.");
+}
+
+// Where there is room for it.
+void show_hint(const std::string& words)
+{
+    if (words.empty() || ImGui::CalcTextSize(words.c_str()).x > ImGui::GetContentRegionAvail().x) return;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", words.c_str());
+}
+
+} // namespace
+
+void tool_bar(Desk& desk, const CommandTable& commands, ui::ImGuiSession& gui, const ui::Fonts& fonts,
+              ui::NumberFields& fields)
+{
+    const float em = ImGui::GetFontSize();
+    const float top = ImGui::GetCursorPosY() + 0.125F * ImGui::GetFrameHeight();
+    for (const ToolEntry& entry : tools()) {
+        tool_button(desk, commands, entry, gui, fonts);
+        ImGui::SameLine(0.0F, 0.15F * em);
+    }
+    ImGui::SameLine(0.0F, em);
+    ImGui::SetCursorPosY(top);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.5F * em, 0.0F});
+    const ToolKind tool = desk.hand.kind();
+    if (tool == ToolKind::Support) support_settings(desk);
+    if (tool == ToolKind::Load) load_settings(desk, fields);
+    show_hint(desk.session.view.tr(hint(tool)));
+    ImGui::PopStyleVar();
+}
+
+} // namespace frame

@@ -1,0 +1,92 @@
+#include "apps/frame/window/tool_icon.h"
+
+namespace frame {
+
+using ui::Point;
+using ui::Role;
+
+namespace {
+
+// Icons are drawn on a square of 24 units.
+class Icon {
+public:
+    Icon(ui::Painter& painter, const ui::Theme& theme)
+        : painter_(painter),
+          ink_(theme.stroke(Role::Member).color),
+          load_(theme.stroke(Role::Load).color),
+          support_(theme.stroke(Role::Support).color),
+          unit_(painter.size().width / 24.0)
+    {}
+
+    void select()
+    {
+        painter_.polygon({at(6, 3), at(6, 19), at(10, 15.5), at(12.5, 21), at(15, 20), at(12.5, 14.5), at(18, 14.5)},
+                         ink_);
+    }
+    void member()
+    {
+        line(4, 19, 20, 5, 2.4, ink_);
+        node(4, 19);
+        node(20, 5);
+    }
+    void node_alone() { painter_.disc(at(12, 12), 4.5 * unit_, ink_); }
+    void support()
+    {
+        painter_.polyline({at(12, 6), at(5, 17), at(19, 17)}, stroke(1.8, support_), ui::PathEnds::Closed);
+        for (const double x : {4.0, 9.0, 14.0, 19.0}) line(x, 21.5, x + 2.5, 17.5, 1.3, support_);
+        node(12, 5);
+    }
+    void load()
+    {
+        line(4, 5, 20, 5, 1.6, load_);
+        for (const double x : {5.0, 12.0, 19.0}) arrow(x);
+        line(3, 20, 21, 20, 2.4, ink_);
+    }
+    void hinge()
+    {
+        line(2, 12, 8, 12, 2.4, ink_);
+        line(16, 12, 22, 12, 2.4, ink_);
+        painter_.circle(at(12, 12), 4.0 * unit_, stroke(1.8, ink_));
+    }
+    void erase()
+    {
+        line(5, 5, 19, 19, 2.6, load_);
+        line(5, 19, 19, 5, 2.6, load_);
+    }
+
+private:
+    Point at(double x, double y) const { return {unit_ * x, unit_ * y}; }
+    ui::Stroke stroke(double width, ui::Color color) const { return {.color = color, .width = unit_ * width}; }
+    void line(double x1, double y1, double x2, double y2, double width, ui::Color color)
+    {
+        painter_.line(at(x1, y1), at(x2, y2), stroke(width, color));
+    }
+    void node(double x, double y) { painter_.disc(at(x, y), 2.6 * unit_, ink_); }
+    void arrow(double x)
+    {
+        line(x, 5, x, 15, 1.6, load_);
+        painter_.polygon({at(x - 2.5, 13.5), at(x + 2.5, 13.5), at(x, 18.5)}, load_);
+    }
+
+    ui::Painter& painter_;
+    ui::Color ink_, load_, support_;
+    double unit_;
+};
+
+} // namespace
+
+void draw_tool_icon(ui::Painter& painter, ToolKind tool, const ui::Theme& theme)
+{
+    Icon icon(painter, theme);
+    switch (tool) {
+    case ToolKind::Select: icon.select(); break;
+    case ToolKind::Member: icon.member(); break;
+    case ToolKind::Node: icon.node_alone(); break;
+    case ToolKind::Support: icon.support(); break;
+    case ToolKind::Load: icon.load(); break;
+    case ToolKind::Hinge: icon.hinge(); break;
+    case ToolKind::Delete: icon.erase(); break;
+    }
+}
+
+} // namespace frame
