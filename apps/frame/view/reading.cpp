@@ -102,6 +102,27 @@ ui::Point nearest(const ui::Box& box, ui::Point p)
 constexpr std::array<ui::Point, 8> sides{
     {{1.0, 1.0}, {-1.0, 1.0}, {1.0, -1.0}, {-1.0, -1.0}, {1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}};
 
+/// The straight line from a to b, with a gap at every string of the picture that it meets.
+void draw_between_strings(ui::Painter& painter, ui::Point a, ui::Point b, const ui::Stroke& stroke)
+{
+    std::vector<ui::OrientedBox> met;
+    for (const ui::Box& string : painter.picture().text_boxes(painter.fonts())) {
+        const ui::OrientedBox words(string.center(), string.grown(1.0 + 0.5 * stroke.width).size());
+        if (words.meets_segment(a, b)) met.push_back(words);
+    }
+    const int n = static_cast<int>(std::ceil(ui::distance(a, b))); // pixels
+    const auto at = [&](int i) { return a + static_cast<double>(i) / n * (b - a); };
+    const auto is_free = [&](int i) {
+        return std::none_of(met.begin(), met.end(),
+                            [&](const ui::OrientedBox& words) { return words.meets_segment(at(i), at(i + 1)); });
+    };
+    for (int i = 0; i < n; ++i) {
+        const int begin = i;
+        while (i < n && is_free(i)) ++i;
+        if (i > begin) painter.line(at(begin), at(i), stroke);
+    }
+}
+
 /// A box beside the cursor with a sketch at its left and lines of text at its right.
 class ReadingBox {
 public:
@@ -189,8 +210,9 @@ private:
 
     void draw_leader(ui::Point beside, const ui::Box& box) const
     {
-        const ui::Point nearest{std::clamp(beside.x, box.min.x, box.max.x), std::clamp(beside.y, box.min.y, box.max.y)};
-        if (ui::distance(beside, nearest) > 40.0) painter_.line(beside, nearest, theme_.stroke(ui::Role::Leader));
+        const ui::Point end = nearest(box, beside);
+        if (ui::distance(beside, end) > 40.0)
+            draw_between_strings(painter_, beside, end, theme_.stroke(ui::Role::Leader));
     }
 
     ui::Painter& painter_;
@@ -236,7 +258,7 @@ void mark_section(ui::Painter& painter, const Subject& subject, const ui::Theme&
         const ui::Point at = projection(member.at(cut.x));
         const ui::Point across = ui::left_normal(ui::direction(projection.direction(member.x())));
         const double half = 10.0 * theme.symbol_scale();
-        painter.line(at - half * across, at + half * across, theme.stroke(ui::Role::Selection));
+        draw_between_strings(painter, at - half * across, at + half * across, theme.stroke(ui::Role::Selection));
     }
 }
 

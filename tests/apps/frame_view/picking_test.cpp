@@ -6,6 +6,7 @@
 #include "apps/frame/view/reading.h"
 #include "femoop/analysis/linear_static.h"
 #include "tests/apps/frame_view/view_model.h"
+#include "ui/paint/label/oriented_box.h"
 
 using namespace frame;
 
@@ -86,6 +87,32 @@ TEST_CASE("The card of a reading covers no string of the picture where there is 
     const std::vector<ui::Box> after = painter.picture().text_boxes(fonts);
     for (std::size_t i = 0; i < before.size(); ++i)
         for (std::size_t j = before.size(); j < after.size(); ++j) CHECK(!before[i].overlaps(after[j]));
+}
+
+TEST_CASE("The mark of a section and the leader of its card run through no string of the picture")
+{
+    const femoop::Model model = view_test::example("portal");
+    const femoop::Results results = femoop::analyse(model);
+    const ui::Fonts fonts;
+    ui::Painter painter({662.0, 758.0}, fonts);
+    const ViewOptions options{.show = shown_by_default | ShowSet{Show::M}, .layout = Layout::Overlay};
+    draw(painter, model, &results, options);
+    const std::vector<ui::Box> strings = painter.picture().text_boxes(fonts);
+    draw_reading(painter, model, results, options, {femoop::MemberId{1}, 4.0}, {336.0, 325.0}); // above the name BC
+    view_test::Marks marks(fonts);
+    painter.picture().draw_on(marks);
+    const ui::Theme theme(options.theme);
+    int n_pieces = 0;
+    for (const auto& line : marks.lines) {
+        const bool is_mark = line.stroke == theme.stroke(ui::Role::Selection);
+        if (!is_mark && line.stroke != theme.stroke(ui::Role::Leader)) continue;
+        n_pieces += is_mark ? 1 : 0;
+        for (const ui::Box& string : strings) {
+            const ui::OrientedBox words(string.center(), string.size());
+            CHECK(!words.meets_segment(line.points[0], line.points[1]));
+        }
+    }
+    CHECK(n_pieces > 0);
 }
 
 TEST_SUITE_END();
