@@ -131,7 +131,7 @@ void add_structure(Roles& roles, const Palette& p)
     at(roles, Role::Support).fill = mixed(p.background, p.ink, 0.12);
     at(roles, Role::Spring) = plain_style(p, ground, {.width = 1.5, .join = Join::Miter});
     at(roles, Role::Undeformed) = plain_style(p, mixed(p.background, p.faint, 0.75), {.width = 1.3, .dash = {5, 4}});
-    at(roles, Role::LocalAxes) = role_style(p, bluish_green, {.width = 1.3});
+    at(roles, Role::LocalAxes) = role_style(p, reddish_purple, {.width = 1.3});
     at(roles, Role::Dimension) = plain_style(p, p.faint, {.width = 1.0});
     at(roles, Role::Label) = plain_style(p, p.ink, {.width = 1.0});
     at(roles, Role::FaintLabel) = plain_style(p, p.faint, {.width = 1.0});

@@ -8,6 +8,7 @@
 #include "femoop/analysis/linear_static.h"
 #include "femoop/analysis/mechanism.h"
 #include "tests/apps/frame_view/view_model.h"
+#include "ui/paint/label/oriented_box.h"
 
 #include <algorithm>
 #include <cmath>
@@ -202,6 +203,32 @@ TEST_CASE("Of several motions the picture says which one it shows, of a single o
     model.nodes[3].support->kind = femoop::SupportKind::Roller; // the foot D slides as well
     CHECK(words(model, 0).find("motion 1 of 2: ") != std::string::npos);
     CHECK(words(model, 1).find("motion 2 of 2: ") != std::string::npos);
+}
+
+TEST_CASE("Imposed displacements and turns of a support are drawn clear of its reactions")
+{
+    const ui::Fonts fonts;
+    femoop::Model model = view_test::simple_beam(L, q);
+    for (femoop::Node& node : model.nodes) node.support->kind = femoop::SupportKind::Fixed;
+    model.load_cases[0].settlements.push_back(
+        {.node = femoop::NodeId{0},
+         .components = {{femoop::Dof::ux, 0.001}, {femoop::Dof::uy, -0.01}, {femoop::Dof::rz, 0.002}}});
+    ViewOptions options{.show = parse_show("loads,reactions")};
+    const view_test::Marks marks = marks_of(model, options, fonts);
+    const ui::Theme theme(options.theme);
+    const auto is_imposed = [&](const auto& line) { return line.stroke.dash == ui::DashPattern{4.0, 3.0}; };
+    CHECK(std::count_if(marks.lines.begin(), marks.lines.end(), is_imposed) == 3);
+    for (const auto& imposed : marks.lines) {
+        if (!is_imposed(imposed)) continue;
+        for (const auto& reaction : marks.lines) {
+            if (reaction.stroke.color != theme.stroke(ui::Role::Reaction).color) continue;
+            for (const ui::Point a : imposed.points)
+                for (std::size_t i = 0; i + 1 < reaction.points.size(); ++i) {
+                    const ui::OrientedBox around(a, {10.0, 10.0});
+                    CHECK(!around.meets_segment(reaction.points[i], reaction.points[i + 1]));
+                }
+        }
+    }
 }
 
 TEST_SUITE_END();

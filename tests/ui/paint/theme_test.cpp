@@ -73,6 +73,18 @@ TEST_CASE("N, V, M and T differ in their dashes, so that a black and white copy 
     }
 }
 
+TEST_CASE("The members' own axes have not the hue of the loads nor of the reactions")
+{
+    for (const auto name : {ui::ThemeName::Light, ui::ThemeName::Dark, ui::ThemeName::Projector}) {
+        const ui::Theme theme(name);
+        CAPTURE(ui::text(name));
+        for (const auto role : {ui::Role::Load, ui::Role::Reaction}) {
+            const auto axes = theme.stroke(ui::Role::LocalAxes).color, other = theme.stroke(role).color;
+            CHECK(distance(linear(axes), linear(other)) > 0.15);
+        }
+    }
+}
+
 TEST_CASE("People without red, green or blue cones tell loads, moments, shear and the deformed shape apart")
 {
     const ui::Role roles[] = {ui::Role::Load, ui::Role::BendingMoment, ui::Role::Reaction, ui::Role::Deformed};

@@ -33,17 +33,19 @@ void draw_dashed_line(const Scene& scene, const MemberShape& member, double offs
                     .others = {f(0.35 * length, offset), f(0.65 * length, offset)}});
 }
 
-/// A displacement that is imposed, not a force: dashed, beside the support.
+const ui::DashPattern imposed{4.0, 3.0}; // a displacement, not a force
+
+/// Beside the support, clear of the arrows of its reactions.
 void draw_shift(const Scene& scene, const Vector3d& node, const Vector3d& direction, const std::string& text)
 {
     Sketch& sketch = scene.sketch;
     const ui::Point d = scene.projection.direction(direction);
-    const ui::Point beside = std::abs(d.x) > std::abs(d.y) ? ui::Point{0.0, 1.0} : ui::Point{-1.0, 0.0};
-    const double away = sketch.px(std::abs(d.x) > std::abs(d.y) ? 34.0 : 26.0);
-    const ui::Point tail = scene.projection(node) + away * beside;
-    const ui::Point head = tail + sketch.px(28.0) * d;
+    const bool is_level = std::abs(d.x) > std::abs(d.y);
+    const double length = sketch.px(28.0);
+    const ui::Point middle = scene.projection(node) + sketch.px(36.0) * ui::Point{is_level ? 1.0 : -1.0, 1.0};
+    const ui::Point tail = middle - 0.5 * length * d, head = middle + 0.5 * length * d;
     ui::Stroke stroke = sketch.stroke(ui::Role::Load);
-    stroke.dash = {4.0, 3.0};
+    stroke.dash = imposed;
     sketch.line(tail, head - sketch.px(7.0) * ui::direction(d), stroke);
     sketch.line(tail - sketch.px(5.0) * ui::left_normal(d), tail + sketch.px(5.0) * ui::left_normal(d),
                 sketch.thin(ui::Role::Load));
@@ -52,7 +54,7 @@ void draw_shift(const Scene& scene, const Vector3d& node, const Vector3d& direct
     sketch.caption({.text = text,
                     .role = ui::Role::Load,
                     .target = 0.5 * (tail + head),
-                    .toward = beside,
+                    .toward = is_level ? ui::Point{0.0, 1.0} : ui::Point{-1.0, 0.0},
                     .gap = 5.0,
                     .rank = Rank::Load});
 }
@@ -62,13 +64,14 @@ void draw_turn(const Scene& scene, const Vector3d& node, const Vector3d& axis, c
     Sketch& sketch = scene.sketch;
     const Vector3d y = std::abs(axis.z()) > 0.9 ? Vector3d::UnitY() : Vector3d::UnitZ();
     const SymbolFrame f = scene.projection.frame(node, y.cross(axis), y);
-    draw(sketch, CurvedArrow{.frame = f, .radius = 26.0, .role = ui::Role::Load, .start = 0.6, .sweep = 1.9});
+    draw(sketch,
+         CurvedArrow{.frame = f, .radius = 38.0, .role = ui::Role::Load, .start = 0.7, .sweep = 1.5, .dash = imposed});
     if (!scene.shows(Show::Values)) return;
     sketch.caption({.text = text,
                     .role = ui::Role::Load,
                     .target = f.origin,
                     .toward = {0.5, -0.85},
-                    .gap = sketch.px(30.0),
+                    .gap = sketch.px(42.0),
                     .rank = Rank::Load});
 }
 

@@ -72,7 +72,7 @@ void draw(Sketch& sketch, const CurvedArrow& arrow)
     const double start = sense > 0.0 ? arrow.start : pi - arrow.start;
     const std::vector<ui::Point> points = arc_in(arrow.frame, r, start, sense * (arrow.sweep - 0.7 * head / r));
     ui::Stroke stroke = sketch.stroke(arrow.role);
-    stroke.dash = {};
+    stroke.dash = arrow.dash;
     sketch.polyline(points, stroke);
     const double end = start + sense * arrow.sweep;
     const ui::Point tip = arrow.frame(r * std::cos(end), r * std::sin(end));

@@ -34,6 +34,7 @@ struct CurvedArrow {
     ui::Role role = ui::Role::LoadMoment;
     double start = -0.75 * std::numbers::pi; ///< angle of the tail of a counter-clockwise one; mirrored else
     double sweep = 1.5 * std::numbers::pi;
+    ui::DashPattern dash{};
 };
 void draw(Sketch& sketch, const CurvedArrow& arrow);
 
