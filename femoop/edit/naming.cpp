@@ -38,6 +38,18 @@ template <class List> std::unordered_set<std::string_view> names_of(const List& 
     return names;
 }
 
+/// Counts on from the number at the name's end, 2 for a name without one.
+template <class IsTaken> std::string counted_on(const std::string& wanted, IsTaken&& is_taken)
+{
+    if (!is_taken(wanted)) return wanted;
+    const std::size_t digits = wanted.find_last_not_of("0123456789") + 1;
+    const std::uint32_t first = number_in(std::string_view(wanted).substr(digits)).value_or(1) + 1;
+    for (std::uint32_t number = first;; ++number) {
+        std::string name = wanted.substr(0, digits) + std::to_string(number);
+        if (!is_taken(name)) return name;
+    }
+}
+
 } // namespace
 
 std::string fresh_node_id(const Model& model)
@@ -61,6 +73,23 @@ std::string fresh_member_id(const Model& model, NodeId start, NodeId end)
     std::string name = model.members.empty() && are_numbers ? "1" : joined;
     for (int round = 2; taken.contains(name); ++round) name = joined + '\'' + std::to_string(round);
     return name;
+}
+
+std::string fresh_id(const std::vector<Material>& taken, const std::string& wanted)
+{
+    return counted_on(wanted,
+                      [&](const std::string& name) { return std::ranges::count(taken, name, &Material::id) > 0; });
+}
+
+std::string fresh_id(const std::vector<Section>& taken, const std::string& wanted)
+{
+    return counted_on(wanted,
+                      [&](const std::string& name) { return std::ranges::count(taken, name, &Section::id) > 0; });
+}
+
+std::string fresh_case_id(const Model& model, const std::string& wanted)
+{
+    return counted_on(wanted, [&](const std::string& name) { return model.find_case(name).has_value(); });
 }
 
 bool is_named_after_nodes(const Model& model, const Member& member)

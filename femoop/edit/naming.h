@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "femoop/model/model.h"
 
@@ -12,6 +13,11 @@ std::string fresh_node_id(const Model& model);
 
 /// The next number where all members (or nodes) are numbered, else the names of its nodes: "BC", then "BC2", ...
 std::string fresh_member_id(const Model& model, NodeId start, NodeId end);
+
+/// The wanted name, or where it is taken the next free one with a number at its end: "steel", "steel2", "s1", "s2".
+std::string fresh_id(const std::vector<Material>& taken, const std::string& wanted);
+std::string fresh_id(const std::vector<Section>& taken, const std::string& wanted);
+std::string fresh_case_id(const Model& model, const std::string& wanted); ///< of load cases and combinations alike
 
 /// Does the member have the names of its nodes for a name, "BC" from B to C?
 bool is_named_after_nodes(const Model& model, const Member& member);
