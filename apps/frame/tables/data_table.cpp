@@ -1,0 +1,199 @@
+#include "apps/frame/tables/data_table.h"
+
+#include <algorithm>
+
+#include "apps/frame/tables/new_row.h"
+#include "ui/text/catalogue.h"
+
+namespace frame {
+
+using femoop::Model;
+
+namespace {
+
+Heading heading_of(const Column& column, const Manner& manner)
+{
+    return {manner.units.label(manner.tr(column.heading), column.measure), column.is_number, bool(column.write)};
+}
+
+std::string trimmed(std::string_view text)
+{
+    const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };
+    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+    return std::string(text);
+}
+
+bool is_blank(const std::vector<std::string>& texts)
+{
+    return std::ranges::all_of(texts, [](const std::string& text) { return trimmed(text).empty(); });
+}
+
+/// Fills the cells of a copy of the document, one line of texts after the other.
+class Filling {
+public:
+    Filling(const Document& document, TableKind kind, const Target& target, const Manner& manner)
+        : before_(document.model),
+          next_(document),
+          kind_(kind),
+          target_(target),
+          manner_(manner),
+          columns_(columns(before_, kind)),
+          parts_(parts_of(before_, kind))
+    {}
+
+    void take(const TextBlock& texts)
+    {
+        for (std::size_t i = 0; i < texts.size(); ++i) {
+            const std::size_t row = target_.row + i;
+            if (row < parts_.size()) change(row, texts[i]);
+            else if (!is_blank(texts[i])) add(row, texts[i]);
+        }
+        refuse_double_names();
+        if (faults_.empty()) move_loads(next_, moves_);
+    }
+
+    Filled result(const Document& document) &&
+    {
+        if (!faults_.empty()) next_ = document;
+        return {std::move(next_), std::move(faults_)};
+    }
+
+private:
+    struct Touched {
+        std::size_t row;
+        Part part;
+    };
+
+    void refuse(std::size_t row, std::size_t column, std::string reason)
+    {
+        faults_.push_back({row, column, std::move(reason)});
+    }
+
+    // Texts beyond the last column, unless they are blank.
+    bool is_beyond(std::size_t row, std::size_t column, const std::string& text)
+    {
+        if (column < columns_.size()) return false;
+        const bool is_first = faults_.empty() || faults_.back().row != row || faults_.back().column < columns_.size();
+        if (!text.empty() && is_first) refuse(row, columns_.size(), manner_.tr("the table has no more columns"));
+        return true;
+    }
+
+    void change(std::size_t row, const std::vector<std::string>& texts)
+    {
+        const Part part = parts_[target_.order.empty() ? row : target_.order.at(row)];
+        for (std::size_t j = 0; j < texts.size(); ++j) {
+            const std::size_t column = target_.column + j;
+            const std::string text = trimmed(texts[j]);
+            if (is_beyond(row, column, text) || says_nothing_new(part, columns_[column], text)) continue;
+            const bool is_beside_others = texts.size() > 1;
+            if (columns_[column].write || !is_beside_others) write({row, column}, part, text);
+        }
+        if (auto reason = why_not_row(next_.model, part, manner_.tr)) refuse(row, target_.column, *reason);
+        touched_.push_back({row, part});
+    }
+
+    bool says_nothing_new(const Part& part, const Column& column, const std::string& text) const
+    {
+        const Cell cell = cell_of(column.read(before_, part), column.measure, manner_);
+        return text == cell.plain || text == cell.typed;
+    }
+
+    struct Place {
+        std::size_t row, column;
+    };
+    void write(Place at, const Part& part, const std::string& text)
+    {
+        const Column& column = columns_[at.column];
+        Refusal reason = manner_.tr("this column follows from the others");
+        if (column.write) reason = column.write(next_, part, {text, manner_, moves_});
+        if (reason) refuse(at.row, at.column, *reason);
+    }
+
+    void add(std::size_t row, const std::vector<std::string>& texts)
+    {
+        const std::size_t n_faults = faults_.size();
+        const Part part = append(next_, kind_);
+        std::vector<std::string> line(columns_.size());
+        for (std::size_t j = 0; j < texts.size(); ++j) {
+            const std::size_t column = target_.column + j;
+            if (!is_beyond(row, column, trimmed(texts[j]))) line[column] = trimmed(texts[j]);
+        }
+        for (std::size_t column = 0; column < line.size(); ++column) {
+            const bool is_needed = columns_[column].need == Need::Required;
+            if (!line[column].empty() && columns_[column].write) write({row, column}, part, line[column]);
+            else if (line[column].empty() && is_needed) refuse(row, column, value_needed(manner_));
+        }
+        if (faults_.size() > n_faults) return;
+        give_name(next_.model, part);
+        if (auto reason = why_not_row(next_.model, part, manner_.tr)) refuse(row, target_.column, *reason);
+        touched_.push_back({row, part});
+    }
+
+    void refuse_double_names()
+    {
+        for (const Touched& row : touched_) {
+            if (const auto name = double_name(next_.model, row.part))
+                refuse(row.row, 0, manner_.tr("the name \"{text}\" is taken", {{"text", *name}}));
+        }
+    }
+
+    const Model& before_;
+    Document next_;
+    TableKind kind_;
+    const Target& target_;
+    const Manner& manner_;
+    std::vector<Column> columns_;
+    std::vector<Part> parts_;
+    std::vector<Touched> touched_;
+    std::vector<CaseMove> moves_;
+    std::vector<CellFault> faults_;
+};
+
+} // namespace
+
+Table data_table(const Model& model, TableKind kind, const Manner& manner)
+{
+    Table table;
+    const std::vector<Column> all = columns(model, kind);
+    for (const Column& column : all) table.headings.push_back(heading_of(column, manner));
+    for (const Part& part : parts_of(model, kind)) {
+        Row row{part, {}};
+        for (const Column& column : all) row.cells.push_back(cell_of(column.read(model, part), column.measure, manner));
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+std::string sentence(const CellFault& fault, const Table& table, const ui::Catalogue& tr)
+{
+    const std::string row = std::to_string(fault.row + 1);
+    if (fault.column >= table.headings.size())
+        return tr("row {row}: {reason}", {{"row", row}, {"reason", fault.reason}});
+    return tr("row {row}, {column}: {reason}",
+              {{"row", row}, {"column", table.headings[fault.column].label}, {"reason", fault.reason}});
+}
+
+Filled filled(const Document& document, TableKind kind, const Target& target, const TextBlock& texts,
+              const Manner& manner)
+{
+    Filling filling(document, kind, target, manner);
+    filling.take(texts);
+    return std::move(filling).result(document);
+}
+
+TextBlock read_block(std::string_view tsv, const Table& table, std::size_t first_column)
+{
+    TextBlock block = read_tsv(tsv);
+    if (block.empty()) return block;
+    bool are_headings = true;
+    for (std::size_t j = 0; j < block.front().size(); ++j) {
+        const std::size_t column = first_column + j;
+        are_headings = are_headings && column < table.headings.size() &&
+                       trimmed(block.front()[j]) == table.headings[column].label;
+    }
+    if (are_headings) block.erase(block.begin());
+    return block;
+}
+
+} // namespace frame
