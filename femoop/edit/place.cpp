@@ -227,8 +227,12 @@ Placement moved_by(const Eigen::Vector3d& shift) { return Placement(Eigen::Trans
 
 Placement turned(const Eigen::Vector3d& about, double angle)
 {
-    return Eigen::Translation3d(about) * Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()) *
-           Eigen::Translation3d(-about);
+    // Quarters are exact: what stood upright lies level.
+    const double quarters = angle / (0.5 * std::numbers::pi);
+    const bool is_quarter = std::abs(quarters - std::round(quarters)) < 1e-12;
+    Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    if (is_quarter) turn = turn.array().round();
+    return Eigen::Translation3d(about) * Eigen::Affine3d(turn) * Eigen::Translation3d(-about);
 }
 
 Placement mirrored(const Eigen::Vector3d& on_line, const Eigen::Vector3d& and_on_line)

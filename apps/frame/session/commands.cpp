@@ -1,6 +1,7 @@
 #include "apps/frame/session/commands.h"
 
 #include "apps/frame/session/edit_commands.h"
+#include "apps/frame/session/tabs.h"
 
 #include <array>
 #include <utility>
@@ -34,20 +35,17 @@ void add_file_commands(CommandTable& table)
                .menu = file_menu,
                .label = translatable("New"),
                .shortcuts = {{Key::N, ui::ctrl}},
-               .run = [](Desk& desk) { desk.session.start_anew(); },
-               .why_not = [](const Desk& desk) -> Reason {
-                   if (!desk.session.is_dirty()) return std::nullopt;
-                   return translatable("the model has changes that are not saved; save it or undo them first");
-               }});
+               .run = new_document});
     table.add({.id = "file.open",
                .menu = file_menu,
                .label = translatable("Open…"),
                .shortcuts = {{Key::O, ui::ctrl}},
-               .run = asks(Request::OpenDialog),
-               .why_not = [](const Desk& desk) -> Reason {
-                   if (!desk.session.is_dirty()) return std::nullopt;
-                   return translatable("the model has changes that are not saved; save it or undo them first");
-               }});
+               .run = asks(Request::OpenDialog)});
+    table.add({.id = "file.recent",
+               .menu = file_menu,
+               .label = translatable("Open one of the last files…"),
+               .shortcuts = {{Key::O, ui::ctrl_shift}},
+               .run = asks(Request::RecentList)});
     table.add({.id = "file.save",
                .menu = file_menu,
                .label = translatable("Save"),
@@ -61,6 +59,20 @@ void add_file_commands(CommandTable& table)
                .label = translatable("Save as…"),
                .shortcuts = {{Key::S, ui::ctrl_shift}},
                .run = asks(Request::SaveDialog)});
+    table.add({.id = "file.close",
+               .menu = file_menu,
+               .label = translatable("Close"),
+               .shortcuts = {{Key::W, ui::ctrl}},
+               .run = asks(Request::CloseTab)});
+    table.add({.id = "file.next_tab",
+               .menu = file_menu,
+               .label = translatable("Next tab"),
+               .shortcuts = {{Key::Tab, ui::ctrl}},
+               .run = [](Desk& desk) { show_tab(desk, (desk.tab + 1) % n_tabs(desk)); },
+               .why_not = [](const Desk& desk) -> Reason {
+                   if (n_tabs(desk) > 1) return std::nullopt;
+                   return translatable("no other document is open");
+               }});
     table.add({.id = "file.quit",
                .menu = file_menu,
                .label = translatable("Quit"),

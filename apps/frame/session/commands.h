@@ -3,13 +3,25 @@
 #include <span>
 
 #include "apps/frame/session/session.h"
+#include "apps/frame/session/transform.h"
 #include "apps/frame/tools/hand.h"
 #include "ui/command/command_table.h"
 
 namespace frame {
 
 /// What the user asks the window for, since the session has none: a dialog, a list, the end.
-enum class Request : std::uint8_t { OpenDialog, SaveDialog, Palette, ShortcutList, Fit, ZoomIn, ZoomOut, Quit };
+enum class Request : std::uint8_t {
+    OpenDialog,
+    SaveDialog,
+    RecentList,
+    CloseTab,
+    Palette,
+    ShortcutList,
+    Fit,
+    ZoomIn,
+    ZoomOut,
+    Quit
+};
 
 /// What the panel at the right shows.
 enum class Topic : std::uint8_t { Properties, Results, Problems, History };
@@ -19,6 +31,9 @@ enum class Topic : std::uint8_t { Properties, Results, Problems, History };
 struct Desk {
     Session session;
     Hand hand{};
+    std::vector<Session> shelf{};         ///< the other tabs in their order (tabs.h)
+    std::size_t tab = 0;                  ///< place of the session among the tabs
+    std::optional<Transform> transform{}; ///< under way: its numbers can still change
     std::vector<Request> requests{};
     Topic topic = Topic::Properties;
     bool has_panels = true;

@@ -145,6 +145,7 @@ void add_selection_commands(CommandTable& table)
                .label = translatable("Give up, select nothing"),
                .shortcuts = {{Key::Escape, {}}},
                .run = [](Desk& desk) {
+                   if (desk.transform) return cancel_transform(desk);
                    if (desk.hand.escape()) return;
                    desk.session.selection.clear();
                    desk.session.pin.reset();
@@ -158,7 +159,73 @@ void add_selection_commands(CommandTable& table)
                .why_not = needs_selection});
 }
 
+struct TransformEntry {
+    Transform::Kind kind;
+    std::string_view id, label;
+    Key key;
+};
+constexpr std::array transforms{
+    TransformEntry{Transform::Kind::Move, "edit.move", translatable("Move by numbers…"), Key::M},
+    TransformEntry{Transform::Kind::Copy, "edit.copy", translatable("Copy, in a row too…"), Key::D},
+    TransformEntry{Transform::Kind::Rotate, "edit.rotate", translatable("Rotate…"), Key::R},
+    TransformEntry{Transform::Kind::Mirror, "edit.mirror", translatable("Mirror…"), Key::I},
+    TransformEntry{Transform::Kind::Scale, "edit.scale", translatable("Scale…"), Key::E},
+};
+
+void add_transform_commands(CommandTable& table)
+{
+    for (const TransformEntry& entry : transforms) {
+        table.add({.id = entry.id,
+                   .menu = edit_menu,
+                   .label = entry.label,
+                   .shortcuts = {{entry.key, ui::ctrl}},
+                   .run = [kind = entry.kind](Desk& desk) { begin_transform(desk, kind); },
+                   .why_not = needs_plane_selection});
+    }
+    table.add({.id = "edit.accept",
+               .label = translatable("Accept"),
+               .shortcuts = {{Key::Enter, {}}},
+               .run = accept_transform,
+               .why_not = [](const Desk& desk) -> Reason {
+                   if (desk.transform) return std::nullopt;
+                   return translatable("nothing is under way");
+               }});
+}
+
 } // namespace
+
+void begin_transform(Desk& desk, Transform::Kind kind)
+{
+    cancel_transform(desk);
+    desk.hand.take(ToolKind::Select);
+    desk.transform = transform_of(kind, desk.session.model(), desk.session.selection);
+    desk.session.change(desk.transform->change(desk.session.selection));
+}
+
+void accept_transform(Desk& desk)
+{
+    Session& session = desk.session;
+    if (!desk.transform) return;
+    const femoop::Model& before = session.history().settled().model;
+    const std::size_t n_nodes = before.nodes.size(), n_members = before.members.size();
+    const Selection copies = latest(session.model(), n_nodes, n_members);
+    if (!copies.is_empty()) session.selection = copies;
+    session.change({session.history().label(session.history().place()),
+                    [made = session.document()](Document& document) {
+                        document = made;
+                        join(document);
+                    },
+                    Step::Drag});
+    session.settle();
+    desk.transform.reset();
+}
+
+void cancel_transform(Desk& desk)
+{
+    if (!desk.transform) return;
+    desk.session.cancel();
+    desk.transform.reset();
+}
 
 void add_tool_commands(CommandTable& table)
 {
@@ -177,6 +244,7 @@ void add_edit_commands(CommandTable& table)
 {
     add_history_commands(table);
     add_selection_commands(table);
+    add_transform_commands(table);
     for (const Nudge& entry : nudges) {
         table.add({.id = entry.id,
                    .menu = edit_menu,

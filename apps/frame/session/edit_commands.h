@@ -8,6 +8,11 @@ namespace frame {
 void add_tool_commands(CommandTable& table);
 void add_edit_commands(CommandTable& table);
 
+/// Begins, ends or gives up a transformation of the selection by numbers.
+void begin_transform(Desk& desk, Transform::Kind kind);
+void accept_transform(Desk& desk);
+void cancel_transform(Desk& desk);
+
 /// The commands that take up a tool, in the order of the tool bar.
 struct ToolEntry {
     ToolKind tool;

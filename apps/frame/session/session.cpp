@@ -1,6 +1,7 @@
 #include "apps/frame/session/session.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "apps/frame/document/number.h"
@@ -11,7 +12,20 @@ namespace frame {
 
 using ui::translatable;
 
-Session::Session(Document document) : history_(document), saved_(std::move(document)) { restart(history_.current()); }
+namespace {
+
+std::uint64_t next_number()
+{
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
+}
+
+} // namespace
+
+Session::Session(Document document) : history_(document), saved_(std::move(document)), number_(next_number())
+{
+    restart(history_.current());
+}
 
 void Session::restart(Document document)
 {
@@ -107,12 +121,10 @@ void Session::jump(std::size_t place)
 bool Session::open(const std::filesystem::path& path)
 {
     femoop::ModelReading reading = femoop::examine_model_file(path);
-    const ui::Phrase::Argument file{"file", path.filename().string()};
     if (!reading.is_sound()) {
         std::erase_if(reading.faults,
                       [](const auto& fault) { return femoop::severity(fault.kind) != femoop::Severity::Error; });
-        notice = Notice{{translatable("{file} was not opened; the model you had is unchanged"), {file}},
-                        std::move(reading.faults)};
+        refuse(path, std::move(reading.faults));
         return false;
     }
     notice.reset();
@@ -121,6 +133,23 @@ bool Session::open(const std::filesystem::path& path)
     path_ = path;
     restart({std::move(reading.model)});
     return true;
+}
+
+bool Session::recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original)
+{
+    if (!open(draft)) return false;
+    path_ = original;
+    saved_ = Document{};
+    is_dirty_ = true;
+    return true;
+}
+
+void Session::refuse(const std::filesystem::path& path, std::vector<femoop::Fault> faults)
+{
+    const std::string_view sentence = is_untouched()
+                                          ? translatable("{file} was not opened")
+                                          : translatable("{file} was not opened; the model you had is unchanged");
+    notice = Notice{{sentence, {{"file", path.filename().string()}}}, std::move(faults)};
 }
 
 bool Session::save(const std::filesystem::path& path)
@@ -137,15 +166,6 @@ bool Session::save(const std::filesystem::path& path)
     is_dirty_ = false;
     notice.reset();
     return true;
-}
-
-void Session::start_anew()
-{
-    notice.reset();
-    pin.reset();
-    hover.reset();
-    path_.reset();
-    restart(starting_document());
 }
 
 std::string Session::file_name() const { return path_ ? path_->filename().string() : view.tr("Untitled"); }

@@ -37,6 +37,8 @@ public:
     const ui::History<Document>& history() const { return history_; }
     /// Counts the solutions: what is derived from one is stale when it has grown.
     std::uint64_t generation() const { return generation_; }
+    /// Tells the sessions of one program apart.
+    std::uint64_t number() const { return number_; }
 
     /// Carries it out, or throws what its command throws and changes nothing.
     void change(const Change& change);
@@ -48,11 +50,16 @@ public:
 
     /// Opens a file. If it has an error, the open document stays as it is and `notice` says why; false then.
     bool open(const std::filesystem::path& path);
+    /// Opens a draft of a file's document, or of one that has no file yet, as one that is not saved.
+    bool recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original);
+    /// Tells that a file was not opened.
+    void refuse(const std::filesystem::path& path, std::vector<femoop::Fault> faults);
     /// Writes to the path, whole or not at all; false, with a notice, if that fails.
     bool save(const std::filesystem::path& path);
-    void start_anew();
     const std::optional<std::filesystem::path>& path() const { return path_; }
     bool is_dirty() const { return is_dirty_; } ///< has changes that are not saved
+    /// A document without a file in which nothing was done: none would miss it.
+    bool is_untouched() const { return !path_ && history_.n_states() == 1; }
     /// "portal.json", or the word for a document without a file.
     std::string file_name() const;
 
@@ -80,6 +87,7 @@ private:
     bool is_dirty_ = false;
     Solution solution_;
     std::uint64_t generation_ = 0;
+    std::uint64_t number_;
 };
 
 } // namespace frame

@@ -7,11 +7,13 @@
 #include <numbers>
 #include <utility>
 
+#include "apps/frame/session/tabs.h"
 #include "apps/frame/view/results/mechanism_picture.h"
 #include "apps/frame/window/properties_panel.h"
 #include "apps/frame/window/results_panel.h"
 #include "apps/frame/window/show_panel.h"
 #include "apps/frame/window/tool_bar.h"
+#include "apps/frame/window/transform_bar.h"
 
 namespace frame {
 
@@ -62,11 +64,9 @@ std::string Application::window_title() const
     return (session.is_dirty() ? "*" : "") + session.file_name() + " – " + session.view.tr("Cremona: frames");
 }
 
-void Application::ask_to_quit()
-{
-    asks_to_quit_ = desk_.session.is_dirty();
-    wants_to_quit_ = !asks_to_quit_;
-}
+void Application::ask_to_quit() { questions_.ask_to_quit(); }
+
+void Application::remember_in(const std::filesystem::path& folder) { kept_files_ = KeptFiles(folder); }
 
 void Application::animate(double seconds)
 {
@@ -80,7 +80,7 @@ void Application::frame(const ui::Input& input)
         theme_ = desk_.session.view.theme;
         gui_.set_theme(ui::Theme(theme_));
     }
-    if (!input.dropped_files.empty()) take_file(input.dropped_files.front());
+    for (const std::string& file : input.dropped_files) open_file(desk_, file);
     gui_.begin_frame(input);
     take_keys(input);
     animate(input.seconds);
@@ -88,23 +88,18 @@ void Application::frame(const ui::Input& input)
     show_body();
     show_dialogs();
     take_requests();
+    if (desk_.transform && !desk_.session.history().is_dragging()) desk_.transform.reset(); // something else ended it
+    kept_files_.tick(desk_, input.seconds);
     gui_.end_frame();
 }
 
 void Application::explain(const ui::Phrase& reason) { desk_.session.notice = Notice{reason, {}}; }
 
-// A file that was dropped on the window.
-void Application::take_file(const std::filesystem::path& file)
-{
-    const auto reason = why_not(*commands_.find("file.open"), desk_);
-    if (reason) explain(*reason);
-    else desk_.session.open(file);
-}
-
 void Application::take_keys(const ui::Input& input)
 {
     const bool is_popup_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-    const bool is_blocked = palette_.is_open() || path_dialog_.is_open() || asks_to_quit_ || is_popup_open;
+    const bool is_blocked = palette_.is_open() || path_dialog_.is_open() || questions_.is_open() ||
+                            kept_files_.is_open() || is_popup_open;
     if (is_blocked) return;
     const bool has_ctrl = input.modifiers.ctrl;
     const bool types = ImGui::GetIO().WantTextInput || fields_.is_typing();
@@ -142,6 +137,8 @@ void Application::take_requests()
         switch (request) {
         case Request::OpenDialog: path_dialog_.open(ui::PathDialog::Purpose::Open, start, ".json"); break;
         case Request::SaveDialog: path_dialog_.open(ui::PathDialog::Purpose::Save, start, ".json"); break;
+        case Request::RecentList: kept_files_.ask_for_recent(); break;
+        case Request::CloseTab: questions_.ask_to_close(); break;
         case Request::Palette: palette_.open(); break;
         case Request::ShortcutList: shows_shortcuts_ = !shows_shortcuts_; break;
         case Request::Fit: canvas_.fit(session); break;
@@ -265,6 +262,28 @@ void Application::show_tabs()
     }
 }
 
+// One tab for each document, where there are several.
+void Application::show_document_tabs()
+{
+    if (n_tabs(desk_) < 2) return;
+    std::optional<std::size_t> chosen;
+    for (std::size_t i = 0; i < n_tabs(desk_); ++i) {
+        const Session& session = tab(desk_, i);
+        const std::string title = (session.is_dirty() ? "* " : "") + session.file_name();
+        const bool is_shown = i == desk_.tab;
+        ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(is_shown ? ImGuiCol_TabActive : ImGuiCol_Tab));
+        if (ImGui::Button((title + "###tab" + std::to_string(i)).c_str())) chosen = i;
+        ImGui::PopStyleColor();
+        if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) {
+            chosen = i;
+            desk_.requests.push_back(Request::CloseTab);
+        }
+        ImGui::SameLine(0.0F, 0.2F * ImGui::GetFontSize());
+    }
+    ImGui::NewLine();
+    if (chosen) show_tab(desk_, *chosen);
+}
+
 void Application::show_canvas()
 {
     const float em = ImGui::GetFontSize();
@@ -274,7 +293,14 @@ void Application::show_canvas()
                       ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
     tool_bar(desk_, commands_, gui_, fonts_, fields_);
     ImGui::EndChild();
+    if (desk_.transform) {
+        ImGui::BeginChild("###transform", {0.0F, ImGui::GetFrameHeight() + 0.6F * em}, false,
+                          ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
+        transform_bar(desk_, fields_);
+        ImGui::EndChild();
+    }
     ImGui::PopStyleVar();
+    show_document_tabs();
     ImGui::BeginChild("###picture");
     canvas_.show(desk_, gui_);
     show_banner();
@@ -384,12 +410,15 @@ void Application::show_dialogs()
     Session& session = desk_.session;
     const ui::Catalogue tr = session.view.tr; // a command may change the language
     if (const auto path = path_dialog_.show(tr)) {
-        if (path_dialog_.purpose() == ui::PathDialog::Purpose::Open) session.open(*path);
+        if (path_dialog_.purpose() == ui::PathDialog::Purpose::Open) open_file(desk_, *path);
         else session.save(*path);
     }
     palette_.show(commands_, desk_, tr);
     show_shortcuts();
-    show_quit_question();
+    kept_files_.show(desk_);
+    if (!questions_.show(desk_)) return;
+    kept_files_.end();
+    wants_to_quit_ = true;
 }
 
 void Application::show_shortcuts()
@@ -410,30 +439,6 @@ void Application::show_shortcuts()
         ImGui::EndTable();
     }
     ImGui::End();
-}
-
-void Application::show_quit_question()
-{
-    if (!asks_to_quit_) return;
-    const ui::Catalogue& tr = desk_.session.view.tr;
-    ImGui::OpenPopup("###quit");
-    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
-    const std::string heading = tr("Unsaved changes") + "###quit";
-    if (!ImGui::BeginPopupModal(heading.c_str(), nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
-    ImGui::TextUnformatted(tr("{file} has changes that are not saved.", {{"file", desk_.session.file_name()}}).c_str());
-    ImGui::Spacing();
-    if (ImGui::Button(tr("Save").c_str())) {
-        asks_to_quit_ = false;
-        if (!desk_.session.path()) desk_.requests.push_back(Request::SaveDialog);
-        else wants_to_quit_ = desk_.session.save(*desk_.session.path());
-    }
-    ImGui::SameLine();
-    if (ImGui::Button(tr("Quit without saving").c_str())) wants_to_quit_ = true;
-    ImGui::SameLine();
-    const bool is_escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-    if (ImGui::Button(tr("Cancel").c_str()) || is_escaped) asks_to_quit_ = false;
-    if (!asks_to_quit_ || wants_to_quit_) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
 }
 
 } // namespace frame

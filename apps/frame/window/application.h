@@ -1,10 +1,13 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
 #include "apps/frame/session/commands.h"
 #include "apps/frame/window/canvas.h"
+#include "apps/frame/window/kept_files.h"
+#include "apps/frame/window/questions.h"
 #include "ui/context/context.h"
 #include "ui/context/imgui_session.h"
 #include "ui/context/input.h"
@@ -33,6 +36,8 @@ public:
     bool wants_to_quit() const { return wants_to_quit_; }
     /// The window's close button was pressed: closes, or asks first what to do with unsaved changes.
     void ask_to_quit();
+    /// From now on the last files and drafts of unsaved work are kept there. Offers what was left behind.
+    void remember_in(const std::filesystem::path& folder);
     std::string window_title() const;
     /// A heading of a panel that a scenario can click; panels are found by what they show.
     ui::ImGuiSession& gui() { return gui_; }
@@ -40,7 +45,6 @@ public:
 private:
     void take_keys(const ui::Input& input);
     bool take_typing(ui::Key key);
-    void take_file(const std::filesystem::path& file);
     void explain(const ui::Phrase& reason);
     void take_requests();
     void show_menu_bar();
@@ -49,12 +53,12 @@ private:
     void show_left(float width);
     void show_right(float width);
     void show_tabs();
+    void show_document_tabs();
     void show_canvas();
     void show_banner();
     void show_status_bar();
     void show_dialogs();
     void show_shortcuts();
-    void show_quit_question();
     void animate(double seconds);
 
     Desk desk_;
@@ -65,12 +69,13 @@ private:
     ui::NumberFields fields_;
     ui::CommandPalette palette_;
     ui::PathDialog path_dialog_;
+    Questions questions_;
+    KeptFiles kept_files_{std::nullopt};
     ui::ThemeName theme_;
     float left_width_ = 16.5F; ///< of the panel that was asked for [ems]
     float right_width_ = 24.0F;
     double time_; ///< of the animation since the middle of a swing [s]
     bool shows_shortcuts_ = false;
-    bool asks_to_quit_ = false;
     bool wants_to_quit_ = false;
 };
 

@@ -52,13 +52,22 @@ void Canvas::fit(Session& session)
 void Canvas::follow_structure(const Desk& desk)
 {
     const Session& session = desk.session;
-    if (generation_ != session.generation()) shape_ = shape_of(session.model());
+    const bool is_known = session_ == session.number() && generation_ == session.generation();
+    if (!is_known) shape_ = shape_of(session.model());
+    session_ = session.number();
     generation_ = session.generation();
     ViewOptions options = session.view;
     options.phase = 1.0; // room for the whole motion
-    const FittedFor wanted{
-        sheet_, options.show, options.layout, options.theme, session.model().analysis, shown_mechanism(desk)};
-    const bool is_fitted = fitted_for_ == wanted && (session.history().is_dragging() || is_all_in_sight());
+    const FittedFor wanted{session_,
+                           sheet_,
+                           options.show,
+                           options.layout,
+                           options.theme,
+                           session.model().analysis,
+                           shown_mechanism(desk),
+                           desk.hand.can_type(),
+                           session.solution().results.has_value()};
+    const bool is_fitted = fitted_for_ == wanted && (is_working_ || is_all_in_sight());
     if (!options.camera && is_fitted) options.camera = plan_.camera;
     if (!session.view.camera) fitted_for_ = wanted;
     plan_ = subject(desk, options).plan(sheet_, fonts_);
@@ -264,6 +273,22 @@ Highlight highlight(const Selection& selection)
 
 } // namespace
 
+namespace {
+
+// On an empty sheet: how to begin.
+void draw_invitation(ui::Painter& painter, const ViewOptions& options)
+{
+    const ui::Theme theme(options.theme);
+    ui::TextStyle style = theme.text(ui::Role::FaintLabel);
+    style.size = theme.type().large;
+    const ui::Point middle = 0.5 * painter.sheet().max;
+    painter.text(middle, options.tr("M draws members, N nodes, S supports, L loads."), style);
+    painter.text(middle + ui::Point{0.0, 1.6 * style.size}, options.tr("Ctrl+O opens a file, Ctrl+K finds a command."),
+                 style);
+}
+
+} // namespace
+
 void Canvas::paint(const Desk& desk)
 {
     const Session& session = desk.session;
@@ -271,7 +296,8 @@ void Canvas::paint(const Desk& desk)
     options.camera = session.view.camera.value_or(plan_.camera);
     options.selection = highlight(session.selection);
     ui::Painter painter(sheet_, fonts_);
-    marks_ = subject(desk, options).draw(painter);
+    if (session.model().nodes.empty()) draw_invitation(painter, options);
+    else marks_ = subject(desk, options).draw(painter);
     if (const auto& results = session.solution().results) {
         const auto read = [&](const Cut& cut, ui::Point panel) {
             const ui::Point at = Projection(*options.camera, panel)(shape_[cut.member].at(cut.x));

@@ -57,12 +57,14 @@ private:
     /// What the fitted camera was made for: it is made anew when one of these changes, and not when a load or a node
     /// does, so that the picture rests under the hand.
     struct FittedFor {
+        std::uint64_t session;
         ui::Size sheet;
         ShowSet show;
         Layout layout;
         ui::ThemeName theme;
         femoop::AnalysisKind kind;
         std::optional<std::size_t> mechanism;
+        bool is_drawn, is_solved;
 
         friend bool operator==(const FittedFor&, const FittedFor&) = default;
     };
@@ -70,7 +72,7 @@ private:
     StructureShape shape_;
     Subject::Plan plan_; ///< how the sheet is divided, and the camera of its panels
     std::optional<FittedFor> fitted_for_;
-    std::uint64_t generation_ = 0; ///< that shape_ belongs to
+    std::uint64_t session_ = 0, generation_ = 0; ///< that shape_ belongs to
     std::optional<ui::Picture> picture_;
     ui::Point hover_panel_{};     ///< corner of the panel that the pointer is in
     std::vector<LoadMark> marks_; ///< of the picture that was drawn last

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "apps/frame/session/recovery.h"
 #include "apps/frame/session/session.h"
 #include "apps/frame/view/results/mechanism_picture.h"
 #include "apps/frame/window/application.h"
@@ -109,6 +110,7 @@ int show_window(const Options& options, Session session)
     Application application(window, fonts, std::move(session));
     application.gui().set_clipboard({.text = [&] { return window.clipboard(); },
                                      .set_text = [&](const std::string& text) { window.set_clipboard(text); }});
+    if (const auto folder = state_folder()) application.remember_in(*folder);
     constexpr int settling_frames = 3; // widgets settle within these after something happened
     constexpr double patience = 0.3;   // s; a caret blinks at this pace
     int n_due = settling_frames;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "apps/frame/session/tabs.h"
 #include "apps/frame/view/geometry/structure_shape.h"
 #include "apps/frame/view/reading.h"
 #include "apps/frame/view/sketch/scene.h"
@@ -83,7 +84,7 @@ std::optional<std::string> OffscreenStage::run_command(std::string_view id, std:
     Desk& desk = application_.desk();
     const ui::Catalogue english;
     if (id == "file.open" && !argument.empty()) {
-        if (!desk.session.open(argument)) return english(desk.session.notice->sentence);
+        if (!open_file(desk, argument)) return english(desk.session.notice->sentence);
         return std::nullopt;
     }
     if (id == "file.save" && !argument.empty()) {

@@ -1,6 +1,7 @@
 // The whole window of the frame app, played by scenarios: what a person clicks, types and then sees.
 #include "apps/frame/document/command.h"
 #include "apps/frame/document/number.h"
+#include "apps/frame/session/tabs.h"
 #include "apps/frame/window/stage.h"
 #include "tests/golden/scene.h"
 #include "ui/paint/surface/golden_text.h"
@@ -138,21 +139,21 @@ TEST_CASE("Without its panels the window is all picture")
     )");
 }
 
-TEST_CASE("A file that is dropped on the window is opened, but not over changes that are not saved")
+TEST_CASE("Files that are dropped on the window open in tabs of their own, and nothing that is not saved is lost")
 {
     const ui::Fonts fonts;
     golden::if_drawn(
         [&] {
             ui::Offscreen context({.size = {320, 200}});
             Application application(context, fonts, opened("examples/portal.json"));
-            Session& session = application.session();
-            session.change({ui::translatable("Change"), [](Document& document) { set_title(document, "Changed"); }});
-            application.frame({.dropped_files = {folder + "examples/truss.json"}});
-            CHECK(session.model().title == "Changed");
-            CHECK(session.notice);
-            session.undo();
-            application.frame({.dropped_files = {folder + "examples/truss.json"}});
-            CHECK(session.file_name() == "truss.json");
+            Desk& desk = application.desk();
+            desk.session.change(
+                {ui::translatable("Change"), [](Document& document) { set_title(document, "Changed"); }});
+            application.frame(
+                {.dropped_files = {folder + "examples/truss.json", folder + "examples/gerber_beam.json"}});
+            REQUIRE(n_tabs(desk) == 3);
+            CHECK(desk.session.file_name() == "gerber_beam.json");
+            CHECK(tab(desk, 0).model().title == "Changed");
             return context.pixels();
         },
         golden::this_machine());

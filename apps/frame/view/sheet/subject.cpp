@@ -20,7 +20,8 @@ namespace frame {
 namespace {
 
 constexpr std::array diagrams{Show::N, Show::V, Show::Vy, Show::Vz, Show::M, Show::T, Show::My, Show::Mz};
-constexpr double edge = 14.0; // [px] kept free around a fitted picture
+constexpr double edge = 14.0;                            // [px] kept free around a fitted picture
+constexpr double empty_width = 10.0, empty_height = 6.0; // [length] of an empty sheet
 
 bool shows_any(const ShowSet& show, std::span<const Show> items)
 {
@@ -187,6 +188,7 @@ void Subject::fit(Camera& camera, ui::Size panel, const ui::Margins& margins) co
     if (auto* plane = std::get_if<ui::PlaneCamera>(&camera)) {
         std::vector<ui::World2> points;
         for (const Eigen::Vector3d& p : shape_.nodes) points.push_back({p.x(), p.y()});
+        if (points.empty()) points = {{0.0, 0.0}, {empty_width, empty_height}};
         plane->fit(points, panel, margins);
         return;
     }

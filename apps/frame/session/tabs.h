@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+
+#include "apps/frame/session/commands.h"
+
+namespace frame {
+
+/// The documents of a desk, each in a tab; one of them is on the desk, the others on its shelf.
+
+std::size_t n_tabs(const Desk& desk);
+const Session& tab(const Desk& desk, std::size_t place); ///< \pre place < n_tabs
+/// Brings another tab's document to the desk; language, theme and what is shown stay.
+void show_tab(Desk& desk, std::size_t place);
+/// Puts the session in a tab of its own and shows it; takes the place of a document that nobody has touched.
+void add_tab(Desk& desk, Session session);
+/// Takes the document off the desk, saved or not; where it was the last one, an empty one comes.
+void close_tab(Desk& desk);
+
+/// An empty sheet in a tab of its own.
+void new_document(Desk& desk);
+/// Shows the file's document, in a tab of its own, or in the one where it is open already. Where it has an error the
+/// open document stays as it is and its `notice` says why; false then.
+bool open_file(Desk& desk, const std::filesystem::path& path);
+
+/// A document of the desk has changes that are not saved.
+bool has_unsaved(const Desk& desk);
+
+} // namespace frame

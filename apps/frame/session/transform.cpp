@@ -1,0 +1,89 @@
+#include "apps/frame/session/transform.h"
+
+#include <cmath>
+#include <numbers>
+#include <string_view>
+#include <vector>
+
+#include "apps/frame/document/drawing.h"
+#include "femoop/edit/member_line.h"
+#include "ui/text/catalogue.h"
+
+namespace frame {
+
+using Eigen::Vector3d;
+using ui::translatable;
+
+namespace {
+
+std::string_view label(Transform::Kind kind)
+{
+    switch (kind) {
+    case Transform::Kind::Move: return translatable("Move the selection");
+    case Transform::Kind::Copy: return translatable("Copy the selection");
+    case Transform::Kind::Rotate: return translatable("Rotate the selection");
+    case Transform::Kind::Mirror: return translatable("Mirror the selection");
+    case Transform::Kind::Scale: break;
+    }
+    return translatable("Scale the selection");
+}
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
+
+} // namespace
+
+femoop::Placement Transform::placement() const
+{
+    const Vector3d place(x, y, 0.0);
+    switch (kind) {
+    case Kind::Move:
+    case Kind::Copy: break;
+    case Kind::Rotate: return femoop::turned(place, radians(angle));
+    case Kind::Mirror: return femoop::mirrored(place, femoop::turned(place, radians(angle)) * (place + Vector3d::UnitX()));
+    case Kind::Scale: return femoop::scaled(place, factor);
+    }
+    return femoop::moved_by(place);
+}
+
+Change Transform::change(const Selection& selection) const
+{
+    const std::vector<Part> parts(selection.parts().begin(), selection.parts().end());
+    const bool copies = kind == Kind::Copy || keeps_original;
+    return {label(kind),
+            [parts, copies, placement = placement(), times = kind == Kind::Copy ? times : 1](Document& document) {
+                if (copies) copy(document, parts, placement, times);
+                else place(document, parts, placement);
+            },
+            Step::Drag};
+}
+
+Transform transform_of(Transform::Kind kind, const femoop::Model& model, const Selection& selection)
+{
+    Transform transform{.kind = kind};
+    const std::vector<femoop::NodeId> nodes = nodes_of(model, selection.parts());
+    if (nodes.empty()) return transform;
+    Vector3d least = femoop::position_of(model, nodes.front()), most = least;
+    for (const femoop::NodeId node : nodes) {
+        least = least.cwiseMin(femoop::position_of(model, node));
+        most = most.cwiseMax(femoop::position_of(model, node));
+    }
+    const Vector3d middle = 0.5 * (least + most), size = most - least;
+    transform.keeps_original = kind == Transform::Kind::Mirror;
+    if (kind == Transform::Kind::Copy) transform.x = size.x() > 0.0 ? size.x() : 1.0;
+    if (kind == Transform::Kind::Rotate || kind == Transform::Kind::Scale) {
+        transform.x = middle.x();
+        transform.y = middle.y();
+    }
+    if (kind == Transform::Kind::Mirror) transform.x = most.x(); // a copy at the right hand
+    return transform;
+}
+
+Selection latest(const femoop::Model& model, std::size_t n_nodes, std::size_t n_members)
+{
+    Selection selection;
+    for (std::size_t i = n_nodes; i < model.nodes.size(); ++i) selection.add(femoop::NodeId(i));
+    for (std::size_t i = n_members; i < model.members.size(); ++i) selection.add(femoop::MemberId(i));
+    return selection;
+}
+
+} // namespace frame

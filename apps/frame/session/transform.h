@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+
+#include "apps/frame/document/change.h"
+#include "apps/frame/document/selection.h"
+#include "femoop/edit/place.h"
+
+namespace frame {
+
+/// A transformation of the selection by typed numbers.
+struct Transform {
+    enum class Kind : std::uint8_t { Move, Copy, Rotate, Mirror, Scale };
+
+    Kind kind = Kind::Move;
+    femoop::Quantity x{1.0}, y{0.0}; ///< Move, Copy: the shift. Others: the centre, or a place of the mirror's line
+    femoop::Quantity angle{90.0};    ///< [degrees] Rotate: counter-clockwise. Mirror: of the line, from +x
+    double factor = 2.0;             ///< Scale; > 0
+    int times = 1;                   ///< Copy; 1 to 100
+    bool keeps_original = false;     ///< Mirror, Rotate: what is turned is a copy
+
+    femoop::Placement placement() const;
+    /// What it does to the parts, as part of a gesture, so that its numbers can still change.
+    Change change(const Selection& selection) const;
+};
+
+/// As the kind begins: about the middle of the parts, a copy beside them.
+Transform transform_of(Transform::Kind kind, const femoop::Model& model, const Selection& selection);
+
+/// The parts that came last: those behind the first `n_nodes` nodes and `n_members` members.
+Selection latest(const femoop::Model& model, std::size_t n_nodes, std::size_t n_members);
+
+} // namespace frame

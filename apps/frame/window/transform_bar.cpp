@@ -1,0 +1,96 @@
+#include "apps/frame/window/transform_bar.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <string>
+
+#include "apps/frame/session/edit_commands.h"
+#include "apps/frame/window/number_row.h"
+
+namespace frame {
+
+using ui::Measure;
+using Kind = Transform::Kind;
+
+namespace {
+
+class TransformBar {
+public:
+    TransformBar(Desk& desk, ui::NumberFields& fields)
+        : desk_(desk), fields_(fields), transform_(*desk.transform), tr_(desk.session.view.tr)
+    {}
+
+    // True where a number was changed.
+    bool show()
+    {
+        const bool shifts = transform_.kind == Kind::Move || transform_.kind == Kind::Copy;
+        number(shifts ? "Δx" : "x", "x", Measure::Length, transform_.x);
+        number(shifts ? "Δy" : "y", "y", Measure::Length, transform_.y);
+        if (transform_.kind == Kind::Rotate || transform_.kind == Kind::Mirror)
+            number(tr_("angle"), "angle", Measure::Angle, transform_.angle);
+        if (transform_.kind == Kind::Scale) factor();
+        if (transform_.kind == Kind::Copy) times();
+        if (transform_.kind == Kind::Rotate || transform_.kind == Kind::Mirror) {
+            is_changed_ |= ImGui::Checkbox((tr_("a copy") + "###copy").c_str(), &transform_.keeps_original);
+            ImGui::SameLine();
+        }
+        return is_changed_;
+    }
+
+private:
+    void name(const std::string& text)
+    {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(text.c_str());
+        ImGui::SameLine();
+    }
+    void number(const std::string& label, const char* id, Measure measure, femoop::Quantity& value)
+    {
+        name(desk_.session.units().label(label, measure));
+        is_changed_ |= edit_quantity(desk_, fields_, {id, measure, 4.0F * ImGui::GetFontSize()}, value);
+        ImGui::SameLine();
+    }
+    void factor()
+    {
+        femoop::Quantity value(transform_.factor);
+        name(tr_("factor"));
+        if (edit_quantity(desk_, fields_, {"factor", Measure::Plain, 4.0F * ImGui::GetFontSize()}, value) &&
+            value > 0.0) {
+            transform_.factor = value;
+            is_changed_ = true;
+        }
+        ImGui::SameLine();
+    }
+    void times()
+    {
+        name(tr_("times"));
+        ImGui::SetNextItemWidth(6.0F * ImGui::GetFontSize());
+        is_changed_ |= ImGui::InputInt("###times", &transform_.times);
+        transform_.times = std::clamp(transform_.times, 1, 100);
+        ImGui::SameLine();
+    }
+
+    Desk& desk_;
+    ui::NumberFields& fields_;
+    Transform& transform_;
+    const ui::Catalogue& tr_;
+    bool is_changed_ = false;
+};
+
+} // namespace
+
+void transform_bar(Desk& desk, ui::NumberFields& fields)
+{
+    const ui::Catalogue tr = desk.session.view.tr;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.5F * ImGui::GetFontSize(), 0.0F});
+    if (TransformBar(desk, fields).show()) desk.session.change(desk.transform->change(desk.session.selection));
+    const bool is_accepted = ImGui::Button((tr("Accept") + "###accept").c_str());
+    ImGui::SameLine();
+    const bool is_given_up = ImGui::Button((tr("Cancel") + "###cancel").c_str());
+    ImGui::PopStyleVar();
+    if (is_accepted) accept_transform(desk);
+    if (is_given_up) cancel_transform(desk);
+}
+
+} // namespace frame

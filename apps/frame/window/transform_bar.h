@@ -1,0 +1,12 @@
+#pragma once
+
+#include "apps/frame/session/commands.h"
+#include "ui/widgets/number_field.h"
+
+namespace frame {
+
+/// The numbers of the transformation that is under way, with its end: Enter or the button accepts, Esc gives up. The
+/// document shows at once what it does. \pre desk.transform
+void transform_bar(Desk& desk, ui::NumberFields& fields);
+
+} // namespace frame

@@ -1,0 +1,200 @@
+#include <doctest/doctest.h>
+
+#include <string>
+#include <string_view>
+
+#include "apps/frame/document/command.h"
+#include "apps/frame/session/autosave.h"
+#include "apps/frame/session/edit_commands.h"
+#include "apps/frame/session/tabs.h"
+#include "femoop/io/model_file.h"
+#include "tests/folder.h"
+
+using namespace frame;
+using femoop::MemberId;
+using femoop::NodeId;
+
+namespace {
+
+const std::string examples = CREMONA_SOURCE_DIR "/examples/";
+
+Desk desk_with(const char* file)
+{
+    Desk desk{Session{Document{}}};
+    REQUIRE(open_file(desk, examples + file));
+    return desk;
+}
+
+void touch(Desk& desk)
+{
+    desk.session.change({ui::translatable("Change"), [](Document& document) { set_title(document, "Changed"); }});
+}
+
+std::string names(const Desk& desk)
+{
+    std::string all;
+    for (std::size_t i = 0; i < n_tabs(desk); ++i) all += (i == desk.tab ? "*" : "") + tab(desk, i).file_name() + " ";
+    return all;
+}
+
+void run(Desk& desk, std::string_view id) { CHECK(!ui::run(*command_table().find(id), desk)); }
+
+} // namespace
+
+TEST_SUITE("frame session")
+{
+    TEST_CASE("A file opens in a tab of its own, but in the place of a sheet that nobody has touched")
+    {
+        Desk desk = desk_with("portal.json");
+        CHECK(names(desk) == "*portal.json ");
+        REQUIRE(open_file(desk, examples + "truss.json"));
+        CHECK(names(desk) == "portal.json *truss.json ");
+        REQUIRE(open_file(desk, examples + "portal.json"));
+        CHECK(names(desk) == "*portal.json truss.json ");
+        new_document(desk);
+        CHECK(names(desk) == "portal.json *Untitled truss.json ");
+        CHECK(desk.session.model().nodes.empty());
+        REQUIRE(open_file(desk, examples + "gerber_beam.json"));
+        CHECK(names(desk) == "portal.json *gerber_beam.json truss.json ");
+    }
+
+    TEST_CASE("Every order of showing and closing tabs keeps their order and their documents")
+    {
+        Desk desk = desk_with("portal.json");
+        for (const char* file : {"truss.json", "gerber_beam.json", "mechanism.json"})
+            REQUIRE(open_file(desk, examples + file));
+        for (const std::size_t place : {0U, 3U, 1U, 2U, 0U, 2U, 1U}) {
+            show_tab(desk, place);
+            CHECK(desk.tab == place);
+            CHECK(tab(desk, 0).file_name() == "portal.json");
+            CHECK(tab(desk, 3).file_name() == "mechanism.json");
+        }
+        close_tab(desk); // the second
+        CHECK(names(desk) == "portal.json *gerber_beam.json mechanism.json ");
+        show_tab(desk, 2);
+        close_tab(desk);
+        CHECK(names(desk) == "portal.json *gerber_beam.json ");
+        close_tab(desk);
+        close_tab(desk);
+        CHECK(names(desk) == "*Untitled ");
+    }
+
+    TEST_CASE("A file that cannot be read leaves every tab as it is and says why")
+    {
+        Desk desk = desk_with("portal.json");
+        touch(desk);
+        CHECK(!open_file(desk, examples + "no such file.json"));
+        CHECK(names(desk) == "*portal.json ");
+        CHECK(desk.session.model().title == "Changed");
+        REQUIRE(desk.session.notice);
+        CHECK(!desk.session.notice->faults.empty());
+    }
+
+    TEST_CASE("Language and theme go along from tab to tab, the load case and the camera stay")
+    {
+        Desk desk = desk_with("portal.json");
+        desk.session.view.load_case = femoop::CaseId(2);
+        new_document(desk);
+        desk.session.set_language(ui::Language::Portuguese);
+        desk.session.view.theme = ui::ThemeName::Dark;
+        show_tab(desk, 0);
+        CHECK(desk.session.view.tr.language() == ui::Language::Portuguese);
+        CHECK(desk.session.view.theme == ui::ThemeName::Dark);
+        CHECK(desk.session.view.load_case == femoop::CaseId(2));
+    }
+
+    TEST_CASE("A few seconds after a change there is a draft, which goes when the document is saved or closed")
+    {
+        const Folder folder;
+        Desk desk = desk_with("portal.json");
+        Autosave autosave(folder.path() / "state");
+        const auto n_drafts = [&] {
+            std::size_t n = 0;
+            for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "state"))
+                n += entry.path().extension() == ".json" ? 1U : 0U;
+            return n;
+        };
+        autosave.tick(desk, Autosave::interval);
+        CHECK(!std::filesystem::exists(folder.path() / "state"));
+        touch(desk);
+        autosave.tick(desk, Autosave::interval);
+        CHECK(n_drafts() == 1);
+        CHECK(autosave.leftovers().empty()); // it is in use
+        REQUIRE(desk.session.save(folder.path() / "saved.json"));
+        autosave.tick(desk, Autosave::interval);
+        CHECK(n_drafts() == 0);
+        desk.session.undo();
+        new_document(desk);
+        autosave.tick(desk, Autosave::interval);
+        CHECK(n_drafts() == 1); // of the tab on the shelf
+    }
+
+    TEST_CASE("What a program left behind opens as a document that is not saved, under its own name")
+    {
+        const Folder folder;
+        Document document = starting_document();
+        set_title(document, "Left behind");
+        const std::filesystem::path draft = folder.path() / "1-0.json";
+        femoop::write_model_file(document.model, draft);
+        Desk desk{Session{Document{}}};
+        REQUIRE(open_leftover(desk, {draft, folder.path() / "lesson.json"}));
+        CHECK(desk.session.file_name() == "lesson.json");
+        CHECK(desk.session.is_dirty());
+        CHECK(desk.session.document() == document);
+        CHECK(!std::filesystem::exists(draft));
+    }
+
+    TEST_CASE("A transformation shows at once what it does, and is one step when it is accepted, none when it is not")
+    {
+        Desk desk = desk_with("portal.json");
+        const Document before = desk.session.document();
+        run(desk, "edit.select_all");
+        run(desk, "edit.mirror");
+        CHECK(desk.session.model().members.size() == 6);
+        run(desk, "edit.deselect");
+        CHECK(desk.session.document() == before);
+        CHECK(!desk.session.history().can_undo());
+        CHECK(!desk.transform);
+        run(desk, "edit.copy");
+        desk.transform->times = 3;
+        desk.session.change(desk.transform->change(desk.session.selection));
+        run(desk, "edit.accept");
+        CHECK(desk.session.model().members.size() == 9);
+        CHECK(desk.session.model().nodes.size() == 10); // neighbours share a column
+        CHECK(desk.session.history().n_states() == 2);
+        run(desk, "edit.undo");
+        CHECK(desk.session.document() == before);
+    }
+
+    TEST_CASE("A quarter turn is exact: what stood upright lies level")
+    {
+        Desk desk = desk_with("portal.json");
+        desk.session.selection = Part(MemberId(0));
+        desk.session.selection.add(NodeId(0));
+        Transform transform{.kind = Transform::Kind::Rotate, .x = 0.0, .y = 0.0};
+        desk.session.change(transform.change(desk.session.selection));
+        const auto& at = desk.session.model().nodes[1].at;
+        CHECK(at[0] == -4.5);
+        CHECK(at[1] == 0.0);
+    }
+
+    TEST_CASE("Arrow keys move the selection by the grid, and what it meets is joined")
+    {
+        Desk desk = desk_with("portal.json");
+        desk.session.selection = Part(NodeId(1));
+        desk.hand.settings().grid = 0.5;
+        const double before = desk.session.model().nodes[1].at[0];
+        run(desk, "edit.nudge_right");
+        CHECK(desk.session.model().nodes[1].at[0] == before + 0.5);
+    }
+
+    TEST_CASE("Deleting is one step, and nothing is selected then")
+    {
+        Desk desk = desk_with("portal.json");
+        desk.session.selection = Part(MemberId(1));
+        run(desk, "edit.delete");
+        CHECK(desk.session.model().members.size() == 2);
+        CHECK(desk.session.selection.is_empty());
+        CHECK(ui::why_not(*command_table().find("edit.delete"), desk));
+    }
+}
