@@ -144,6 +144,8 @@ JsonReading parse_json(std::string_view text)
 {
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
     if (text.substr(0, byte_order_mark.size()) == byte_order_mark) text.remove_prefix(byte_order_mark.size());
+    if (text.substr(0, byte_order_mark.size()) == byte_order_mark)
+        return {std::nullopt, {{FaultKind::FileWithSecondMark, {}}}};
     if (const auto fault = text_fault(text)) return {std::nullopt, {*fault}};
     JsonBuilder builder(text);
     nlohmann::json::sax_parse(text.begin(), text.end(), &builder);

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cstdint>
 
+#include "femoop/model/quantity/number_text.h"
+
 namespace femoop {
 
 namespace {
@@ -63,7 +65,7 @@ std::optional<std::string> taken_number(std::string_view& text)
 
 std::optional<std::string> json_spelling(std::string_view word)
 {
-    std::string plain(word);
+    std::string plain = with_hyphen(word).value_or(std::string(word));
     std::transform(plain.begin(), plain.end(), plain.begin(), lower_case);
     for (const std::string_view known : {"true", "false", "null"})
         if (plain == known) return plain;

@@ -38,7 +38,8 @@ Expected ModelReader::expected(JsonValue value, const Place& place)
     if (const auto chosen_side = reader_.choice(side, names::sides, place))
         check.side = static_cast<Side>(*chosen_side);
     if (chosen) read_which(check, which, place);
-    if (chosen) check.value = reader_.quantity(number, dimension_of(check), place).value_or(0.0);
+    check.value = no_number;
+    if (chosen) check.value = reader_.quantity(number, dimension_of(check), place).value_or(no_number);
     if (chosen) check.atol = reader_.quantity(atol, dimension_of(check), place);
     check.rtol = reader_.number(rtol, place);
     check.source = reader_.text(source, place).value_or("");

@@ -137,12 +137,12 @@ std::optional<DistributedLoad::Value> ModelReader::line_load(JsonValue value, Do
     const Place here = place.key(value.key());
     if (value.size() != 2) {
         reader_.add({FaultKind::WrongLineLoadSize, {here.text(), std::to_string(value.size())}});
-        return std::nullopt;
+        return DistributedLoad::Value{dof, Quantity(no_number), std::nullopt};
     }
     std::array<Quantity, 2> ends;
     std::size_t i = 0;
     for (const JsonValue entry : value) {
-        ends[i] = reader_.quantity(entry, dimension, here.entry(i)).value_or(0.0);
+        ends[i] = reader_.quantity(entry, dimension, here.entry(i)).value_or(no_number);
         ++i;
     }
     return DistributedLoad::Value{dof, std::move(ends[0]), std::move(ends[1])};
@@ -162,13 +162,13 @@ std::optional<Position> ModelReader::position(JsonValue value, const Place& plac
     const bool is_number = error == std::errc() && end == digits.data() + digits.size() && std::isfinite(percent.value);
     if (is_number) return Position(percent);
     reader_.add({FaultKind::BadPercentage, {place.text(value.key()), std::string(value.text())}});
-    return std::nullopt;
+    return Position(Quantity(no_number));
 }
 
 PointLoad ModelReader::point_load(JsonValue value, const Place& place)
 {
     const auto found = reader_.fields(value, point_keys, place);
-    PointLoad load;
+    PointLoad load{.at = Quantity(no_number), .components = {}};
     if (auto at = position(found[2], place)) load.at = std::move(*at);
     for (const JsonValue part : value)
         if (const auto dof = find_force_dof(part.key()))
@@ -199,15 +199,15 @@ TemperatureLoad ModelReader::temperature_load(JsonValue value, const Place& plac
 {
     const auto found = reader_.fields(value, temperature_keys, place);
     TemperatureLoad load;
-    load.top = reader_.quantity(found[2], dimension::temperature, place).value_or(0.0);
-    load.bottom = reader_.quantity(found[3], dimension::temperature, place).value_or(0.0);
+    load.top = reader_.quantity(found[2], dimension::temperature, place).value_or(no_number);
+    load.bottom = reader_.quantity(found[3], dimension::temperature, place).value_or(no_number);
     return load;
 }
 
 Misfit ModelReader::misfit(JsonValue value, const Place& place)
 {
     const auto found = reader_.fields(value, misfit_keys, place);
-    return {reader_.quantity(found[2], dimension::length, place).value_or(0.0)};
+    return {reader_.quantity(found[2], dimension::length, place).value_or(no_number)};
 }
 
 Combination ModelReader::combination(JsonValue value, const Place& place)
@@ -217,9 +217,10 @@ Combination ModelReader::combination(JsonValue value, const Place& place)
     combination.id = reader_.id(id, place);
     if (!reader_.is_object(factors, place)) return combination;
     const Place here = place.key("factors");
+    const bool is_lost = cases_.is_lost_entry(combination.id, model.n_cases());
     for (const JsonValue factor : factors) {
         const auto number = reader_.number(factor, here);
-        const std::size_t of = lookup(factor.key(), cases_, place);
+        const std::size_t of = lookup(factor.key(), cases_, place, is_lost ? 1 : 0);
         if (number) combination.terms.push_back({CaseId(of), *number});
     }
     return combination;

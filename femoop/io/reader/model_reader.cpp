@@ -104,27 +104,33 @@ void ModelReader::NameTable::add(JsonValue list, std::size_t first_index)
     }
 }
 
-bool ModelReader::NameTable::excuses(std::string_view name)
+bool ModelReader::NameTable::is_lost_entry(std::string_view name, std::size_t index) const
+{
+    const auto entry = entries.find(name);
+    return entry == entries.end() || entry->second != index;
+}
+
+bool ModelReader::NameTable::excuses(std::string_view name, std::size_t n_own)
 {
     if (is_lost || excused.contains(name)) return true;
-    return excused.size() < n_lost && excused.insert(name).second;
+    return excused.size() + n_own < n_lost && excused.insert(name).second;
 }
 
 std::size_t ModelReader::reference(JsonValue value, NameTable& names, const Place& place)
 {
     if (!value.is_present()) return nowhere;
     if (!value.is(JsonKind::String)) {
-        reader_.wrong_type(value, translatable("the id of an entry, a text"), place);
+        reader_.wrong_type(value, {translatable("the id of an entry, a text"), "\"A\""}, place);
         return nowhere;
     }
     return lookup(value.text(), names, place);
 }
 
-std::size_t ModelReader::lookup(std::string_view id, NameTable& names, const Place& place)
+std::size_t ModelReader::lookup(std::string_view id, NameTable& names, const Place& place, std::size_t n_own)
 {
     const auto found = names.entries.find(id);
     if (found != names.entries.end()) return found->second;
-    if (names.excuses(id)) {
+    if (names.excuses(id, n_own)) {
         reader_.excuse();
         return nowhere;
     }

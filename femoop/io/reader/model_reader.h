@@ -38,7 +38,8 @@ private:
         std::unordered_set<std::string_view> excused = {};
 
         void add(JsonValue list, std::size_t first_index = 0);
-        bool excuses(std::string_view name);
+        bool is_lost_entry(std::string_view name, std::size_t index) const;
+        bool excuses(std::string_view name, std::size_t n_own); ///< but not by `n_own` lost entries
     };
 
     // model_reader.cpp
@@ -48,7 +49,7 @@ private:
     template <class Read> void for_each(JsonValue list, const Place& place, Read read);
     static std::string_view id_of(JsonValue entry); ///< "" if it has none
     std::size_t reference(JsonValue value, NameTable& names, const Place& place);
-    std::size_t lookup(std::string_view name, NameTable& names, const Place& place);
+    std::size_t lookup(std::string_view name, NameTable& names, const Place& place, std::size_t n_own = 0);
     template <class Part>
     void read_parts(JsonValue list, const Place& place, std::vector<Part>& parts, std::vector<bool>& unreadable,
                     Part (ModelReader::*read)(JsonValue, const Place&));

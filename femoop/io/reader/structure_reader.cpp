@@ -29,7 +29,7 @@ Material ModelReader::material(JsonValue value, const Place& place)
     const auto [id, E, nu, G, alpha, density, fy] = reader_.fields(value, material_keys, place);
     Material material;
     material.id = reader_.id(id, place);
-    material.E = reader_.quantity(E, dimension::stress, place).value_or(0.0);
+    material.E = reader_.quantity(E, dimension::stress, place).value_or(no_number);
     material.nu = reader_.quantity(nu, dimension::none, place);
     material.G = reader_.quantity(G, dimension::stress, place);
     material.alpha = reader_.quantity(alpha, dimension::expansion, place);
@@ -103,7 +103,7 @@ std::optional<Support> ModelReader::support(JsonValue value, const Place& place)
         return support;
     }
     if (!value.is(JsonKind::Object)) {
-        reader_.wrong_type(value, translatable("\"fixed\", \"pin\", \"roller\" or an object"), place);
+        reader_.wrong_type(value, {translatable("\"fixed\", \"pin\", \"roller\" or an object"), "\"pin\""}, place);
         return std::nullopt;
     }
     const Place here = place.key("support");
@@ -161,7 +161,7 @@ std::vector<Quantity> ModelReader::lengths(JsonValue value, std::size_t n, const
     const Place here = place.key(value.key());
     std::size_t i = 0;
     for (const JsonValue entry : value)
-        lengths.push_back(reader_.quantity(entry, dimension::length, here.entry(i++)).value_or(0.0));
+        lengths.push_back(reader_.quantity(entry, dimension::length, here.entry(i++)).value_or(no_number));
     return lengths;
 }
 
@@ -169,7 +169,7 @@ Member ModelReader::member(JsonValue value, const Place& place)
 {
     const auto [id, nodes, material, section, start, end, theory, inextensible, unshearable, rigid, bar, tension_only,
                 compression_only, foundation_value, up] = reader_.fields(value, member_keys, place);
-    Member member;
+    Member member{.nodes = {NodeId(nowhere), NodeId(nowhere)}};
     member.id = reader_.id(id, place);
     if (reader_.is_list(nodes, place) && nodes.size() != 2)
         reader_.add({FaultKind::WrongNodeCount, {place.text(), std::to_string(nodes.size())}});
@@ -224,7 +224,7 @@ std::vector<Quantity> ModelReader::up_vector(JsonValue value, const Place& place
     const Place here = place.key(value.key());
     std::size_t i = 0;
     for (const JsonValue entry : value)
-        vector.push_back(reader_.quantity(entry, dimension::none, here.entry(i++)).value_or(0.0));
+        vector.push_back(reader_.quantity(entry, dimension::none, here.entry(i++)).value_or(no_number));
     return vector;
 }
 

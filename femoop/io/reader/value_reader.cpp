@@ -30,21 +30,29 @@ std::string joined(const std::vector<std::string_view>& names)
     return text;
 }
 
+const ValueReader::Wanted object{name(JsonKind::Object), "{\"...\": ...}"};
+
+std::string example(Dimension dimension, const Units& units)
+{
+    const std::string unit = unit_text(dimension, units);
+    return unit.empty() ? "1.5" : "\"1.5 " + unit + '"';
+}
+
 } // namespace
 
-void ValueReader::wrong_type(JsonValue value, std::string_view wanted, const Place& place)
+void ValueReader::wrong_type(JsonValue value, const Wanted& wanted, const Place& place)
 {
     const bool is_text = value.is(JsonKind::String);
     add({is_text ? FaultKind::WrongTypeText : FaultKind::WrongType,
          {text_of(place, value), is_text ? quoted_json(beginning(value.text())) : std::string(name(value.kind())),
-          std::string(wanted)}});
+          std::string(wanted.words), std::string(wanted.example)}});
 }
 
 void ValueReader::not_an_object(JsonValue value, const Place& own_place)
 {
     if (!value.is_present()) return;
     add({FaultKind::WrongType,
-         {own_place.text(), std::string(name(value.kind())), std::string(name(JsonKind::Object))}});
+         {own_place.text(), std::string(name(value.kind())), std::string(object.words), std::string(object.example)}});
 }
 
 void ValueReader::unknown_key(JsonValue value, const std::vector<std::string_view>& known, const Place& place)
@@ -62,13 +70,13 @@ void ValueReader::missing_key(std::string_view key, const Place& place)
 
 bool ValueReader::is_object(JsonValue value, const Place& place)
 {
-    if (value.is_present() && !value.is(JsonKind::Object)) wrong_type(value, name(JsonKind::Object), place);
+    if (value.is_present() && !value.is(JsonKind::Object)) wrong_type(value, object, place);
     return value.is(JsonKind::Object);
 }
 
 bool ValueReader::is_list(JsonValue value, const Place& place)
 {
-    if (value.is_present() && !value.is(JsonKind::Array)) wrong_type(value, name(JsonKind::Array), place);
+    if (value.is_present() && !value.is(JsonKind::Array)) wrong_type(value, {name(JsonKind::Array), "[...]"}, place);
     return value.is(JsonKind::Array);
 }
 
@@ -76,7 +84,7 @@ std::optional<std::string> ValueReader::text(JsonValue value, const Place& place
 {
     if (!value.is_present()) return std::nullopt;
     if (value.is(JsonKind::String)) return std::string(value.text());
-    wrong_type(value, name(JsonKind::String), place);
+    wrong_type(value, {name(JsonKind::String), "\"...\""}, place);
     return std::nullopt;
 }
 
@@ -91,13 +99,13 @@ std::optional<double> ValueReader::number(JsonValue value, const Place& place)
 {
     if (!value.is_present()) return std::nullopt;
     if (value.is(JsonKind::Number)) return value.number();
-    wrong_type(value, name(JsonKind::Number), place);
+    wrong_type(value, {name(JsonKind::Number), "1.5"}, place);
     return std::nullopt;
 }
 
 bool ValueReader::boolean(JsonValue value, const Place& place)
 {
-    if (value.is_present() && !value.is(JsonKind::Boolean)) wrong_type(value, name(JsonKind::Boolean), place);
+    if (value.is_present() && !value.is(JsonKind::Boolean)) wrong_type(value, {name(JsonKind::Boolean), "true"}, place);
     return value.is(JsonKind::Boolean) && value.boolean();
 }
 
@@ -106,15 +114,15 @@ std::optional<Quantity> ValueReader::quantity(JsonValue value, Dimension dimensi
     if (!value.is_present()) return std::nullopt;
     if (value.is(JsonKind::Number)) return Quantity(value.number());
     if (!value.is(JsonKind::String)) {
-        wrong_type(value, translatable("a number, or a text with a unit"), place);
-        return std::nullopt;
+        wrong_type(value, {translatable("a number, or a text with a unit"), example(dimension, units_)}, place);
+        return Quantity(no_number);
     }
     auto parsed = parse_quantity(value.text(), dimension, units_, angle);
     if (const double* const number = std::get_if<double>(&parsed)) return Quantity(*number, std::string(value.text()));
     auto& fault = std::get<Fault>(parsed);
     fault.arguments.front() = text_of(place, value);
     add(std::move(fault));
-    return std::nullopt;
+    return Quantity(no_number);
 }
 
 std::optional<std::size_t> ValueReader::choice(JsonValue value, const std::vector<std::string_view>& choices,

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,9 +23,12 @@ template <std::size_t N> struct Keys {
     std::size_t n_needed = 0;
 };
 
+/// What a quantity becomes that is missing or cannot be read: `check` says no more of it.
+inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
 /// Turns JSON values into what a model holds, and writes down everything that is wrong on the way.
 /// Every reading function takes the place of the object around the value and returns nothing for an absent value
-/// (no fault) and for a wrong one (a fault).
+/// (no fault) and for a wrong one (a fault); a quantity that cannot be read is there, but no number (`no_number`).
 class ValueReader {
 public:
     /// What a list of names is asked for: the keys' own values, in the order of `keys`; absent ones are absent.
@@ -66,7 +70,11 @@ public:
     bool is_object(JsonValue value, const Place& place); ///< and a fault if it is present but not an object
     bool is_list(JsonValue value, const Place& place);
 
-    void wrong_type(JsonValue value, std::string_view wanted, const Place& place);
+    /// What a value should have been: in words, and as the file writes it.
+    struct Wanted {
+        std::string_view words, example;
+    };
+    void wrong_type(JsonValue value, const Wanted& wanted, const Place& place);
     void not_an_object(JsonValue value, const Place& own_place); ///< a fault if it is present
     void unknown_key(JsonValue value, const std::vector<std::string_view>& known, const Place& place);
     void missing_key(std::string_view key, const Place& place);

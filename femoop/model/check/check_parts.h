@@ -8,7 +8,8 @@
 
 namespace femoop {
 
-/// Parts of a model that its file's reader has already complained about: `check` passes over them.
+/// Parts of a model that its file's reader has already complained about. `check` says of such a part what is wrong with
+/// the rest of it: not what it lacks, and nothing of a reference that leads nowhere or of a value that is no number.
 struct Unreadable {
     bool header = false;        ///< the kind of analysis or the units: nothing can be checked
     bool is_incomplete = false; ///< something is missing, so that what remains may look unused

@@ -28,6 +28,7 @@ std::vector<Fault> Checker::run(Thoroughness thoroughness)
     check_load_cases();
     check_combinations();
     check_expected();
+    is_partial_ = false;
     if (thoroughness == Thoroughness::Errors) return std::move(faults_);
     if (!is_incomplete_) check_use();
     check_coincident_nodes();
@@ -35,8 +36,24 @@ std::vector<Fault> Checker::run(Thoroughness thoroughness)
     return std::move(faults_);
 }
 
+bool Checker::is_lack(FaultKind kind)
+{
+    switch (kind) {
+    case FaultKind::DanglingReference:
+    case FaultKind::NotFinite:
+    case FaultKind::EmptyLoad:
+    case FaultKind::ShapeSizeMissing:
+    case FaultKind::MemberWithoutMaterial:
+    case FaultKind::MemberWithoutSection:
+    case FaultKind::ExpectedWithoutCase:
+    case FaultKind::ExpectedKeyMissing: return true;
+    default: return false;
+    }
+}
+
 void Checker::add(FaultKind kind, const Entry& place, std::vector<std::string> details)
 {
+    if (is_partial_ && is_lack(kind)) return;
     details.insert(details.begin(), place.text());
     faults_.push_back({kind, std::move(details)});
 }
@@ -59,6 +76,13 @@ std::string Checker::shown(Point point) const
     std::string text = "(" + rounded(point[0]) + ", " + rounded(point[1]);
     if (is_3d(model_.analysis)) text += ", " + rounded(point[2]);
     return text + ") " + std::string(name(model_.units.length));
+}
+
+bool Checker::require_entry(const Entry& place, std::string_view list, std::size_t index, std::size_t n)
+{
+    if (index < n) return true;
+    add(FaultKind::DanglingReference, place, {std::string(list), std::to_string(index), std::to_string(n)});
+    return false;
 }
 
 bool Checker::require_finite(const Entry& place, std::string_view key, double value)

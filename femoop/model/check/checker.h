@@ -43,10 +43,12 @@ private:
     enum class End : std::uint8_t { Start, Finish };
 
     // checker.cpp
+    static bool is_lack(FaultKind kind); ///< something that an entry with an unreadable part need not have
     void add(FaultKind kind, const Entry& place, std::vector<std::string> details);
     std::string shown(const Quantity& quantity, Dimension dimension) const; ///< as typed, else with its unit
     std::string shown(Point point) const;
     std::string analysis() const { return std::string(name(model_.analysis)); }
+    bool require_entry(const Entry& place, std::string_view list, std::size_t index, std::size_t n);
     bool require_finite(const Entry& place, std::string_view key, double value);
     void require_positive(const Entry& place, std::string_view key, const Quantity& value, Dimension dimension);
     void require_stiffness(const Entry& place, std::string_view key, const Quantity& value, Dimension dimension);
@@ -65,6 +67,7 @@ private:
     {
         return id.index < model_.sections.size() && !flag(unreadable_.sections, id.index);
     }
+    bool is_located(const Member& member) const { return is_readable(member.nodes[0]) && is_readable(member.nodes[1]); }
     static bool flag(const std::vector<bool>& flags, std::size_t i) { return i < flags.size() && flags[i]; }
     static bool flag(const std::vector<std::vector<bool>>& flags, std::size_t i, std::size_t j)
     {
@@ -74,7 +77,7 @@ private:
     // structure_check.cpp
     void check_ids();
     void check_names(const std::vector<Entry>& entries);
-    bool has_references(const Member& member, const Entry& place);
+    void check_references(const Member& member, const Entry& place);
     void check_materials();
     void check_material(const Material& material, const Entry& place);
     void check_sections();
@@ -126,6 +129,7 @@ private:
     const Model& model_;
     const Unreadable& unreadable_;
     std::vector<Fault> faults_;
+    bool is_partial_ = false;    ///< the entry at hand has a part that could not be read
     bool is_incomplete_ = false; ///< what looks unused may be meant where a fault is
     bool has_repeated_id_ = false;
     std::vector<bool> has_member_;                              ///< per node

@@ -62,19 +62,17 @@ std::vector<std::string_view> missing_keys(const Expected& check)
 
 void Checker::check_expected()
 {
-    for (std::size_t i = 0; i < model_.expected.size(); ++i)
-        if (!flag(unreadable_.expected, i)) check_expected(model_.expected[i], {"expected", i, {}});
+    for (std::size_t i = 0; i < model_.expected.size(); ++i) {
+        is_partial_ = flag(unreadable_.expected, i);
+        check_expected(model_.expected[i], {"expected", i, {}});
+    }
 }
 
 void Checker::check_expected(const Expected& check, const Entry& place)
 {
-    const auto require = [&](std::string_view list, std::size_t index, std::size_t n) {
-        if (index >= n)
-            add(FaultKind::DanglingReference, place, {std::string(list), std::to_string(index), std::to_string(n)});
-    };
-    if (check.load_case) require("cases", check.load_case->index, model_.n_cases());
-    if (check.node) require("nodes", check.node->index, model_.nodes.size());
-    if (check.member) require("members", check.member->index, model_.members.size());
+    if (check.load_case) require_entry(place, "cases", check.load_case->index, model_.n_cases());
+    if (check.node) require_entry(place, "nodes", check.node->index, model_.nodes.size());
+    if (check.member) require_entry(place, "members", check.member->index, model_.members.size());
     if (!check.load_case && !is_modal(check) && model_.n_cases() != 1)
         add(FaultKind::ExpectedWithoutCase, place, {std::to_string(model_.n_cases())});
     for (const std::string_view key : missing_keys(check))
@@ -88,11 +86,8 @@ void Checker::check_expected(const Expected& check, const Entry& place)
     const bool is_reaction = check.quantity == ExpectedQuantity::Reaction && check.node && is_readable(*check.node);
     if (is_reaction && !model_[*check.node].support)
         add(FaultKind::ExpectedReactionOfFreeNode, place, {model_[*check.node].id});
-    if (check.at && check.member && is_readable(*check.member)) {
-        const Member& member = model_[*check.member];
-        if (is_readable(member.nodes[0]) && is_readable(member.nodes[1]))
-            check_position(*check.at, "at", member, place);
-    }
+    if (check.at && check.member && is_readable(*check.member))
+        check_position(*check.at, "at", model_[*check.member], place);
     require_finite(place, "value", check.value);
     if (check.rtol) require_not_negative(place, "rtol", *check.rtol, dimension::none);
     if (check.atol) require_not_negative(place, "atol", *check.atol, dimension_of(check));

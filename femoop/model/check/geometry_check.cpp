@@ -252,7 +252,7 @@ void Checker::check_crossings()
     std::vector<Line> lines;
     for (std::size_t i = 0; i < model_.members.size(); ++i) {
         const Member& member = model_.members[i];
-        if (!is_readable(member.nodes[0]) || !is_readable(member.nodes[1])) continue;
+        if (!is_located(member)) continue;
         const Axis whole = node_axis(member);
         if (!std::isfinite(whole.length) || whole.length == 0.0) continue;
         lines.push_back(

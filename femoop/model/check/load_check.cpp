@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -12,6 +13,7 @@ namespace femoop {
 
 namespace {
 
+constexpr std::size_t nowhere = std::numeric_limits<std::uint32_t>::max();
 constexpr double end_tolerance = 1e-9; // of the member's length: so far beyond an end still counts as the end
 
 std::string force(Dof dof) { return std::string(force_name(dof)); }
@@ -39,12 +41,16 @@ void Checker::check_load_cases()
         const std::string node_path = path + ".nodes", settlement_path = path + ".settlements",
                           member_path = path + ".members";
         check_self_weight(load_case, place);
-        for (std::size_t j = 0; j < load_case.nodes.size(); ++j)
-            if (!flag(unreadable_.node_loads, i, j)) check_load(load_case.nodes[j], {node_path, j, {}});
-        for (std::size_t j = 0; j < load_case.settlements.size(); ++j)
-            if (!flag(unreadable_.settlements, i, j)) check_load(load_case.settlements[j], {settlement_path, j, {}});
-        for (std::size_t j = 0; j < load_case.members.size(); ++j)
-            if (!flag(unreadable_.member_loads, i, j)) check_load(load_case.members[j], {member_path, j, {}});
+        const auto check_each = [&](const auto& loads, std::string_view list, const auto& unreadable) {
+            for (std::size_t j = 0; j < loads.size(); ++j) {
+                is_partial_ = flag(unreadable, i, j);
+                check_load(loads[j], {list, j, {}});
+            }
+            is_partial_ = false;
+        };
+        check_each(load_case.nodes, node_path, unreadable_.node_loads);
+        check_each(load_case.settlements, settlement_path, unreadable_.settlements);
+        check_each(load_case.members, member_path, unreadable_.member_loads);
     }
 }
 
@@ -79,28 +85,27 @@ void Checker::check_load_dof(Dof dof, LoadAxes axes, std::string_view component,
 
 void Checker::check_load(const NodeLoad& load, const Entry& place)
 {
-    if (load.node.index >= model_.nodes.size())
-        return add(FaultKind::DanglingReference, place,
-                   {"nodes", std::to_string(load.node.index), std::to_string(model_.nodes.size())});
+    const bool has_node = require_entry(place, "nodes", load.node.index, model_.nodes.size());
+    is_partial_ = is_partial_ || !has_node;
     require_distinct(place, load.components);
     if (load.components.empty()) add(FaultKind::EmptyLoad, place, {});
     for (const Component& part : load.components) {
         check_load_dof(part.dof, LoadAxes::Global, force_name(part.dof), place);
         require_finite(place, force_name(part.dof), part.value);
     }
-    const bool is_lonely = !has_member_[load.node.index] && !is_incomplete_;
+    const bool is_lonely = has_node && !has_member_[load.node.index] && !is_incomplete_;
     if (is_lonely && is_loaded(load.components))
         add(FaultKind::LoadedNodeWithoutMembers, place, {model_[load.node].id});
 }
 
 void Checker::check_load(const Settlement& settlement, const Entry& place)
 {
-    if (settlement.node.index >= model_.nodes.size())
-        return add(FaultKind::DanglingReference, place,
-                   {"nodes", std::to_string(settlement.node.index), std::to_string(model_.nodes.size())});
+    const bool has_node = require_entry(place, "nodes", settlement.node.index, model_.nodes.size());
+    is_partial_ = is_partial_ || !has_node;
     require_distinct(place, settlement.components);
     if (settlement.components.empty()) add(FaultKind::EmptyLoad, place, {});
-    const Node& node = model_[settlement.node];
+    const Node unknown;
+    const Node& node = has_node ? model_[settlement.node] : unknown;
     const DofSet known = dofs(model_.analysis);
     DofSet held = node.support ? node.support->blocked(model_.analysis) : DofSet{};
     if (node.support)
@@ -116,17 +121,17 @@ void Checker::check_load(const Settlement& settlement, const Entry& place)
 
 void Checker::check_load(const MemberLoad& load, const Entry& place)
 {
-    if (load.member.index >= model_.members.size())
-        return add(FaultKind::DanglingReference, place,
-                   {"members", std::to_string(load.member.index), std::to_string(model_.members.size())});
-    const Member& member = model_[load.member];
-    const bool is_sound = is_readable(load.member) && is_readable(member.nodes[0]) && is_readable(member.nodes[1]);
-    if (is_sound) std::visit([&](const auto& kind) { check_span(kind, member, place); }, load.load);
+    if (!require_entry(place, "members", load.member.index, model_.members.size())) is_partial_ = true;
+    static const Member unknown{
+        .nodes = {NodeId(nowhere), NodeId(nowhere)}, .material = MaterialId(nowhere), .section = SectionId(nowhere)};
+    const Member& member = is_readable(load.member) ? model_[load.member] : unknown;
+    std::visit([&](const auto& kind) { check_span(kind, member, place); }, load.load);
 }
 
 std::optional<double> Checker::check_position(const Position& position, std::string_view key, const Member& member,
                                               const Entry& place)
 {
+    if (!is_located(member)) return std::nullopt;
     const double length = axis(member).length;
     const Percent* const percent = std::get_if<Percent>(&position);
     const double x = percent ? percent->value / 100.0 * length : std::get<Quantity>(position).value();
@@ -156,7 +161,7 @@ void Checker::check_span(const DistributedLoad& load, const Member& member, cons
         if (load.projected && is_rotation(value.dof)) add(FaultKind::ProjectedMoment, place, {key});
     }
     if (load.projected && load.axes == LoadAxes::Local) add(FaultKind::ProjectedLocalLoad, place, {});
-    if (!load.from && !load.to) return;
+    if ((!load.from && !load.to) || !is_located(member)) return;
     const auto n_before = faults_.size();
     const auto from = load.from ? check_position(*load.from, "from", member, place) : 0.0;
     const auto to = load.to ? check_position(*load.to, "to", member, place) : axis(member).length;
@@ -214,16 +219,14 @@ void Checker::check_span(const Misfit& load, const Member& /*member*/, const Ent
 void Checker::check_combinations()
 {
     for (std::size_t i = 0; i < model_.combinations.size(); ++i) {
-        if (flag(unreadable_.combinations, i)) continue;
+        is_partial_ = flag(unreadable_.combinations, i);
         const Combination& combination = model_.combinations[i];
         const Entry place{"combinations", i, combination.id};
-        for (const Combination::Term& term : combination.terms) {
-            if (term.of.index >= model_.n_cases())
-                add(FaultKind::DanglingReference, place,
-                    {"cases", std::to_string(term.of.index), std::to_string(model_.n_cases())});
-            else require_finite(place, model_.case_name(term.of), term.factor);
-        }
+        for (const Combination::Term& term : combination.terms)
+            if (require_entry(place, "cases", term.of.index, model_.n_cases()))
+                require_finite(place, model_.case_name(term.of), term.factor);
     }
+    is_partial_ = false;
     check_circles();
 }
 

@@ -82,8 +82,10 @@ void Checker::check_names(const std::vector<Entry>& entries)
 
 void Checker::check_materials()
 {
-    for (std::size_t i = 0; i < model_.materials.size(); ++i)
-        if (is_readable(MaterialId(i))) check_material(model_.materials[i], {"materials", i, model_.materials[i].id});
+    for (std::size_t i = 0; i < model_.materials.size(); ++i) {
+        is_partial_ = !is_readable(MaterialId(i));
+        check_material(model_.materials[i], {"materials", i, model_.materials[i].id});
+    }
 }
 
 void Checker::check_material(const Material& material, const Entry& place)
@@ -100,8 +102,10 @@ void Checker::check_material(const Material& material, const Entry& place)
 
 void Checker::check_sections()
 {
-    for (std::size_t i = 0; i < model_.sections.size(); ++i)
-        if (is_readable(SectionId(i))) check_section(model_.sections[i], {"sections", i, model_.sections[i].id});
+    for (std::size_t i = 0; i < model_.sections.size(); ++i) {
+        is_partial_ = !is_readable(SectionId(i));
+        check_section(model_.sections[i], {"sections", i, model_.sections[i].id});
+    }
 }
 
 void Checker::check_section(const Section& section, const Entry& place)
@@ -125,8 +129,10 @@ void Checker::check_section(const Section& section, const Entry& place)
 
 void Checker::check_nodes()
 {
-    for (std::size_t i = 0; i < model_.nodes.size(); ++i)
-        if (is_readable(NodeId(i))) check_node(model_.nodes[i], {"nodes", i, model_.nodes[i].id});
+    for (std::size_t i = 0; i < model_.nodes.size(); ++i) {
+        is_partial_ = !is_readable(NodeId(i));
+        check_node(model_.nodes[i], {"nodes", i, model_.nodes[i].id});
+    }
 }
 
 void Checker::check_node(const Node& node, const Entry& place)
@@ -172,21 +178,17 @@ void Checker::check_members()
         const Entry place{"members", i, member.id};
         for (const NodeId node : member.nodes)
             if (node.index < has_member_.size()) has_member_[node.index] = true;
-        if (is_readable(MemberId(i)) && has_references(member, place)) check_member(member, place);
+        is_partial_ = !is_readable(MemberId(i));
+        check_references(member, place);
+        check_member(member, place);
     }
 }
 
-bool Checker::has_references(const Member& member, const Entry& place)
+void Checker::check_references(const Member& member, const Entry& place)
 {
-    const auto n_before = faults_.size();
-    const auto check_reference = [&](std::string_view what, std::size_t index, std::size_t n) {
-        if (index >= n)
-            add(FaultKind::DanglingReference, place, {std::string(what), std::to_string(index), std::to_string(n)});
-    };
-    for (const NodeId node : member.nodes) check_reference("nodes", node.index, model_.nodes.size());
-    if (member.material) check_reference("materials", member.material->index, model_.materials.size());
-    if (member.section) check_reference("sections", member.section->index, model_.sections.size());
-    return faults_.size() == n_before;
+    for (const NodeId node : member.nodes) require_entry(place, "nodes", node.index, model_.nodes.size());
+    if (member.material) require_entry(place, "materials", member.material->index, model_.materials.size());
+    if (member.section) require_entry(place, "sections", member.section->index, model_.sections.size());
 }
 
 void Checker::check_member(const Member& member, const Entry& place)
@@ -201,7 +203,7 @@ void Checker::check_member(const Member& member, const Entry& place)
     if (member.foundation) require_stiffness(place, "foundation", *member.foundation, dimension::stress);
     const bool is_bar = member.bar || is_truss(model_.analysis);
     if (member.foundation && is_bar) add(FaultKind::FoundationOfBar, place, {});
-    if (is_readable(member.nodes[0]) && is_readable(member.nodes[1])) {
+    if (is_located(member)) {
         check_length(member, place);
         check_up(member, place);
     }

@@ -37,6 +37,7 @@ enum class FaultKind : std::uint8_t {
     FileEmpty,
     FileNotUtf8,
     FileWithControlCharacter,
+    FileWithSecondMark,
 
     // the file's JSON: {0} line, {1} column, {2} what was found
     JsonTooDeep,
@@ -87,6 +88,7 @@ enum class FaultKind : std::uint8_t {
 
     // quantities: {1} the text
     QuantityWithoutNumber,
+    QuantityWithTypographicMinus,
     QuantityWithoutUnit,
     QuantityWithComma,
     QuantityBadUnit,

@@ -71,25 +71,30 @@ std::string_view pattern(FaultKind kind)
                "or "
                "far too soft; check supports, releases, stiffnesses and units";
 
-    case FaultKind::FileUnreadable: return "cannot read {0}: {1}";
-    case FaultKind::FileUnwritable: return "cannot write {0}: {1}";
+    case FaultKind::FileUnreadable: return "cannot read {0}: {1}; check the name and that you may read it";
+    case FaultKind::FileUnwritable: return "cannot write {0}: {1}; choose another folder or name";
     case FaultKind::FileEmpty:
         return "the file is empty; a model file is a JSON object that begins {\"cremona\": 1, ...}";
     case FaultKind::FileNotUtf8:
         return "line {0}, column {1}: byte {2} is not UTF-8 text; save the file as UTF-8 (a model file is plain text)";
     case FaultKind::FileWithControlCharacter:
-        return "line {0}, column {1}: control character {2}; a model file is plain text: is this another kind of file?";
+        return "line {0}, column {1}: control character {2}; a model file is plain text: is this another kind of file? "
+               "Save it as UTF-8 text";
+    case FaultKind::FileWithSecondMark:
+        return "the file begins with two byte-order marks (U+FEFF), wanted none or one; save it again as UTF-8";
     case FaultKind::JsonTooDeep:
         return "line {0}, column {1}: brackets nest deeper than {2}; no model file needs that: look for a bracket that "
                "is "
                "never closed";
     case FaultKind::JsonCutOff:
-        return "line {0}, column {1}: the file ends here with brackets or quotation marks still open; is it cut off?";
-    case FaultKind::JsonOpenText: return "line {0}, column {1}: text without a closing quotation mark";
+        return "line {0}, column {1}: the file ends here with brackets or quotation marks still open; is it cut off? "
+               "Close them or fetch the whole file";
+    case FaultKind::JsonOpenText:
+        return "line {0}, column {1}: text without a closing quotation mark; add the mark before the line ends";
     case FaultKind::JsonComment: return "line {0}, column {1}: found {2}; JSON has no comments: use \"notes\"";
     case FaultKind::JsonSingleQuotes: return "line {0}, column {1}: found {2}; write text in double quotation marks";
     case FaultKind::JsonTrailingComma: return "line {0}, column {1}: comma before {2}; take the comma away";
-    case FaultKind::JsonMissingComma: return "line {0}, column {1}: a comma is missing before {2}";
+    case FaultKind::JsonMissingComma: return "line {0}, column {1}: a comma is missing before {2}; add it";
     case FaultKind::JsonNotFinite: return "line {0}, column {1}: found {2}; write a finite number";
     case FaultKind::JsonSpelling: return "line {0}, column {1}: found {2}; write {3}";
     case FaultKind::JsonNoNumber:
@@ -101,27 +106,33 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::JsonNumberTooLarge:
         return "line {0}, column {1}: {2} is beyond the range of numbers (1.8e308); write a smaller one";
     case FaultKind::JsonAfterEnd:
-        return "line {0}, column {1}: found {2} after the end of the model; a file holds one JSON object";
-    case FaultKind::JsonUnexpected: return "line {0}, column {1}: found {2}, which JSON does not allow here";
+        return "line {0}, column {1}: found {2} after the end of the model; a file holds one JSON object: take the "
+               "rest away";
+    case FaultKind::JsonUnexpected:
+        return "line {0}, column {1}: found {2}, which JSON does not allow here; take it away, or look for a bracket "
+               "or quotation mark that is missing before it";
     case FaultKind::RepeatedKey: return "{0}: key is given twice in one object; keep one of them";
 
     case FaultKind::RepeatedDof: return "{0}: \"{1}\" stands at {2} already; keep one of them";
 
-    case FaultKind::WrongType: return "{0}: found {1}, wanted {2}";
-    case FaultKind::WrongTypeText: return "{0}: found a text {1}, wanted {2}";
-    case FaultKind::UnknownKey: return "{0}: unknown key; known here: {1}";
+    case FaultKind::WrongType: return "{0}: found {1}, wanted {2}; write it like {3}";
+    case FaultKind::WrongTypeText: return "{0}: found a text {1}, wanted {2}; write it like {3}";
+    case FaultKind::UnknownKey: return "{0}: unknown key; take it away or use one of {1}";
     case FaultKind::UnknownKeyNear: return "{0}: unknown key; did you mean \"{1}\"?";
     case FaultKind::MissingKey: return "{0}: \"{1}\" is missing; add it";
-    case FaultKind::UnknownFormat: return "cremona: found format {0}; this program reads format 1";
-    case FaultKind::UnknownChoice: return "{0}: \"{1}\" is none of {2}";
+    case FaultKind::UnknownFormat:
+        return "cremona: found format {0}, wanted 1; write \"cremona\": 1, or read this file with a newer program";
+    case FaultKind::UnknownChoice: return "{0}: \"{1}\" is none of {2}; choose one of them";
     case FaultKind::UnknownChoiceNear: return "{0}: \"{1}\" is none of {2}; did you mean \"{3}\"?";
-    case FaultKind::WrongCoordinateCount: return "{0}: found {1} lengths, wanted {2} in {3}";
+    case FaultKind::WrongCoordinateCount: return "{0}: found {1} lengths, wanted {2} in {3}; give one per coordinate";
     case FaultKind::WrongNodeCount: return "{0}: joins {1} nodes, wanted 2; name the first and the second";
-    case FaultKind::WrongVectorSize: return "{0}: found {1} numbers, wanted 3 (x, y, z)";
+    case FaultKind::WrongVectorSize: return "{0}: found {1} numbers, wanted 3; give x, y and z";
     case FaultKind::WrongLineLoadSize:
-        return "{0}: found {1} values, wanted one number or two [value at \"from\", value at \"to\"]";
+        return "{0}: found {1} values, wanted one number or two [value at \"from\", value at \"to\"]; leave out the "
+               "others or add one";
     case FaultKind::BadPercentage: return "{0}: cannot read \"{1}\" as a percentage; write it like \"50%\"";
-    case FaultKind::BadMode: return "{0}: found {1}, wanted the number of a mode (1, 2, ...), \"max\" or \"min\"";
+    case FaultKind::BadMode:
+        return "{0}: found {1}, wanted the number of a mode (1, 2, ...), \"max\" or \"min\"; write one of these";
     case FaultKind::SizeWithoutShape: return "{0}: \"{1}\" is the size of a shape; add \"shape\" or take \"{1}\" away";
     case FaultKind::NoSuchNode: return "{0}: no node \"{1}\"; add the node or name another";
     case FaultKind::NoSuchNodeNear: return "{0}: no node \"{1}\"; did you mean \"{2}\"?";
@@ -136,6 +147,8 @@ std::string_view pattern(FaultKind kind)
 
     case FaultKind::QuantityWithoutNumber:
         return "{0}: \"{1}\" does not begin with a number; write a number and its unit, like \"{2}\"";
+    case FaultKind::QuantityWithTypographicMinus:
+        return "{0}: \"{1}\" begins with a dash, wanted a number and its unit; write the minus as a hyphen: \"{2}\"";
     case FaultKind::QuantityWithoutUnit:
         return "{0}: \"{1}\" has no unit; write \"{2}\" for example, or a number without quotation marks";
     case FaultKind::QuantityWithComma: return "{0}: \"{1}\" has a comma; write a decimal point";
@@ -169,9 +182,11 @@ std::string_view pattern(FaultKind kind)
         return "{0}: yc is {1}, more than the depth h = {2}; measure it from the -y' fibre";
     case FaultKind::ShapeAndProfile: return "{0}: has both a shape and a profile; keep one";
     case FaultKind::ShapeSizeMissing: return "{0}: shape {1} needs {2}; add \"{3}\"";
-    case FaultKind::ShapeSizeUnwanted: return "{0}: shape {1} has no \"{2}\"; its sizes are {3}";
+    case FaultKind::ShapeSizeUnwanted: return "{0}: shape {1} has no \"{2}\"; take it away: its sizes are {3}";
     case FaultKind::ShapeTooThick: return "{0}: {1} is {2}, which is not less than {3} = {4}; make it thinner";
-    case FaultKind::UnknownProfile: return "{0}: no profile \"{1}\"; there are IPE, HEA, HEB, HEM, UPN and AISC W";
+    case FaultKind::UnknownProfile:
+        return "{0}: no profile \"{1}\"; there are IPE, HEA, HEB, HEM, UPN and AISC W: name one of these, or give the "
+               "section's shape or properties";
     case FaultKind::UnknownProfileNear: return "{0}: no profile \"{1}\"; did you mean \"{2}\"?";
     case FaultKind::MissingProperty:
         return "{0}: {1} is missing, which {2} needs for member \"{3}\"; add it, a shape or a profile";
@@ -182,10 +197,12 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::RollerNotPlane:
         return "{0}: \"roller\" is for truss2d and frame2d, this is {1}; use {\"fixed\": [...]}";
     case FaultKind::AngleNotPlane: return "{0}: \"angle\" is for truss2d and frame2d, this is {1}; take it away";
-    case FaultKind::FixedDofLacking: return "{0}: fixes {1}, which {2} does not have; it has {3}";
-    case FaultKind::SpringDofLacking: return "{0}: has a spring for {1}, which {2} does not have; it has {3}";
+    case FaultKind::FixedDofLacking: return "{0}: fixes {1}, which {2} does not have; take it away: there are {3}";
+    case FaultKind::SpringDofLacking:
+        return "{0}: has a spring for {1}, which {2} does not have; take it away: there are {3}";
     case FaultKind::SpringOnFixedDof: return "{0}: {1} is fixed and has a spring; keep one";
-    case FaultKind::MassDofLacking: return "{0}: has a mass for {1}, which {2} does not have; it has {3}";
+    case FaultKind::MassDofLacking:
+        return "{0}: has a mass for {1}, which {2} does not have; take it away: there are {3}";
     case FaultKind::MemberWithoutMaterial: return "{0}: has no material; name one (only a rigid member needs none)";
     case FaultKind::MemberWithoutSection: return "{0}: has no section; name one (only a rigid member needs none)";
     case FaultKind::SameNodeTwice: return "{0}: goes from node \"{1}\" to itself; name two different nodes";
@@ -196,9 +213,9 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::OffsetSize:
         return "{0}: its {1} offset has {2} lengths, which {3} does not; give one per coordinate";
     case FaultKind::ReleaseDofLacking:
-        return "{0}: releases {1} at its {2}, which a member of {3} does not have; it has {4}";
+        return "{0}: releases {1} at its {2}, which a member of {3} does not have; take it away: there are {4}";
     case FaultKind::EndSpringDofLacking:
-        return "{0}: has a spring for {1} at its {2}, which a member of {3} does not have; it has {4}";
+        return "{0}: has a spring for {1} at its {2}, which a member of {3} does not have; take it away: there are {4}";
     case FaultKind::ReleaseAndSpring: return "{0}: {1} at its {2} is released and has a spring; keep one";
     case FaultKind::HingeAndSpring:
         return "{0}: {1} at its {2} has a spring, but node \"{3}\" is a hinge, which releases it; take one away";
@@ -229,7 +246,8 @@ std::string_view pattern(FaultKind kind)
                "node";
     case FaultKind::MoreCrossings: return "and {0} more members that cross, overlap or pass a node";
 
-    case FaultKind::LoadDofLacking: return "{0}: {1} works on {2}, which {3} does not have there; it has {4}";
+    case FaultKind::LoadDofLacking:
+        return "{0}: {1} works on {2}, which {3} does not have there; take it away: there are {4}";
     case FaultKind::LoadedNodeWithoutMembers:
         return "{0}: node \"{1}\" carries a load but no member is joined to it; join one or move the load";
     case FaultKind::EmptyLoad: return "{0}: does nothing: it has no component; give one or delete it";

@@ -39,6 +39,13 @@ std::string localized(std::string number, const Translator& tr)
     return number;
 }
 
+std::optional<std::string> with_hyphen(std::string_view text)
+{
+    for (const std::string_view dash : {"\u2212", "\u2013", "\u2014"})
+        if (text.starts_with(dash)) return '-' + std::string(text.substr(dash.size()));
+    return std::nullopt;
+}
+
 std::string quantity_text(double value, Dimension dimension, const Units& units)
 {
     const std::string unit = unit_text(dimension, units);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,9 @@ inline char decimal_mark(const Translator& tr) { return tr(translatable(".")).fr
 
 /// The text of a number with the reader's decimal mark.
 std::string localized(std::string number, const Translator& tr);
+
+/// A text that begins with a typographic minus or dash (U+2212, U+2013, U+2014), with a hyphen instead. Nothing if not.
+std::optional<std::string> with_hyphen(std::string_view text);
 
 /// A number with the unit it is counted in, for messages: "6 m", "-25 kN/m", "0.3".
 std::string quantity_text(double value, Dimension dimension, const Units& units);

@@ -9,6 +9,7 @@
 
 #include "femoop/model/check/suggestion.h"
 #include "femoop/model/quantity/double_double.h"
+#include "femoop/model/quantity/number_text.h"
 
 namespace femoop {
 
@@ -178,6 +179,10 @@ private:
         const auto [end, error] = std::from_chars(text_.data() + begin, last, number.value);
         if (begins_well && error == std::errc::result_out_of_range) {
             refuse(FaultKind::QuantityTooLarge, {});
+            return std::nullopt;
+        }
+        if (const auto plain = with_hyphen(text_.substr(begin))) {
+            refuse(FaultKind::QuantityWithTypographicMinus, {*plain});
             return std::nullopt;
         }
         if (!begins_well || error != std::errc()) {

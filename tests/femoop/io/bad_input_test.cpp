@@ -112,10 +112,43 @@ TEST_CASE("All errors of a file come in one list: what cannot be read and what i
                                         {"id": "BA", "nodes": ["B", "A"], "material": "m", "section": "s", "foundation": {"y": -4}}])"}
                         .text()) ==
           "materials[0].densty: unknown key; did you mean \"density\"?\n"
-          "nodes[0].at: found 1 lengths, wanted 2 in frame2d\n"
+          "nodes[0].at: found 1 lengths, wanted 2 in frame2d; give one per coordinate\n"
           "nodes[0].support: \"fixd\" is none of fixed, pin, roller; did you mean \"fixed\"?\n"
           "members[0] \"AB\": no node \"D\"; add the node or name another\n"
+          "materials[0] \"m\": E is -1 kN/m^2; give a value greater than 0\n"
           "members[1] \"BA\": foundation is -4 kN/m^2; give a value greater than 0\n");
+}
+
+TEST_CASE("A fault in an entry hides no other fault of the same entry")
+{
+    const auto loaded = [](std::string_view more) { return File{.more = more}.text(); };
+    CHECK(faults_of(File{.materials = R"([{"id": "m", "E": "2 kN", "nu": 0.9, "density": -3}])"}.text()) ==
+          "materials[0].E: \"2 kN\" measures force, wanted stress or force per area, in kN/m^2 for example\n"
+          "materials[0] \"m\": density is -3 kN*s^2/m^4; give 0 or a positive value\n"
+          "materials[0] \"m\": nu is 0.9; give a value greater than -1 and at most 0.5\n");
+    CHECK(faults_of(File{.sections = R"([{"id": "s", "shape": "box", "b": true, "h": -2, "tw": 3}])"}.text()) ==
+          "sections[0].b: found true or false, wanted a number, or a text with a unit; write it like \"1.5 m\"\n"
+          "sections[0] \"s\": h is -2 m; give a value greater than 0\n"
+          "sections[0] \"s\": shape box has no \"tw\"; take it away: its sizes are b h t\n");
+    CHECK(
+        faults_of(loaded(R"(, "load_cases": [{"id": "G", "nodes": [{"node": "Q", "fz": 3}],
+            "settlements": [{"node": "A", "uz": 1, "ux": "1 kN"}],
+            "members": [{"member": "XY", "kind": "point", "at": 2, "fz": 3},
+                        {"member": "AB", "kind": "point", "at": 9, "fy": [1]}]}])")) ==
+        "load_cases[0].nodes[0]: no node \"Q\"; add the node or name another\n"
+        "load_cases[0].settlements[0].ux: \"1 kN\" measures force, wanted length, in m for example\n"
+        "load_cases[0].members[0]: no member \"XY\"; add the member or name another\n"
+        "load_cases[0].members[1].fy: found a list, wanted a number, or a text with a unit; write it like \"1.5 kN\"\n"
+        "load_cases[0].nodes[0]: fz works on uz, which frame2d does not have there; take it away: there are ux uy rz\n"
+        "load_cases[0].settlements[0]: uz works on uz, which frame2d does not have there; take it away: there are ux "
+        "uy "
+        "rz\n"
+        "load_cases[0].members[0]: fz works on uz, which frame2d does not have there; take it away: there are ux uy "
+        "rz\n"
+        "load_cases[0].members[1]: \"at\" is 9 m, beyond the end of member \"AB\"; give a length from 0 to 6 m\n");
+    CHECK(faults_of(loaded(R"(, "load_cases": [{"id": "G"}], "combinations": [{"id": "G", "factors": {"X": 1}}])")) ==
+          "combinations[0] \"G\": no load case or combination \"X\"; add it or name another\n"
+          "combinations[0] \"G\": the id is taken by load_cases[0] already; choose another\n");
 }
 
 TEST_CASE("One cause gets one message: what follows from a fault is not told again")

@@ -125,14 +125,16 @@ TEST_CASE("A file is written whole and read back; a file that is not there is re
     write_model_file(model, folder.path("model.json"));
     CHECK(read_model_file(folder.path("model.json")) == model);
     CHECK(folder.n_entries() == 1);
-    const std::string missing = folder.path("missing.json");
-    CHECK_THROWS_WITH_AS(read_model_file(missing), ("cannot read " + missing + ": No such file or directory").c_str(),
-                         ModelError);
+    const std::string missing = folder.path("missing.json"), check_name = "; check the name and that you may read it";
+    CHECK_THROWS_WITH_AS(read_model_file(missing),
+                         ("cannot read " + missing + ": No such file or directory" + check_name).c_str(), ModelError);
     CHECK_THROWS_WITH_AS(read_model_file(folder.path()),
-                         ("cannot read " + folder.path().string() + ": Is a directory").c_str(), ModelError);
+                         ("cannot read " + folder.path().string() + ": Is a directory" + check_name).c_str(),
+                         ModelError);
     const std::string nowhere = folder.path("none/model.json");
-    CHECK_THROWS_WITH_AS(write_model_file(model, nowhere),
-                         ("cannot write " + nowhere + ": No such file or directory").c_str(), ModelError);
+    CHECK_THROWS_WITH_AS(
+        write_model_file(model, nowhere),
+        ("cannot write " + nowhere + ": No such file or directory; choose another folder or name").c_str(), ModelError);
 }
 
 TEST_CASE("A stream is read like a text")

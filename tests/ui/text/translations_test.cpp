@@ -123,10 +123,10 @@ TEST_SUITE("ui text")
                   tr) == "a.E: \"5 kN\" mede força, esperado tensão ou força por área, por exemplo em Pa");
         CHECK(femoop::message({FaultKind::QuantityUnwantedUnit, {"nu", "5 kN^2*m", "force^2*length"}}, tr) ==
               "nu: \"5 kN^2*m\" mede força^2*comprimento, esperado um número puro; retire a unidade");
-        CHECK(femoop::message({FaultKind::WrongType, {"nodes", "an object", "a list"}}, tr) ==
-              "nodes: encontrado um objeto, esperado uma lista");
-        CHECK(femoop::message({FaultKind::WrongTypeText, {"nodes", "\"length\"", "a list"}}, tr) ==
-              "nodes: encontrado um texto \"length\", esperado uma lista");
+        CHECK(femoop::message({FaultKind::WrongType, {"nodes", "an object", "a list", "[...]"}}, tr) ==
+              "nodes: encontrado um objeto, esperado uma lista; escreva como [...]");
+        CHECK(femoop::message({FaultKind::WrongTypeText, {"nodes", "\"length\"", "a list", "[...]"}}, tr) ==
+              "nodes: encontrado um texto \"length\", esperado uma lista; escreva como [...]");
         CHECK(femoop::message({FaultKind::NoSuchNode, {"members[0]", "length"}}, tr) ==
               "members[0]: não há nó \"length\"; acrescente o nó ou indique outro");
         CHECK(femoop::message({FaultKind::MechanismSwayX, {femoop::listed({"B", "and"})}}, tr)
