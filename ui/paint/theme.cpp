@@ -180,6 +180,18 @@ Theme::Theme(ThemeName name) : name_(name)
     }
 }
 
+Theme Theme::scaled(double factor) const
+{
+    Theme theme = *this;
+    theme.type_ = {.small = factor * type_.small, .normal = factor * type_.normal, .large = factor * type_.large};
+    theme.symbol_scale_ *= factor;
+    for (RoleStyle& role : theme.roles_) {
+        role.stroke.width *= factor;
+        role.stroke.dash = role.stroke.dash.scaled(factor);
+    }
+    return theme;
+}
+
 TextStyle Theme::text(Role role, Anchor anchor) const
 {
     return {.color = (*this)[role].text, .size = type_.normal, .anchor = anchor};

@@ -73,11 +73,13 @@ public:
     bool is_dark() const { return name_ == ThemeName::Dark; }
     Color background() const { return background_; }
     const TypeSizes& type() const { return type_; }
-    /// Factor for arrow heads, support symbols and gaps that views draw: 1 but on the projector.
+    /// Factor for arrow heads, support symbols and gaps that views draw: 1 but on the projector and where scaled.
     double symbol_scale() const { return symbol_scale_; }
     const RoleStyle& operator[](Role role) const { return roles_[static_cast<std::size_t>(role)]; }
     Stroke stroke(Role role) const { return (*this)[role].stroke; }
     Color fill(Role role) const { return (*this)[role].fill; }
+    /// The same with all sizes of type, lines and symbols multiplied.
+    Theme scaled(double factor) const;
     /// Normal size, in the role's text colour.
     TextStyle text(Role role, Anchor anchor = Anchor::Center) const;
 

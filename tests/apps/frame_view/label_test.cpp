@@ -145,6 +145,19 @@ TEST_CASE(
     CHECK(n_forces == static_cast<std::ptrdiff_t>(model.members.size()));
 }
 
+TEST_CASE("On the projector the names of a grillage's members stand beside them without leaders")
+{
+    const ui::Fonts fonts;
+    const femoop::Model model = view_test::example("grillage");
+    ui::Painter painter({1280.0, 800.0}, fonts);
+    draw(painter, model, nullptr, {.show = parse_show("members"), .theme = ui::ThemeName::Projector});
+    view_test::Marks marks(fonts);
+    painter.picture().draw_on(marks);
+    const ui::Theme theme(ui::ThemeName::Projector);
+    CHECK(marks.texts.size() == model.members.size());
+    for (const auto& line : marks.lines) CHECK(line.stroke != theme.stroke(ui::Role::Leader));
+}
+
 TEST_CASE("Two hundred members with a diagram and its values are drawn in a frame of the screen")
 {
     const ui::Fonts fonts;

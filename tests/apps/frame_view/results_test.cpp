@@ -231,4 +231,48 @@ TEST_CASE("Imposed displacements and turns of a support are drawn clear of its r
     }
 }
 
+namespace {
+
+/// Widths of the beam on the sheets of its panels, as shares of a panel's width.
+double drawn_share(ui::Size size, ui::ThemeName theme, std::string_view show, int n_columns)
+{
+    const ui::Fonts fonts;
+    const femoop::Model model = view_test::example("portal");
+    const femoop::Results results = femoop::analyse(model);
+    const ViewOptions options{.show = parse_show(show), .theme = theme};
+    const Camera camera = fitted_camera(model, &results, options, size, fonts);
+    return 8.0 * Projection(camera).scale() * n_columns / size.width; // the beam is 8 m long
+}
+
+} // namespace
+
+TEST_CASE("With many panels on the projector the structure still takes half of its panel's width")
+{
+    CHECK(drawn_share({1280.0, 800.0}, ui::ThemeName::Projector, "loads,reactions,labels,N,V,M,deformed", 3) > 0.5);
+    CHECK(drawn_share({1920.0, 1080.0}, ui::ThemeName::Projector, "loads,reactions,labels,N,V,M,deformed", 3) > 0.5);
+}
+
+TEST_CASE("A result that a kind of model does not have gets no panel")
+{
+    const ui::Fonts fonts;
+    const femoop::Model model = view_test::example("grillage"); // it has no N
+    const view_test::Marks marks = marks_of(model, {.show = parse_show("loads,labels,N,M")}, fonts);
+    CHECK(marks.has_text("Loads"));
+    CHECK(!marks.has_text("Structure"));
+}
+
+TEST_CASE("Both areas of a straight shear force have their sign, a third of the way from the support to the zero")
+{
+    const ui::Fonts fonts;
+    const view_test::Marks marks = marks_of(view_test::simple_beam(L, q), {.show = {Show::V}}, fonts);
+    std::vector<double> signs;
+    for (const auto& disc : marks.discs)
+        if (disc.radius == 6.0) signs.push_back(disc.center.x);
+    REQUIRE(signs.size() == 2);
+    double left = 1e9, right = 0.0;
+    for (const auto& line : marks.lines)
+        for (const ui::Point p : line.points) left = std::min(left, p.x), right = std::max(right, p.x);
+    CHECK(signs[1] - signs[0] == doctest::Approx((right - left) * 2.0 / 3.0).epsilon(0.1));
+}
+
 TEST_SUITE_END();

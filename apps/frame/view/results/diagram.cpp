@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace frame {
 
@@ -187,16 +188,25 @@ private:
         double area = 0.0;
         double moment = 0.0;
         for (std::size_t i = first; i < last; ++i) {
-            const Ordinate &a = ordinates[i], &b = ordinates[i + 1];
-            const double strip = 0.5 * (std::max(0.0, sign * a.value) + std::max(0.0, sign * b.value)) * (b.x - a.x);
-            area += strip;
-            moment += strip * 0.5 * (a.x + b.x);
+            const auto [a, b] = part_of_sign(sign, ordinates[i], ordinates[i + 1]);
+            const double sum = sign * (a.value + b.value), width = b.x - a.x;
+            if (!(sum > 0.0)) continue;
+            area += 0.5 * sum * width;
+            moment += 0.5 * sum * width * (a.x + width * (sign * a.value + 2.0 * sign * b.value) / (3.0 * sum));
         }
         if (area == 0.0) return;
         const double r = sketch().px(6.0);
         std::vector<ui::Point> places = sign_places(moment / area, sign, r, ordinates[first].x, ordinates[last].x);
         if (places.empty()) return;
         sketch().sign({.places = std::move(places), .radius = r, .is_positive = sign > 0.0, .role = role_});
+    }
+
+    // The straight piece from a to b, cut where it passes through zero.
+    static std::pair<Ordinate, Ordinate> part_of_sign(double sign, Ordinate a, Ordinate b)
+    {
+        if (a.value * b.value >= 0.0) return {a, b};
+        const Ordinate zero{a.x + (b.x - a.x) * a.value / (a.value - b.value), 0.0};
+        return sign * a.value > 0.0 ? std::pair{a, zero} : std::pair{zero, b};
     }
 
     // Where the area is high enough for a sign of radius r: best about `middle`, else ever farther from it.

@@ -14,14 +14,7 @@ constexpr double right_border = 6.0;
 constexpr double gap = 14.0;    // between name, bar and note
 constexpr double bar_gap = 6.0; // between the bar and its text
 
-/// Lines that a head may take, by what names, bars and notes need in both languages.
-std::size_t n_lines(const ui::Theme& theme, double panel_width)
-{
-    const double width = panel_width / theme.type().normal;
-    if (width < 21.0) return 4;
-    if (width < 26.0) return 3;
-    return width < 38.0 ? 2 : 1;
-}
+constexpr std::size_t most_lines = 4;
 
 ui::TextStyle small_text(const ui::Theme& theme, ui::Role role)
 {
@@ -30,46 +23,55 @@ ui::TextStyle small_text(const ui::Theme& theme, ui::Role role)
     return style;
 }
 
-/// Writes the parts of one head one after another.
+/// Writes the parts of one head one after another; without a painter it only finds how many lines they take.
 class HeadWriter {
 public:
-    HeadWriter(ui::Painter& painter, const ui::Theme& theme, const ui::Box& row)
-        : painter_(painter),
-          theme_(theme),
-          row_(row),
-          width_(row.width() - left_border - right_border),
-          n_lines_(n_lines(theme, row.width()))
+    HeadWriter(ui::Painter* painter, const ui::Theme& theme, const ui::Fonts& fonts, const ui::Box& row)
+        : painter_(painter), theme_(theme), fonts_(fonts), row_(row), width_(row.width() - left_border - right_border)
     {}
 
+    void write(const PanelHead& head)
+    {
+        write_name(head);
+        if (head.bar > 0.0) write_bar(head);
+        if (!head.note.empty()) write_note(head);
+    }
+
+    std::size_t n_lines() const { return line_ + 1; }
+
+private:
     void write_name(const PanelHead& head)
     {
         ui::TextStyle style = theme_.text(head.role, ui::Anchor::Left);
         style.weight = ui::Weight::Bold;
-        write_lines(wrapped(painter_.fonts(), head.name, style, width_), style);
+        write_lines(wrapped(fonts_, head.name, style, width_), style);
     }
 
     void write_bar(const PanelHead& head)
     {
         const ui::TextStyle style = small_text(theme_, head.role);
-        const double width = head.bar + bar_gap + painter_.measure(head.bar_text, style).width;
+        const double width = head.bar + bar_gap + measure(head.bar_text, style);
         if (!find_room(width)) return;
-        draw_bar(head, style);
+        if (painter_) draw_bar(head, style);
         x_ += width + gap;
     }
 
-    /// Below name and bar wherever the head has several lines.
+    /// On one line with the rest, or on lines of its own below.
     void write_note(const PanelHead& head)
     {
         const ui::TextStyle style = small_text(theme_, ui::Role::FaintLabel);
-        const double room = n_lines_ == 1 ? width_ - x_ : width_;
-        const std::vector<std::string> lines = wrapped(painter_.fonts(), head.note, style, room);
-        const std::size_t first = n_lines_ == 1 ? 0 : line_ + 1;
-        if (first + lines.size() > n_lines_ || !fit(lines, style, room)) return;
-        if (n_lines_ > 1) next_line();
+        if (x_ + measure(head.note, style) <= width_) return write_lines({head.note}, style);
+        const std::vector<std::string> lines = wrapped(fonts_, head.note, style, width_);
+        if (line_ + 1 + lines.size() > most_lines || !fit(lines, style)) return;
+        next_line();
         write_lines(lines, style);
     }
 
-private:
+    double measure(std::string_view text, const ui::TextStyle& style) const
+    {
+        return fonts_.measure(text, style).width;
+    }
+
     ui::Point pen() const
     {
         const double normal = theme_.type().normal, small = theme_.type().small;
@@ -87,15 +89,15 @@ private:
     bool find_room(double width)
     {
         if (x_ + width <= width_) return true;
-        if (width > width_ || line_ + 1 >= n_lines_) return false;
+        if (width > width_ || n_lines() >= most_lines) return false;
         next_line();
         return true;
     }
 
-    bool fit(const std::vector<std::string>& lines, const ui::TextStyle& style, double room) const
+    bool fit(const std::vector<std::string>& lines, const ui::TextStyle& style) const
     {
         return std::all_of(lines.begin(), lines.end(),
-                           [&](const std::string& line) { return painter_.measure(line, style).width <= room; });
+                           [&](const std::string& line) { return measure(line, style) <= width_; });
     }
 
     /// Leaves the pen behind the last line.
@@ -103,9 +105,9 @@ private:
     {
         for (std::size_t i = 0; i < lines.size(); ++i) {
             if (i > 0) next_line();
-            painter_.text(pen(), lines[i], style);
+            if (painter_) painter_->text(pen(), lines[i], style);
         }
-        if (!lines.empty()) x_ += painter_.measure(lines.back(), style).width + gap;
+        if (!lines.empty()) x_ += measure(lines.back(), style) + gap;
     }
 
     void draw_bar(const PanelHead& head, const ui::TextStyle& style)
@@ -113,35 +115,33 @@ private:
         const auto& look = theme_.stroke(head.role);
         const ui::Stroke stroke = {.color = look.color, .width = look.width};
         const ui::Point at = pen(), along{head.bar, 0.0}, up{0.0, -4.0};
-        painter_.line(at, at + along, stroke);
-        for (const ui::Point end : {at, at + along}) painter_.line(end + up, end - up, stroke);
-        painter_.text(at + along + ui::Point{bar_gap, 0.0}, head.bar_text, style);
+        painter_->line(at, at + along, stroke);
+        for (const ui::Point end : {at, at + along}) painter_->line(end + up, end - up, stroke);
+        painter_->text(at + along + ui::Point{bar_gap, 0.0}, head.bar_text, style);
     }
 
-    ui::Painter& painter_;
+    ui::Painter* painter_;
     const ui::Theme& theme_;
+    const ui::Fonts& fonts_;
     ui::Box row_;
     double width_;
-    std::size_t n_lines_;
     std::size_t line_ = 0;
     double x_ = 0.0; // of the pen, from the left border
 };
 
 } // namespace
 
-double head_height(const ui::Theme& theme, double panel_width)
+double head_height(const PanelHead& head, const ui::Theme& theme, const ui::Fonts& fonts, double panel_width)
 {
-    const auto n_below = static_cast<double>(n_lines(theme, panel_width) - 1);
-    return 1.6 * theme.type().normal + n_below * 1.4 * theme.type().small;
+    HeadWriter writer(nullptr, theme, fonts, {{0.0, 0.0}, {panel_width, 0.0}});
+    writer.write(head);
+    return 1.6 * theme.type().normal + static_cast<double>(writer.n_lines() - 1) * 1.4 * theme.type().small;
 }
 
 void draw_panel_head(ui::Painter& painter, const PanelHead& head, const ui::Theme& theme, const ui::Box& row)
 {
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
-    HeadWriter writer(painter, theme, row);
-    writer.write_name(head);
-    if (head.bar > 0.0) writer.write_bar(head);
-    writer.write_note(head);
+    HeadWriter(&painter, theme, painter.fonts(), row).write(head);
 }
 
 } // namespace frame

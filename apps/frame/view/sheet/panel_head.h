@@ -16,8 +16,8 @@ struct PanelHead {
     std::string bar_text{}; ///< what it stands for
 };
 
-/// Of one line in a wide panel, of up to four in a narrow one.
-double head_height(const ui::Theme& theme, double panel_width);
+/// Of as many lines as the head needs in a panel of this width, four at most.
+double head_height(const PanelHead& head, const ui::Theme& theme, const ui::Fonts& fonts, double panel_width);
 
 /// Writes name, bar and note beside one another, and below where the line is full. What finds no room even there is
 /// left out whole: half a number misleads.

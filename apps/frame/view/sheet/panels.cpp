@@ -12,7 +12,7 @@ constexpr std::array results{Show::N, Show::V,  Show::Vy, Show::Vz,      Show::M
 
 // Room that a panel needs around the structure, in logical pixels: legend, loads, supports, diagrams.
 constexpr double border_x = 170.0;
-constexpr double border_y = 150.0;
+constexpr double border_y = 200.0;
 
 std::vector<ShowSet> contents(const PanelRequest& request)
 {

@@ -112,12 +112,24 @@ private:
     std::vector<PanelHead> heads_;
 };
 
-std::size_t n_heads(const ShowSet& show)
+/// Without what a kind of model does not have, such as N in a grillage.
+ShowSet without_absent(ShowSet show, femoop::AnalysisKind kind)
 {
-    std::size_t n = show.contains(Show::Loads) || show.contains(Show::Reactions) ? 1 : 0;
-    for (const Show item : diagrams) n += show.contains(item) ? 1U : 0U;
-    n += show.contains(Show::Deformed) ? 1U : 0U;
-    return std::max<std::size_t>(n, 1);
+    for (const Show item : diagrams)
+        if (components(item, kind).empty()) show.erase(item);
+    return show;
+}
+
+/// Where panels get small, so do type, lines and symbols, as far as they can still be read.
+/// \param aspect  of the structure: the side of the panel that it does not fill may be shorter
+ui::Theme theme_for(const ui::Theme& theme, ui::Size panel, double aspect)
+{
+    constexpr double least_share = 0.75, least_type = 11.0;
+    const bool is_wide = aspect * panel.height > panel.width;
+    const ui::Size ample = is_wide ? ui::Size{400.0, 180.0} : ui::Size{250.0, 280.0}; // for symbols of scale 1
+    const double share = std::min(panel.width / ample.width, panel.height / ample.height) / theme.symbol_scale();
+    const double least = std::max(least_share, least_type / theme.type().normal);
+    return share < 1.0 ? theme.scaled(std::max(least, share)) : theme;
 }
 
 } // namespace
@@ -143,16 +155,17 @@ Subject::Subject(const femoop::Model& model, const MotionChoice& motion, const V
     motion_ = motion;
 }
 
-Camera Subject::starting_camera() const
+Camera Subject::starting_camera() const { return options_.camera ? *options_.camera : usual_camera(); }
+
+Camera Subject::usual_camera() const
 {
-    if (options_.camera) return *options_.camera;
     if (is_seen_in_space(model_.analysis)) return ui::OrbitCamera();
     return ui::PlaneCamera();
 }
 
-double Subject::aspect() const
+double Subject::aspect(const Camera& camera) const
 {
-    const Projection projection(starting_camera());
+    const Projection projection(camera);
     if (shape_.nodes.empty()) return 1.0;
     ui::Box box{projection(shape_.nodes.front()), projection(shape_.nodes.front())};
     for (const Eigen::Vector3d& node : shape_.nodes) box = ui::united(box, {projection(node), projection(node)});
@@ -173,11 +186,11 @@ ui::Box Subject::area(ui::Size sheet, const ui::Fonts& fonts) const
 
 Subject::Plan Subject::plan(ui::Size sheet, const ui::Fonts& fonts) const
 {
-    std::vector<Panel> list = panels({.show = options_.show,
+    std::vector<Panel> list = panels({.show = without_absent(options_.show, model_.analysis),
                                       .layout = options_.layout,
                                       .has_results = solved_.has_value(),
                                       .area = area(sheet, fonts),
-                                      .aspect = aspect(),
+                                      .aspect = aspect(starting_camera()),
                                       .border = theme_.symbol_scale()});
     Camera camera = options_.camera ? *options_.camera : fitted(list, fonts);
     return {std::move(list), std::move(camera)};
@@ -197,15 +210,16 @@ void Subject::fit(Camera& camera, ui::Size panel, const ui::Margins& margins) co
     std::get<ui::OrbitCamera>(camera).fit(points, panel, margins);
 }
 
-ui::Margins Subject::needed_margins(const std::vector<Panel>& panels, const Camera& camera,
-                                    const ui::Fonts& fonts) const
+ui::Margins Subject::needed_margins(const std::vector<Panel>& panels, const Camera& camera, const ui::Fonts& fonts,
+                                    Fit fit) const
 {
     ui::Margins margins{edge, edge, edge, edge};
     const ui::Size size = panels.front().box.size();
     for (const Panel& panel : panels) {
         ui::Painter scratch(size, fonts);
         const Panel at_origin{ui::box_at({}, size), panel.show};
-        const auto marks = draw_panel(scratch, at_origin, camera).bounds;
+        const Drawn drawn = draw_panel(scratch, at_origin, camera, Pass::Measure);
+        const auto& marks = fit == Fit::Roomy ? drawn.bounds : drawn.tight_bounds;
         if (!marks) continue;
         const Projection projection(camera);
         ui::Box nodes = *marks;
@@ -215,10 +229,9 @@ ui::Margins Subject::needed_margins(const std::vector<Panel>& panels, const Came
             nodes = is_first ? at : ui::united(nodes, at);
             is_first = false;
         }
-        const double heads = options_.show.contains(Show::Legend) ? heads_height(panel) : 0.0;
         margins.left = std::max(margins.left, nodes.min.x - marks->min.x + edge);
         margins.right = std::max(margins.right, marks->max.x - nodes.max.x + edge);
-        margins.top = std::max(margins.top, nodes.min.y - marks->min.y + edge + heads);
+        margins.top = std::max(margins.top, nodes.min.y - marks->min.y + edge + drawn.heads_height);
         margins.bottom = std::max(margins.bottom, marks->max.y - nodes.max.y + edge);
     }
     if (motion_) { // it moves to both sides
@@ -235,46 +248,61 @@ ui::Margins Subject::needed_margins(const std::vector<Panel>& panels, const Came
     return margins;
 }
 
-Camera Subject::fitted(const std::vector<Panel>& panels, const ui::Fonts& fonts) const
+Camera Subject::fitted(const std::vector<Panel>& panels, const ui::Fonts& fonts, Fit fit) const
 {
     Camera camera = starting_camera();
     const ui::Size size = panels.front().box.size();
     const double border = 0.16 * std::min(size.width, size.height);
-    fit(camera, size, {border, border, border, border});
+    this->fit(camera, size, {border, border, border, border});
     // Marks keep their size on the sheet, so the room that they take changes little from one scale to the next.
-    for (int i = 0; i < 2; ++i) fit(camera, size, needed_margins(panels, camera, fonts));
+    for (int i = 0; i < 2; ++i) this->fit(camera, size, needed_margins(panels, camera, fonts, fit));
     return camera;
 }
 
-double Subject::heads_height(const Panel& panel) const
+Camera Subject::fitted(const std::vector<Panel>& panels, const ui::Fonts& fonts) const
 {
-    return head_height(theme_, panel.box.width()) * static_cast<double>(n_heads(panel.show));
+    constexpr double worth_while = 1.3; // labels find other places then
+    const Camera roomy = fitted(panels, fonts, Fit::Roomy), tight = fitted(panels, fonts, Fit::Tight);
+    return Projection(tight).scale() > worth_while * Projection(roomy).scale() ? tight : roomy;
 }
 
-Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, const Camera& camera) const
+Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, const Camera& camera, Pass pass) const
 {
     const ui::ClipScope clip(painter, panel.box);
+    const ui::Theme theme = theme_for(theme_, panel.box.size(), aspect(usual_camera()));
     ViewOptions options = options_;
     options.show = panel.show;
-    ui::Box room = panel.box.grown(-4.0);
-    if (panel.show.contains(Show::Legend)) room.min.y += heads_height(panel);
-    Sketch sketch({.painter = &painter, .theme = &theme_, .room = room, .symbol_factor = options.symbol_factor});
+    Sketch sketch(
+        {.painter = &painter, .theme = &theme, .room = panel.box.grown(-4.0), .symbol_factor = options.symbol_factor});
     const Projection projection(camera, panel.box.min);
     const Scene scene{model_, shape_, projection, options, units_, sketch};
     PanelPicture picture(scene, panel.box.size());
     if (motion_) picture.draw_mechanism(motion_->all[motion_->shown]);
     else picture.draw_solved(solved_ ? &*solved_ : nullptr, scaled_by_ ? &*scaled_by_ : nullptr);
-    const std::optional<ui::Box> bounds = sketch.bounds();
+    Drawn drawn{.bounds = sketch.bounds(), .tight_bounds = sketch.tight_bounds()};
+    const std::vector<ui::Box> rows = head_rows(picture.heads(), theme, painter.fonts(), panel);
+    if (!rows.empty()) drawn.heads_height = rows.back().max.y - panel.box.min.y;
+    if (pass == Pass::Measure) return drawn;
+    for (const ui::Box& row : rows) sketch.reserve(row);
     sketch.write_captions();
-    if (panel.show.contains(Show::Legend) && !motion_) {
-        const double height = head_height(theme_, panel.box.width());
-        ui::Point corner = panel.box.min;
-        for (const PanelHead& head : picture.heads()) {
-            draw_panel_head(painter, head, theme_, ui::box_at(corner, {panel.box.width(), height}));
-            corner.y += height;
-        }
+    for (std::size_t i = 0; i < rows.size(); ++i) draw_panel_head(painter, picture.heads()[i], theme, rows[i]);
+    drawn.n_left_out = sketch.n_left_out();
+    drawn.marks = sketch.marks();
+    return drawn;
+}
+
+std::vector<ui::Box> Subject::head_rows(const std::vector<PanelHead>& heads, const ui::Theme& theme,
+                                        const ui::Fonts& fonts, const Panel& panel) const
+{
+    if (!panel.show.contains(Show::Legend) || motion_) return {};
+    const double width = panel.box.width();
+    std::vector<ui::Box> rows;
+    ui::Point corner = panel.box.min;
+    for (const PanelHead& head : heads) {
+        rows.push_back(ui::box_at(corner, {width, head_height(head, theme, fonts, width)}));
+        corner.y = rows.back().max.y;
     }
-    return {bounds, sketch.n_left_out(), sketch.marks()};
+    return rows;
 }
 
 std::vector<LoadMark> Subject::draw(ui::Painter& painter) const
@@ -284,7 +312,7 @@ std::vector<LoadMark> Subject::draw(ui::Painter& painter) const
     std::size_t n_left_out = 0;
     std::vector<LoadMark> marks;
     for (const Panel& panel : sheet.panels) {
-        const Drawn drawn = draw_panel(painter, panel, sheet.camera);
+        const Drawn drawn = draw_panel(painter, panel, sheet.camera, Pass::Write);
         n_left_out += drawn.n_left_out;
         marks.insert(marks.end(), drawn.marks.begin(), drawn.marks.end());
     }

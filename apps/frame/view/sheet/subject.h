@@ -2,6 +2,7 @@
 
 #include "apps/frame/view/geometry/structure_shape.h"
 #include "apps/frame/view/results/solved_case.h"
+#include "apps/frame/view/sheet/panel_head.h"
 #include "apps/frame/view/sheet/panels.h"
 #include "apps/frame/view/sketch/sketch.h"
 #include "apps/frame/view/view_options.h"
@@ -36,19 +37,27 @@ public:
 private:
     ui::Box area(ui::Size sheet, const ui::Fonts& fonts) const;
     Camera starting_camera() const;
+    Camera usual_camera() const;
     Camera fitted(const std::vector<Panel>& panels, const ui::Fonts& fonts) const;
-    ui::Margins needed_margins(const std::vector<Panel>& panels, const Camera& camera, const ui::Fonts& fonts) const;
+    /// Whether the picture keeps room for every caption where it would stand best, or for the marks alone.
+    enum class Fit : std::uint8_t { Roomy, Tight };
+    Camera fitted(const std::vector<Panel>& panels, const ui::Fonts& fonts, Fit fit) const;
+    ui::Margins needed_margins(const std::vector<Panel>& panels, const Camera& camera, const ui::Fonts& fonts,
+                               Fit fit) const;
     void fit(Camera& camera, ui::Size panel, const ui::Margins& margins) const;
-    double aspect() const;
+    double aspect(const Camera& camera) const;
 
     /// Draws a panel and returns the room that its marks took; `n_left_out` counts labels without a place.
     struct Drawn {
-        std::optional<ui::Box> bounds;
+        std::optional<ui::Box> bounds, tight_bounds;
+        double heads_height = 0.0;
         std::size_t n_left_out = 0;
         std::vector<LoadMark> marks{};
     };
-    double heads_height(const Panel& panel) const;
-    Drawn draw_panel(ui::Painter& painter, const Panel& panel, const Camera& camera) const;
+    enum class Pass : std::uint8_t { Measure, Write };
+    Drawn draw_panel(ui::Painter& painter, const Panel& panel, const Camera& camera, Pass pass) const;
+    std::vector<ui::Box> head_rows(const std::vector<PanelHead>& heads, const ui::Theme& theme, const ui::Fonts& fonts,
+                                   const Panel& panel) const;
     std::string motion_sentence() const;
     void draw_sentence(ui::Painter& painter) const;
     void draw_left_out(ui::Painter& painter, std::size_t n_left_out) const;

@@ -51,8 +51,13 @@ ui::Firmness Sketch::firmness(Clearance clearance)
 void Sketch::include(ui::Point point)
 {
     if (!ui::is_finite(point)) return;
-    const ui::Box box{point, point};
-    bounds_ = bounds_ ? ui::united(*bounds_, box) : box;
+    unite(bounds_, {point, point});
+    unite(tight_bounds_, {point, point});
+}
+
+void Sketch::unite(std::optional<ui::Box>& bounds, const ui::Box& box)
+{
+    bounds = bounds ? ui::united(*bounds, box) : box;
 }
 
 void Sketch::line(ui::Point a, ui::Point b, const ui::Stroke& stroke, Clearance clearance)
@@ -121,8 +126,9 @@ void Sketch::caption(Caption caption)
     const ui::TextStyle style = style_of(caption);
     const ui::Size size = ui::label_size(painter_->fonts(), caption.text, style);
     const ui::Point center = center_beside(caption.target, caption.toward, caption.gap, size);
-    include(center - 0.5 * ui::Point{size.width, size.height});
-    include(center + 0.5 * ui::Point{size.width, size.height});
+    const ui::Point half = 0.5 * ui::Point{size.width, size.height};
+    unite(bounds_, {center - half, center + half});
+    unite(tight_bounds_, {{caption.target.x, center.y - half.y}, {caption.target.x, center.y + half.y}});
     requests_.push_back({std::move(caption), style, size});
 }
 

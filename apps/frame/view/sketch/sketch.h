@@ -91,7 +91,11 @@ public:
     void write_captions();
 
     const std::optional<ui::Box>& bounds() const { return bounds_; } ///< of all marks and of the captions' first wishes
+    /// As if every caption were as narrow as its target.
+    const std::optional<ui::Box>& tight_bounds() const { return tight_bounds_; }
     void include(ui::Point point);
+    /// Labels keep out of a part of the sheet, which counts to no bounds.
+    void reserve(const ui::Box& box) { placer_.obstacles().add_box(box); }
     std::size_t n_left_out() const { return n_left_out_; } ///< captions for which there was no room
 
 private:
@@ -109,6 +113,7 @@ private:
     std::vector<PlacedSign> placed_signs();
     void draw(const PlacedSign& sign);
     void write(const Request& request, const ui::PlacedLabel& place);
+    static void unite(std::optional<ui::Box>& bounds, const ui::Box& box);
     ui::TextStyle style_of(const Caption& caption) const;
     ui::Label label_of(const Request& request) const;
     static void add_turned(ui::Label& label, const Caption& caption);
@@ -121,7 +126,7 @@ private:
     std::vector<Request> requests_;
     std::vector<SignMark> signs_;
     std::vector<LoadMark> marks_;
-    std::optional<ui::Box> bounds_;
+    std::optional<ui::Box> bounds_, tight_bounds_;
     std::size_t n_left_out_ = 0;
 };
 

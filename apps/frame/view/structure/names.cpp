@@ -37,7 +37,7 @@ void name_member(const Scene& scene, femoop::MemberId id)
                           .role = ui::Role::FaintLabel,
                           .target = at(0.5),
                           .toward = -scene.projection.direction(shape.y()),
-                          .gap = 4.0,
+                          .gap = 2.5 + 0.5 * scene.sketch.stroke(ui::Role::Member).width,
                           .rank = Rank::Name,
                           .size = scene.sketch.theme().type().small,
                           .others = {at(0.4), at(0.6), at(0.3), at(0.7)},
