@@ -14,6 +14,7 @@
 #include "femoop/analysis/equilibrium.h"
 #include "femoop/analysis/idle_rotation.h"
 #include "femoop/analysis/mechanism_words.h"
+#include "femoop/analysis/number_range.h"
 #include "femoop/analysis/rigid_body.h"
 #include "femoop/model/check/check.h"
 #include "femoop/result/solution.h"
@@ -26,7 +27,6 @@ namespace {
 
 constexpr double doubtful_pivot = 1e-11;    // of the diagonal: a smaller one may be rounding alone
 constexpr double zero_eigenvalue = 1e-14;   // of the scaled K: a free motion leaves less
-constexpr double largest_number = 1e250;    // a few lengths, multiplied with it, are still numbers
 constexpr Eigen::Index most_modes = 100;    // to look for in a structure that moves in many ways
 constexpr Eigen::Index most_described = 12; // of them: who reads more sentences than that?
 
@@ -428,6 +428,7 @@ Results LinearStatic::solve(const Model& model)
     solution->indeterminacy = count_indeterminacy(structure, parts_->n_held());
     solution->warnings = parts_->warnings;
     const Results results(solution);
+    if (auto faults = cases_beyond_range(*solution, results); !faults.empty()) throw ModelError(std::move(faults));
     if (auto warning = huge_displacement(model, structure, results)) solution->warnings.push_back(std::move(*warning));
     return results;
 }

@@ -269,6 +269,32 @@ TEST_SUITE("mechanisms")
         CHECK(results.at("G").displacement(NodeId(1))[1] == doctest::Approx(-1e-9 * 16.0 / 1e-8).epsilon(1e-2));
     }
 
+    TEST_CASE("A section force beyond the range of numbers is refused by the analysis, with its case")
+    {
+        Model truss = frame({{0, 0}, {4e90, 0}}, {{0, 1}});
+        truss.analysis = AnalysisKind::Truss2d;
+        hold(truss, 0, SupportKind::Pin);
+        hold(truss, 1, SupportKind::Pin);
+        truss.load_cases[0].members.push_back(
+            {.member = MemberId(0), .load = DistributedLoad{.values = {{.dof = Dof::uy, .start = -1e80}}}});
+        CHECK_THROWS_WITH_AS(
+            analyse(truss),
+            "case G: its forces or displacements are beyond the range of numbers; check the loads, the "
+            "lengths and their units",
+            ModelError);
+
+        Model beam = frame({{0, 0}, {4, 0}}, {{0, 1}});
+        hold(beam, 0, SupportKind::Fixed);
+        beam.load_cases[0].nodes.push_back({.node = NodeId(1), .components = {{.dof = Dof::uy, .value = -3e100}}});
+        CHECK_NOTHROW(analyse(beam));
+        beam.combinations.push_back({.id = "U", .terms = {{.of = CaseId(0), .factor = 1e208}}});
+        CHECK_THROWS_WITH_AS(
+            analyse(beam),
+            "case U: its forces or displacements are beyond the range of numbers; check the loads, the "
+            "lengths and their units",
+            ModelError);
+    }
+
     TEST_CASE("A truss so flat that its node would move further than anybody can mean is solved, with a warning")
     {
         const auto flat = [](double rise) {

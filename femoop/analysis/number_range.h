@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "femoop/model/fault/fault.h"
+#include "femoop/result/solution.h"
+
+namespace femoop {
+
+inline constexpr double largest_number = 1e250; ///< a few lengths, multiplied with it, are still numbers
+
+/// The load cases and combinations of which some displacement, reaction or section force is beyond the range of
+/// numbers.
+///
+/// Time  one look at every number that goes in; members are gone through only if those are so large or so small that
+///       their products might overflow
+std::vector<Fault> cases_beyond_range(const detail::Solution& solution, const Results& results);
+
+} // namespace femoop
