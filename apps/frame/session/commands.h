@@ -4,6 +4,7 @@
 
 #include "apps/frame/session/session.h"
 #include "apps/frame/session/transform.h"
+#include "apps/frame/session/typical_draft.h"
 #include "apps/frame/tools/hand.h"
 #include "ui/command/command_table.h"
 
@@ -34,6 +35,7 @@ struct Desk {
     std::vector<Session> shelf{};         ///< the other tabs in their order (tabs.h)
     std::size_t tab = 0;                  ///< place of the session among the tabs
     std::optional<Transform> transform{}; ///< under way: its numbers can still change
+    TypicalDraft typical{};
     std::vector<Request> requests{};
     Topic topic = Topic::Properties;
     bool has_panels = true;

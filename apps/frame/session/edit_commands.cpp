@@ -243,6 +243,11 @@ void add_tool_commands(CommandTable& table)
 void add_edit_commands(CommandTable& table)
 {
     add_history_commands(table);
+    table.add({.id = "edit.template",
+               .menu = draw_menu,
+               .label = translatable("Typical structures…"),
+               .shortcuts = {{Key::T, {}}},
+               .run = [](Desk& desk) { desk.typical.open(desk.session); }});
     add_selection_commands(table);
     add_transform_commands(table);
     for (const Nudge& entry : nudges) {

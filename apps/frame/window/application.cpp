@@ -49,6 +49,7 @@ Application::Application(ui::Context& context, const ui::Fonts& fonts, Session s
       gui_(context, fonts, ui::Theme(desk_.session.view.theme)),
       fonts_(fonts),
       canvas_(fonts),
+      typical_window_(fonts),
       theme_(desk_.session.view.theme),
       time_(full_swing)
 {}
@@ -414,6 +415,7 @@ void Application::show_dialogs()
         else session.save(*path);
     }
     palette_.show(commands_, desk_, tr);
+    typical_window_.show(desk_, gui_, fields_);
     show_shortcuts();
     kept_files_.show(desk_);
     if (!questions_.show(desk_)) return;

@@ -8,6 +8,7 @@
 #include "apps/frame/window/canvas.h"
 #include "apps/frame/window/kept_files.h"
 #include "apps/frame/window/questions.h"
+#include "apps/frame/window/typical_window.h"
 #include "ui/context/context.h"
 #include "ui/context/imgui_session.h"
 #include "ui/context/input.h"
@@ -66,6 +67,7 @@ private:
     ui::ImGuiSession gui_;
     const ui::Fonts& fonts_;
     Canvas canvas_;
+    TypicalWindow typical_window_;
     ui::NumberFields fields_;
     ui::CommandPalette palette_;
     ui::PathDialog path_dialog_;

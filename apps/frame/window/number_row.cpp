@@ -154,7 +154,11 @@ bool edit_quantity(Desk& desk, ui::NumberFields& fields, const FieldPlace& place
         fields.reject(event, reason(*fault, session.view.tr));
         return false;
     }
-    value = std::get<femoop::Quantity>(typed);
+    const femoop::Quantity& wanted = std::get<femoop::Quantity>(typed);
+    const std::optional<ui::Phrase> objection = place.why_not ? place.why_not(wanted) : std::nullopt;
+    if (objection && event.kind == Kind::Typed) fields.reject(event, session.view.tr(*objection));
+    if (objection) return false;
+    value = wanted;
     return true;
 }
 

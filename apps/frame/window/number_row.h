@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -36,6 +38,8 @@ struct FieldPlace {
     std::string_view id;
     ui::Measure measure;
     float width = 0.0F; ///< physical pixels; 0: all that is left
+    /// Why the quantity cannot have this value; empty where any will do.
+    std::function<std::optional<ui::Phrase>(double)> why_not{};
 };
 /// \returns whether the quantity was changed
 bool edit_quantity(Desk& desk, ui::NumberFields& fields, const FieldPlace& place, femoop::Quantity& value);

@@ -91,6 +91,8 @@ std::optional<std::string> OffscreenStage::run_command(std::string_view id, std:
         if (!desk.session.save(argument)) return english(desk.session.notice->sentence);
         return std::nullopt;
     }
+    if (constexpr std::string_view prefix = "template."; id.starts_with(prefix))
+        return desk.typical.obey(desk.session, id.substr(prefix.size()), argument);
     const auto* const command = application_.commands().find(id);
     if (command == nullptr) return "no command \"" + std::string(id) + "\"";
     const auto reason = run(*command, desk);

@@ -3,6 +3,7 @@
 #include "apps/frame/document/number.h"
 #include "apps/frame/session/tabs.h"
 #include "apps/frame/window/stage.h"
+#include "tests/apps/frame_window/played.h"
 #include "tests/golden/scene.h"
 #include "ui/paint/surface/golden_text.h"
 
@@ -18,36 +19,6 @@ TEST_SUITE_BEGIN("frame window");
 namespace {
 
 const std::string folder = CREMONA_SOURCE_DIR "/";
-
-Session opened(const std::string& file)
-{
-    Session session(starting_document());
-    session.view.layout = Layout::Overlay;
-    session.view.show = shown_by_default | ShowSet{Show::M};
-    session.open(folder + file);
-    return session;
-}
-
-/// Plays the script in a window of 1280 x 800 and compares what the window shows at its end.
-void check_window(const std::string& name, Session session, const std::string& script)
-{
-    const ui::Fonts fonts;
-    std::string text;
-    const auto pixels = golden::if_drawn(
-        [&] {
-            ui::Offscreen context({.size = {1280, 800}});
-            Application application(context, fonts, std::move(session));
-            ui::Pixels kept;
-            play(script + "\npicture end\n", context, application,
-                 [&](std::string_view, const ui::Pixels& seen, Application& app) {
-                     kept = seen;
-                     text = ui::golden_text(*app.canvas().picture());
-                 });
-            return kept;
-        },
-        golden::this_machine());
-    if (pixels) golden::check_picture(name, *pixels, text);
-}
 
 } // namespace
 

@@ -1,0 +1,243 @@
+#include "apps/frame/window/typical_window.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "apps/frame/view/frame_view.h"
+#include "apps/frame/window/number_row.h"
+#include "femoop/model/quantity/quantity_parser.h"
+#include "ui/paint/painter.h"
+
+namespace frame {
+
+using ui::translatable;
+
+namespace {
+
+femoop::Dimension dimension_of(ui::Measure measure)
+{
+    if (measure == ui::Measure::Length) return femoop::dimension::length;
+    if (measure == ui::Measure::Force) return femoop::dimension::force;
+    return measure == ui::Measure::ForcePerLength ? femoop::dimension::force_per_length : femoop::dimension::none;
+}
+
+/// A field for a number in m and kN, in the units of the screen. \returns the number where it was changed
+std::optional<double> number_field(Desk& desk, ui::NumberFields& fields, const TypicalNumber& number, double value)
+{
+    const femoop::Units file = desk.session.model().units, metric;
+    const femoop::Dimension dimension = dimension_of(number.measure);
+    const auto metric_value = [=](double v) { return femoop::converted(v, dimension, file, metric); };
+    femoop::Quantity quantity(femoop::converted(value, dimension, metric, file));
+    const auto reason = [&](double v) { return why_not(number, metric_value(v)); };
+    if (!edit_quantity(desk, fields, {number.id, number.measure, 0.0F, reason}, quantity)) return std::nullopt;
+    return metric_value(quantity);
+}
+
+/// A slider that rests on whole steps.
+std::optional<double> slider(const TypicalNumber& number, double value)
+{
+    auto position = static_cast<float>(value);
+    ImGui::SetNextItemWidth(0.56F * ImGui::GetContentRegionAvail().x);
+    const std::string id = "###slider " + std::string(number.id);
+    const bool is_moved = ImGui::SliderFloat(id.c_str(), &position, static_cast<float>(number.least),
+                                             static_cast<float>(number.most), "", ImGuiSliderFlags_NoInput);
+    if (!is_moved) return std::nullopt;
+    const double n_steps = std::round((static_cast<double>(position) - number.least) / number.step);
+    const double next = std::min(number.least + n_steps * number.step, number.most);
+    return next != value ? std::optional(next) : std::nullopt;
+}
+
+std::optional<double> options(const TypicalNumber& number, double value, const ui::Catalogue& tr)
+{
+    std::optional<double> chosen;
+    for (std::size_t i = 0; i < number.options.size(); ++i) {
+        const std::string_view option = number.options[i];
+        if (i > 0) ImGui::SameLine();
+        const bool is_on = value == static_cast<double>(i);
+        const std::string id = tr(option) + "###" + std::string(number.id) + std::string(option);
+        if (ImGui::RadioButton(id.c_str(), is_on)) chosen = static_cast<double>(i);
+    }
+    return chosen;
+}
+
+/// A row of the table: the number's name, its slider and its field.
+std::optional<double> number_row(Desk& desk, ui::NumberFields& fields, const Rows& rows, const TypicalNumber& number,
+                                 double value)
+{
+    rows.name(desk.session.units().label(desk.session.view.tr(number.label), number.measure));
+    if (!number.options.empty()) return options(number, value, desk.session.view.tr);
+    const std::optional<double> slid = slider(number, value);
+    ImGui::SameLine();
+    const std::optional<double> typed = number_field(desk, fields, number, value);
+    return typed ? typed : slid;
+}
+
+constexpr TypicalNumber distance_number{.id = "distance",
+                                        .label = translatable("Distance from it"),
+                                        .measure = ui::Measure::Length,
+                                        .most = 20.0,
+                                        .step = 0.5};
+
+void show_setting(Desk& desk)
+{
+    TypicalDraft& draft = desk.typical;
+    const ui::Catalogue& tr = desk.session.view.tr;
+    if (!draft.can_stand_beside()) {
+        const bool is_something_lost = !desk.session.history().settled().model.nodes.empty();
+        if (is_something_lost)
+            ImGui::TextWrapped("%s", tr("It takes the place of what is there; Undo brings that back.").c_str());
+        return;
+    }
+    const bool is_beside = draft.setting() == Setting::Beside;
+    if (ImGui::RadioButton((tr("Right of what is there") + "###beside").c_str(), is_beside))
+        draft.set_setting(desk.session, Setting::Beside);
+    if (ImGui::RadioButton((tr("In place of what is there") + "###in place").c_str(), !is_beside))
+        draft.set_setting(desk.session, Setting::InPlace);
+}
+
+void show_numbers_of(Desk& desk, ui::NumberFields& fields)
+{
+    TypicalDraft& draft = desk.typical;
+    const Rows rows("typical numbers");
+    if (!rows.is_open()) return;
+    const std::size_t chosen = draft.chosen();
+    for (std::size_t i = 0; i < draft.numbers().size() && draft.chosen() == chosen; ++i) {
+        const auto value = number_row(desk, fields, rows, draft.structure().numbers[i], draft.numbers()[i]);
+        if (value) draft.set(desk.session, i, *value);
+    }
+    if (draft.setting() == Setting::InPlace) return;
+    const auto distance = number_row(desk, fields, rows, distance_number, draft.distance());
+    if (distance) draft.set_distance(desk.session, *distance);
+}
+
+void show_buttons(Desk& desk, const ui::NumberFields& fields)
+{
+    TypicalDraft& draft = desk.typical;
+    const ui::Catalogue& tr = desk.session.view.tr;
+    const auto is_pressed = [&](int key) {
+        return !fields.is_typing() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
+    };
+    if (ImGui::Button((tr("Insert") + "###insert").c_str()) || is_pressed(ImGuiKey_Enter)) draft.insert(desk.session);
+    ImGui::SameLine();
+    if (ImGui::Button((tr("Cancel") + "###cancel").c_str()) || is_pressed(ImGuiKey_Escape)) draft.cancel(desk.session);
+}
+
+/// Room for the longest of the names, as high for all.
+float caption_height(const Desk& desk, float width)
+{
+    float height = 0.0F;
+    for (const TypicalStructure& structure : typical_structures())
+        height = std::max(height,
+                          ImGui::CalcTextSize(desk.session.view.tr(structure.label).c_str(), nullptr, false, width).y);
+    return height;
+}
+
+/// Over the panel at the right.
+void place_window()
+{
+    const ImGuiViewport& viewport = *ImGui::GetMainViewport();
+    const float width = std::min(24.0F * ImGui::GetFontSize(), 0.3F * viewport.WorkSize.x);
+    const float status = ImGui::GetFrameHeight();
+    ImGui::SetNextWindowPos({viewport.WorkPos.x + viewport.WorkSize.x - width, viewport.WorkPos.y});
+    ImGui::SetNextWindowSize({width, viewport.WorkSize.y - status});
+}
+
+} // namespace
+
+void TypicalWindow::show(Desk& desk, ui::ImGuiSession& gui, ui::NumberFields& fields)
+{
+    TypicalDraft& draft = desk.typical;
+    light_up(draft.is_open());
+    if (!draft.is_open()) return;
+    const char* const id = "###typical";
+    if (!ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
+    place_window();
+    const std::string heading = desk.session.view.tr("Typical structures") + id;
+    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                       ImGuiWindowFlags_NoCollapse;
+    if (ImGui::BeginPopupModal(heading.c_str(), nullptr, flags)) {
+        const float line = ImGui::GetFrameHeightWithSpacing();
+        const float below = (static_cast<float>(draft.numbers().size()) + 5.5F) * line;
+        show_list(desk, gui, std::max(ImGui::GetContentRegionAvail().y - below, 6.0F * line));
+        ImGui::Separator();
+        show_numbers_of(desk, fields);
+        show_setting(desk);
+        ImGui::Separator();
+        show_buttons(desk, fields);
+        if (!draft.is_open()) ImGui::CloseCurrentPopup();
+        ImGui::EndPopup();
+    }
+    if (generation_ != desk.session.generation()) desk.requests.push_back(Request::Fit);
+    generation_ = desk.session.generation();
+}
+
+// The picture is looked at while the window is open. Dear ImGui dims it at the frame's end, out of a pushed colour's
+// reach.
+void TypicalWindow::light_up(bool is_open)
+{
+    float& dimming = ImGui::GetStyle().Colors[ImGuiCol_ModalWindowDimBg].w;
+    if (is_open && dimming > 0.0F) dimming_ = std::exchange(dimming, 0.0F);
+    if (!is_open && dimming_) dimming = *std::exchange(dimming_, std::nullopt);
+}
+
+void TypicalWindow::show_list(Desk& desk, ui::ImGuiSession& gui, float height)
+{
+    ImGui::BeginChild("###structures", {0.0F, height});
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float room = ImGui::GetWindowWidth() - style.ScrollbarSize;
+    const float n_columns = std::clamp(std::floor(room / (7.0F * ImGui::GetFontSize())), 1.0F, 4.0F);
+    const float width = (room - (n_columns - 1.0F) * style.ItemSpacing.x) / n_columns;
+    const ui::Size size{static_cast<double>(width), std::round(0.6 * static_cast<double>(width))};
+    draw_pictures(desk, (1.0 / gui.scale()) * size);
+    std::optional<std::size_t> chosen;
+    const auto all = typical_structures();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (i % static_cast<std::size_t>(n_columns) != 0) ImGui::SameLine();
+        if (show_entry(all[i], desk, gui, size)) chosen = i;
+    }
+    ImGui::EndChild();
+    if (chosen) desk.typical.choose(desk.session, *chosen);
+}
+
+bool TypicalWindow::show_entry(const TypicalStructure& structure, const Desk& desk, ui::ImGuiSession& gui,
+                               ui::Size size)
+{
+    const auto place = static_cast<std::size_t>(&structure - typical_structures().data());
+    const std::string name = desk.session.view.tr(structure.label);
+    const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
+    const float pad = 0.25F * ImGui::GetFontSize();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const bool is_clicked = ImGui::Selectable(("###" + std::string(structure.id)).c_str(),
+                                              desk.typical.chosen() == place, 0,
+                                              {width, height + caption_height(desk, width - 2.0F * pad) + pad});
+    gui.show(pictures_[place], *ImGui::GetWindowDrawList(),
+             {static_cast<double>(corner.x), static_cast<double>(corner.y)});
+    const ImVec2 extent = ImGui::CalcTextSize(name.c_str(), nullptr, false, width - 2.0F * pad);
+    const ImVec2 at{corner.x + std::max(0.5F * (width - extent.x), pad), corner.y + height};
+    ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, ImGui::GetColorU32(ImGuiCol_Text),
+                                        name.c_str(), nullptr, width - 2.0F * pad);
+    return is_clicked;
+}
+
+void TypicalWindow::draw_pictures(const Desk& desk, ui::Size size)
+{
+    if (!pictures_.empty() && theme_ == desk.session.view.theme && size_ == size) return;
+    theme_ = desk.session.view.theme;
+    size_ = size;
+    pictures_.clear();
+    const bool is_projected = theme_ == ui::ThemeName::Projector; // whose lines are too broad for small pictures
+    ViewOptions options{.show = {}, .theme = is_projected ? ui::ThemeName::Light : theme_, .tr = desk.session.view.tr};
+    for (const TypicalStructure& structure : typical_structures()) {
+        ui::Painter painter(size, fonts_);
+        const femoop::Model model = structure.model(first_numbers(structure));
+        options.symbol_factor = is_seen_in_space(model.analysis) ? 0.25 : 0.55; // many supports close together
+        draw(painter, model, nullptr, options);
+        pictures_.push_back(painter.picture());
+    }
+}
+
+} // namespace frame
