@@ -175,6 +175,9 @@ private:
             law.strain = (s.d[1][0] - s.d[0][0]) / frame_.length;
             return law;
         }
+        // What a kind of model does not ask for, such as Iy in the plane, does not strain.
+        for (double* stiffness : {&law.axial.EA, &law.torsion.EA, &law.xy.EI, &law.xz.EI})
+            if (*stiffness == 0.0) *stiffness = infinite;
         if (extras_ == nullptr || extras_->constraint == Constraint::None) return law;
         law.axial.EA = infinite;
         if (extras_->constraint == Constraint::Inextensible) return law;

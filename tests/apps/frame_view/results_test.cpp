@@ -275,4 +275,18 @@ TEST_CASE("Both areas of a straight shear force have their sign, a third of the 
     CHECK(signs[1] - signs[0] == doctest::Approx((right - left) * 2.0 / 3.0).epsilon(0.1));
 }
 
+TEST_CASE("A section without Iy deforms in the plane as any other, and its largest displacement is told")
+{
+    const ui::Fonts fonts;
+    const femoop::Model model = view_test::simple_beam(L, q); // gives A and Iz alone
+    const femoop::LocalDisplacement d =
+        femoop::analyse(model)[femoop::CaseId{}].curve(femoop::MemberId{}).displacement(2.0);
+    CHECK(d.v < 0.0);
+    CHECK(d.w == 0.0);
+    const view_test::Marks marks = marks_of(model, {.show = parse_show("deformed,values")}, fonts);
+    const double sag = 5.0 * q * std::pow(L, 4) / (384.0 * 210e6 * 2.0e-4); // 5 q L^4 / 384 E I
+    CHECK(sag * 1000.0 == doctest::Approx(8.932).epsilon(1e-4));
+    CHECK(marks.has_text("δ = 8.932 mm"));
+}
+
 TEST_SUITE_END();
