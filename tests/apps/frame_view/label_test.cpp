@@ -158,6 +158,25 @@ TEST_CASE("On the projector the names of a grillage's members stand beside them 
     for (const auto& line : marks.lines) CHECK(line.stroke != theme.stroke(ui::Role::Leader));
 }
 
+TEST_CASE("Lengths of many short steps stand beside their own line")
+{
+    const ui::Fonts fonts;
+    femoop::Model model = view_test::simple_beam(5.0, 3.0);
+    model.load_cases[0].members.clear();
+    model.nodes[1].at = {0.0, 0.3125, 0.0};
+    for (std::size_t i = 2; i <= 16; ++i)
+        model.add(femoop::Node{.id = "n" + std::to_string(i), .at = {0.0, 0.3125 * static_cast<double>(i), 0.0}});
+    ui::Painter painter({640.0, 720.0}, fonts);
+    draw(painter, model, nullptr, {.show = parse_show("values,dimensions"), .theme = ui::ThemeName::Projector});
+    view_test::Marks marks(fonts);
+    painter.picture().draw_on(marks);
+    const auto n_steps = std::count_if(marks.texts.begin(), marks.texts.end(),
+                                       [](const auto& text) { return text.words == "0.3125 m"; });
+    CHECK(n_steps == 16);
+    for (const auto& line : marks.lines)
+        CHECK(line.stroke != ui::Theme(ui::ThemeName::Projector).stroke(ui::Role::Leader));
+}
+
 TEST_CASE("Two hundred members with a diagram and its values are drawn in a frame of the screen")
 {
     const ui::Fonts fonts;

@@ -289,4 +289,24 @@ TEST_CASE("A section without Iy deforms in the plane as any other, and its large
     CHECK(marks.has_text("δ = 8.932 mm"));
 }
 
+TEST_CASE("Dimension lines of a structure in space lie on the sheet, however far from its nodes")
+{
+    const ui::Fonts fonts;
+    femoop::Model model = view_test::example("bent_cantilever");
+    model.nodes[2].at = {model.nodes[1].at[0], model.nodes[1].at[1] - 2.0, 0.0}; // bent to the other side
+    const femoop::Results results = femoop::analyse(model);
+    ViewOptions options{.show = parse_show("loads,reactions,labels,dimensions"), .theme = ui::ThemeName::Projector};
+    ui::Painter painter({640.0, 720.0}, fonts);
+    draw(painter, model, &results, options);
+    view_test::Marks marks(fonts);
+    painter.picture().draw_on(marks);
+    int n_lines = 0;
+    for (const auto& line : marks.lines) {
+        if (line.stroke.color != ui::Theme(options.theme).stroke(ui::Role::Dimension).color) continue;
+        ++n_lines;
+        for (const ui::Point p : line.points) CHECK(painter.sheet().contains(p));
+    }
+    CHECK(n_lines >= 6); // two lines with two ticks each, of two strokes
+}
+
 TEST_SUITE_END();

@@ -196,17 +196,26 @@ Subject::Plan Subject::plan(ui::Size sheet, const ui::Fonts& fonts) const
     return {std::move(list), std::move(camera)};
 }
 
+std::vector<Eigen::Vector3d> Subject::fitted_points() const
+{
+    std::vector<Eigen::Vector3d> points = shape_.nodes;
+    if (!options_.show.contains(Show::Dimensions) || !is_seen_in_space(model_.analysis)) return points;
+    const std::vector<Eigen::Vector3d> corners = dimensioned_corners(shape_);
+    points.insert(points.end(), corners.begin(), corners.end());
+    return points;
+}
+
 void Subject::fit(Camera& camera, ui::Size panel, const ui::Margins& margins) const
 {
     if (auto* plane = std::get_if<ui::PlaneCamera>(&camera)) {
         std::vector<ui::World2> points;
-        for (const Eigen::Vector3d& p : shape_.nodes) points.push_back({p.x(), p.y()});
+        for (const Eigen::Vector3d& p : fitted_points()) points.push_back({p.x(), p.y()});
         if (points.empty()) points = {{0.0, 0.0}, {empty_width, empty_height}};
         plane->fit(points, panel, margins);
         return;
     }
     std::vector<ui::World3> points;
-    for (const Eigen::Vector3d& p : shape_.nodes) points.push_back({p.x(), p.y(), p.z()});
+    for (const Eigen::Vector3d& p : fitted_points()) points.push_back({p.x(), p.y(), p.z()});
     std::get<ui::OrbitCamera>(camera).fit(points, panel, margins);
 }
 
@@ -224,7 +233,7 @@ ui::Margins Subject::needed_margins(const std::vector<Panel>& panels, const Came
         const Projection projection(camera);
         ui::Box nodes = *marks;
         bool is_first = true;
-        for (const Eigen::Vector3d& node : shape_.nodes) {
+        for (const Eigen::Vector3d& node : fitted_points()) {
             const ui::Box at{projection(node), projection(node)};
             nodes = is_first ? at : ui::united(nodes, at);
             is_first = false;

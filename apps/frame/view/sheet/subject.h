@@ -44,6 +44,8 @@ private:
     Camera fitted(const std::vector<Panel>& panels, const ui::Fonts& fonts, Fit fit) const;
     ui::Margins needed_margins(const std::vector<Panel>& panels, const Camera& camera, const ui::Fonts& fonts,
                                Fit fit) const;
+    /// What a fitted picture holds whole, apart from marks that keep their size.
+    std::vector<Eigen::Vector3d> fitted_points() const;
     void fit(Camera& camera, ui::Size panel, const ui::Margins& margins) const;
     double aspect(const Camera& camera) const;
 

@@ -37,6 +37,23 @@ void draw_tick(Sketch& sketch, ui::Point at, ui::Point along)
     sketch.line(at - half * (n + along), at + half * (n + along), stroke);
 }
 
+constexpr double reach = 30.0; // [px] of a length from its line: farther off it would seem to belong to something else
+
+std::string length_text(const Scene& scene, double length) { return scene.text(length, ui::Measure::Length); }
+
+/// Of the longest of a chain's texts [px].
+double text_width(const Scene& scene, const std::vector<double>& levels)
+{
+    ui::TextStyle style = scene.sketch.theme().text(ui::Role::Dimension);
+    style.size = scene.sketch.theme().type().small;
+    double widest = 0.0;
+    for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
+        const std::string text = length_text(scene, levels[i + 1] - levels[i]);
+        widest = std::max(widest, ui::label_size(scene.sketch.painter().fonts(), text, style).width);
+    }
+    return widest;
+}
+
 void draw_chain(const Scene& scene, const Chain& chain)
 {
     Sketch& sketch = scene.sketch;
@@ -47,13 +64,15 @@ void draw_chain(const Scene& scene, const Chain& chain)
         sketch.line(a, b, sketch.stroke(ui::Role::Dimension));
         draw_tick(sketch, a, along);
         draw_tick(sketch, b, along);
-        sketch.caption({.text = scene.text(chain.levels[i + 1] - chain.levels[i], ui::Measure::Length),
+        sketch.caption({.text = length_text(scene, chain.levels[i + 1] - chain.levels[i]),
                         .role = ui::Role::Dimension,
                         .target = 0.5 * (a + b),
                         .toward = chain.outward,
                         .gap = 3.0,
                         .rank = Rank::Load,
-                        .size = sketch.theme().type().small});
+                        .size = sketch.theme().type().small,
+                        .reach = reach,
+                        .along = along});
     }
 }
 
@@ -82,13 +101,14 @@ void draw_in_plane(const Scene& scene)
                      },
                      ui::Point{0.0, 1.0}},
                     step);
+    const std::vector<double> heights = levels(scene, 1);
     draw_with_total(scene,
-                    {levels(scene, 1),
+                    {heights,
                      [&](double y) {
                          return ui::Point{around.min.x - gap, sheet(0.0, y).y};
                      },
                      ui::Point{-1.0, 0.0}},
-                    step + sketch.px(34.0));
+                    std::max(step, text_width(scene, heights) + sketch.px(14.0)));
 }
 
 void draw_in_space(const Scene& scene)
@@ -115,6 +135,17 @@ void draw_in_space(const Scene& scene)
 }
 
 } // namespace
+
+std::vector<Eigen::Vector3d> dimensioned_corners(const StructureShape& shape)
+{
+    if (shape.nodes.empty()) return {};
+    Vector3d least = shape.nodes.front(), most = least;
+    for (const Vector3d& node : shape.nodes) {
+        least = least.cwiseMin(node);
+        most = most.cwiseMax(node);
+    }
+    return {least, {most.x(), least.y(), least.z()}, {most.x(), most.y(), least.z()}, {least.x(), least.y(), most.z()}};
+}
 
 void draw_dimensions(const Scene& scene)
 {
