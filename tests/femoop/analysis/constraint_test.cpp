@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "femoop/analysis/linear_static.h"
 #include "tests/femoop/analysis/random_structure.h"
 
@@ -30,6 +32,17 @@ Model portal()
 
 TEST_SUITE("constraints")
 {
+    TEST_CASE("What a plane section does not give does not strain: w and rx along a member are 0, not no number")
+    {
+        const Model model = portal(); // A and Iz alone
+        const Curve beam = analyse(model).at("W").curve(MemberId(1));
+        for (const double x : {0.0, 0.3 * b, b}) {
+            CHECK(beam.displacement(x).w == 0.0);
+            CHECK(beam.displacement(x).rx == 0.0);
+            CHECK(std::isfinite(beam.displacement(x).v));
+        }
+    }
+
     TEST_CASE("A portal with a rigid beam sways H h^3 / 24 EI and bends its columns by H h / 4")
     {
         Model model = portal();
