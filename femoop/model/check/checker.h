@@ -111,6 +111,7 @@ private:
     void check_span(const EndLoads& load, const Member& member, const Entry& place);
     void check_span(const TemperatureLoad& load, const Member& member, const Entry& place);
     void check_span(const Misfit& load, const Member& member, const Entry& place);
+    void check_torque(const Member& member, LoadAxes axes, const std::vector<Component>& parts, const Entry& place);
     void check_load_dof(Dof dof, LoadAxes axes, std::string_view component, const Entry& place);
     std::optional<double> check_position(const Position& position, std::string_view key, const Member& member,
                                          const Entry& place);

@@ -30,6 +30,17 @@ bool is_loaded(const std::vector<Component>& components)
                        [](const Component& part) { return part.value.value() != 0.0; });
 }
 
+/// Of each component of a distributed load the larger of its two values.
+std::vector<Component> largest_parts(const DistributedLoad& load)
+{
+    std::vector<Component> parts;
+    for (const DistributedLoad::Value& value : load.values) {
+        const bool grows = value.end && std::abs(*value.end) > std::abs(value.start);
+        parts.push_back({value.dof, grows ? *value.end : value.start});
+    }
+    return parts;
+}
+
 } // namespace
 
 void Checker::check_load_cases()
@@ -128,6 +139,24 @@ void Checker::check_load(const MemberLoad& load, const Entry& place)
     std::visit([&](const auto& kind) { check_span(kind, member, place); }, load.load);
 }
 
+/// A bar carries span loads across its axis as a simple beam, but nothing holds it against turning about that axis.
+void Checker::check_torque(const Member& member, LoadAxes axes, const std::vector<Component>& parts, const Entry& place)
+{
+    constexpr double negligible = 1e-9; // of the moment: a bar that is loaded square to its axis in other numbers
+    if (!member.bar || is_truss(model_.analysis) || !is_located(member)) return;
+    const Axis line = axis(member);
+    double torque = 0.0, moment = 0.0;
+    for (const Component& part : parts) {
+        if (!is_rotation(part.dof)) continue;
+        const std::size_t i = index(part.dof) - 3;
+        const double share = axes == LoadAxes::Local ? (i == 0 ? 1.0 : 0.0)
+                                                     : (line.end[i] - line.start[i]) / line.length;
+        torque += share * part.value;
+        moment = std::max(moment, std::abs(part.value.value()));
+    }
+    if (std::abs(torque) > negligible * moment) add(FaultKind::TorqueOnBar, place, {member.id});
+}
+
 std::optional<double> Checker::check_position(const Position& position, std::string_view key, const Member& member,
                                               const Entry& place)
 {
@@ -160,6 +189,7 @@ void Checker::check_span(const DistributedLoad& load, const Member& member, cons
         if (value.end) require_finite(place, key, *value.end);
         if (load.projected && is_rotation(value.dof)) add(FaultKind::ProjectedMoment, place, {key});
     }
+    if (member.bar) check_torque(member, load.axes, largest_parts(load), place);
     if (load.projected && load.axes == LoadAxes::Local) add(FaultKind::ProjectedLocalLoad, place, {});
     if ((!load.from && !load.to) || !is_located(member)) return;
     const auto n_before = faults_.size();
@@ -175,17 +205,19 @@ void Checker::check_span(const PointLoad& load, const Member& member, const Entr
     if (load.components.empty()) add(FaultKind::EmptyLoad, place, {});
     require_distinct(place, load.components);
     check_position(load.at, "at", member, place);
+    check_torque(member, load.axes, load.components, place);
     for (const Component& part : load.components) {
         check_load_dof(part.dof, load.axes, force_name(part.dof), place);
         require_finite(place, force_name(part.dof), part.value);
     }
 }
 
-void Checker::check_span(const EndLoads& load, const Member& /*member*/, const Entry& place)
+void Checker::check_span(const EndLoads& load, const Member& member, const Entry& place)
 {
     if (load.start.empty() && load.end.empty()) add(FaultKind::EmptyLoad, place, {});
     const auto check_parts = [&](const std::vector<Component>& parts, const std::string& end) {
         require_distinct(place, parts);
+        check_torque(member, load.axes, parts, place);
         for (const Component& part : parts) {
             check_load_dof(part.dof, load.axes, end + force(part.dof), place);
             require_finite(place, end + force(part.dof), part.value);

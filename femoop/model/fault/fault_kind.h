@@ -164,6 +164,7 @@ enum class FaultKind : std::uint8_t {
     LoadEndsBeforeStart,
     ProjectedLocalLoad,
     ProjectedMoment,
+    TorqueOnBar, ///< {1} member
     TemperatureOfRigid,
     MissingExpansion,
     MissingDepth,

@@ -267,6 +267,10 @@ std::string_view pattern(FaultKind kind)
         return "{0}: a projected load has global axes; take \"axes\" or \"projected\" away";
     case FaultKind::ProjectedMoment:
         return "{0}: {1} is a moment, which has no projected length; give it in a load of its own";
+    case FaultKind::TorqueOnBar:
+        return "{0}: turns member \"{1}\" about its own axis, which a bar does not resist; take the torque away, or "
+               "take "
+               "\"bar\" from the member";
     case FaultKind::TemperatureOfRigid:
         return "{0}: member \"{1}\" has no material and section that could be warmed; load another member";
     case FaultKind::MissingExpansion:

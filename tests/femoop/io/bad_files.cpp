@@ -501,6 +501,11 @@ std::vector<BadFile> files_with_bad_loads()
          "load_cases[0].members[0]: goes from 4 m to 3 m; \"from\" has to be less than \"to\""},
         {with_load(R"("kind": "distributed", "qy": -4, "projected": true, "axes": "local")"),
          "load_cases[0].members[0]: a projected load has global axes; take \"axes\" or \"projected\" away"},
+        {space(R"(, "bar": true)", case_text(R"("members": [{"member": "AB", "kind": "point", "at": 2, "mx": 3}])"))
+             .text(),
+         "load_cases[0].members[0]: turns member \"AB\" about its own axis, which a bar does not resist; take the "
+         "torque "
+         "away, or take \"bar\" from the member"},
         {with_load(R"("kind": "distributed", "mz": -4, "projected": true)"),
          "load_cases[0].members[0]: mz is a moment, which has no projected length; give it in a load of its own"},
         {with_load(R"("kind": "temperature", "top": 10, "bottom": 10)"),

@@ -200,6 +200,29 @@ TEST_CASE("A file without its needed keys hears of each of them")
                              "file: \"members\" is missing; add it\n");
 }
 
+TEST_CASE("A bar takes moments square to its axis and refuses any that turn it, in whatever axes they are given")
+{
+    const auto count_faults = [](const char* load) {
+        const std::string more = std::string(R"(, "load_cases": [{"id": "G", "members": [{"member": "AB", )") + load +
+                                 "}]}]";
+        return examine_model(
+                   File{.analysis = R"("grillage")",
+                        .sections = R"([{"id": "s", "A": 0.012, "Iz": 2e-4, "J": 3e-5}])",
+                        .nodes = R"([{"id": "A", "at": [0, 0], "support": "fixed"}, {"id": "B", "at": [3, 4]}])",
+                        .members =
+                            R"([{"id": "AB", "nodes": ["A", "B"], "material": "m", "section": "s", "bar": true}])",
+                        .more = more}
+                       .text())
+            .faults.size();
+    };
+    CHECK(count_faults(R"("kind": "point", "at": 2, "mx": 4, "my": -3)") == 0);
+    CHECK(count_faults(R"("kind": "point", "at": 2, "mx": 4)") == 1);
+    CHECK(count_faults(R"("kind": "ends", "end_mx": 4, "axes": "local")") == 1);
+    CHECK(count_faults(R"("kind": "ends", "end_mz": 4, "axes": "local")") == 0);
+    CHECK(count_faults(R"("kind": "distributed", "mx": [0, 4])") == 1);
+    CHECK(count_faults(R"("kind": "distributed", "mx": [0, 4], "my": [0, -3])") == 0);
+}
+
 TEST_CASE("A position up to 1e-9 L beyond an end counts as the end")
 {
     const auto at = [](const char* x) {
