@@ -1,6 +1,7 @@
 #include "apps/frame/session/commands.h"
 
 #include "apps/frame/session/edit_commands.h"
+#include "apps/frame/session/table_commands.h"
 #include "apps/frame/session/tabs.h"
 
 #include <array>
@@ -294,6 +295,7 @@ CommandTable command_table()
     add_show_commands(table);
     add_camera_commands(table);
     add_panel_commands(table);
+    add_table_commands(table);
     add_look_commands(table);
     add_help_commands(table);
     return table;

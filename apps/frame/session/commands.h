@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "apps/frame/session/bottom_view.h"
 #include "apps/frame/session/session.h"
 #include "apps/frame/session/transform.h"
 #include "apps/frame/session/typical_draft.h"
@@ -16,6 +17,7 @@ enum class Request : std::uint8_t {
     SaveDialog,
     RecentList,
     CloseTab,
+    ExportTable,
     Palette,
     ShortcutList,
     Fit,
@@ -39,6 +41,7 @@ struct Desk {
     std::vector<Request> requests{};
     Topic topic = Topic::Properties;
     bool has_panels = true;
+    BottomView bottom{};
 };
 
 using CommandTable = ui::CommandTable<Desk>;

@@ -57,7 +57,7 @@ std::string lower(std::string_view text)
 
 } // namespace
 
-Cell cell_of(const Value& value, ui::Measure measure, const Manner& manner)
+Cell cell_of(const CellValue& value, ui::Measure measure, const Manner& manner)
 {
     if (const auto* const number = std::get_if<Quantity>(&value)) return number_cell(*number, measure, manner.units);
     if (const auto* const share = std::get_if<femoop::Percent>(&value)) {
@@ -70,7 +70,7 @@ Cell cell_of(const Value& value, ui::Measure measure, const Manner& manner)
     return {};
 }
 
-std::variant<std::optional<Quantity>, std::string> quantity_of(const Entry& entry, ui::Measure measure,
+std::variant<std::optional<Quantity>, std::string> quantity_of(const CellText& entry, ui::Measure measure,
                                                                const femoop::Units& units)
 {
     if (entry.is_empty()) return std::optional<Quantity>();
@@ -85,7 +85,7 @@ std::variant<std::optional<Quantity>, std::string> quantity_of(const Entry& entr
 
 std::string value_needed(const Manner& manner) { return manner.tr("a value is needed here"); }
 
-bool says(const Entry& entry, std::string_view sentence)
+bool says(const CellText& entry, std::string_view sentence)
 {
     const std::string said = lower(entry.text);
     return said == lower(sentence) || said == lower(entry.manner.tr(sentence));
@@ -94,12 +94,12 @@ bool says(const Entry& entry, std::string_view sentence)
 Column number_column(ui::Phrase heading, ui::Measure measure, NumberAccess access)
 {
     Column column{.heading = std::move(heading), .measure = measure, .is_number = true, .read = {}};
-    column.read = [get = std::move(access.get)](const femoop::Model& model, const Part& part) -> Value {
+    column.read = [get = std::move(access.get)](const femoop::Model& model, const Part& part) -> CellValue {
         if (const std::optional<Quantity> value = get(model, part)) return *value;
         return {};
     };
     column.write = [set = std::move(access.set), measure](Document& document, const Part& part,
-                                                          const Entry& entry) -> Refusal {
+                                                          const CellText& entry) -> Refusal {
         auto value = quantity_of(entry, measure, document.model.units);
         if (auto* const reason = std::get_if<std::string>(&value)) return std::move(*reason);
         return set(document, part, std::get<std::optional<Quantity>>(value), entry.manner);
@@ -110,10 +110,10 @@ Column number_column(ui::Phrase heading, ui::Measure measure, NumberAccess acces
 Column word_column(ui::Phrase heading, WordAccess access)
 {
     Column column{.heading = std::move(heading), .read = {}};
-    column.read = [access](const femoop::Model& model, const Part& part) -> Value {
+    column.read = [access](const femoop::Model& model, const Part& part) -> CellValue {
         return ui::Phrase(access.words.at(access.get(model, part)));
     };
-    column.write = [access](Document& document, const Part& part, const Entry& entry) -> Refusal {
+    column.write = [access](Document& document, const Part& part, const CellText& entry) -> Refusal {
         std::string all;
         for (std::size_t i = 0; i < access.words.size(); ++i) {
             if (says(entry, access.words[i])) {

@@ -20,7 +20,7 @@
 namespace frame {
 
 /// What a cell holds: nothing, a number, a share of a length, a name or a word of ours.
-using Value = std::variant<std::monostate, femoop::Quantity, femoop::Percent, std::string, ui::Phrase>;
+using CellValue = std::variant<std::monostate, femoop::Quantity, femoop::Percent, std::string, ui::Phrase>;
 
 /// A load that is to go to another load case, once all cells are written: until then its place must stay.
 struct CaseMove {
@@ -29,7 +29,7 @@ struct CaseMove {
 };
 
 /// A text on its way into a cell.
-struct Entry {
+struct CellText {
     std::string_view text;
     const Manner& manner;
     std::vector<CaseMove>& moves;
@@ -46,21 +46,21 @@ struct Column {
     ui::Measure measure = ui::Measure::Plain;
     bool is_number = false;
     Need need = Need::Optional; ///< whether a new row must have it
-    std::function<Value(const femoop::Model&, const Part&)> read;
-    std::function<Refusal(Document&, const Part&, const Entry&)> write{}; ///< absent: cannot be changed here
+    std::function<CellValue(const femoop::Model&, const Part&)> read;
+    std::function<Refusal(Document&, const Part&, const CellText&)> write{}; ///< absent: cannot be changed here
 };
 
-Cell cell_of(const Value& value, ui::Measure measure, const Manner& manner);
+Cell cell_of(const CellValue& value, ui::Measure measure, const Manner& manner);
 
 /// Reads the entry as a quantity, or says why it is none. An empty one is nothing.
-std::variant<std::optional<femoop::Quantity>, std::string> quantity_of(const Entry& entry, ui::Measure measure,
+std::variant<std::optional<femoop::Quantity>, std::string> quantity_of(const CellText& entry, ui::Measure measure,
                                                                        const femoop::Units& units);
 
 /// The sentence for an empty cell that must hold something.
 std::string value_needed(const Manner& manner);
 
 /// Does the text say this word, in the reader's language or in English?
-bool says(const Entry& entry, std::string_view sentence);
+bool says(const CellText& entry, std::string_view sentence);
 
 /// A column of numbers that are read and set by functions. `set` may refuse.
 struct NumberAccess {

@@ -91,7 +91,7 @@ std::vector<Part> parts_of(const Model& model, TableKind kind)
     return all;
 }
 
-std::variant<DofSet, std::string> dofs_of(const Entry& entry, DofSet allowed)
+std::variant<DofSet, std::string> dofs_of(const CellText& entry, DofSet allowed)
 {
     DofSet found;
     if (entry.is_empty()) return found;

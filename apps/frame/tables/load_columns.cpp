@@ -24,8 +24,8 @@ std::size_t case_of(const Part& load)
 Column case_column()
 {
     Column column{.heading = translatable("Case"), .read = {}};
-    column.read = [](const Model& model, const Part& part) -> Value { return model.load_cases[case_of(part)].id; };
-    column.write = [](Document& document, const Part& part, const Entry& entry) -> Refusal {
+    column.read = [](const Model& model, const Part& part) -> CellValue { return model.load_cases[case_of(part)].id; };
+    column.write = [](Document& document, const Part& part, const CellText& entry) -> Refusal {
         const auto place = place_of_name(document.model.load_cases, entry);
         if (const auto* const reason = std::get_if<std::string>(&place)) return *reason;
         if (std::get<std::size_t>(place) != case_of(part)) entry.moves.push_back({part, std::get<std::size_t>(place)});
@@ -59,10 +59,10 @@ template <class Find, class Entries, class Get>
 Column bearer_column(std::string_view heading, Entries Model::*list, Find find, Get get)
 {
     Column column{.heading = heading, .need = Need::Required, .read = {}};
-    column.read = [=](const Model& model, const Part& part) -> Value {
+    column.read = [=](const Model& model, const Part& part) -> CellValue {
         return (model.*list)[get(find(model, part)).index].id;
     };
-    column.write = [=](Document& document, const Part& part, const Entry& entry) -> Refusal {
+    column.write = [=](Document& document, const Part& part, const CellText& entry) -> Refusal {
         const auto place = place_of_name(document.model.*list, entry);
         if (const auto* const reason = std::get_if<std::string>(&place)) return *reason;
         auto& bearer = get(find(document.model, part));
@@ -165,10 +165,10 @@ Column distributed_axes_column()
 }
 
 // "50%" or a length.
-std::variant<std::optional<Position>, std::string> position_of(const Entry& entry, const Units& units)
+std::variant<std::optional<Position>, std::string> position_of(const CellText& entry, const Units& units)
 {
     if (entry.text.ends_with('%')) {
-        const Entry share{entry.text.substr(0, entry.text.size() - 1), entry.manner, entry.moves};
+        const CellText share{entry.text.substr(0, entry.text.size() - 1), entry.manner, entry.moves};
         auto value = quantity_of(share, Measure::Plain, units);
         if (auto* const reason = std::get_if<std::string>(&value)) return std::move(*reason);
         const auto& number = std::get<std::optional<Quantity>>(value);
@@ -181,7 +181,7 @@ std::variant<std::optional<Position>, std::string> position_of(const Entry& entr
     return length ? std::optional<Position>(std::move(*length)) : std::optional<Position>();
 }
 
-Value position_value(const std::optional<Position>& position)
+CellValue position_value(const std::optional<Position>& position)
 {
     if (!position) return {};
     if (const auto* const share = std::get_if<Percent>(&*position)) return *share;
@@ -193,7 +193,7 @@ template <class Get, class Set> Column position_column(std::string_view heading,
 {
     Column column{.heading = heading, .measure = Measure::Length, .is_number = true, .read = {}};
     column.read = [get](const Model& model, const Part& part) { return position_value(get(model, part)); };
-    column.write = [set](Document& document, const Part& part, const Entry& entry) -> Refusal {
+    column.write = [set](Document& document, const Part& part, const CellText& entry) -> Refusal {
         auto position = position_of(entry, document.model.units);
         if (auto* const reason = std::get_if<std::string>(&position)) return std::move(*reason);
         return set(document.model, part, std::get<std::optional<Position>>(position), entry.manner);

@@ -22,10 +22,10 @@ constexpr auto member_of = [](auto& model, const Part& part) -> auto&
 Column end_column(std::string_view heading, std::size_t end)
 {
     Column column{.heading = heading, .need = Need::Required, .read = {}};
-    column.read = [end](const Model& model, const Part& part) -> Value {
+    column.read = [end](const Model& model, const Part& part) -> CellValue {
         return model[member_of(model, part).nodes[end]].id;
     };
-    column.write = [end](Document& document, const Part& part, const Entry& entry) -> Refusal {
+    column.write = [end](Document& document, const Part& part, const CellText& entry) -> Refusal {
         const auto node = place_of_name(document.model.nodes, entry);
         if (const auto* const reason = std::get_if<std::string>(&node)) return *reason;
         member_of(document.model, part).nodes[end] = NodeId(std::get<std::size_t>(node));
@@ -38,7 +38,7 @@ Column end_column(std::string_view heading, std::size_t end)
 Column length_column()
 {
     Column column{.heading = translatable("Length"), .measure = Measure::Length, .is_number = true, .read = {}};
-    column.read = [](const Model& model, const Part& part) -> Value {
+    column.read = [](const Model& model, const Part& part) -> CellValue {
         const Member& member = member_of(model, part);
         const auto place = [&](std::size_t end) {
             const Node& node = model[member.nodes[end]];
@@ -54,12 +54,12 @@ template <class Id, class Entries>
 Column property_column(std::string_view heading, Entries Model::*list, std::optional<Id> Member::*property)
 {
     Column column{.heading = heading, .read = {}};
-    column.read = [=](const Model& model, const Part& part) -> Value {
+    column.read = [=](const Model& model, const Part& part) -> CellValue {
         const std::optional<Id>& id = member_of(model, part).*property;
         if (!id) return {};
         return (model.*list)[id->index].id;
     };
-    column.write = [=](Document& document, const Part& part, const Entry& entry) -> Refusal {
+    column.write = [=](Document& document, const Part& part, const CellText& entry) -> Refusal {
         std::optional<Id>& id = member_of(document.model, part).*property;
         if (entry.is_empty()) {
             id.reset();
@@ -76,11 +76,11 @@ Column property_column(std::string_view heading, Entries Model::*list, std::opti
 Column release_column(std::string_view heading, MemberEndName end)
 {
     Column column{.heading = heading, .read = {}};
-    column.read = [end](const Model& model, const Part& part) -> Value {
+    column.read = [end](const Model& model, const Part& part) -> CellValue {
         const Member& member = member_of(model, part);
         return names_of((end == MemberEndName::Start ? member.start : member.end).release);
     };
-    column.write = [end](Document& document, const Part& part, const Entry& entry) -> Refusal {
+    column.write = [end](Document& document, const Part& part, const CellText& entry) -> Refusal {
         const DofSet allowed = member_dofs(document.model.analysis);
         const auto released = dofs_of(entry, allowed);
         if (const auto* const reason = std::get_if<std::string>(&released)) return *reason;

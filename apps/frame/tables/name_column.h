@@ -13,10 +13,10 @@ namespace frame {
 template <class Id, class Entries> Column name_column(ui::Phrase heading, Entries femoop::Model::*list)
 {
     Column column{.heading = std::move(heading), .read = {}};
-    column.read = [list](const femoop::Model& model, const Part& part) -> Value {
+    column.read = [list](const femoop::Model& model, const Part& part) -> CellValue {
         return (model.*list)[std::get<Id>(part).index].id;
     };
-    column.write = [list](Document& document, const Part& part, const Entry& entry) -> Refusal {
+    column.write = [list](Document& document, const Part& part, const CellText& entry) -> Refusal {
         if (entry.text.empty()) return value_needed(entry.manner);
         (document.model.*list)[std::get<Id>(part).index].id = std::string(entry.text);
         return std::nullopt;
@@ -25,7 +25,8 @@ template <class Id, class Entries> Column name_column(ui::Phrase heading, Entrie
 }
 
 /// The place of a name in a list, else the reason.
-template <class Entries> std::variant<std::size_t, std::string> place_of_name(const Entries& list, const Entry& entry)
+template <class Entries>
+std::variant<std::size_t, std::string> place_of_name(const Entries& list, const CellText& entry)
 {
     if (entry.text.empty()) return value_needed(entry.manner);
     const auto found = std::ranges::find(list, entry.text, [](const auto& part) { return std::string_view(part.id); });

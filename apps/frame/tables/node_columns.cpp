@@ -39,7 +39,7 @@ constexpr std::array support_words{
     SupportWord{SupportKind::Fixed, translatable("Fixed"), "fixed"},
 };
 
-Value support_value(const Model& model, const Part& part)
+CellValue support_value(const Model& model, const Part& part)
 {
     const std::optional<Support>& support = node_of(model, part).support;
     if (!support) return {};
@@ -58,7 +58,7 @@ void hold(Document& document, NodeId node, DofSet held)
     }
 }
 
-Refusal write_support(Document& document, const Part& part, const Entry& entry)
+Refusal write_support(Document& document, const Part& part, const CellText& entry)
 {
     const NodeId node = std::get<NodeId>(part);
     for (const SupportWord& known : support_words) {

@@ -41,12 +41,12 @@ Column size_column(std::string_view heading, std::optional<Quantity> Shape::*fie
 Column profile_column()
 {
     Column column{.heading = translatable("Profile"), .read = {}};
-    column.read = [](const Model& model, const Part& part) -> Value {
+    column.read = [](const Model& model, const Part& part) -> CellValue {
         const std::optional<std::string>& profile = section_of(model, part).profile;
         if (!profile) return {};
         return *profile;
     };
-    column.write = [](Document& document, const Part& part, const Entry& entry) -> Refusal {
+    column.write = [](Document& document, const Part& part, const CellText& entry) -> Refusal {
         std::optional<std::string>& profile = section_of(document.model, part).profile;
         profile.reset();
         if (!entry.is_empty()) profile = std::string(entry.text);
@@ -60,14 +60,14 @@ constexpr std::array shapes{translatable("rectangle"), translatable("circle"), t
                             translatable("box"),       std::string_view("I"),  std::string_view("T"),
                             std::string_view("L"),     std::string_view("C")};
 
-Value shape_value(const Model& model, const Part& part)
+CellValue shape_value(const Model& model, const Part& part)
 {
     const std::optional<Shape>& shape = section_of(model, part).shape;
     if (!shape) return {};
     return ui::Phrase(shapes.at(static_cast<std::size_t>(shape->kind)));
 }
 
-Refusal write_shape(Document& document, const Part& part, const Entry& entry)
+Refusal write_shape(Document& document, const Part& part, const CellText& entry)
 {
     std::optional<Shape>& shape = section_of(document.model, part).shape;
     if (entry.is_empty()) {

@@ -96,12 +96,13 @@ void Application::frame(const ui::Input& input)
 
 void Application::explain(const ui::Phrase& reason) { desk_.session.notice = Notice{reason, {}}; }
 
-void Application::take_keys(const ui::Input& input)
+void Application::take_keys(const ui::Input& all)
 {
     const bool is_popup_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     const bool is_blocked = palette_.is_open() || path_dialog_.is_open() || questions_.is_open() ||
-                            kept_files_.is_open() || is_popup_open;
+                            kept_files_.is_open() || tables_.is_asking() || is_popup_open;
     if (is_blocked) return;
+    const ui::Input input = tables_.take(desk_, all);
     const bool has_ctrl = input.modifiers.ctrl;
     const bool types = ImGui::GetIO().WantTextInput || fields_.is_typing();
     if (!types && !has_ctrl) desk_.hand.type(input.text);
@@ -140,6 +141,7 @@ void Application::take_requests()
         case Request::SaveDialog: path_dialog_.open(ui::PathDialog::Purpose::Save, start, ".json"); break;
         case Request::RecentList: kept_files_.ask_for_recent(); break;
         case Request::CloseTab: questions_.ask_to_close(); break;
+        case Request::ExportTable: tables_.ask_for_file(desk_); break;
         case Request::Palette: palette_.open(); break;
         case Request::ShortcutList: shows_shortcuts_ = !shows_shortcuts_; break;
         case Request::Fit: canvas_.fit(session); break;
@@ -172,12 +174,31 @@ void Application::show_body()
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.0F});
     ImGui::PushStyleColor(ImGuiCol_WindowBg, 0U);
     ImGui::Begin("###body", nullptr, fixed_panel);
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float below = tables_.height(desk_, room.y);
+    if (below > 0.0F) show_tables(below);
+    ImGui::BeginChild("###above", {0.0F, room.y - below});
     if (desk_.has_panels) show_panels_and_canvas();
     else show_canvas();
+    ImGui::EndChild();
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(4);
     show_status_bar();
+}
+
+// Laid out before the canvas is drawn, so that the canvas shows what it changed.
+void Application::show_tables(float height)
+{
+    const ImVec2 corner = ImGui::GetCursorPos();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    ImGui::SetCursorPos({corner.x, corner.y + room.y - height});
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
+    ImGui::BeginChild("###below", {0.0F, height});
+    tables_.show(desk_, gui_, fonts_);
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+    ImGui::SetCursorPos(corner);
 }
 
 void Application::show_panels_and_canvas()
@@ -417,6 +438,7 @@ void Application::show_dialogs()
     palette_.show(commands_, desk_, tr);
     typical_window_.show(desk_, gui_, fields_);
     show_shortcuts();
+    tables_.show_dialog(desk_);
     kept_files_.show(desk_);
     if (!questions_.show(desk_)) return;
     kept_files_.end();

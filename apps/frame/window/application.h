@@ -8,6 +8,7 @@
 #include "apps/frame/window/canvas.h"
 #include "apps/frame/window/kept_files.h"
 #include "apps/frame/window/questions.h"
+#include "apps/frame/window/tables_panel.h"
 #include "apps/frame/window/typical_window.h"
 #include "ui/context/context.h"
 #include "ui/context/imgui_session.h"
@@ -42,9 +43,10 @@ public:
     std::string window_title() const;
     /// A heading of a panel that a scenario can click; panels are found by what they show.
     ui::ImGuiSession& gui() { return gui_; }
+    TablesPanel& tables() { return tables_; }
 
 private:
-    void take_keys(const ui::Input& input);
+    void take_keys(const ui::Input& all);
     bool take_typing(ui::Key key);
     void explain(const ui::Phrase& reason);
     void take_requests();
@@ -56,6 +58,7 @@ private:
     void show_tabs();
     void show_document_tabs();
     void show_canvas();
+    void show_tables(float height);
     void show_banner();
     void show_status_bar();
     void show_dialogs();
@@ -68,6 +71,7 @@ private:
     const ui::Fonts& fonts_;
     Canvas canvas_;
     TypicalWindow typical_window_;
+    TablesPanel tables_;
     ui::NumberFields fields_;
     ui::CommandPalette palette_;
     ui::PathDialog path_dialog_;

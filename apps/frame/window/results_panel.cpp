@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include <array>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -108,25 +108,35 @@ void reactions(const ShownCase& shown)
     });
 }
 
-// For each member its largest and its smallest value of one section force, and where they are.
+// How many columns of numbers find room beside names of members.
+int n_number_columns(const Model& model)
+{
+    float names = 0.0F;
+    for (const Member& member : model.members) names = std::max(names, ImGui::CalcTextSize(member.id.c_str()).x);
+    const float pad = 2.0F * ImGui::GetStyle().CellPadding.x;
+    const float number = ImGui::CalcTextSize("−00.00").x + pad;
+    const float room = ImGui::GetContentRegionAvail().x - std::max(names, 4.0F * ImGui::GetFontSize()) - pad;
+    return static_cast<int>(room / number);
+}
+
+// For each member its largest and its smallest value of one section force, and where there is room those at its ends;
+// the tables at the bottom of the window have them all, with their places.
 void member_forces(const ShownCase& shown, MemberComponent component, const std::string& id)
 {
     const ui::Catalogue& tr = shown.tr();
-    const std::string at = shown.units.label("x", Measure::Length);
-    const std::vector<std::string> headings{tr("Member"), tr("start"), tr("end"),   tr("max"),
-                                            at + "###x1", tr("min"),   at + "###x2"};
+    const bool has_ends = n_number_columns(shown.model()) >= 4;
+    std::vector<std::string> headings{tr("Member")};
+    if (has_ends) headings.insert(headings.end(), {tr("start"), tr("end")});
+    headings.insert(headings.end(), {tr("max"), tr("min")});
     table(id.c_str(), headings, shown.model().members.size(), [&](std::size_t i) {
         part_cell(shown.session, MemberId(i), shown.model().members[i].id);
         const Curve curve = shown.result.curve(MemberId(i));
         const Extremes extremes = curve.extremes(component);
         const auto value = [&](double v) { number_cell(shown.numbers.number(v, measure_of(component))); };
-        const auto place = [&](double x) { number_cell(shown.numbers.number(x, Measure::Length)); };
-        value(curve.value(component, 0.0));
-        value(curve.value(component, curve.length(), Side::Before));
+        if (has_ends) value(curve.value(component, 0.0));
+        if (has_ends) value(curve.value(component, curve.length(), Side::Before));
         value(extremes.max.value);
-        place(extremes.max.x);
         value(extremes.min.value);
-        place(extremes.min.x);
     });
 }
 
@@ -172,6 +182,8 @@ void results_panel(Desk& desk)
     const ui::DisplayUnits units = session.units();
     const ShownCase shown{session, result, units, CaseNumbers(result, shape_of(session.model()), units)};
     ImGui::TextDisabled("%s", tr("Case {case}", {{"case", result.name()}}).c_str());
+    if (ImGui::Button((tr("Tables with places (F4)") + "###tables").c_str()))
+        desk.bottom = {true, TableKind::Extremes, false};
     for (const MemberComponent component : section_force_components(session.model().analysis)) {
         const std::string id(name(component, session.model().analysis));
         if (section(tr("Members: {value}", {{"value", units.label(id, measure_of(component))}}), id.c_str()))

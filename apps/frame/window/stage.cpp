@@ -91,6 +91,10 @@ std::optional<std::string> OffscreenStage::run_command(std::string_view id, std:
         if (!desk.session.save(argument)) return english(desk.session.notice->sentence);
         return std::nullopt;
     }
+    if (id == "file.export_table" && !argument.empty()) {
+        const auto reason = application_.tables().export_to(desk, argument);
+        return reason ? std::optional(english(*reason)) : std::nullopt;
+    }
     if (constexpr std::string_view prefix = "template."; id.starts_with(prefix))
         return desk.typical.obey(desk.session, id.substr(prefix.size()), argument);
     const auto* const command = application_.commands().find(id);

@@ -1,0 +1,187 @@
+#include "apps/frame/tables/result_table.h"
+
+#include <map>
+#include <utility>
+
+#include "apps/frame/tables/column.h"
+#include "apps/frame/view/results/case_numbers.h"
+#include "apps/frame/view/results/diagram.h"
+#include "femoop/result/components.h"
+#include "femoop/result/envelope.h"
+#include "ui/text/catalogue.h"
+#include "ui/text/number_format.h"
+
+namespace frame {
+
+using namespace femoop;
+using ui::Measure;
+using ui::translatable;
+
+namespace {
+
+/// Writes the rows of one table.
+class ResultRows {
+public:
+    ResultRows(const TabledResults& shown, const Manner& manner)
+        : shown_(shown), manner_(manner), shape_(shape_of(shown.model)), kind_(shown.model.analysis)
+    {}
+
+    Table displacements()
+    {
+        const std::vector<Dof> list = dof_list(kind_);
+        const auto measure = [](Dof dof) { return is_rotation(dof) ? Measure::Rotation : Measure::Displacement; };
+        begin(translatable("Node"));
+        for (const Dof dof : list) add_heading(std::string(name(dof)), measure(dof));
+        for (std::size_t i = 0; i < shown_.model.nodes.size(); ++i) {
+            begin_row(NodeId(i), shown_.model.nodes[i].id);
+            const NodeVector u = result().displacement(NodeId(i));
+            for (const Dof dof : list) add(u[index(dof)], measure(dof), shown_.load_case);
+        }
+        return std::move(table_);
+    }
+
+    Table reactions()
+    {
+        const std::vector<Dof> list = dof_list(kind_);
+        const auto measure = [](Dof dof) { return is_rotation(dof) ? Measure::Moment : Measure::Force; };
+        begin(translatable("Node"));
+        for (const Dof dof : list) add_heading(std::string(force_name(dof)), measure(dof));
+        for (std::size_t i = 0; i < shown_.model.nodes.size(); ++i) {
+            if (!result().is_supported(NodeId(i))) continue;
+            begin_row(NodeId(i), shown_.model.nodes[i].id);
+            const NodeVector r = result().reaction(NodeId(i));
+            for (const Dof dof : list) add(r[index(dof)], measure(dof), shown_.load_case);
+        }
+        return std::move(table_);
+    }
+
+    Table member_ends()
+    {
+        begin(translatable("Member"));
+        for (const std::string_view sentence : {translatable("{force}, start"), translatable("{force}, end")})
+            for (const MemberComponent component : components())
+                add_heading(manner_.tr(sentence, {{"force", symbol(component)}}), measure_of(component));
+        each_member([&](MemberId, const Curve& curve) {
+            for (const MemberComponent component : components())
+                add(curve.value(component, 0.0), measure_of(component), shown_.load_case);
+            for (const MemberComponent component : components())
+                add(curve.value(component, curve.length(), Side::Before), measure_of(component), shown_.load_case);
+        });
+        return std::move(table_);
+    }
+
+    Table extremes()
+    {
+        begin(translatable("Member"));
+        for (const MemberComponent component : components()) {
+            for (const std::string_view which : {translatable("max"), translatable("min")}) {
+                add_heading(symbol(component) + ' ' + manner_.tr(which), measure_of(component));
+                add_heading("x", Measure::Length);
+            }
+        }
+        each_member([&](MemberId, const Curve& curve) {
+            for (const MemberComponent component : components()) {
+                const Extremes found = curve.extremes(component);
+                for (const Extreme& extreme : {found.max, found.min}) {
+                    add(extreme.value, measure_of(component), shown_.load_case);
+                    add(extreme.x, Measure::Length, shown_.load_case);
+                }
+            }
+        });
+        return std::move(table_);
+    }
+
+    Table envelope()
+    {
+        begin(translatable("Member"));
+        for (const MemberComponent component : components()) {
+            for (const std::string_view which : {translatable("max"), translatable("min")}) {
+                add_heading(symbol(component) + ' ' + manner_.tr(which), measure_of(component));
+                add_heading("x", Measure::Length);
+                table_.headings.push_back({manner_.tr("Case")});
+            }
+        }
+        const Envelope all(shown_.results);
+        for (std::size_t i = 0; i < shown_.model.members.size(); ++i) {
+            begin_row(MemberId(i), shown_.model.members[i].id);
+            for (const MemberComponent component : components()) {
+                const GoverningExtremes found = all.extremes(MemberId(i), component);
+                for (const GoverningExtreme& extreme : {found.max, found.min}) add(extreme, measure_of(component));
+            }
+        }
+        return std::move(table_);
+    }
+
+private:
+    CaseResult result() const { return shown_.results[shown_.load_case]; }
+    std::vector<MemberComponent> components() const { return section_force_components(kind_); }
+    std::string symbol(MemberComponent component) const { return std::string(name(component, kind_)); }
+
+    void begin(std::string_view heading) { table_.headings.push_back({manner_.tr(heading)}); }
+    void add_heading(const std::string& name, Measure measure)
+    {
+        table_.headings.push_back({manner_.units.label(name, measure), true});
+    }
+
+    void begin_row(const Part& part, const std::string& name)
+    {
+        table_.rows.push_back({part, {{.shown = name, .typed = name, .plain = name}}});
+    }
+
+    template <class Visit> void each_member(Visit&& visit)
+    {
+        for (std::size_t i = 0; i < shown_.model.members.size(); ++i) {
+            begin_row(MemberId(i), shown_.model.members[i].id);
+            visit(MemberId(i), result().curve(MemberId(i)));
+        }
+    }
+
+    void add(double value, Measure measure, CaseId of)
+    {
+        Cell cell{.shown = numbers(of).number(value, measure)};
+        const double tidy = cell.shown == "0" ? 0.0 : value;
+        const Cell exact = cell_of(Quantity(tidy), measure, manner_);
+        cell.typed = cell.plain = exact.plain;
+        cell.number = exact.number;
+        table_.rows.back().cells.push_back(std::move(cell));
+    }
+
+    void add(const GoverningExtreme& extreme, Measure measure)
+    {
+        add(extreme.value, measure, extreme.load_case);
+        add(extreme.x, Measure::Length, extreme.load_case);
+        const std::string& of = shown_.model.case_name(extreme.load_case);
+        table_.rows.back().cells.push_back({.shown = of, .typed = of, .plain = of});
+    }
+
+    // What is rounding alone differs from case to case.
+    const CaseNumbers& numbers(CaseId of)
+    {
+        const auto found = numbers_.find(of);
+        if (found != numbers_.end()) return found->second;
+        return numbers_.emplace(of, CaseNumbers(shown_.results[of], shape_, manner_.units)).first->second;
+    }
+
+    TabledResults shown_;
+    const Manner& manner_;
+    StructureShape shape_;
+    AnalysisKind kind_;
+    std::map<CaseId, CaseNumbers> numbers_;
+    Table table_;
+};
+
+} // namespace
+
+Table result_table(const TabledResults& results, TableKind kind, const Manner& manner)
+{
+    ResultRows rows(results, manner);
+    switch (kind) {
+    case TableKind::Displacements: return rows.displacements();
+    case TableKind::Reactions: return rows.reactions();
+    case TableKind::MemberEnds: return rows.member_ends();
+    case TableKind::Extremes: return rows.extremes();
+    default: return rows.envelope();
+    }
+}
+
+} // namespace frame

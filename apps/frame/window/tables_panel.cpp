@@ -1,0 +1,381 @@
+#include "apps/frame/window/tables_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <fstream>
+#include <utility>
+
+#include "apps/frame/document/drawing.h"
+#include "apps/frame/session/table_commands.h"
+#include "apps/frame/tables/result_table.h"
+#include "ui/paint/theme.h"
+#include "ui/text/catalogue.h"
+
+namespace frame {
+
+using ui::Key;
+using ui::translatable;
+
+namespace {
+
+constexpr float splitter_ems = 0.35F;
+
+Manner manner_of(const Session& session) { return {session.units(), session.view.tr}; }
+
+bool can_grow(TableKind kind) { return !is_result(kind); }
+
+Table table_of(const Session& session, TableKind kind)
+{
+    if (!is_result(kind)) return data_table(session.model(), kind, manner_of(session));
+    const auto& results = session.solution().results;
+    if (!results || results->n_cases() == 0) return {};
+    return result_table({session.model(), *results, session.view.load_case}, kind, manner_of(session));
+}
+
+ui::Phrase change_label(TableKind kind) { return {translatable("Change table: {table}"), {{"table", title(kind)}}}; }
+
+} // namespace
+
+// ---- what is shown ----
+
+float TablesPanel::height(const Desk& desk, float room) const
+{
+    if (!desk.bottom.is_open) return 0.0F;
+    return std::min(height_ * ImGui::GetFontSize(), 0.7F * room);
+}
+
+void TablesPanel::follow(const Desk& desk)
+{
+    const Session& session = desk.session;
+    const std::string now = std::to_string(desk.tab) + ' ' + session.file_name() + ' ' +
+                            std::to_string(session.generation()) + ' ' + std::to_string(session.view.load_case.index) +
+                            ' ' + std::string(code(session.units().system())) + ' ' +
+                            std::string(code(session.view.tr.language())) + ' ' +
+                            std::to_string(static_cast<int>(desk.bottom.table));
+    if (kind_ != desk.bottom.table) {
+        grid_.reset();
+        message_.clear();
+        chosen_ = {};
+    }
+    kind_ = desk.bottom.table;
+    if (now == made_for_) return;
+    made_for_ = now;
+    table_ = table_of(session, kind_);
+    if (!table_.headings.empty()) grid_.follow(table_, can_grow(kind_));
+}
+
+// What is selected elsewhere is gone to.
+void TablesPanel::follow_selection(const Desk& desk)
+{
+    const Selection& selection = desk.session.selection;
+    if (selection == chosen_) return;
+    chosen_ = selection;
+    if (selection.is_empty()) return;
+    for (std::size_t i = 0; i < table_.rows.size(); ++i) {
+        if (table_.rows[i].part != selection.parts().front()) continue;
+        grid_.go_to(i);
+        return;
+    }
+}
+
+void TablesPanel::show(Desk& desk, ui::ImGuiSession&, const ui::Fonts&)
+{
+    const float em = ImGui::GetFontSize();
+    show_splitter(ImGui::GetWindowHeight());
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.6F * em, 0.3F * em});
+    ImGui::BeginChild("###tables", {0.0F, 0.0F}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.4F * em, 0.3F * em});
+    show_tabs(desk);
+    follow(desk);
+    if (!std::exchange(was_open_, true)) has_keyboard_ = true;
+    show_table(desk);
+    const bool is_over = ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
+                                                ImGuiHoveredFlags_AllowWhenBlockedByPopup);
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !is_over) leave();
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+}
+
+void TablesPanel::leave()
+{
+    has_keyboard_ = false;
+    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+}
+
+void TablesPanel::show_splitter(float room)
+{
+    const float em = ImGui::GetFontSize();
+    ImGui::InvisibleButton("###tables splitter", {ImGui::GetContentRegionAvail().x, splitter_ems * em});
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+    if (!ImGui::IsItemActive()) return;
+    height_ = std::clamp(height_ - ImGui::GetIO().MouseDelta.y / em, 8.0F, 0.7F * room / em);
+}
+
+// One tab beside the other, in a second row where there is no room.
+bool TablesPanel::begin_tab(const std::string& label, bool is_chosen)
+{
+    const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    const float gap = 0.3F * ImGui::GetFontSize();
+    const float width = ImGui::CalcTextSize(label.c_str(), nullptr, true).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+    const bool is_first = ImGui::GetCursorPosX() <= ImGui::GetWindowContentRegionMin().x + 1.0F &&
+                          ImGui::GetCursorPosY() <= ImGui::GetWindowContentRegionMin().y + 1.0F;
+    if (!is_first && ImGui::GetItemRectMax().x + gap + width <= end) ImGui::SameLine(0.0F, gap);
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(is_chosen ? ImGuiCol_TabActive : ImGuiCol_Tab));
+    const bool is_clicked = ImGui::Button(label.c_str());
+    ImGui::PopStyleColor();
+    return is_clicked;
+}
+
+bool TablesPanel::tab(Desk& desk, TableKind kind)
+{
+    const bool is_chosen = desk.bottom.table == kind && !desk.bottom.shows_member;
+    const std::string label = desk.session.view.tr(title(kind)) + "###" + std::string(command_id(kind));
+    if (!begin_tab(label, is_chosen)) return false;
+    desk.bottom = {true, kind, false};
+    has_keyboard_ = true;
+    return true;
+}
+
+// All kinds of loads in one tab: which one is chosen from a list.
+void TablesPanel::show_loads_tab(Desk& desk)
+{
+    const ui::Catalogue& tr = desk.session.view.tr;
+    const bool is_chosen = is_load(desk.bottom.table) && !desk.bottom.shows_member;
+    const std::string name = is_chosen ? tr(title(desk.bottom.table)) : tr("Loads");
+    if (begin_tab(name + " …###loads", is_chosen)) ImGui::OpenPopup("###kinds of loads");
+    if (!ImGui::BeginPopup("###kinds of loads")) return;
+    for (const TableKind kind : all_table_kinds) {
+        if (!is_load(kind)) continue;
+        const std::size_t n = parts_of(desk.session.model(), kind).size();
+        const std::string label = tr(title(kind)) + (n > 0 ? " (" + std::to_string(n) + ")" : "");
+        if (!ImGui::MenuItem(label.c_str(), nullptr, desk.bottom.table == kind)) continue;
+        desk.bottom = {true, kind, false};
+        has_keyboard_ = true;
+    }
+    ImGui::EndPopup();
+}
+
+void TablesPanel::show_tabs(Desk& desk)
+{
+    using enum TableKind;
+    for (const TableKind kind : {Nodes, Members, Materials, Sections}) tab(desk, kind);
+    show_loads_tab(desk);
+    for (const TableKind kind : {Displacements, Reactions, MemberEnds, Extremes, Envelope}) tab(desk, kind);
+    const ui::Catalogue& tr = desk.session.view.tr;
+    if (!desk.bottom.shows_member && begin_tab(tr("CSV…") + "###csv", false)) ask_for_file(desk);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tr("Export the table as CSV…").c_str());
+}
+
+void TablesPanel::show_table(Desk& desk)
+{
+    if (table_.headings.empty()) {
+        const ui::Catalogue& tr = desk.session.view.tr;
+        ImGui::TextWrapped("%s", tr("There are no results: see the problems.").c_str());
+        return;
+    }
+    follow_selection(desk);
+    const Selection& selection = desk.session.selection;
+    const auto is_selected = [&](std::size_t row) {
+        return table_.rows[row].part && selection.contains(*table_.rows[row].part);
+    };
+    grid_.show({table_, can_grow(kind_), is_selected}, ImGui::GetTextLineHeightWithSpacing());
+    if (grid_.takes_clicks()) {
+        has_keyboard_ = true;
+        select_rows(desk);
+    } else if (has_keyboard_ && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
+        select_rows(desk);
+    }
+    if (const auto edit = grid_.take_edit()) carry_out(desk, *edit);
+    show_footer(desk.session);
+}
+
+void TablesPanel::show_footer(const Session& session) const
+{
+    const ui::Catalogue& tr = session.view.tr;
+    if (!message_.empty()) {
+        const ui::Color red = ui::Theme(session.view.theme)[ui::Role::Error].text;
+        ImGui::TextColored(ImColor(red.r, red.g, red.b), "%s", message_.c_str());
+        return;
+    }
+    std::string text = tr("Type to change a cell: 25 kN/m, 2*3.5, 1/3. New rows at the end, or pasted from a "
+                          "spreadsheet.");
+    if (kind_ == TableKind::Envelope) text = tr("all cases and combinations");
+    else if (is_result(kind_)) text = tr("Case {case}", {{"case", session.model().case_name(session.view.load_case)}});
+    ImGui::TextDisabled("%s", text.c_str());
+}
+
+void TablesPanel::select_rows(Desk& desk)
+{
+    Selection selection;
+    for (const std::size_t row : grid_.block().rows) {
+        if (table_.rows[row].part) selection.add(*table_.rows[row].part);
+    }
+    desk.session.selection = chosen_ = selection;
+}
+
+// ---- keyboard ----
+
+ui::Input TablesPanel::take(Desk& desk, const ui::Input& input)
+{
+    if (!desk.bottom.is_open) {
+        if (std::exchange(was_open_, false)) leave();
+        return input;
+    }
+    if (!has_keyboard_ || desk.bottom.shows_member || table_.headings.empty()) return input;
+    ImGui::GetIO().ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard; // the arrows are the table's
+    ui::Input rest = input;
+    rest.keys.clear();
+    for (const ui::KeyEvent& event : input.keys) {
+        const bool is_taken = event.is_down && take_key(desk, {event.key, input.modifiers});
+        if (!is_taken) rest.keys.push_back(event);
+    }
+    if (has_keyboard_ && !input.modifiers.ctrl) {
+        grid_.type(input.text, table_);
+        rest.text.clear();
+    }
+    return rest;
+}
+
+bool TablesPanel::take_key(Desk& desk, const ui::Chord& chord)
+{
+    if (grid_.take(chord, table_)) {
+        if (const auto edit = grid_.take_edit()) carry_out(desk, *edit);
+        else if (!grid_.is_editing()) select_rows(desk);
+        if (chord.key == Key::Escape) message_.clear();
+        return true;
+    }
+    if (grid_.is_editing()) return false;
+    if (chord == ui::Chord{Key::C, ui::ctrl}) copy(desk);
+    else if (chord == ui::Chord{Key::V, ui::ctrl}) paste(desk);
+    else if (chord == ui::Chord{Key::Delete, {}} && grid_.has_whole_rows(table_)) remove_rows(desk);
+    else if (chord == ui::Chord{Key::Delete, {}} || chord == ui::Chord{Key::Backspace, {}}) clear_block(desk);
+    else if (chord.key == Key::Escape) leave();
+    else return !chord.modifiers.ctrl && (chord.key < Key::F1 || chord.key > Key::F12);
+    return true;
+}
+
+void TablesPanel::copy(const Desk&) const
+{
+    const CellBlock block = grid_.block();
+    if (block.rows.empty()) return;
+    const bool is_cell = block.rows.size() == 1 && block.first_column == block.last_column;
+    const std::string text = is_cell ? table_.rows[block.rows.front()].cells[block.first_column].plain
+                                     : tsv(table_, block);
+    ImGui::SetClipboardText(text.c_str());
+}
+
+// ---- edits ----
+
+// One text fills the whole block.
+void TablesPanel::paste(Desk& desk)
+{
+    const char* const text = ImGui::GetClipboardText();
+    if (text == nullptr || is_result(kind_)) return;
+    const CellBlock block = grid_.block();
+    TextBlock texts = read_block(text, table_, block.first_column);
+    const bool is_one = texts.size() == 1 && texts.front().size() == 1;
+    if (is_one) {
+        const std::vector<std::string> line(block.last_column - block.first_column + 1, texts.front().front());
+        texts.assign(grid_.n_rows_of_block(), line);
+    }
+    fill(desk, {grid_.first_row(), block.first_column, std::move(texts)});
+}
+
+void TablesPanel::clear_block(Desk& desk)
+{
+    const CellBlock block = grid_.block();
+    if (is_result(kind_) || block.rows.empty()) return;
+    const std::vector<std::string> line(block.last_column - block.first_column + 1);
+    fill(desk, {grid_.first_row(), block.first_column, TextBlock(block.rows.size(), line)});
+}
+
+void TablesPanel::remove_rows(Desk& desk)
+{
+    if (is_result(kind_)) return;
+    std::vector<Part> parts;
+    for (const std::size_t row : grid_.block().rows)
+        if (table_.rows[row].part) parts.push_back(*table_.rows[row].part);
+    desk.session.change({ui::Phrase(translatable("Delete rows: {table}"), {{"table", title(kind_)}}),
+                         [&](Document& document) { remove(document, parts); }});
+}
+
+// Fills cells, or says what hinders it and changes nothing.
+bool TablesPanel::fill(Desk& desk, const GridEdit& edit)
+{
+    Session& session = desk.session;
+    Filled result = filled(session.document(), kind_, {edit.row, edit.column, grid_.order()}, edit.texts,
+                           manner_of(session));
+    message_.clear();
+    if (!result.faults.empty()) {
+        message_ = sentence(result.faults.front(), table_, session.view.tr);
+        if (result.faults.size() > 1)
+            message_ += " " +
+                        session.view.tr("(and {count} more)", {{"count", std::to_string(result.faults.size() - 1)}});
+        return false;
+    }
+    if (result.document == session.document()) return true;
+    session.change({change_label(kind_), [&](Document& document) { document = std::move(result.document); }});
+    return true;
+}
+
+// A new row is kept until it has all that it needs.
+bool TablesPanel::fill_draft(Desk& desk, const GridEdit& edit)
+{
+    std::vector<std::string> line = grid_.draft;
+    line[edit.column] = edit.texts.front().front();
+    const Filled result = filled(desk.session.document(), kind_, {edit.row, 0, grid_.order()}, {line},
+                                 manner_of(desk.session));
+    const auto concerns_text = [&](const CellFault& fault) {
+        return fault.column < line.size() && !line[fault.column].empty();
+    };
+    if (std::ranges::any_of(result.faults, concerns_text)) return fill(desk, {edit.row, 0, {line}});
+    grid_.draft = line;
+    if (fill(desk, {edit.row, 0, {line}})) grid_.draft.assign(line.size(), "");
+    return true;
+}
+
+void TablesPanel::carry_out(Desk& desk, const GridEdit& edit)
+{
+    const bool is_new = edit.row >= table_.rows.size();
+    const bool is_taken = is_new ? fill_draft(desk, edit) : fill(desk, edit);
+    if (!is_taken) {
+        grid_.reject(edit.texts.front().front());
+        return;
+    }
+    follow(desk);
+    grid_.accept();
+    select_rows(desk);
+}
+
+// ---- files ----
+
+void TablesPanel::ask_for_file(const Desk& desk)
+{
+    std::filesystem::path start = desk.session.path().value_or("table.json");
+    start.replace_extension();
+    const std::string name = start.filename().string() + " " + desk.session.view.tr(title(desk.bottom.table)) + ".csv";
+    path_dialog_.open(ui::PathDialog::Purpose::Save, std::filesystem::absolute(start).replace_filename(name), ".csv");
+}
+
+void TablesPanel::show_dialog(Desk& desk)
+{
+    const auto path = path_dialog_.show(desk.session.view.tr);
+    if (!path) return;
+    if (const auto reason = export_to(desk, *path)) desk.session.notice = Notice{*reason, {}};
+}
+
+std::optional<ui::Phrase> TablesPanel::export_to(const Desk& desk, const std::filesystem::path& path)
+{
+    const Table table = table_of(desk.session, desk.bottom.table);
+    const ui::Phrase::Argument file{"file", path.filename().string()};
+    if (table.headings.empty()) return ui::Phrase(translatable("There are no results: see the problems."));
+    std::ofstream stream(path, std::ios::binary);
+    stream << csv(table, desk.session.units().format().mark);
+    stream.close();
+    if (stream) return std::nullopt;
+    return ui::Phrase(translatable("{file} was not saved"), {file});
+}
+
+} // namespace frame
