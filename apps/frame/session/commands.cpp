@@ -60,6 +60,16 @@ void add_file_commands(CommandTable& table)
                .label = translatable("Save as…"),
                .shortcuts = {{Key::S, ui::ctrl_shift}},
                .run = asks(Request::SaveDialog)});
+    table.add({.id = "file.export",
+               .menu = file_menu,
+               .label = translatable("Export picture, results or report…"),
+               .shortcuts = {{Key::E, ui::ctrl_shift}},
+               .run = asks(Request::ExportDialog)});
+    table.add({.id = "file.describe",
+               .menu = file_menu,
+               .label = translatable("Model and results in words"),
+               .shortcuts = {{Key::D, ui::ctrl_shift}},
+               .run = asks(Request::Description)});
     table.add({.id = "file.close",
                .menu = file_menu,
                .label = translatable("Close"),
@@ -123,6 +133,31 @@ void add_show_commands(CommandTable& table)
     }
 }
 
+constexpr ShowSet results{Show::Reactions, Show::N,  Show::V,  Show::Vy, Show::Vz,
+                          Show::M,         Show::My, Show::Mz, Show::T,  Show::Deformed};
+
+// Hides every result, for a class to guess, and brings back those that were shown.
+void hide_or_reveal(Session& session)
+{
+    ShowSet& show = session.view.show;
+    if (session.hidden) {
+        show = show | *session.hidden;
+        session.hidden.reset();
+        return;
+    }
+    session.hidden = show & results;
+    show = show - results;
+}
+
+// Large type and the whole window for the picture, and back.
+void project(Desk& desk)
+{
+    ui::ThemeName& theme = desk.session.view.theme;
+    const bool is_projecting = theme == ui::ThemeName::Projector;
+    theme = is_projecting ? ui::ThemeName::Light : ui::ThemeName::Projector;
+    desk.has_panels = is_projecting;
+}
+
 void choose_next_case(Session& session, std::size_t step)
 {
     const std::size_t n = session.model().n_cases();
@@ -174,6 +209,18 @@ void add_camera_commands(CommandTable& table)
                        if (desk.session.is_animated) desk.session.view.show.insert(Show::Deformed);
                    },
                .is_on = [](const Desk& desk) { return desk.session.is_animated; }});
+    table.add({.id = "view.hide_results",
+               .menu = view_menu,
+               .label = translatable("Hide the results, or reveal them"),
+               .shortcuts = {{Key::H, {}}},
+               .run = [](Desk& desk) { hide_or_reveal(desk.session); },
+               .is_on = [](const Desk& desk) { return desk.session.hidden.has_value(); }});
+    table.add({.id = "view.project",
+               .menu = view_menu,
+               .label = translatable("For the projector"),
+               .shortcuts = {{Key::F5, {}}},
+               .run = project,
+               .is_on = [](const Desk& desk) { return desk.session.view.theme == ui::ThemeName::Projector; }});
     table.add({.id = "view.moment_side",
                .menu = view_menu,
                .label = translatable("Moments on the tension side"),
@@ -236,6 +283,17 @@ constexpr std::array unit_entries{
     UnitEntry{ui::UnitSystem::Us, "view.units.us", translatable("kip, ft, ksi")},
 };
 
+struct ScaleEntry {
+    double scale;
+    std::string_view id, label;
+};
+constexpr std::array scales{
+    ScaleEntry{1.0, "file.export_scale.1", translatable("Export PNG at 1×")},
+    ScaleEntry{2.0, "file.export_scale.2", translatable("Export PNG at 2×")},
+    ScaleEntry{3.0, "file.export_scale.3", translatable("Export PNG at 3×")},
+    ScaleEntry{4.0, "file.export_scale.4", translatable("Export PNG at 4×")},
+};
+
 void add_look_commands(CommandTable& table)
 {
     for (const ThemeEntry& entry : themes) {
@@ -252,6 +310,13 @@ void add_look_commands(CommandTable& table)
              .label = entry.label,
              .run = [system = entry.system](Desk& desk) { desk.session.view.units = system; },
              .is_on = [system = entry.system](const Desk& desk) { return desk.session.units().system() == system; }});
+    }
+    for (const ScaleEntry& entry : scales) {
+        table.add({.id = entry.id,
+                   .menu = view_menu,
+                   .label = entry.label,
+                   .run = [scale = entry.scale](Desk& desk) { desk.export_scale = scale; },
+                   .is_on = [scale = entry.scale](const Desk& desk) { return desk.export_scale == scale; }});
     }
     const auto speaks = [](ui::Language language) {
         return [language](const Desk& desk) { return desk.session.view.tr.language() == language; };

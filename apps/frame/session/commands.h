@@ -15,7 +15,9 @@ namespace frame {
 enum class Request : std::uint8_t {
     OpenDialog,
     SaveDialog,
+    ExportDialog,
     RecentList,
+    Description,
     CloseTab,
     ExportTable,
     Palette,
@@ -42,6 +44,7 @@ struct Desk {
     Topic topic = Topic::Properties;
     bool has_panels = true;
     BottomView bottom{};
+    double export_scale = 2.0; ///< pixels of a PNG for a logical one
 };
 
 using CommandTable = ui::CommandTable<Desk>;

@@ -72,7 +72,8 @@ public:
     std::optional<Cut> pin;
     std::optional<Notice> notice;
     bool is_animated = false;
-    std::size_t mechanism = 0; ///< which of several is shown
+    std::optional<ShowSet> hidden; ///< results that are kept from the class until they are revealed
+    std::size_t mechanism = 0;     ///< which of several is shown
 
 private:
     void refresh();

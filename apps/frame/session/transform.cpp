@@ -39,7 +39,8 @@ femoop::Placement Transform::placement() const
     case Kind::Move:
     case Kind::Copy: break;
     case Kind::Rotate: return femoop::turned(place, radians(angle));
-    case Kind::Mirror: return femoop::mirrored(place, femoop::turned(place, radians(angle)) * (place + Vector3d::UnitX()));
+    case Kind::Mirror:
+        return femoop::mirrored(place, femoop::turned(place, radians(angle)) * (place + Vector3d::UnitX()));
     case Kind::Scale: return femoop::scaled(place, factor);
     }
     return femoop::moved_by(place);

@@ -47,6 +47,16 @@ public:
         a.bits_ |= b.bits_;
         return a;
     }
+    friend constexpr ShowSet operator&(ShowSet a, ShowSet b)
+    {
+        a.bits_ &= b.bits_;
+        return a;
+    }
+    friend constexpr ShowSet operator-(ShowSet a, ShowSet b)
+    {
+        a.bits_ &= ~b.bits_;
+        return a;
+    }
     friend constexpr bool operator==(ShowSet, ShowSet) = default;
 
 private:

@@ -9,11 +9,13 @@
 
 #include "apps/frame/session/tabs.h"
 #include "apps/frame/view/results/mechanism_picture.h"
+#include "apps/frame/window/export.h"
 #include "apps/frame/window/properties_panel.h"
 #include "apps/frame/window/results_panel.h"
 #include "apps/frame/window/show_panel.h"
 #include "apps/frame/window/tool_bar.h"
 #include "apps/frame/window/transform_bar.h"
+#include "femoop/result/describe.h"
 
 namespace frame {
 
@@ -47,6 +49,7 @@ Application::Application(ui::Context& context, const ui::Fonts& fonts, Session s
     : desk_{std::move(session)},
       commands_(command_table()),
       gui_(context, fonts, ui::Theme(desk_.session.view.theme)),
+      context_(context),
       fonts_(fonts),
       canvas_(fonts),
       typical_window_(fonts),
@@ -131,6 +134,17 @@ bool Application::take_typing(ui::Key key)
     return key == ui::Key::Backspace || key == ui::Key::Enter;
 }
 
+namespace {
+
+// Beside the model's own file, under its name.
+std::filesystem::path export_name(const Session& session)
+{
+    std::filesystem::path path = session.path().value_or("picture.json");
+    return path.replace_extension(".png");
+}
+
+} // namespace
+
 void Application::take_requests()
 {
     Session& session = desk_.session;
@@ -139,6 +153,11 @@ void Application::take_requests()
         switch (request) {
         case Request::OpenDialog: path_dialog_.open(ui::PathDialog::Purpose::Open, start, ".json"); break;
         case Request::SaveDialog: path_dialog_.open(ui::PathDialog::Purpose::Save, start, ".json"); break;
+        case Request::ExportDialog:
+            is_exporting_ = true;
+            path_dialog_.open(ui::PathDialog::Purpose::Save, export_name(session), ".png");
+            break;
+        case Request::Description: shows_description_ = !shows_description_; break;
         case Request::RecentList: kept_files_.ask_for_recent(); break;
         case Request::CloseTab: questions_.ask_to_close(); break;
         case Request::ExportTable: tables_.ask_for_file(desk_); break;
@@ -432,17 +451,48 @@ void Application::show_dialogs()
     Session& session = desk_.session;
     const ui::Catalogue tr = session.view.tr; // a command may change the language
     if (const auto path = path_dialog_.show(tr)) {
-        if (path_dialog_.purpose() == ui::PathDialog::Purpose::Open) open_file(desk_, *path);
+        if (std::exchange(is_exporting_, false)) export_as(*path);
+        else if (path_dialog_.purpose() == ui::PathDialog::Purpose::Open) open_file(desk_, *path);
         else session.save(*path);
     }
     palette_.show(commands_, desk_, tr);
     typical_window_.show(desk_, gui_, fields_);
     show_shortcuts();
     tables_.show_dialog(desk_);
+    show_description();
     kept_files_.show(desk_);
     if (!questions_.show(desk_)) return;
     kept_files_.end();
     wants_to_quit_ = true;
+}
+
+std::optional<ui::Phrase> Application::export_as(const std::filesystem::path& path)
+{
+    std::optional<ui::Phrase> reason = export_to(path, desk_.session, fonts_, canvas_.picture_of(desk_),
+                                                 desk_.export_scale);
+    context_.make_current(); // a PNG is drawn in a context of its own
+    if (reason) explain(*reason);
+    else explain({translatable("{file} was written"), {{"file", path.filename().string()}}});
+    return reason;
+}
+
+void Application::show_description()
+{
+    if (!shows_description_) return;
+    const ui::Catalogue& tr = desk_.session.view.tr;
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize({46.0F * em, 32.0F * em}, ImGuiCond_Appearing);
+    ImGui::Begin((tr("Model and results in words") + "###description").c_str(), &shows_description_,
+                 ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse);
+    const std::string words = femoop::describe(desk_.session.model(), desk_.session.solution().results, tr);
+    if (ImGui::Button((tr("Copy") + "###copy").c_str())) ImGui::SetClipboardText(words.c_str());
+    ImGui::BeginChild("words");
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(words.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndChild();
+    ImGui::End();
 }
 
 void Application::show_shortcuts()

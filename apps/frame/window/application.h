@@ -40,6 +40,8 @@ public:
     void ask_to_quit();
     /// From now on the last files and drafts of unsaved work are kept there. Offers what was left behind.
     void remember_in(const std::filesystem::path& folder);
+    /// Writes the picture, the results or a report to a file (export.h), and tells how it went. \returns why it cannot
+    std::optional<ui::Phrase> export_as(const std::filesystem::path& path);
     std::string window_title() const;
     /// A heading of a panel that a scenario can click; panels are found by what they show.
     ui::ImGuiSession& gui() { return gui_; }
@@ -63,11 +65,13 @@ private:
     void show_status_bar();
     void show_dialogs();
     void show_shortcuts();
+    void show_description();
     void animate(double seconds);
 
     Desk desk_;
     CommandTable commands_;
     ui::ImGuiSession gui_;
+    ui::Context& context_;
     const ui::Fonts& fonts_;
     Canvas canvas_;
     TypicalWindow typical_window_;
@@ -82,6 +86,8 @@ private:
     float right_width_ = 24.0F;
     double time_; ///< of the animation since the middle of a swing [s]
     bool shows_shortcuts_ = false;
+    bool shows_description_ = false;
+    bool is_exporting_ = false; ///< what the path dialog is open for
     bool wants_to_quit_ = false;
 };
 

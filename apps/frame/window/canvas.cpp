@@ -289,25 +289,56 @@ void draw_invitation(ui::Painter& painter, const ViewOptions& options)
 
 } // namespace
 
-void Canvas::paint(const Desk& desk)
+ViewOptions Canvas::options(const Session& session) const
 {
-    const Session& session = desk.session;
     ViewOptions options = session.view;
     options.camera = session.view.camera.value_or(plan_.camera);
     options.selection = highlight(session.selection);
-    ui::Painter painter(sheet_, fonts_);
-    if (session.model().nodes.empty()) draw_invitation(painter, options);
-    else marks_ = subject(desk, options).draw(painter);
-    if (const auto& results = session.solution().results) {
-        const auto read = [&](const Cut& cut, ui::Point panel) {
-            const ui::Point at = Projection(*options.camera, panel)(shape_[cut.member].at(cut.x));
-            draw_reading(painter, session.model(), *results, options, cut, at);
-        };
-        if (session.pin && !plan_.panels.empty()) read(*session.pin, plan_.panels.front().box.min);
-        if (session.hover && session.hover != session.pin && !is_working_) read(*session.hover, hover_panel_);
+    return options;
+}
+
+// The structure, its results and the reading that is pinned.
+std::vector<LoadMark> Canvas::draw(const Desk& desk, const ViewOptions& options, ui::Painter& painter) const
+{
+    const Session& session = desk.session;
+    if (session.model().nodes.empty()) {
+        draw_invitation(painter, options);
+        return {};
     }
+    std::vector<LoadMark> marks = subject(desk, options).draw(painter);
+    if (session.pin && !plan_.panels.empty())
+        draw_cut(session, options, *session.pin, plan_.panels.front().box.min, painter);
+    return marks;
+}
+
+void Canvas::draw_cut(const Session& session, const ViewOptions& options, const Cut& cut, ui::Point panel,
+                      ui::Painter& painter) const
+{
+    const auto& results = session.solution().results;
+    if (!results || session.hidden) return;
+    const ui::Point at = Projection(*options.camera, panel)(shape_[cut.member].at(cut.x));
+    draw_reading(painter, session.model(), *results, options, cut, at);
+}
+
+ui::Picture Canvas::picture_of(const Desk& desk) const
+{
+    ViewOptions plain = options(desk.session);
+    plain.hover = plain.selection = {};
+    ui::Painter painter(sheet_, fonts_);
+    draw(desk, plain, painter);
+    return painter.picture();
+}
+
+void Canvas::paint(const Desk& desk)
+{
+    const Session& session = desk.session;
+    const ViewOptions shown = options(session);
+    ui::Painter painter(sheet_, fonts_);
+    marks_ = draw(desk, shown, painter);
+    if (session.hover && session.hover != session.pin && !is_working_)
+        draw_cut(session, shown, *session.hover, hover_panel_, painter);
     if (is_over_ && !plan_.panels.empty())
-        draw_hand(painter, session, desk.hand, Projection(*options.camera, hover_panel_), ui::Theme(options.theme));
+        draw_hand(painter, session, desk.hand, Projection(*shown.camera, hover_panel_), ui::Theme(shown.theme));
     picture_ = painter.picture();
 }
 

@@ -32,6 +32,8 @@ public:
     /// Where something of the model lies in the window [logical pixels]; nothing before the first frame.
     std::optional<ui::Point> in_window(const Eigen::Vector3d& place) const;
     std::optional<ui::Point> in_window(const Cut& cut) const;
+    /// The structure as it is seen now, without what the hand is doing.
+    ui::Picture picture_of(const Desk& desk) const;
     /// The picture that was drawn last, for golden texts.
     const std::optional<ui::Picture>& picture() const { return picture_; }
 
@@ -44,6 +46,10 @@ private:
     void turn_wheel(Session& session, ui::Point at) const;
     void move_camera(Session& session);
     void paint(const Desk& desk);
+    std::vector<LoadMark> draw(const Desk& desk, const ViewOptions& options, ui::Painter& painter) const;
+    ViewOptions options(const Session& session) const;
+    void draw_cut(const Session& session, const ViewOptions& options, const Cut& cut, ui::Point panel,
+                  ui::Painter& painter) const;
     void follow_structure(const Desk& desk);
     bool is_all_in_sight() const;
     /// The panel of the sheet under a point, the first one where there is none.

@@ -62,6 +62,8 @@ Options parse_options(int argc, const char* const* argv)
     app.add_option("FILE", file, "model file (.json) to open");
     app.add_option("--screenshot", screenshot,
                    "draw one picture of the window to this PNG file and leave; needs no display");
+    app.add_flag("--describe", options.describe,
+                 "print the model and its results in words and leave; needs no display");
     app.add_option("--size", size, "size of the window in logical pixels, WxH; default 1280x800");
     app.add_option("--scale", options.scale, "physical pixels of a logical one in a screenshot")
         ->check(CLI::Range(0.5, 4.0));

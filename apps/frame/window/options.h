@@ -17,6 +17,7 @@ namespace frame {
 struct Options {
     std::optional<std::filesystem::path> file;
     std::optional<std::filesystem::path> screenshot; ///< draw one picture, without a screen, and leave
+    bool describe = false;                           ///< print model and results in words, without a screen, and leave
     std::optional<std::filesystem::path> play;       ///< a scenario, without a screen
     std::filesystem::path pictures = ".";            ///< where a scenario's pictures go
     ui::Size size{1280.0, 800.0};                    ///< logical pixels

@@ -10,6 +10,7 @@
 #include "apps/frame/view/results/mechanism_picture.h"
 #include "apps/frame/window/application.h"
 #include "apps/frame/window/stage.h"
+#include "femoop/result/describe.h"
 #include "ui/context/offscreen.h"
 #include "ui/context/pixels.h"
 #include "ui/context/window.h"
@@ -137,12 +138,16 @@ int show_window(const Options& options, Session session)
 int run(const Options& options)
 {
     Session session = begin(options);
-    const bool is_headless = options.screenshot || options.play;
+    const bool is_headless = options.screenshot || options.play || options.describe;
     if (is_headless && session.notice) {
         print(*session.notice, session.view.tr);
         return BadInput;
     }
     if (!choose_case(session, options)) return BadInput;
+    if (options.describe) {
+        std::cout << femoop::describe(session.model(), session.solution().results, session.view.tr);
+        return Done;
+    }
     if (options.play) return play_scenario(options, std::move(session));
     if (options.screenshot) return take_screenshot(options, std::move(session));
     if (!ui::Window::has_display()) {

@@ -97,6 +97,10 @@ std::optional<std::string> OffscreenStage::run_command(std::string_view id, std:
     }
     if (constexpr std::string_view prefix = "template."; id.starts_with(prefix))
         return desk.typical.obey(desk.session, id.substr(prefix.size()), argument);
+    if (id == "file.export" && !argument.empty()) {
+        const auto reason = application_.export_as(argument);
+        return reason ? std::optional(english(*reason)) : std::nullopt;
+    }
     const auto* const command = application_.commands().find(id);
     if (command == nullptr) return "no command \"" + std::string(id) + "\"";
     const auto reason = run(*command, desk);

@@ -205,26 +205,46 @@ void require(cairo_status_t status, const std::filesystem::path& path)
                                  "); check that its folder exists and may be written to");
 }
 
+void draw_page(cairo_surface_t* target, const PdfPage& page, const Fonts& fonts, Color background)
+{
+    const Cairo cairo(cairo_create(target));
+    cairo_scale(cairo.get(), points_per_pixel, points_per_pixel);
+    use_unhinted_type(cairo.get());
+    CairoPage paper(cairo.get(), fonts);
+    paper.fill_page(background);
+    for (const PlacedPicture& placed : page.pictures) {
+        cairo_save(cairo.get());
+        cairo_translate(cairo.get(), placed.corner.x, placed.corner.y);
+        cairo_scale(cairo.get(), placed.scale, placed.scale);
+        placed.picture.draw_on(paper);
+        cairo_restore(cairo.get());
+    }
+    cairo_show_page(cairo.get());
+}
+
 } // namespace
 
-void write_pdf(const std::filesystem::path& path, const Picture& picture, const Fonts& fonts, const PdfLook& look)
+void write_pdf(const std::filesystem::path& path, std::span<const PdfPage> pages, const Fonts& fonts,
+               const PdfLook& look)
 {
-    const Size size = points_per_pixel * picture.size();
-    const CairoTarget target(cairo_pdf_surface_create(path.string().c_str(), size.width, size.height));
+    const Size first = pages.empty() ? Size{1.0, 1.0} : points_per_pixel * pages.front().size;
+    const CairoTarget target(cairo_pdf_surface_create(path.string().c_str(), first.width, first.height));
     require(cairo_surface_status(target.get()), path);
     if (!look.title.empty()) cairo_pdf_surface_set_metadata(target.get(), CAIRO_PDF_METADATA_TITLE, look.title.c_str());
-    {
-        const Cairo cairo(cairo_create(target.get()));
-        cairo_scale(cairo.get(), points_per_pixel, points_per_pixel);
-        use_unhinted_type(cairo.get());
-        CairoPage page(cairo.get(), fonts);
-        page.fill_page(look.background);
-        picture.draw_on(page);
-        cairo_show_page(cairo.get());
-        require(cairo_status(cairo.get()), path);
+    for (const PdfPage& page : pages) {
+        const Size size = points_per_pixel * page.size;
+        cairo_pdf_surface_set_size(target.get(), size.width, size.height);
+        draw_page(target.get(), page, fonts, look.background);
+        require(cairo_surface_status(target.get()), path);
     }
     cairo_surface_finish(target.get());
     require(cairo_surface_status(target.get()), path);
+}
+
+void write_pdf(const std::filesystem::path& path, const Picture& picture, const Fonts& fonts, const PdfLook& look)
+{
+    const PdfPage page{picture.size(), {{picture, {}, 1.0}}};
+    write_pdf(path, std::span(&page, 1), fonts, look);
 }
 
 } // namespace ui

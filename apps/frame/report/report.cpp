@@ -1,0 +1,240 @@
+#include "apps/frame/report/report.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "apps/frame/tables/table_kind.h"
+#include "apps/frame/tables/data_table.h"
+#include "apps/frame/tables/result_table.h"
+#include "apps/frame/view/frame_view.h"
+#include "apps/frame/view/geometry/structure_shape.h"
+#include "apps/frame/view/results/case_numbers.h"
+#include "apps/frame/view/results/diagram.h"
+#include "apps/frame/view/results/mechanism_picture.h"
+#include "apps/frame/view/sketch/scene.h"
+#include "femoop/analysis/trace.h"
+#include "femoop/result/components.h"
+#include "ui/paint/painter.h"
+#include "ui/text/number_format.h"
+
+namespace frame {
+
+using namespace femoop;
+using ui::translatable;
+
+namespace {
+
+constexpr ui::Size figure_size{680.0, 400.0};
+
+class ReportWriter {
+public:
+    ReportWriter(const Model& model, const Solution& solution, const ReportOptions& options, const ui::Fonts& fonts)
+        : model_(model),
+          solution_(solution),
+          options_(options),
+          fonts_(fonts),
+          tr_(options.view.tr),
+          manner_{display_units(model, options.view), options.view.tr}
+    {}
+
+    Report write()
+    {
+        heading(1, model_.title.empty() ? tr_("Structure without a title") : model_.title);
+        if (!model_.notes.empty()) text(model_.notes);
+        write_structure();
+        write_data();
+        if (solution_.results) write_results();
+        else write_faults();
+        if (options_.matrices && solution_.results) write_matrices();
+        report_.title = model_.title;
+        report_.language = tr_.language() == ui::Language::Portuguese ? "pt-BR" : "en";
+        return std::move(report_);
+    }
+
+private:
+    void heading(int level, std::string words) { report_.blocks.push_back(ReportHeading{level, std::move(words)}); }
+    void text(std::string words) { report_.blocks.push_back(ReportText{std::move(words)}); }
+
+    // Columns in which nothing stands are left out.
+    void table(const Table& table)
+    {
+        ReportTable block;
+        std::vector<std::size_t> used;
+        for (std::size_t i = 0; i < table.headings.size(); ++i) {
+            const auto says = [i](const Row& row) { return i < row.cells.size() && !row.cells[i].shown.empty(); };
+            if (i == 0 || std::ranges::any_of(table.rows, says)) used.push_back(i);
+        }
+        for (const std::size_t i : used)
+            block.columns.push_back({table.headings[i].label, table.headings[i].is_number});
+        for (const Row& row : table.rows) {
+            std::vector<std::string> cells;
+            for (const std::size_t i : used) cells.push_back(i < row.cells.size() ? row.cells[i].shown : "");
+            block.rows.push_back(std::move(cells));
+        }
+        report_.blocks.push_back(std::move(block));
+    }
+
+    template <class Draw> void figure(std::string caption, Draw&& draw)
+    {
+        ui::Painter painter(figure_size, fonts_);
+        draw(painter);
+        report_.blocks.push_back(ReportFigure{painter.picture(), std::move(caption)});
+    }
+    ViewOptions view(ShowSet show, CaseId load_case = {}) const
+    {
+        ViewOptions view = options_.view;
+        view.theme = ui::ThemeName::Print;
+        view.show = show;
+        view.load_case = load_case;
+        view.layout = Layout::Overlay;
+        view.camera.reset();
+        view.scaled_by.reset();
+        view.hover = view.selection = {};
+        view.phase = 1.0;
+        return view;
+    }
+
+    void write_structure()
+    {
+        heading(2, tr_("Structure"));
+        text(tr_("{nodes} nodes, {members} members",
+                 {{"nodes", std::to_string(model_.nodes.size())}, {"members", std::to_string(model_.members.size())}}) +
+             ", " + std::string(name(model_.analysis)) + degree());
+        figure(tr_("Names of nodes and members, dimensions"), [&](ui::Painter& painter) {
+            using enum Show;
+            draw(painter, model_, nullptr, view({NodeNames, MemberNames, Dimensions, Values}));
+        });
+    }
+    std::string degree() const
+    {
+        if (!solution_.results) return "";
+        return ", " + tr_("degree of indeterminacy {total}",
+                          {{"total", std::to_string(solution_.results->indeterminacy().total())}});
+    }
+
+    void write_data()
+    {
+        for (const TableKind kind : all_table_kinds) {
+            if (is_result(kind)) continue;
+            const Table data = data_table(model_, kind, manner_);
+            if (data.rows.empty()) continue;
+            heading(3, tr_(title(kind)));
+            table(data);
+        }
+    }
+
+    void write_faults()
+    {
+        heading(2, tr_("Not solved"));
+        for (const Fault& fault : solution_.faults) text(sentence(fault, tr_));
+    }
+
+    void write_results()
+    {
+        for (std::size_t i = 0; i < solution_.results->n_cases(); ++i) write_case(CaseId(i));
+        if (solution_.results->n_cases() < 2) return;
+        heading(2, tr_("Envelope of all cases"));
+        table(result_table({model_, *solution_.results, CaseId(0)}, TableKind::Envelope, manner_));
+    }
+
+    void write_case(CaseId id)
+    {
+        using enum Show;
+        const Results& results = *solution_.results;
+        heading(2, tr_("Case {case}", {{"case", results[id].name()}}));
+        const auto draw_case = [&](const std::string& caption, ShowSet show) {
+            figure(caption, [&](ui::Painter& painter) { draw(painter, model_, &results, view(show, id)); });
+        };
+        draw_case(tr_("Loads and reactions"), {Loads, Reactions, Values, NodeNames});
+        for (const MemberComponent component : section_force_components(model_.analysis)) {
+            const std::string force(name(component, model_.analysis));
+            draw_case(manner_.units.label(force, measure_of(component)), {show_of(component), Values});
+        }
+        draw_case(tr_("Deformed shape"), {Deformed, Values});
+        for (const TableKind kind :
+             {TableKind::Reactions, TableKind::Displacements, TableKind::MemberEnds, TableKind::Extremes}) {
+            heading(3, tr_(title(kind)));
+            table(result_table({model_, results, id}, kind, manner_));
+        }
+        write_equilibrium(results[id]);
+    }
+
+    Show show_of(MemberComponent component) const
+    {
+        const bool is_in_space = model_.analysis == AnalysisKind::Frame3d;
+        switch (component) {
+        case MemberComponent::N: return Show::N;
+        case MemberComponent::Vy: return is_in_space ? Show::Vy : Show::V;
+        case MemberComponent::Vz: return Show::Vz;
+        case MemberComponent::T: return Show::T;
+        case MemberComponent::My: return Show::My;
+        default: return is_in_space ? Show::Mz : Show::M;
+        }
+    }
+
+    void write_equilibrium(const CaseResult& result)
+    {
+        heading(3, tr_("Equilibrium"));
+        const Equilibrium equilibrium = result.equilibrium();
+        const CaseNumbers numbers(result, shape_of(model_), manner_.units);
+        Table sums{{{tr_("Force")}, {tr_("Loads"), true}, {tr_("Reactions"), true}}, {}};
+        for (const Dof dof : equilibrium_dofs(model_.analysis)) {
+            const ui::Measure measure = is_rotation(dof) ? ui::Measure::Moment : ui::Measure::Force;
+            const auto cell = [&](const NodeVector& of) {
+                return Cell{.shown = numbers.text(of[index(dof)], measure)};
+            };
+            sums.rows.push_back({std::nullopt,
+                                 {{.shown = "Σ" + std::string(force_name(dof))},
+                                  cell(equilibrium.sum_loads),
+                                  cell(equilibrium.sum_reactions)}});
+        }
+        table(sums);
+        text(tr_(
+            "Largest force out of balance: {residual} of the largest load",
+            {{"residual", ui::number_text(equilibrium.residual, {.digits = 2, .mark = options_.view.numbers.mark})}}));
+    }
+
+    void write_matrices()
+    {
+        heading(2, tr_("Matrices of the members"));
+        text(tr_(
+            "In the file's base units and radians; rows and columns in the order of the named degrees of freedom."));
+        for (std::size_t i = 0; i < model_.members.size(); ++i) {
+            const MemberTrace traced = trace(model_, MemberId(i));
+            heading(3, tr_("Member {id}", {{"id", traced.member}}));
+            text(tr_("Stiffness in the member's own axes"));
+            matrix(traced, traced.local_stiffness);
+            text(tr_("Transformation to the axes of the nodes"));
+            matrix(traced, traced.transformation);
+        }
+    }
+    void matrix(const MemberTrace& traced, const Eigen::MatrixXd& values)
+    {
+        Table rows{{{""}}, {}};
+        for (const std::string& dof : traced.dofs) rows.headings.push_back({dof, true});
+        for (Eigen::Index i = 0; i < values.rows(); ++i) {
+            Row row{std::nullopt, {{.shown = traced.dofs.at(static_cast<std::size_t>(i))}}};
+            for (Eigen::Index j = 0; j < values.cols(); ++j)
+                row.cells.push_back({.shown = with_minus(ui::number_text(values(i, j), options_.view.numbers))});
+            rows.rows.push_back(std::move(row));
+        }
+        table(rows);
+    }
+
+    const Model& model_;
+    const Solution& solution_;
+    const ReportOptions& options_;
+    const ui::Fonts& fonts_;
+    const ui::Catalogue& tr_;
+    Manner manner_;
+    Report report_;
+};
+
+} // namespace
+
+Report make_report(const Model& model, const Solution& solution, const ReportOptions& options, const ui::Fonts& fonts)
+{
+    return ReportWriter(model, solution, options, fonts).write();
+}
+
+} // namespace frame

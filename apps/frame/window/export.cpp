@@ -1,0 +1,98 @@
+#include "apps/frame/window/export.h"
+
+#include <algorithm>
+#include <cctype>
+#include <stdexcept>
+
+#include "apps/frame/report/html.h"
+#include "apps/frame/report/pages.h"
+#include "femoop/io/results/results_csv.h"
+#include "femoop/io/whole_file.h"
+#include "femoop/result/describe.h"
+#include "ui/context/rasterize.h"
+#include "ui/paint/surface/pdf.h"
+#include "ui/paint/surface/svg.h"
+
+namespace frame {
+
+using ui::translatable;
+
+namespace {
+
+std::string in_small_letters(std::string text)
+{
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+/// Writes one session's exports.
+class Exporter {
+public:
+    Exporter(const std::filesystem::path& path, const Session& session, const ui::Fonts& fonts)
+        : path_(path), session_(session), fonts_(fonts)
+    {}
+
+    std::optional<ui::Phrase> write(const ui::Picture& picture, double png_scale)
+    {
+        const std::string name = in_small_letters(path_.filename().string());
+        const ui::Color paper = ui::Theme(session_.view.theme).background();
+        if (name.ends_with(".report.pdf")) write_pdf(path_, report_pages(report(), fonts_), fonts_, pdf_look());
+        else if (name.ends_with(".pdf")) write_pdf(path_, picture, fonts_, {paper, session_.model().title});
+        else if (name.ends_with(".svg")) return text(svg_document(picture, fonts_, paper));
+        else if (name.ends_with(".png"))
+            ui::write_png(path_, rasterized(picture, fonts_, {.scale = png_scale, .background = paper}));
+        else if (name.ends_with(".html")) return text(report_html(report(), fonts_));
+        else if (name.ends_with(".txt"))
+            return text(describe(session_.model(), session_.solution().results, session_.view.tr));
+        else if (name.ends_with(".csv")) return results();
+        else
+            return ui::Phrase(
+                translatable("{file} was not written: wanted .png, .svg, .pdf, .report.pdf, .html, .csv or .txt"),
+                {{"file", path_.filename().string()}});
+        return std::nullopt;
+    }
+
+private:
+    static ui::PdfLook pdf_look() { return {.background = ui::rgb(0xFFFFFF), .title = ""}; }
+    Report report() const
+    {
+        return make_report(session_.model(), session_.solution(), {.view = session_.view}, fonts_);
+    }
+
+    std::optional<ui::Phrase> results() const
+    {
+        const auto& results = session_.solution().results;
+        if (!results) return ui::Phrase(translatable("the model has no results to write"));
+        std::vector<femoop::CaseId> cases;
+        for (std::size_t i = 0; i < results->n_cases(); ++i) cases.emplace_back(i);
+        constexpr std::size_t n_stations = 11;
+        return text(long_csv(session_.model(), *results, cases, n_stations));
+    }
+
+    std::optional<ui::Phrase> text(const std::string& content) const
+    {
+        const std::error_code error = femoop::write_whole_file(path_, content);
+        if (!error) return std::nullopt;
+        return ui::Phrase(translatable("{file} was not written: {reason}"),
+                          {{"file", path_.filename().string()}, {"reason", error.message()}});
+    }
+
+    const std::filesystem::path& path_;
+    const Session& session_;
+    const ui::Fonts& fonts_;
+};
+
+} // namespace
+
+std::optional<ui::Phrase> export_to(const std::filesystem::path& path, const Session& session, const ui::Fonts& fonts,
+                                    const ui::Picture& picture, double png_scale)
+{
+    try {
+        return Exporter(path, session, fonts).write(picture, png_scale);
+    } catch (const std::exception& error) {
+        return ui::Phrase(translatable("{file} was not written: {reason}"),
+                          {{"file", path.filename().string()}, {"reason", error.what()}});
+    }
+}
+
+} // namespace frame

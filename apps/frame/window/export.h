@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "apps/frame/session/session.h"
+#include "ui/paint/painter.h"
+
+namespace frame {
+
+/// What can be written to a file besides the model; the extension decides:
+///
+///     .png .svg .pdf   the picture as it is seen           .csv    the results of all cases
+///     .html            the calculation report              .txt    model and results in words
+///     .report.pdf      the same on paper
+///
+/// \returns why it cannot be written
+std::optional<ui::Phrase> export_to(const std::filesystem::path& path, const Session& session, const ui::Fonts& fonts,
+                                    const ui::Picture& picture, double png_scale);
+
+} // namespace frame
