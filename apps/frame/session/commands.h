@@ -3,6 +3,7 @@
 #include <span>
 
 #include "apps/frame/session/bottom_view.h"
+#include "apps/frame/session/section_draft.h"
 #include "apps/frame/session/session.h"
 #include "apps/frame/session/transform.h"
 #include "apps/frame/session/typical_draft.h"
@@ -40,6 +41,7 @@ struct Desk {
     std::size_t tab = 0;                  ///< place of the session among the tabs
     std::optional<Transform> transform{}; ///< under way: its numbers can still change
     TypicalDraft typical{};
+    SectionDraft section{};
     std::vector<Request> requests{};
     Topic topic = Topic::Properties;
     bool has_panels = true;

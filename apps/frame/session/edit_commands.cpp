@@ -248,6 +248,16 @@ void add_edit_commands(CommandTable& table)
                .label = translatable("Typical structures…"),
                .shortcuts = {{Key::T, {}}},
                .run = [](Desk& desk) { desk.typical.open(desk.session); }});
+    table.add({.id = "edit.section",
+               .menu = edit_menu,
+               .label = translatable("Section…"),
+               .shortcuts = {{Key::C, {}}},
+               .run = [](Desk& desk) { desk.section.open(desk.session); }});
+    table.add({.id = "edit.new_section",
+               .menu = edit_menu,
+               .label = translatable("New section…"),
+               .shortcuts = {{Key::C, ui::shift}},
+               .run = [](Desk& desk) { desk.section.open_new(desk.session); }});
     add_selection_commands(table);
     add_transform_commands(table);
     for (const Nudge& entry : nudges) {

@@ -53,6 +53,7 @@ Application::Application(ui::Context& context, const ui::Fonts& fonts, Session s
       fonts_(fonts),
       canvas_(fonts),
       typical_window_(fonts),
+      section_window_(fonts),
       theme_(desk_.session.view.theme),
       time_(full_swing)
 {}
@@ -457,6 +458,7 @@ void Application::show_dialogs()
     }
     palette_.show(commands_, desk_, tr);
     typical_window_.show(desk_, gui_, fields_);
+    section_window_.show(desk_, gui_, fields_);
     show_shortcuts();
     tables_.show_dialog(desk_);
     show_description();

@@ -8,6 +8,7 @@
 #include "apps/frame/window/canvas.h"
 #include "apps/frame/window/kept_files.h"
 #include "apps/frame/window/questions.h"
+#include "apps/frame/window/section_window.h"
 #include "apps/frame/window/tables_panel.h"
 #include "apps/frame/window/typical_window.h"
 #include "ui/context/context.h"
@@ -76,6 +77,7 @@ private:
     Canvas canvas_;
     TypicalWindow typical_window_;
     TablesPanel tables_;
+    SectionWindow section_window_;
     ui::NumberFields fields_;
     ui::CommandPalette palette_;
     ui::PathDialog path_dialog_;

@@ -101,6 +101,8 @@ std::optional<std::string> OffscreenStage::run_command(std::string_view id, std:
         const auto reason = application_.export_as(argument);
         return reason ? std::optional(english(*reason)) : std::nullopt;
     }
+    if (constexpr std::string_view prefix = "section."; id.starts_with(prefix))
+        return desk.section.obey(desk.session, id.substr(prefix.size()), argument);
     const auto* const command = application_.commands().find(id);
     if (command == nullptr) return "no command \"" + std::string(id) + "\"";
     const auto reason = run(*command, desk);

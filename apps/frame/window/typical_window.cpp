@@ -118,9 +118,7 @@ void show_buttons(Desk& desk, const ui::NumberFields& fields)
 {
     TypicalDraft& draft = desk.typical;
     const ui::Catalogue& tr = desk.session.view.tr;
-    const auto is_pressed = [&](int key) {
-        return !fields.is_typing() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
-    };
+    const auto is_pressed = [&](int key) { return !fields.is_typing() && is_pressed_outside_fields(key); };
     if (ImGui::Button((tr("Insert") + "###insert").c_str()) || is_pressed(ImGuiKey_Enter)) draft.insert(desk.session);
     ImGui::SameLine();
     if (ImGui::Button((tr("Cancel") + "###cancel").c_str()) || is_pressed(ImGuiKey_Escape)) draft.cancel(desk.session);
@@ -136,52 +134,23 @@ float caption_height(const Desk& desk, float width)
     return height;
 }
 
-/// Over the panel at the right.
-void place_window()
-{
-    const ImGuiViewport& viewport = *ImGui::GetMainViewport();
-    const float width = std::min(24.0F * ImGui::GetFontSize(), 0.3F * viewport.WorkSize.x);
-    const float status = ImGui::GetFrameHeight();
-    ImGui::SetNextWindowPos({viewport.WorkPos.x + viewport.WorkSize.x - width, viewport.WorkPos.y});
-    ImGui::SetNextWindowSize({width, viewport.WorkSize.y - status});
-}
-
 } // namespace
 
 void TypicalWindow::show(Desk& desk, ui::ImGuiSession& gui, ui::NumberFields& fields)
 {
     TypicalDraft& draft = desk.typical;
-    light_up(draft.is_open());
-    if (!draft.is_open()) return;
-    const char* const id = "###typical";
-    if (!ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
-    place_window();
-    const std::string heading = desk.session.view.tr("Typical structures") + id;
-    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                       ImGuiWindowFlags_NoCollapse;
-    if (ImGui::BeginPopupModal(heading.c_str(), nullptr, flags)) {
-        const float line = ImGui::GetFrameHeightWithSpacing();
-        const float below = (static_cast<float>(draft.numbers().size()) + 5.5F) * line;
-        show_list(desk, gui, std::max(ImGui::GetContentRegionAvail().y - below, 6.0F * line));
-        ImGui::Separator();
-        show_numbers_of(desk, fields);
-        show_setting(desk);
-        ImGui::Separator();
-        show_buttons(desk, fields);
-        if (!draft.is_open()) ImGui::CloseCurrentPopup();
-        ImGui::EndPopup();
-    }
+    if (!window_.begin(draft.is_open(), "###typical", desk.session.view.tr("Typical structures"))) return;
+    const float line = ImGui::GetFrameHeightWithSpacing();
+    const float below = (static_cast<float>(draft.numbers().size()) + 5.5F) * line;
+    show_list(desk, gui, std::max(ImGui::GetContentRegionAvail().y - below, 6.0F * line));
+    ImGui::Separator();
+    show_numbers_of(desk, fields);
+    show_setting(desk);
+    ImGui::Separator();
+    show_buttons(desk, fields);
+    window_.end(draft.is_open());
     if (generation_ != desk.session.generation()) desk.requests.push_back(Request::Fit);
     generation_ = desk.session.generation();
-}
-
-// The picture is looked at while the window is open. Dear ImGui dims it at the frame's end, out of a pushed colour's
-// reach.
-void TypicalWindow::light_up(bool is_open)
-{
-    float& dimming = ImGui::GetStyle().Colors[ImGuiCol_ModalWindowDimBg].w;
-    if (is_open && dimming > 0.0F) dimming_ = std::exchange(dimming, 0.0F);
-    if (!is_open && dimming_) dimming = *std::exchange(dimming_, std::nullopt);
 }
 
 void TypicalWindow::show_list(Desk& desk, ui::ImGuiSession& gui, float height)

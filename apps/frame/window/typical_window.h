@@ -1,9 +1,9 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "apps/frame/session/commands.h"
+#include "apps/frame/window/side_window.h"
 #include "ui/context/imgui_session.h"
 #include "ui/paint/picture.h"
 #include "ui/paint/text_measure.h"
@@ -21,16 +21,15 @@ public:
     void show(Desk& desk, ui::ImGuiSession& gui, ui::NumberFields& fields);
 
 private:
-    void light_up(bool is_open);
     void show_list(Desk& desk, ui::ImGuiSession& gui, float height);
     bool show_entry(const TypicalStructure& structure, const Desk& desk, ui::ImGuiSession& gui, ui::Size size);
     void draw_pictures(const Desk& desk, ui::Size size);
 
     const ui::Fonts& fonts_;
+    SideWindow window_;
     std::vector<ui::Picture> pictures_; ///< of all structures, in the look below
     ui::ThemeName theme_ = ui::ThemeName::Light;
     ui::Size size_{};
-    std::optional<float> dimming_; ///< of what lies behind other windows, while this one is open
     std::uint64_t generation_ = 0; ///< of the session when the camera was fitted last
 };
 

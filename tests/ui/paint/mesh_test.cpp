@@ -203,6 +203,20 @@ TEST_CASE("A triangulation has n - 2 triangles of the polygon's area in all")
     CHECK(area == Approx(std::abs(ui::twice_area(star))));
 }
 
+TEST_CASE("A triangulation covers nothing twice where corners of two flanges lie in one line")
+{
+    const std::vector<ui::Point> section{{0, 40}, {15, 40}, {15, 39}, {8, 39}, {8, 1},  {15, 1},
+                                         {15, 0}, {0, 0},   {0, 1},   {7, 1},  {7, 39}, {0, 39}};
+    for (std::size_t first = 0; first < section.size(); ++first) { // wherever it begins
+        std::vector<ui::Point> turned = section;
+        std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(first), turned.end());
+        double area = 0.0;
+        for (const auto& t : ui::triangulation(turned))
+            area += std::abs(ui::twice_area(std::vector{turned[t[0]], turned[t[1]], turned[t[2]]}));
+        CHECK(area == Approx(2.0 * (2.0 * 15.0 + 38.0)));
+    }
+}
+
 TEST_CASE("Polygons without area or with repeated corners do no harm")
 {
     CHECK(ink(filled({{10.0, 10.0}, {40.0, 10.0}, {25.0, 10.0}}), room) < 35.0); // at most its soft border

@@ -107,9 +107,10 @@ std::optional<Meeting> first_meeting(const std::vector<Point>& loop)
     return touch ? touch : first_crossing(loop);
 }
 
-bool is_strictly_inside(Point p, Point a, Point b, Point c, double sense)
+/// Inside the ear a-b-c or on its third side, which would then pass a corner: the rest would fold back on itself.
+bool is_in_the_way(Point p, Point a, Point b, Point c, double sense)
 {
-    return sense * cross(b - a, p - a) > 0.0 && sense * cross(c - b, p - b) > 0.0 && sense * cross(a - c, p - c) > 0.0;
+    return sense * cross(b - a, p - a) > 0.0 && sense * cross(c - b, p - b) > 0.0 && sense * cross(a - c, p - c) >= 0.0;
 }
 
 /// The corners that are left while ears are cut off.
@@ -152,7 +153,7 @@ private:
         const auto [a, b, c] = corner(k);
         for (const std::uint32_t i : left_) {
             if (i == a || i == b || i == c) continue;
-            if (is_strictly_inside(polygon_[i], polygon_[a], polygon_[b], polygon_[c], sense_)) return false;
+            if (is_in_the_way(polygon_[i], polygon_[a], polygon_[b], polygon_[c], sense_)) return false;
         }
         return true;
     }

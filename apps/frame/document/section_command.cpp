@@ -1,0 +1,153 @@
+#include "apps/frame/document/section_command.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "femoop/edit/condense.h"
+#include "femoop/edit/naming.h"
+#include "femoop/model/quantity/in_units.h"
+#include "femoop/model/quantity/quantity_parser.h"
+#include "ui/text/catalogue.h"
+#include "ui/text/number_format.h"
+
+namespace frame {
+
+using namespace femoop;
+using ui::translatable;
+
+namespace {
+
+/// The name is wanted by an entry that is not in the list, or that has this place in it.
+template <class Entry>
+std::optional<ui::Phrase> objection(const std::vector<Entry>& list, std::size_t place, std::string_view name)
+{
+    if (name.find_first_not_of(' ') == std::string_view::npos) return ui::Phrase(translatable("a name is wanted"));
+    for (std::size_t i = 0; i < list.size(); ++i)
+        if (i != place && list[i].id == name)
+            return ui::Phrase(translatable("there is another one named {name}"), {{"name", std::string(name)}});
+    return std::nullopt;
+}
+
+template <class Id> std::vector<MemberId> members_where(const Model& model, std::optional<Id> Member::*property, Id id)
+{
+    std::vector<MemberId> found;
+    for (std::size_t i = 0; i < model.members.size(); ++i)
+        if (model.members[i].*property == id) found.emplace_back(i);
+    return found;
+}
+
+/// A dimension of a usual size [mm].
+double usual_size(ShapeKind kind, std::string_view key)
+{
+    const bool is_solid = kind == ShapeKind::Rectangle;
+    const bool is_i = kind == ShapeKind::I, is_tee = kind == ShapeKind::T, is_angle = kind == ShapeKind::L;
+    if (key == "h") return is_solid ? 500 : is_i || kind == ShapeKind::Box ? 300 : is_angle ? 120 : 200;
+    if (key == "b") return is_angle ? 80 : 200;
+    if (key == "bf") return is_i ? 150 : is_tee ? 200 : 75;
+    if (key == "tf") return is_tee ? 16 : 11;
+    if (key == "tw") return is_tee ? 10 : is_i ? 7 : 8.5;
+    if (key == "d") return kind == ShapeKind::Tube ? 220 : 300;
+    return 10; // t
+}
+
+} // namespace
+
+void put_section(Document& document, SectionId id, Section section)
+{
+    Section& there = document.model.sections.at(id.index);
+    const std::string wanted = section.id;
+    section.id = there.id;
+    if (!why_not_rename(document.model, id, wanted)) section.id = wanted;
+    there = std::move(section);
+}
+
+SectionId add_section(Document& document, Section section, std::span<const MemberId> members)
+{
+    section.id = fresh_id(document.model.sections, section.id);
+    for (const MemberId member : members) (void)document.model.members.at(member.index);
+    const SectionId id = document.model.add(std::move(section));
+    for (const MemberId member : members) document.model.members[member.index].section = id;
+    return id;
+}
+
+MaterialId add_material(Document& document, Material material, std::span<const MemberId> members)
+{
+    material.id = fresh_id(document.model.materials, material.id);
+    for (const MemberId member : members) (void)document.model.members.at(member.index);
+    const MaterialId id = document.model.add(std::move(material));
+    for (const MemberId member : members) document.model.members[member.index].material = id;
+    return id;
+}
+
+std::optional<ui::Phrase> why_not_rename(const Model& model, SectionId id, std::string_view name)
+{
+    return objection(model.sections, id.index, name);
+}
+
+std::optional<ui::Phrase> why_not_rename(const Model& model, MaterialId id, std::string_view name)
+{
+    return objection(model.materials, id.index, name);
+}
+
+void rename(Document& document, SectionId id, std::string name)
+{
+    document.model.sections.at(id.index).id = std::move(name);
+}
+
+void rename(Document& document, MaterialId id, std::string name)
+{
+    document.model.materials.at(id.index).id = std::move(name);
+}
+
+std::vector<MemberId> members_with(const Model& model, SectionId id)
+{
+    return members_where(model, &Member::section, id);
+}
+
+std::vector<MemberId> members_with(const Model& model, MaterialId id)
+{
+    return members_where(model, &Member::material, id);
+}
+
+Shape usual_shape(ShapeKind kind, const Units& units)
+{
+    Shape shape{.kind = kind};
+    for (const ShapeDimension& dimension : dimensions(kind)) {
+        const double mm = usual_size(kind, dimension.key);
+        const double value = converted(mm, dimension::length, {.length = LengthUnit::mm}, units);
+        shape.*dimension.value = Quantity(value, ui::number_text(mm) + " mm");
+    }
+    return shape;
+}
+
+ui::Phrase sentence_of(const ShapeFault& fault, const ui::DisplayUnits& units)
+{
+    const ui::Phrase::Argument key{"key", std::string(fault.key)};
+    if (fault.flaw != ShapeFlaw::TooLarge) return {translatable("{key} must be a positive length"), {key}};
+    return {
+        translatable("{key} must be less than {limit} = {value}"),
+        {key, {"limit", std::string(fault.limit_key)}, {"value", units.text(fault.limit, ui::Measure::SectionLength)}}};
+}
+
+std::size_t import_properties(Document& document, const Model& other)
+{
+    Model bare = other;
+    bare.extra.clear();
+    const Model counted = in_units(bare, document.model.units);
+    std::size_t n = 0;
+    const auto import = [&](auto& list, const auto& entries, auto add) {
+        for (const auto& entry : entries) {
+            if (std::ranges::any_of(list, [&](const auto& there) { return are_alike(there, entry); })) continue;
+            add(document, entry);
+            ++n;
+        }
+    };
+    import(document.model.materials, counted.materials, [](Document& d, const Material& m) { add_material(d, m);
+});
+    import(document.model.sections, counted.sections, [](Document& d, const Section& s) { add_section(d, s);
+    } // namespace frame
+);
+return n;
+}
+
+} // namespace frame

@@ -1,0 +1,268 @@
+#include "apps/frame/window/section_window.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <numbers>
+
+#include "apps/frame/view/section_picture.h"
+#include "apps/frame/view/sketch/scene.h"
+#include "apps/frame/window/number_row.h"
+#include "femoop/section/outline.h"
+#include "femoop/section/principal_axes.h"
+#include "femoop/section/section_properties.h"
+#include "ui/paint/painter.h"
+#include "ui/text/number_format.h"
+
+namespace frame {
+
+using femoop::ShapeKind;
+using ui::Measure;
+using ui::translatable;
+
+namespace {
+
+struct ShapeEntry {
+    ShapeKind kind;
+    std::string_view label;
+};
+constexpr std::array shapes{
+    ShapeEntry{ShapeKind::Rectangle, translatable("Rectangle")}, ShapeEntry{ShapeKind::Circle, translatable("Circle")},
+    ShapeEntry{ShapeKind::Tube, translatable("Tube")},           ShapeEntry{ShapeKind::Box, translatable("Box")},
+    ShapeEntry{ShapeKind::I, translatable("I section")},         ShapeEntry{ShapeKind::T, translatable("T section")},
+    ShapeEntry{ShapeKind::L, translatable("L section, angle")},  ShapeEntry{ShapeKind::C, translatable("Channel")},
+};
+
+std::string_view meaning(std::string_view key)
+{
+    if (key == "h") return translatable("Height");
+    if (key == "b") return translatable("Width");
+    if (key == "d") return translatable("Diameter");
+    if (key == "t") return translatable("Thickness");
+    if (key == "bf") return translatable("Width of the flange");
+    if (key == "tf") return translatable("Thickness of the flange");
+    return translatable("Thickness of the web");
+}
+
+void show_dimensions(Desk& desk, ui::NumberFields& fields)
+{
+    SectionDraft& draft = desk.section;
+    if (!draft.section().shape) {
+        ImGui::TextWrapped(
+            "%s", desk.session.view.tr("This section is given by its numbers. Choose a shape or a profile.").c_str());
+        return;
+    }
+    const Rows rows("section dimensions");
+    if (!rows.is_open()) return;
+    for (const femoop::ShapeDimension& dimension : dimensions(draft.section().shape->kind)) {
+        const std::string words = desk.session.view.tr(meaning(dimension.key)) + ' ' + std::string(dimension.key);
+        rows.name(desk.session.units().label(words, Measure::SectionLength));
+        femoop::Quantity value = *((*draft.section().shape).*dimension.value);
+        const auto why_not_this = [&](double wanted) -> std::optional<ui::Phrase> {
+            femoop::Shape next = *draft.section().shape;
+            next.*dimension.value = femoop::Quantity(wanted);
+            const auto fault = why_not(next);
+            return fault ? std::optional(sentence_of(*fault, desk.session.units())) : std::nullopt;
+        };
+        if (edit_quantity(desk, fields, {dimension.key, Measure::SectionLength, 0.0F, why_not_this}, value))
+            draft.set_dimension(desk.session, dimension, value);
+    }
+}
+
+std::string plain(std::string_view text)
+{
+    std::string letters;
+    for (const char c : text)
+        if (std::isspace(static_cast<unsigned char>(c)) == 0)
+            letters += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return letters;
+}
+
+void show_target(Desk& desk)
+{
+    SectionDraft& draft = desk.section;
+    if (!draft.existing()) return;
+    const ui::Catalogue& tr = desk.session.view.tr;
+    const femoop::Model& before = desk.session.history().settled().model;
+    const std::string n_users = std::to_string(members_with(before, *draft.existing()).size());
+    const std::string change = tr("Change {id} (members: {count})",
+                                  {{"id", before[*draft.existing()].id}, {"count", n_users}});
+    const std::string make = tr("A new one (selected members: {count})",
+                                {{"count", std::to_string(draft.n_members())}});
+    const bool is_new = draft.target() == SectionTarget::New;
+    if (ImGui::RadioButton((change + "###this").c_str(), !is_new)) draft.set_target(desk.session, SectionTarget::This);
+    if (ImGui::RadioButton((make + "###new").c_str(), is_new)) draft.set_target(desk.session, SectionTarget::New);
+}
+
+/// A cell of the table of properties: the symbol, its value and unit.
+void show_property(const ui::DisplayUnits& units, const char* symbol, double value, Measure measure)
+{
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(symbol);
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(with_minus(units.text(value, measure)).c_str());
+}
+
+/// A length to a power that no measure names: the section modulus.
+void show_modulus(const ui::DisplayUnits& units, const char* symbol, double value)
+{
+    const ui::DisplayUnit length = units.unit(Measure::SectionLength);
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(symbol);
+    ImGui::TableNextColumn();
+    const std::string number = ui::number_text(value * std::pow(length.factor, 3), units.format());
+    ImGui::TextUnformatted((number + ' ' + length.name + "³").c_str());
+}
+
+void show_properties_of(const femoop::SectionProperties& s, const ui::DisplayUnits& units)
+{
+    if (!ImGui::BeginTable("section properties", 4, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) return;
+    show_property(units, "A", s.A, Measure::Area);
+    show_property(units, "J", s.J, Measure::SecondMoment);
+    show_property(units, "Iz", s.Iz, Measure::SecondMoment);
+    show_property(units, "Iy", s.Iy, Measure::SecondMoment);
+    if (s.Wz) show_modulus(units, "Wz", *s.Wz);
+    if (s.Wy) show_modulus(units, "Wy", *s.Wy);
+    if (s.Asy) show_property(units, "Asy", *s.Asy, Measure::Area);
+    if (s.Asz) show_property(units, "Asz", *s.Asz, Measure::Area);
+    if (s.yc) show_property(units, "yc", *s.yc, Measure::SectionLength);
+    if (s.Iyz != 0.0) {
+        const femoop::PrincipalAxes axes = principal_axes(s);
+        show_property(units, "Iyz", s.Iyz, Measure::SecondMoment);
+        show_property(units, "I1", axes.I1, Measure::SecondMoment);
+        show_property(units, "I2", axes.I2, Measure::SecondMoment);
+        show_property(units, "∠ z′1", axes.angle * 180.0 / std::numbers::pi, Measure::Angle);
+    }
+    ImGui::EndTable();
+}
+
+void show_buttons(Desk& desk, const ui::NumberFields& fields)
+{
+    SectionDraft& draft = desk.section;
+    const ui::Catalogue& tr = desk.session.view.tr;
+    const auto is_pressed = [&](int key) { return !fields.is_typing() && is_pressed_outside_fields(key); };
+    if (ImGui::Button("OK###accept") || is_pressed(ImGuiKey_Enter)) draft.accept(desk.session);
+    ImGui::SameLine();
+    if (ImGui::Button((tr("Cancel") + "###cancel").c_str()) || is_pressed(ImGuiKey_Escape)) draft.cancel(desk.session);
+}
+
+} // namespace
+
+void SectionWindow::show(Desk& desk, ui::ImGuiSession& gui, ui::NumberFields& fields)
+{
+    SectionDraft& draft = desk.section;
+    if (!draft.is_open()) is_listing_ = false;
+    if (!window_.begin(draft.is_open(), "###section", desk.session.view.tr("Section"))) return;
+    show_name(desk);
+    show_target(desk);
+    show_shapes(desk, gui);
+    show_families(desk);
+    if (lists_profiles(draft)) show_profiles(desk);
+    else show_dimensions(desk, fields);
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    const auto properties = section_properties(draft.section(), desk.session.model().units);
+    const float below = (properties.Iyz != 0.0 ? 7.5F : 5.5F) * line + 2.0F * ImGui::GetFrameHeightWithSpacing();
+    show_picture(desk, gui, std::max(ImGui::GetContentRegionAvail().y - below, 7.0F * line));
+    show_properties_of(properties, desk.session.units());
+    ImGui::Separator();
+    show_buttons(desk, fields);
+    window_.end(draft.is_open());
+}
+
+void SectionWindow::show_name(Desk& desk)
+{
+    SectionDraft& draft = desk.section;
+    const ui::Catalogue& tr = desk.session.view.tr;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(tr("Name").c_str());
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1.0F);
+    if (ImGui::InputText("###name", &name_)) reason_ = draft.set_name(desk.session, name_);
+    if (!ImGui::IsItemActive()) {
+        name_ = draft.section().id;
+        reason_.reset();
+    }
+    if (reason_) ImGui::TextWrapped("%s", tr(*reason_).c_str());
+}
+
+void SectionWindow::show_shapes(Desk& desk, ui::ImGuiSession& gui)
+{
+    SectionDraft& draft = desk.section;
+    const float gap = 0.2F * ImGui::GetFontSize();
+    const float n = static_cast<float>(shapes.size());
+    const float side = std::floor((ImGui::GetContentRegionAvail().x - (n - 1.0F) * gap) / n);
+    for (const ShapeEntry& entry : shapes) {
+        if (entry.kind != shapes.front().kind) ImGui::SameLine(0.0F, gap);
+        const auto& shape = draft.section().shape;
+        const bool is_chosen = !lists_profiles(draft) && shape && shape->kind == entry.kind;
+        if (is_chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_ButtonActive));
+        const bool is_clicked = ImGui::Button(("###" + std::string(entry.label)).c_str(), {side, side});
+        if (is_chosen) ImGui::PopStyleColor();
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", desk.session.view.tr(entry.label).c_str());
+        const ImVec2 corner = ImGui::GetItemRectMin();
+        const double size = static_cast<double>(side) / gui.scale();
+        ui::Painter painter({size, size}, fonts_);
+        const bool is_dark = ui::Theme(desk.session.view.theme).is_dark();
+        draw_section_icon(painter, usual_shape(entry.kind, {}),
+                          ui::Theme(is_dark ? ui::ThemeName::Dark : ui::ThemeName::Light));
+        gui.show(painter.picture(), *ImGui::GetWindowDrawList(),
+                 {static_cast<double>(corner.x), static_cast<double>(corner.y)});
+        if (!is_clicked) continue;
+        is_listing_ = false;
+        draft.choose_shape(desk.session, entry.kind);
+    }
+}
+
+void SectionWindow::show_families(Desk& desk)
+{
+    const float gap = 0.2F * ImGui::GetFontSize();
+    const auto families = femoop::profile_families();
+    const auto n = static_cast<float>(families.size());
+    const float width = (ImGui::GetContentRegionAvail().x - (n - 1.0F) * gap) / n;
+    for (const femoop::ProfileFamily family : families) {
+        if (family != families.front()) ImGui::SameLine(0.0F, gap);
+        const bool is_chosen = lists_profiles(desk.section) && family_ == family;
+        if (is_chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_ButtonActive));
+        const bool is_clicked = ImGui::Button(std::string(name(family)).c_str(), {width, 0.0F});
+        if (is_chosen) ImGui::PopStyleColor();
+        if (!is_clicked) continue;
+        family_ = is_chosen ? std::nullopt : std::optional(family);
+        is_listing_ = true;
+    }
+}
+
+void SectionWindow::show_profiles(Desk& desk)
+{
+    SectionDraft& draft = desk.section;
+    ImGui::SetNextItemWidth(-1.0F);
+    ImGui::InputTextWithHint("###filter", desk.session.view.tr("Type a part of its name: 300").c_str(), &filter_);
+    ImGui::BeginChild("###profiles", {0.0F, 4.0F * ImGui::GetTextLineHeightWithSpacing()}, true);
+    const std::string wanted = plain(filter_);
+    const femoop::Profile* const chosen = draft.section().profile ? femoop::find_profile(*draft.section().profile)
+                                                                  : nullptr;
+    for (const femoop::Profile& profile : family_ ? femoop::profiles(*family_) : femoop::profiles()) {
+        if (profile.name.find(wanted) == std::string_view::npos) continue;
+        const std::string label(profile.name);
+        if (ImGui::Selectable(label.c_str(), &profile == chosen)) draft.choose_profile(desk.session, profile.name);
+        if (&profile == chosen && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
+    }
+    ImGui::EndChild();
+}
+
+void SectionWindow::show_picture(Desk& desk, ui::ImGuiSession& gui, float height) const
+{
+    const float width = ImGui::GetContentRegionAvail().x;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::Dummy({width, height});
+    ui::Painter painter({static_cast<double>(width) / gui.scale(), static_cast<double>(height) / gui.scale()}, fonts_);
+    draw_section(painter, desk.section.section(), desk.session.model().units,
+                 {.theme = ui::Theme(desk.session.view.theme), .units = desk.session.units()});
+    gui.show(painter.picture(), *ImGui::GetWindowDrawList(),
+             {static_cast<double>(corner.x), static_cast<double>(corner.y)});
+}
+
+} // namespace frame

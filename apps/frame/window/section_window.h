@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "apps/frame/session/commands.h"
+#include "apps/frame/window/side_window.h"
+#include "femoop/section/profile.h"
+#include "ui/context/imgui_session.h"
+#include "ui/paint/text_measure.h"
+#include "ui/widgets/number_field.h"
+
+namespace frame {
+
+/// Where a section is made: from a shape and its dimensions, or a rolled profile that is found by its name; its picture
+/// and its properties below. The structure beside it shows what becomes of it.
+class SectionWindow {
+public:
+    explicit SectionWindow(const ui::Fonts& fonts) : fonts_(fonts) {}
+
+    /// Nothing where no section is being made.
+    void show(Desk& desk, ui::ImGuiSession& gui, ui::NumberFields& fields);
+
+private:
+    void show_name(Desk& desk);
+    void show_shapes(Desk& desk, ui::ImGuiSession& gui);
+    void show_families(Desk& desk);
+    void show_profiles(Desk& desk);
+    void show_picture(Desk& desk, ui::ImGuiSession& gui, float height) const;
+    bool lists_profiles(const SectionDraft& draft) const { return is_listing_ || draft.section().profile; }
+
+    const ui::Fonts& fonts_;
+    SideWindow window_;
+    std::string name_;                            ///< as it is typed
+    std::optional<ui::Phrase> reason_;            ///< why it is not taken
+    std::string filter_;                          ///< of profiles
+    std::optional<femoop::ProfileFamily> family_; ///< of profiles; all when absent
+    bool is_listing_ = false;                     ///< profiles are looked through, though none is chosen
+};
+
+} // namespace frame

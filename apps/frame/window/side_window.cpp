@@ -1,0 +1,44 @@
+#include "apps/frame/window/side_window.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace frame {
+
+bool SideWindow::begin(bool is_open, const char* id, const std::string& title)
+{
+    light_up(is_open);
+    if (!is_open) return false;
+    if (!ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
+    const ImGuiViewport& viewport = *ImGui::GetMainViewport();
+    const float width = std::min(24.0F * ImGui::GetFontSize(), 0.3F * viewport.WorkSize.x);
+    const float status = ImGui::GetFrameHeight();
+    ImGui::SetNextWindowPos({viewport.WorkPos.x + viewport.WorkSize.x - width, viewport.WorkPos.y});
+    ImGui::SetNextWindowSize({width, viewport.WorkSize.y - status});
+    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                       ImGuiWindowFlags_NoCollapse;
+    return ImGui::BeginPopupModal((title + id).c_str(), nullptr, flags);
+}
+
+void SideWindow::end(bool is_open)
+{
+    if (!is_open) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+// Dear ImGui dims at the frame's end, out of a pushed colour's reach; a new theme brings the dimming back.
+void SideWindow::light_up(bool is_open)
+{
+    float& dimming = ImGui::GetStyle().Colors[ImGuiCol_ModalWindowDimBg].w;
+    if (is_open && dimming > 0.0F) dimming_ = std::exchange(dimming, 0.0F);
+    if (!is_open && dimming_) dimming = *std::exchange(dimming_, std::nullopt);
+}
+
+bool is_pressed_outside_fields(int key)
+{
+    return !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
+}
+
+} // namespace frame

@@ -1,0 +1,103 @@
+// Making a section: one gesture, whatever is tried in it.
+#include <doctest/doctest.h>
+
+#include "apps/frame/session/section_draft.h"
+
+using namespace frame;
+using namespace femoop;
+
+namespace {
+
+struct Making {
+    Session session{starting_document()};
+    SectionDraft draft;
+
+    explicit Making(const Selection& selection)
+    {
+        session.selection = selection;
+        draft.open(session);
+    }
+    void obey(std::string_view verb, std::string_view argument = "")
+    {
+        CHECK_FALSE(draft.obey(session, verb, argument));
+    }
+    double moment() const { return (*session.solution().results)[CaseId(0)].curve(MemberId(1)).forces(3.0).Mz; }
+};
+
+const Part column = MemberId(0), beam = MemberId(1);
+
+} // namespace
+
+TEST_SUITE("frame: making a section")
+{
+    TEST_CASE("The section of the selected member is changed in one step, while the results follow")
+    {
+        Making making(beam);
+        const double before = making.moment();
+        making.obey("shape", "i");
+        making.obey("set", "h 800 mm");
+        CHECK(making.moment() > before); // a stiffer beam
+        making.obey("accept");
+        CHECK(making.session.history().n_states() == 2);
+        CHECK(ui::Catalogue()(*making.session.history().undo_label()) == "Change section beam");
+        CHECK(making.session.model().sections[1].shape->h->text() == "800 mm");
+        making.session.undo();
+        CHECK(making.session.document() == starting_document());
+    }
+
+    TEST_CASE("A new section is for the selected members alone")
+    {
+        Making making(column);
+        making.obey("new");
+        making.obey("profile", "HEB 200");
+        making.obey("name", "strong");
+        making.obey("accept");
+        const Model& model = making.session.model();
+        CHECK(model.sections.size() == 3);
+        CHECK(model[*model.members[0].section].id == "strong");
+        CHECK(model[*model.members[2].section].id == "column");
+    }
+
+    TEST_CASE("Going back from a new section to the old one leaves no section behind")
+    {
+        Making making(column);
+        making.obey("profile", "HEB 200");
+        making.obey("new");
+        making.draft.set_target(making.session, SectionTarget::This);
+        making.obey("accept");
+        CHECK(making.session.model().sections.size() == 2);
+        CHECK(making.session.model().sections[0].profile == "HEB 200");
+    }
+
+    TEST_CASE("Without a selection a section is made that no member has yet")
+    {
+        Making making(Selection{});
+        making.obey("accept");
+        REQUIRE(making.session.model().sections.size() == 3);
+        CHECK(making.session.model().sections[2].id == "s1");
+    }
+
+    TEST_CASE("What cannot be is answered, and leaves the section as it was")
+    {
+        Making making(beam);
+        making.obey("shape", "i");
+        const Section before = making.draft.section();
+        CHECK(making.draft.obey(making.session, "set", "tf 40 cm") == "tf must be less than h/2 = 15 cm");
+        CHECK(making.draft.obey(making.session, "set", "d 40 cm") == "no dimension \"d\"");
+        CHECK(making.draft.obey(making.session, "profile", "IPE 301") == "no profile \"IPE 301\"");
+        CHECK(making.draft.obey(making.session, "name", "column") == "there is another one named column");
+        CHECK(making.draft.section() == before);
+    }
+
+    TEST_CASE("Cancel leaves document, history and selection as they were")
+    {
+        Making making(Part(SectionId(1)));
+        making.obey("profile", "IPE 300");
+        making.obey("name", "IPE");
+        CHECK(making.session.selection == Selection(Part(SectionId(1)))); // though it has another name
+        making.obey("cancel");
+        CHECK(making.session.document() == starting_document());
+        CHECK(making.session.history().n_states() == 1);
+        CHECK(making.session.selection == Selection(Part(SectionId(1))));
+    }
+}
