@@ -67,6 +67,19 @@ void add_table_commands(CommandTable& table)
                        },
                    .is_on = [kind = entry.kind](const Desk& desk) { return shows(desk, kind); }});
     }
+    table.add({.id = "view.member_results",
+               .menu = tables_menu,
+               .label = translatable("Diagrams of the member"),
+               .shortcuts = {{Key::F4, ui::shift}},
+               .run =
+                   [](Desk& desk) {
+                       desk.bottom = {true, desk.bottom.table, true};
+                   },
+               .why_not = [](const Desk& desk) -> std::optional<ui::Phrase> {
+                   if (desk.session.solution().results) return std::nullopt;
+                   return translatable("There are no results: see the problems.");
+               },
+               .is_on = [](const Desk& desk) { return desk.bottom.is_open && desk.bottom.shows_member; }});
     table.add({.id = "file.export_table",
                .menu = tables_menu,
                .label = translatable("Export the table as CSV…"),

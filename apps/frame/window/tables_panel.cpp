@@ -20,6 +20,7 @@ using ui::translatable;
 namespace {
 
 constexpr float splitter_ems = 0.35F;
+constexpr float least_height_of_diagrams = 20.0F; // ems
 
 Manner manner_of(const Session& session) { return {session.units(), session.view.tr}; }
 
@@ -42,7 +43,8 @@ ui::Phrase change_label(TableKind kind) { return {translatable("Change table: {t
 float TablesPanel::height(const Desk& desk, float room) const
 {
     if (!desk.bottom.is_open) return 0.0F;
-    return std::min(height_ * ImGui::GetFontSize(), 0.7F * room);
+    const float height = desk.bottom.shows_member ? std::max(height_, least_height_of_diagrams) : height_;
+    return std::min(height * ImGui::GetFontSize(), 0.7F * room);
 }
 
 void TablesPanel::follow(const Desk& desk)
@@ -79,7 +81,7 @@ void TablesPanel::follow_selection(const Desk& desk)
     }
 }
 
-void TablesPanel::show(Desk& desk, ui::ImGuiSession&, const ui::Fonts&)
+void TablesPanel::show(Desk& desk, ui::ImGuiSession& gui, const ui::Fonts& fonts)
 {
     const float em = ImGui::GetFontSize();
     show_splitter(ImGui::GetWindowHeight());
@@ -89,7 +91,8 @@ void TablesPanel::show(Desk& desk, ui::ImGuiSession&, const ui::Fonts&)
     show_tabs(desk);
     follow(desk);
     if (!std::exchange(was_open_, true)) has_keyboard_ = true;
-    show_table(desk);
+    if (desk.bottom.shows_member) member_.show(desk.session, gui, fonts);
+    else show_table(desk);
     const bool is_over = ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
                                                 ImGuiHoveredFlags_AllowWhenBlockedByPopup);
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !is_over) leave();
@@ -163,9 +166,23 @@ void TablesPanel::show_tabs(Desk& desk)
     for (const TableKind kind : {Nodes, Members, Materials, Sections}) tab(desk, kind);
     show_loads_tab(desk);
     for (const TableKind kind : {Displacements, Reactions, MemberEnds, Extremes, Envelope}) tab(desk, kind);
+    show_member_tab(desk);
     const ui::Catalogue& tr = desk.session.view.tr;
     if (!desk.bottom.shows_member && begin_tab(tr("CSV…") + "###csv", false)) ask_for_file(desk);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tr("Export the table as CSV…").c_str());
+    if (!desk.bottom.shows_member && ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s", tr("Export the table as CSV…").c_str());
+}
+
+// It names the member whose diagrams it shows.
+void TablesPanel::show_member_tab(Desk& desk)
+{
+    const Session& session = desk.session;
+    const std::optional<femoop::MemberId> member = MemberPanel::member_of(session);
+    const std::string name = session.view.tr(member ? title(session.model(), *member)
+                                                    : ui::Phrase(translatable("Diagrams of the member")));
+    if (!begin_tab(name + "###member", desk.bottom.shows_member)) return;
+    desk.bottom.shows_member = true;
+    has_keyboard_ = true;
 }
 
 void TablesPanel::show_table(Desk& desk)
@@ -223,7 +240,7 @@ ui::Input TablesPanel::take(Desk& desk, const ui::Input& input)
         if (std::exchange(was_open_, false)) leave();
         return input;
     }
-    if (!has_keyboard_ || desk.bottom.shows_member || table_.headings.empty()) return input;
+    if (!has_keyboard_ || (table_.headings.empty() && !desk.bottom.shows_member)) return input;
     ImGui::GetIO().ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard; // the arrows are the table's
     ui::Input rest = input;
     rest.keys.clear();
@@ -231,7 +248,7 @@ ui::Input TablesPanel::take(Desk& desk, const ui::Input& input)
         const bool is_taken = event.is_down && take_key(desk, {event.key, input.modifiers});
         if (!is_taken) rest.keys.push_back(event);
     }
-    if (has_keyboard_ && !input.modifiers.ctrl) {
+    if (has_keyboard_ && !input.modifiers.ctrl && !desk.bottom.shows_member) {
         grid_.type(input.text, table_);
         rest.text.clear();
     }
@@ -240,6 +257,10 @@ ui::Input TablesPanel::take(Desk& desk, const ui::Input& input)
 
 bool TablesPanel::take_key(Desk& desk, const ui::Chord& chord)
 {
+    if (desk.bottom.shows_member) {
+        if (chord.key == Key::Escape) leave();
+        return chord.key == Key::Escape || member_.take(desk.session, chord);
+    }
     if (grid_.take(chord, table_)) {
         if (const auto edit = grid_.take_edit()) carry_out(desk, *edit);
         else if (!grid_.is_editing()) select_rows(desk);

@@ -7,6 +7,7 @@
 #include "apps/frame/document/selection.h"
 #include "apps/frame/session/commands.h"
 #include "apps/frame/tables/data_table.h"
+#include "apps/frame/window/member_panel.h"
 #include "apps/frame/window/table_grid.h"
 #include "ui/context/imgui_session.h"
 #include "ui/context/input.h"
@@ -43,6 +44,7 @@ private:
     bool tab(Desk& desk, TableKind kind);
     bool begin_tab(const std::string& label, bool is_chosen);
     void show_table(Desk& desk);
+    void show_member_tab(Desk& desk);
     void show_footer(const Session& session) const;
     void select_rows(Desk& desk);
     bool take_key(Desk& desk, const ui::Chord& chord);
@@ -56,6 +58,7 @@ private:
     void leave();
 
     TableGrid grid_;
+    MemberPanel member_;
     Table table_;
     std::string made_for_; ///< what the table was made for: another state of it makes it anew
     TableKind kind_ = TableKind::Nodes;

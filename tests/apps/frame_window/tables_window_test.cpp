@@ -107,6 +107,19 @@ TEST_SUITE("frame window: tables")
         )");
     }
 
+    TEST_CASE("The diagrams of the selected member share an axis; a click pins the section, the arrows move it")
+    {
+        check_window("window_member", opened("examples/portal.json"), R"(
+            click member BC 30%
+            key Shift+F4
+            wait 0.1
+            click pixel 400 600
+            key Right
+            hover pixel 700 750
+            wait 0.1
+        )");
+    }
+
     TEST_CASE("Extremes of all section forces in Portuguese, and the table as a file that a spreadsheet reads")
     {
         const Folder folder;
