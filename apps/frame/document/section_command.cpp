@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "femoop/edit/condense.h"
 #include "femoop/edit/naming.h"
@@ -113,9 +114,9 @@ Shape usual_shape(ShapeKind kind, const Units& units)
 {
     Shape shape{.kind = kind};
     for (const ShapeDimension& dimension : dimensions(kind)) {
-        const double mm = usual_size(kind, dimension.key);
-        const double value = converted(mm, dimension::length, {.length = LengthUnit::mm}, units);
-        shape.*dimension.value = Quantity(value, ui::number_text(mm) + " mm");
+        std::string text = ui::number_text(usual_size(kind, dimension.key)) + " mm";
+        const auto value = parse_quantity(text, dimension::length, units);
+        shape.*dimension.value = Quantity(std::get<double>(value), std::move(text));
     }
     return shape;
 }

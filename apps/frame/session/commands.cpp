@@ -1,6 +1,7 @@
 #include "apps/frame/session/commands.h"
 
 #include "apps/frame/session/edit_commands.h"
+#include "apps/frame/session/property_commands.h"
 #include "apps/frame/session/table_commands.h"
 #include "apps/frame/session/tabs.h"
 
@@ -356,6 +357,7 @@ CommandTable command_table()
     CommandTable table;
     add_file_commands(table);
     add_edit_commands(table);
+    add_property_commands(table);
     add_tool_commands(table);
     add_show_commands(table);
     add_camera_commands(table);

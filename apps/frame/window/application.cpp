@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "apps/frame/session/property_commands.h"
 #include "apps/frame/session/tabs.h"
 #include "apps/frame/view/results/mechanism_picture.h"
 #include "apps/frame/window/export.h"
@@ -158,6 +159,7 @@ void Application::take_requests()
             is_exporting_ = true;
             path_dialog_.open(ui::PathDialog::Purpose::Save, export_name(session), ".png");
             break;
+        case Request::ImportDialog: import_dialog_.open(ui::PathDialog::Purpose::Open, start, ".json"); break;
         case Request::Description: shows_description_ = !shows_description_; break;
         case Request::RecentList: kept_files_.ask_for_recent(); break;
         case Request::CloseTab: questions_.ask_to_close(); break;
@@ -197,7 +199,9 @@ void Application::show_body()
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float below = tables_.height(desk_, room.y);
     if (below > 0.0F) show_tables(below);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, 0U); // the picture is drawn on the theme's own background
     ImGui::BeginChild("###above", {0.0F, room.y - below});
+    ImGui::PopStyleColor();
     if (desk_.has_panels) show_panels_and_canvas();
     else show_canvas();
     ImGui::EndChild();
@@ -277,7 +281,7 @@ void Application::show_right(float width)
     show_tabs();
     ImGui::Separator();
     switch (desk_.topic) {
-    case Topic::Properties: properties_panel(desk_, fields_); break;
+    case Topic::Properties: properties_panel(desk_, fields_, property_sets_); break;
     case Topic::Results: results_panel(desk_); break;
     case Topic::Problems: problems_panel(desk_); break;
     case Topic::History: history_panel(desk_); break;
@@ -456,6 +460,7 @@ void Application::show_dialogs()
         else if (path_dialog_.purpose() == ui::PathDialog::Purpose::Open) open_file(desk_, *path);
         else session.save(*path);
     }
+    if (const auto path = import_dialog_.show(tr)) import_properties(session, *path);
     palette_.show(commands_, desk_, tr);
     typical_window_.show(desk_, gui_, fields_);
     section_window_.show(desk_, gui_, fields_);

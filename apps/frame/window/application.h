@@ -7,6 +7,7 @@
 #include "apps/frame/session/commands.h"
 #include "apps/frame/window/canvas.h"
 #include "apps/frame/window/kept_files.h"
+#include "apps/frame/window/property_sets.h"
 #include "apps/frame/window/questions.h"
 #include "apps/frame/window/section_window.h"
 #include "apps/frame/window/tables_panel.h"
@@ -78,6 +79,8 @@ private:
     TypicalWindow typical_window_;
     TablesPanel tables_;
     SectionWindow section_window_;
+    PropertySets property_sets_;
+    ui::PathDialog import_dialog_;
     ui::NumberFields fields_;
     ui::CommandPalette palette_;
     ui::PathDialog path_dialog_;

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "apps/frame/window/property_sets.h"
+
 namespace frame {
 
 using namespace femoop;
@@ -51,6 +53,7 @@ void parts_list(Desk& desk)
     show_list(desk, translatable("Nodes"), of_type<NodeId>(all));
     show_list(desk, translatable("Materials"), of_type<MaterialId>(all));
     show_list(desk, translatable("Sections"), of_type<SectionId>(all));
+    property_buttons(desk);
     show_list(desk, translatable("Load cases"), of_type<LoadCasePlace>(all));
     show_list(desk, translatable("Loads"), of_type<NodeLoadPlace, SettlementPlace, MemberLoadPlace>(all));
     show_list(desk, translatable("Combinations"), of_type<CombinationPlace>(all));

@@ -62,12 +62,14 @@ void show_ways_on(Session& session, const Part& part)
         session.selection = Part(*member.material);
 }
 
-void show_one(Desk& desk, ui::NumberFields& fields, const Part& part)
+void show_one(Desk& desk, ui::NumberFields& fields, PropertySets& sets, const Part& part)
 {
     Session& session = desk.session;
     const ui::Catalogue& tr = session.view.tr;
     ImGui::TextUnformatted(tr(title(session.model(), part)).c_str());
     ImGui::Separator();
+    sets.show(desk, part);
+    if (session.selection.only() != part) return; // the panel shows what it was before
     show_parts(desk, fields, std::array{part});
     show_ways_on(session, part);
     if (has(session.model(), part)) show_loads_on(desk, fields, part);
@@ -99,7 +101,7 @@ void show_many(Desk& desk, ui::NumberFields& fields)
 
 } // namespace
 
-void properties_panel(Desk& desk, ui::NumberFields& fields)
+void properties_panel(Desk& desk, ui::NumberFields& fields, PropertySets& sets)
 {
     Selection& selection = desk.session.selection;
     if (selection.is_empty()) {
@@ -111,7 +113,7 @@ void properties_panel(Desk& desk, ui::NumberFields& fields)
         return;
     }
     ImGui::SameLine();
-    if (const std::optional<Part> only = selection.only()) show_one(desk, fields, *only);
+    if (const std::optional<Part> only = selection.only()) show_one(desk, fields, sets, *only);
     else show_many(desk, fields);
 }
 

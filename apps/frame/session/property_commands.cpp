@@ -1,0 +1,140 @@
+#include "apps/frame/session/property_commands.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "apps/frame/document/section_command.h"
+#include "femoop/edit/condense.h"
+#include "femoop/io/model_file.h"
+#include "femoop/model/quantity/quantity_parser.h"
+
+namespace frame {
+
+using femoop::MaterialId;
+using femoop::MemberId;
+using femoop::Model;
+using femoop::SectionId;
+using ui::translatable;
+
+namespace {
+
+std::string text_of(std::size_t n) { return std::to_string(n); }
+
+std::vector<MemberId> selected_members(const Session& session)
+{
+    std::vector<MemberId> members;
+    for (const Part& part : session.selection.parts())
+        if (const auto* const member = std::get_if<MemberId>(&part)) members.push_back(*member);
+    return members;
+}
+
+/// Like that of the selected members, else steel.
+femoop::Material pattern(const Session& session, const std::vector<MemberId>& members)
+{
+    const Model& model = session.model();
+    const auto first = members.empty() ? std::nullopt : model[members.front()].material;
+    if (first) return model[*first];
+    constexpr std::string_view E = "210 GPa";
+    const auto value = femoop::parse_quantity(E, femoop::dimension::stress, model.units);
+    return {.id = "steel", .E = femoop::Quantity(std::get<double>(value), std::string(E))};
+}
+
+} // namespace
+
+void add_property_commands(CommandTable& table)
+{
+    constexpr std::string_view menu = translatable("Edit");
+    table.add({.id = "edit.new_material", .menu = menu, .label = translatable("New material"), .run = [](Desk& desk) {
+                   new_material(desk.session);
+               }});
+    table.add({.id = "edit.import_properties",
+               .menu = menu,
+               .label = translatable("Import materials and sections…"),
+               .run = [](Desk& desk) { desk.requests.push_back(Request::ImportDialog); }});
+    table.add({.id = "edit.condense",
+               .menu = menu,
+               .label = translatable("Condense materials and sections"),
+               .run = [](Desk& desk) { condense_properties(desk.session); }});
+}
+
+void new_material(Session& session)
+{
+    const std::vector<MemberId> members = selected_members(session);
+    const femoop::Material material = pattern(session, members);
+    session.change(
+        {translatable("New material"), [&](Document& document) { add_material(document, material, members); }});
+    session.selection = Part(MaterialId(session.model().materials.size() - 1));
+}
+
+void condense_properties(Session& session)
+{
+    femoop::Condensed condensed;
+    session.change({translatable("Condense materials and sections"),
+                    [&](Document& document) { condensed = femoop::condense(document.model); }});
+    session.notice = Notice{{translatable("Materials and sections: {equal} were like others, {unused} nobody used"),
+                             {{"equal", text_of(condensed.n_equal)}, {"unused", text_of(condensed.n_unused)}}},
+                            {}};
+}
+
+bool import_properties(Session& session, const std::filesystem::path& path)
+{
+    femoop::ModelReading reading = femoop::examine_model_file(path);
+    const ui::Phrase::Argument file{"file", path.filename().string()};
+    if (!reading.is_sound()) {
+        std::erase_if(reading.faults,
+                      [](const auto& fault) { return femoop::severity(fault.kind) != femoop::Severity::Error; });
+        session.notice = Notice{{translatable("nothing was imported from {file}"), {file}}, std::move(reading.faults)};
+        return false;
+    }
+    std::size_t n = 0;
+    session.change({{translatable("Import from {file}"), {file}},
+                    [&](Document& document) { n = import_properties(document, reading.model); }});
+    session.notice = Notice{
+        {translatable("{count} materials and sections came from {file}"), {{"count", text_of(n)}, file}}, {}};
+    return true;
+}
+
+void select_members_with(Session& session, const Part& property)
+{
+    const auto* const material = std::get_if<MaterialId>(&property);
+    const auto members = material != nullptr ? members_with(session.model(), *material)
+                                             : members_with(session.model(), std::get<SectionId>(property));
+    session.selection.clear();
+    for (const MemberId member : members) session.selection.add(member);
+}
+
+void duplicate(Session& session, const Part& property)
+{
+    const ui::Phrase label{translatable("Duplicate: {part}"), {{"part", title(session.model(), property)}}};
+    if (const auto* const material = std::get_if<MaterialId>(&property)) {
+        session.change({label, [&](Document& document) { add_material(document, document.model[*material]); }});
+        session.selection = Part(MaterialId(session.model().materials.size() - 1));
+    } else {
+        const SectionId section = std::get<SectionId>(property);
+        session.change({label, [&](Document& document) { add_section(document, document.model[section]); }});
+        session.selection = Part(SectionId(session.model().sections.size() - 1));
+    }
+}
+
+std::optional<ui::Phrase> rename(Session& session, const Part& property, const std::string& name)
+{
+    const auto rename_it = [&](auto id) -> std::optional<ui::Phrase> {
+        if (auto reason = why_not_rename(session.model(), id, name)) return reason;
+        session.change({{translatable("Rename: {part}"), {{"part", title(session.model(), property)}}},
+                        [&](Document& document) { rename(document, id, name); }});
+        session.selection = Part(id); // a selection goes by names
+        return std::nullopt;
+    };
+    const auto* const material = std::get_if<MaterialId>(&property);
+    return material != nullptr ? rename_it(*material) : rename_it(std::get<SectionId>(property));
+}
+
+const std::string& name_of(const Model& model, const Part& property)
+{
+    const auto* const material = std::get_if<MaterialId>(&property);
+    return material != nullptr ? model[*material].id : model[std::get<SectionId>(property)].id;
+}
+
+} // namespace frame

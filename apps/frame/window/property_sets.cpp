@@ -1,0 +1,87 @@
+#include "apps/frame/window/property_sets.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "apps/frame/document/section_command.h"
+#include "apps/frame/session/property_commands.h"
+
+namespace frame {
+
+using ui::translatable;
+
+namespace {
+
+bool is_property(const Part& part)
+{
+    return std::holds_alternative<femoop::MaterialId>(part) || std::holds_alternative<femoop::SectionId>(part);
+}
+
+std::size_t n_users(const femoop::Model& model, const Part& part)
+{
+    const auto* const material = std::get_if<femoop::MaterialId>(&part);
+    return material != nullptr ? members_with(model, *material).size()
+                               : members_with(model, std::get<femoop::SectionId>(part)).size();
+}
+
+/// A small button beside the one before it, in a new line where it has no room.
+bool button(const Desk& desk, std::string_view words, bool is_first = false)
+{
+    const std::string label = desk.session.view.tr(words);
+    const float width = ImGui::CalcTextSize(label.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+    const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    const float gap = 0.4F * ImGui::GetFontSize();
+    if (!is_first && ImGui::GetItemRectMax().x + gap + width <= end) ImGui::SameLine(0.0F, gap);
+    return ImGui::Button((label + "###" + std::string(words)).c_str());
+}
+
+} // namespace
+
+void PropertySets::show(Desk& desk, const Part& part)
+{
+    if (!is_property(part)) return;
+    show_name(desk, part);
+    Session& session = desk.session;
+    const std::size_t n = n_users(session.model(), part);
+    ImGui::TextUnformatted(session.view.tr("Members: {count}", {{"count", std::to_string(n)}}).c_str());
+    ImGui::BeginDisabled(n == 0);
+    const bool selects = button(desk, translatable("Select its members"), true);
+    ImGui::EndDisabled();
+    const bool duplicates = button(desk, translatable("Duplicate"));
+    const bool is_section = std::holds_alternative<femoop::SectionId>(part);
+    if (is_section && button(desk, translatable("Shape or profile…"))) desk.section.open(session);
+    ImGui::Spacing();
+    if (selects) select_members_with(session, part);
+    if (duplicates) duplicate(session, part);
+}
+
+void PropertySets::show_name(Desk& desk, const Part& part)
+{
+    const ui::Catalogue& tr = desk.session.view.tr;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(tr("Name").c_str());
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1.0F);
+    const bool is_confirmed = ImGui::InputText("###property name", &name_, ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool is_left = ImGui::IsItemDeactivatedAfterEdit();
+    if (is_confirmed || is_left) reason_ = rename(desk.session, part, name_);
+    if (ImGui::IsItemActivated()) reason_.reset();
+    if (!ImGui::IsItemActive() && !is_confirmed) name_ = name_of(desk.session.model(), part);
+    if (reason_) ImGui::TextWrapped("%s", tr(*reason_).c_str());
+}
+
+void property_buttons(Desk& desk)
+{
+    const bool adds_material = button(desk, translatable("New material"), true);
+    const bool adds_section = button(desk, translatable("New section…"));
+    const bool imports = button(desk, translatable("Import…"));
+    const bool condenses = button(desk, translatable("Condense"));
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s", desk.session.view.tr("Equal ones become one, unused ones go").c_str());
+    if (adds_material) new_material(desk.session);
+    if (adds_section) desk.section.open_new(desk.session);
+    if (imports) desk.requests.push_back(Request::ImportDialog);
+    if (condenses) condense_properties(desk.session);
+}
+
+} // namespace frame

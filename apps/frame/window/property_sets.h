@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "apps/frame/session/commands.h"
+
+namespace frame {
+
+/// What the panel offers for materials and sections as named sets.
+class PropertySets {
+public:
+    /// The name of a material or section, typed anew, who has it, and what can be done with it. Nothing for other
+    /// parts.
+    void show(Desk& desk, const Part& part);
+
+private:
+    void show_name(Desk& desk, const Part& part);
+
+    std::string name_;                 ///< as it is typed
+    std::optional<ui::Phrase> reason_; ///< why it was not taken
+};
+
+/// Below the list of materials: small buttons that add, import and condense.
+void property_buttons(Desk& desk);
+
+} // namespace frame
