@@ -86,7 +86,7 @@ void Application::frame(const ui::Input& input)
         theme_ = desk_.session.view.theme;
         gui_.set_theme(ui::Theme(theme_));
     }
-    for (const std::string& file : input.dropped_files) open_file(desk_, file);
+    take_files(input.dropped_files);
     gui_.begin_frame(input);
     take_keys(input);
     animate(input.seconds);
@@ -97,6 +97,14 @@ void Application::frame(const ui::Input& input)
     if (desk_.transform && !desk_.session.history().is_dragging()) desk_.transform.reset(); // something else ended it
     kept_files_.tick(desk_, input.seconds);
     gui_.end_frame();
+}
+
+// Files that were dropped on the window.
+void Application::take_files(const std::vector<std::string>& files)
+{
+    const bool is_choosing = desk_.typical.is_open() || desk_.section.is_open();
+    if (is_choosing && !files.empty()) return explain(translatable("finish what is being made in the window first"));
+    for (const std::string& file : files) open_file(desk_, file);
 }
 
 void Application::explain(const ui::Phrase& reason) { desk_.session.notice = Notice{reason, {}}; }
@@ -147,14 +155,21 @@ std::filesystem::path export_name(const Session& session)
 
 } // namespace
 
+// An export that was given up before is forgotten.
+void Application::ask_for_path(ui::PathDialog::Purpose purpose, const std::filesystem::path& start)
+{
+    is_exporting_ = false;
+    path_dialog_.open(purpose, start, ".json");
+}
+
 void Application::take_requests()
 {
     Session& session = desk_.session;
     for (const Request request : std::exchange(desk_.requests, {})) {
         const std::filesystem::path start = session.path().value_or("");
         switch (request) {
-        case Request::OpenDialog: path_dialog_.open(ui::PathDialog::Purpose::Open, start, ".json"); break;
-        case Request::SaveDialog: path_dialog_.open(ui::PathDialog::Purpose::Save, start, ".json"); break;
+        case Request::OpenDialog: ask_for_path(ui::PathDialog::Purpose::Open, start); break;
+        case Request::SaveDialog: ask_for_path(ui::PathDialog::Purpose::Save, start); break;
         case Request::ExportDialog:
             is_exporting_ = true;
             path_dialog_.open(ui::PathDialog::Purpose::Save, export_name(session), ".png");

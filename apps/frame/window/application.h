@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "apps/frame/session/commands.h"
 #include "apps/frame/window/canvas.h"
@@ -53,7 +54,9 @@ private:
     void take_keys(const ui::Input& all);
     bool take_typing(ui::Key key);
     void explain(const ui::Phrase& reason);
+    void take_files(const std::vector<std::string>& files);
     void take_requests();
+    void ask_for_path(ui::PathDialog::Purpose purpose, const std::filesystem::path& start);
     void show_menu_bar();
     void show_body();
     void show_panels_and_canvas();

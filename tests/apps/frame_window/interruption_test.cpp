@@ -1,0 +1,60 @@
+// What comes in between: files dropped while something is made, dialogs that were given up.
+#include "apps/frame/session/tabs.h"
+#include "apps/frame/window/stage.h"
+#include "tests/apps/frame_window/played.h"
+#include "tests/golden/scene.h"
+
+#include <doctest/doctest.h>
+
+#include <functional>
+#include <string>
+
+using namespace frame;
+
+namespace {
+
+const std::string folder = CREMONA_SOURCE_DIR "/";
+
+void with_application(const std::function<void(ui::Offscreen&, Application&)>& act)
+{
+    const ui::Fonts fonts;
+    golden::if_drawn(
+        [&] {
+            ui::Offscreen context({.size = {640, 400}});
+            Application application(context, fonts, opened("examples/portal.json"));
+            act(context, application);
+            return context.pixels();
+        },
+        golden::this_machine());
+}
+
+} // namespace
+
+TEST_SUITE("frame window: interruptions")
+{
+    TEST_CASE("A file that is dropped while a typical structure is chosen waits until that is done")
+    {
+        with_application([](ui::Offscreen&, Application& application) {
+            Desk& desk = application.desk();
+            desk.typical.open(desk.session);
+            application.frame({.dropped_files = {folder + "examples/truss.json"}});
+            CHECK(n_tabs(desk) == 1);
+            CHECK(desk.session.notice);
+            desk.typical.cancel(desk.session);
+            application.frame({.dropped_files = {folder + "examples/truss.json"}});
+            CHECK(n_tabs(desk) == 2);
+        });
+    }
+
+    TEST_CASE("An export that was given up leaves nothing to the next dialog: a file is opened, not written")
+    {
+        with_application([](ui::Offscreen& context, Application& application) {
+            const std::string script = "command file.export\nwait 0.1\nkey Esc\nwait 0.1\ncommand file.open\nwait 0.1\n"
+                                       "type \"" +
+                                       folder +
+                                       "examples/truss.json\"\nkey Enter\nwait 0.1\n"
+                                       "expect notice nothing\nexpect file truss.json\n";
+            CHECK_NOTHROW(play(script, context, application, [](auto, const auto&, auto&) {}));
+        });
+    }
+}
