@@ -4,6 +4,7 @@
 
 #include "femoop/edit/draw.h"
 #include "femoop/edit/erase.h"
+#include "femoop/edit/member_line.h"
 #include "femoop/edit/merge.h"
 #include "femoop/edit/weld.h"
 #include "femoop/model/quantity/in_units.h"
@@ -127,6 +128,7 @@ void add_node(Document& document, const Eigen::Vector2d& place) { femoop::place_
 
 void draw_member(Document& document, const Eigen::Vector2d& start, const Eigen::Vector2d& end)
 {
+    if ((end - start).norm() <= femoop::nearness_of(document.model)) return;
     Model next = document.model;
     const femoop::Member like = pattern(next);
     femoop::draw_member(next, in_space(start), in_space(end), like);

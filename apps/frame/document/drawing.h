@@ -16,8 +16,8 @@ namespace frame {
 void add_node(Document& document, const Eigen::Vector2d& place);
 
 /// Members along a straight line, made like the last one of the model: its material, section and theory. A model
-/// without any gets steel and a section to begin with. Crossed members are cut (femoop/edit/draw.h). \throws
-/// std::invalid_argument where the places are one
+/// without any gets steel and a section to begin with. Crossed members are cut (femoop/edit/draw.h). Nothing where the
+/// places are one.
 void draw_member(Document& document, const Eigen::Vector2d& start, const Eigen::Vector2d& end);
 
 /// Takes these parts out, and what cannot be without them; where a node goes at which two equal members go on straight,

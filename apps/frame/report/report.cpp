@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "apps/frame/tables/table_kind.h"
 #include "apps/frame/tables/data_table.h"
 #include "apps/frame/tables/result_table.h"
+#include "apps/frame/tables/table_kind.h"
 #include "apps/frame/view/frame_view.h"
 #include "apps/frame/view/geometry/structure_shape.h"
 #include "apps/frame/view/results/case_numbers.h"

@@ -45,7 +45,7 @@ bool open_leftover(Desk& desk, const Leftover& leftover)
 {
     Session session{Document{}};
     if (!session.recover(leftover.draft, leftover.original)) {
-        desk.session.refuse(leftover.draft, std::move(session.notice->faults));
+        desk.session.refuse(leftover.draft, *session.notice);
         return false;
     }
     add_tab(desk, std::move(session));

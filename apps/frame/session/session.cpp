@@ -6,6 +6,7 @@
 
 #include "apps/frame/document/number.h"
 #include "femoop/io/model_file.h"
+#include "femoop/model/check/check.h"
 #include "ui/text/catalogue.h"
 
 namespace frame {
@@ -118,13 +119,27 @@ void Session::jump(std::size_t place)
     follow(before);
 }
 
-bool Session::open(const std::filesystem::path& path)
+namespace {
+
+// Everything in the file was understood: what is wrong is wrong with the structure alone.
+bool is_understood(const femoop::ModelReading& reading)
+{
+    const std::vector<femoop::Fault> of_structure = femoop::check(reading.model);
+    return std::ranges::all_of(reading.faults, [&](const femoop::Fault& fault) {
+        return std::ranges::find(of_structure, fault) != of_structure.end();
+    });
+}
+
+} // namespace
+
+bool Session::open(const std::filesystem::path& path, Purpose purpose)
 {
     femoop::ModelReading reading = femoop::examine_model_file(path);
-    if (!reading.is_sound()) {
-        std::erase_if(reading.faults,
-                      [](const auto& fault) { return femoop::severity(fault.kind) != femoop::Severity::Error; });
-        refuse(path, std::move(reading.faults));
+    std::erase_if(reading.faults,
+                  [](const auto& fault) { return femoop::severity(fault.kind) != femoop::Severity::Error; });
+    const bool can_be_mended = is_understood(reading);
+    if (!reading.faults.empty() && !(purpose == Purpose::Mend && can_be_mended)) {
+        refuse(path, {{}, std::move(reading.faults), can_be_mended ? std::optional(path) : std::nullopt});
         return false;
     }
     notice.reset();
@@ -137,19 +152,20 @@ bool Session::open(const std::filesystem::path& path)
 
 bool Session::recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original)
 {
-    if (!open(draft)) return false;
+    if (!open(draft, Purpose::Mend)) return false;
     path_ = original;
     saved_ = Document{};
     is_dirty_ = true;
     return true;
 }
 
-void Session::refuse(const std::filesystem::path& path, std::vector<femoop::Fault> faults)
+void Session::refuse(const std::filesystem::path& path, const Notice& reason)
 {
     const std::string_view sentence = is_untouched()
                                           ? translatable("{file} was not opened")
                                           : translatable("{file} was not opened; the model you had is unchanged");
-    notice = Notice{{sentence, {{"file", path.filename().string()}}}, std::move(faults)};
+    notice = reason;
+    notice->sentence = {sentence, {{"file", path.filename().string()}}};
 }
 
 bool Session::save(const std::filesystem::path& path)

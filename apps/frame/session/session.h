@@ -23,6 +23,8 @@ namespace frame {
 struct Notice {
     ui::Phrase sentence;
     std::vector<femoop::Fault> faults;
+    /// A file that was understood, but whose structure has errors: it can be opened to be mended.
+    std::optional<std::filesystem::path> to_mend{};
 };
 
 /// What is open and how it is looked at: the app without its window. The document changes through `change` alone; its
@@ -48,12 +50,14 @@ public:
     void redo();
     void jump(std::size_t place);
 
-    /// Opens a file. If it has an error, the open document stays as it is and `notice` says why; false then.
-    bool open(const std::filesystem::path& path);
+    /// Opens a file. If it has an error, the open document stays as it is and `notice` says why; false then. `Mend`
+    /// opens a file too that is understood but whose structure has errors, as one that was saved while it was drawn.
+    enum class Purpose : std::uint8_t { Work, Mend };
+    bool open(const std::filesystem::path& path, Purpose purpose = Purpose::Work);
     /// Opens a draft of a file's document, or of one that has no file yet, as one that is not saved.
     bool recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original);
     /// Tells that a file was not opened.
-    void refuse(const std::filesystem::path& path, std::vector<femoop::Fault> faults);
+    void refuse(const std::filesystem::path& path, const Notice& reason);
     /// Writes to the path, whole or not at all; false, with a notice, if that fails.
     bool save(const std::filesystem::path& path);
     const std::optional<std::filesystem::path>& path() const { return path_; }

@@ -91,7 +91,7 @@ void close_tab(Desk& desk)
 
 void new_document(Desk& desk) { add_tab(desk, Session{Document{}}); }
 
-bool open_file(Desk& desk, const std::filesystem::path& path)
+bool open_file(Desk& desk, const std::filesystem::path& path, Session::Purpose purpose)
 {
     for (std::size_t i = 0; i < n_tabs(desk); ++i) {
         const auto& open = tab(desk, i).path();
@@ -100,8 +100,8 @@ bool open_file(Desk& desk, const std::filesystem::path& path)
         return true;
     }
     Session session{Document{}};
-    if (!session.open(path)) {
-        desk.session.refuse(path, std::move(session.notice->faults));
+    if (!session.open(path, purpose)) {
+        desk.session.refuse(path, *session.notice);
         return false;
     }
     add_tab(desk, std::move(session));

@@ -21,7 +21,7 @@ void close_tab(Desk& desk);
 void new_document(Desk& desk);
 /// Shows the file's document, in a tab of its own, or in the one where it is open already. Where it has an error the
 /// open document stays as it is and its `notice` says why; false then.
-bool open_file(Desk& desk, const std::filesystem::path& path);
+bool open_file(Desk& desk, const std::filesystem::path& path, Session::Purpose purpose = Session::Purpose::Work);
 
 /// A document of the desk has changes that are not saved.
 bool has_unsaved(const Desk& desk);

@@ -394,6 +394,18 @@ void show_messages(const std::vector<std::string>& lines, float left, float top,
 
 } // namespace
 
+void Application::show_notice_buttons()
+{
+    if (!desk_.session.notice) return;
+    const ui::Catalogue& tr = desk_.session.view.tr;
+    const bool is_closed = ImGui::Button((tr("Close") + "###close notice").c_str());
+    const std::optional<std::filesystem::path> to_mend = desk_.session.notice->to_mend;
+    ImGui::SameLine();
+    const bool is_opened = to_mend && ImGui::Button((tr("Open all the same") + "###open notice").c_str());
+    if (is_closed || is_opened) desk_.session.notice.reset();
+    if (is_opened) open_file(desk_, *to_mend, Session::Purpose::Mend);
+}
+
 void Application::show_banner()
 {
     Session& session = desk_.session;
@@ -417,7 +429,7 @@ void Application::show_banner()
     }
     const ImVec2 corner = ImGui::GetWindowPos();
     show_messages(lines, corner.x, corner.y, ImGui::GetWindowWidth());
-    if (session.notice && ImGui::Button(tr("Close").c_str())) session.notice.reset();
+    show_notice_buttons();
     ImGui::End();
     ImGui::PopStyleVar(2);
 }

@@ -67,6 +67,7 @@ private:
     void show_canvas();
     void show_tables(float height);
     void show_banner();
+    void show_notice_buttons();
     void show_status_bar();
     void show_dialogs();
     void show_shortcuts();

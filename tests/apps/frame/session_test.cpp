@@ -4,6 +4,8 @@
 #include <string_view>
 
 #include "apps/frame/document/command.h"
+#include "apps/frame/document/drawing.h"
+#include "apps/frame/document/loading.h"
 #include "apps/frame/session/autosave.h"
 #include "apps/frame/session/edit_commands.h"
 #include "apps/frame/session/tabs.h"
@@ -88,6 +90,25 @@ TEST_SUITE("frame session")
         CHECK(desk.session.model().title == "Changed");
         REQUIRE(desk.session.notice);
         CHECK(!desk.session.notice->faults.empty());
+    }
+
+    TEST_CASE("What was saved while it was drawn opens again to be mended, though it cannot be solved")
+    {
+        const Folder folder;
+        Desk desk{Session{Document{}}};
+        desk.session.change({ui::translatable("Add a node"), [](Document& document) {
+                                 add_node(document, {1.0, 2.0});
+                                 add_node_load(document, load_case_for(document, femoop::CaseId(0)), NodeId(0),
+                                               {femoop::Dof::uy, femoop::Quantity(-5.0)});
+                             }});
+        const Document drawn = desk.session.document();
+        REQUIRE(desk.session.save(folder.path() / "begun.json"));
+        Desk later = desk_with("portal.json");
+        CHECK(!open_file(later, folder.path() / "begun.json"));
+        REQUIRE(later.session.notice);
+        CHECK(later.session.notice->to_mend);
+        REQUIRE(open_file(later, folder.path() / "begun.json", Session::Purpose::Mend));
+        CHECK(later.session.document() == drawn);
     }
 
     TEST_CASE("Language and theme go along from tab to tab, the load case and the camera stay")
