@@ -54,9 +54,13 @@ std::optional<double> slider(const TypicalNumber& number, double value)
 std::optional<double> options(const TypicalNumber& number, double value, const ui::Catalogue& tr)
 {
     std::optional<double> chosen;
+    const float end = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    const ImGuiStyle& style = ImGui::GetStyle();
     for (std::size_t i = 0; i < number.options.size(); ++i) {
         const std::string_view option = number.options[i];
-        if (i > 0) ImGui::SameLine();
+        const float words = ImGui::CalcTextSize(tr(option).c_str()).x;
+        const float width = style.ItemSpacing.x + ImGui::GetFrameHeight() + style.ItemInnerSpacing.x + words;
+        if (i > 0 && ImGui::GetItemRectMax().x + width <= end) ImGui::SameLine(); // else in a line of its own
         const bool is_on = value == static_cast<double>(i);
         const std::string id = tr(option) + "###" + std::string(number.id) + std::string(option);
         if (ImGui::RadioButton(id.c_str(), is_on)) chosen = static_cast<double>(i);

@@ -49,6 +49,20 @@ TEST_SUITE("frame window: typical structures")
         )");
     }
 
+    TEST_CASE("A choice that is too long for its row goes on in the next: no word is cut")
+    {
+        frame::Session session = opened("examples/portal.json");
+        session.set_language(ui::Language::Portuguese);
+        check_window("window_typical_choice", std::move(session), R"(
+            command edit.template
+            command template.choose arch
+            command template.set hinges 2
+            command template.replace
+            wait 0.1
+            hover pixel 600 700
+        )");
+    }
+
     TEST_CASE("Enter inserts, Escape takes back")
     {
         check_window("window_typical_inserted", opened("examples/portal.json"), R"(
