@@ -65,6 +65,7 @@ NumberFieldEvent NumberFields::show_value(unsigned id, const Look& look, float w
     }
     if (ImGui::IsItemDeactivated() && ImGui::IsItemHovered()) {
         typing_ = id;
+        ++n_openings_;
         last_shown_ = ImGui::GetFrameCount();
         is_open_ = false;
         text_ = opening_text_ = look.exact_text;
@@ -98,8 +99,10 @@ NumberFieldEvent NumberFields::show_editor(unsigned id, float width)
     if (!std::exchange(is_open_, true)) ImGui::SetKeyboardFocusHere();
     const bool has_reason = !reason_.empty();
     if (has_reason) ImGui::PushStyleColor(ImGuiCol_FrameBg, ImVec4(0.85F, 0.25F, 0.15F, 0.25F));
+    ImGui::PushID(n_openings_); // an editor of its own: Dear ImGui would undo what was typed into the one before
     const bool is_confirmed = ImGui::InputText(
         "text", &text_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    ImGui::PopID();
     if (has_reason) ImGui::PopStyleColor();
     const bool is_left = ImGui::IsItemDeactivated();
     const bool is_given_up = is_left && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
@@ -116,6 +119,7 @@ NumberFieldEvent NumberFields::show_editor(unsigned id, float width)
 void NumberFields::reject(const NumberFieldEvent& event, std::string reason)
 {
     typing_ = last_typed_;
+    ++n_openings_;
     is_open_ = false;
     text_ = event.text;
     reason_ = std::move(reason);

@@ -48,6 +48,7 @@ private:
 
     unsigned typing_ = 0;  ///< the field whose text is edited, 0 for none
     int last_shown_ = 0;   ///< the frame in which it was
+    int n_openings_ = 0;   ///< of the editor
     bool is_open_ = false; ///< the editor was shown before, so it has the keyboard
     std::string text_;
     std::string opening_text_;

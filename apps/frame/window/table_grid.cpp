@@ -14,7 +14,9 @@ using ui::Key;
 
 void TableGrid::reset()
 {
+    const int n_openings = n_openings_;
     *this = TableGrid();
+    n_openings_ = n_openings;
     must_scroll_ = true;
 }
 
@@ -97,6 +99,7 @@ void TableGrid::open(std::string text)
 {
     text_ = std::move(text);
     is_editing_ = is_fresh_ = must_scroll_ = true;
+    ++n_openings_;
     anchor_ = cursor_;
 }
 
@@ -108,7 +111,11 @@ void TableGrid::confirm(Way then)
     edit_ = GridEdit{cursor_.row, cursor_.column, {{text_}}};
 }
 
-void TableGrid::reject(std::string text) { open(std::move(text)); }
+void TableGrid::reject(const GridEdit& edit)
+{
+    cursor_ = {edit.row, edit.column};
+    open(edit.texts.front().front());
+}
 
 void TableGrid::accept() { move(std::exchange(then_, Way::Stay), false); }
 
@@ -428,8 +435,10 @@ void TableGrid::show_editor()
     if (is_fresh_) ImGui::SetKeyboardFocusHere();
     ImGui::PushStyleColor(ImGuiCol_FrameBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
     ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1.0F);
+    ImGui::PushID(n_openings_); // an editor of its own: Dear ImGui would undo what was typed into the one before
     ImGui::InputText("###cell", &text_, ImGuiInputTextFlags_AllowTabInput | ImGuiInputTextFlags_CallbackAlways,
                      put_caret_at_end, &is_fresh_);
+    ImGui::PopID();
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
 }

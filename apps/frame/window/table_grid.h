@@ -41,8 +41,8 @@ public:
     std::optional<GridEdit> take_edit();
     bool takes_clicks() const { return was_clicked_; } ///< the mouse pressed in the grid in this frame
 
-    /// The text that was confirmed cannot be taken: the cell is opened again with it.
-    void reject(std::string text);
+    /// The text that was confirmed cannot be taken: its cell is opened again with it.
+    void reject(const GridEdit& edit);
     /// The text that was confirmed was taken: on to the next cell.
     void accept();
 
@@ -99,6 +99,7 @@ private:
 
     bool is_editing_ = false;
     bool is_fresh_ = false; ///< the editor has no keyboard yet
+    int n_openings_ = 0;    ///< of the editor
     std::string text_;
     Way then_ = Way::Stay;
     std::optional<GridEdit> edit_;

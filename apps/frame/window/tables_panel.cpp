@@ -55,12 +55,14 @@ void TablesPanel::follow(const Desk& desk)
                             ' ' + std::string(code(session.units().system())) + ' ' +
                             std::string(code(session.view.tr.language())) + ' ' +
                             std::to_string(static_cast<int>(desk.bottom.table));
-    if (kind_ != desk.bottom.table) {
+    const std::string document = std::to_string(desk.tab) + ' ' + session.file_name();
+    if (kind_ != desk.bottom.table || document_ != document) {
         grid_.reset();
         message_.clear();
         chosen_ = {};
     }
     kind_ = desk.bottom.table;
+    document_ = document;
     if (now == made_for_) return;
     made_for_ = now;
     table_ = table_of(session, kind_);
@@ -244,11 +246,13 @@ ui::Input TablesPanel::take(Desk& desk, const ui::Input& input)
     ImGui::GetIO().ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard; // the arrows are the table's
     ui::Input rest = input;
     rest.keys.clear();
+    if (!desk.bottom.shows_member) follow(desk);
     for (const ui::KeyEvent& event : input.keys) {
         const bool is_taken = event.is_down && take_key(desk, {event.key, input.modifiers});
         if (!is_taken) rest.keys.push_back(event);
     }
-    if (has_keyboard_ && !input.modifiers.ctrl && !desk.bottom.shows_member) {
+    const bool is_typed = has_keyboard_ && !input.modifiers.ctrl && !desk.bottom.shows_member;
+    if (is_typed && !table_.headings.empty()) {
         grid_.type(input.text, table_);
         rest.text.clear();
     }
@@ -261,6 +265,8 @@ bool TablesPanel::take_key(Desk& desk, const ui::Chord& chord)
         if (chord.key == Key::Escape) leave();
         return chord.key == Key::Escape || member_.take(desk.session, chord);
     }
+    follow(desk); // the key before may have changed the document
+    if (table_.headings.empty()) return false;
     if (grid_.take(chord, table_)) {
         if (const auto edit = grid_.take_edit()) carry_out(desk, *edit);
         else if (!grid_.is_editing()) select_rows(desk);
@@ -362,7 +368,7 @@ void TablesPanel::carry_out(Desk& desk, const GridEdit& edit)
     const bool is_new = edit.row >= table_.rows.size();
     const bool is_taken = is_new ? fill_draft(desk, edit) : fill(desk, edit);
     if (!is_taken) {
-        grid_.reject(edit.texts.front().front());
+        grid_.reject(edit);
         return;
     }
     follow(desk);

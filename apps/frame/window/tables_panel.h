@@ -62,6 +62,7 @@ private:
     Table table_;
     std::string made_for_; ///< what the table was made for: another state of it makes it anew
     TableKind kind_ = TableKind::Nodes;
+    std::string document_; ///< whose rows the cursor is in
     bool was_open_ = false;
     bool has_keyboard_ = false;
     Selection chosen_; ///< that rows and selection agreed upon

@@ -107,6 +107,39 @@ TEST_SUITE("frame window: tables")
         )");
     }
 
+    TEST_CASE("Ctrl+Z within a cell or a field undoes nothing of what was typed there before")
+    {
+        check_window("window_table_undo", opened("examples/portal.json"), R"(
+            command view.table.nodes
+            wait 0.1
+            type "a rather long name"
+            key Enter
+            key Up
+            type "B"
+            key Ctrl+Z
+            key Ctrl+Z
+            key Ctrl+Z
+            type "K"
+            key Enter
+            expect undo Change table: Nodes
+            command view.tables
+            click node BK
+            click pixel 1190 97
+            key Ctrl+A
+            type "1.23456789"
+            key Enter
+            click pixel 1190 97
+            key Ctrl+A
+            type "2"
+            key Ctrl+Z
+            key Ctrl+Z
+            key Ctrl+Z
+            key Ctrl+Z
+            key Esc
+            wait 0.1
+        )");
+    }
+
     TEST_CASE("The diagrams of the selected member share an axis; a click pins the section, the arrows move it")
     {
         check_window("window_member", opened("examples/portal.json"), R"(
