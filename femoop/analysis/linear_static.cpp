@@ -26,6 +26,8 @@ namespace femoop {
 namespace {
 
 constexpr double doubtful_pivot = 1e-11;    // of the diagonal: a smaller one may be rounding alone
+constexpr double harmless_pivot = 1e-6;     // of the diagonal: above it no condition was seen that costs digits
+constexpr double poor_condition = 1e10;     // leaves some six correct digits
 constexpr double zero_eigenvalue = 1e-14;   // of the scaled K: a free motion leaves less
 constexpr Eigen::Index most_modes = 100;    // to look for in a structure that moves in many ways
 constexpr Eigen::Index most_described = 12; // of them: who reads more sentences than that?
@@ -218,12 +220,32 @@ private:
         statistics.solver = solver_->name();
         const Pivots pivots = solver_->factorize(K);
         statistics.factor_nonzeros = solver_->factor_nonzeros();
-        if (pivots.is_positive_definite && pivots.smallest_ratio > doubtful_pivot) return;
+        if (!pivots.is_positive_definite || pivots.smallest_ratio <= doubtful_pivot) refuse_mechanism(model, K);
+        else if (pivots.smallest_ratio < harmless_pivot) warn_of_condition(model, K);
+    }
+
+    /// Refuses what can move freely, and warns of what nearly can.
+    void refuse_mechanism(const Model& model, const SparseMatrix& K)
+    {
         require_finite(model);
         const NullModes free = null_modes(K, zero_eigenvalue, most_modes);
         if (free.is_singular()) refuse(model, free.modes);
-        const Eigen::VectorXd softest = all_unknowns(free.softest);
-        warnings.push_back(nearly_singular_fault(model, free.condition, node_displacements(softest, {}), n));
+        warn(model, free.condition, free.softest);
+    }
+
+    /// Pivots stood, but many small ones after one another lose digits too.
+    void warn_of_condition(const Model& model, const SparseMatrix& K)
+    {
+        const double condition = condition_estimate(*solver_, K);
+        if (condition < poor_condition) return;
+        const NullModes free = null_modes(K, zero_eigenvalue, most_modes);
+        warn(model, condition, free.is_singular() ? free.modes.col(0) : free.softest);
+    }
+
+    void warn(const Model& model, double condition, const Eigen::VectorXd& softest)
+    {
+        const std::vector<double> motion = node_displacements(all_unknowns(softest), {});
+        warnings.push_back(nearly_singular_fault(model, condition, motion, n));
     }
 
     void require_finite(const Model& model) const

@@ -269,6 +269,25 @@ TEST_SUITE("mechanisms")
         CHECK(results.at("G").displacement(NodeId(1))[1] == doctest::Approx(-1e-9 * 16.0 / 1e-8).epsilon(1e-2));
     }
 
+    TEST_CASE("A member that turns on a spring too soft for six digits is warned of, on a firmer one not")
+    {
+        // The tip sinks P (L^2 / c + L^3 / 3 E I); K holds c among numbers E I / L times larger.
+        const auto on_spring = [](double c) {
+            Model model = frame({{0, 0}, {4, 0}}, {{0, 1}});
+            hold(model, 0, SupportKind::Fixed);
+            model.members[0].start.springs = {{.dof = Dof::rz, .stiffness = c}};
+            model.load_cases[0].nodes.push_back({.node = NodeId(1), .components = {{.dof = Dof::uy, .value = -7.0}}});
+            return analyse(model);
+        };
+        const Results soft = on_spring(3e-6);
+        REQUIRE(soft.warnings().size() >= 1);
+        CHECK(message(soft.warnings()[0]).find("softest at B") != std::string::npos);
+        const Results firm = on_spring(3.0);
+        CHECK(firm.warnings().empty());
+        CHECK(firm.at("G").displacement(NodeId(1))[1] ==
+              doctest::Approx(-7.0 * (16.0 / 3.0 + 64.0 / (3.0 * 2.1e8 * 1.3e-4))).epsilon(1e-10));
+    }
+
     TEST_CASE("A section force beyond the range of numbers is refused by the analysis, with its case")
     {
         Model truss = frame({{0, 0}, {4e90, 0}}, {{0, 1}});
