@@ -1,120 +1,176 @@
 #include "femoop/element/joint_condensation.h"
 
+#include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace femoop {
 
 namespace {
 
-constexpr double negligible_pivot = 1e-12;     // of a row's own stiffness: below it only rounding is left
-constexpr double negligible_stiffness = 1e-13; // of the stiffness with rigid joints, likewise
+constexpr double negligible = 1e-12; // of a column of B: below it only rounding is left
 
-/// Inverse of a symmetric positive semidefinite matrix over the rows that can be eliminated, largest pivot first
-/// (the sweep operator); the rows that cannot are left in `loose`, with zero rows and columns in the inverse.
-struct Sweep {
-    Eigen::MatrixXd inverse;
-    std::vector<int> loose;
-    Eigen::MatrixXd follow; ///< how every row moves when a loose one moves by 1
+Eigen::MatrixXd inverse(const Eigen::MatrixXd& A)
+{
+    return A.llt().solve(Eigen::MatrixXd::Identity(A.rows(), A.cols()));
+}
+
+/// Gauss-Jordan elimination of the columns of a few releases: W A = 1 in each one's own row.
+struct Reduction {
+    Eigen::MatrixXd null_rows;    ///< rows w of W with w A = 0
+    Eigen::MatrixXd left_inverse; ///< row by row the columns of A, zero for dependent ones
+    Eigen::MatrixXd modes;        ///< A x = 0, one column per dependent one, 1 there
+    std::vector<int> dependent;
 };
 
-Sweep sweep(Eigen::MatrixXd A)
+/// The largest entry of a column below `from`.
+Eigen::Index pivot_row(const Eigen::MatrixXd& A, Eigen::Index column, Eigen::Index from)
 {
-    const auto n = A.rows();
-    const Eigen::VectorXd scale = A.diagonal();
-    std::vector<bool> swept(static_cast<std::size_t>(n), false);
-    for (Eigen::Index step = 0; step < n; ++step) {
-        Eigen::Index pivot = -1;
-        double best = negligible_pivot;
-        for (Eigen::Index i = 0; i < n; ++i) {
-            const double relative = scale[i] > 0.0 ? A(i, i) / scale[i] : 0.0;
-            if (!swept[static_cast<std::size_t>(i)] && relative > best) {
-                best = relative;
-                pivot = i;
-            }
+    Eigen::Index best = from;
+    for (Eigen::Index i = from + 1; i < A.rows(); ++i)
+        if (std::abs(A(i, column)) > std::abs(A(best, column))) best = i;
+    return best;
+}
+
+Reduction reduce(const Eigen::MatrixXd& A)
+{
+    const Eigen::Index rows = A.rows(), columns = A.cols();
+    Eigen::MatrixXd reduced = A;
+    Eigen::MatrixXd W = Eigen::MatrixXd::Identity(rows, rows);
+    std::vector<Eigen::Index> independent;
+    Reduction result;
+    for (Eigen::Index j = 0; j < columns; ++j) {
+        const auto rank = static_cast<Eigen::Index>(independent.size());
+        const Eigen::Index row = rank < rows ? pivot_row(reduced, j, rank) : 0;
+        if (rank == rows || std::abs(reduced(row, j)) <= negligible * A.col(j).norm()) {
+            result.dependent.push_back(static_cast<int>(j));
+            continue;
         }
-        if (pivot < 0) break;
-        swept[static_cast<std::size_t>(pivot)] = true;
-        const double d = A(pivot, pivot);
-        const Eigen::VectorXd column = A.col(pivot) / d;
-        const Eigen::RowVectorXd row = A.row(pivot);
-        A -= column * row;
-        A.col(pivot) = -column;
-        A.row(pivot) = row / d;
-        A(pivot, pivot) = 1.0 / d;
+        reduced.row(rank).swap(reduced.row(row));
+        W.row(rank).swap(W.row(row));
+        W.row(rank) /= reduced(rank, j);
+        reduced.row(rank) /= reduced(rank, j);
+        for (Eigen::Index i = 0; i < rows; ++i) {
+            if (i == rank) continue;
+            W.row(i) -= reduced(i, j) * W.row(rank);
+            reduced.row(i) -= (reduced(i, j) * reduced.row(rank)).eval();
+        }
+        independent.push_back(j);
     }
-    Sweep result{.inverse = Eigen::MatrixXd::Zero(n, n), .loose = {}, .follow = {}};
-    for (Eigen::Index j = 0; j < n; ++j)
-        if (!swept[static_cast<std::size_t>(j)]) result.loose.push_back(static_cast<int>(j));
-    result.follow = Eigen::MatrixXd::Zero(n, static_cast<Eigen::Index>(result.loose.size()));
-    for (Eigen::Index i = 0; i < n; ++i) {
-        if (!swept[static_cast<std::size_t>(i)]) continue;
-        for (Eigen::Index j = 0; j < n; ++j)
-            if (swept[static_cast<std::size_t>(j)]) result.inverse(i, j) = A(i, j);
-        for (std::size_t l = 0; l < result.loose.size(); ++l)
-            result.follow(i, static_cast<Eigen::Index>(l)) = -A(i, result.loose[l]);
+    const auto rank = static_cast<Eigen::Index>(independent.size());
+    result.null_rows = W.bottomRows(rows - rank);
+    result.left_inverse = Eigen::MatrixXd::Zero(columns, rows);
+    result.left_inverse(independent, Eigen::all) = W.topRows(rank);
+    result.modes = Eigen::MatrixXd::Zero(columns, static_cast<Eigen::Index>(result.dependent.size()));
+    for (std::size_t i = 0; i < result.dependent.size(); ++i) {
+        auto mode = result.modes.col(static_cast<Eigen::Index>(i));
+        mode(independent) = -reduced.col(result.dependent[i]).head(rank);
+        mode[result.dependent[i]] = 1.0;
     }
-    for (std::size_t l = 0; l < result.loose.size(); ++l)
-        result.follow(result.loose[l], static_cast<Eigen::Index>(l)) = 1.0;
     return result;
+}
+
+/// What a displacement does to a basis of forces is either something or rounding, which must not hold a mechanism.
+void drop_rounding(Eigen::MatrixXd& basis, const Eigen::MatrixXd& B)
+{
+    for (Eigen::Index j = 0; j < B.cols(); ++j)
+        for (Eigen::Index i = 0; i < basis.rows(); ++i)
+            if (std::abs(basis(i, j)) <= negligible * B.col(j).norm()) basis(i, j) = 0.0;
+}
+
+/// What the dependent ones of some displacements of a member may do without strain.
+std::vector<JointCondensation::Loose> motions(const Reduction& reduced, const std::vector<int>& displacements,
+                                              Eigen::Index n)
+{
+    std::vector<JointCondensation::Loose> found;
+    for (std::size_t i = 0; i < reduced.dependent.size(); ++i) {
+        JointCondensation::Loose motion{.row = displacements[static_cast<std::size_t>(reduced.dependent[i])],
+                                        .mode = Eigen::VectorXd::Zero(n)};
+        motion.mode(displacements) = reduced.modes.col(static_cast<Eigen::Index>(i));
+        found.push_back(std::move(motion));
+    }
+    return found;
 }
 
 } // namespace
 
-JointCondensation::JointCondensation(const Eigen::MatrixXd& k, const Eigen::VectorXd& joints) : k_(k), joints_(joints)
+JointCondensation::JointCondensation(const StrainForm& member, const Eigen::VectorXd& joints)
+    : B_(member.B), joints_(joints), member_flexibility_(inverse(member.S))
 {
-    for (Eigen::Index i = 0; i < k.rows(); ++i)
-        if (std::isfinite(joints[i])) flexible_.push_back(static_cast<int>(i));
-    Eigen::MatrixXd A = k_(flexible_, flexible_);
-    A.diagonal() += joints_(flexible_);
-    const Sweep swept = sweep(std::move(A));
-    inverse_ = swept.inverse;
-    for (std::size_t l = 0; l < swept.loose.size(); ++l) {
-        Loose loose{.row = flexible_[static_cast<std::size_t>(swept.loose[l])],
-                    .mode = Eigen::VectorXd::Zero(k.rows())};
-        loose.mode(flexible_) = swept.follow.col(static_cast<Eigen::Index>(l));
-        loose_.push_back(std::move(loose));
+    sort();
+    const Eigen::MatrixXd at_springs = B_(Eigen::all, sprung_);
+    flexibility_ = member_flexibility_ + at_springs * spring_flexibility_.asDiagonal() * at_springs.transpose();
+    separate_releases();
+    separate_strains();
+    stiffness_ = inverse(free_.transpose() * flexibility_ * free_);
+}
+
+void JointCondensation::sort()
+{
+    for (Eigen::Index i = 0; i < joints_.size(); ++i) {
+        if (joints_[i] == 0.0) released_.push_back(static_cast<int>(i));
+        else if (std::isfinite(joints_[i])) sprung_.push_back(static_cast<int>(i));
     }
+    std::sort(sprung_.begin(), sprung_.end(), [&](int a, int b) { return joints_[a] < joints_[b]; });
+    spring_flexibility_ = joints_(sprung_).cwiseInverse();
+    flexible_ = released_;
+    flexible_.insert(flexible_.end(), sprung_.begin(), sprung_.end());
+}
+
+void JointCondensation::separate_releases()
+{
+    const Reduction reduced = reduce(B_(Eigen::all, released_));
+    free_ = reduced.null_rows.transpose();
+    basis_ = reduced.null_rows * B_;
+    basis_(Eigen::all, released_).setZero();
+    drop_rounding(basis_, B_);
+    follow_ = reduced.left_inverse;
+    loose_ = motions(reduced, released_, B_.cols());
+}
+
+void JointCondensation::separate_strains()
+{
+    const Reduction reduced = reduce(B_(Eigen::all, flexible_));
+    strain_motion_ = reduced.left_inverse;
+    rigid_on_springs_ = motions(reduced, flexible_, B_.cols());
+    std::erase_if(rigid_on_springs_, [&](const Loose& motion) { return joints_[motion.row] == 0.0; });
+}
+
+Eigen::VectorXd JointCondensation::strain_forces(const Eigen::VectorXd& nodes, const Eigen::VectorXd& fixed) const
+{
+    // What takes the fixed-end forces from the releases, and what then closes the gaps between member and nodes.
+    const Eigen::VectorXd released = -follow_.transpose() * fixed(released_);
+    const Eigen::VectorXd gaps = B_(Eigen::all, sprung_) * spring_flexibility_.cwiseProduct(fixed(sprung_)) +
+                                 flexibility_ * released;
+    return released + free_ * (stiffness_ * (basis_ * nodes - free_.transpose() * gaps));
+}
+
+Eigen::VectorXd JointCondensation::forces(const Eigen::VectorXd& strain_forces, const Eigen::VectorXd& fixed) const
+{
+    Eigen::VectorXd p = B_.transpose() * strain_forces + fixed;
+    p(released_).setZero();
+    return p;
+}
+
+Eigen::MatrixXd JointCondensation::stiffness() const { return basis_.transpose() * stiffness_ * basis_; }
+
+Eigen::VectorXd JointCondensation::end_forces(const Eigen::VectorXd& nodes, const Eigen::VectorXd& fixed) const
+{
+    return forces(strain_forces(nodes, fixed), fixed);
 }
 
 Eigen::VectorXd JointCondensation::end_displacements(const Eigen::VectorXd& nodes, const Eigen::VectorXd& fixed) const
 {
-    // Equilibrium of the flexible rows: (k + c) d_end = c d_node - k (rigid rows of d_node) - fixed.
+    // Strains first: they are as exact as the forces. Only what moves without strain is left to the springs.
+    const Eigen::VectorXd s = strain_forces(nodes, fixed);
     Eigen::VectorXd ends = nodes;
     ends(flexible_).setZero();
-    const Eigen::VectorXd force = joints_(flexible_).cwiseProduct(nodes(flexible_)) -
-                                  (k_ * ends)(flexible_)-fixed(flexible_);
-    ends(flexible_) = inverse_ * force;
+    ends(flexible_) = strain_motion_ * (member_flexibility_ * s - B_ * ends);
+    const Eigen::VectorXd p = forces(s, fixed);
+    for (const Loose& rigid : rigid_on_springs_)
+        ends += (nodes[rigid.row] - p[rigid.row] / joints_[rigid.row]) * rigid.mode;
     return ends;
-}
-
-Eigen::VectorXd JointCondensation::forces(const Eigen::VectorXd& fixed) const
-{
-    const Eigen::VectorXd ends = end_displacements(Eigen::VectorXd::Zero(k_.rows()), fixed);
-    Eigen::VectorXd felt = k_ * ends + fixed;
-    felt(flexible_) = -joints_(flexible_).cwiseProduct(ends(flexible_));
-    return felt;
-}
-
-Eigen::MatrixXd JointCondensation::stiffness() const
-{
-    const auto n = k_.rows();
-    Eigen::MatrixXd K(n, n);
-    const Eigen::VectorXd unloaded = Eigen::VectorXd::Zero(n);
-    for (Eigen::Index j = 0; j < n; ++j) {
-        const Eigen::VectorXd unit = Eigen::VectorXd::Unit(n, j);
-        const Eigen::VectorXd ends = end_displacements(unit, unloaded);
-        K.col(j) = k_ * ends;
-        for (const int row : flexible_) K(row, j) = joints_[row] * (unit[row] - ends[row]);
-    }
-    K = 0.5 * (K + K.transpose()).eval();
-    // A displacement that the releases leave without stiffness must not keep the rounding of its elimination: a
-    // mechanism would be held by it.
-    for (Eigen::Index j = 0; j < n; ++j) {
-        if (std::abs(K(j, j)) > negligible_stiffness * k_(j, j)) continue;
-        K.row(j).setZero();
-        K.col(j).setZero();
-    }
-    return K;
 }
 
 } // namespace femoop

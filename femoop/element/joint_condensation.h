@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "femoop/element/strain_form.h"
+
 namespace femoop {
 
 /// A member's ends joined to its nodes through releases and springs: its own end displacements are eliminated, so
@@ -11,25 +13,29 @@ namespace femoop {
 ///      node o--/\/\--o member's end       spring c:   force = c (d_node - d_end)
 ///                    c                    release:    c = 0, no force; rigid: d_end = d_node
 ///
-/// Source  static condensation [Przemieniecki1968, sec. 6.6]
+/// Springs and member are in series, so that flexibilities add: e = (1/S + B 1/c B') s, of forces s that leave the
+/// releases without force. Nothing is subtracted, and a spring far softer than its member keeps its digits.
+///
+/// Source  flexibilities in series [Przemieniecki1968, sec. 6.6]
 class JointCondensation {
 public:
-    /// `k` is the member's stiffness with rigid joints; `joints` has one stiffness per row of k, infinite for rigid.
-    JointCondensation(const Eigen::MatrixXd& k, const Eigen::VectorXd& joints);
+    /// `joints` has one stiffness per displacement of the member, infinite for rigid.
+    JointCondensation(const StrainForm& member, const Eigen::VectorXd& joints);
 
-    /// Stiffness at the nodes, same size as k.
+    /// Stiffness at the nodes.
     Eigen::MatrixXd stiffness() const;
 
-    /// Fixed-end forces at the nodes from those of the member with rigid joints.
-    Eigen::VectorXd forces(const Eigen::VectorXd& fixed) const;
+    /// Forces on the member's ends, which its nodes feel, from displacements of the nodes and rigid-joint fixed-end
+    /// forces.
+    Eigen::VectorXd end_forces(const Eigen::VectorXd& nodes, const Eigen::VectorXd& fixed) const;
 
-    /// The member's own end displacements from those of the nodes and the rigid-joint fixed-end forces.
+    /// The member's own end displacements from the same.
     Eigen::VectorXd end_displacements(const Eigen::VectorXd& nodes, const Eigen::VectorXd& fixed) const;
 
     /// A displacement of the member's ends that strains neither member nor joints: its releases leave it loose.
     struct Loose {
-        int row;              ///< of k: the displacement that is free
-        Eigen::VectorXd mode; ///< the motion of all rows of k
+        int row;              ///< the displacement that is free
+        Eigen::VectorXd mode; ///< the motion of all displacements
     };
     const std::vector<Loose>& loose() const { return loose_; }
 
@@ -37,11 +43,26 @@ public:
     static double drive(const Loose& loose, const Eigen::VectorXd& fixed) { return loose.mode.dot(fixed); }
 
 private:
-    Eigen::MatrixXd k_;
+    void sort();
+    void separate_releases();
+    void separate_strains();
+    Eigen::VectorXd strain_forces(const Eigen::VectorXd& nodes, const Eigen::VectorXd& fixed) const;
+    Eigen::VectorXd forces(const Eigen::VectorXd& strain_forces, const Eigen::VectorXd& fixed) const;
+
+    Eigen::MatrixXd B_;
     Eigen::VectorXd joints_;
-    std::vector<int> flexible_; ///< rows that are not rigid
-    Eigen::MatrixXd inverse_;   ///< of k + joints over the flexible rows; zero in loose ones
+    std::vector<int> released_, sprung_; ///< displacements; of the springs the softest first
+    std::vector<int> flexible_;          ///< both, one after the other
+    Eigen::VectorXd spring_flexibility_; ///< parallel to sprung_
+    Eigen::MatrixXd member_flexibility_; ///< 1/S
+    Eigen::MatrixXd flexibility_;        ///< of member and springs in series
+    Eigen::MatrixXd free_;               ///< a basis of the forces s that leave releases without force [strains x free]
+    Eigen::MatrixXd basis_;              ///< how far each displacement works on that basis [free x displacements]
+    Eigen::MatrixXd stiffness_;          ///< of that basis, through the springs
+    Eigen::MatrixXd follow_;             ///< of releases per strain: a left inverse of B there
+    Eigen::MatrixXd strain_motion_;      ///< of flexible joints per strain: a left inverse of B there
     std::vector<Loose> loose_;
+    std::vector<Loose> rigid_on_springs_; ///< motions of the member that strain its springs only
 };
 
 } // namespace femoop

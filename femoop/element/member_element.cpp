@@ -1,6 +1,7 @@
 #include "femoop/element/member_element.h"
 
 #include <cstddef>
+#include <utility>
 
 namespace femoop {
 
@@ -199,9 +200,9 @@ auto MemberElement<kind>::rigid_joint_forces(const SpanLoading& loading) const -
     return F;
 }
 
-template <AnalysisKind kind> Eigen::VectorXd MemberElement<kind>::joint_stiffness() const
+template <AnalysisKind kind> auto MemberElement<kind>::joint_stiffness() const -> LocalVector
 {
-    Eigen::VectorXd joints(2 * m);
+    LocalVector joints;
     for (std::size_t end = 0; end < 2; ++end)
         for (int i = 0; i < m; ++i)
             joints[static_cast<int>(end) * m + i] =
@@ -209,19 +210,50 @@ template <AnalysisKind kind> Eigen::VectorXd MemberElement<kind>::joint_stiffnes
     return joints;
 }
 
+template <AnalysisKind kind> auto MemberElement<kind>::jointed_actions() const -> std::vector<JointedAction>
+{
+    std::vector<JointedAction> actions;
+    const LocalVector joints = joint_stiffness();
+    const double L = frame_.length;
+    const auto add = [&](std::vector<int> rows, const StrainForm& form) {
+        const JointCondensation condensation(form, joints(rows));
+        actions.push_back({.rows = std::move(rows), .condensation = condensation});
+    };
+    const auto add_bar = [&](LocalAxis axis, const Bar& bar) {
+        if (const int row = row_of<kind>(axis); row >= 0) add({row, m + row}, strain_form(bar, L));
+    };
+    const auto add_beam = [&](BendingPlane plane) {
+        if (!bends<kind>(plane)) return;
+        const auto rows = bending_rows<kind>(plane);
+        const auto signs = bending_signs(plane);
+        StrainForm form = strain_form(own_beam(plane), L, plane);
+        form.B *= Eigen::Map<const Eigen::Vector4d>(signs.data()).asDiagonal();
+        add({rows.begin(), rows.end()}, form);
+    };
+    if (actions_.contains(Action::Axial)) add_bar(LocalAxis::x, properties_.axial);
+    if (actions_.contains(Action::Torsion)) add_bar(LocalAxis::rx, properties_.torsion);
+    if (actions_.contains(Action::BendingXY)) add_beam(BendingPlane::xy);
+    if (actions_.contains(Action::BendingXZ)) add_beam(BendingPlane::xz);
+    if (actions_.contains(Action::RigidOnFoundation) && bends<kind>(BendingPlane::xy) &&
+        properties_.xy.foundation > 0.0)
+        add({row_of<kind>(LocalAxis::y), m + row_of<kind>(LocalAxis::y)},
+            {.B = Eigen::Matrix2d::Identity(), .S = rigid_on_foundation(properties_.xy.foundation, L)({0, 2}, {0, 2})});
+    return actions;
+}
+
 template <AnalysisKind kind> auto MemberElement<kind>::local_stiffness() const -> LocalMatrix
 {
-    const LocalMatrix k = rigid_joint_stiffness();
-    if (!has_flexible_joint()) return k;
-    return JointCondensation(k, joint_stiffness()).stiffness();
+    if (!has_flexible_joint()) return rigid_joint_stiffness();
+    LocalMatrix K = LocalMatrix::Zero();
+    for (const JointedAction& action : jointed_actions()) K(action.rows, action.rows) = action.condensation.stiffness();
+    return K;
 }
 
 template <AnalysisKind kind>
 auto MemberElement<kind>::local_fixed_end_forces(const SpanLoading& loading) const -> LocalVector
 {
     const LocalVector f = rigid_joint_forces(loading);
-    if (!has_flexible_joint()) return f;
-    return JointCondensation(rigid_joint_stiffness(), joint_stiffness()).forces(f);
+    return has_flexible_joint() ? end_forces(LocalVector::Zero(), f) : f;
 }
 
 template <AnalysisKind kind> auto MemberElement<kind>::stiffness() const -> GlobalMatrix
@@ -258,7 +290,20 @@ template <AnalysisKind kind>
 auto MemberElement<kind>::end_displacements(const LocalVector& nodes, const LocalVector& rigid_joint_forces) const
     -> LocalVector
 {
-    return JointCondensation(rigid_joint_stiffness(), joint_stiffness()).end_displacements(nodes, rigid_joint_forces);
+    LocalVector d = nodes;
+    for (const JointedAction& action : jointed_actions())
+        d(action.rows) = action.condensation.end_displacements(nodes(action.rows), rigid_joint_forces(action.rows));
+    return d;
+}
+
+template <AnalysisKind kind>
+auto MemberElement<kind>::end_forces(const LocalVector& nodes, const LocalVector& rigid_joint_forces) const
+    -> LocalVector
+{
+    LocalVector p = rigid_joint_forces;
+    for (const JointedAction& action : jointed_actions())
+        p(action.rows) = action.condensation.end_forces(nodes(action.rows), rigid_joint_forces(action.rows));
+    return p;
 }
 
 template <AnalysisKind kind>
@@ -267,15 +312,19 @@ std::vector<LooseEnd> MemberElement<kind>::loose_ends(const LocalVector& rigid_j
     std::vector<LooseEnd> found;
     if (!has_flexible_joint()) return found;
     const auto axis_of = [](int row) { return AnalysisModel<kind>::local[static_cast<std::size_t>(row % m)]; };
-    const JointCondensation condensation(rigid_joint_stiffness(), joint_stiffness());
-    for (const JointCondensation::Loose& loose : condensation.loose()) {
-        LooseEnd end{.end = static_cast<std::size_t>(loose.row / m), .axis = axis_of(loose.row), .mode = {}};
-        for (auto& vector : end.mode) vector.setZero();
-        for (int row = 0; row < 2 * m; ++row)
-            end.mode[static_cast<std::size_t>(row / m)][static_cast<int>(index(axis_of(row)))] = loose.mode[row];
-        end.drive = JointCondensation::drive(loose, rigid_joint_forces);
-        found.push_back(end);
-    }
+    for (const JointedAction& action : jointed_actions())
+        for (const JointCondensation::Loose& loose : action.condensation.loose()) {
+            const int free = action.rows[static_cast<std::size_t>(loose.row)];
+            LooseEnd end{.end = static_cast<std::size_t>(free / m), .axis = axis_of(free), .mode = {}};
+            for (auto& vector : end.mode) vector.setZero();
+            for (std::size_t i = 0; i < action.rows.size(); ++i) {
+                const int row = action.rows[i];
+                end.mode[static_cast<std::size_t>(row / m)][static_cast<int>(index(axis_of(row)))] =
+                    loose.mode[static_cast<Eigen::Index>(i)];
+            }
+            end.drive = JointCondensation::drive(loose, rigid_joint_forces(action.rows));
+            found.push_back(end);
+        }
     return found;
 }
 

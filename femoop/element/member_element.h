@@ -88,8 +88,10 @@ public:
     /// The part of them that a truss member or a bar carries as a simple beam across its axis.
     GlobalVector simple_span_forces(const SpanLoading& loading) const;
 
-    /// The member's own end displacements from those of its nodes, both in its axes, through flexible joints.
+    /// The member's own end displacements, and the forces on its ends, from the displacements of its nodes, all in its
+    /// axes, through flexible joints.
     LocalVector end_displacements(const LocalVector& nodes, const LocalVector& rigid_joint_forces) const;
+    LocalVector end_forces(const LocalVector& nodes, const LocalVector& rigid_joint_forces) const;
 
     /// Motions of the member alone between releases that hold it nowhere.
     std::vector<LooseEnd> loose_ends(const LocalVector& rigid_joint_forces = LocalVector::Zero()) const;
@@ -100,7 +102,13 @@ public:
 private:
     Beam own_beam(BendingPlane plane) const;
     bool has_flexible_joint() const { return extras_ != nullptr && extras_->has_flexible_joint; }
-    Eigen::VectorXd joint_stiffness() const;
+    /// One way in which the member resists, between flexible joints; the ways do not feel one another.
+    struct JointedAction {
+        std::vector<int> rows; ///< of the member's displacements
+        JointCondensation condensation;
+    };
+    std::vector<JointedAction> jointed_actions() const;
+    LocalVector joint_stiffness() const;
     GlobalVector to_nodes(const LocalVector& local) const;
 
     const MemberProperties& properties_;

@@ -51,14 +51,13 @@ public:
         const bool is_constrained = extras_ != nullptr && extras_->constraint != Constraint::None;
         const Element elastic(*properties_, frame_, extras_, {},
                               extras_ == nullptr ? all_actions : elastic_actions(*extras_));
-        const typename Element::LocalMatrix k = elastic.rigid_joint_stiffness();
         const typename Element::LocalVector f = elastic.rigid_joint_forces(loading_);
-        typename Element::LocalVector d = pack(s.d);
+        const typename Element::LocalVector d = pack(s.d);
+        typename Element::LocalVector p;
         if (extras_ != nullptr && extras_->has_flexible_joint && !is_constrained) {
-            d = elastic.end_displacements(d, f);
-            unpack(d, s.d);
-        }
-        typename Element::LocalVector p = k * d + f;
+            p = elastic.end_forces(d, f);
+            unpack(elastic.end_displacements(d, f), s.d);
+        } else p = elastic.rigid_joint_stiffness() * d + f;
         if (is_constrained) {
             const Element constrained(*properties_, frame_, extras_, {}, constrained_actions(*extras_));
             const auto z = ends(&CaseSolution::constraint_displacements, &CaseSolution::constraint_own_ends);
