@@ -150,6 +150,14 @@ void hide_or_reveal(Session& session)
     show = show - results;
 }
 
+// Keeps the present solution to compare later ones with it; drops the one that is kept.
+void keep_or_drop_ghost(Session& session)
+{
+    std::shared_ptr<const Ghost>& ghost = session.view.ghost;
+    if (ghost) ghost.reset();
+    else ghost = std::make_shared<const Ghost>(Ghost{session.model(), *session.solution().results});
+}
+
 // Large type and the whole window for the picture, and back.
 void project(Desk& desk)
 {
@@ -162,6 +170,7 @@ void project(Desk& desk)
 void choose_next_case(Session& session, std::size_t step)
 {
     const std::size_t n = session.model().n_cases();
+    session.view.is_envelope = false;
     if (n > 0) session.view.load_case = femoop::CaseId((session.view.load_case.index + step) % n);
 }
 
@@ -210,6 +219,26 @@ void add_camera_commands(CommandTable& table)
                        if (desk.session.is_animated) desk.session.view.show.insert(Show::Deformed);
                    },
                .is_on = [](const Desk& desk) { return desk.session.is_animated; }});
+    table.add({.id = "view.envelope",
+               .menu = view_menu,
+               .label = translatable("Envelope of all cases"),
+               .shortcuts = {{Key::E, {}}},
+               .run = [](Desk& desk) { desk.session.view.is_envelope = !desk.session.view.is_envelope; },
+               .why_not = [](const Desk& desk) -> Reason {
+                   if (desk.session.view.is_envelope) return std::nullopt;
+                   return needs_cases(desk);
+               },
+               .is_on = [](const Desk& desk) { return desk.session.view.is_envelope; }});
+    table.add({.id = "view.compare",
+               .menu = view_menu,
+               .label = translatable("Compare with the present results"),
+               .shortcuts = {{Key::G, {}}},
+               .run = [](Desk& desk) { keep_or_drop_ghost(desk.session); },
+               .why_not = [](const Desk& desk) -> Reason {
+                   if (desk.session.view.ghost || desk.session.solution().results) return std::nullopt;
+                   return translatable("the model has no results");
+               },
+               .is_on = [](const Desk& desk) { return desk.session.view.ghost != nullptr; }});
     table.add({.id = "view.hide_results",
                .menu = view_menu,
                .label = translatable("Hide the results, or reveal them"),

@@ -37,6 +37,8 @@ void Session::restart(Document document)
     view.camera.reset();
     view.units.reset();
     view.scaled_by.reset();
+    view.ghost.reset();
+    view.is_envelope = false;
     mechanism = 0;
     refresh();
 }

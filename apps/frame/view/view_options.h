@@ -4,11 +4,13 @@
 #include "apps/frame/view/show.h"
 #include "femoop/analysis/mechanism.h"
 #include "femoop/model/ids.h"
+#include "femoop/model/model.h"
 #include "femoop/result/results.h"
 #include "ui/paint/theme.h"
 #include "ui/text/catalogue.h"
 #include "ui/text/display_units.h"
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -36,6 +38,12 @@ struct MotionChoice {
     std::size_t shown = 0;                  ///< \pre < all.size()
 };
 
+/// A former model with its results, kept to be compared with.
+struct Ghost {
+    femoop::Model model;
+    femoop::Results results;
+};
+
 /// How a model is drawn. Factors are 1 where the automatic size is right.
 struct ViewOptions {
     ShowSet show = shown_by_default;
@@ -44,6 +52,8 @@ struct ViewOptions {
     ui::Catalogue tr;                      ///< language of the words
     std::optional<ui::UnitSystem> units;   ///< kN, m, mm (or kip, ft, in) when absent
     ui::NumberFormat numbers{.digits = 4}; ///< digits and decimal mark
+    bool is_envelope = false;              ///< of all cases instead of one: diagrams as bands, no loads nor reactions
+    std::shared_ptr<const Ghost> ghost;    ///< its diagrams are drawn behind, faint; none when null
     MomentSide moment_side = MomentSide::Tension;
     double diagram_factor = 1.0;             ///< > 0
     double load_factor = 1.0;                ///< > 0, length of the arrows

@@ -17,6 +17,14 @@ namespace {
 
 constexpr double zoom_per_turn = 1.15;
 
+// An envelope belongs to no case, so it has neither loads nor reactions nor a deformed shape.
+ViewOptions looked_at(const Session& session)
+{
+    ViewOptions options = session.view;
+    if (options.is_envelope) options.show = options.show - ShowSet{Show::Loads, Show::Reactions, Show::Deformed};
+    return options;
+}
+
 // While something is drawn the structure is not complete yet, so no motion is played.
 std::optional<std::size_t> shown_mechanism(const Desk& desk)
 {
@@ -56,7 +64,7 @@ void Canvas::follow_structure(const Desk& desk)
     if (!is_known) shape_ = shape_of(session.model());
     session_ = session.number();
     generation_ = session.generation();
-    ViewOptions options = session.view;
+    ViewOptions options = looked_at(session);
     options.phase = 1.0; // room for the whole motion
     const FittedFor wanted{session_,
                            sheet_,
@@ -291,7 +299,7 @@ void draw_invitation(ui::Painter& painter, const ViewOptions& options)
 
 ViewOptions Canvas::options(const Session& session) const
 {
-    ViewOptions options = session.view;
+    ViewOptions options = looked_at(session);
     options.camera = session.view.camera.value_or(plan_.camera);
     options.selection = highlight(session.selection);
     return options;
@@ -315,7 +323,7 @@ void Canvas::draw_cut(const Session& session, const ViewOptions& options, const 
                       ui::Painter& painter) const
 {
     const auto& results = session.solution().results;
-    if (!results || session.hidden) return;
+    if (!results || session.hidden || options.is_envelope) return;
     const ui::Point at = Projection(*options.camera, panel)(shape_[cut.member].at(cut.x));
     draw_reading(painter, session.model(), *results, options, cut, at);
 }

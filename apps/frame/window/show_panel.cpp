@@ -28,14 +28,18 @@ void choose_case(Session& session)
         ImGui::TextWrapped("%s", session.view.tr("The model has no load case.").c_str());
         return;
     }
+    bool& is_envelope = session.view.is_envelope;
     for (std::size_t i = 0; i < model.n_cases(); ++i) {
         const bool is_combination = i >= model.load_cases.size();
         const std::string& name = model.case_name(femoop::CaseId(i));
         const std::string label = (is_combination ? session.view.tr("{case} (combination)", {{"case", name}}) : name) +
                                   "###" + std::to_string(i);
-        if (ImGui::RadioButton(label.c_str(), session.view.load_case == femoop::CaseId(i)))
-            session.view.load_case = femoop::CaseId(i);
+        if (!ImGui::RadioButton(label.c_str(), !is_envelope && session.view.load_case == femoop::CaseId(i))) continue;
+        session.view.load_case = femoop::CaseId(i);
+        is_envelope = false;
     }
+    if (model.n_cases() > 1 && ImGui::RadioButton(session.view.tr("Envelope").c_str(), is_envelope))
+        is_envelope = true;
 }
 
 void toggle(Desk& desk, const CommandTable& commands, Show item)

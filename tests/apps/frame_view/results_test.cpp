@@ -5,8 +5,10 @@
 #include "apps/frame/view/loads/case_terms.h"
 #include "apps/frame/view/results/marked_values.h"
 #include "apps/frame/view/results/solved_case.h"
+#include "apps/frame/view/sketch/scene.h"
 #include "femoop/analysis/linear_static.h"
 #include "femoop/analysis/mechanism.h"
+#include "femoop/result/envelope.h"
 #include "tests/apps/frame_view/view_model.h"
 #include "ui/paint/label/oriented_box.h"
 
@@ -307,6 +309,29 @@ TEST_CASE("Dimension lines of a structure in space lie on the sheet, however far
         for (const ui::Point p : line.points) CHECK(painter.sheet().contains(p));
     }
     CHECK(n_lines >= 6); // two lines with two ticks each, of two strokes
+}
+
+TEST_CASE("The band of an envelope has the extremes of all cases")
+{
+    femoop::Model model = view_test::simple_beam(L, q);
+    femoop::LoadCase lifted = model.load_cases.front();
+    lifted.id = "lifted";
+    std::get<femoop::DistributedLoad>(lifted.members.front().load).values.front().start = femoop::Quantity(0.5 * q);
+    model.add(lifted);
+    const ui::Fonts fonts;
+    const ViewOptions options{.show = {Show::M, Show::Values}, .is_envelope = true};
+    const view_test::Marks marks = marks_of(model, options, fonts);
+    const femoop::Envelope envelope(femoop::analyse(model));
+    const femoop::GoverningExtremes extremes = envelope.extremes(femoop::MemberId(0), MemberComponent::Mz);
+    CHECK(extremes.max.value == doctest::Approx(q * L * L / 8.0));
+    CHECK(extremes.min.value == doctest::Approx(-0.5 * q * L * L / 8.0));
+    const ui::DisplayUnits units = display_units(model, options);
+    const auto says = [&](double value) {
+        const std::string wanted = units.number(std::abs(value), ui::Measure::Moment);
+        return std::ranges::any_of(marks.texts, [&](const auto& text) { return text.words == wanted; });
+    };
+    CHECK(says(extremes.max.value));
+    CHECK(says(extremes.min.value));
 }
 
 TEST_SUITE_END();

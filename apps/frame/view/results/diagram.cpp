@@ -1,6 +1,7 @@
 #include "apps/frame/view/results/diagram.h"
 
 #include "apps/frame/view/results/marked_values.h"
+#include "apps/frame/view/results/ordinates.h"
 #include "apps/frame/view/structure/members.h"
 
 #include <algorithm>
@@ -18,25 +19,6 @@ using femoop::MemberComponent;
 using femoop::Side;
 
 constexpr double noise = 2e-5; // of the largest value: below it a number is written as zero
-
-/// The direction in which positive values are drawn.
-Vector3d positive_side(const Scene& scene, const MemberShape& member, MemberComponent component)
-{
-    const bool in_xz = component == MemberComponent::My || component == MemberComponent::Vz;
-    const Vector3d side = in_xz ? member.z() : member.y();
-    if (is_moment(component)) {
-        const bool on_tension = scene.options.moment_side == MomentSide::Tension;
-        return on_tension ? Vector3d(-side) : side;
-    }
-    // The upper side, or the left one of a column, whichever way the member was drawn.
-    const bool is_turned = scene.is_flat() && (side.y() < -1e-9 || (std::abs(side.y()) <= 1e-9 && side.x() > 0.0));
-    return is_turned ? Vector3d(-side) : side;
-}
-
-bool has_signs(const Scene& scene, MemberComponent component)
-{
-    return !is_moment(component) || scene.options.moment_side == MomentSide::Compression;
-}
 
 double median_length(const Scene& scene)
 {
@@ -61,59 +43,6 @@ double height_of(const Scene& scene)
     return bottom - top;
 }
 
-struct Ordinate {
-    double x;
-    double value;
-};
-
-/// Values along one member, close enough together that the line between them is the curve on the sheet.
-class Ordinates {
-public:
-    Ordinates(const Curve& curve, MemberComponent component, double tolerance)
-        : curve_(curve), component_(component), tolerance_(tolerance)
-    {}
-
-    std::vector<Ordinate> sample()
-    {
-        const std::vector<double> breaks = curve_.breaks();
-        for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-            const Ordinate begin{breaks[i], curve_.value(component_, breaks[i], Side::After)};
-            const Ordinate end{breaks[i + 1], curve_.value(component_, breaks[i + 1], Side::Before)};
-            points_.push_back(begin);
-            subdivide(begin, end, 0);
-            points_.push_back(end);
-        }
-        return std::move(points_);
-    }
-
-private:
-    void subdivide(const Ordinate& a, const Ordinate& b, int depth)
-    {
-        constexpr int least_depth = 2; // an S-shaped curve may cross its chord in the middle
-        constexpr int most_depth = 7;
-        if (depth >= most_depth || !(b.x > a.x)) return;
-        const double x = 0.5 * (a.x + b.x);
-        const Ordinate middle{x, curve_.value(component_, x)};
-        const bool is_straight = std::abs(middle.value - 0.5 * (a.value + b.value)) <= tolerance_;
-        if (is_straight && depth >= least_depth) return;
-        if (is_straight && depth == 0 && is_straight_at(a, b, 0.25) && is_straight_at(a, b, 0.81)) return;
-        subdivide(a, middle, depth + 1);
-        points_.push_back(middle);
-        subdivide(middle, b, depth + 1);
-    }
-
-    bool is_straight_at(const Ordinate& a, const Ordinate& b, double t) const
-    {
-        const double value = curve_.value(component_, a.x + t * (b.x - a.x));
-        return std::abs(value - (a.value + t * (b.value - a.value))) <= tolerance_;
-    }
-
-    const Curve& curve_;
-    MemberComponent component_;
-    double tolerance_;
-    std::vector<Ordinate> points_;
-};
-
 /// Draws the diagram of one member.
 class MemberDiagram {
 public:
@@ -121,7 +50,7 @@ public:
         : scene_(scene),
           curve_(curve),
           diagram_(diagram),
-          frame_(scene.projection.frame(member.start, member.x(), positive_side(scene, member, diagram.component))),
+          frame_(diagram_frame(scene, member, diagram.component)),
           role_(role_of(diagram.component))
     {}
 
@@ -130,8 +59,8 @@ public:
         const femoop::Extremes extremes = curve_.extremes(diagram_.component);
         const double own = std::max(std::abs(extremes.max.value), std::abs(extremes.min.value));
         if (!(own > noise * diagram_.largest)) return;
-        const std::vector<Ordinate> ordinates =
-            Ordinates(curve_, diagram_.component, 0.3 / diagram_.pixels_per_unit).sample();
+        const std::vector<Ordinate> ordinates = ordinates_of(curve_, diagram_.component,
+                                                             0.3 / diagram_.pixels_per_unit);
         std::vector<ui::Point> line{at(0.0, 0.0)};
         for (const Ordinate& o : ordinates) line.push_back(at(o.x, o.value));
         line.push_back(at(curve_.length(), 0.0));
@@ -322,11 +251,6 @@ ui::Measure measure_of(MemberComponent component)
     case MemberComponent::Mz: return ui::Measure::Moment;
     default: return ui::Measure::Displacement;
     }
-}
-
-bool is_moment(MemberComponent component)
-{
-    return component == MemberComponent::Mz || component == MemberComponent::My;
 }
 
 Diagram make_diagram(const Scene& scene, const SolvedCase& solved, const SolvedCase& scaled_by,

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "apps/frame/view/results/ordinates.h"
 #include "apps/frame/view/results/solved_case.h"
 #include "apps/frame/view/sketch/scene.h"
+
+#include <vector>
 
 namespace frame {
 
@@ -26,8 +29,17 @@ Diagram make_diagram(const Scene& scene, const SolvedCase& solved, const SolvedC
 ///        M         on the side that it stretches, or on the other (ViewOptions::moment_side)
 void draw_diagram(const Scene& scene, const SolvedCase& solved, const Diagram& diagram);
 
+/// The outlines of the diagram alone, faint and without values: a former solution behind the present one. The scene is
+/// that of the former structure.
+void draw_ghost(const Scene& scene, const SolvedCase& solved, const Diagram& diagram);
+
+/// The largest and the smallest value of all cases along every member, as a band, with the extremes of each member.
+/// `diagram` has its scale from `envelope_diagram`.
+void draw_envelope(const Scene& scene, const std::vector<SolvedCase>& cases, const Diagram& diagram);
+Diagram envelope_diagram(const Scene& scene, const std::vector<SolvedCase>& cases, femoop::MemberComponent component,
+                         ui::Size panel);
+
 ui::Role role_of(femoop::MemberComponent component);
 ui::Measure measure_of(femoop::MemberComponent component);
-bool is_moment(femoop::MemberComponent component); ///< bending, not torsion
 
 } // namespace frame

@@ -29,6 +29,7 @@ std::string terms_text(const femoop::Model& model, const femoop::Combination& co
 
 std::string case_text(const femoop::Model& model, const ViewOptions& options)
 {
+    if (options.is_envelope) return options.tr("envelope of all cases");
     const std::size_t index = options.load_case.index;
     if (index >= model.n_cases()) return {};
     const std::string& name = model.case_name(options.load_case);
@@ -40,6 +41,7 @@ std::string case_text(const femoop::Model& model, const ViewOptions& options)
 
 std::string self_weight_text(const femoop::Model& model, const ViewOptions& options)
 {
+    if (options.is_envelope) return {};
     double factor = 0.0;
     for (const CaseTerm& term : terms_of(model, options.load_case)) factor += term.factor * term.load_case->self_weight;
     if (factor == 0.0) return {};

@@ -33,12 +33,14 @@ class PanelPicture {
 public:
     PanelPicture(const Scene& scene, ui::Size size) : scene_(scene), size_(size) {}
 
-    void draw_solved(const SolvedCase* solved, const SolvedCase* scaled_by)
+    /// `all` has the solved cases where an envelope is drawn, else none.
+    void draw_solved(const SolvedCase* solved, const SolvedCase* scaled_by, const std::vector<SolvedCase>& all)
     {
         const bool is_behind = solved && scene_.shows(Show::Deformed) && !shows_any(scene_.options.show, diagrams);
         draw_highlights(scene_);
         draw_members(scene_, is_behind ? Presence::Behind : Presence::Subject);
-        if (solved) draw_results(*solved, scaled_by ? *scaled_by : *solved);
+        if (!all.empty()) draw_bands(all);
+        else if (solved) draw_results(*solved, scaled_by ? *scaled_by : *solved);
         draw_structure();
         if (scene_.shows(Show::Loads)) draw_loads(scene_);
         if (solved && scene_.shows(Show::Reactions)) draw_reactions(scene_, *solved);
@@ -57,6 +59,32 @@ public:
     const std::vector<PanelHead>& heads() const { return heads_; }
 
 private:
+    void draw_bands(const std::vector<SolvedCase>& all)
+    {
+        for (const Show item : diagrams) {
+            if (!scene_.shows(item)) continue;
+            std::vector<Diagram> drawn;
+            for (const femoop::MemberComponent component : components(item, scene_.model.analysis))
+                drawn.push_back(envelope_diagram(scene_, all, component, size_));
+            if (drawn.empty()) continue;
+            use_one_scale(drawn);
+            for (const Diagram& diagram : drawn) draw_envelope(scene_, all, diagram);
+            heads_.push_back(diagram_head(scene_, drawn));
+        }
+    }
+
+    // The former solution of the same case, to the scale of the present one.
+    void draw_former(const std::vector<Diagram>& present)
+    {
+        if (!scene_.options.ghost) return;
+        const Ghost& ghost = *scene_.options.ghost;
+        const auto solved = solved_case(ghost.results, scene_.options.load_case);
+        if (!solved || ghost.model.analysis != scene_.model.analysis) return;
+        const StructureShape shape = shape_of(ghost.model);
+        const Scene former{ghost.model, shape, scene_.projection, scene_.options, scene_.units, scene_.sketch};
+        for (const Diagram& diagram : present) draw_ghost(former, *solved, diagram);
+    }
+
     void draw_results(const SolvedCase& solved, const SolvedCase& scaled_by)
     {
         for (const Show item : diagrams) {
@@ -66,6 +94,7 @@ private:
                 drawn.push_back(make_diagram(scene_, solved, scaled_by, component, size_));
             if (drawn.empty()) continue;
             use_one_scale(drawn);
+            draw_former(drawn);
             for (const Diagram& diagram : drawn) draw_diagram(scene_, solved, diagram);
             heads_.push_back(diagram_head(scene_, drawn));
         }
@@ -146,6 +175,8 @@ Subject::Subject(const femoop::Model& model, const femoop::Results* results, con
         return r.n_members() == model.members.size() && r.n_nodes() == model.nodes.size();
     };
     if (results && fits(*results)) solved_ = solved_case(*results, options.load_case);
+    for (std::size_t i = 0; options.is_envelope && results && fits(*results) && i < results->n_cases(); ++i)
+        all_.push_back(*solved_case(*results, femoop::CaseId(i)));
     if (options.scaled_by && fits(*options.scaled_by)) scaled_by_ = solved_case(*options.scaled_by, options.load_case);
 }
 
@@ -287,7 +318,7 @@ Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, con
     const Scene scene{model_, shape_, projection, options, units_, sketch};
     PanelPicture picture(scene, panel.box.size());
     if (motion_) picture.draw_mechanism(motion_->all[motion_->shown]);
-    else picture.draw_solved(solved_ ? &*solved_ : nullptr, scaled_by_ ? &*scaled_by_ : nullptr);
+    else picture.draw_solved(solved_ ? &*solved_ : nullptr, scaled_by_ ? &*scaled_by_ : nullptr, all_);
     Drawn drawn{.bounds = sketch.bounds(), .tight_bounds = sketch.tight_bounds()};
     const std::vector<ui::Box> rows = head_rows(picture.heads(), theme, painter.fonts(), panel);
     if (!rows.empty()) drawn.heads_height = rows.back().max.y - panel.box.min.y;

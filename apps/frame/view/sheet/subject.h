@@ -73,6 +73,7 @@ private:
     ui::DisplayUnits units_;
     StructureShape shape_;
     std::optional<SolvedCase> solved_;
+    std::vector<SolvedCase> all_; ///< cases of an envelope
     std::optional<SolvedCase> scaled_by_;
 };
 
