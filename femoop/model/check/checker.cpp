@@ -92,6 +92,14 @@ bool Checker::require_finite(const Entry& place, std::string_view key, double va
     return false;
 }
 
+void Checker::require_within_reach(const Entry& place, std::string_view key, const Quantity& coordinate)
+{
+    constexpr double furthest = 1e100; // the square of a length is a number still, a stiffness over it is not nothing
+    if (require_finite(place, key, coordinate) && std::abs(coordinate.value()) > furthest)
+        add(FaultKind::OutOfReach, place,
+            {std::string(key), shown(coordinate, dimension::length), shown(Quantity(furthest), dimension::length)});
+}
+
 void Checker::require_positive(const Entry& place, std::string_view key, const Quantity& value, Dimension dimension)
 {
     if (require_finite(place, key, value) && value <= 0.0)

@@ -138,7 +138,7 @@ void Checker::check_nodes()
 void Checker::check_node(const Node& node, const Entry& place)
 {
     constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
-    for (std::size_t i = 0; i < n_coordinates(model_.analysis); ++i) require_finite(place, axes[i], node.at[i]);
+    for (std::size_t i = 0; i < n_coordinates(model_.analysis); ++i) require_within_reach(place, axes[i], node.at[i]);
     if (node.support) check_support(*node.support, place);
     require_distinct(place, node.mass);
     for (const Component& mass : node.mass) {
@@ -236,7 +236,7 @@ void Checker::check_end(const Member& member, End which, const Entry& place)
     }
     if (!end.offset.empty() && end.offset.size() != n_coordinates(model_.analysis))
         add(FaultKind::OffsetSize, place, {at, std::to_string(end.offset.size()), analysis()});
-    for (const Quantity& part : end.offset) require_finite(place, at + " offset", part);
+    for (const Quantity& part : end.offset) require_within_reach(place, at + " offset", part);
 }
 
 Checker::Axis Checker::axis(const Member& member) const

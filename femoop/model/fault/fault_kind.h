@@ -104,6 +104,7 @@ enum class FaultKind : std::uint8_t {
     RepeatedId,
     DanglingReference,
     NotFinite,
+    OutOfReach,
     NotPositive,
     Negative,
     ZeroStiffness,

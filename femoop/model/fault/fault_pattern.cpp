@@ -170,6 +170,9 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::DanglingReference:
         return "{0}: refers to entry {2} of {1}, which has {3}; refer to one that is there";
     case FaultKind::NotFinite: return "{0}: {1} is {2}; give a finite number";
+    case FaultKind::OutOfReach:
+        return "{0}: {1} is {2}, too far for stiffnesses to be reckoned with; give a length up to {3}, and check its "
+               "unit";
     case FaultKind::NotPositive: return "{0}: {1} is {2}; give a value greater than 0";
     case FaultKind::Negative: return "{0}: {1} is {2}; give 0 or a positive value";
     case FaultKind::ZeroStiffness:

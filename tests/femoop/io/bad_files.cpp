@@ -348,6 +348,9 @@ std::vector<BadFile> files_with_bad_nodes()
         {with_nodes(
              R"([{"id": "A", "at": [0, 0], "support": "fixed"}, {"id": "B", "at": [6, 0], "support": "pinned"}])"),
          "nodes[1].support: \"pinned\" is none of fixed, pin, roller; choose one of them"},
+        {with_nodes(R"([{"id": "A", "at": [0, 0], "support": "fixed"}, {"id": "B", "at": ["4e160 m", 0]}])"),
+         "nodes[1] \"B\": x is 4e160 m, too far for stiffnesses to be reckoned with; give a length up to 1e100 m, and "
+         "check its unit"},
         {truss_roller,
          "nodes[0] \"A\": \"roller\" is for truss2d and frame2d, this is truss3d; use {\"fixed\": [...]}"},
         {File{
@@ -409,6 +412,10 @@ std::vector<BadFile> files_with_bad_members()
          "members[0] \"AB\": its offsets leave nothing of the 6 m between its nodes; shorten them"},
         {with_member_keys(R"("start": {"offset": [4, 0]}, "end": {"offset": [-4, 0]})"),
          "members[0] \"AB\": its offsets leave nothing of the 6 m between its nodes; shorten them"},
+        {with_member_keys(R"("start": {"offset": [0, -3e101]})"),
+         "members[0] \"AB\": start offset is -3e101 m, too far for stiffnesses to be reckoned with; give a length up "
+         "to "
+         "1e100 m, and check its unit"},
         {with_member_keys(R"("start": {"offset": [1, 0, 0]})"),
          "members[0].start.offset: found 3 lengths, wanted 2 in frame2d; give one per coordinate"},
         {with_member_keys(R"("start": {"release": ["ry"]})"),
