@@ -104,8 +104,7 @@ Fault words(const Model& model, const Structure& structure, const std::vector<No
         return (translation(motion[node.index]) - first).norm() < still;
     });
     if (is_common) return along(model, moving, first);
-    const bool is_plane = model.analysis == AnalysisKind::Frame2d || model.analysis == AnalysisKind::Truss2d;
-    if (is_plane)
+    if (is_plane(model.analysis))
         if (const auto about = pivot(structure, motion, moving))
             return {.kind = FaultKind::MechanismTurn,
                     .arguments = {names_of(model, moving), point(*about, model.analysis)}};

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "femoop/model/member_axes.h"
+#include "femoop/model/member_ends.h"
 #include "femoop/section/section_properties.h"
 
 namespace femoop {
@@ -13,11 +14,6 @@ namespace femoop {
 namespace {
 
 constexpr double standard_gravity = 9.80665; // m/s^2
-
-Eigen::Vector3d position(const Node& node, AnalysisKind kind)
-{
-    return {node.at[0], node.at[1], is_3d(kind) ? node.at[2].value() : 0.0};
-}
 
 /// What makes two members alike: their properties are computed once.
 struct PropertyKey {
@@ -78,13 +74,6 @@ JointStiffness joints_of(const MemberEnd& end, bool node_is_hinge, bool is_bar)
     return joints;
 }
 
-Eigen::Vector3d offset_of(const MemberEnd& end)
-{
-    Eigen::Vector3d offset = Eigen::Vector3d::Zero();
-    for (std::size_t i = 0; i < end.offset.size(); ++i) offset[static_cast<int>(i)] = end.offset[i];
-    return offset;
-}
-
 bool is_common(const Member& member, const Model& model)
 {
     const bool plain_ends = member.start.release.is_empty() && member.end.release.is_empty() &&
@@ -102,7 +91,7 @@ MemberExtras extras_of(const Member& member, const Model& model)
                      joints_of(member.end, model[member.nodes[1]].hinge, extras.is_bar)};
     for (const JointStiffness& joints : extras.joints)
         for (const double stiffness : joints) extras.has_flexible_joint |= std::isfinite(stiffness);
-    extras.offsets = {offset_of(member.start), offset_of(member.end)};
+    extras.offsets = {vector_of(member.start.offset), vector_of(member.end.offset)};
     extras.has_offset = !member.start.offset.empty() || !member.end.offset.empty();
     if (member.rigid) extras.constraint = Constraint::Rigid;
     else if (member.inextensible) extras.constraint = Constraint::Inextensible;
@@ -145,9 +134,7 @@ private:
         const bool is_plain_truss = is_truss(model_.analysis) && is_common(member, model_);
         if (is_plain_truss && plain_truss_ >= 0) return plain_truss_;
         structure_.extras.push_back(extras_of(member, model_));
-        Eigen::Vector3d up = Eigen::Vector3d::Zero();
-        for (std::size_t i = 0; i < member.up.size(); ++i) up[static_cast<int>(i)] = member.up[i];
-        structure_.up.push_back(up);
+        structure_.up.push_back(vector_of(member.up));
         structure_.has_constraints |= structure_.extras.back().constraint != Constraint::None;
         const auto at = static_cast<std::int32_t>(structure_.extras.size() - 1);
         if (is_plain_truss) plain_truss_ = at;
@@ -200,7 +187,7 @@ Structure structure_of(const Model& model)
     structure.support_of_node.assign(n, -1);
     structure.is_attached.assign(n, false);
     for (std::size_t i = 0; i < n; ++i) {
-        structure.positions.push_back(position(model.nodes[i], model.analysis));
+        structure.positions.push_back(position_of(model, NodeId(i)));
         if (!model.nodes[i].support) continue;
         structure.support_of_node[i] = static_cast<std::int32_t>(structure.supports.size());
         structure.supports.push_back(support_row(model.nodes[i], NodeId(i), model.analysis));

@@ -50,7 +50,6 @@ public:
 
     void add_self_weight(double factor)
     {
-        const bool is_plane = structure_.kind == AnalysisKind::Truss2d || structure_.kind == AnalysisKind::Frame2d;
         for (std::size_t i = 0; i < structure_.members.size(); ++i) {
             member_ = MemberId(i);
             const double weight = structure_.properties_of(member_).weight;
@@ -58,7 +57,7 @@ public:
             if (weight == 0.0 || (extras != nullptr && extras->constraint == Constraint::Rigid)) continue;
             frame_ = structure_.frame(member_);
             Load6 q;
-            q.set(is_plane ? Dof::uy : Dof::uz, -factor * weight);
+            q.set(is_plane(structure_.kind) ? Dof::uy : Dof::uz, -factor * weight);
             q.turn(frame_.axes);
             add_distributed(q, q, 0.0, frame_.length);
         }

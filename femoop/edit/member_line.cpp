@@ -6,23 +6,9 @@
 
 namespace femoop {
 
-Eigen::Vector3d vector_of(const std::vector<Quantity>& offset)
-{
-    Eigen::Vector3d v = Eigen::Vector3d::Zero();
-    for (std::size_t i = 0; i < offset.size(); ++i) v[static_cast<Eigen::Index>(i)] = offset[i];
-    return v;
-}
-
-Eigen::Vector3d position_of(const Model& model, NodeId node)
-{
-    const std::array<Quantity, 3>& at = model[node].at;
-    return {at[0], at[1], is_3d(model.analysis) ? at[2].value() : 0.0};
-}
-
 MemberLine line_of(const Model& model, const Member& member)
 {
-    const Eigen::Vector3d start = position_of(model, member.nodes[0]) + vector_of(member.start.offset);
-    const Eigen::Vector3d end = position_of(model, member.nodes[1]) + vector_of(member.end.offset);
+    const auto [start, end] = ends_of(model, member);
     const Eigen::Vector3d chord = end - start;
     return {start, chord.stableNormalized(), chord.stableNorm()};
 }

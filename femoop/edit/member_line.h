@@ -2,9 +2,8 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <vector>
 
-#include "femoop/model/model.h"
+#include "femoop/model/member_ends.h"
 
 namespace femoop {
 
@@ -16,12 +15,7 @@ struct MemberLine {
     Eigen::Vector3d at(double x) const { return start + x * direction; }
 };
 
-/// An offset as a vector; zero for an empty one.
-Eigen::Vector3d vector_of(const std::vector<Quantity>& offset);
-
 MemberLine line_of(const Model& model, const Member& member);
-
-Eigen::Vector3d position_of(const Model& model, NodeId node); ///< z is 0 in a plane model
 
 /// Where a position along a member of this length lies, from 0 to `length`.
 double distance(const Position& position, double length);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "femoop/edit/load_change.h"
 #include "femoop/edit/member_line.h"
 #include "femoop/edit/naming.h"
 
@@ -53,57 +54,24 @@ void place_support(Support& support, const Placement& placement)
     }
 }
 
-/// Keeps the loads of a member on it.
-class LoadFitter {
-public:
-    LoadFitter(AnalysisKind kind, double length, double stretch, bool is_mirrored)
-        : kind_(kind), length_(length), stretch_(stretch), is_mirrored_(is_mirrored)
-    {}
+/// Keeps a place on a member that has been stretched to a length.
+void keep_on(Position& place, double stretch, double length)
+{
+    auto* const at = std::get_if<Quantity>(&place);
+    if (!at) return;
+    const double x = std::min(at->value() * stretch, length);
+    if (x != at->value()) *at = x;
+}
 
-    void operator()(DistributedLoad& load) const
-    {
-        if (load.from) fit(*load.from);
-        if (load.to) fit(*load.to);
-        for (DistributedLoad::Value& value : load.values) {
-            turn(value.dof, value.start, load.axes);
-            if (value.end) turn(value.dof, *value.end, load.axes);
-        }
-    }
-    void operator()(PointLoad& load) const
-    {
-        fit(load.at);
-        for (Component& component : load.components) turn(component.dof, component.value, load.axes);
-    }
-    void operator()(EndLoads& load) const
-    {
-        for (Component& component : load.start) turn(component.dof, component.value, load.axes);
-        for (Component& component : load.end) turn(component.dof, component.value, load.axes);
-    }
-    void operator()(TemperatureLoad& load) const
-    {
-        if (is_mirrored_ && is_plane()) std::swap(load.top, load.bottom);
-    }
-    void operator()(Misfit&) const {}
-
-private:
-    bool is_plane() const { return kind_ == AnalysisKind::Truss2d || kind_ == AnalysisKind::Frame2d; }
-    void fit(Position& position) const
-    {
-        auto* const at = std::get_if<Quantity>(&position);
-        if (!at) return;
-        const double x = std::min(at->value() * stretch_, length_);
-        if (x != at->value()) *at = x;
-    }
-    void turn(Dof dof, Quantity& value, LoadAxes axes) const
-    {
+/// In a plane model the mirror turns the member's y' and z' over.
+void mirror(MemberLoad& load)
+{
+    change_values(load, [](Dof dof, Quantity& value, LoadAxes axes) {
         const bool is_across = dof == Dof::uy || dof == Dof::rz;
-        if (is_mirrored_ && is_plane() && is_across && axes == LoadAxes::Local) value = -value.value();
-    }
-
-    AnalysisKind kind_;
-    double length_, stretch_;
-    bool is_mirrored_;
-};
+        if (is_across && axes == LoadAxes::Local) value = -value.value();
+    });
+    swap_faces(load);
+}
 
 /// Which nodes are placed, and which members go with them as a whole.
 class Placing {
@@ -153,7 +121,8 @@ private:
         const double length = line_of(model_, member).length;
         const bool is_scaled = goes_along(member) && std::abs(scale_of(placement_) - 1.0) > 1e-12;
         const double stretch = is_scaled && old_length > 0.0 ? length / old_length : 1.0;
-        std::visit(LoadFitter(model_.analysis, length, stretch, goes_along(member) && mirrors(placement_)), load.load);
+        change_places(load, [&](Position& place) { keep_on(place, stretch, length); });
+        if (goes_along(member) && mirrors(placement_) && is_plane(model_.analysis)) mirror(load);
     }
 
     Model& model_;

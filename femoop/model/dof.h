@@ -59,6 +59,7 @@ std::string names_of(DofSet dofs); ///< "ux uy rz"
 enum class AnalysisKind : std::uint8_t { Truss2d, Frame2d, Grillage, Truss3d, Frame3d };
 
 std::string_view name(AnalysisKind kind); ///< "truss2d" ... "frame3d"
+constexpr bool is_plane(AnalysisKind kind) { return kind == AnalysisKind::Truss2d || kind == AnalysisKind::Frame2d; }
 constexpr bool is_3d(AnalysisKind kind) { return kind == AnalysisKind::Truss3d || kind == AnalysisKind::Frame3d; }
 constexpr bool is_truss(AnalysisKind kind) { return kind == AnalysisKind::Truss2d || kind == AnalysisKind::Truss3d; }
 constexpr std::size_t n_coordinates(AnalysisKind kind) { return is_3d(kind) ? 3 : 2; }

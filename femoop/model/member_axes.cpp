@@ -23,7 +23,7 @@ Eigen::Matrix3d member_axes(AnalysisKind kind, const Vector3d& x, const Vector3d
 {
     Eigen::Matrix3d axes;
     axes.row(0) = x;
-    if (kind == AnalysisKind::Truss2d || kind == AnalysisKind::Frame2d) {
+    if (is_plane(kind)) {
         axes.row(1) = Vector3d(-x.y(), x.x(), 0.0);
         axes.row(2) = Vector3d::UnitZ();
         return axes;

@@ -82,10 +82,9 @@ public:
 private:
     std::string direction(Dof dof, bool is_positive) const
     {
-        const bool is_plane = model_.analysis == AnalysisKind::Frame2d || model_.analysis == AnalysisKind::Truss2d;
-        if (is_plane && dof == Dof::ux) return is_positive ? tr("to the right") : tr("to the left");
-        if (dof == (is_plane ? Dof::uy : Dof::uz)) return is_positive ? tr("up") : tr("down");
-        if (is_plane && dof == Dof::rz) return is_positive ? tr("counter-clockwise") : tr("clockwise");
+        if (is_plane(model_.analysis) && dof == Dof::ux) return is_positive ? tr("to the right") : tr("to the left");
+        if (dof == (is_plane(model_.analysis) ? Dof::uy : Dof::uz)) return is_positive ? tr("up") : tr("down");
+        if (is_plane(model_.analysis) && dof == Dof::rz) return is_positive ? tr("counter-clockwise") : tr("clockwise");
         const std::string axis = (is_positive ? "+" : "-") + std::string(name(dof)).substr(1);
         return fill(is_rotation(dof) ? tr("about {0}") : tr("along {0}"), {axis});
     }

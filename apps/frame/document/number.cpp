@@ -49,8 +49,8 @@ public:
         static constexpr std::string_view axes[] = {"x", "y", "z"};
         for (std::size_t i = 0; i < n_coordinates(model_.analysis); ++i) visit_(axes[i], Measure::Length, node.at[i]);
         if (!node.support) return;
-        const bool can_turn = model_.analysis == AnalysisKind::Frame2d || model_.analysis == AnalysisKind::Truss2d;
-        if (can_turn) visit_(translatable("Angle of the support"), Measure::Angle, node.support->angle);
+        if (is_plane(model_.analysis))
+            visit_(translatable("Angle of the support"), Measure::Angle, node.support->angle);
         springs(node.support->springs, translatable("Spring {dof}"));
     }
 

@@ -151,8 +151,7 @@ std::vector<Column> node_columns(const Model& model)
     std::vector<Column> all{name_column<NodeId>(translatable("Node"), &Model::nodes)};
     for (std::size_t i = 0; i < n_coordinates(model.analysis); ++i) all.push_back(coordinate(i));
     all.push_back({.heading = translatable("Support"), .read = support_value, .write = write_support});
-    const bool can_turn = model.analysis == AnalysisKind::Frame2d || model.analysis == AnalysisKind::Truss2d;
-    if (can_turn) all.push_back(angle_column());
+    if (is_plane(model.analysis)) all.push_back(angle_column());
     if (!is_truss(model.analysis)) all.push_back(hinge_column());
     for (const Dof dof : all_dofs)
         if (dofs(model.analysis).contains(dof)) all.push_back(spring_column(dof));

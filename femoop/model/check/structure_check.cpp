@@ -6,14 +6,13 @@
 
 #include "femoop/model/check/checker.h"
 #include "femoop/model/check/name_table.h"
+#include "femoop/model/member_ends.h"
 #include "femoop/model/quantity/dof_dimension.h"
 #include "femoop/model/quantity/number_text.h"
 
 namespace femoop {
 
 namespace {
-
-bool has_roller(AnalysisKind kind) { return kind == AnalysisKind::Truss2d || kind == AnalysisKind::Frame2d; }
 
 /// What the analysis needs to know of a member's section.
 struct Need {
@@ -36,6 +35,8 @@ std::vector<Need> needs(AnalysisKind kind, const Member& member)
 }
 
 bool is_control_character(char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\x7f'; }
+
+std::array<double, 3> point(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 
 std::string_view end_name(bool is_start) { return is_start ? "start" : "end"; }
 
@@ -152,10 +153,9 @@ void Checker::check_node(const Node& node, const Entry& place)
 void Checker::check_support(const Support& support, const Entry& place)
 {
     const DofSet known = dofs(model_.analysis);
-    if (support.kind == SupportKind::Roller && !has_roller(model_.analysis))
+    if (support.kind == SupportKind::Roller && !is_plane(model_.analysis))
         add(FaultKind::RollerNotPlane, place, {analysis()});
-    if (support.angle.value() != 0.0 && !has_roller(model_.analysis))
-        add(FaultKind::AngleNotPlane, place, {analysis()});
+    if (support.angle.value() != 0.0 && !is_plane(model_.analysis)) add(FaultKind::AngleNotPlane, place, {analysis()});
     require_finite(place, "angle", support.angle);
     for (const Dof dof : all_dofs)
         if (support.kind == SupportKind::Custom && support.fixed.contains(dof) && !known.contains(dof))
@@ -241,23 +241,14 @@ void Checker::check_end(const Member& member, End which, const Entry& place)
 
 Checker::Axis Checker::axis(const Member& member) const
 {
-    Axis axis = node_axis(member);
-    if (member.start.offset.empty() && member.end.offset.empty()) return axis;
-    for (std::size_t i = 0; i < n_coordinates(model_.analysis); ++i) {
-        if (i < member.start.offset.size()) axis.start[i] += member.start.offset[i];
-        if (i < member.end.offset.size()) axis.end[i] += member.end.offset[i];
-    }
-    return with_length(axis);
+    const auto [start, end] = ends_of(model_, member);
+    return with_length({.start = point(start), .end = point(end)});
 }
 
 Checker::Axis Checker::node_axis(const Member& member) const
 {
-    Axis axis;
-    for (std::size_t i = 0; i < n_coordinates(model_.analysis); ++i) {
-        axis.start[i] = model_[member.nodes[0]].at[i];
-        axis.end[i] = model_[member.nodes[1]].at[i];
-    }
-    return with_length(axis);
+    return with_length(
+        {.start = point(position_of(model_, member.nodes[0])), .end = point(position_of(model_, member.nodes[1]))});
 }
 
 Checker::Axis Checker::with_length(Axis axis)

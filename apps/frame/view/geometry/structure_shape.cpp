@@ -1,6 +1,7 @@
 #include "apps/frame/view/geometry/structure_shape.h"
 
 #include "femoop/model/member_axes.h"
+#include "femoop/model/member_ends.h"
 
 namespace frame {
 
@@ -8,24 +9,18 @@ namespace {
 
 using Eigen::Vector3d;
 
-Vector3d vector_of(const std::vector<femoop::Quantity>& numbers)
-{
-    Vector3d v = Vector3d::Zero();
-    for (std::size_t i = 0; i < numbers.size() && i < 3; ++i) v[static_cast<int>(i)] = numbers[i];
-    return v;
-}
-
 MemberShape shape_of(const femoop::Model& model, const femoop::Member& member, const std::vector<Vector3d>& nodes)
 {
     MemberShape shape;
     shape.start_node = nodes[member.nodes[0].index];
     shape.end_node = nodes[member.nodes[1].index];
-    shape.start = shape.start_node + vector_of(member.start.offset);
-    shape.end = shape.end_node + vector_of(member.end.offset);
+    const auto [start, end] = femoop::ends_of(model, member);
+    shape.start = start;
+    shape.end = end;
     const Vector3d along = shape.end - shape.start;
     shape.length = along.norm();
     const Vector3d x = shape.length > 0.0 ? Vector3d(along / shape.length) : Vector3d::UnitX();
-    shape.axes = femoop::member_axes(model.analysis, x, vector_of(member.up));
+    shape.axes = femoop::member_axes(model.analysis, x, femoop::vector_of(member.up));
     return shape;
 }
 
@@ -48,7 +43,8 @@ StructureShape shape_of(const femoop::Model& model)
 {
     StructureShape shape;
     shape.nodes.reserve(model.nodes.size());
-    for (const femoop::Node& node : model.nodes) shape.nodes.emplace_back(node.at[0], node.at[1], node.at[2]);
+    for (std::size_t i = 0; i < model.nodes.size(); ++i)
+        shape.nodes.push_back(femoop::position_of(model, femoop::NodeId{i}));
     shape.members_at.resize(model.nodes.size());
     shape.members.reserve(model.members.size());
     for (std::size_t i = 0; i < model.members.size(); ++i) {
