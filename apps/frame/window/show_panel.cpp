@@ -38,8 +38,7 @@ void choose_case(Session& session)
         session.view.load_case = femoop::CaseId(i);
         is_envelope = false;
     }
-    if (model.n_cases() > 1 && ImGui::RadioButton(session.view.tr("Envelope").c_str(), is_envelope))
-        is_envelope = true;
+    if (model.n_cases() > 1 && ImGui::RadioButton(session.view.tr("Envelope").c_str(), is_envelope)) is_envelope = true;
 }
 
 void toggle(Desk& desk, const CommandTable& commands, Show item)

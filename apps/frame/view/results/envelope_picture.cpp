@@ -14,12 +14,13 @@ using femoop::Side;
 
 struct Range {
     double x, least, most;
+    friend bool operator==(const Range&, const Range&) = default;
 };
 
 /// Places along a member at which the band has its corners: the load points, the extremes and the points between.
 std::vector<double> places(const std::vector<SolvedCase>& cases, femoop::MemberId member, MemberComponent component)
 {
-    constexpr int n_between = 24;
+    constexpr int n_between = 40;
     const double length = cases.front()[member].length();
     std::vector<double> all;
     for (int i = 0; i <= n_between; ++i) all.push_back(length * i / n_between);
@@ -48,7 +49,8 @@ std::vector<Range> band(const std::vector<SolvedCase>& cases, femoop::MemberId m
                 range.most = is_first ? value : std::max(range.most, value);
                 is_first = false;
             }
-            ranges.push_back(range);
+            const bool is_told = !ranges.empty() && ranges.back() == range;
+            if (!is_told) ranges.push_back(range);
         }
     }
     return ranges;
