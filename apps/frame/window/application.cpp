@@ -9,14 +9,17 @@
 
 #include "apps/frame/session/property_commands.h"
 #include "apps/frame/session/tabs.h"
-#include "apps/frame/view/results/mechanism_picture.h"
+#include "apps/frame/window/banner.h"
+#include "apps/frame/window/document_tabs.h"
 #include "apps/frame/window/export.h"
+#include "apps/frame/window/fixed_panel.h"
 #include "apps/frame/window/properties_panel.h"
+#include "apps/frame/window/reading_windows.h"
 #include "apps/frame/window/results_panel.h"
 #include "apps/frame/window/show_panel.h"
+#include "apps/frame/window/status_bar.h"
 #include "apps/frame/window/tool_bar.h"
 #include "apps/frame/window/transform_bar.h"
-#include "femoop/result/describe.h"
 
 namespace frame {
 
@@ -29,10 +32,6 @@ constexpr double full_swing = 0.25 * seconds_per_swing; // a still picture shows
 
 constexpr float splitter_ems = 0.35F;
 constexpr float most_left = 0.25F, most_right = 0.30F; // of the window's width
-
-constexpr ImGuiWindowFlags fixed_panel = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
-                                         ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
-                                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 // A bar beside a panel, dragged to give it another width [ems].
 std::optional<float> splitter(const char* id, float width, float sign, float height)
@@ -223,7 +222,7 @@ void Application::show_body()
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(4);
-    show_status_bar();
+    status_bar(desk_.session);
 }
 
 // Laid out before the canvas is drawn, so that the canvas shows what it changed.
@@ -323,28 +322,6 @@ void Application::show_tabs()
     }
 }
 
-// One tab for each document, where there are several.
-void Application::show_document_tabs()
-{
-    if (n_tabs(desk_) < 2) return;
-    std::optional<std::size_t> chosen;
-    for (std::size_t i = 0; i < n_tabs(desk_); ++i) {
-        const Session& session = tab(desk_, i);
-        const std::string title = (session.is_dirty() ? "* " : "") + session.file_name();
-        const bool is_shown = i == desk_.tab;
-        ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(is_shown ? ImGuiCol_TabActive : ImGuiCol_Tab));
-        if (ImGui::Button((title + "###tab" + std::to_string(i)).c_str())) chosen = i;
-        ImGui::PopStyleColor();
-        if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) {
-            chosen = i;
-            desk_.requests.push_back(Request::CloseTab);
-        }
-        ImGui::SameLine(0.0F, 0.2F * ImGui::GetFontSize());
-    }
-    ImGui::NewLine();
-    if (chosen) show_tab(desk_, *chosen);
-}
-
 void Application::show_canvas()
 {
     const float em = ImGui::GetFontSize();
@@ -361,121 +338,11 @@ void Application::show_canvas()
         ImGui::EndChild();
     }
     ImGui::PopStyleVar();
-    show_document_tabs();
+    document_tabs(desk_);
     ImGui::BeginChild("###picture");
     canvas_.show(desk_, gui_);
-    show_banner();
+    banner(desk_);
     ImGui::EndChild();
-}
-
-namespace {
-
-// What went wrong, in a box at the top of the picture.
-void show_messages(const std::vector<std::string>& lines, float left, float top, float width)
-{
-    const float em = ImGui::GetFontSize();
-    ImGui::SetNextWindowPos({left + em, top + em});
-    ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {width - 2.0F * em, 20.0F * em});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {em, 0.7F * em});
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.6F * em, 0.35F * em});
-    constexpr ImGuiWindowFlags flags = fixed_panel | ImGuiWindowFlags_AlwaysAutoResize |
-                                       ImGuiWindowFlags_NoFocusOnAppearing;
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg)); // the canvas has none
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
-    ImGui::Begin("###banner", nullptr, flags & ~ImGuiWindowFlags_NoBringToFrontOnFocus);
-    ImGui::PopStyleVar();
-    ImGui::PopStyleColor();
-    for (const std::string& line : lines) {
-        ImGui::PushTextWrapPos(width - 4.0F * em);
-        ImGui::TextUnformatted(line.c_str());
-        ImGui::PopTextWrapPos();
-    }
-}
-
-} // namespace
-
-void Application::show_notice_buttons()
-{
-    if (!desk_.session.notice) return;
-    const ui::Catalogue& tr = desk_.session.view.tr;
-    const bool is_closed = ImGui::Button((tr("Close") + "###close notice").c_str());
-    const std::optional<std::filesystem::path> to_mend = desk_.session.notice->to_mend;
-    ImGui::SameLine();
-    const bool is_opened = to_mend && ImGui::Button((tr("Open all the same") + "###open notice").c_str());
-    if (is_closed || is_opened) desk_.session.notice.reset();
-    if (is_opened) open_file(desk_, *to_mend, Session::Purpose::Mend);
-}
-
-void Application::show_banner()
-{
-    Session& session = desk_.session;
-    const ui::Catalogue& tr = session.view.tr;
-    std::vector<std::string> lines;
-    if (session.notice) {
-        lines.push_back(tr(session.notice->sentence));
-        for (const femoop::Fault& fault : session.notice->faults) lines.push_back("• " + sentence(fault, tr));
-    } else if (session.solution().mechanisms.empty()) { // the picture itself says how a mechanism moves
-        for (const femoop::Fault& fault : session.solution().faults) {
-            const bool is_error = femoop::severity(fault.kind) == femoop::Severity::Error;
-            if (is_error) lines.push_back("• " + sentence(fault, tr));
-        }
-    }
-    if (lines.empty()) return;
-    constexpr std::size_t most_lines = 8;
-    if (lines.size() > most_lines) {
-        const std::size_t n_more = lines.size() - most_lines;
-        lines.resize(most_lines);
-        lines.push_back(tr("… and {count} more", {{"count", std::to_string(n_more)}}));
-    }
-    const ImVec2 corner = ImGui::GetWindowPos();
-    show_messages(lines, corner.x, corner.y, ImGui::GetWindowWidth());
-    show_notice_buttons();
-    ImGui::End();
-    ImGui::PopStyleVar(2);
-}
-
-namespace {
-
-// As the second of two: hinges take more from the whole than the supports give.
-std::string summand(int number) { return number < 0 ? "(−" + std::to_string(-number) + ")" : std::to_string(number); }
-
-} // namespace
-
-void Application::show_status_bar()
-{
-    const ImGuiViewport& viewport = *ImGui::GetMainViewport();
-    const float height = ImGui::GetFrameHeight();
-    ImGui::SetNextWindowPos({viewport.WorkPos.x, viewport.WorkPos.y + viewport.WorkSize.y - height});
-    ImGui::SetNextWindowSize({viewport.WorkSize.x, height});
-    const float em = ImGui::GetFontSize();
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.7F * em, 0.15F * em});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0F, 1.0F});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
-    ImGui::Begin("###status", nullptr, fixed_panel | ImGuiWindowFlags_NoScrollbar);
-    const Session& session = desk_.session;
-    const ui::Catalogue& tr = session.view.tr;
-    const femoop::Model& model = session.model();
-    std::string text = tr("{nodes} nodes, {members} members", {{"nodes", std::to_string(model.nodes.size())},
-                                                               {"members", std::to_string(model.members.size())}});
-    if (const auto& results = session.solution().results) {
-        const femoop::Indeterminacy& degree = results->indeterminacy();
-        text += "   ·   " + tr("degree of indeterminacy {total} = {external} external + {internal} internal",
-                               {{"total", std::to_string(degree.total())},
-                                {"external", std::to_string(degree.external)},
-                                {"internal", summand(degree.internal)}});
-    } else {
-        text += "   ·   " + tr("not solved");
-    }
-    ImGui::TextUnformatted(text.c_str());
-    const ui::DisplayUnits units = session.units();
-    const std::string right = units.unit(ui::Measure::Force).name + ", " + units.unit(ui::Measure::Length).name + ", " +
-                              units.unit(ui::Measure::Displacement).name;
-    ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::CalcTextSize(right.c_str()).x - em);
-    ImGui::TextDisabled("%s", right.c_str());
-    ImGui::End();
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar(3);
 }
 
 void Application::show_dialogs()
@@ -491,9 +358,9 @@ void Application::show_dialogs()
     palette_.show(commands_, desk_, tr);
     typical_window_.show(desk_, gui_, fields_);
     section_window_.show(desk_, gui_, fields_);
-    show_shortcuts();
+    shortcut_window(desk_, commands_, shows_shortcuts_);
     tables_.show_dialog(desk_);
-    show_description();
+    description_window(desk_.session, shows_description_);
     kept_files_.show(desk_);
     if (!questions_.show(desk_)) return;
     kept_files_.end();
@@ -508,45 +375,6 @@ std::optional<ui::Phrase> Application::export_as(const std::filesystem::path& pa
     if (reason) explain(*reason);
     else explain({translatable("{file} was written"), {{"file", path.filename().string()}}});
     return reason;
-}
-
-void Application::show_description()
-{
-    if (!shows_description_) return;
-    const ui::Catalogue& tr = desk_.session.view.tr;
-    const float em = ImGui::GetFontSize();
-    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
-    ImGui::SetNextWindowSize({46.0F * em, 32.0F * em}, ImGuiCond_Appearing);
-    ImGui::Begin((tr("Model and results in words") + "###description").c_str(), &shows_description_,
-                 ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse);
-    const std::string words = femoop::describe(desk_.session.model(), desk_.session.solution().results, tr);
-    if (ImGui::Button((tr("Copy") + "###copy").c_str())) ImGui::SetClipboardText(words.c_str());
-    ImGui::BeginChild("words");
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(words.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::EndChild();
-    ImGui::End();
-}
-
-void Application::show_shortcuts()
-{
-    if (!shows_shortcuts_) return;
-    const ui::Catalogue& tr = desk_.session.view.tr;
-    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
-    ImGui::Begin((tr("Keys") + "###shortcuts").c_str(), &shows_shortcuts_,
-                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse);
-    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) {
-        for (const auto& command : commands_.all()) {
-            if (command.shortcuts.empty()) continue;
-            ImGui::TableNextColumn();
-            ImGui::TextUnformatted(text(command.shortcuts.front()).c_str());
-            ImGui::TableNextColumn();
-            ImGui::TextUnformatted((tr(command.menu) + "  ›  " + ui::label(command, desk_, tr)).c_str());
-        }
-        ImGui::EndTable();
-    }
-    ImGui::End();
 }
 
 } // namespace frame

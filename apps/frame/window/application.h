@@ -63,15 +63,9 @@ private:
     void show_left(float width);
     void show_right(float width);
     void show_tabs();
-    void show_document_tabs();
     void show_canvas();
     void show_tables(float height);
-    void show_banner();
-    void show_notice_buttons();
-    void show_status_bar();
     void show_dialogs();
-    void show_shortcuts();
-    void show_description();
     void animate(double seconds);
 
     Desk desk_;

@@ -1,0 +1,33 @@
+#include "apps/frame/window/document_tabs.h"
+
+#include <imgui.h>
+
+#include <optional>
+#include <string>
+
+#include "apps/frame/session/tabs.h"
+
+namespace frame {
+
+void document_tabs(Desk& desk)
+{
+    if (n_tabs(desk) < 2) return;
+    std::optional<std::size_t> chosen;
+    for (std::size_t i = 0; i < n_tabs(desk); ++i) {
+        const Session& session = tab(desk, i);
+        const std::string title = (session.is_dirty() ? "* " : "") + session.file_name();
+        const bool is_shown = i == desk.tab;
+        ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(is_shown ? ImGuiCol_TabActive : ImGuiCol_Tab));
+        if (ImGui::Button((title + "###tab" + std::to_string(i)).c_str())) chosen = i;
+        ImGui::PopStyleColor();
+        if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) {
+            chosen = i;
+            desk.requests.push_back(Request::CloseTab);
+        }
+        ImGui::SameLine(0.0F, 0.2F * ImGui::GetFontSize());
+    }
+    ImGui::NewLine();
+    if (chosen) show_tab(desk, *chosen);
+}
+
+} // namespace frame

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "apps/frame/session/commands.h"
+
+namespace frame {
+
+/// Windows to read in, over the picture, until they are closed.
+
+/// Model and results in words.
+void description_window(const Session& session, bool& is_open);
+/// Every key and what it does, from the command table.
+void shortcut_window(const Desk& desk, const CommandTable& commands, bool& is_open);
+
+} // namespace frame

@@ -1,0 +1,54 @@
+#include "apps/frame/window/status_bar.h"
+
+#include <imgui.h>
+
+#include <string>
+
+#include "apps/frame/window/fixed_panel.h"
+
+namespace frame {
+
+namespace {
+
+// As the second of two: hinges take more from the whole than the supports give.
+std::string summand(int number) { return number < 0 ? "(−" + std::to_string(-number) + ")" : std::to_string(number); }
+
+} // namespace
+
+void status_bar(const Session& session)
+{
+    const ImGuiViewport& viewport = *ImGui::GetMainViewport();
+    const float height = ImGui::GetFrameHeight();
+    ImGui::SetNextWindowPos({viewport.WorkPos.x, viewport.WorkPos.y + viewport.WorkSize.y - height});
+    ImGui::SetNextWindowSize({viewport.WorkSize.x, height});
+    const float em = ImGui::GetFontSize();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.7F * em, 0.15F * em});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0F, 1.0F});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
+    ImGui::Begin("###status", nullptr, fixed_panel | ImGuiWindowFlags_NoScrollbar);
+    const ui::Catalogue& tr = session.view.tr;
+    const femoop::Model& model = session.model();
+    std::string text = tr("{nodes} nodes, {members} members", {{"nodes", std::to_string(model.nodes.size())},
+                                                               {"members", std::to_string(model.members.size())}});
+    if (const auto& results = session.solution().results) {
+        const femoop::Indeterminacy& degree = results->indeterminacy();
+        text += "   ·   " + tr("degree of indeterminacy {total} = {external} external + {internal} internal",
+                               {{"total", std::to_string(degree.total())},
+                                {"external", std::to_string(degree.external)},
+                                {"internal", summand(degree.internal)}});
+    } else {
+        text += "   ·   " + tr("not solved");
+    }
+    ImGui::TextUnformatted(text.c_str());
+    const ui::DisplayUnits units = session.units();
+    const std::string right = units.unit(ui::Measure::Force).name + ", " + units.unit(ui::Measure::Length).name + ", " +
+                              units.unit(ui::Measure::Displacement).name;
+    ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::CalcTextSize(right.c_str()).x - em);
+    ImGui::TextDisabled("%s", right.c_str());
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(3);
+}
+
+} // namespace frame
