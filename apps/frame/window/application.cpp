@@ -128,7 +128,8 @@ void Application::take_keys(const ui::Input& all)
         const auto* const command = commands_.find(ui::Chord{event.key, input.modifiers});
         const bool is_edit_of_text = types && command != nullptr && command->id.starts_with("edit.");
         if (command == nullptr || is_edit_of_text) continue;
-        if (const auto reason = run(*command, desk_)) explain(*reason);
+        const auto reason = run(*command, desk_);
+        if (reason && !command->menu.empty()) explain(*reason);
     }
 }
 

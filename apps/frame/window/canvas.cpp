@@ -87,7 +87,9 @@ bool Canvas::is_all_in_sight() const
     if (plan_.panels.empty()) return false;
     const ui::Box box = plan_.panels.front().box;
     const Projection projection(plan_.camera, box.min);
-    return std::ranges::all_of(shape_.nodes, [&](const auto& node) { return box.contains(projection(node)); });
+    constexpr double border = 20.0; // [px] within which a node counts as lost
+    const ui::Box sight = box.grown(-border);
+    return std::ranges::all_of(shape_.nodes, [&](const auto& node) { return sight.contains(projection(node)); });
 }
 
 ui::Point Canvas::corner_of_panel(ui::Point at) const

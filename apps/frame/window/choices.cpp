@@ -77,6 +77,27 @@ std::optional<Switch> tick(const std::string& label, std::optional<bool> is_on)
     return state ? Switch::On : Switch::Off;
 }
 
+// Check boxes beside one another, in a further row where there is no room for the next.
+class TickRow {
+public:
+    std::optional<Switch> tick(const std::string& label, std::optional<bool> is_on)
+    {
+        const ImGuiStyle& style = ImGui::GetStyle();
+        const float width = ImGui::GetFrameHeight() + style.ItemInnerSpacing.x + ImGui::CalcTextSize(label.c_str()).x;
+        const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+        if (!is_first_ && last_end_ + style.ItemSpacing.x + width <= std::min(end, column_end_)) ImGui::SameLine();
+        if (is_first_) column_end_ = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+        is_first_ = false;
+        const std::optional<Switch> state = frame::tick(label, is_on);
+        last_end_ = ImGui::GetItemRectMax().x;
+        return state;
+    }
+
+private:
+    bool is_first_ = true;
+    float last_end_ = 0.0F, column_end_ = 0.0F;
+};
+
 // ---- nodes ----
 
 struct SupportChoice {
@@ -101,20 +122,19 @@ std::size_t support_choice(const Node& node)
 void show_holds(const Group<NodeId>& nodes)
 {
     const AnalysisKind kind = nodes.model().analysis;
+    TickRow row;
     for (const Dof dof : all_dofs) {
         if (!dofs(kind).contains(dof)) continue;
         const auto is_held = nodes.common([&](NodeId id) {
             const std::optional<Support>& support = nodes.model()[id].support;
             return support && support->blocked(kind).contains(dof);
         });
-        const std::optional<Switch> state = tick(std::string(name(dof)), is_held);
-        ImGui::SameLine();
+        const std::optional<Switch> state = row.tick(std::string(name(dof)), is_held);
         if (!state) continue;
         const Hold hold = *state == Switch::On ? Hold::Blocked : Hold::Free;
         nodes.change(translatable("support"),
                      [=](Document& document, NodeId id) { set_hold(document, id, dof, hold); });
     }
-    ImGui::NewLine();
 }
 
 void show(const Rows& rows, const Group<NodeId>& nodes)
@@ -170,16 +190,15 @@ void show_releases(const Group<MemberId>& members, MemberEndName end)
         return end == MemberEndName::Start ? member.start.release : member.end.release;
     };
     ImGui::PushID(static_cast<int>(end));
+    TickRow row;
     for (const Dof dof : all_dofs) {
         if (!member_dofs(members.model().analysis).contains(dof)) continue;
         const auto is_released = members.common([&](MemberId id) { return release(id).contains(dof); });
-        const auto state = tick(std::string(name(dof)), is_released);
-        ImGui::SameLine();
+        const auto state = row.tick(std::string(name(dof)), is_released);
         if (!state) continue;
         members.change(translatable("releases"),
                        [=](Document& document, MemberId id) { set_release(document, id, end, dof, *state); });
     }
-    ImGui::NewLine();
     ImGui::PopID();
 }
 

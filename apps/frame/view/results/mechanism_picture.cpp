@@ -11,7 +11,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double drawn_share = 0.14; // of the structure's diagonal, for the largest translation
+constexpr double drawn_share = 0.14;  // of the structure's diagonal, for the largest translation
+constexpr double least_motion = 1e-6; // of the largest: less is rounding
 
 Vector3d translation(const femoop::NodeVector& motion) { return {motion[0], motion[1], motion[2]}; }
 
@@ -46,8 +47,9 @@ void draw_motion(const Scene& scene, const femoop::Mechanism& mechanism)
     for (std::size_t i = 0; i < scene.shape.members.size() && i < mechanism.member_ends.size(); ++i) {
         const MemberShape& member = scene.shape.members[i];
         const auto& [start, end] = mechanism.member_ends[i];
+        const bool rests = start.norm() + end.norm() < least_motion;
         scene.sketch.line(scene.projection(member.start + factor * start), scene.projection(member.end + factor * end),
-                          scene.sketch.stroke(ui::Role::Mechanism));
+                          scene.sketch.stroke(rests ? ui::Role::Member : ui::Role::Mechanism));
     }
     const ui::LayerScope layer(scene.sketch.painter(), ui::Layer::Symbols);
     for (std::size_t i = 0; i < scene.shape.nodes.size() && i < mechanism.motion.size(); ++i)

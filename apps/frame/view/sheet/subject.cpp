@@ -361,14 +361,36 @@ std::vector<LoadMark> Subject::draw(ui::Painter& painter) const
     return marks;
 }
 
+// In the first corner where it covers no other string; at the right foot where there is none.
 void Subject::draw_left_out(ui::Painter& painter, std::size_t n_left_out) const
 {
+    const std::string words = options_.tr("labels without room: {count}", {{"count", std::to_string(n_left_out)}});
+    const ui::Box sheet = painter.sheet().grown(-7.0);
+    struct Corner {
+        ui::Point at;
+        ui::Anchor anchor;
+    };
+    const std::array corners{Corner{sheet.max, ui::Anchor::BottomRight},
+                             Corner{{sheet.min.x, sheet.max.y}, ui::Anchor::BottomLeft},
+                             Corner{{sheet.max.x, sheet.min.y}, ui::Anchor::TopRight},
+                             Corner{{0.5 * (sheet.min.x + sheet.max.x), sheet.max.y}, ui::Anchor::Bottom}};
+    const std::vector<ui::Box> taken = painter.picture().text_boxes(painter.fonts());
+    const auto style_at = [&](const Corner& corner) {
+        ui::TextStyle style = theme_.text(ui::Role::FaintLabel, corner.anchor);
+        style.size = theme_.type().small;
+        style.plate = theme_.background();
+        return style;
+    };
+    const auto is_free = [&](const Corner& corner) {
+        ui::Painter trial(painter.size(), painter.fonts());
+        trial.text(corner.at, words, style_at(corner));
+        const ui::Box own = trial.picture().text_boxes(painter.fonts()).front().grown(3.0);
+        return std::none_of(taken.begin(), taken.end(), [&](const ui::Box& box) { return own.overlaps(box); });
+    };
+    const auto* const found = std::find_if(corners.begin(), corners.end(), is_free);
+    const Corner& chosen = found != corners.end() ? *found : corners.front();
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
-    ui::TextStyle style = theme_.text(ui::Role::FaintLabel, ui::Anchor::BottomRight);
-    style.size = theme_.type().small;
-    style.plate = theme_.background();
-    painter.text(painter.sheet().max - ui::Point{8.0, 6.0},
-                 options_.tr("labels without room: {count}", {{"count", std::to_string(n_left_out)}}), style);
+    painter.text(chosen.at, words, style_at(chosen));
 }
 
 std::string Subject::motion_sentence() const

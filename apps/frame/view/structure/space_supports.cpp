@@ -174,7 +174,8 @@ Vector3d space_support_side(const Scene& scene, femoop::NodeId node)
         {{-z, is_plate ? 0.15 : 0.0}, {-x, usual}, {x, usual}, {-y, usual}, {y, usual}, {z, 0.6}}};
     if (is_plate && scene.model.analysis == femoop::AnalysisKind::Grillage)
         return least_occupied(scene, node, std::span(sides).subspan(1, 4));
-    return least_occupied(scene, node, sides);
+    // A plate is square to the member that ends there, so the side right behind it is the best.
+    return is_plate ? least_occupied(scene, node, sides, -1.0) : least_occupied(scene, node, sides);
 }
 
 void draw_space_support(const Scene& scene, femoop::NodeId node)
