@@ -93,7 +93,8 @@ struct JsonReading {
 };
 
 /// Reads strict JSON (RFC 8259): no comments, no trailing comma, UTF-8 with or without a byte-order mark, numbers
-/// within the range of double, nesting up to JsonDocument::deepest. Faults name line and column (in characters).
+/// within the range of double, nesting up to JsonDocument::deepest. Faults name line and column (in characters). A
+/// number too large is a fault too, but reading goes on behind it.
 JsonReading parse_json(std::string_view text);
 
 std::string quoted_json(std::string_view text); ///< a JSON string with its quotation marks

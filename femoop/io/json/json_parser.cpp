@@ -56,9 +56,13 @@ public:
         const auto nature = error.id == number_overflow ? SyntaxError::NumberOverflow
                             : is_after_end              ? SyntaxError::AfterEnd
                                                         : SyntaxError::Grammar;
+        if (nature == SyntaxError::NumberOverflow) overflow_ = position;
         refuse(syntax_fault(text_, position, nature));
         return false;
     }
+
+    /// Just behind a number that is too large, where the parser stopped.
+    std::optional<std::size_t> overflow() const { return overflow_; }
 
 private:
     struct Open {
@@ -138,7 +142,43 @@ private:
     std::string_view key_;
     std::vector<Fault> faults_;
     bool is_sound_ = true;
+    std::optional<std::size_t> overflow_;
 };
+
+namespace {
+
+/// Writes 1 for the number that ends there, so that the rest of the file can be read.
+void replace_number(std::string& text, std::size_t end)
+{
+    constexpr std::string_view letters = "0123456789+-.eE";
+    std::size_t begin = std::min(end, text.size());
+    while (begin > 0 && letters.find(text[begin - 1]) != std::string_view::npos) text[--begin] = ' ';
+    text[begin] = '1';
+}
+
+/// A number too large is told like any other fault: reading goes on behind it.
+JsonReading parse_on(std::string_view text)
+{
+    constexpr std::size_t most = 50; // of such numbers: then somebody's export is broken throughout
+    std::vector<Fault> faults;
+    std::string mended;
+    while (true) {
+        JsonBuilder builder(text);
+        nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
+        const std::optional<std::size_t> overflow = builder.overflow();
+        JsonReading reading = builder.result();
+        if (!overflow || faults.size() >= most) {
+            faults.insert(faults.end(), reading.faults.begin(), reading.faults.end());
+            return {std::move(reading.document), std::move(faults)};
+        }
+        faults.push_back(reading.faults.back()); // those before it are told again
+        if (mended.empty()) mended = text;
+        replace_number(mended, *overflow);
+        text = mended;
+    }
+}
+
+} // namespace
 
 JsonReading parse_json(std::string_view text)
 {
@@ -147,9 +187,7 @@ JsonReading parse_json(std::string_view text)
     if (text.substr(0, byte_order_mark.size()) == byte_order_mark)
         return {std::nullopt, {{FaultKind::FileWithSecondMark, {}}}};
     if (const auto fault = text_fault(text)) return {std::nullopt, {*fault}};
-    JsonBuilder builder(text);
-    nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
-    return builder.result();
+    return parse_on(text);
 }
 
 } // namespace femoop

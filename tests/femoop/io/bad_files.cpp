@@ -124,8 +124,11 @@ std::vector<BadFile> files_that_are_no_json()
         {R"([{"id": "A"} {"id": "B"}])", "line 1, column 14: a comma is missing before {; add it"},
         {R"({"E": NaN})", "line 1, column 7: found NaN; write a finite number"},
         {R"({"E": -Infinity})", "line 1, column 7: found -Infinity; write a finite number"},
-        {R"({"E": 1e999})", "line 1, column 7: 1e999 is beyond the range of numbers (1.8e308); write a smaller one"},
-        {R"({"E": -1e999})", "line 1, column 7: -1e999 is beyond the range of numbers (1.8e308); write a smaller one"},
+        {R"({"cremona": 1, "analysis": "frame2d", "units": {"length": "m", "force": "kN"}, "nodes": [{"id": "A", )"
+         R"("at": [-1e999, 1e400], "support": "rollr"}], "members": []})",
+         "line 1, column 109: -1e999 is beyond the range of numbers (1.8e308); write a smaller one\n"
+         "line 1, column 117: 1e400 is beyond the range of numbers (1.8e308); write a smaller one\n"
+         "nodes[0].support: \"rollr\" is none of fixed, pin, roller; did you mean \"roller\"?"},
         {R"({"cremona": 1} {})",
          "line 1, column 16: found { after the end of the model; a file holds one JSON object: take the rest away"},
         {R"({"E": 0x1F})", "line 1, column 7: found 0x1F; write 31"},
