@@ -28,6 +28,10 @@ double nearness_of(const Model& model)
     return 1e-6 * (extent > 0.0 ? extent : 1.0);
 }
 
-std::array<Quantity, 3> coordinates(const Eigen::Vector3d& place) { return {place[0], place[1], place[2]}; }
+std::array<Quantity, 3> coordinates(const Eigen::Vector3d& place)
+{
+    const Eigen::Vector3d plain = place.array() + 0.0; // no file has a -0
+    return {plain[0], plain[1], plain[2]};
+}
 
 } // namespace femoop

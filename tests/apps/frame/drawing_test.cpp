@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include <numbers>
 
 #include "apps/frame/document/drawing.h"
@@ -31,6 +33,13 @@ TEST_SUITE("frame document: drawing")
         CHECK(drawn.theory == femoop::BeamTheory::Timoshenko);
         CHECK(drawn.section == document.model.members[2].section);
         CHECK(frame::solve(document).results.has_value());
+    }
+
+    TEST_CASE("A place on an axis is saved as 0, on whichever side of it the pointer was")
+    {
+        Document document = frame::starting_document();
+        frame::add_node(document, {9.0, -0.0});
+        CHECK(!std::signbit(document.model.nodes.back().at[1].value()));
     }
 
     TEST_CASE("A line without length, but for rounding, draws nothing and adds no material either")
