@@ -5,6 +5,9 @@
 #include <chrono>
 #include <cmath>
 #include <iomanip>
+#include <iterator>
+#include <optional>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -79,9 +82,9 @@ public:
     {
         watch.lap();
         assemble();
-        refuse_loose_members(model);
         statistics.assemble = watch.lap();
         factor(model);
+        if (!loose_members(model).empty()) refuse(model, Eigen::MatrixXd(K_.rows(), 0));
         statistics.factor += watch.lap();
     }
 
@@ -90,8 +93,7 @@ public:
         watch.lap();
         const Eigen::MatrixXd F = load_vectors(loads);
         statistics.assemble += watch.lap();
-        refuse(driven_spins(model, *structure, F, held_));
-        refuse_driven_twists(model, loads);
+        refuse(driven(model, loads, F));
         const Displacements u = structure->has_constraints ? solve_constrained(model, loads, F)
                                                            : Displacements{.all = solver_ ? solver_->solve(F) : F};
         require_finite(model, F);
@@ -311,22 +313,38 @@ private:
         return ends;
     }
 
-    /// Modes of the reduced system as motions of all nodes, and of members' own ends.
+    /// Modes of the reduced system, and what it does not see: loose members, rotations held that a load drives.
     void refuse(const Model& model, const Eigen::MatrixXd& modes) const
     {
-        std::vector<detail::CaseSolution> motions;
         const Eigen::Index n_described = std::min(modes.cols(), most_described);
-        for (Eigen::Index i = 0; i < n_described; ++i) {
-            const Eigen::VectorXd x = all_unknowns(modes.col(i));
+        std::vector<Mechanism> mechanisms = loose_members(model);
+        append(mechanisms, mechanisms_of(model, structure, equations, motions(modes.leftCols(n_described))));
+        const std::vector<CaseLoads> loads = loads_of(model, *structure);
+        append(mechanisms, driven(model, loads, load_vectors(loads)));
+        std::vector<Fault> causes;
+        if (modes.cols() > 0) causes = unheld_parts(model, *structure);
+        causes.resize(std::min<std::size_t>(causes.size(), most_described));
+        throw MechanismError(std::move(mechanisms), static_cast<std::size_t>(modes.cols() - n_described),
+                             std::move(causes));
+    }
+
+    static void append(std::vector<Mechanism>& mechanisms, std::vector<Mechanism> more)
+    {
+        std::move(more.begin(), more.end(), std::back_inserter(mechanisms));
+    }
+
+    /// Modes of the reduced system as motions of all nodes, and of members' own ends.
+    std::vector<detail::CaseSolution> motions(const Eigen::MatrixXd& modes) const
+    {
+        std::vector<detail::CaseSolution> found;
+        for (const auto mode : modes.colwise()) {
+            const Eigen::VectorXd x = all_unknowns(mode);
             detail::CaseSolution motion;
             motion.displacements = node_displacements(x, {});
             motion.own_ends = own_ends(x);
-            motions.push_back(std::move(motion));
+            found.push_back(std::move(motion));
         }
-        std::vector<Fault> causes = unheld_parts(model, *structure);
-        causes.resize(std::min<std::size_t>(causes.size(), most_described));
-        throw MechanismError(mechanisms_of(model, structure, equations, motions), modes.cols() - n_described,
-                             std::move(causes));
+        return found;
     }
 
     void refuse(const Model& model, const std::vector<Elimination::Conflict>& conflicts) const
@@ -334,33 +352,53 @@ private:
         if (!conflicts.empty()) throw ModelError(conflict_faults(model, conflicts));
     }
 
-    void refuse_loose_members(const Model& model) const
+    /// What members do between their releases stands in no equation: the releases are condensed.
+    std::vector<Mechanism> loose_members(const Model& model) const
     {
         std::vector<Mechanism> mechanisms;
         visit_jointed_members([&](MemberId member, const MemberFrame&, const auto& element) {
             for (const LooseEnd& loose : element.loose_ends())
                 if (loose.axis != LocalAxis::rx) mechanisms.push_back(flying_member(model, *structure, member, loose));
         });
-        refuse(std::move(mechanisms));
+        return mechanisms;
+    }
+
+    /// Rotations that are held because nothing takes part in them, but that loads drive.
+    std::vector<Mechanism> driven(const Model& model, const std::vector<CaseLoads>& loads,
+                                  const Eigen::MatrixXd& F) const
+    {
+        std::vector<Mechanism> mechanisms = driven_spins(model, *structure, F, held_);
+        append(mechanisms, driven_twists(model, loads));
+        return mechanisms;
     }
 
     /// A member released against torsion at both ends is held, unless a torque on it drives the twist.
-    void refuse_driven_twists(const Model& model, const std::vector<CaseLoads>& loads) const
+    std::vector<Mechanism> driven_twists(const Model& model, const std::vector<CaseLoads>& loads) const
     {
         std::vector<Mechanism> mechanisms;
-        SpanLoading loading;
         visit_jointed_members([&](MemberId member, const MemberFrame& frame, const auto& element) {
-            for (const CaseLoads& each : loads) {
-                if (each.of(member).empty()) continue;
-                const std::array<SpanLoading::Scaled, 1> terms{{{.loads = each.of(member)}}};
-                loading.assign(frame.length, terms, structure->properties_of(member).xy.longest_piece());
-                const auto forces = element.rigid_joint_forces(loading);
-                for (const LooseEnd& loose : element.loose_ends(forces))
-                    if (std::abs(loose.drive) > 1e-9 * forces.cwiseAbs().maxCoeff())
-                        mechanisms.push_back(flying_member(model, *structure, member, loose));
-            }
+            for (const CaseLoads& each : loads)
+                if (const auto twist = driven_twist(member, frame, element, each.of(member))) {
+                    mechanisms.push_back(flying_member(model, *structure, member, *twist));
+                    return; // the same for every case
+                }
         });
-        refuse(std::move(mechanisms));
+        return mechanisms;
+    }
+
+    template <class Element>
+    std::optional<LooseEnd> driven_twist(MemberId member, const MemberFrame& frame, const Element& element,
+                                         std::span<const SpanLoad> loads) const
+    {
+        if (loads.empty()) return std::nullopt;
+        SpanLoading loading;
+        const std::array<SpanLoading::Scaled, 1> terms{{{.loads = loads}}};
+        loading.assign(frame.length, terms, structure->properties_of(member).xy.longest_piece());
+        const auto forces = element.rigid_joint_forces(loading);
+        for (const LooseEnd& loose : element.loose_ends(forces))
+            if (loose.axis == LocalAxis::rx && std::abs(loose.drive) > 1e-9 * forces.cwiseAbs().maxCoeff())
+                return loose;
+        return std::nullopt;
     }
 
     /// Calls visit(member, frame, element) for every member that hangs on a release or spring and that no constraint

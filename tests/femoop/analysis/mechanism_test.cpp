@@ -257,6 +257,88 @@ TEST_SUITE("mechanisms")
                                        "leave ux free; take a release away"});
     }
 
+    TEST_CASE("A loose member hides no other motion, nor that a support is missing")
+    {
+        const std::string can_move = "structure can move without strain: ";
+        const std::string loose = can_move + "member AB is loose, its releases leave ";
+
+        Model parts = frame({{0, 0}, {4, 0}, {10, 0}, {10, 3}}, {{0, 1}, {2, 3}});
+        for (const std::size_t end : {0U, 1U}) hold(parts, end, SupportKind::Fixed);
+        hold(parts, 2, SupportKind::Pin);
+        parts.members[0].start.release = parts.members[0].end.release = {Dof::ux};
+        const std::vector<std::string> sentences = mechanisms(parts);
+        REQUIRE(sentences.size() == 2);
+        CHECK(sentences[0] == loose + "ux free; take a release away");
+        CHECK(sentences[1].find("node D moves along x") != std::string::npos);
+        CHECK(causes(parts) ==
+              std::vector<std::string>{"the supports hold 2 of the 3 ways in which the part C and D can move as a "
+                                       "whole; add supports, or join it to the rest"});
+
+        Model slide = frame({{0, 0}, {4, 0}, {8, 0}}, {{0, 1}, {1, 2}});
+        hold(slide, 0, SupportKind::Fixed);
+        hold(slide, 2, SupportKind::Roller);
+        slide.members[0].start.release = slide.members[0].end.release = {Dof::ux};
+        CHECK(mechanisms(slide) ==
+              std::vector<std::string>{loose + "ux free; take a release away",
+                                       can_move + "nodes B and C sway to the right together; nothing holds ux; add a "
+                                                  "brace or a support"});
+
+        slide.members[0].start.release = slide.members[0].end.release = {Dof::uy, Dof::rz};
+        const std::vector<std::string> three = mechanisms(slide);
+        REQUIRE(three.size() == 3);
+        CHECK(three[0].find(loose) == 0);
+        CHECK(three[1].find(loose) == 0);
+        CHECK(three[2] == can_move + "node B moves along y; nothing holds uy; add a brace or a support");
+    }
+
+    TEST_CASE("A member between nodes that slide is loose besides, and its picture moves it alone")
+    {
+        Model model = frame({{0, 0}, {4, 0}, {8, 0}}, {{0, 1}, {1, 2}});
+        hold(model, 0, SupportKind::Fixed);
+        hold(model, 2, SupportKind::Roller);
+        model.members[0].start.release = model.members[0].end.release = {Dof::ux};
+        std::vector<Mechanism> found;
+        try {
+            analyse(model);
+        } catch (const MechanismError& error) {
+            found = error.mechanisms();
+        }
+        REQUIRE(found.size() == 2);
+        CHECK(found[0].member_ends[0][1].x() == doctest::Approx(1.0));
+        CHECK(found[0].member_ends[1][0].norm() == 0.0);
+        CHECK(found[1].motion[1][0] == doctest::Approx(1.0));
+        CHECK(found[1].member_ends[1][0].x() == doctest::Approx(1.0));
+        CHECK(found[1].member_ends[0][1].norm() < 1e-9);
+    }
+
+    TEST_CASE("Rotations that loads drive are told with the other mechanisms, a twist once for all load cases")
+    {
+        Model model = frame({{0, 0}, {4, 0}, {4, 3}, {9, 0}, {12, 0}}, {{0, 1}, {1, 2}, {3, 4}});
+        model.analysis = AnalysisKind::Frame3d;
+        model.sections[0].Iy = 0.7e-4;
+        model.sections[0].J = 0.3e-4;
+        hold(model, 0, SupportKind::Fixed);
+        hold(model, 2, SupportKind::Fixed);
+        hold(model, 3, SupportKind::Fixed);
+        model.members[0].start.release = model.members[0].end.release = {Dof::rx};
+        model.add(LoadCase{.id = "Q"});
+        for (LoadCase& load_case : model.load_cases)
+            load_case.members.push_back(
+                {.member = MemberId(0), .load = DistributedLoad{.values = {{.dof = Dof::rx, .start = 2.0}}}});
+        const std::vector<std::string> twist = mechanisms(model);
+        REQUIRE(twist.size() == 1);
+        CHECK(twist[0].find("member AB is loose, its releases leave rx free") != std::string::npos);
+        model.members[2].start.release = model.members[2].end.release = {Dof::uz};
+        hold(model, 4, SupportKind::Fixed);
+        CHECK(mechanisms(model).size() == 2);
+        model.nodes[4].support = Support{.fixed = {Dof::ux, Dof::uz, Dof::rx, Dof::ry, Dof::rz}};
+        const std::vector<std::string> all = mechanisms(model);
+        REQUIRE(all.size() == 3);
+        CHECK(all[0].find("member DE is loose") != std::string::npos);
+        CHECK(all[1].find("node E moves along y") != std::string::npos);
+        CHECK(all[2] == twist[0]);
+    }
+
     TEST_CASE("A very soft spring is nearly a mechanism, not one, and the warning gives the condition")
     {
         Model model = frame({{0, 0}, {4, 0}}, {{0, 1}});
