@@ -176,8 +176,9 @@ Mechanism flying_member(const Model& model, const Structure& structure, MemberId
                         .motion = std::vector<NodeVector>(structure.positions.size()),
                         .member_ends = still_ends(structure)};
     const Eigen::Matrix3d axes = structure.frame(member).axes;
-    for (std::size_t end = 0; end < 2; ++end)
-        mechanism.member_ends[member.index][end] = axes.transpose() * loose.mode[end].head<3>();
+    const double largest = std::max(loose.mode[0].head<3>().norm(), loose.mode[1].head<3>().norm());
+    for (std::size_t end = 0; end < 2 && largest > 0.0; ++end)
+        mechanism.member_ends[member.index][end] = axes.transpose() * loose.mode[end].head<3>() / largest;
     return mechanism;
 }
 

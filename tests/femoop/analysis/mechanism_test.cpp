@@ -311,6 +311,24 @@ TEST_SUITE("mechanisms")
         CHECK(found[1].member_ends[0][1].norm() < 1e-9);
     }
 
+    TEST_CASE("A loose member that turns moves its ends no further than any other motion, whatever its length")
+    {
+        Model model = frame({{0, 0}, {40, 0}}, {{0, 1}});
+        for (const std::size_t end : {0U, 1U}) hold(model, end, SupportKind::Fixed);
+        model.members[0].start.release = model.members[0].end.release = {Dof::uy, Dof::rz};
+        std::vector<Mechanism> found;
+        try {
+            analyse(model);
+        } catch (const MechanismError& error) {
+            found = error.mechanisms();
+        }
+        REQUIRE(found.size() == 2);
+        for (const Mechanism& loose : found) {
+            const auto& [start, end] = loose.member_ends[0];
+            CHECK(std::max(start.norm(), end.norm()) == doctest::Approx(1.0));
+        }
+    }
+
     TEST_CASE("Rotations that loads drive are told with the other mechanisms, a twist once for all load cases")
     {
         Model model = frame({{0, 0}, {4, 0}, {4, 3}, {9, 0}, {12, 0}}, {{0, 1}, {1, 2}, {3, 4}});
