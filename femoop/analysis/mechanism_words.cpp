@@ -83,6 +83,17 @@ Fault along(const Model& model, const std::vector<NodeId>& moving, const Eigen::
             .arguments = {names_of(model, moving), point(direction, model.analysis)}};
 }
 
+/// Tells such motions of the same nodes apart by the one that moves the most; of nearly equal ones the first.
+Fault each_its_way(const Model& model, const std::vector<NodeVector>& motion, const std::vector<NodeId>& moving)
+{
+    NodeId most = moving.front();
+    for (const NodeId node : moving)
+        if (translation(motion[node.index]).norm() > translation(motion[most.index]).norm() * (1.0 + 1e-6)) most = node;
+    return {
+        .kind = FaultKind::MechanismMixed,
+        .arguments = {names_of(model, moving), model[most].id, point(translation(motion[most.index]), model.analysis)}};
+}
+
 /// What a single node's rotation is called depends on its cause: nothing holds it, or a moment drives it.
 Fault words(const Model& model, const Structure& structure, const std::vector<NodeVector>& motion, FaultKind spin)
 {
@@ -108,7 +119,7 @@ Fault words(const Model& model, const Structure& structure, const std::vector<No
         if (const auto about = pivot(structure, motion, moving))
             return {.kind = FaultKind::MechanismTurn,
                     .arguments = {names_of(model, moving), point(*about, model.analysis)}};
-    return {.kind = FaultKind::MechanismMixed, .arguments = {names_of(model, moving)}};
+    return each_its_way(model, motion, moving);
 }
 
 std::vector<NodeVector> motion_of(const Structure& structure, const std::vector<double>& displacements)

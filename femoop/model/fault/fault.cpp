@@ -84,7 +84,8 @@ bool is_computed(FaultKind kind, std::size_t argument)
     case FaultKind::CoincidentNodes:
     case FaultKind::MembersCross:
     case FaultKind::MembersOverlap:
-    case FaultKind::MemberPassesNode: return argument == 2;
+    case FaultKind::MemberPassesNode:
+    case FaultKind::MechanismMixed: return argument == 2;
     default: return false;
     }
 }

@@ -49,7 +49,8 @@ std::string_view pattern(FaultKind kind)
         return "structure can move without strain: {0} rotate freely; add a support or a rigid joint against the "
                "rotation";
     case FaultKind::MechanismMixed:
-        return "structure can move without strain: nodes {0} move; add a brace, a support or a rigid joint";
+        return "structure can move without strain: nodes {0} move, {1} along {2}; add a brace, a support or a "
+               "rigid joint";
     case FaultKind::MechanismMemberFlies:
         return "structure can move without strain: member {0} is loose, its releases leave {1} free; take a release "
                "away";

@@ -143,6 +143,22 @@ TEST_SUITE("mechanisms")
         CHECK(causes(model).empty());
     }
 
+    TEST_CASE("No two motions of a free body in space read the same")
+    {
+        for (const double z : {0.0, 1.0, -2.5}) {
+            Model model = frame({{0, 0}, {3, 0}, {3, 3}}, {{0, 1}, {1, 2}});
+            model.analysis = AnalysisKind::Frame3d;
+            model.sections[0].Iy = 0.7e-4;
+            model.sections[0].J = 0.3e-4;
+            model.nodes[2].at[2] = z;
+            std::vector<std::string> sentences = mechanisms(model);
+            CHECK(sentences.size() == 6);
+            std::sort(sentences.begin(), sentences.end());
+            CAPTURE(z);
+            CHECK(std::adjacent_find(sentences.begin(), sentences.end()) == sentences.end());
+        }
+    }
+
     TEST_CASE("A part of a structure that nothing holds is told by its nodes")
     {
         Model model = frame({{0, 0}, {4, 0}, {0, 3}, {5, 3}, {5, 7}}, {{0, 1}, {2, 3}, {3, 4}});
