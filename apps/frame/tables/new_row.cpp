@@ -82,6 +82,7 @@ namespace {
 template <class... Functions> struct Overloaded : Functions... {
     using Functions::operator()...;
 };
+template <class... Functions> Overloaded(Functions...) -> Overloaded<Functions...>;
 
 bool has_value(const MemberLoad& load)
 {

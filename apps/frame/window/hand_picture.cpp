@@ -20,7 +20,7 @@ namespace {
 class HandPicture {
 public:
     HandPicture(ui::Painter& painter, const Session& session, const Projection& projection, const ui::Theme& theme)
-        : painter_(painter), session_(session), projection_(projection), theme_(theme), units_(session.units())
+        : painter_(painter), projection_(projection), theme_(theme), units_(session.units())
     {}
 
     void grid()
@@ -111,7 +111,6 @@ private:
     }
 
     ui::Painter& painter_;
-    const Session& session_;
     const Projection& projection_;
     const ui::Theme& theme_;
     ui::DisplayUnits units_;

@@ -343,8 +343,9 @@ void TableGrid::draw_row(const Look& look, std::size_t row) const
                        : row % 2 == 1 ? ImGui::GetColorU32(ImGuiCol_TableRowBgAlt)
                                       : 0U;
     list.AddRectFilled({layout_.view_left, y}, {right, y + layout_.line}, tint);
-    const auto [top, bottom] = std::minmax(cursor_.row, anchor_.row);
-    const auto [left_column, right_column] = std::minmax(cursor_.column, anchor_.column);
+    const std::size_t top = std::min(cursor_.row, anchor_.row), bottom = std::max(cursor_.row, anchor_.row);
+    const std::size_t left_column = std::min(cursor_.column, anchor_.column);
+    const std::size_t right_column = std::max(cursor_.column, anchor_.column);
     const auto cell = [&](std::size_t j, float x) {
         const Frame frame{{x, y}, {x + layout_.widths[j], y + layout_.line}};
         const bool is_in_block = row >= top && row <= bottom && j >= left_column && j <= right_column;
