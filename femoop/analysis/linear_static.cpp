@@ -393,7 +393,8 @@ private:
         if (loads.empty()) return std::nullopt;
         SpanLoading loading;
         const std::array<SpanLoading::Scaled, 1> terms{{{.loads = loads}}};
-        loading.assign(frame.length, terms, structure->properties_of(member).xy.longest_piece());
+        loading.assign(frame.length, terms, structure->properties_of(member).xy.longest_piece(),
+                       structure->properties_of(member).xy.settling());
         const auto forces = element.rigid_joint_forces(loading);
         for (const LooseEnd& loose : element.loose_ends(forces))
             if (loose.axis == LocalAxis::rx && std::abs(loose.drive) > 1e-9 * forces.cwiseAbs().maxCoeff())

@@ -46,7 +46,8 @@ template <AnalysisKind kind> MemberTrace trace_of(const Model& model, const Stru
     for (std::size_t c = 0; c < loads.size(); ++c) {
         SpanLoading loading;
         const std::array<SpanLoading::Scaled, 1> terms{{{.loads = loads[c].of(member)}}};
-        loading.assign(frame.length, terms, structure.properties_of(member).xy.longest_piece());
+        loading.assign(frame.length, terms, structure.properties_of(member).xy.longest_piece(),
+                       structure.properties_of(member).xy.settling());
         trace.fixed_end.push_back({.load_case = model.load_cases[c].id,
                                    .local = element.local_fixed_end_forces(loading),
                                    .global = element.fixed_end_forces(loading)});

@@ -24,6 +24,7 @@ Eigen::Matrix4d Beam::stiffness(double L) const
 
 Beam::Series Beam::series(const State& begin, const SpanPiece& piece, BendingPlane plane, double curvature) const
 {
+    if (piece.is_settled && foundation > 0.0) return settled(piece, plane, curvature);
     const std::size_t force = index(force_axis(plane));
     const std::size_t moment = index(moment_axis(plane));
     const double sign = moment_sign(plane);
@@ -107,14 +108,57 @@ Eigen::Vector2d Beam::simple_span_forces(const SpanLoading& loading, BendingPlan
     return {V0, -(V0 + state.V)};
 }
 
+namespace {
+
+/// Of the roots of lambda^4 - (k / GAs) lambda^2 + k / EI = 0: half the sum of their squares, and their product.
+struct Rates {
+    double half_sum, product;
+};
+
+Rates rates(const Beam& beam)
+{
+    return {.half_sum = 0.5 * beam.foundation * beam.shear_flexibility,
+            .product = std::sqrt(beam.foundation / beam.EI)};
+}
+
+} // namespace
+
 double Beam::longest_piece() const
 {
     if (foundation <= 0.0) return std::numeric_limits<double>::infinity();
     // The largest root of lambda^4 - (k / GAs) lambda^2 + k / EI = 0 bounds how fast a solution varies.
-    const double a = 0.5 * foundation * shear_flexibility;
-    const double b = foundation / EI;
-    const double lambda2 = a * a > b ? a + std::sqrt(a * a - b) : std::sqrt(b);
-    return 1.0 / std::sqrt(lambda2);
+    const auto [a, p] = rates(*this);
+    return 1.0 / std::sqrt(a > p ? a + std::sqrt((a - p) * (a + p)) : p);
+}
+
+double Beam::settling() const
+{
+    if (foundation <= 0.0) return std::numeric_limits<double>::infinity();
+    constexpr double forgotten = 40.0; // exp(-40) is below the last bit
+    const auto [a, p] = rates(*this);
+    // the smallest real part of a root
+    return forgotten / (a > p ? p * longest_piece() : std::sqrt(0.5 * (a + p)));
+}
+
+double Beam::stiffest_foundation(double L) const
+{
+    // Without shear the pieces stay few, but they must not drown in the rounding of x. With shear one of the roots
+    // grows with the foundation and the other does not, so that nothing settles and the pieces fill the member.
+    const double lambda = (shear_flexibility > 0.0 ? 1e4 : 1e6) / L;
+    const double lambda2 = lambda * lambda;
+    if (lambda2 * EI * shear_flexibility < 2.0) return EI * lambda2 * lambda2;
+    return lambda2 * lambda2 / (lambda2 * shear_flexibility - 1.0 / EI);
+}
+
+Beam::Series Beam::settled(const SpanPiece& piece, BendingPlane plane, double curvature) const
+{
+    const std::size_t force = index(force_axis(plane)), moment = index(moment_axis(plane));
+    const double q = piece.value[force], dq = piece.slope[force];
+    const double m = moment_sign(plane) * piece.value[moment], dm = moment_sign(plane) * piece.slope[moment];
+    return {.v = {(q - dm) / foundation, dq / foundation},
+            .phi = {dq / foundation + m * shear_flexibility, dm * shear_flexibility},
+            .V = {m, dm},
+            .M = {EI * (dm * shear_flexibility - curvature)}};
 }
 
 namespace {
@@ -162,6 +206,30 @@ Ends ends(const Transfer& t)
     return e;
 }
 
+/// The settled piece as two half-infinite beams that part from its particular solution at its ends.
+Ends settled_ends(const Beam& beam, const SpanPiece& piece, BendingPlane plane, double curvature)
+{
+    const auto [a, p] = rates(beam);
+    const double sum = std::sqrt(2.0 * (a + p)); // of the two roots that decay
+    const double k = beam.foundation / (2.0 * a + p);
+    const double turning = beam.EI * sum * p / (2.0 * a + p);
+    const Beam::Series particular = beam.series({}, piece, plane, curvature);
+    const Beam::State near = particular.at(0.0), far = particular.at(piece.length());
+    Ends e;
+    e.K << k * sum, k, 0.0, 0.0, //
+        k, turning, 0.0, 0.0,    //
+        0.0, 0.0, k * sum, -k,   //
+        0.0, 0.0, -k, turning;
+    e.fixed = Eigen::Vector4d(near.V, -near.M, -far.V, far.M) - e.K * Eigen::Vector4d(near.v, near.phi, far.v, far.phi);
+    return e;
+}
+
+Ends ends(const Beam& beam, const SpanPiece& piece, BendingPlane plane, double curvature)
+{
+    return piece.is_settled ? settled_ends(beam, piece, plane, curvature)
+                            : ends(transfer(beam, piece, plane, curvature));
+}
+
 Eigen::Vector2d joint_load(const std::array<double, n_local_axes>& jump, BendingPlane plane)
 {
     return {jump[index(force_axis(plane))], moment_sign(plane) * jump[index(moment_axis(plane))]};
@@ -173,7 +241,7 @@ FoundationBeam::FoundationBeam(const Beam& beam, const SpanLoading& loading, Ben
     : beam_(beam), plane_(plane), curvature_(curvature), pieces_(loading.pieces())
 {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        Ends piece = ends(transfer(beam_, pieces_[i], plane_, curvature_));
+        Ends piece = ends(beam_, pieces_[i], plane_, curvature_);
         piece.fixed.head<2>() -= joint_load(pieces_[i].jump, plane_);
         if (i == 0) {
             K_ = piece.K;
@@ -211,7 +279,7 @@ std::vector<Beam::State> FoundationBeam::states(const Eigen::Vector4d& d) const
 
     std::vector<Beam::State> states;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        const Ends piece = ends(transfer(beam_, pieces_[i], plane_, curvature_));
+        const Ends piece = ends(beam_, pieces_[i], plane_, curvature_);
         Eigen::Vector4d between;
         between << at[i], at[i + 1];
         const Eigen::Vector2d near = (piece.K * between + piece.fixed).head<2>() - joint_load(pieces_[i].jump, plane_);

@@ -85,10 +85,20 @@ struct Beam {
 
     /// Pieces up to this length keep the series short and exact; infinite without a foundation.
     double longest_piece() const;
+
+    /// What happens at a place is felt no further on than this; infinite without a foundation.
+    double settling() const;
+
+    /// On a stiffer one a member of this length has more pieces, or shorter ones, than arithmetic bears.
+    double stiffest_foundation(double L) const;
+
+private:
+    Series settled(const SpanPiece& piece, BendingPlane plane, double curvature) const;
 };
 
 /// A beam on a Winkler foundation, joined from pieces that the series can carry: each piece is exact, so the
-/// chain is one exact member however long it is against the foundation's characteristic length.
+/// chain is one exact member however long it is against the foundation's characteristic length. Far from ends and
+/// loads nothing is left but the particular solution, linear in x: one piece, with half-infinite beams at its ends.
 class FoundationBeam {
 public:
     FoundationBeam(const Beam& beam, const SpanLoading& loading, BendingPlane plane, double curvature);

@@ -96,7 +96,7 @@ Eigen::Matrix4d beam_stiffness(const Beam& beam, double L, BendingPlane plane)
 {
     if (beam.foundation <= 0.0) return beam.stiffness(L);
     SpanLoading pieces;
-    pieces.assign(L, {}, beam.longest_piece());
+    pieces.assign(L, {}, beam.longest_piece(), beam.settling());
     return FoundationBeam(beam, pieces, plane, 0.0).stiffness();
 }
 

@@ -5,13 +5,13 @@
 
 namespace femoop {
 
-void SpanLoading::assign(double L, std::span<const Scaled> terms, double longest)
+void SpanLoading::assign(double L, std::span<const Scaled> terms, double longest, double settling)
 {
     length_ = L;
     last_jump_ = {};
     strain_ = curvature_ = 0.0;
     zero_ = true;
-    cut(terms, longest);
+    cut(terms, longest, settling);
     for (const Scaled& term : terms)
         for (const SpanLoad& load : term.loads) add(load, term.factor);
 }
@@ -23,7 +23,7 @@ SpanLoading SpanLoading::without_strain() const
     return loading;
 }
 
-void SpanLoading::cut(std::span<const Scaled> terms, double longest)
+void SpanLoading::cut(std::span<const Scaled> terms, double longest, double settling)
 {
     places_.clear();
     places_.push_back(0.0);
@@ -40,15 +40,29 @@ void SpanLoading::cut(std::span<const Scaled> terms, double longest)
     }
     pieces_.clear();
     for (std::size_t i = 0; i + 1 < places_.size(); ++i) {
-        const double stretch = places_[i + 1] - places_[i];
-        const auto n = stretch > longest ? static_cast<std::size_t>(std::ceil(stretch / longest)) : 1;
-        const double step = stretch / static_cast<double>(n);
-        for (std::size_t k = 0; k < n; ++k) {
-            SpanPiece& piece = pieces_.emplace_back();
-            piece.begin = places_[i] + step * static_cast<double>(k);
-            piece.end = k + 1 == n ? places_[i + 1] : places_[i] + step * static_cast<double>(k + 1);
-            piece.begins_at_load = k == 0;
-        }
+        const double begin = places_[i], end = places_[i + 1];
+        const std::size_t first = pieces_.size();
+        if (end - begin > 2.0 * (settling + longest)) {
+            cut(begin, begin + settling, longest);
+            SpanPiece& middle = pieces_.emplace_back();
+            middle.begin = begin + settling;
+            middle.end = end - settling;
+            middle.is_settled = true;
+            cut(end - settling, end, longest);
+        } else cut(begin, end, longest);
+        for (std::size_t k = first + 1; k < pieces_.size(); ++k) pieces_[k].begins_at_load = false;
+    }
+}
+
+void SpanLoading::cut(double begin, double end, double longest)
+{
+    const double stretch = end - begin;
+    const auto n = stretch > longest ? static_cast<std::size_t>(std::ceil(stretch / longest)) : 1;
+    const double step = stretch / static_cast<double>(n);
+    for (std::size_t k = 0; k < n; ++k) {
+        SpanPiece& piece = pieces_.emplace_back();
+        piece.begin = begin + step * static_cast<double>(k);
+        piece.end = k + 1 == n ? end : begin + step * static_cast<double>(k + 1);
     }
 }
 

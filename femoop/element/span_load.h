@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct SpanLoad {
 struct SpanPiece {
     double begin = 0.0, end = 0.0;
     bool begins_at_load = true;               ///< else it continues a longer stretch that was cut
+    bool is_settled = false;                  ///< so far from loads and ends that a foundation feels them no more
     std::array<double, n_local_axes> jump{};  ///< point loads at `begin`
     std::array<double, n_local_axes> value{}; ///< distributed load just after `begin`
     std::array<double, n_local_axes> slope{}; ///< its change per unit length
@@ -40,6 +42,8 @@ struct SpanPiece {
 /// All loads of one member, sorted into pieces; made once and refilled, so that a loop over members allocates nothing.
 class SpanLoading {
 public:
+    static constexpr double no_settling = std::numeric_limits<double>::infinity();
+
     struct Scaled {
         std::span<const SpanLoad> loads;
         double factor = 1.0;
@@ -47,7 +51,8 @@ public:
 
     /// Sums `factor x loads` of every term over a member of length L.
     /// `longest` cuts pieces that would be longer (series on a foundation converge over a limited length).
-    void assign(double L, std::span<const Scaled> terms, double longest);
+    /// A stretch longer than twice `settling` has one settled piece in its middle, so that the pieces stay few.
+    void assign(double L, std::span<const Scaled> terms, double longest, double settling = no_settling);
 
     double length() const { return length_; }
     const std::vector<SpanPiece>& pieces() const { return pieces_; }
@@ -58,7 +63,8 @@ public:
     bool is_zero() const { return zero_; } ///< no load at all
 
 private:
-    void cut(std::span<const Scaled> terms, double longest);
+    void cut(std::span<const Scaled> terms, double longest, double settling);
+    void cut(double begin, double end, double longest);
     void add(const SpanLoad& load, double factor);
 
     double length_ = 0.0;

@@ -37,7 +37,7 @@ StrainForm strain_form(const Beam& beam, double L, BendingPlane plane)
 {
     if (beam.foundation <= 0.0) return bending(beam, L);
     SpanLoading pieces;
-    pieces.assign(L, {}, beam.longest_piece());
+    pieces.assign(L, {}, beam.longest_piece(), beam.settling());
     const Eigen::Matrix4d k = FoundationBeam(beam, pieces, plane, 0.0).stiffness();
     Eigen::Matrix4d displacement;     // d from (phi1 - psi, phi2 - psi, v1 / L, v2 / L)
     displacement << 0.0, 0.0, L, 0.0, //

@@ -91,11 +91,15 @@ private:
     void check_length(const Member& member, const Entry& place);
     void check_up(const Member& member, const Entry& place);
     void check_end(const Member& member, End which, const Entry& place);
+    void check_truss_offset(const Member& member, End which, const Entry& place);
     void check_section_for(const Member& member);
     void check_use();
     static Axis with_length(Axis axis);
     Axis axis(const Member& member) const;      ///< of the part between the offsets
     Axis node_axis(const Member& member) const; ///< from node to node
+
+    // foundation_check.cpp
+    void check_foundation(const Member& member, const Entry& place);
 
     // shape_check.cpp
     void check_shape(const Shape& shape, const Entry& place);

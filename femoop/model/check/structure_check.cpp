@@ -200,11 +200,11 @@ void Checker::check_member(const Member& member, const Entry& place)
     check_end(member, End::Finish, place);
     if (member.tension_only && member.compression_only) add(FaultKind::TensionAndCompressionOnly, place, {});
     else if (member.tension_only || member.compression_only) add(FaultKind::OneWayMember, place, {});
-    if (member.foundation) require_stiffness(place, "foundation", *member.foundation, dimension::stress);
-    const bool is_bar = member.bar || is_truss(model_.analysis);
-    if (member.foundation && is_bar) add(FaultKind::FoundationOfBar, place, {});
+    if (member.foundation) check_foundation(member, place);
     if (is_located(member)) {
         check_length(member, place);
+        if (is_truss(model_.analysis))
+            for (const End which : {End::Start, End::Finish}) check_truss_offset(member, which, place);
         check_up(member, place);
     }
 }
@@ -276,6 +276,23 @@ void Checker::check_length(const Member& member, const Entry& place)
     for (std::size_t i = 0; i < 3; ++i) along += (part.end[i] - part.start[i]) * (whole.end[i] - whole.start[i]);
     if (part.length <= negligible * whole.length || along < 0.0)
         add(FaultKind::OffsetsEatMember, place, {shown(Quantity(whole.length), dimension::length)});
+}
+
+void Checker::check_truss_offset(const Member& member, End which, const Entry& place)
+{
+    constexpr double negligible = 1e-6; // of the length: what rounding in a typed offset leaves
+    const bool is_start = which == End::Start;
+    const std::vector<Quantity>& offset = (is_start ? member.start : member.end).offset;
+    const Axis whole = node_axis(member);
+    if (offset.size() != n_coordinates(model_.analysis) || !std::isfinite(whole.length) || whole.length == 0.0) return;
+    const Eigen::Vector3d arm = vector_of(offset);
+    const Eigen::Vector3d x = (Eigen::Vector3d(whole.end.data()) - Eigen::Vector3d(whole.start.data())) / whole.length;
+    const Eigen::Vector3d along = (arm.dot(x) * x).array() + 0.0; // written without a minus zero
+    const double across = (arm - along).norm();
+    if (!(across > negligible * whole.length)) return;
+    add(FaultKind::TrussOffsetAcross, place,
+        {std::string(end_name(is_start)), shown(point(arm)), shown(Quantity(across), dimension::length),
+         shown(point(along)), is_3d(model_.analysis) ? "frame3d" : "frame2d"});
 }
 
 void Checker::check_up(const Member& member, const Entry& place)

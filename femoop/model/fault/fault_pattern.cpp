@@ -216,6 +216,9 @@ std::string_view pattern(FaultKind kind)
         return "{0}: its offsets leave nothing of the {1} between its nodes; shorten them";
     case FaultKind::OffsetSize:
         return "{0}: its {1} offset has {2} lengths, which {3} does not; give one per coordinate";
+    case FaultKind::TrussOffsetAcross:
+        return "{0}: {1} offset {2} lies {3} across the member, whose moment no node of a truss can take; give the "
+               "part along the member, {4}, or use {5} with bars";
     case FaultKind::ReleaseDofLacking:
         return "{0}: releases {1} at its {2}, which a member of {3} does not have; take it away: there are {4}";
     case FaultKind::EndSpringDofLacking:
@@ -227,6 +230,9 @@ std::string_view pattern(FaultKind kind)
         return "{0}: takes tension only and compression only, so nothing; keep one";
     case FaultKind::FoundationOfBar:
         return "{0}: has a foundation but carries axial force only; take the foundation away or use a frame member";
+    case FaultKind::FoundationTooStiff:
+        return "{0}: foundation y {1} is too stiff for the member of {2}; give {3} or less, or hold its nodes by "
+               "supports instead";
     case FaultKind::OneWayMember:
         return "{0}: takes tension only or compression only, which the linear analysis cannot follow: it counts as an "
                "ordinary "

@@ -11,11 +11,11 @@ namespace {
 constexpr double L = 3.7, EI = 5300.0, GAs = 910.0, q = 6.1, P = 11.0, a = 1.3; // no two equal, none 1
 
 SpanLoading loaded(const std::vector<SpanLoad>& loads, double length = L,
-                   double longest = std::numeric_limits<double>::infinity())
+                   double longest = std::numeric_limits<double>::infinity(), double settling = SpanLoading::no_settling)
 {
     SpanLoading loading;
     const std::array<SpanLoading::Scaled, 1> terms{{{.loads = loads}}};
-    loading.assign(length, terms, longest);
+    loading.assign(length, terms, longest, settling);
     return loading;
 }
 
@@ -130,6 +130,24 @@ TEST_SUITE("beam")
         const FoundationBeam fine(beam, loaded(loads, L, longest / 3.7), BendingPlane::xy, 0.013);
         CHECK((coarse.stiffness() - fine.stiffness()).norm() < 1e-11 * fine.stiffness().norm());
         CHECK((coarse.fixed_end_forces() - fine.fixed_end_forces()).norm() < 1e-11 * fine.fixed_end_forces().norm());
+    }
+
+    TEST_CASE("A stiff foundation takes few pieces, and its beam is the one of many pieces")
+    {
+        const std::vector<SpanLoad> loads{uniform(-q), point(LocalAxis::y, a, -P), point(LocalAxis::rz, 2.0, 3.0)};
+        for (const double shear : {0.0, 1e-12 / EI}) {
+            const Beam beam{.EI = EI, .shear_flexibility = shear, .foundation = EI * std::pow(500.0 / L, 4.0)};
+            const double longest = beam.longest_piece();
+            const SpanLoading few = loaded(loads, L, longest, beam.settling()), many = loaded(loads, L, longest);
+            CHECK(few.pieces().size() < many.pieces().size());
+            const FoundationBeam settled(beam, few, BendingPlane::xy, 0.013),
+                chain(beam, many, BendingPlane::xy, 0.013);
+            CHECK((settled.stiffness() - chain.stiffness()).norm() < 1e-11 * chain.stiffness().norm());
+            CHECK((settled.fixed_end_forces() - chain.fixed_end_forces()).norm() <
+                  1e-11 * chain.fixed_end_forces().norm());
+        }
+        const Beam stiffest{.EI = EI, .foundation = Beam{.EI = EI}.stiffest_foundation(L)};
+        CHECK(loaded(loads, L, stiffest.longest_piece(), stiffest.settling()).pieces().size() < 400);
     }
 
     TEST_CASE("A foundation beam under q sinks q / k when its ends go along")

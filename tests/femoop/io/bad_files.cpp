@@ -421,6 +421,13 @@ std::vector<BadFile> files_with_bad_members()
          "1e100 m, and check its unit"},
         {with_member_keys(R"("start": {"offset": [1, 0, 0]})"),
          "members[0].start.offset: found 3 lengths, wanted 2 in frame2d; give one per coordinate"},
+        {File{
+             .analysis = R"("truss2d")",
+             .members =
+                 R"([{"id": "AB", "nodes": ["A", "B"], "material": "m", "section": "s", "end": {"offset": [-0.5, 0.25]}}])"}
+             .text(),
+         "members[0] \"AB\": end offset (-0.5, 0.25) m lies 0.25 m across the member, whose moment no node of a truss "
+         "can take; give the part along the member, (-0.5, 0) m, or use frame2d with bars"},
         {with_member_keys(R"("start": {"release": ["ry"]})"),
          "members[0] \"AB\": releases ry at its start, which a member of frame2d does not have; take it away: there "
          "are ux uy rz"},
@@ -441,6 +448,9 @@ std::vector<BadFile> files_with_bad_members()
          "members[0] \"AB\": takes tension only and compression only, so nothing; keep one"},
         {with_member_keys(R"("foundation": {"y": 0})"),
          "members[0] \"AB\": foundation is 0 kN/m^2, which holds nothing; take it away or give a value greater than 0"},
+        {with_member_keys(R"("foundation": {"y": 1e300})"), "members[0] \"AB\": foundation y 1e300 kN/m^2 is too stiff "
+                                                            "for the member of 6 m; give 1e25 kN/m^2 or less, or hold "
+                                                            "its nodes by supports instead"},
         {with_member_keys(R"("foundation": 5000)"),
          "members[0].foundation: found a number, wanted an object; write it like {\"...\": ...}"},
         {with_member_keys(R"("start": "hinge")"),
