@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "apps/frame/document/measures.h"
 #include "femoop/model/quantity/dimension.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/quantity_parser.h"
@@ -20,16 +21,6 @@ using ui::translatable;
 namespace {
 
 // ---- one visit of all numbers of a part, for reading (const Model) and for writing (Model) ----
-
-// What a load along or about a degree of freedom is measured in.
-struct Measures {
-    Measure along, about;
-    Measure of(Dof dof) const { return index(dof) < 3 ? along : about; }
-};
-constexpr Measures force_measures{Measure::Force, Measure::Moment};
-constexpr Measures line_load_measures{Measure::ForcePerLength, Measure::MomentPerLength};
-constexpr Measures displacement_measures{Measure::Displacement, Measure::Rotation};
-constexpr Measures spring_measures{Measure::ForcePerLength, Measure::MomentPerAngle};
 
 Phrase line_load_label(Dof dof, std::string_view sentence)
 {

@@ -1,5 +1,6 @@
 #include "apps/frame/document/part.h"
 
+#include "apps/frame/document/overloaded.h"
 #include "ui/text/catalogue.h"
 
 namespace frame {
@@ -9,11 +10,6 @@ using ui::Phrase;
 using ui::translatable;
 
 namespace {
-
-template <class... Functions> struct Overloaded : Functions... {
-    using Functions::operator()...;
-};
-template <class... Functions> Overloaded(Functions...) -> Overloaded<Functions...>;
 
 Phrase named(std::string_view sentence, const std::string& id) { return {sentence, {{"id", id}}}; }
 
@@ -107,6 +103,13 @@ std::vector<Part> parts(const Model& model)
     each_load(model, [&](const Part& load, const Part&) { all.push_back(load); });
     for (std::size_t i = 0; i < model.combinations.size(); ++i) all.emplace_back(CombinationPlace{i});
     return all;
+}
+
+std::size_t load_case_of(const Part& load)
+{
+    if (const auto* const place = std::get_if<NodeLoadPlace>(&load)) return place->load_case;
+    if (const auto* const place = std::get_if<SettlementPlace>(&load)) return place->load_case;
+    return std::get<MemberLoadPlace>(load).load_case;
 }
 
 std::vector<Part> loads_on(const Model& model, const Part& part)

@@ -45,6 +45,9 @@ ui::Phrase title(const femoop::Model& model, const Part& part);
 /// Every part of the model, in the order of the file.
 std::vector<Part> parts(const femoop::Model& model);
 
+/// The place of the load case that a load or settlement belongs to. \pre the part is one
+std::size_t load_case_of(const Part& load);
+
 /// The loads and settlements of all load cases that act on this node or member.
 std::vector<Part> loads_on(const femoop::Model& model, const Part& part);
 

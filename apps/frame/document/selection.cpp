@@ -1,7 +1,6 @@
 #include "apps/frame/document/selection.h"
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 
 namespace frame {
@@ -29,26 +28,24 @@ class Follower {
 public:
     Follower(const Model& before, const Model& after) : before_(before), after_(after) {}
 
-    std::optional<Part> operator()(NodeId id) const { return part(after_.find_node(before_[id].id)); }
-    std::optional<Part> operator()(MemberId id) const { return part(after_.find_member(before_[id].id)); }
-    std::optional<Part> operator()(MaterialId id) const { return named(after_.materials, before_[id]); }
-    std::optional<Part> operator()(SectionId id) const { return named(after_.sections, before_[id]); }
+    std::optional<Part> operator()(NodeId id) const { return named(after_.nodes, before_[id], id); }
+    std::optional<Part> operator()(MemberId id) const { return named(after_.members, before_[id], id); }
+    std::optional<Part> operator()(MaterialId id) const { return named(after_.materials, before_[id], id); }
+    std::optional<Part> operator()(SectionId id) const { return named(after_.sections, before_[id], id); }
     template <class Place> std::optional<Part> operator()(const Place& place) const
     {
         return has(after_, place) ? std::optional<Part>(place) : std::nullopt;
     }
 
 private:
-    template <class Id> static std::optional<Part> part(const std::optional<Id>& id)
+    // Most often it is where it was: a drag moves nothing in the lists.
+    template <class Entry, class Id>
+    static std::optional<Part> named(const std::vector<Entry>& list, const Entry& entry, Id was)
     {
-        return id ? std::optional<Part>(*id) : std::nullopt;
-    }
-    template <class Entry> static std::optional<Part> named(const std::vector<Entry>& list, const Entry& entry)
-    {
-        using Id = std::conditional_t<std::is_same_v<Entry, Material>, MaterialId, SectionId>;
+        if (was.index < list.size() && list[was.index].id == entry.id) return was;
         const auto found = std::ranges::find(list, entry.id, &Entry::id);
-        return found != list.end() ? std::optional<Part>(Id(static_cast<std::size_t>(found - list.begin())))
-                                   : std::nullopt;
+        if (found == list.end()) return std::nullopt;
+        return Id(static_cast<std::size_t>(found - list.begin()));
     }
 
     const Model& before_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "apps/frame/document/measures.h"
 #include "apps/frame/tables/data_table.h"
 #include "apps/frame/tables/result_table.h"
 #include "apps/frame/tables/table_kind.h"
@@ -179,7 +180,7 @@ private:
         const CaseNumbers numbers(result, shape_of(model_), manner_.units);
         Table sums{{{tr_("Force")}, {tr_("Loads"), true}, {tr_("Reactions"), true}}, {}};
         for (const Dof dof : equilibrium_dofs(model_.analysis)) {
-            const ui::Measure measure = is_rotation(dof) ? ui::Measure::Moment : ui::Measure::Force;
+            const ui::Measure measure = force_measures.of(dof);
             const auto cell = [&](const NodeVector& of) {
                 return Cell{.shown = numbers.text(of[index(dof)], measure)};
             };

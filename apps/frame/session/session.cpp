@@ -62,12 +62,12 @@ void Session::change(const Change& change)
 {
     Document next = change.step == Step::Drag ? history_.settled() : document();
     change.command(next);
-    const Document before = document();
-    const bool is_new = next != before;
+    const bool is_new = next != document();
+    if (is_new) selection.follow(model(), next.model);
     hold_scales(change.step);
     if (change.step == Step::Click) history_.apply(std::move(next), change.label);
     if (change.step == Step::Drag) history_.drag(std::move(next), change.label);
-    if (is_new) follow(before);
+    if (is_new) refresh();
 }
 
 // The document has gone on from a former state.

@@ -4,21 +4,12 @@
 #include <cmath>
 #include <vector>
 
+#include "apps/frame/tools/snap.h"
 #include "femoop/result/results.h"
 
 namespace frame {
 
 namespace {
-
-// 1, 2 or 5 times a power of ten, not below the value.
-double round_above(double value)
-{
-    const double decade = std::pow(10.0, std::floor(std::log10(value)));
-    for (const double factor : {1.0, 2.0, 5.0}) {
-        if (factor * decade >= value) return factor * decade;
-    }
-    return 10.0 * decade;
-}
 
 std::vector<double> worth_reading(const Session& session, const Cut& cut, double length)
 {
@@ -42,7 +33,7 @@ Cut snapped(const Session& session, const StructureShape& shape, const Cut& cut,
     for (const double place : worth_reading(session, cut, length)) {
         if (std::abs(place - cut.x) * pixels_per_length <= reach) return {cut.member, place};
     }
-    const double step = round_above(1.0 / pixels_per_length);
+    const double step = round_grid(1.0 / pixels_per_length);
     return {cut.member, std::clamp(std::round(cut.x / step) * step, 0.0, length)};
 }
 

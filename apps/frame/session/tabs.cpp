@@ -108,9 +108,4 @@ bool open_file(Desk& desk, const std::filesystem::path& path, Session::Purpose p
     return true;
 }
 
-bool has_unsaved(const Desk& desk)
-{
-    return desk.session.is_dirty() || std::ranges::any_of(desk.shelf, &Session::is_dirty);
-}
-
 } // namespace frame

@@ -23,7 +23,4 @@ void new_document(Desk& desk);
 /// open document stays as it is and its `notice` says why; false then.
 bool open_file(Desk& desk, const std::filesystem::path& path, Session::Purpose purpose = Session::Purpose::Work);
 
-/// A document of the desk has changes that are not saved.
-bool has_unsaved(const Desk& desk);
-
 } // namespace frame

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "apps/frame/document/command.h"
+#include "apps/frame/document/measures.h"
 #include "apps/frame/tables/columns.h"
 #include "apps/frame/tables/name_column.h"
 #include "ui/text/catalogue.h"
@@ -14,21 +15,17 @@ using ui::translatable;
 
 namespace {
 
-std::size_t case_of(const Part& load)
-{
-    if (const auto* const place = std::get_if<NodeLoadPlace>(&load)) return place->load_case;
-    if (const auto* const place = std::get_if<SettlementPlace>(&load)) return place->load_case;
-    return std::get<MemberLoadPlace>(load).load_case;
-}
-
 Column case_column()
 {
     Column column{.heading = translatable("Case"), .read = {}};
-    column.read = [](const Model& model, const Part& part) -> CellValue { return model.load_cases[case_of(part)].id; };
+    column.read = [](const Model& model, const Part& part) -> CellValue {
+        return model.load_cases[load_case_of(part)].id;
+    };
     column.write = [](Document& document, const Part& part, const CellText& entry) -> Refusal {
         const auto place = place_of_name(document.model.load_cases, entry);
         if (const auto* const reason = std::get_if<std::string>(&place)) return *reason;
-        if (std::get<std::size_t>(place) != case_of(part)) entry.moves.push_back({part, std::get<std::size_t>(place)});
+        if (std::get<std::size_t>(place) != load_case_of(part))
+            entry.moves.push_back({part, std::get<std::size_t>(place)});
         return std::nullopt;
     };
     return column;
@@ -108,14 +105,6 @@ template <class List> Column component_column(Phrase heading, Measure measure, D
                               return std::nullopt;
                           }});
 }
-
-struct Measures {
-    Measure along, about;
-    Measure of(Dof dof) const { return is_rotation(dof) ? about : along; }
-};
-constexpr Measures force_measures{Measure::Force, Measure::Moment};
-constexpr Measures line_measures{Measure::ForcePerLength, Measure::MomentPerLength};
-constexpr Measures displacement_measures{Measure::Displacement, Measure::Rotation};
 
 template <class List> void add_forces(std::vector<Column>& all, DofSet which, std::string_view sentence, List list)
 {
@@ -246,7 +235,7 @@ LineValue& line_value_at(std::vector<LineValue>& all, Dof dof)
 Column line_start_column(Dof dof)
 {
     const Phrase heading(translatable("{q}, start"), {{"q", dof_symbol(dof, "q")}});
-    return number_column(heading, line_measures.of(dof),
+    return number_column(heading, line_load_measures.of(dof),
                          {.get = [dof](const Model& model, const Part& part) -> std::optional<Quantity> {
                               const auto value = line_value(model, part, dof);
                               return value ? std::optional(value->start) : std::nullopt;
@@ -264,7 +253,7 @@ Column line_start_column(Dof dof)
 Column line_end_column(Dof dof)
 {
     const Phrase heading(translatable("{q}, end"), {{"q", dof_symbol(dof, "q")}});
-    return number_column(heading, line_measures.of(dof),
+    return number_column(heading, line_load_measures.of(dof),
                          {.get = [dof](const Model& model, const Part& part) -> std::optional<Quantity> {
                               const auto value = line_value(model, part, dof);
                               return value ? value->end : std::nullopt;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "apps/frame/document/loading.h"
+#include "apps/frame/document/overloaded.h"
 #include "femoop/edit/naming.h"
 #include "ui/text/catalogue.h"
 
@@ -78,11 +79,6 @@ void give_name(Model& model, const Part& part)
 }
 
 namespace {
-
-template <class... Functions> struct Overloaded : Functions... {
-    using Functions::operator()...;
-};
-template <class... Functions> Overloaded(Functions...) -> Overloaded<Functions...>;
 
 bool has_value(const MemberLoad& load)
 {

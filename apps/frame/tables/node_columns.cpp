@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "apps/frame/document/command.h"
+#include "apps/frame/document/measures.h"
 #include "apps/frame/tables/columns.h"
 #include "apps/frame/tables/name_column.h"
 #include "ui/text/catalogue.h"
@@ -126,7 +127,7 @@ Refusal set_spring(Document& document, const Part& part, Dof dof, const std::opt
 Column spring_column(Dof dof)
 {
     return number_column(ui::Phrase(translatable("Spring {dof}"), {{"dof", std::string(name(dof))}}),
-                         is_rotation(dof) ? Measure::MomentPerAngle : Measure::ForcePerLength,
+                         spring_measures.of(dof),
                          {.get = [dof](const Model& model, const Part& part) { return spring(model, part, dof); },
                           .set = [dof](Document& document, const Part& part, const std::optional<Quantity>& value,
                                        const Manner&) { return set_spring(document, part, dof, value); }});

@@ -3,6 +3,7 @@
 #include <map>
 #include <utility>
 
+#include "apps/frame/document/measures.h"
 #include "apps/frame/tables/column.h"
 #include "apps/frame/view/results/case_numbers.h"
 #include "apps/frame/view/results/diagram.h"
@@ -29,13 +30,12 @@ public:
     Table displacements()
     {
         const std::vector<Dof> list = dof_list(kind_);
-        const auto measure = [](Dof dof) { return is_rotation(dof) ? Measure::Rotation : Measure::Displacement; };
         begin(translatable("Node"));
-        for (const Dof dof : list) add_heading(std::string(name(dof)), measure(dof));
+        for (const Dof dof : list) add_heading(std::string(name(dof)), displacement_measures.of(dof));
         for (std::size_t i = 0; i < shown_.model.nodes.size(); ++i) {
             begin_row(NodeId(i), shown_.model.nodes[i].id);
             const NodeVector u = result().displacement(NodeId(i));
-            for (const Dof dof : list) add(u[index(dof)], measure(dof), shown_.load_case);
+            for (const Dof dof : list) add(u[index(dof)], displacement_measures.of(dof), shown_.load_case);
         }
         return std::move(table_);
     }
@@ -43,14 +43,13 @@ public:
     Table reactions()
     {
         const std::vector<Dof> list = dof_list(kind_);
-        const auto measure = [](Dof dof) { return is_rotation(dof) ? Measure::Moment : Measure::Force; };
         begin(translatable("Node"));
-        for (const Dof dof : list) add_heading(std::string(force_name(dof)), measure(dof));
+        for (const Dof dof : list) add_heading(std::string(force_name(dof)), force_measures.of(dof));
         for (std::size_t i = 0; i < shown_.model.nodes.size(); ++i) {
             if (!result().is_supported(NodeId(i))) continue;
             begin_row(NodeId(i), shown_.model.nodes[i].id);
             const NodeVector r = result().reaction(NodeId(i));
-            for (const Dof dof : list) add(r[index(dof)], measure(dof), shown_.load_case);
+            for (const Dof dof : list) add(r[index(dof)], force_measures.of(dof), shown_.load_case);
         }
         return std::move(table_);
     }

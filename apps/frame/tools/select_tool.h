@@ -17,9 +17,6 @@ public:
     std::span<const femoop::NodeId> moving() const override { return moving_; }
     Preview preview() const override;
 
-    /// The hand has gone so far that the gesture is no click.
-    bool is_dragging() const { return is_dragging_; }
-
 private:
     enum class Gesture : std::uint8_t { None, Move, Pull, Window };
 
@@ -30,7 +27,7 @@ private:
     Gesture gesture_ = Gesture::None;
     Aim start_, now_;
     std::vector<femoop::NodeId> moving_;
-    bool is_dragging_ = false;
+    bool is_dragging_ = false;  ///< the hand has gone so far that the gesture is no click
     bool was_selected_ = false; ///< before the press
 };
 

@@ -25,13 +25,7 @@ void show_parts(Desk& desk, ui::NumberFields& fields, std::span<const Part> part
 }
 
 // Which case a load belongs to, so that equal loads of two cases are told apart.
-std::string case_of(const Model& model, const Part& load)
-{
-    if (const auto* const p = std::get_if<NodeLoadPlace>(&load)) return model.load_cases[p->load_case].id;
-    if (const auto* const p = std::get_if<SettlementPlace>(&load)) return model.load_cases[p->load_case].id;
-    if (const auto* const p = std::get_if<MemberLoadPlace>(&load)) return model.load_cases[p->load_case].id;
-    return "";
-}
+std::string case_of(const Model& model, const Part& load) { return model.load_cases[load_case_of(load)].id; }
 
 void show_loads_on(Desk& desk, ui::NumberFields& fields, const Part& part)
 {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/frame/document/measures.h"
 #include "apps/frame/view/results/case_numbers.h"
 #include "apps/frame/view/results/diagram.h"
 #include "apps/frame/view/results/mechanism_picture.h"
@@ -80,17 +81,14 @@ void number_cell(const std::string& text)
 void displacements(const ShownCase& shown)
 {
     const std::vector<Dof> list = dof_list(shown.model().analysis);
-    const auto measure = [](Dof dof) { return is_rotation(dof) ? Measure::Rotation : Measure::Displacement; };
     std::vector<std::string> headings{shown.tr()("Node")};
-    for (const Dof dof : list) headings.push_back(shown.units.label(name(dof), measure(dof)));
+    for (const Dof dof : list) headings.push_back(shown.units.label(name(dof), displacement_measures.of(dof)));
     table("displacements", headings, shown.model().nodes.size(), [&](std::size_t i) {
         part_cell(shown.session, NodeId(i), shown.model().nodes[i].id);
         const NodeVector u = shown.result.displacement(NodeId(i));
-        for (const Dof dof : list) number_cell(shown.numbers.number(u[index(dof)], measure(dof)));
+        for (const Dof dof : list) number_cell(shown.numbers.number(u[index(dof)], displacement_measures.of(dof)));
     });
 }
-
-Measure force_measure(Dof dof) { return is_rotation(dof) ? Measure::Moment : Measure::Force; }
 
 void reactions(const ShownCase& shown)
 {
@@ -100,11 +98,11 @@ void reactions(const ShownCase& shown)
         if (shown.result.is_supported(NodeId(i))) supported.emplace_back(i);
     }
     std::vector<std::string> headings{shown.tr()("Node")};
-    for (const Dof dof : list) headings.push_back(shown.units.label(force_name(dof), force_measure(dof)));
+    for (const Dof dof : list) headings.push_back(shown.units.label(force_name(dof), force_measures.of(dof)));
     table("reactions", headings, supported.size(), [&](std::size_t i) {
         part_cell(shown.session, supported[i], shown.model()[supported[i]].id);
         const NodeVector r = shown.result.reaction(supported[i]);
-        for (const Dof dof : list) number_cell(shown.numbers.number(r[index(dof)], force_measure(dof)));
+        for (const Dof dof : list) number_cell(shown.numbers.number(r[index(dof)], force_measures.of(dof)));
     });
 }
 
@@ -150,7 +148,9 @@ void show_equilibrium(const ShownCase& shown)
     const ui::Catalogue& tr = shown.tr();
     const Equilibrium equilibrium = shown.result.equilibrium();
     for (const Dof dof : equilibrium_dofs(shown.model().analysis)) {
-        const auto sum = [&](const NodeVector& of) { return shown.numbers.text(of[index(dof)], force_measure(dof)); };
+        const auto sum = [&](const NodeVector& of) {
+            return shown.numbers.text(of[index(dof)], force_measures.of(dof));
+        };
         ImGui::TextWrapped(
             "%s", tr("Σ{force}: loads {loads}, reactions {reactions}", {{"force", force_name(dof)},
                                                                         {"loads", sum(equilibrium.sum_loads)},

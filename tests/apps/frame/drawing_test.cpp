@@ -1,7 +1,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-
 #include <numbers>
 
 #include "apps/frame/document/drawing.h"
