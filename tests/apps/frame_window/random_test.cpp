@@ -40,7 +40,7 @@ public:
         case 6: point(); break;
         case 7:
         case 8: press_key(input); break;
-        case 9: input.text = std::string(texts_[below(texts_.size())]); break;
+        case 9: input.text = std::string(texts[below(texts.size())]); break;
         case 10: input.wheel = {0.0, static_cast<double>(below(3)) - 1.0}; break;
         default: pointer_ = pointer_ + ui::Point{spread(40.0), spread(40.0)}; break;
         }
@@ -62,14 +62,14 @@ private:
     }
     void press_key(ui::Input& input)
     {
-        const ui::Chord chord = keys_[below(keys_.size())];
+        const ui::Chord chord = keys[below(keys.size())];
         input.modifiers = chord.modifiers;
         input.keys.push_back({chord.key, true});
         key_held_ = chord.key;
     }
 
-    static constexpr std::array<std::string_view, 7> texts_{"4", "4<30", "@3,2", "6,4", "1e3", "2*3 kN", "x"};
-    static constexpr std::array keys_{
+    static constexpr std::array<std::string_view, 7> texts{"4", "4<30", "@3,2", "6,4", "1e3", "2*3 kN", "x"};
+    static constexpr std::array keys{
         ui::Chord{ui::Key::M, {}},        ui::Chord{ui::Key::M, {}},       ui::Chord{ui::Key::N, {}},
         ui::Chord{ui::Key::S, {}},        ui::Chord{ui::Key::L, {}},       ui::Chord{ui::Key::J, {}},
         ui::Chord{ui::Key::X, {}},        ui::Chord{ui::Key::Q, {}},       ui::Chord{ui::Key::Escape, {}},
