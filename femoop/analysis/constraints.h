@@ -1,52 +1,17 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/SparseCore>
-#include <cstdint>
 #include <vector>
 
 #include "femoop/analysis/assembly.h"
-#include "femoop/model/ids.h"
+#include "femoop/analysis/elimination.h"
 
 namespace femoop {
 
-/// One linear equation between unknowns that a constraint imposes: sum of coefficient x unknown = value, per load case.
-struct ConstraintRow {
-    struct Term {
-        std::int32_t unknown;
-        double coefficient;
-    };
-    std::vector<Term> terms; ///< ascending unknowns
-    Eigen::VectorXd value;   ///< [load cases]: imposed strains and settlements
-    MemberId member;
-};
-
-/// The equations of every inextensible and rigid member:
+/// What the inextensible and rigid members of a structure leave free:
 ///
 ///      u2 - u1 = strain L        and if rigid    phi2 - phi1 = curvature L,  v2 - v1 - L phi1 = curvature L^2 / 2
 template <AnalysisKind kind>
-std::vector<ConstraintRow> constraint_rows(const Structure& structure, const Assembly<kind>& assembly,
-                                           const std::vector<CaseLoads>& loads);
-
-/// What constraints leave free: every unknown as x = T y + x0 of the independent ones y.
-///
-/// Exact elimination with pivoting, no penalty number. Rows that say what others have said already are dropped, if
-/// they say it with the same value.
-struct Elimination {
-    Eigen::SparseMatrix<double> T;       ///< [unknowns x independent]
-    Eigen::MatrixXd x0;                  ///< [unknowns x load cases]
-    std::vector<std::int32_t> dependent; ///< unknowns that were eliminated, one per independent row
-
-    /// A row that contradicts others: which members together, in which load case.
-    struct Conflict {
-        std::size_t load_case;
-        std::vector<MemberId> members;
-    };
-    std::vector<Conflict> conflicts;
-};
-
-/// `scale` makes translations and rotations comparable: the largest coefficient x scale is the pivot.
-Elimination eliminate(std::vector<ConstraintRow> rows, std::size_t n_unknowns, std::size_t n_cases,
-                      const Eigen::VectorXd& scale);
+Elimination eliminate_constraints(const Structure& structure, const Equations& equations,
+                                  const Assembly<kind>& assembly, const std::vector<CaseLoads>& loads);
 
 } // namespace femoop

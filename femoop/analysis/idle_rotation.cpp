@@ -50,7 +50,7 @@ std::vector<HeldRotation::Part> free_rotations(const Structure& structure, const
     std::vector<HeldRotation::Part> parts;
     const std::span<const Dof> dofs = model_dofs(structure.kind);
     for (std::size_t i = 0; i < dofs.size(); ++i)
-        if (const std::int32_t row = equations.of(node, i); index(dofs[i]) >= 3 && row != Equations::none)
+        if (const std::int32_t row = equations.of(node, i); is_rotation(dofs[i]) && row != Equations::none)
             parts.push_back({.node = node, .dof = dofs[i], .row = row});
     return parts;
 }

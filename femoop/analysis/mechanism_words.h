@@ -3,7 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "femoop/analysis/constraints.h"
+#include "femoop/analysis/elimination.h"
+#include "femoop/analysis/equations.h"
 #include "femoop/analysis/idle_rotation.h"
 #include "femoop/analysis/mechanism.h"
 #include "femoop/element/member_element.h"

@@ -1,7 +1,10 @@
 #include "femoop/analysis/number_range.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 #include "femoop/result/components.h"
 #include "femoop/result/curve_reader.h"
@@ -100,6 +103,27 @@ std::vector<Fault> cases_beyond_range(const detail::Solution& solution, const Re
         if (const CaseResult result = results[CaseId(c)]; !is_in_range(result, results))
             faults.push_back({.kind = FaultKind::ResultsBeyondRange, .arguments = {result.name()}});
     return faults;
+}
+
+std::optional<Fault> huge_displacement(const Model& model, const Structure& structure, const Results& results)
+{
+    constexpr double huge = 1e5; // of the structure's size
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& position : structure.positions) box.extend(position);
+    const double limit = huge * (box.isEmpty() ? 0.0 : box.diagonal().norm());
+    for (std::size_t c = 0; c < model.load_cases.size(); ++c) {
+        const CaseResult result = results[CaseId(c)];
+        for (std::size_t i = 0; i < structure.positions.size(); ++i) {
+            const NodeVector u = result.displacement(NodeId(i));
+            const double distance = std::hypot(u[0], u[1], u[2]);
+            if (distance <= limit) continue;
+            std::ostringstream text;
+            text << std::setprecision(3) << distance << ' ' << name(model.units.length);
+            return Fault{.kind = FaultKind::HugeDisplacement,
+                         .arguments = {model.nodes[i].id, text.str(), model.load_cases[c].id}};
+        }
+    }
+    return std::nullopt;
 }
 
 } // namespace femoop

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "femoop/model/fault/fault.h"
+#include "femoop/model/model.h"
 #include "femoop/result/solution.h"
 
 namespace femoop {
@@ -15,5 +17,8 @@ inline constexpr double largest_number = 1e250; ///< a few lengths, multiplied w
 /// Time  one look at every number that goes in; members are gone through only if those are so large or so small that
 ///       their products might overflow
 std::vector<Fault> cases_beyond_range(const detail::Solution& solution, const Results& results);
+
+/// The first node that moves so far that nobody can mean it. Models for exercises with E I = 1 stay well below.
+std::optional<Fault> huge_displacement(const Model& model, const Structure& structure, const Results& results);
 
 } // namespace femoop

@@ -65,10 +65,8 @@ JointStiffness joints_of(const MemberEnd& end, bool node_is_hinge, bool is_bar)
             if (spring.dof == Dof::ux) joints[0] = spring.stiffness;
         return joints;
     }
-    for (const Dof dof : all_dofs) {
-        const bool is_rotation = index(dof) >= 3;
-        if (end.release.contains(dof) || (node_is_hinge && is_rotation)) joints[index(dof)] = 0.0;
-    }
+    for (const Dof dof : all_dofs)
+        if (end.release.contains(dof) || (node_is_hinge && is_rotation(dof))) joints[index(dof)] = 0.0;
     for (const Spring& spring : end.springs)
         if (joints[index(spring.dof)] != 0.0) joints[index(spring.dof)] = spring.stiffness;
     return joints;

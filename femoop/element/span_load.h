@@ -13,6 +13,7 @@ namespace femoop {
 enum class LocalAxis : std::uint8_t { x, y, z, rx, ry, rz };
 inline constexpr std::size_t n_local_axes = 6;
 constexpr std::size_t index(LocalAxis axis) { return static_cast<std::size_t>(axis); }
+constexpr bool is_rotation(LocalAxis axis) { return axis >= LocalAxis::rx; }
 
 /// One component of a load on a member, in the member's own axes and consistent units.
 struct SpanLoad {

@@ -1,0 +1,104 @@
+#include "femoop/analysis/reduced_system.h"
+
+#include <utility>
+#include <vector>
+
+namespace femoop {
+
+namespace {
+
+/// T' A T of a symmetric A, both as lower triangles.
+SparseMatrix reduced(const SparseMatrix& A, const SparseMatrix& T)
+{
+    const SparseMatrix whole = A.selfadjointView<Eigen::Lower>();
+    return SparseMatrix(T.transpose() * whole * T).triangularView<Eigen::Lower>();
+}
+
+SparseMatrix picking(const std::vector<std::int32_t>& unknowns, Eigen::Index n_unknowns)
+{
+    std::vector<Eigen::Triplet<double>> ones;
+    for (std::size_t i = 0; i < unknowns.size(); ++i) ones.emplace_back(unknowns[i], static_cast<int>(i), 1.0);
+    SparseMatrix S(n_unknowns, static_cast<Eigen::Index>(unknowns.size()));
+    S.setFromTriplets(ones.begin(), ones.end());
+    return S;
+}
+
+} // namespace
+
+ReducedSystem::ReducedSystem(const Equations& equations, SparseMatrix K) : equations_(equations), K_(std::move(K)) {}
+
+void ReducedSystem::constrain(const Elimination& elimination, SparseMatrix own)
+{
+    is_constrained_ = true;
+    own_ = std::move(own);
+    T_ = elimination.T;
+    S_ = picking(elimination.dependent, K_.rows());
+    K_reduced_ = reduced(K_, T_);
+}
+
+void ReducedSystem::analyse(SolverKind wanted)
+{
+    wanted_ = wanted;
+    if (matrix().rows() == 0) return;
+    if (is_constrained_) {
+        solver_ = solver_for(K_reduced_, wanted);
+        return;
+    }
+    solver_ = make_solver(equations_.pattern().solver());
+    solver_->analyse(equations_.pattern());
+}
+
+Pivots ReducedSystem::factorize()
+{
+    if (S_.cols() > 0) factorize_own();
+    return solver_ ? solver_->factorize(matrix()) : Pivots{};
+}
+
+void ReducedSystem::factorize_own()
+{
+    const SparseMatrix picked = reduced(own_, S_);
+    own_solver_ = solver_for(picked, wanted_);
+    own_solver_->factorize(picked);
+}
+
+double ReducedSystem::condition() const { return condition_estimate(*solver_, matrix()); }
+
+NullModes ReducedSystem::free_motions(double zero_tolerance, Eigen::Index most) const
+{
+    NullModes free = null_modes(matrix(), zero_tolerance, most);
+    if (!is_constrained_) return free;
+    free.modes = (T_ * free.modes).eval();
+    if (free.softest.size() > 0) free.softest = (T_ * free.softest).eval();
+    return free;
+}
+
+ReducedSystem::Displacements ReducedSystem::solve(const Eigen::MatrixXd& F) const
+{
+    return {.all = solver_ ? solver_->solve(F) : F, .constraint = {}};
+}
+
+ReducedSystem::Displacements ReducedSystem::solve(const Eigen::MatrixXd& F, const Eigen::MatrixXd& x0) const
+{
+    const auto K = K_.selfadjointView<Eigen::Lower>();
+    const Eigen::MatrixXd load = T_.transpose() * (F - K * x0);
+    Displacements u{.all = x0, .constraint = Eigen::MatrixXd::Zero(F.rows(), F.cols())};
+    if (solver_) u.all += T_ * solver_->solve(load);
+    if (!own_solver_) return u;
+    const Eigen::MatrixXd out_of_balance = F - K * u.all;
+    u.constraint = S_ * own_solver_->solve(S_.transpose() * out_of_balance);
+    return u;
+}
+
+Eigen::VectorXd ReducedSystem::relative_residuals(const Eigen::MatrixXd& F, const Displacements& u) const
+{
+    Eigen::VectorXd ratios = Eigen::VectorXd::Zero(F.cols());
+    if (F.rows() == 0) return ratios;
+    Eigen::MatrixXd residual = F - K_.selfadjointView<Eigen::Lower>() * u.all;
+    if (is_constrained_) residual -= own_.selfadjointView<Eigen::Lower>() * u.constraint;
+    for (Eigen::Index c = 0; c < F.cols(); ++c)
+        if (const double largest = F.col(c).cwiseAbs().maxCoeff(); largest > 0.0)
+            ratios[c] = residual.col(c).cwiseAbs().maxCoeff() / largest;
+    return ratios;
+}
+
+} // namespace femoop

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "femoop/analysis/elimination.h"
+#include "femoop/analysis/equations.h"
+#include "femoop/solver/null_modes.h"
+#include "femoop/solver/symmetric_solver.h"
+
+namespace femoop {
+
+/// K x = F of a structure, where constraints may make some unknowns follow the others:
+///
+///     x = T y + x0        T' K T y = T' (F - K x0)        without constraints T = 1, x0 = 0
+///
+/// K is elastic: what constraints take from members is not in it. The forces that the constraints carry are what F and
+/// K x leave out of balance at the unknowns that follow; they go to the constrained members in proportion to their own
+/// stiffness, the limit of EA and EI that grow together.
+class ReducedSystem {
+public:
+    /// Of all unknowns of the equations. \pre K is their lower triangle and has their pattern.
+    ReducedSystem(const Equations& equations, SparseMatrix K);
+
+    /// Leaves only the independent unknowns. `own` is what the constraints take from members, over all unknowns.
+    void constrain(const Elimination& elimination, SparseMatrix own);
+
+    void analyse(SolverKind wanted); ///< symbolic
+    Pivots factorize();              ///< \pre analyse
+    /// The system that is factored; nothing where no unknown is left.
+    const SparseMatrix& matrix() const { return is_constrained_ ? K_reduced_ : K_; }
+    const SymmetricSolver* solver() const { return solver_.get(); }
+
+    const SparseMatrix& stiffness() const { return K_; } ///< elastic, over all unknowns, lower triangle
+    double condition() const;                            ///< estimate. \pre a factorization that did not break down
+    NullModes free_motions(double zero_tolerance, Eigen::Index most) const; ///< over all unknowns
+
+    struct Displacements {
+        Eigen::MatrixXd all;        ///< [unknowns x cases]
+        Eigen::MatrixXd constraint; ///< what forces in constrained members follow from; empty without constraints
+    };
+    Displacements solve(const Eigen::MatrixXd& F) const;
+    Displacements solve(const Eigen::MatrixXd& F, const Eigen::MatrixXd& x0) const; ///< \pre it is constrained
+
+    /// The largest force out of balance over the largest load, of every load case.
+    Eigen::VectorXd relative_residuals(const Eigen::MatrixXd& F, const Displacements& u) const;
+
+private:
+    void factorize_own();
+
+    const Equations& equations_;
+    SparseMatrix K_, K_reduced_;
+    SparseMatrix own_;
+    SparseMatrix T_; ///< all unknowns from the independent
+    SparseMatrix S_; ///< all unknowns from the dependent
+    bool is_constrained_ = false;
+    SolverKind wanted_ = SolverKind::Automatic;
+    std::unique_ptr<SymmetricSolver> solver_, own_solver_;
+};
+
+} // namespace femoop
