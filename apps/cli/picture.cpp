@@ -36,15 +36,17 @@ ExitStatus draw_mechanism(const femoop::Model& model, const femoop::MechanismErr
                           const PictureOrder& order, const Console& console)
 {
     const ui::Catalogue& tr = console.tr();
+    const std::size_t total = error.mechanisms().size();
+    if (order.mechanism >= total)
+        throw UsageError(tr("--mechanism: found {found}; wanted at most {total}, the number of its motions",
+                            {{"found", std::to_string(order.mechanism + 1)}, {"total", std::to_string(total)}}));
     report_mechanisms(error, file, console);
-    const std::size_t which = std::min(order.mechanism, error.mechanisms().size() - 1);
-    const frame::MotionChoice motion{error.mechanisms(), which};
+    const frame::MotionChoice motion{error.mechanisms(), order.mechanism};
     write_picture(
         order, model.title, [&](ui::Painter& painter) { frame::draw(painter, model, motion, order.view); }, tr);
-    console.message(
-        tr("{file} shows the motion {n} of {total}", {{"file", order.path.string()},
-                                                      {"n", std::to_string(which + 1)},
-                                                      {"total", std::to_string(error.mechanisms().size())}}));
+    console.message(tr(
+        "{file} shows the motion {n} of {total}",
+        {{"file", order.path.string()}, {"n", std::to_string(order.mechanism + 1)}, {"total", std::to_string(total)}}));
     return ExitStatus::CannotSolve;
 }
 

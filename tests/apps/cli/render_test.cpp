@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 
 #include "tests/apps/cli/run_cremona.h"
@@ -73,6 +74,15 @@ TEST_CASE("A structure that can move is drawn moving, with status 3 and its moti
     CHECK(cli_test::count(run.err, "structure can move without strain") == 3);
     CHECK(has(run.err, "a.svg shows the motion 2 of 3"));
     CHECK(has(folder.read("a.svg"), "<svg"));
+}
+
+TEST_CASE("A motion that the structure does not have is refused with how many it has, and nothing is drawn")
+{
+    const Folder folder;
+    const Run run = cremona({"render", "-", "-o", folder.path("a.svg"), "--mechanism", "9"}, cli_test::floating());
+    CHECK(run.status == 2);
+    CHECK(run.err == "cremona render: --mechanism: found 9; wanted at most 3, the number of its motions\n");
+    CHECK_FALSE(std::filesystem::exists(folder.path("a.svg")));
 }
 
 TEST_CASE("Wrong options of a picture are answered with what is wanted")
