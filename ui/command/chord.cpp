@@ -15,6 +15,20 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(n_keys)> names{
     "F4",  "F5",    "F6",   "F7",    "F8", "F9",   "F10",  "F11", "F12",    "Esc",      "Enter", "Tab", "Backspace",
     "Del", "Space", "Left", "Right", "Up", "Down", "Home", "End", "PageUp", "PageDown", "+",     "-"};
 
+std::string_view name(Key key) { return names[static_cast<std::size_t>(key)]; }
+
+/// What stands on the key.
+std::string_view legend(Key key)
+{
+    switch (key) {
+    case Key::Left: return "←";
+    case Key::Right: return "→";
+    case Key::Up: return "↑";
+    case Key::Down: return "↓";
+    default: return name(key);
+    }
+}
+
 bool is_same(std::string_view a, std::string_view b)
 {
     const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
@@ -30,15 +44,13 @@ bool take_prefix(std::string_view& text, std::string_view prefix)
 
 } // namespace
 
-std::string_view name(Key key) { return names[static_cast<std::size_t>(key)]; }
-
 std::string text(Chord chord)
 {
     std::string text;
     if (chord.modifiers.ctrl) text += "Ctrl+";
     if (chord.modifiers.shift) text += "Shift+";
     if (chord.modifiers.alt) text += "Alt+";
-    return text + std::string(name(chord.key));
+    return text + std::string(legend(chord.key));
 }
 
 std::optional<Chord> chord_typed(std::string_view text)
@@ -49,7 +61,7 @@ std::optional<Chord> chord_typed(std::string_view text)
     chord.modifiers.alt = take_prefix(text, "Alt+");
     for (int k = 0; k < n_keys; ++k) {
         chord.key = static_cast<Key>(k);
-        if (is_same(text, name(chord.key))) return chord;
+        if (is_same(text, name(chord.key)) || text == legend(chord.key)) return chord;
     }
     return std::nullopt;
 }

@@ -76,8 +76,6 @@ enum class Key : std::uint8_t {
 };
 inline constexpr int n_keys = static_cast<int>(Key::Minus) + 1;
 
-std::string_view name(Key key); ///< "A", "F5", "Esc", "PageUp", "+"
-
 struct Modifiers {
     bool ctrl = false;
     bool shift = false;
@@ -99,8 +97,9 @@ struct Chord {
     friend constexpr bool operator==(const Chord&, const Chord&) = default;
 };
 
-std::string text(Chord chord); ///< "Ctrl+Shift+Z"
-/// The chord of a text as `text` writes it, letter case aside; nothing for what is none.
+std::string text(Chord chord); ///< as keys are marked: "Ctrl+Shift+Z", "Esc", "←"
+/// The chord of a text as `text` writes it, letter case aside, or with "Left", "Right", "Up", "Down" for the arrows;
+/// nothing for what is none.
 std::optional<Chord> chord_typed(std::string_view text);
 
 } // namespace ui

@@ -20,6 +20,17 @@ bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b
     return std::filesystem::equivalent(a, b, error);
 }
 
+// Where M is shown of a frame, N is shown of a truss, and the other way: M says nothing there.
+ShowSet suited(ShowSet show, bool is_truss)
+{
+    const auto [telling, silent] = is_truss ? std::pair{Show::N, Show::M} : std::pair{Show::M, Show::N};
+    if (show.contains(silent) && !show.contains(telling)) {
+        show.erase(silent);
+        show.insert(telling);
+    }
+    return show;
+}
+
 // What belongs to the person, not to the document.
 void take_look(Session& session, const Session& from)
 {
@@ -27,7 +38,9 @@ void take_look(Session& session, const Session& from)
     session.view.numbers = from.view.numbers;
     session.view.theme = from.view.theme;
     session.view.layout = from.view.layout;
-    session.view.show = from.view.show;
+    const bool is_truss = femoop::is_truss(session.model().analysis);
+    const bool was_truss = femoop::is_truss(from.model().analysis);
+    session.view.show = is_truss == was_truss ? from.view.show : suited(from.view.show, is_truss);
     session.view.moment_side = from.view.moment_side;
 }
 

@@ -53,27 +53,32 @@ Options parse_options(int argc, const char* const* argv)
 {
     Options options;
     options.language = system_language();
-    std::string file, screenshot, play, pictures = ".", size, theme, language, units, show, load_case;
+    std::vector<std::string> files;
+    std::string screenshot, play, pictures = ".", size, theme, language, units, show, load_case;
     CLI::App app(
         "Shows a frame, truss or grillage at work: loads, supports, N, V, M, deformed shape; every number can be "
         "changed and the results follow.",
         "frame");
     app.set_version_flag("--version", "frame " CREMONA_VERSION);
-    app.add_option("FILE", file, "model file (.json) to open");
+    app.add_option("FILE", files, "model files (.json) to open, each in a tab")->option_text("...");
     app.add_option("--screenshot", screenshot,
-                   "draw one picture of the window to this PNG file and leave; needs no display");
+                   "draw one picture of the window to this PNG file and leave; needs no display")
+        ->option_text("PNG");
     app.add_flag("--describe", options.describe,
                  "print the model and its results in words and leave; needs no display");
-    app.add_option("--size", size, "size of the window in logical pixels, WxH; default 1280x800");
-    app.add_option("--scale", options.scale, "physical pixels of a logical one in a screenshot")
-        ->check(CLI::Range(0.5, 4.0));
-    app.add_option("--theme", theme, "light, dark, print or projector");
-    app.add_option("--lang", language, "language: en or pt; default that of the system");
-    app.add_option("--units", units, "units shown: file, si, kn-m, kn-cm or us");
-    app.add_option("--show", show, "what the picture shows, such as loads,N,V,M,deformed,reactions,labels");
-    app.add_option("--case", load_case, "load case or combination to show; default the first");
-    app.add_option("--play", play, "play a scenario without a display");
-    app.add_option("--pictures", pictures, "folder for the pictures of a scenario; default the current one");
+    app.add_option("--size", size, "size of the window in logical pixels, WxH; default 1280x800")->option_text("WxH");
+    app.add_option("--scale", options.scale, "physical pixels of a logical one in a screenshot, 0.5 to 4; default 1")
+        ->check(CLI::Range(0.5, 4.0))
+        ->option_text("K");
+    app.add_option("--theme", theme, "light, dark, print or projector")->option_text("NAME");
+    app.add_option("--lang", language, "language: en or pt; default that of the system")->option_text("LANG");
+    app.add_option("--units", units, "units shown: file, si, kn-m, kn-cm or us")->option_text("NAME");
+    app.add_option("--show", show, "what the picture shows, such as loads,N,V,M,deformed,reactions,labels")
+        ->option_text("LIST");
+    app.add_option("--case", load_case, "load case or combination to show; default the first")->option_text("ID");
+    app.add_option("--play", play, "play a scenario without a display")->option_text("SCENARIO");
+    app.add_option("--pictures", pictures, "folder for the pictures of a scenario; default the current one")
+        ->option_text("FOLDER");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& end) {
@@ -81,10 +86,15 @@ Options parse_options(int argc, const char* const* argv)
         const int status = app.exit(end, text, text);
         throw OptionsEnd(text.str(), status == 0 ? 0 : bad_arguments);
     }
-    if (!file.empty()) options.file = file;
+    options.files.assign(files.begin(), files.end());
     if (!screenshot.empty()) options.screenshot = screenshot;
     if (!play.empty()) options.play = play;
     options.pictures = pictures;
+    const bool is_headless = options.screenshot || options.play || options.describe;
+    if (is_headless && files.size() > 1)
+        throw OptionsEnd("frame: found " + std::to_string(files.size()) +
+                             " files, wanted one: only a window has room for several",
+                         bad_arguments);
     if (!size.empty()) options.size = parse_size(size);
     if (!theme.empty())
         options.theme = wanted(ui::theme_named(theme), "--theme", theme, "light, dark, print, projector");

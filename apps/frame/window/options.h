@@ -4,6 +4,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "apps/frame/view/show.h"
 #include "ui/paint/geometry.h"
@@ -15,7 +16,7 @@ namespace frame {
 
 /// What the command line asks for.
 struct Options {
-    std::optional<std::filesystem::path> file;
+    std::vector<std::filesystem::path> files; ///< one at most without a screen
     std::optional<std::filesystem::path> screenshot; ///< draw one picture, without a screen, and leave
     bool describe = false;                           ///< print model and results in words, without a screen, and leave
     std::optional<std::filesystem::path> play;       ///< a scenario, without a screen

@@ -28,7 +28,7 @@ Session begin(const Options& options)
     session.set_language(options.language);
     session.view.theme = options.theme;
     session.view.layout = Layout::Overlay;
-    if (options.file) session.open(*options.file);
+    if (!options.files.empty()) session.open(options.files.front());
     const bool is_truss = femoop::is_truss(session.model().analysis); // M says nothing there
     session.view.show = options.show.value_or(shown_by_default | ShowSet{is_truss ? Show::N : Show::M});
     session.view.units = options.units;
@@ -112,6 +112,9 @@ int show_window(const Options& options, Session session)
     application.gui().set_clipboard({.text = [&] { return window.clipboard(); },
                                      .set_text = [&](const std::string& text) { window.set_clipboard(text); }});
     if (const auto folder = state_folder()) application.remember_in(*folder);
+    ui::Input others; // come as files do that are dropped on the window
+    for (std::size_t i = 1; i < options.files.size(); ++i) others.dropped_files.push_back(options.files[i].string());
+    application.frame(others);
     constexpr int settling_frames = 3; // widgets settle within these after something happened
     constexpr double patience = 0.3;   // s; a caret blinks at this pace
     int n_due = settling_frames;

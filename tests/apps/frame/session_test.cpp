@@ -124,6 +124,19 @@ TEST_SUITE("frame session")
         CHECK(desk.session.view.load_case == femoop::CaseId(2));
     }
 
+    TEST_CASE("Of a truss the normal forces are shown where moments were shown of a frame, and the other way")
+    {
+        Desk desk = desk_with("portal.json");
+        desk.session.view.show = {Show::Loads, Show::M};
+        REQUIRE(open_file(desk, examples + "truss.json"));
+        CHECK(desk.session.view.show == ShowSet{Show::Loads, Show::N});
+        show_tab(desk, 0);
+        CHECK(desk.session.view.show == ShowSet{Show::Loads, Show::M});
+        desk.session.view.show = {Show::N, Show::M};
+        show_tab(desk, 1);
+        CHECK(desk.session.view.show == ShowSet{Show::N, Show::M});
+    }
+
     TEST_CASE("A few seconds after a change there is a draft, which goes when the document is saved or closed")
     {
         const Folder folder;
