@@ -57,7 +57,9 @@ def rule(path):
         if inside.startswith("document"):
             return [*APP_DOCUMENT_ALLOWED, f"apps/{app}/document"]
         if inside.startswith("view"):
-            return [*APP_VIEW_ALLOWED, f"apps/{app}/document", f"apps/{app}/view"]
+            return [*APP_VIEW_ALLOWED, f"apps/{app}/document", f"apps/{app}/predict", f"apps/{app}/view"]
+        if inside.startswith("predict"):  # judges what was drawn, whoever draws it
+            return ["femoop/", EIGEN, f"apps/{app}/predict"]
         own = [*APP_ALLOWED, f"apps/{app}/"]
         return [*own, WINDOW, OPTIONS] if APP_WINDOW_PART.match(inside) else own
     folder = path
@@ -187,6 +189,12 @@ class Rules(unittest.TestCase):
         self.assert_allowed("apps/frame/document/document.h", '#include "ui/history/history.h"')
         self.assert_refused("apps/frame/view/frame_view.cpp", '#include "ui/context/context.h"')
         self.assert_allowed("apps/frame/view/frame_view.cpp", '#include "ui/paint/painter.h"')
+
+    def test_what_judges_a_sketched_diagram_knows_the_mechanics_alone(self):
+        self.assert_refused("apps/frame/predict/score.cpp", '#include "ui/text/phrase.h"')
+        self.assert_refused("apps/frame/predict/score.cpp", '#include "apps/frame/view/view_options.h"')
+        self.assert_allowed("apps/frame/predict/score.cpp", '#include "femoop/result/curve.h"')
+        self.assert_allowed("apps/frame/view/frame_view.cpp", '#include "apps/frame/predict/prediction.h"')
 
     def test_json_stays_in_io_and_out_of_public_headers(self):
         self.assert_refused("femoop/model/model.cpp", "#include <nlohmann/json.hpp>")
