@@ -20,31 +20,12 @@ Eigen::Vector3d in_space(const Eigen::Vector2d& place) { return {place.x(), plac
 /// The material and the section that the first member of a new model gets, in the model's units.
 Model first_properties(const Model& model) { return in_units(starting_document().model, model.units); }
 
-femoop::MaterialId some_material(Model& model)
-{
-    if (model.materials.empty()) return model.add(first_properties(model).materials.front());
-    return femoop::MaterialId(model.materials.size() - 1);
-}
-
-femoop::SectionId some_section(Model& model)
-{
-    if (model.sections.empty()) return model.add(first_properties(model).sections.front());
-    return femoop::SectionId(model.sections.size() - 1);
-}
-
-/// What the next member is made like.
+/// What the next member is made like; of the first material and section where the model has none.
 femoop::Member pattern(Model& model)
 {
-    femoop::Member member;
-    if (!model.members.empty()) {
-        const femoop::Member& last = model.members.back();
-        member.material = last.material;
-        member.section = last.section;
-        member.theory = last.theory;
-    }
-    if (!member.material) member.material = some_material(model);
-    if (!member.section) member.section = some_section(model);
-    return member;
+    if (model.materials.empty()) model.add(first_properties(model).materials.front());
+    if (model.sections.empty()) model.add(first_properties(model).sections.front());
+    return like_last_member(model);
 }
 
 /// Erases entries of a list by their places.
@@ -123,6 +104,20 @@ void take_out(Model& model, const std::string& node_name)
 }
 
 } // namespace
+
+femoop::Member like_last_member(const Model& model)
+{
+    femoop::Member member;
+    if (!model.members.empty()) {
+        const femoop::Member& last = model.members.back();
+        member.material = last.material;
+        member.section = last.section;
+        member.theory = last.theory;
+    }
+    if (!member.material && !model.materials.empty()) member.material = femoop::MaterialId(model.materials.size() - 1);
+    if (!member.section && !model.sections.empty()) member.section = femoop::SectionId(model.sections.size() - 1);
+    return member;
+}
 
 void add_node(Document& document, const Eigen::Vector2d& place) { femoop::place_node(document.model, in_space(place)); }
 

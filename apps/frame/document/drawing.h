@@ -15,8 +15,11 @@ namespace frame {
 /// A node where there is none yet; a member that passes there is cut.
 void add_node(Document& document, const Eigen::Vector2d& place);
 
-/// Members along a straight line, made like the last one of the model: its material, section and theory. A model
-/// without any gets steel and a section to begin with. Crossed members are cut (femoop/edit/draw.h). Nothing where the
+/// A member of the last one's material, section and theory, else of the last material and section that there are.
+femoop::Member like_last_member(const femoop::Model& model);
+
+/// Members along a straight line, made like the last one of the model. A model without any material or section gets
+/// steel and a section to begin with. Crossed members are cut (femoop/edit/draw.h). Nothing where the
 /// places are one.
 void draw_member(Document& document, const Eigen::Vector2d& start, const Eigen::Vector2d& end);
 

@@ -51,6 +51,16 @@ double usual_size(ShapeKind kind, std::string_view key)
     return 10; // t
 }
 
+// Adds a material or section that the members use from then on.
+template <class Entry, class Use>
+auto add_for(Model& model, Entry entry, Use Member::*use, std::span<const MemberId> members)
+{
+    for (const MemberId member : members) (void)model.members.at(member.index); // throws before anything is changed
+    const auto id = model.add(std::move(entry));
+    for (const MemberId member : members) model.members[member.index].*use = id;
+    return id;
+}
+
 } // namespace
 
 void put_section(Document& document, SectionId id, Section section)
@@ -65,19 +75,13 @@ void put_section(Document& document, SectionId id, Section section)
 SectionId add_section(Document& document, Section section, std::span<const MemberId> members)
 {
     section.id = fresh_id(document.model.sections, section.id);
-    for (const MemberId member : members) (void)document.model.members.at(member.index);
-    const SectionId id = document.model.add(std::move(section));
-    for (const MemberId member : members) document.model.members[member.index].section = id;
-    return id;
+    return add_for(document.model, std::move(section), &Member::section, members);
 }
 
 MaterialId add_material(Document& document, Material material, std::span<const MemberId> members)
 {
     material.id = fresh_id(document.model.materials, material.id);
-    for (const MemberId member : members) (void)document.model.members.at(member.index);
-    const MaterialId id = document.model.add(std::move(material));
-    for (const MemberId member : members) document.model.members[member.index].material = id;
-    return id;
+    return add_for(document.model, std::move(material), &Member::material, members);
 }
 
 std::optional<ui::Phrase> why_not_rename(const Model& model, SectionId id, std::string_view name)

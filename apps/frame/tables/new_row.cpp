@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "apps/frame/document/drawing.h"
 #include "apps/frame/document/loading.h"
 #include "apps/frame/document/overloaded.h"
 #include "femoop/edit/naming.h"
@@ -12,21 +13,6 @@ namespace frame {
 using namespace femoop;
 
 namespace {
-
-Part append_member(Model& model)
-{
-    Member member;
-    if (!model.members.empty()) {
-        const Member& last = model.members.back();
-        member.material = last.material;
-        member.section = last.section;
-        member.theory = last.theory;
-    } else {
-        if (!model.materials.empty()) member.material = MaterialId(model.materials.size() - 1);
-        if (!model.sections.empty()) member.section = SectionId(model.sections.size() - 1);
-    }
-    return model.add(std::move(member));
-}
 
 Part append_load(Document& document, TableKind kind)
 {
@@ -61,7 +47,7 @@ Part append(Document& document, TableKind kind)
         node.id = fresh_node_id(model);
         return model.add(std::move(node));
     }
-    case TableKind::Members: return append_member(model);
+    case TableKind::Members: return model.add(like_last_member(model));
     case TableKind::Materials: return model.add(Material{});
     case TableKind::Sections: return model.add(Section{});
     default: return append_load(document, kind);
