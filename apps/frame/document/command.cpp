@@ -44,6 +44,15 @@ void set_support(Document& document, NodeId node, std::optional<SupportKind> kin
     support = std::move(next);
 }
 
+void set_support_angle(Document& document, NodeId node, double degrees)
+{
+    Support& support = at(document, node).support.value();
+    if (support.angle == Quantity(degrees)) return;
+    support.fixed = support.blocked(document.model.analysis);
+    support.kind = SupportKind::Custom;
+    support.angle = Quantity(degrees);
+}
+
 void set_hold(Document& document, NodeId node, Dof dof, Hold hold)
 {
     std::optional<Support>& support = at(document, node).support;

@@ -18,6 +18,10 @@ void set_support(Document& document, femoop::NodeId node, std::optional<femoop::
 enum class Hold : std::uint8_t { Free, Blocked };
 void set_hold(Document& document, femoop::NodeId node, femoop::Dof dof, Hold hold);
 
+/// Turns the support's own axes to an angle from those of the model [degrees], counter-clockwise; one that was a
+/// keyword becomes one of the object form. \pre there is a support, in a model whose supports can be inclined
+void set_support_angle(Document& document, femoop::NodeId node, double degrees);
+
 enum class Joint : std::uint8_t { Rigid, Hinged };
 void set_joint(Document& document, femoop::NodeId node, Joint joint);
 

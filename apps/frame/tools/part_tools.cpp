@@ -23,15 +23,26 @@ Phrase about(const Document& document, std::string_view sentence, const Part& pa
 
 } // namespace
 
+namespace {
+
+Change freed(const Document& document, NodeId node)
+{
+    return {about(document, translatable("Free: {part}"), node),
+            [=](Document& changed) { set_support(changed, node, std::nullopt); }};
+}
+
+} // namespace
+
 std::optional<Change> SupportTool::press(const Work& work, const Aim& at)
 {
+    if (at.points_at_support()) return freed(work.document, at.support->node);
     if (!at.node) return std::nullopt;
     const NodeId node = *at.node;
     const std::optional<Support>& there = work.document.model[node].support;
-    std::optional<SupportKind> kind = settings_.support;
-    if (there && there->kind == *kind) kind.reset();
-    const std::string_view sentence = kind ? translatable("Support: {part}") : translatable("Free: {part}");
-    return Change{about(work.document, sentence, node), [=](Document& changed) { set_support(changed, node, kind); }};
+    const SupportKind kind = settings_.support;
+    if (there && there->kind == kind) return freed(work.document, node);
+    return Change{about(work.document, translatable("Support: {part}"), node),
+                  [=](Document& changed) { set_support(changed, node, kind); }};
 }
 
 namespace {
@@ -109,6 +120,7 @@ std::optional<Change> HingeTool::press(const Work& work, const Aim& at)
 
 std::optional<Change> DeleteTool::press(const Work& work, const Aim& at)
 {
+    if (at.points_at_support()) return freed(work.document, at.support->node);
     const std::optional<Part> part = at.part();
     if (!part) return std::nullopt;
     return Change{about(work.document, translatable("Delete: {part}"), *part),

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
+#include "apps/frame/document/command.h"
 #include "apps/frame/document/drawing.h"
 #include "apps/frame/document/loading.h"
 #include "ui/text/catalogue.h"
@@ -43,6 +46,15 @@ struct Window {
     }
 };
 
+// Whole degrees in (-180, 180], drawn to multiples of 15.
+double round_angle(double degrees, bool is_exact)
+{
+    constexpr double step = 15.0, reach = 4.0;
+    const double near = step * std::round(degrees / step);
+    const double round = !is_exact && std::abs(degrees - near) <= reach ? near : std::round(degrees);
+    return round - 360.0 * std::ceil((round - 180.0) / 360.0);
+}
+
 } // namespace
 
 std::optional<Change> SelectTool::press(const Work& work, const Aim& at)
@@ -50,7 +62,7 @@ std::optional<Change> SelectTool::press(const Work& work, const Aim& at)
     start_ = now_ = at;
     is_dragging_ = false;
     const std::optional<Part> part = at.part();
-    gesture_ = !part ? Gesture::Window : at.grip && !at.node && !at.cut ? Gesture::Pull : Gesture::Move;
+    gesture_ = gesture_at(at);
     if (!part) return std::nullopt;
     was_selected_ = work.selection.contains(*part);
     if (at.adds) work.selection.add(*part);
@@ -67,7 +79,15 @@ std::optional<Change> SelectTool::move(const Work& work, const Aim& to)
     if (!is_dragging_) return std::nullopt;
     if (gesture_ == Gesture::Move) return moved(work, to);
     if (gesture_ == Gesture::Pull) return pulled(work, to);
+    if (gesture_ == Gesture::Turn) return turned(work, to);
     return std::nullopt;
+}
+
+SelectTool::Gesture SelectTool::gesture_at(const Aim& at) const
+{
+    if (at.node || at.cut) return Gesture::Move;
+    if (at.points_at_support()) return Gesture::Turn;
+    return at.grip ? Gesture::Pull : Gesture::Window;
 }
 
 Change SelectTool::moved(const Work& work, const Aim& to) const
@@ -94,6 +114,18 @@ Change SelectTool::pulled(const Work& work, const Aim& to) const
             Step::Drag};
 }
 
+Change SelectTool::turned(const Work& work, const Aim& to) const
+{
+    const SupportGrip& grip = *start_.support;
+    const Model& model = work.document.model;
+    const Vector2d arm = to.pointer - place_of(model, grip.node);
+    const double seen_at = std::atan2(arm.y(), arm.x()) * 180.0 / std::numbers::pi;
+    const double angle = round_angle(model[grip.node].support->angle + seen_at - grip.angle, to.is_exact);
+    return {{translatable("Turn: {part}"), {{"part", title(model, grip.node)}}},
+            [=](Document& changed) { set_support_angle(changed, grip.node, angle); },
+            Step::Drag};
+}
+
 std::optional<Change> SelectTool::release(const Work& work, const Aim& at)
 {
     const Gesture gesture = std::exchange(gesture_, Gesture::None);
@@ -113,6 +145,7 @@ std::optional<Change> SelectTool::release(const Work& work, const Aim& at)
         return std::nullopt;
     }
     if (gesture == Gesture::Pull) return pulled(work, at);
+    if (gesture == Gesture::Turn) return turned(work, at);
     const Change move = moved(work, at);
     return Change{move.label,
                   [command = move.command](Document& changed) {

@@ -20,16 +20,25 @@ struct LoadGrip {
     Eigen::Vector2d pull = Eigen::Vector2d::UnitY(); ///< from the place it acts at to the end that is pulled [length]
 };
 
+/// The symbol of a support that can be turned about its node.
+struct SupportGrip {
+    femoop::NodeId node;
+    double angle = 0.0; ///< at which the symbol is seen from the node [degrees], as the pointer took hold of it
+};
+
 /// What the pointer points at.
 struct Aim {
     Eigen::Vector2d pointer = Eigen::Vector2d::Zero(); ///< its own place in the plane of the model [length]
     Snap snap;                                         ///< the place that is meant
     std::optional<femoop::NodeId> node;                ///< under it
     std::optional<Cut> cut;                            ///< of the member under it, where there is no node
-    std::optional<LoadGrip> grip;                      ///< of the load under it, where there is neither
+    std::optional<SupportGrip> support;                ///< under it, where there is neither
+    std::optional<LoadGrip> grip;                      ///< of the load under it, where there is none of these
     double pixel = 0.01;                               ///< one logical pixel [length]
     bool adds = false;                                 ///< Shift is held
+    bool is_exact = false;                             ///< Alt is held: nothing is rounded that need not be
 
+    bool points_at_support() const { return support && !node && !cut; } ///< at its symbol, not at its node
     /// The part under the pointer.
     std::optional<Part> part() const;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace frame {
 
@@ -41,6 +42,17 @@ bool is_under(const LoadMark& mark, ui::Point p)
     return false;
 }
 
+std::optional<SupportGrip> support_at(const Projection& projection, ui::Point at, std::span<const SupportMark> marks)
+{
+    const auto mark = std::ranges::find_if(marks,
+                                           [&](const auto& m) { return ui::distance(m.middle, at) <= m.radius; });
+    if (mark == marks.end()) return std::nullopt;
+    const auto root = place_in_plane(projection, mark->root), hand = place_in_plane(projection, at);
+    if (!root || !hand || *root == *hand) return std::nullopt;
+    const Vector2d arm = *hand - *root;
+    return SupportGrip{mark->node, std::atan2(arm.y(), arm.x()) * 180.0 / std::numbers::pi};
+}
+
 std::optional<LoadGrip> grip_at(const Projection& projection, ui::Point at, std::span<const LoadMark> marks)
 {
     const auto mark = std::ranges::find_if(marks, [&](const LoadMark& m) { return is_under(m, at); });
@@ -66,16 +78,18 @@ std::optional<Vector2d> place_in_plane(const Projection& projection, ui::Point a
 double grid_of(const Projection& projection) { return round_grid(grid_spacing / projection.scale()); }
 
 Aim aim_at(const Session& session, const Tool& tool, const Projection& projection, const Pointer& pointer,
-           const Pick& under, std::span<const LoadMark> marks)
+           const Pick& under, const Grips& grips)
 {
     Aim aim;
     aim.node = under.node;
     aim.cut = under.cut;
     aim.adds = pointer.adds;
+    aim.is_exact = pointer.is_exact;
     aim.pixel = 1.0 / projection.scale();
     const bool is_near = under.node || under.is_on_member;
     if (!is_near) {
-        aim.grip = grip_at(projection, pointer.at, marks);
+        aim.support = support_at(projection, pointer.at, grips.supports);
+        aim.grip = grip_at(projection, pointer.at, grips.loads);
         aim.cut.reset(); // what is read at a distance is not touched
     }
     const Document& document = session.history().settled();

@@ -22,7 +22,7 @@ struct Pointer {
 
 /// What a tool is told of the pointer. Places are drawn to the model as it was before the gesture that is under way.
 Aim aim_at(const Session& session, const Tool& tool, const Projection& projection, const Pointer& pointer,
-           const Pick& under, std::span<const LoadMark> marks);
+           const Pick& under, const Grips& grips);
 
 /// The distance of the grid's lines at this scale [length].
 double grid_of(const Projection& projection);

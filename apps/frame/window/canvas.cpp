@@ -75,7 +75,9 @@ void Canvas::follow_structure(const Desk& desk)
                            shown_mechanism(desk),
                            desk.hand.can_type(),
                            session.solution().results.has_value()};
-    const bool is_fitted = fitted_for_ == wanted && (is_working_ || is_all_in_sight());
+    const bool must_rest = is_working_ || session.history().is_dragging();
+    const bool is_fitted = fitted_for_ == wanted && (must_rest || is_all_in_sight());
+    is_just_fitted_ = !options.camera && !is_fitted;
     if (!options.camera && is_fitted) options.camera = plan_.camera;
     if (!session.view.camera) fitted_for_ = wanted;
     plan_ = subject(desk, options).plan(sheet_, fonts_);
@@ -84,7 +86,7 @@ void Canvas::follow_structure(const Desk& desk)
 // Drawing and dragging must not move the picture under the hand; it moves where it would lose something.
 bool Canvas::is_all_in_sight() const
 {
-    if (plan_.panels.empty()) return false;
+    if (plan_.panels.empty() || (was_whole_ && !drawn_.is_whole)) return false;
     const ui::Box box = plan_.panels.front().box;
     const Projection projection(plan_.camera, box.min);
     constexpr double border = 20.0; // [px] within which a node counts as lost
@@ -169,11 +171,12 @@ void Canvas::follow(Desk& desk, const Pointer& pointer)
     if (under.cut) under.cut = snapped(session, shape_, *under.cut, pixels_along(projection, *under.cut));
     turn_wheel(session, pointer.at);
     move_camera(session);
-    const Aim aim = aim_at(session, desk.hand.tool(), projection, pointer, under, marks_);
+    const Aim aim = aim_at(session, desk.hand.tool(), projection, pointer, under, drawn_.grips);
     desk.hand.point_at(aim);
     if (is_panning_) return;
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && under.is_nothing() && !desk.hand.can_type()) fit(session);
     if (under.node) session.view.hover.nodes.push_back(*under.node);
+    if (aim.points_at_support()) session.view.hover.nodes.push_back(aim.support->node);
     if (aim.cut) session.view.hover.members.push_back(aim.cut->member);
     session.hover = under.cut;
     hover_panel_ = corner_of_panel(pointer.at);
@@ -308,17 +311,17 @@ ViewOptions Canvas::options(const Session& session) const
 }
 
 // The structure, its results and the reading that is pinned.
-std::vector<LoadMark> Canvas::draw(const Desk& desk, const ViewOptions& options, ui::Painter& painter) const
+Subject::Picture Canvas::draw(const Desk& desk, const ViewOptions& options, ui::Painter& painter) const
 {
     const Session& session = desk.session;
     if (session.model().nodes.empty()) {
         draw_invitation(painter, options);
         return {};
     }
-    std::vector<LoadMark> marks = subject(desk, options).draw(painter);
+    Subject::Picture picture = subject(desk, options).draw(painter);
     if (session.pin && !plan_.panels.empty())
         draw_cut(session, options, *session.pin, plan_.panels.front().box.min, painter);
-    return marks;
+    return picture;
 }
 
 void Canvas::draw_cut(const Session& session, const ViewOptions& options, const Cut& cut, ui::Point panel,
@@ -344,7 +347,8 @@ void Canvas::paint(const Desk& desk)
     const Session& session = desk.session;
     const ViewOptions shown = options(session);
     ui::Painter painter(sheet_, fonts_);
-    marks_ = draw(desk, shown, painter);
+    drawn_ = draw(desk, shown, painter);
+    if (std::exchange(is_just_fitted_, false)) was_whole_ = drawn_.is_whole;
     if (session.hover && session.hover != session.pin && !is_working_)
         draw_cut(session, shown, *session.hover, hover_panel_, painter);
     if (is_over_ && !plan_.panels.empty())

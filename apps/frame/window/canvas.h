@@ -46,7 +46,7 @@ private:
     void turn_wheel(Session& session, ui::Point at) const;
     void move_camera(Session& session);
     void paint(const Desk& desk);
-    std::vector<LoadMark> draw(const Desk& desk, const ViewOptions& options, ui::Painter& painter) const;
+    Subject::Picture draw(const Desk& desk, const ViewOptions& options, ui::Painter& painter) const;
     ViewOptions options(const Session& session) const;
     void draw_cut(const Session& session, const ViewOptions& options, const Cut& cut, ui::Point panel,
                   ui::Painter& painter) const;
@@ -80,8 +80,10 @@ private:
     std::optional<FittedFor> fitted_for_;
     std::uint64_t session_ = 0, generation_ = 0; ///< that shape_ belongs to
     std::optional<ui::Picture> picture_;
-    ui::Point hover_panel_{};     ///< corner of the panel that the pointer is in
-    std::vector<LoadMark> marks_; ///< of the picture that was drawn last
+    ui::Point hover_panel_{}; ///< corner of the panel that the pointer is in
+    Subject::Picture drawn_;  ///< last
+    bool was_whole_ = false;  ///< the picture that the camera was fitted for
+    bool is_just_fitted_ = false;
     bool is_panning_ = false;
     bool is_working_ = false; ///< the left button was pressed in the picture and is held
     bool is_over_ = false;    ///< the pointer

@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -277,6 +279,34 @@ TEST_SUITE("frame tools")
         bench.drag(tool, arrow, at(3, 6));
         CHECK(value() == doctest::Approx(2.0 * before));
         CHECK(bench.history.n_states() == 2);
+    }
+
+    TEST_CASE("A support's symbol that is dragged about its node turns the support, by whole multiples of 15 degrees")
+    {
+        frame::Document start = frame::starting_document();
+        start.model.nodes[0].support = femoop::Support{.kind = femoop::SupportKind::Roller};
+        const Eigen::Vector2d node{start.model.nodes[0].at[0], start.model.nodes[0].at[1]};
+        Bench bench(start);
+        frame::SelectTool tool;
+        const auto aim_at = [&](double degrees) {
+            const double t = degrees * std::numbers::pi / 180.0;
+            return at(node.x() + 0.4 * std::cos(t), node.y() + 0.4 * std::sin(t));
+        };
+        frame::Aim below = aim_at(-90.0);
+        below.support = frame::SupportGrip{femoop::NodeId(0), -90.0};
+        bench.drag(tool, below, aim_at(-62.0));
+        const femoop::Support& turned = *bench.model().nodes[0].support;
+        CHECK(turned.angle == 30.0);
+        CHECK(turned.blocked(femoop::AnalysisKind::Frame2d) == femoop::DofSet{femoop::Dof::uy});
+        CHECK(bench.history.n_states() == 2);
+        frame::Aim exact = aim_at(-60.0 - 38.0);
+        exact.is_exact = true;
+        below.support->angle = -60.0;
+        bench.drag(tool, below, exact);
+        CHECK(bench.model().nodes[0].support->angle == -8.0);
+        bench.history.undo();
+        bench.history.undo();
+        CHECK(bench.history.current() == start);
     }
 
     TEST_CASE("The support tool sets and takes away, the hinge tool opens and closes")

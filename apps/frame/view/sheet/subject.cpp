@@ -327,7 +327,7 @@ Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, con
     sketch.write_captions();
     for (std::size_t i = 0; i < rows.size(); ++i) draw_panel_head(painter, picture.heads()[i], theme, rows[i]);
     drawn.n_left_out = sketch.n_left_out();
-    drawn.marks = sketch.marks();
+    drawn.grips = sketch.grips();
     return drawn;
 }
 
@@ -345,20 +345,33 @@ std::vector<ui::Box> Subject::head_rows(const std::vector<PanelHead>& heads, con
     return rows;
 }
 
-std::vector<LoadMark> Subject::draw(ui::Painter& painter) const
+namespace {
+
+void append(Grips& grips, const Grips& more)
+{
+    grips.loads.insert(grips.loads.end(), more.loads.begin(), more.loads.end());
+    grips.supports.insert(grips.supports.end(), more.supports.begin(), more.supports.end());
+}
+
+bool holds(const ui::Box& panel, const std::optional<ui::Box>& bounds) { return !bounds || panel.contains(*bounds); }
+
+} // namespace
+
+Subject::Picture Subject::draw(ui::Painter& painter) const
 {
     const Plan sheet = plan(painter.size(), painter.fonts());
     if (options_.show.contains(Show::Legend)) draw_head(painter, sheet_head(model_, results_, options_), theme_);
     std::size_t n_left_out = 0;
-    std::vector<LoadMark> marks;
+    Picture picture;
     for (const Panel& panel : sheet.panels) {
         const Drawn drawn = draw_panel(painter, panel, sheet.camera, Pass::Write);
         n_left_out += drawn.n_left_out;
-        marks.insert(marks.end(), drawn.marks.begin(), drawn.marks.end());
+        append(picture.grips, drawn.grips);
+        picture.is_whole = picture.is_whole && holds(panel.box, drawn.tight_bounds);
     }
     if (motion_) draw_sentence(painter);
     if (n_left_out > 0) draw_left_out(painter, n_left_out);
-    return marks;
+    return picture;
 }
 
 // In the first corner where it covers no other string; at the right foot where there is none.

@@ -27,8 +27,12 @@ public:
         Camera camera;
     };
     Plan plan(ui::Size sheet, const ui::Fonts& fonts) const;
-    /// \returns the arrows that a hand can pull, where they are on the sheet
-    std::vector<LoadMark> draw(ui::Painter& painter) const;
+    /// What was drawn.
+    struct Picture {
+        Grips grips;          ///< what a hand can take hold of, where it is on the sheet
+        bool is_whole = true; ///< no mark of the structure runs out of its panel
+    };
+    Picture draw(ui::Painter& painter) const;
 
     const femoop::Model& model() const { return model_; }
     const StructureShape& shape() const { return shape_; }
@@ -54,7 +58,7 @@ private:
         std::optional<ui::Box> bounds, tight_bounds;
         double heads_height = 0.0;
         std::size_t n_left_out = 0;
-        std::vector<LoadMark> marks{};
+        Grips grips{};
     };
     enum class Pass : std::uint8_t { Measure, Write };
     Drawn draw_panel(ui::Painter& painter, const Panel& panel, const Camera& camera, Pass pass) const;

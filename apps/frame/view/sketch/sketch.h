@@ -50,6 +50,19 @@ struct LoadMark {
     ui::Point root, tip;         ///< from the place it acts at to the end that is pulled
 };
 
+/// Where the symbol of a support stands, so that a hand can turn it about its node.
+struct SupportMark {
+    femoop::NodeId node;
+    ui::Point root, middle; ///< the node, and the middle of the symbol
+    double radius = 0.0;    ///< about the middle
+};
+
+/// What of a picture a hand can take hold of.
+struct Grips {
+    std::vector<LoadMark> loads{};
+    std::vector<SupportMark> supports{};
+};
+
 /// Draws the marks of a structure and remembers where they are: labels keep clear of them, and the sheet learns how
 /// much room the picture needs.
 class Sketch {
@@ -84,8 +97,9 @@ public:
     /// Put where no line runs, on a disc that hides what lies below it; labels keep clear of it.
     void sign(SignMark mark);
 
-    void mark(LoadMark mark) { marks_.push_back(std::move(mark)); }
-    const std::vector<LoadMark>& marks() const { return marks_; }
+    void mark(LoadMark mark) { grips_.loads.push_back(std::move(mark)); }
+    void mark(const SupportMark& mark) { grips_.supports.push_back(mark); }
+    const Grips& grips() const { return grips_; }
 
     /// Finds places for all signs and captions and writes them. Call once, at the end.
     void write_captions();
@@ -125,7 +139,7 @@ private:
     ui::LabelPlacer placer_;
     std::vector<Request> requests_;
     std::vector<SignMark> signs_;
-    std::vector<LoadMark> marks_;
+    Grips grips_;
     std::optional<ui::Box> bounds_, tight_bounds_;
     std::size_t n_left_out_ = 0;
 };

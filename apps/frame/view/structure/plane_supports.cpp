@@ -180,8 +180,14 @@ void draw_plane_support(const Scene& scene, femoop::NodeId node)
 {
     const femoop::Support& support = *scene.model[node].support;
     const auto axes = plane_support_axes(support);
-    if (const auto side = plane_support_side(scene, node))
+    if (const auto side = plane_support_side(scene, node)) {
         draw_symbol(scene.sketch, symbol_of(support.blocked(scene.model.analysis)), standing(scene, node, *side));
+        const double depth = scene.sketch.px(14.0);
+        scene.sketch.mark({.node = node,
+                           .root = scene.place(node),
+                           .middle = scene.place(node) + depth * scene.projection.direction(*side),
+                           .radius = depth});
+    }
     for (const femoop::Spring& spring : support.springs) draw_spring(scene, node, spring, axes);
     note_angle(scene, node, support.angle);
 }
