@@ -107,6 +107,7 @@ constexpr std::array toggles{
     Toggle{Show::T, "view.show.T", translatable("Torsion T"), Key::T},
     Toggle{Show::Deformed, "view.show.deformed", translatable("Deformed shape"), Key::D},
     Toggle{Show::Values, "view.show.values", translatable("Values"), std::nullopt},
+    Toggle{Show::StepValues, "view.show.step_values", translatable("Values at equal steps"), std::nullopt},
     Toggle{Show::NodeNames, "view.show.node_names", translatable("Names of nodes"), std::nullopt},
     Toggle{Show::MemberNames, "view.show.member_names", translatable("Names of members"), std::nullopt},
     Toggle{Show::Dimensions, "view.show.dimensions", translatable("Dimensions"), std::nullopt},

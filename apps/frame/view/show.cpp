@@ -12,9 +12,9 @@ namespace {
 
 using ui::translatable;
 
-const std::array<ShowWord, 18>& words()
+const std::array<ShowWord, 19>& words()
 {
-    static const std::array<ShowWord, 18> list{{
+    static const std::array<ShowWord, 19> list{{
         {"loads", {Show::Loads}, translatable("the loads of the case")},
         {"reactions", {Show::Reactions}, translatable("what the supports do to the structure")},
         {"N", {Show::N}, translatable("axial force diagram")},
@@ -27,6 +27,7 @@ const std::array<ShowWord, 18>& words()
         {"Mz", {Show::Mz}, translatable("bending moment about z'")},
         {"deformed", {Show::Deformed}, translatable("deformed shape")},
         {"values", {Show::Values}, translatable("numbers beside loads, reactions and diagrams")},
+        {"steps", {Show::StepValues}, translatable("numbers at every tenth of a diagram")},
         {"nodes", {Show::NodeNames}, translatable("names of the nodes")},
         {"members", {Show::MemberNames}, translatable("names of the members")},
         {"dimensions", {Show::Dimensions}, translatable("dimension lines")},

@@ -22,7 +22,8 @@ enum class Show : std::uint8_t {
     My,
     Mz,
     Deformed,
-    Values, ///< numbers beside loads, reactions and diagrams
+    Values,     ///< numbers beside loads, reactions and diagrams
+    StepValues, ///< numbers along diagrams at equal steps (ViewOptions::steps)
     NodeNames,
     MemberNames,
     Dimensions,

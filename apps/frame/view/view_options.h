@@ -55,6 +55,7 @@ struct ViewOptions {
     bool is_envelope = false;              ///< of all cases instead of one: diagrams as bands, no loads nor reactions
     std::shared_ptr<const Ghost> ghost;    ///< its diagrams are drawn behind, faint; none when null
     MomentSide moment_side = MomentSide::Tension;
+    int steps = 10;                          ///< of every member, for Show::StepValues; > 0
     double diagram_factor = 1.0;             ///< > 0
     double load_factor = 1.0;                ///< > 0, length of the arrows
     double symbol_factor = 1.0;              ///< > 0, size of supports, hinges and heads of arrows

@@ -79,6 +79,14 @@ bool power_slider(const char* id, double& factor, float least, float most)
     return true;
 }
 
+void step_slider(Session& session)
+{
+    constexpr int most = 20;
+    named_value(session.view.tr("Steps of a member"), std::to_string(session.view.steps));
+    ImGui::SetNextItemWidth(-1.0F);
+    ImGui::SliderInt("###steps", &session.view.steps, 2, most, "", ImGuiSliderFlags_AlwaysClamp);
+}
+
 // A factor from a tenth to ten times the automatic size; a double click brings the automatic size back.
 void factor_slider(const std::string& name, const char* id, double& factor, const ui::NumberFormat& format)
 {
@@ -121,6 +129,7 @@ void show_panel(Desk& desk, const CommandTable& commands)
     heading(tr("Scales"));
     const ui::NumberFormat format{.digits = 2, .mark = session.view.numbers.mark};
     factor_slider(tr("Diagrams"), "###diagrams", session.view.diagram_factor, format);
+    if (session.view.show.contains(StepValues)) step_slider(session);
     factor_slider(tr("Load arrows"), "###loads", session.view.load_factor, format);
     factor_slider(tr("Symbols"), "###symbols", session.view.symbol_factor, format);
     deformation_slider(session, format);

@@ -65,6 +65,19 @@ TEST_CASE("The sagging moment of a beam is drawn below it, or above it on the co
     CHECK(compression.diagram < compression.member - 20.0);
 }
 
+TEST_CASE("Values at equal steps are those of the parabola q x (L - x) / 2, and the extreme is written once")
+{
+    const ui::Fonts fonts;
+    ViewOptions options{.show = {Show::M, Show::Values, Show::StepValues}, .steps = 4};
+    const view_test::Marks marks = marks_of(view_test::simple_beam(L, q), options, fonts);
+    const ui::DisplayUnits units = display_units(view_test::simple_beam(L, q), options);
+    std::vector<std::string> written;
+    for (const auto& text : marks.texts) written.push_back(text.words);
+    const auto moment = [&](double x) { return units.number(q * x * (L - x) / 2, ui::Measure::Moment); };
+    CHECK(std::ranges::count(written, moment(L / 4)) == 2);
+    CHECK(std::ranges::count(written, moment(L / 2)) == 1);
+}
+
 TEST_CASE("The moment of a simple beam is marked once: q L^2 / 8 in its middle")
 {
     const auto results = femoop::analyse(view_test::simple_beam(L, q));

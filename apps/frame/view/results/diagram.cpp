@@ -163,18 +163,47 @@ private:
 
     void write_values() const
     {
-        for (const MarkedValue& marked : marked_values(curve_, diagram_.component, noise * diagram_.largest)) {
+        const std::vector<MarkedValue> marks = marked_values(curve_, diagram_.component, noise * diagram_.largest);
+        for (const MarkedValue& marked : marks) {
             // In space small values of one plane would hide the large ones of the other.
             if (!scene_.is_flat() && std::abs(marked.value) < 0.02 * diagram_.largest) continue;
-            const double shown = has_signs(scene_, diagram_.component) ? marked.value : std::abs(marked.value);
-            const ui::Point side = marked.value < 0.0 ? -frame_.y : frame_.y;
-            Caption caption{.text = scene_.number(shown, measure_of(diagram_.component)),
-                            .role = role_,
-                            .target = at(marked.x, marked.value),
-                            .toward = side,
-                            .gap = 4.5,
-                            .rank = marked.is_peak ? Rank::Extreme : Rank::Value};
+            Caption caption = value_at(marked.x, marked.value);
+            caption.rank = marked.is_peak ? Rank::Extreme : Rank::Value;
             for (const double x : marked.others) caption.others.push_back(at(x, marked.value));
+            sketch().caption(std::move(caption));
+        }
+        if (scene_.shows(Show::StepValues)) write_step_values(marks);
+    }
+
+    Caption value_at(double x, double value) const
+    {
+        const double shown = has_signs(scene_, diagram_.component) ? value : std::abs(value);
+        return {.text = scene_.number(shown, measure_of(diagram_.component)),
+                .role = role_,
+                .target = at(x, value),
+                .toward = value < 0.0 ? -frame_.y : frame_.y,
+                .gap = 4.5};
+    }
+
+    // Where nothing stands yet, and not along a stretch of one value, which is written once.
+    void write_step_values(const std::vector<MarkedValue>& marks) const
+    {
+        const int n = scene_.options.steps;
+        const double length = curve_.length();
+        const auto says = [&](const MarkedValue& mark, double x) {
+            const bool is_on_plateau = !mark.others.empty() && x >= mark.others.front() && x <= mark.others.back();
+            return is_on_plateau || std::abs(mark.x - x) < 0.25 * length / n;
+        };
+        for (int i = 1; i < n; ++i) {
+            const double x = i * length / n;
+            const double value = curve_.value(diagram_.component, x);
+            if (std::abs(value) <= noise * diagram_.largest) continue;
+            if (std::ranges::any_of(marks, [&](const MarkedValue& mark) { return says(mark, x); })) continue;
+            sketch().disc(at(x, value), sketch().px(2.0), sketch().stroke(role_).color, Clearance::None);
+            Caption caption = value_at(x, value);
+            caption.rank = Rank::Minor;
+            caption.size = sketch().theme().type().small;
+            caption.reach = 14.0; // farther off it would seem to belong to another step
             sketch().caption(std::move(caption));
         }
     }
