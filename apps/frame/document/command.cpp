@@ -28,15 +28,21 @@ bool& flag(Member& member, MemberTrait trait)
     return member.bar;
 }
 
+// A node without a support has no reaction that could be checked.
+void drop_support(Document& document, NodeId node)
+{
+    at(document, node).support.reset();
+    std::erase_if(document.model.expected, [node](const Expected& check) {
+        return check.quantity == ExpectedQuantity::Reaction && check.node == node;
+    });
+}
+
 } // namespace
 
 void set_support(Document& document, NodeId node, std::optional<SupportKind> kind)
 {
+    if (!kind) return drop_support(document, node);
     std::optional<Support>& support = at(document, node).support;
-    if (!kind) {
-        support.reset();
-        return;
-    }
     Support next = support.value_or(Support{});
     if (*kind == SupportKind::Custom) next.fixed = next.blocked(document.model.analysis);
     if (*kind != SupportKind::Custom) next = Support{};
@@ -65,8 +71,8 @@ void set_hold(Document& document, NodeId node, Dof dof, Hold hold)
         next.fixed.insert(dof);
         std::erase_if(next.springs, [dof](const Spring& spring) { return spring.dof == dof; });
     }
-    support.reset();
-    if (!next.fixed.is_empty() || !next.springs.empty()) support = std::move(next);
+    if (next.fixed.is_empty() && next.springs.empty()) return drop_support(document, node);
+    support = std::move(next);
 }
 
 void set_joint(Document& document, NodeId node, Joint joint) { at(document, node).hinge = joint == Joint::Hinged; }

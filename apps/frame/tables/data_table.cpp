@@ -126,7 +126,7 @@ private:
         }
         if (faults_.size() > n_faults) return;
         give_name(next_.model, part);
-        if (auto reason = why_not_row(next_.model, part, manner_.tr)) refuse(row, target_.column, *reason);
+        if (auto reason = why_not_row(next_.model, part, manner_.tr)) refuse(row, columns_.size(), *reason);
         touched_.push_back({row, part});
     }
 

@@ -20,7 +20,8 @@ struct Target {
     std::vector<std::size_t> order{};
 };
 
-/// Why a cell was not filled. Rows are counted as they are seen.
+/// Why a cell was not filled. Rows are counted as they are seen; a column behind the last one means a new row as a
+/// whole, which lacks something.
 struct CellFault {
     std::size_t row = 0, column = 0;
     std::string reason;

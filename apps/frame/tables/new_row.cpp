@@ -99,7 +99,7 @@ std::optional<std::string> why_not_row(const Model& model, const Part& part, con
 {
     if (const auto* const id = std::get_if<MemberId>(&part); id && model[*id].nodes[0] == model[*id].nodes[1])
         return tr("the member starts and ends at one node");
-    if (!has_value(model, part)) return tr("the load has no value left; delete its row to take it away");
+    if (!has_value(model, part)) return tr("the load has no value; give it one or delete its row");
     return std::nullopt;
 }
 

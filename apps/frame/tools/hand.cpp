@@ -63,7 +63,7 @@ void Hand::rub_out()
 
 std::optional<Change> Hand::enter()
 {
-    const auto place = place_typed(typed_, {.from = tool_->from(), .pointer = aim_.pointer});
+    const auto place = place_typed(typed_, {.from = tool_->from(), .pointer = aim_.snap.place});
     if (!place) return std::nullopt;
     typed_.clear();
     return tool_->type(*place);

@@ -15,8 +15,8 @@ namespace frame {
 ///
 /// Where the numbers have decimal commas a semicolon stands between them: `6,5;4`, `@3,25;2`, and `4,5<30`.
 struct DrawingHand {
-    std::optional<Eigen::Vector2d> from; ///< where drawing began
-    Eigen::Vector2d pointer = Eigen::Vector2d::Zero();
+    std::optional<Eigen::Vector2d> from;               ///< where drawing began
+    Eigen::Vector2d pointer = Eigen::Vector2d::Zero(); ///< the place that it is drawn to
 };
 
 /// Nothing for what is none of these, or needs a place where drawing began and there is none.

@@ -122,6 +122,7 @@ void Application::take_keys(const ui::Input& all)
         if (!event.is_down || (types && !has_ctrl)) continue;
         if (!types && take_typing(event.key)) continue;
         if (event.key == ui::Key::Escape && desk_.session.history().is_dragging()) {
+            desk_.hand.tool().escape(); // else it would go on with what is taken back
             desk_.session.cancel();
             continue;
         }
@@ -340,7 +341,7 @@ void Application::show_canvas()
     }
     ImGui::PopStyleVar();
     document_tabs(desk_);
-    ImGui::BeginChild("###picture");
+    ImGui::BeginChild("###picture", {}, false, ImGuiWindowFlags_NoNav); // its keys are the tools'
     canvas_.show(desk_, gui_);
     banner(desk_);
     ImGui::EndChild();

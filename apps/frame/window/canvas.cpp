@@ -41,6 +41,15 @@ Subject subject(const Desk& desk, const ViewOptions& options)
     return {session.model(), solution.results ? &*solution.results : nullptr, options};
 }
 
+// Something was solved that loads act on.
+bool has_diagrams(const Session& session)
+{
+    const auto is_loaded = [](const femoop::LoadCase& load_case) {
+        return !load_case.nodes.empty() || !load_case.members.empty() || load_case.self_weight != 0.0;
+    };
+    return session.solution().results && std::ranges::any_of(session.model().load_cases, is_loaded);
+}
+
 ui::World3 middle_of(const StructureShape& shape)
 {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -66,6 +75,7 @@ void Canvas::follow_structure(const Desk& desk)
     generation_ = session.generation();
     ViewOptions options = looked_at(session);
     options.phase = 1.0; // room for the whole motion
+    const bool is_drawn = desk.hand.can_type();
     const FittedFor wanted{session_,
                            sheet_,
                            options.show,
@@ -73,8 +83,8 @@ void Canvas::follow_structure(const Desk& desk)
                            options.theme,
                            session.model().analysis,
                            shown_mechanism(desk),
-                           desk.hand.can_type(),
-                           session.solution().results.has_value()};
+                           is_drawn,
+                           is_drawn || has_diagrams(session)};
     const bool must_rest = is_working_ || session.history().is_dragging();
     const bool is_fitted = fitted_for_ == wanted && (must_rest || is_all_in_sight());
     is_just_fitted_ = !options.camera && !is_fitted;

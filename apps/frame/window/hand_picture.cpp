@@ -74,9 +74,8 @@ public:
         const Vector2d arm = end - start;
         if (arm.norm() == 0.0) return;
         const double degrees = std::atan2(arm.y(), arm.x()) * 180.0 / std::numbers::pi;
-        const std::string text = with_minus(units_.text(arm.norm(), ui::Measure::Length) + "   " +
-                                            ui::number_text(degrees, units_.format()) + "°");
-        note(at(end), text);
+        note(at(end), units_.text(arm.norm(), ui::Measure::Length) + "   " +
+                          with_minus(ui::number_text(degrees, units_.format())) + "°");
     }
 
     void window(const Vector2d& start, const Vector2d& end)
@@ -91,13 +90,16 @@ public:
         painter_.polyline(corners, stroke, ui::PathEnds::Closed);
     }
 
-    /// A text beside a place, on a plate.
+    /// A text beside a place, on a plate: at its right hand, at its left where the sheet ends.
     void note(Point beside, const std::string& text)
     {
         ui::TextStyle style = theme_.text(Role::Label, ui::Anchor::BottomLeft);
         style.weight = ui::Weight::Bold;
         style.plate = theme_.background();
-        painter_.text(beside + Point{14.0, -14.0}, text, style);
+        constexpr double away = 14.0; // [px]
+        const bool has_room = beside.x + 2.0 * away + painter_.measure(text, style).width < painter_.size().width;
+        if (!has_room) style.anchor = ui::Anchor::BottomRight;
+        painter_.text(beside + Point{has_room ? away : -away, -away}, text, style);
     }
 
     Point at(const Vector2d& place) const { return projection_({place.x(), place.y(), 0.0}); }

@@ -40,7 +40,8 @@ void shortcut_window(const Desk& desk, const CommandTable& commands, bool& is_op
             ImGui::TableNextColumn();
             ImGui::TextUnformatted(text(command.shortcuts.front()).c_str());
             ImGui::TableNextColumn();
-            ImGui::TextUnformatted((tr(command.menu) + "  ›  " + ui::label(command, desk, tr)).c_str());
+            const std::string menu = command.menu.empty() ? "" : tr(command.menu) + "  ›  ";
+            ImGui::TextUnformatted((menu + ui::label(command, desk, tr)).c_str());
         }
         ImGui::EndTable();
     }

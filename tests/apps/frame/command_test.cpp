@@ -36,6 +36,25 @@ TEST_SUITE("frame document")
         CHECK_FALSE(document.model[B].support);
     }
 
+    TEST_CASE("With a support the checks of its reactions go, since a free node has none; other checks stay")
+    {
+        const auto with_checks = [] {
+            frame::Document document = frame::starting_document();
+            for (const NodeId node : {A, B})
+                document.model.expected.push_back({.quantity = femoop::ExpectedQuantity::Reaction, .node = node});
+            document.model.expected.push_back({.quantity = femoop::ExpectedQuantity::Displacement, .node = A});
+            return document;
+        };
+        frame::Document freed = with_checks(), unheld = with_checks();
+        frame::set_support(freed, A, std::nullopt);
+        for (const Dof dof : {Dof::ux, Dof::uy, Dof::rz}) frame::set_hold(unheld, A, dof, frame::Hold::Free);
+        for (const frame::Document& document : {freed, unheld}) {
+            REQUIRE(document.model.expected.size() == 2);
+            CHECK(document.model.expected[0].node == B);
+            CHECK(document.model.expected[1].quantity == femoop::ExpectedQuantity::Displacement);
+        }
+    }
+
     TEST_CASE("Blocking a sprung degree of freedom takes its spring away")
     {
         frame::Document document = frame::starting_document();

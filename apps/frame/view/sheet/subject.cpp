@@ -20,8 +20,8 @@ namespace frame {
 namespace {
 
 constexpr std::array diagrams{Show::N, Show::V, Show::Vy, Show::Vz, Show::M, Show::T, Show::My, Show::Mz};
-constexpr double edge = 14.0;                            // [px] kept free around a fitted picture
-constexpr double empty_width = 10.0, empty_height = 6.0; // [length] of an empty sheet
+constexpr double edge = 14.0;                                        // [px] kept free around a fitted picture
+constexpr ui::World2 empty_least{-1.0, -1.0}, empty_most{11.0, 7.0}; // corners of an empty sheet
 
 bool shows_any(const ShowSet& show, std::span<const Show> items)
 {
@@ -241,7 +241,7 @@ void Subject::fit(Camera& camera, ui::Size panel, const ui::Margins& margins) co
     if (auto* plane = std::get_if<ui::PlaneCamera>(&camera)) {
         std::vector<ui::World2> points;
         for (const Eigen::Vector3d& p : fitted_points()) points.push_back({p.x(), p.y()});
-        if (points.empty()) points = {{0.0, 0.0}, {empty_width, empty_height}};
+        if (points.empty()) points = {empty_least, empty_most};
         plane->fit(points, panel, margins);
         return;
     }
