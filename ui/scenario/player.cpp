@@ -17,9 +17,10 @@ template <class... Functions> Overloaded(Functions...) -> Overloaded<Functions..
 
 PointerPlace found(const ScenarioStep& step, const std::string& place, Stage& stage)
 {
-    const std::optional<PointerPlace> at = stage.find(place);
-    if (!at) throw ScenarioError(step.line, "no place \"" + place + "\"");
-    return *at;
+    const Stage::Sought sought = stage.find(place);
+    if (const auto* const wanted = std::get_if<std::string>(&sought))
+        throw ScenarioError(step.line, "found \"" + place + "\", wanted " + *wanted);
+    return std::get<PointerPlace>(sought);
 }
 
 void require(const ScenarioStep& step, const std::optional<std::string>& complaint)
@@ -51,34 +52,57 @@ void Player::move_to(PointerPlace place)
     push(); // what the pointer is over is known one frame later
 }
 
+// In small steps, as a hand goes.
+void Player::glide_to(PointerPlace to)
+{
+    const PointerPlace from = state_.pointer;
+    for (int i = 1; i <= n_drag_frames; ++i) {
+        const double t = static_cast<double>(i) / n_drag_frames;
+        state_.pointer = {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
+        push();
+    }
+}
+
+void Player::hold_button(bool is_down)
+{
+    state_.is_left_down = is_down;
+    push();
+    push();
+}
+
 void Player::begin(const ScenarioStep& step, Stage& stage)
 {
-    const auto press = [&](bool is_down) {
-        state_.is_left_down = is_down;
-        push();
-        push();
+    const auto move_there = [&](const auto& words) {
+        const PointerPlace place = found(step, words.at, stage);
+        state_.held = words.held;
+        if (state_.is_left_down) glide_to(place);
+        else move_to(place);
     };
+    state_.held = {};
     std::visit(Overloaded{
                    [&](const step::Click& click) {
-                       move_to(found(step, click.at, stage));
-                       press(true);
-                       press(false);
+                       move_there(click);
+                       hold_button(true);
+                       hold_button(false);
                    },
-                   [&](const step::Hover& hover) { move_to(found(step, hover.at, stage)); },
+                   [&](const step::Hover& hover) { move_there(hover); },
                    [&](const step::Drag& drag) {
-                       const PointerPlace from = found(step, drag.from, stage);
                        const PointerPlace to = found(step, drag.to, stage);
-                       move_to(from);
-                       press(true);
-                       for (int i = 1; i <= n_drag_frames; ++i) {
-                           const double t = static_cast<double>(i) / n_drag_frames;
-                           state_.pointer = {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
-                           push();
-                       }
-                       press(false);
+                       move_there(step::Hover{drag.from, drag.held});
+                       hold_button(true);
+                       glide_to(to);
+                       hold_button(false);
+                   },
+                   [&](const step::PressButton& press) {
+                       move_there(press);
+                       hold_button(true);
+                   },
+                   [&](const step::ReleaseButton& release) {
+                       state_.held = release.held;
+                       hold_button(false);
                    },
                    [&](const step::Wheel& wheel) {
-                       move_to(found(step, wheel.at, stage));
+                       move_there(wheel);
                        push(wheel.turns);
                        push();
                    },

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "ui/command/chord.h"
@@ -25,6 +26,7 @@ struct InputFrame {
     PointerPlace pointer;
     bool is_left_down = false;
     double wheel = 0.0;
+    Modifiers held{};           ///< with the mouse; those of `key` come with it
     std::optional<Chord> key{}; ///< pressed in this frame and released in the next
     std::string text{};         ///< typed
 
@@ -36,7 +38,9 @@ class Stage {
 public:
     virtual ~Stage() = default;
 
-    virtual std::optional<PointerPlace> find(std::string_view place) = 0;
+    /// The place, or what was wanted instead of these words: "a node of the model: A, B, C".
+    using Sought = std::variant<PointerPlace, std::string>;
+    virtual Sought find(std::string_view place) = 0;
     virtual std::optional<std::string> run_command(std::string_view id, std::string_view argument) = 0;
     virtual std::optional<std::string> take_picture(std::string_view name) = 0;
     virtual std::optional<std::string> expect(std::string_view words) = 0;
@@ -64,6 +68,8 @@ public:
 private:
     void begin(const ScenarioStep& step, Stage& stage);
     void move_to(PointerPlace place);
+    void glide_to(PointerPlace place);
+    void hold_button(bool is_down);
     void push(double wheel = 0.0);
 
     std::vector<ScenarioStep> steps_;

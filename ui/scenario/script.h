@@ -16,6 +16,8 @@ namespace ui {
 ///     click PLACE              presses and releases the left button
 ///     hover PLACE              moves the pointer
 ///     drag PLACE to PLACE      presses, moves in small steps, releases
+///     press PLACE              presses and goes on holding the button
+///     release                  releases it where the pointer is
 ///     wheel PLACE TURNS        turns the wheel; positive is away from the hand
 ///     key CHORD                Ctrl+Z, F, Esc
 ///     type "TEXT"              \" and \\ stand for themselves
@@ -24,20 +26,33 @@ namespace ui {
 ///     picture NAME             keeps the picture as it is then
 ///     expect WORDS             the app checks itself and says what it found instead
 ///
+/// What the mouse does can be done with keys held: `Shift+click node B`, `Alt+drag (2, 0) to (2.3, 1)`.
 /// A PLACE is words that the app understands: `node B`, `member AB 50%`, `(2, 0)`, `pixel 400 300`.
+/// courseware/reference/scenarios.md says it all.
 namespace step {
 struct Click {
     std::string at;
+    Modifiers held{};
 };
 struct Hover {
     std::string at;
+    Modifiers held{};
 };
 struct Drag {
     std::string from, to;
+    Modifiers held{};
+};
+struct PressButton {
+    std::string at;
+    Modifiers held{};
+};
+struct ReleaseButton {
+    Modifiers held{};
 };
 struct Wheel {
     std::string at;
     double turns = 0.0;
+    Modifiers held{};
 };
 struct Press {
     Chord chord;
@@ -61,12 +76,13 @@ struct Expect {
 
 struct ScenarioStep {
     std::size_t line = 0; ///< of the script, from 1
-    std::variant<step::Click, step::Hover, step::Drag, step::Wheel, step::Press, step::Type, step::RunCommand,
-                 step::Wait, step::TakePicture, step::Expect>
+    std::variant<step::Click, step::Hover, step::Drag, step::PressButton, step::ReleaseButton, step::Wheel, step::Press,
+                 step::Type, step::RunCommand, step::Wait, step::TakePicture, step::Expect>
         what;
 };
 
-/// What is wrong with a script or went wrong while it was played: "line 3: no node K".
+/// What is wrong with a script or went wrong while it was played: `line 3: found "node K", wanted a node of
+/// the model: A, B, C`.
 class ScenarioError : public std::runtime_error {
 public:
     ScenarioError(std::size_t line, const std::string& what)

@@ -33,7 +33,9 @@ public:
     void frame(const ui::Input& input);
 
     Desk& desk() { return desk_; }
+    const Desk& desk() const { return desk_; }
     Session& session() { return desk_.session; }
+    const Session& session() const { return desk_.session; }
     const CommandTable& commands() const { return commands_; }
     const Canvas& canvas() const { return canvas_; }
     /// Something moves by itself, so frames must follow one another.
@@ -46,7 +48,6 @@ public:
     /// Writes the picture, the results or a report to a file (export.h), and tells how it went. \returns why it cannot
     std::optional<ui::Phrase> export_as(const std::filesystem::path& path);
     std::string window_title() const;
-    /// A heading of a panel that a scenario can click; panels are found by what they show.
     ui::ImGuiSession& gui() { return gui_; }
     TablesPanel& tables() { return tables_; }
 

@@ -13,11 +13,11 @@
 
 namespace frame {
 
-/// The frame app as scenarios see it, without a screen.
+/// The frame app as scenarios see it, without a screen. What can be expected of it: expectation.h.
 ///
-///     places        node B | member AB 50% | member AB 2.5 | (2, 0) model point | pixel 400 300 | TEXT of a widget: no
-///     expectations  member AB M at 50% is -12.5 kN*m       within 4 digits
-///                   undo "Change ..."   selection Node B   case ULS   problems 0   file portal.json
+///     places      node B | member AB 50% | member AB 2.5 | (2, 0) model point | pixel 400 300
+///     arguments   file.open, file.save, file.export, file.export_table take a path; template.VERB and section.VERB set
+///                 a typical structure and a section that are being made
 class OffscreenStage final : public ui::Stage {
 public:
     using KeepPicture = std::function<void(std::string_view name, const ui::Pixels&, Application&)>;
@@ -26,7 +26,7 @@ public:
         : context_(context), application_(application), keep_(std::move(keep))
     {}
 
-    std::optional<ui::PointerPlace> find(std::string_view place) override;
+    Sought find(std::string_view place) override;
     std::optional<std::string> run_command(std::string_view id, std::string_view argument) override;
     std::optional<std::string> take_picture(std::string_view name) override;
     std::optional<std::string> expect(std::string_view words) override;

@@ -1,7 +1,7 @@
 // What comes in between: files dropped while something is made, dialogs that were given up.
 #include "apps/frame/session/tabs.h"
 #include "apps/frame/window/stage.h"
-#include "tests/apps/frame_window/played.h"
+#include "tests/apps/frame_window/opened.h"
 #include "tests/golden/scene.h"
 
 #include <doctest/doctest.h>

@@ -9,11 +9,11 @@ namespace {
 struct Recorder final : ui::Stage {
     std::vector<std::string> asked;
 
-    std::optional<ui::PointerPlace> find(std::string_view place) override
+    Sought find(std::string_view place) override
     {
         if (place == "node A") return ui::PointerPlace{100.0, 40.0};
         if (place == "node B") return ui::PointerPlace{340.0, 88.0};
-        return std::nullopt;
+        return "a node: A, B";
     }
     std::optional<std::string> run_command(std::string_view id, std::string_view argument) override
     {
@@ -109,18 +109,47 @@ TEST_SUITE("ui scenario")
               std::vector<std::string>{"command view.fit|", "picture first", "command file.open|a b.json"});
     }
 
-    TEST_CASE("What is wrong is named with its line")
+    TEST_CASE("Keys are held while the mouse works, and only then")
     {
-        CHECK(complaint("click node A\nclick node K") == "line 2: no place \"node K\"");
+        Recorder stage;
+        const auto frames = played("Ctrl+Shift+click node A\nhover node B\nAlt+drag node A to node B", stage);
+        for (std::size_t i = 0; i < 6; ++i) CHECK(frames[i].held == ui::ctrl_shift);
+        for (std::size_t i = 6; i < 8; ++i) CHECK(frames[i].held == ui::no_modifiers);
+        CHECK(frames.back().held == ui::Modifiers{.alt = true});
+    }
+
+    TEST_CASE("A button that is pressed is held over other steps until it is released")
+    {
+        Recorder stage;
+        const auto frames = played("press node A\nhover node B\nkey Esc\nrelease\nhover node A", stage);
+        REQUIRE(frames.size() == 4 + 12 + 2 + 2 + 2);
+        CHECK(frames[3].is_left_down);
+        CHECK(frames[4 + 5].pointer.x == doctest::Approx(220.0)); // half way
+        CHECK(frames[4 + 12 + 1].is_left_down);
+        CHECK_FALSE(frames[4 + 12 + 2].is_left_down);
+        CHECK(frames[4 + 12 + 2].pointer == ui::PointerPlace{340.0, 88.0});
+    }
+
+    TEST_CASE("What is wrong is told with its line, what was found and what is wanted")
+    {
+        CHECK(complaint("click node A\nclick node K") == "line 2: found \"node K\", wanted a node: A, B");
         CHECK(complaint("expect redo") == "line 1: found something else");
-        CHECK(complaint("\nkey Hyper+Q") == "line 2: no key \"Hyper+Q\"");
-        CHECK(complaint("click") == "line 1: click wants a place");
-        CHECK(complaint("drag node A") == "line 1: drag wants a place, \"to\" and a place");
-        CHECK(complaint("wheel node A fast") == "line 1: expected a number, found \"fast\"");
-        CHECK(complaint("wait -1") == "line 1: wait wants between 0 and 600 seconds");
-        CHECK(complaint("type 4") == "line 1: type wants a text in quotes");
-        CHECK(complaint("jump") ==
-              "line 1: no step \"jump\"; there are click, hover, drag, wheel, key, type, command, wait, "
-              "picture and expect");
+        CHECK(complaint("\nkey Hyper+Q") ==
+              "line 2: key: found \"Hyper+Q\", wanted a key, such as M, Ctrl+Shift+Z, F5 or Esc");
+        CHECK(complaint("click") ==
+              "line 1: click: found nothing, wanted a place, such as node B, member AB 50%, (2, 0) or pixel 400 300");
+        CHECK(complaint("drag node A") ==
+              "line 1: drag: found \"node A\", wanted a place, \"to\" and a place: node B to (2, 1)");
+        CHECK(complaint("wheel node A fast") == "line 1: wheel: found \"fast\", wanted a number of turns");
+        CHECK(complaint("release node A") ==
+              "line 1: release: found \"node A\", wanted no place; hover moves the pointer");
+        CHECK(complaint("wait -1") == "line 1: wait: found \"-1\", wanted between 0 and 600 seconds");
+        CHECK(complaint("type 4") == "line 1: type: found \"4\", wanted a text in quotes: \"4<30\"");
+        CHECK(complaint("Hyper+click node A") ==
+              "line 1: click: found \"Hyper\", wanted Ctrl, Shift or Alt before a step of the mouse");
+        CHECK(complaint("Shift+key A") ==
+              "line 1: key: found \"Shift+key\", wanted a step of the mouse after a key that is held");
+        CHECK(complaint("jump") == "line 1: found \"jump\", wanted a step: click, hover, drag, press, release, wheel, "
+                                   "key, type, command, wait, picture or expect");
     }
 }

@@ -1,0 +1,236 @@
+#include "apps/frame/window/expectation.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "apps/frame/session/edit_commands.h"
+#include "apps/frame/session/tabs.h"
+#include "apps/frame/view/geometry/structure_shape.h"
+#include "apps/frame/view/reading.h"
+#include "apps/frame/view/sketch/scene.h"
+#include "ui/paint/surface/golden_text.h"
+#include "ui/text/number_format.h"
+
+namespace frame {
+
+namespace {
+
+using Complaint = std::optional<std::string>;
+
+// "50%" or a length from the start.
+std::optional<double> along(std::string_view text, double length)
+{
+    if (text.ends_with('%')) {
+        const auto percent = ui::number_typed(text.substr(0, text.size() - 1));
+        return percent ? std::optional(0.01 * *percent * length) : std::nullopt;
+    }
+    return ui::number_typed(text);
+}
+
+std::string joined(const std::vector<std::string>& words, std::size_t first)
+{
+    std::string text;
+    for (std::size_t i = first; i < words.size(); ++i) text += (i > first ? " " : "") + words[i];
+    return text;
+}
+
+Complaint compared(std::string_view what, const std::string& found, const std::string& wanted)
+{
+    if (found == wanted) return std::nullopt;
+    return std::string(what) + ": found " + found + ", wanted " + wanted;
+}
+
+// member AB M at 50% is -12.5 kN·m
+Complaint value(const Application& application, std::string_view text)
+{
+    constexpr const char* form = "value: wanted member NAME QUANTITY at PLACE is VALUE, such as "
+                                 "\"member AB M at 50% is -12.5 kN·m\"";
+    const std::vector<std::string> words = words_of(text);
+    const bool is_understood = words.size() >= 7 && words[0] == "member" && words[3] == "at" && words[5] == "is";
+    if (!is_understood) return form;
+    const Session& session = application.session();
+    const auto cut = cut_at(session.model(), words[1], words[4]);
+    if (!cut) return "value: found no place " + words[4] + " of a member \"" + words[1] + "\"";
+    if (!session.solution().results) return "value: found no results; expect problems 0 to see why";
+    std::string names;
+    for (const ReadingLine& line : reading(session.model(), *session.solution().results, session.view, *cut)) {
+        if (line.name == words[2]) return compared(line.name, line.value, with_minus(joined(words, 6)));
+        names += (names.empty() ? "" : ", ") + line.name;
+    }
+    return "value: found \"" + words[2] + "\", wanted one of " + names;
+}
+
+// B at (2, 4)
+Complaint node(const Application& application, std::string_view text)
+{
+    const std::vector<std::string> words = words_of(text);
+    const femoop::Model& model = application.session().model();
+    const auto id = words.empty() ? std::nullopt : model.find_node(words[0]);
+    if (!id) return "node: found no node \"" + (words.empty() ? "" : words[0]) + "\" in the model";
+    const auto wanted = words.size() >= 3 && words[1] == "at" ? point_in(joined(words, 2)) : std::nullopt;
+    if (!wanted) return "node: wanted NAME at (X, Y)";
+    constexpr double tolerance = 1e-3; // places are written with few digits
+    const Eigen::Vector3d found = shape_of(model)[*id];
+    if ((found - *wanted).norm() <= tolerance) return std::nullopt;
+    std::ostringstream place;
+    place << '(' << found.x() << ", " << found.y();
+    if (femoop::n_coordinates(model.analysis) == 3) place << ", " << found.z();
+    return "node " + words[0] + ": found at " + place.str() + "), wanted " + joined(words, 2);
+}
+
+std::string unquoted(std::string_view text)
+{
+    const bool is_quoted = text.size() >= 2 && text.front() == '"' && text.back() == '"';
+    return std::string(is_quoted ? text.substr(1, text.size() - 2) : text);
+}
+
+bool is_drawn(const Application& application, const std::string& text)
+{
+    const auto& picture = application.canvas().picture();
+    return picture && ui::golden_text(*picture).find(" \"" + text + "\"\n") != std::string::npos;
+}
+
+Complaint drawn(const Application& application, std::string_view text)
+{
+    const std::string wanted = unquoted(text);
+    if (is_drawn(application, wanted)) return std::nullopt;
+    return "drawn: found no string \"" + wanted + "\" in the picture";
+}
+
+// drawn "58.52"
+Complaint not_drawn(const Application& application, std::string_view text)
+{
+    constexpr std::string_view prefix = "drawn ";
+    if (!text.starts_with(prefix)) return "not: wanted drawn \"TEXT\"";
+    const std::string unwanted = unquoted(text.substr(prefix.size()));
+    if (!is_drawn(application, unwanted)) return std::nullopt;
+    return "not drawn: found the string \"" + unwanted + "\" in the picture";
+}
+
+// extremes.csv "Member;N max"
+Complaint written(std::string_view text)
+{
+    const std::size_t blank = std::min(text.find(' '), text.size());
+    const std::string name(text.substr(0, blank)), wanted = unquoted(text.substr(std::min(blank + 1, text.size())));
+    std::ifstream file(name, std::ios::binary);
+    if (!file) return "written: found no file " + name;
+    const std::string found{std::istreambuf_iterator<char>(file), {}};
+    if (found.find(wanted) != std::string::npos) return std::nullopt;
+    return "written: found no \"" + wanted + "\" in " + name;
+}
+
+std::string selection_text(const Session& session)
+{
+    const ui::Catalogue english;
+    std::string text;
+    for (const Part& part : session.selection.parts())
+        text += (text.empty() ? "" : ", ") + english(title(session.model(), part));
+    return text.empty() ? "nothing" : text;
+}
+
+std::string sentence_or_nothing(const std::optional<ui::Phrase>& phrase)
+{
+    return phrase ? ui::Catalogue()(*phrase) : "nothing";
+}
+
+std::string tool_in(const Hand& hand)
+{
+    return std::string(std::ranges::find(tools(), hand.kind(), &ToolEntry::tool)->id);
+}
+
+std::size_t n_loads(const femoop::Model& model)
+{
+    std::size_t n = 0;
+    for (const femoop::LoadCase& load_case : model.load_cases) n += load_case.nodes.size() + load_case.members.size();
+    return n;
+}
+
+/// One word that stands for something of the app.
+struct Fact {
+    std::string_view name;
+    std::string (*found)(const Application&);
+};
+constexpr std::array facts{
+    Fact{"nodes", [](const Application& a) { return std::to_string(a.session().model().nodes.size()); }},
+    Fact{"members", [](const Application& a) { return std::to_string(a.session().model().members.size()); }},
+    Fact{"loads", [](const Application& a) { return std::to_string(n_loads(a.session().model())); }},
+    Fact{"undo", [](const Application& a) { return sentence_or_nothing(a.session().history().undo_label()); }},
+    Fact{"redo", [](const Application& a) { return sentence_or_nothing(a.session().history().redo_label()); }},
+    Fact{"selection", [](const Application& a) { return selection_text(a.session()); }},
+    Fact{"case", [](const Application& a) { return a.session().model().case_name(a.session().view.load_case); }},
+    Fact{"problems", [](const Application& a) { return std::to_string(a.session().solution().faults.size()); }},
+    Fact{"notice",
+         [](const Application& a) {
+             const auto& notice = a.session().notice;
+             return sentence_or_nothing(notice ? std::optional(notice->sentence) : std::nullopt);
+         }},
+    Fact{"tool", [](const Application& a) { return tool_in(a.desk().hand); }},
+    Fact{"typed",
+         [](const Application& a) {
+             const std::string& typed = a.desk().hand.typed();
+             return typed.empty() ? "nothing" : typed;
+         }},
+    Fact{"file", [](const Application& a) { return a.session().file_name(); }},
+    Fact{"tabs", [](const Application& a) { return std::to_string(n_tabs(a.desk())); }},
+    Fact{"changed", [](const Application& a) { return std::string(a.session().is_dirty() ? "yes" : "no"); }},
+};
+
+std::string names_of_facts()
+{
+    std::string names = "value, node, drawn, not drawn, written";
+    for (const Fact& fact : facts) names += ", " + std::string(fact.name);
+    return names;
+}
+
+} // namespace
+
+std::vector<std::string> words_of(std::string_view text)
+{
+    std::istringstream stream{std::string(text)};
+    std::vector<std::string> words;
+    for (std::string word; stream >> word;) words.push_back(word);
+    return words;
+}
+
+std::optional<Cut> cut_at(const femoop::Model& model, const std::string& member, std::string_view at)
+{
+    const auto id = model.find_member(member);
+    if (!id) return std::nullopt;
+    const auto x = along(at, shape_of(model)[*id].length);
+    return x ? std::optional(Cut{*id, *x}) : std::nullopt;
+}
+
+std::optional<Eigen::Vector3d> point_in(std::string_view text)
+{
+    if (text.size() < 5 || text.front() != '(' || text.back() != ')') return std::nullopt;
+    std::istringstream stream{std::string(text.substr(1, text.size() - 2))};
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();
+    std::string coordinate;
+    Eigen::Index i = 0;
+    for (; i < 3 && std::getline(stream, coordinate, ','); ++i) {
+        const auto value = ui::number_typed(coordinate);
+        if (!value) return std::nullopt;
+        point[i] = *value;
+    }
+    return i >= 2 ? std::optional(point) : std::nullopt;
+}
+
+std::optional<std::string> why_not(std::string_view expectation, const Application& application)
+{
+    const std::size_t blank = std::min(expectation.find(' '), expectation.size());
+    const std::string_view what = expectation.substr(0, blank);
+    const std::string_view rest = expectation.substr(std::min(blank + 1, expectation.size()));
+    if (what == "value") return value(application, rest);
+    if (what == "node") return node(application, rest);
+    if (what == "drawn") return drawn(application, rest);
+    if (what == "written") return written(rest);
+    if (what == "not") return not_drawn(application, rest);
+    const auto fact = std::ranges::find(facts, what, &Fact::name);
+    if (fact != facts.end()) return compared(what, fact->found(application), std::string(rest));
+    return "expect: found \"" + std::string(what) + "\", wanted one of " + names_of_facts();
+}
+
+} // namespace frame

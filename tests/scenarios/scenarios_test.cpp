@@ -1,0 +1,141 @@
+// Every scenario of this folder, played in the real window off screen: what it expects is found, and what it keeps
+// looks as it did.
+#include "apps/frame/window/stage.h"
+#include "tests/folder.h"
+#include "tests/golden/scene.h"
+#include "ui/paint/surface/golden_text.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+using namespace frame;
+
+namespace {
+
+const fs::path top = CREMONA_SOURCE_DIR;
+
+std::vector<fs::path> scenarios()
+{
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(top / "tests/scenarios"))
+        if (entry.path().extension() == ".scenario") files.push_back(entry.path());
+    std::ranges::sort(files);
+    return files;
+}
+
+std::string text_of(const fs::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// A scenario finds the files of the repository under their own paths, and what it writes is gone when it ends.
+class Workplace {
+public:
+    Workplace()
+    {
+        for (const char* name : {"examples", "tests"}) fs::create_directory_symlink(top / name, folder_.path() / name);
+        fs::current_path(folder_.path());
+    }
+    ~Workplace() { fs::current_path(home_); }
+    Workplace(const Workplace&) = delete;
+    Workplace& operator=(const Workplace&) = delete;
+
+private:
+    fs::path home_ = fs::current_path();
+    Folder folder_;
+};
+
+Session as_a_person_begins()
+{
+    Session session(starting_document());
+    session.view.layout = Layout::Overlay;
+    session.view.show = shown_by_default | ShowSet{Show::M};
+    return session;
+}
+
+void compare(std::string_view name, const ui::Pixels& pixels, Application& application)
+{
+    golden::check_picture(std::string(name), pixels, ui::golden_text(*application.canvas().picture()));
+}
+
+/// What went wrong, "" for nothing.
+std::string played(const std::string& script)
+{
+    const Workplace workplace;
+    const ui::Fonts fonts;
+    std::string complaint;
+    golden::if_drawn(
+        [&] {
+            ui::Offscreen context({.size = {1280, 800}});
+            Application application(context, fonts, as_a_person_begins());
+            try {
+                play(script, context, application, compare);
+            } catch (const ui::ScenarioError& error) {
+                complaint = error.what();
+            }
+            return context.pixels();
+        },
+        golden::this_machine());
+    return complaint;
+}
+
+// The blocks of a page that are marked as scenarios, one after the other.
+std::string scenario_on(const std::string& page)
+{
+    constexpr std::string_view begin = "```scenario\n", end = "```\n";
+    std::string script;
+    for (std::size_t at = page.find(begin); at != std::string::npos; at = page.find(begin, at)) {
+        at += begin.size();
+        script += page.substr(at, page.find(end, at) - at);
+    }
+    return script;
+}
+
+} // namespace
+
+TEST_CASE("The steps on the reference page of scenarios can be played")
+{
+    const std::string script = scenario_on(text_of(top / "courseware/reference/scenarios.md"));
+    CHECK(script.starts_with("# "));
+    CHECK(played(script) == "");
+}
+
+TEST_CASE("What goes wrong in a scenario is told with its line, what was found and what was wanted")
+{
+    const std::string open = "command file.open examples/portal.json\n";
+    CHECK(played(open + "click node K") == "line 2: found \"node K\", wanted a node of the model: A, B, C, D");
+    CHECK(played(open + "click member XY 50%") ==
+          "line 2: found \"member XY 50%\", wanted a place along a member of the model: AB, BC, CD");
+    CHECK(played(open + "hover beam") ==
+          "line 2: found \"beam\", wanted a place: node B, member AB 50%, member AB 2.5, "
+          "(2, 0) or pixel 400 300");
+    CHECK(played(open + "expect value member BC M at 50% is 60 kN·m") == "line 2: M: found 58.52 kN·m, wanted 60 kN·m");
+    CHECK(played(open + "expect value member BC Q at 50% is 0 kN") ==
+          "line 2: value: found \"Q\", wanted one of x, N, V, M, u, v");
+    CHECK(played(open + "expect node C at (8, 6)") == "line 2: node C: found at (8, 4.5), wanted (8, 6)");
+    CHECK(played(open + "expect undo Draw a member") == "line 2: undo: found nothing, wanted Draw a member");
+    CHECK(played(open + "command edit.jump") ==
+          "line 2: found command \"edit.jump\", wanted one of the app's; the palette (Ctrl+K) lists them");
+    CHECK(played(open + "expect luck").starts_with("line 2: expect: found \"luck\", wanted one of value, node, drawn"));
+}
+
+TEST_CASE("Every scenario begins with its claim and is played to its end")
+{
+    for (const fs::path& file : scenarios()) {
+        SUBCASE(file.stem().c_str())
+        {
+            CAPTURE(file.string());
+            const std::string script = text_of(file);
+            CHECK(script.starts_with("# "));
+            CHECK(played(script) == "");
+        }
+    }
+}
