@@ -1,5 +1,7 @@
 #include "femoop/analysis/trace.h"
 
+#include <algorithm>
+
 #include "femoop/analysis/assembly.h"
 #include "femoop/model/check/check.h"
 
@@ -18,14 +20,85 @@ std::vector<int> numbered_by_node(const Structure& structure, const Equations& e
     return place;
 }
 
+/// The axes of a member that matter to a trace: those it works in, and for a truss member those across it too, along
+/// which it carries loads as a simple beam.
+template <AnalysisKind kind> std::vector<LocalAxis> traced_axes()
+{
+    if (kind == AnalysisKind::Truss2d) return {LocalAxis::x, LocalAxis::y};
+    if (kind == AnalysisKind::Truss3d) return {LocalAxis::x, LocalAxis::y, LocalAxis::z};
+    return {AnalysisModel<kind>::local.begin(), AnalysisModel<kind>::local.end()};
+}
+
+/// One member's numbers, over the traced axes of its two ends.
+template <AnalysisKind kind> class Tracer {
+public:
+    using Element = MemberElement<kind>;
+
+    Tracer(const Element& element, const MemberExtras* extras) : element_(element)
+    {
+        const bool is_bar = extras != nullptr && extras->is_bar;
+        spans_simply_ = is_truss(kind) || is_bar;
+    }
+
+    Eigen::MatrixXd stiffness() const
+    {
+        Eigen::MatrixXd K = Eigen::MatrixXd::Zero(size(), size());
+        const auto worked = worked_rows();
+        K(worked, worked) = element_.local_stiffness();
+        return K;
+    }
+
+    Eigen::MatrixXd transformation() const
+    {
+        Eigen::MatrixXd T = Eigen::MatrixXd::Zero(size(), 2 * Element::n);
+        for (Eigen::Index end = 0; end < 2; ++end)
+            for (Eigen::Index i = 0; i < n_axes(); ++i)
+                T.block<1, Element::n>(end * n_axes() + i, end * Element::n) = element_.transformation_row(
+                    static_cast<std::size_t>(end), axes_[static_cast<std::size_t>(i)]);
+        return T;
+    }
+
+    Eigen::VectorXd fixed_end_forces(const SpanLoading& loading) const
+    {
+        Eigen::VectorXd f = Eigen::VectorXd::Zero(size());
+        f(worked_rows()) = element_.local_fixed_end_forces(loading);
+        if (!spans_simply_) return f;
+        for (const BendingPlane plane : {BendingPlane::xy, BendingPlane::xz}) {
+            const Eigen::Index row = place_of(force_axis(plane));
+            if (row == n_axes()) continue;
+            const Eigen::Vector2d reactions = Beam::simple_span_forces(loading, plane);
+            f[row] += reactions[0];
+            f[n_axes() + row] += reactions[1];
+        }
+        return f;
+    }
+
+private:
+    Eigen::Index n_axes() const { return static_cast<Eigen::Index>(axes_.size()); }
+    Eigen::Index size() const { return 2 * n_axes(); }
+    Eigen::Index place_of(LocalAxis axis) const { return std::ranges::find(axes_, axis) - axes_.begin(); }
+
+    /// Where the element's own rows stand among the traced ones.
+    std::vector<Eigen::Index> worked_rows() const
+    {
+        std::vector<Eigen::Index> rows;
+        for (Eigen::Index end = 0; end < 2; ++end)
+            for (const LocalAxis axis : AnalysisModel<kind>::local) rows.push_back(end * n_axes() + place_of(axis));
+        return rows;
+    }
+
+    const Element& element_;
+    std::vector<LocalAxis> axes_ = traced_axes<kind>();
+    bool spans_simply_;
+};
+
 template <AnalysisKind kind> MemberTrace trace_of(const Model& model, const Structure& structure, MemberId member)
 {
-    constexpr int n = MemberElement<kind>::n;
-    constexpr int m = MemberElement<kind>::m;
     const Equations equations(structure, SolverKind::Automatic);
     const Assembly<kind> assembly(structure, equations);
     const MemberFrame frame = structure.frame(member);
     const auto element = assembly.element(member, frame);
+    const Tracer<kind> tracer(element, structure.extras_of(member));
 
     MemberTrace trace;
     trace.member = model[member].id;
@@ -33,10 +106,8 @@ template <AnalysisKind kind> MemberTrace trace_of(const Model& model, const Stru
     for (const NodeId node : model[member].nodes)
         for (const Dof dof : AnalysisModel<kind>::global)
             trace.dofs.push_back(model[node].id + "." + std::string(name(dof)));
-    trace.local_stiffness = element.local_stiffness();
-    trace.transformation = Eigen::MatrixXd::Zero(2 * m, 2 * n);
-    trace.transformation.topLeftCorner(m, n) = element.transformation(0);
-    trace.transformation.bottomRightCorner(m, n) = element.transformation(1);
+    trace.local_stiffness = tracer.stiffness();
+    trace.transformation = tracer.transformation();
     trace.global_stiffness = element.stiffness();
     const std::vector<int> places = numbered_by_node(structure, equations);
     for (const std::int32_t row : assembly.node_equations(member))
@@ -49,7 +120,7 @@ template <AnalysisKind kind> MemberTrace trace_of(const Model& model, const Stru
         loading.assign(frame.length, terms, structure.properties_of(member).xy.longest_piece(),
                        structure.properties_of(member).xy.settling());
         trace.fixed_end.push_back({.load_case = model.load_cases[c].id,
-                                   .local = element.local_fixed_end_forces(loading),
+                                   .local = tracer.fixed_end_forces(loading),
                                    .global = element.fixed_end_forces(loading)});
     }
     return trace;

@@ -13,13 +13,15 @@ namespace femoop {
 struct MemberTrace {
     struct FixedEnd {
         std::string load_case;
-        Eigen::VectorXd local;  ///< fixed-end forces on the member in its own axes, releases included
+        Eigen::VectorXd local;  ///< fixed-end forces on the member in its own axes, releases included; what trusses'
+                                ///< members and bars carry as simple beams stands across their axis
         Eigen::VectorXd global; ///< in the axes of the nodes: global, or those of a support that is turned
     };
     std::string member;
     std::vector<std::string> dofs; ///< of the rows: "A.ux", "A.uy", "A.rz", "B.ux", ...
     double length = 0.0;
-    Eigen::MatrixXd local_stiffness;  ///< in the member's axes, releases and springs condensed
+    /// In the member's axes, releases and springs condensed; of a truss member across its axis too, where it is 0.
+    Eigen::MatrixXd local_stiffness;
     Eigen::MatrixXd transformation;   ///< T: local = T u in the axes of the nodes, rigid offsets included
     Eigen::MatrixXd global_stiffness; ///< T^T k T
     std::vector<FixedEnd> fixed_end;  ///< one per load case

@@ -128,8 +128,15 @@ template <AnalysisKind kind> auto MemberElement<kind>::transformation(std::size_
 {
     Transformation T;
     for (int i = 0; i < m; ++i)
-        T.row(i) = transformation_row<kind>(AnalysisModel<kind>::local[i], frame_, offset(extras_, end));
+        T.row(i) = femoop::transformation_row<kind>(AnalysisModel<kind>::local[i], frame_, offset(extras_, end));
     return node_axes_[end] == nullptr ? T : Transformation(T * *node_axes_[end]);
+}
+
+template <AnalysisKind kind>
+auto MemberElement<kind>::transformation_row(std::size_t end, LocalAxis axis) const -> Eigen::Matrix<double, 1, n>
+{
+    const auto row = femoop::transformation_row<kind>(axis, frame_, offset(extras_, end));
+    return node_axes_[end] == nullptr ? row : Eigen::Matrix<double, 1, n>(row * *node_axes_[end]);
 }
 
 template <AnalysisKind kind> Beam MemberElement<kind>::own_beam(BendingPlane plane) const
@@ -335,8 +342,7 @@ auto MemberElement<kind>::simple_span_forces(const SpanLoading& loading) const -
     for (const BendingPlane plane : {BendingPlane::xy, BendingPlane::xz}) {
         const Eigen::Vector2d reactions = Beam::simple_span_forces(loading, plane);
         for (std::size_t end = 0; end < 2; ++end) {
-            Eigen::Matrix<double, 1, n> row = transformation_row<kind>(force_axis(plane), frame_, offset(extras_, end));
-            if (node_axes_[end] != nullptr) row = (row * *node_axes_[end]).eval();
+            const auto row = transformation_row(end, force_axis(plane));
             F.template segment<n>(static_cast<int>(end) * n) += reactions[static_cast<int>(end)] * row.transpose();
         }
     }

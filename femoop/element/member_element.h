@@ -98,6 +98,8 @@ public:
 
     /// Displacements of an end, in the member's axes, from those of its node: local = T node, rigid arms included.
     Transformation transformation(std::size_t end) const;
+    /// The same for one axis of the member, also for one that it does not resist along.
+    Eigen::Matrix<double, 1, n> transformation_row(std::size_t end, LocalAxis axis) const;
 
 private:
     Beam own_beam(BendingPlane plane) const;

@@ -414,6 +414,8 @@ void add_extremes(std::vector<std::string>& lines, const Model& model, const Cas
 
 std::string indeterminacy_words(const Indeterminacy& degree, const Words& words)
 {
+    if (degree.has_foundation)
+        return words.tr("The structure is statically indeterminate: members stand on a continuous foundation");
     if (degree.total() == 0) return words.tr("The structure is statically determinate");
     return fill(words.tr("The structure is statically indeterminate to degree {0} (external {1}, internal {2})"),
                 {std::to_string(degree.total()), std::to_string(degree.external), std::to_string(degree.internal)});

@@ -25,7 +25,7 @@ using NodeVector = std::array<double, n_dofs>;
 struct Indeterminacy {
     int external = 0;
     int internal = 0;
-    bool has_foundation = false; ///< a continuous foundation makes the true number infinite; it is not counted
+    bool has_foundation = false; ///< a continuous foundation makes the true number infinite: the two leave it out
     int total() const { return external + internal; }
 };
 
@@ -34,6 +34,15 @@ struct Equilibrium {
     double residual = 0.0;      ///< largest out-of-balance force over the largest load
     NodeVector sum_loads{};     ///< moments about the origin
     NodeVector sum_reactions{}; ///< supports, springs and foundations
+};
+
+/// How large the numbers of a case are, those that cancel included (what heat would do to members that cannot give way),
+/// and what the structure's size makes of one kind out of the other. A number far below is nothing but rounding.
+struct Magnitudes {
+    double force = 0.0;
+    double moment = 0.0;
+    double displacement = 0.0;
+    double rotation = 0.0;
 };
 
 struct MemberFrame {
@@ -55,6 +64,7 @@ public:
     bool is_supported(NodeId node) const;       ///< has a support, so a reaction
     NodeVector reaction(NodeId node) const;     ///< what the support does to the structure, global axes
     Curve curve(MemberId member) const;         ///< the exact solution along the member
+    Magnitudes magnitudes() const; ///< goes through the whole structure
     Equilibrium equilibrium()
         const; ///< of a combination: sums by superposition, the largest residual of its load cases
 

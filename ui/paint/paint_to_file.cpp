@@ -3,8 +3,8 @@
 #include "ui/paint/surface/golden_text.h"
 #include "ui/paint/surface/pdf.h"
 #include "ui/paint/surface/svg.h"
+#include "ui/paint/surface/write_file.h"
 
-#include <fstream>
 #include <stdexcept>
 
 namespace ui {
@@ -42,12 +42,7 @@ void paint_to_svg(const std::filesystem::path& path, const Sheet& sheet, const D
 {
     const Fonts fonts;
     const Picture picture = painted(sheet, fonts, drawing);
-    std::ofstream out(path, std::ios::binary);
-    out << svg_document(picture, fonts, sheet.background);
-    out.flush();
-    if (!out)
-        throw std::runtime_error("file " + path.string() +
-                                 ": cannot be written; check that its folder exists and may be written to");
+    write_file(path, svg_document(picture, fonts, sheet.background));
 }
 
 void paint_to_pdf(const std::filesystem::path& path, const Sheet& sheet, const Drawing& drawing)

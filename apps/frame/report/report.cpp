@@ -108,7 +108,7 @@ private:
     }
     std::string degree() const
     {
-        if (!solution_.results) return "";
+        if (!solution_.results || solution_.results->indeterminacy().has_foundation) return "";
         return ", " + tr_("degree of indeterminacy {total}",
                           {{"total", std::to_string(solution_.results->indeterminacy().total())}});
     }
@@ -177,7 +177,7 @@ private:
     {
         heading(3, tr_("Equilibrium"));
         const Equilibrium equilibrium = result.equilibrium();
-        const CaseNumbers numbers(result, shape_of(model_), manner_.units);
+        const CaseNumbers numbers(result, manner_.units);
         Table sums{{{tr_("Force")}, {tr_("Loads"), true}, {tr_("Reactions"), true}}, {}};
         for (const Dof dof : equilibrium_dofs(model_.analysis)) {
             const ui::Measure measure = force_measures.of(dof);

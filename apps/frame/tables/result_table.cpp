@@ -24,7 +24,7 @@ namespace {
 class ResultRows {
 public:
     ResultRows(const TabledResults& shown, const Manner& manner)
-        : shown_(shown), manner_(manner), shape_(shape_of(shown.model)), kind_(shown.model.analysis)
+        : shown_(shown), manner_(manner), kind_(shown.model.analysis)
     {}
 
     Table displacements()
@@ -158,12 +158,11 @@ private:
     {
         const auto found = numbers_.find(of);
         if (found != numbers_.end()) return found->second;
-        return numbers_.emplace(of, CaseNumbers(shown_.results[of], shape_, manner_.units)).first->second;
+        return numbers_.emplace(of, CaseNumbers(shown_.results[of], manner_.units)).first->second;
     }
 
     TabledResults shown_;
     const Manner& manner_;
-    StructureShape shape_;
     AnalysisKind kind_;
     std::map<CaseId, CaseNumbers> numbers_;
     Table table_;

@@ -234,7 +234,7 @@ bool has(const femoop::Model& model, const femoop::Results& results, const ViewO
 std::vector<ReadingLine> lines(const Subject& subject, const femoop::CaseResult& result, const ui::DisplayUnits& units,
                                const Cut& cut)
 {
-    const CaseNumbers numbers(result, subject.shape(), units);
+    const CaseNumbers numbers(result, units);
     const femoop::Curve curve = result.curve(cut.member);
     std::vector<ReadingLine> list{{"x", numbers.text(cut.x, ui::Measure::Length), ui::Role::Label}};
     for (const MemberComponent component : femoop::member_components(subject.model().analysis))

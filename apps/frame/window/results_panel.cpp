@@ -180,7 +180,7 @@ void results_panel(Desk& desk)
     }
     const CaseResult result = (*results)[session.view.load_case];
     const ui::DisplayUnits units = session.units();
-    const ShownCase shown{session, result, units, CaseNumbers(result, shape_of(session.model()), units)};
+    const ShownCase shown{session, result, units, CaseNumbers(result, units)};
     ImGui::TextDisabled("%s", tr("Case {case}", {{"case", result.name()}}).c_str());
     if (ImGui::Button((tr("Tables with places (F4)") + "###tables").c_str()))
         desk.bottom = {true, TableKind::Extremes, false};

@@ -13,6 +13,15 @@ namespace {
 // As the second of two: hinges take more from the whole than the supports give.
 std::string summand(int number) { return number < 0 ? "(−" + std::to_string(-number) + ")" : std::to_string(number); }
 
+std::string degree_text(const femoop::Indeterminacy& degree, const ui::Catalogue& tr)
+{
+    if (degree.has_foundation) return tr("on an elastic foundation");
+    return tr("degree of indeterminacy {total} = {external} external + {internal} internal",
+              {{"total", std::to_string(degree.total())},
+               {"external", std::to_string(degree.external)},
+               {"internal", summand(degree.internal)}});
+}
+
 } // namespace
 
 void status_bar(const Session& session)
@@ -32,11 +41,7 @@ void status_bar(const Session& session)
     std::string text = tr("{nodes} nodes, {members} members", {{"nodes", std::to_string(model.nodes.size())},
                                                                {"members", std::to_string(model.members.size())}});
     if (const auto& results = session.solution().results) {
-        const femoop::Indeterminacy& degree = results->indeterminacy();
-        text += "   ·   " + tr("degree of indeterminacy {total} = {external} external + {internal} internal",
-                               {{"total", std::to_string(degree.total())},
-                                {"external", std::to_string(degree.external)},
-                                {"internal", summand(degree.internal)}});
+        text += "   ·   " + degree_text(results->indeterminacy(), tr);
     } else {
         text += "   ·   " + tr("not solved");
     }

@@ -1,6 +1,8 @@
 #include "femoop/io/results/results_table.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <numeric>
 #include <string_view>
@@ -49,24 +51,23 @@ std::string section(const std::string& title, const TextTable& table, const Tran
     return table.is_empty() ? std::string() : "\n" + title + "\n" + table.text(indent, decimal_mark(tr));
 }
 
-/// The columns from `first` on whose degree of freedom is a translation, and those whose is a rotation, each without
-/// the round-off of its kind.
-void silence_by_dimension(TextTable& table, const std::vector<Dof>& dofs, std::size_t first)
+/// 0 for what is nothing but round-off beside numbers of this size.
+double tidy(double value, double magnitude)
 {
-    std::vector<std::size_t> translations, rotations;
-    for (std::size_t i = 0; i < dofs.size(); ++i)
-        (is_rotation(dofs[i]) ? rotations : translations).push_back(first + i);
-    table.silence_round_off(translations);
-    table.silence_round_off(rotations);
+    constexpr double round_off = 1.0e-12;
+    return std::abs(value) < round_off * magnitude ? 0.0 : value;
 }
 
-void silence_by_dimension(TextTable& table, const std::vector<MemberComponent>& components, std::size_t first)
+double displacement_size(Dof dof, const Magnitudes& most)
 {
-    std::vector<std::size_t> forces, moments;
-    for (std::size_t i = 0; i < components.size(); ++i)
-        (is_moment(components[i]) ? moments : forces).push_back(first + i);
-    table.silence_round_off(forces);
-    table.silence_round_off(moments);
+    return is_rotation(dof) ? most.rotation : most.displacement;
+}
+double force_size(Dof dof, const Magnitudes& most) { return is_rotation(dof) ? most.moment : most.force; }
+
+double size_of(MemberComponent component, const Magnitudes& most)
+{
+    if (is_displacement(component)) return most.displacement;
+    return is_moment(component) ? most.moment : most.force;
 }
 
 std::string number_of(std::size_t n, std::string_view one, std::string_view many)
@@ -98,11 +99,12 @@ std::string counts(const Model& model, const Translator& tr)
 
 std::string indeterminacy_text(const Indeterminacy& degree, const Translator& tr)
 {
+    if (degree.has_foundation)
+        return tr("Degree of static indeterminacy: infinite, since members stand on a continuous foundation");
     const std::vector<std::string> numbers{std::to_string(degree.total()), std::to_string(degree.external),
                                            std::to_string(degree.internal)};
     std::string text = fill(tr("Degree of static indeterminacy: {0} (external {1}, internal {2})"), numbers);
-    if (degree.total() == 0 && !degree.has_foundation) text += ": " + tr("statically determinate");
-    if (degree.has_foundation) text += "; " + tr("the continuous foundation is not counted");
+    if (degree.total() == 0) text += ": " + tr("statically determinate");
     return text;
 }
 
@@ -135,7 +137,7 @@ std::vector<MemberComponent> shown_forces(const Model& model, const std::vector<
     return {MemberComponent::N};
 }
 
-TextTable displacement_table(const Model& model, const CaseResult& result, const Translator& tr)
+TextTable displacement_table(const Model& model, const CaseResult& result, const Magnitudes& most, const Translator& tr)
 {
     const std::vector<Dof> dofs = dof_list(model.analysis);
     std::vector<std::string> headers{tr("node")};
@@ -145,14 +147,13 @@ TextTable displacement_table(const Model& model, const CaseResult& result, const
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
         const NodeVector u = result.displacement(NodeId(i));
         std::vector<TextTable::Cell> row{model.nodes[i].id};
-        for (const Dof dof : dofs) row.emplace_back(u[index(dof)]);
+        for (const Dof dof : dofs) row.emplace_back(tidy(u[index(dof)], displacement_size(dof, most)));
         table.add_row(std::move(row));
     }
-    silence_by_dimension(table, dofs, 1);
     return table;
 }
 
-TextTable reaction_table(const Model& model, const CaseResult& result, const Translator& tr)
+TextTable reaction_table(const Model& model, const CaseResult& result, const Magnitudes& most, const Translator& tr)
 {
     const std::vector<Dof> dofs = dof_list(model.analysis);
     std::vector<std::string> headers{tr("node")};
@@ -163,14 +164,13 @@ TextTable reaction_table(const Model& model, const CaseResult& result, const Tra
         if (!result.is_supported(NodeId(i))) continue;
         const NodeVector reaction = result.reaction(NodeId(i));
         std::vector<TextTable::Cell> row{model.nodes[i].id};
-        for (const Dof dof : dofs) row.emplace_back(reaction[index(dof)]);
+        for (const Dof dof : dofs) row.emplace_back(tidy(reaction[index(dof)], force_size(dof, most)));
         table.add_row(std::move(row));
     }
-    silence_by_dimension(table, dofs, 1);
     return table;
 }
 
-TextTable end_force_table(const Model& model, const CaseResult& result, const Translator& tr)
+TextTable end_force_table(const Model& model, const CaseResult& result, const Magnitudes& most, const Translator& tr)
 {
     const std::vector<MemberComponent> components = shown_forces(model, {result});
     std::vector<std::string> headers{tr("member"), tr("at node")};
@@ -184,16 +184,16 @@ TextTable end_force_table(const Model& model, const CaseResult& result, const Tr
                                              model[model.members[i].nodes[end]].id};
             const double x = end == 0 ? 0.0 : curve.length();
             const Side side = end == 0 ? Side::After : Side::Before;
-            for (const MemberComponent component : components) row.emplace_back(curve.value(component, x, side));
+            for (const MemberComponent component : components)
+                row.emplace_back(tidy(curve.value(component, x, side), size_of(component, most)));
             table.add_row(std::move(row));
         }
     }
-    silence_by_dimension(table, components, 2);
     return table;
 }
 
 TextTable extremes_table(const Model& model, const CaseResult& result, const std::vector<MemberComponent>& components,
-                         const Translator& tr)
+                         const Magnitudes& most, const Translator& tr)
 {
     const std::string at = with_unit(tr("at x"), dimension::length, model.units);
     TextTable table({tr("member"), "", tr("largest"), at, tr("smallest"), at});
@@ -201,12 +201,13 @@ TextTable extremes_table(const Model& model, const CaseResult& result, const std
         const Curve curve = result.curve(MemberId(i));
         for (const MemberComponent component : components) {
             const Extremes extremes = curve.extremes(component);
+            const double size = size_of(component, most);
             table.add_row({component == components.front() ? model.members[i].id : std::string(),
-                           component_header(component, model), extremes.max.value, extremes.max.x, extremes.min.value,
-                           extremes.min.x});
+                           component_header(component, model), tidy(extremes.max.value, size), extremes.max.x,
+                           tidy(extremes.min.value, size), extremes.min.x},
+                          static_cast<std::size_t>(component));
         }
     }
-    table.silence_round_off({2, 4});
     return table;
 }
 
@@ -220,7 +221,16 @@ std::string sign_legend(AnalysisKind kind, const Translator& tr)
     return tr("N is positive in tension, M when it stretches the -y' fibre; V = dM/dx");
 }
 
-std::string equilibrium_text(const Model& model, const Equilibrium& equilibrium, const Translator& tr)
+/// The largest distance of a node from the origin.
+double reach(const Model& model)
+{
+    double most = 0.0;
+    for (const Node& node : model.nodes) most = std::max(most, std::hypot(node.at[0], node.at[1], node.at[2]));
+    return most;
+}
+
+std::string equilibrium_text(const Model& model, const Equilibrium& equilibrium, const Magnitudes& most,
+                             const Translator& tr)
 {
     const std::vector<Dof> dofs = equilibrium_dofs(model.analysis);
     std::vector<std::string> headers{""};
@@ -228,15 +238,17 @@ std::string equilibrium_text(const Model& model, const Equilibrium& equilibrium,
 
     TextTable table(headers);
     std::vector<TextTable::Cell> loads{tr("loads")}, reactions{tr("reactions")}, sums{tr("sum")};
+    const double moment = std::max(most.moment, most.force * reach(model)); // about the origin
     for (const Dof dof : dofs) {
-        loads.emplace_back(equilibrium.sum_loads[index(dof)]);
-        reactions.emplace_back(equilibrium.sum_reactions[index(dof)]);
-        sums.emplace_back(equilibrium.sum_loads[index(dof)] + equilibrium.sum_reactions[index(dof)]);
+        const double size = is_rotation(dof) ? moment : most.force;
+        const double load = equilibrium.sum_loads[index(dof)], reaction = equilibrium.sum_reactions[index(dof)];
+        loads.emplace_back(tidy(load, size));
+        reactions.emplace_back(tidy(reaction, size));
+        sums.emplace_back(tidy(load + reaction, size));
     }
     table.add_row(std::move(loads));
     table.add_row(std::move(reactions));
     table.add_row(std::move(sums));
-    silence_by_dimension(table, dofs, 1);
     std::array<char, 32> residual{};
     static_cast<void>(std::snprintf(residual.data(), residual.size(), "%.1e", equilibrium.residual));
     return section(tr("Equilibrium (moments about the origin)"), table, tr) + "  " +
@@ -251,10 +263,12 @@ public:
     GoverningTable(const Model& model, std::string_view what, const Translator& tr)
         : model_(model), table_({std::string(what), "", tr("largest"), tr("case"), tr("smallest"), tr("case")})
     {}
-    void add(const std::string& of, const std::string& component, const GoverningRange& range)
+    /// \param size  of the numbers that these may be round-off of
+    void add(const std::string& of, Dof dof, const std::string& header, const GoverningRange& range, double size)
     {
-        table_.add_row({of, component, range.max.value, model_.case_name(range.max.load_case), range.min.value,
-                        model_.case_name(range.min.load_case)});
+        table_.add_row({of, header, tidy(range.max.value, size), model_.case_name(range.max.load_case),
+                        tidy(range.min.value, size), model_.case_name(range.min.load_case)},
+                       index(dof));
     }
     const TextTable& table() const { return table_; }
 
@@ -263,20 +277,34 @@ private:
     TextTable table_;
 };
 
+Magnitudes largest_of(const Results& results, const std::vector<CaseId>& cases)
+{
+    Magnitudes most;
+    for (const CaseId id : cases) {
+        const Magnitudes next = results[id].magnitudes();
+        most = {.force = std::max(most.force, next.force),
+                .moment = std::max(most.moment, next.moment),
+                .displacement = std::max(most.displacement, next.displacement),
+                .rotation = std::max(most.rotation, next.rotation)};
+    }
+    return most;
+}
+
 TextTable member_envelope(const Model& model, const Envelope& envelope, const std::vector<MemberComponent>& components,
-                          const Translator& tr)
+                          const Magnitudes& most, const Translator& tr)
 {
     const std::string at = with_unit(tr("at x"), dimension::length, model.units);
     TextTable table({tr("member"), "", tr("largest"), at, tr("case"), tr("smallest"), at, tr("case")});
     for (std::size_t i = 0; i < model.members.size(); ++i)
         for (const MemberComponent component : components) {
             const GoverningExtremes extremes = envelope.extremes(MemberId(i), component);
+            const double size = size_of(component, most);
             table.add_row({component == components.front() ? model.members[i].id : std::string(),
-                           component_header(component, model), extremes.max.value, extremes.max.x,
-                           model.case_name(extremes.max.load_case), extremes.min.value, extremes.min.x,
-                           model.case_name(extremes.min.load_case)});
+                           component_header(component, model), tidy(extremes.max.value, size), extremes.max.x,
+                           model.case_name(extremes.max.load_case), tidy(extremes.min.value, size), extremes.min.x,
+                           model.case_name(extremes.min.load_case)},
+                          static_cast<std::size_t>(component));
         }
-    table.silence_round_off({2, 5});
     return table;
 }
 
@@ -331,30 +359,34 @@ std::string heading_text(const Model& model, const Results& results, const Trans
 std::string case_text(const Model& model, const Results& results, CaseId id, const Translator& tr)
 {
     const CaseResult result = results[id];
+    const Magnitudes most = result.magnitudes();
     const std::string title = case_title(model, id, tr);
     std::string text = "\n" + title + "\n" + std::string(shown_width(title), '=') + "\n";
-    text += section(tr("Displacements of the nodes"), displacement_table(model, result, tr), tr);
-    text += section(tr("Reactions of the supports on the structure"), reaction_table(model, result, tr), tr);
+    text += section(tr("Displacements of the nodes"), displacement_table(model, result, most, tr), tr);
+    text += section(tr("Reactions of the supports on the structure"), reaction_table(model, result, most, tr), tr);
     text += section(tr("Section forces at the ends of the members") + "\n  (" + sign_legend(model.analysis, tr) + ")",
-                    end_force_table(model, result, tr), tr);
+                    end_force_table(model, result, most, tr), tr);
     text += section(tr("Extreme section forces along the members"),
-                    extremes_table(model, result, shown_forces(model, {result}), tr), tr);
+                    extremes_table(model, result, shown_forces(model, {result}), most, tr), tr);
     text += section(tr("Extreme displacements along the members, in their own axes"),
-                    extremes_table(model, result, local_displacement_components(model.analysis), tr), tr);
-    return text + equilibrium_text(model, result.equilibrium(), tr);
+                    extremes_table(model, result, local_displacement_components(model.analysis), most, tr), tr);
+    return text + equilibrium_text(model, result.equilibrium(), most, tr);
 }
 
 std::string envelope_text(const Model& model, const Results& results, const std::vector<CaseId>& cases,
                           const Translator& tr)
 {
     const Envelope envelope(results, cases);
+    const Magnitudes most = largest_of(results, cases);
     GoverningTable displacements(model, tr("node"), tr), reactions(model, tr("node"), tr);
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
         std::string id = model.nodes[i].id;
         for (const Dof dof : dof_list(model.analysis)) {
-            displacements.add(id, displacement_header(dof, model.units), envelope.displacement(NodeId(i), dof));
+            displacements.add(id, dof, displacement_header(dof, model.units), envelope.displacement(NodeId(i), dof),
+                              displacement_size(dof, most));
             if (results[cases.front()].is_supported(NodeId(i)))
-                reactions.add(id, force_header(dof, model.units), envelope.reaction(NodeId(i), dof));
+                reactions.add(id, dof, force_header(dof, model.units), envelope.reaction(NodeId(i), dof),
+                              force_size(dof, most));
             id.clear();
         }
     }
@@ -367,9 +399,9 @@ std::string envelope_text(const Model& model, const Results& results, const std:
            section(tr("Displacements of the nodes"), displacements.table(), tr) +
            section(tr("Reactions of the supports on the structure"), reactions.table(), tr) +
            section(tr("Extreme section forces along the members"),
-                   member_envelope(model, envelope, shown_forces(model, shown), tr), tr) +
+                   member_envelope(model, envelope, shown_forces(model, shown), most, tr), tr) +
            section(tr("Extreme displacements along the members, in their own axes"),
-                   member_envelope(model, envelope, local_displacement_components(model.analysis), tr), tr);
+                   member_envelope(model, envelope, local_displacement_components(model.analysis), most, tr), tr);
 }
 
 std::string trace_text(const MemberTrace& trace, const Units& units, const Translator& tr)

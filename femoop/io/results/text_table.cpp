@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <stdexcept>
 
 namespace femoop {
@@ -39,60 +40,77 @@ std::string number(double value, NumberFormat format)
     return is_zero_text(text) ? "0" : text;
 }
 
-/// One column, written: every cell as wide as the others.
+/// From the decimal mark on.
+std::size_t tail_width(std::string_view number, char mark)
+{
+    const std::size_t at = number.find(mark);
+    return at == std::string_view::npos ? 0 : number.size() - at;
+}
+
+/// One column, written: every cell as wide as the others, numbers on their decimal marks.
 class Column {
 public:
     Column(std::string header, char decimal_mark) : header_(std::move(header)), mark_(decimal_mark) {}
 
-    void add(const TextTable::Cell& cell)
+    void add(const TextTable::Cell& cell, std::size_t kind)
     {
-        cells_.push_back(cell);
-        if (const double* value = std::get_if<double>(&cell)) {
-            largest_ = std::max(largest_, std::abs(*value));
-            is_numeric_ = true;
-        }
+        cells_.push_back({cell, kind});
+        const double* const value = std::get_if<double>(&cell);
+        if (value == nullptr) return;
+        double& largest = largest_[kind];
+        largest = std::max(largest, std::abs(*value));
     }
 
     std::vector<std::string> lines() const
     {
-        std::vector<std::string> lines = is_numeric_ ? numbers() : words();
+        const bool is_numeric = !largest_.empty();
+        std::vector<std::string> lines = is_numeric ? numbers() : words();
         std::size_t width = shown_width(header_);
         for (const std::string& line : lines) width = std::max(width, shown_width(line));
         lines.insert(lines.begin(), header_);
-        for (std::string& line : lines) line.insert(is_numeric_ ? 0 : line.size(), width - shown_width(line), ' ');
+        for (std::string& line : lines) line.insert(is_numeric ? 0 : line.size(), width - shown_width(line), ' ');
         return lines;
     }
 
 private:
+    struct Entry {
+        TextTable::Cell cell;
+        std::size_t kind;
+    };
+
     std::vector<std::string> words() const
     {
         std::vector<std::string> lines;
-        for (const TextTable::Cell& cell : cells_) lines.push_back(std::get<std::string>(cell));
+        for (const Entry& entry : cells_) lines.push_back(std::get<std::string>(entry.cell));
         return lines;
     }
 
-    /// A lone 0 stands where the other numbers have their units digit.
     std::vector<std::string> numbers() const
     {
-        NumberFormat format = format_for(largest_);
-        format.mark = mark_;
-        const std::string tail(static_cast<std::size_t>(format.decimals > 0 ? format.decimals + 1 : 0) +
-                                   (format.is_scientific ? 4U : 0U),
-                               ' ');
         std::vector<std::string> lines;
-        for (const TextTable::Cell& cell : cells_) {
-            const double* value = std::get_if<double>(&cell);
-            const std::string text = value ? number(*value, format) : std::get<std::string>(cell);
-            lines.push_back(text == "0" ? text + tail : text);
+        std::size_t tail = 0;
+        for (const Entry& entry : cells_) {
+            lines.push_back(text(entry));
+            tail = std::max(tail, tail_width(lines.back(), mark_));
         }
+        for (std::string& line : lines)
+            if (!line.empty()) line.append(tail - tail_width(line, mark_), ' ');
         return lines;
+    }
+
+    std::string text(const Entry& entry) const
+    {
+        const double* const value = std::get_if<double>(&entry.cell);
+        if (value == nullptr) return std::get<std::string>(entry.cell);
+        NumberFormat format = format_for(largest_.at(entry.kind));
+        format.mark = mark_;
+        return number(*value, format);
     }
 
     std::string header_;
     char mark_;
-    std::vector<TextTable::Cell> cells_;
-    double largest_ = 0.0;
-    bool is_numeric_ = false;
+    std::vector<Entry> cells_;
+    std::map<std::size_t, double> largest_; ///< of each kind
 };
 
 } // namespace
@@ -103,23 +121,25 @@ std::size_t shown_width(std::string_view utf8)
         utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-void TextTable::add_row(std::vector<Cell> cells)
+void TextTable::add_row(std::vector<Cell> cells, std::size_t kind)
 {
     if (cells.size() != headers_.size()) throw std::invalid_argument("TextTable: a row needs as many cells as headers");
-    rows_.push_back(std::move(cells));
+    rows_.push_back({std::move(cells), kind});
 }
 
 void TextTable::silence_round_off(const std::vector<std::size_t>& columns)
 {
     constexpr double round_off = 1.0e-12;
     double largest = 0.0;
-    for (const std::vector<Cell>& row : rows_)
-        for (const std::size_t column : columns)
-            if (const double* value = std::get_if<double>(&row[column])) largest = std::max(largest, std::abs(*value));
-    for (std::vector<Cell>& row : rows_)
-        for (const std::size_t column : columns)
-            if (double* value = std::get_if<double>(&row[column]); value && std::abs(*value) < round_off * largest)
-                *value = 0.0;
+    const auto each_number = [&](auto&& visit) {
+        for (Row& row : rows_)
+            for (const std::size_t column : columns)
+                if (double* const value = std::get_if<double>(&row.cells[column])) visit(*value);
+    };
+    each_number([&](double value) { largest = std::max(largest, std::abs(value)); });
+    each_number([&](double& value) {
+        if (std::abs(value) < round_off * largest) value = 0.0;
+    });
 }
 
 std::string TextTable::text(std::size_t indent, char decimal_mark) const
@@ -127,7 +147,7 @@ std::string TextTable::text(std::size_t indent, char decimal_mark) const
     std::vector<std::string> lines(rows_.size() + 1, std::string(indent, ' '));
     for (std::size_t c = 0; c < headers_.size(); ++c) {
         Column column(headers_[c], decimal_mark);
-        for (const std::vector<Cell>& row : rows_) column.add(row[c]);
+        for (const Row& row : rows_) column.add(row.cells[c], row.kind);
         const std::vector<std::string> cells = column.lines();
         for (std::size_t i = 0; i < lines.size(); ++i) lines[i] += (c == 0 ? "" : "  ") + cells[i];
     }

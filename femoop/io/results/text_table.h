@@ -18,8 +18,9 @@ public:
 
     explicit TextTable(std::vector<std::string> headers) : headers_(std::move(headers)) {}
 
+    /// Numbers of one column and one kind have as many decimals: six significant digits of the largest.
     /// \pre as many cells as headers; a column holds words alone or numbers alone ("" stands for no number)
-    void add_row(std::vector<Cell> cells);
+    void add_row(std::vector<Cell> cells, std::size_t kind = 0);
     bool is_empty() const { return rows_.empty(); }
 
     /// Numbers below 1e-12 of the largest in these columns become 0: they are round-off of a sum of large numbers.
@@ -30,7 +31,11 @@ public:
 
 private:
     std::vector<std::string> headers_;
-    std::vector<std::vector<Cell>> rows_;
+    struct Row {
+        std::vector<Cell> cells;
+        std::size_t kind;
+    };
+    std::vector<Row> rows_;
 };
 
 /// How many characters a terminal shows for a UTF-8 text.

@@ -85,6 +85,19 @@ TEST_CASE("A motion that the structure does not have is refused with how many it
     CHECK_FALSE(std::filesystem::exists(folder.path("a.svg")));
 }
 
+TEST_CASE("A disk without room is told of, whatever the kind of picture")
+{
+    if (!std::filesystem::exists("/dev/full")) return;
+    const Folder folder;
+    for (const char* name : {"a.svg", "a.pdf", "a.png"}) {
+        CAPTURE(name);
+        std::filesystem::create_symlink("/dev/full", folder.path(name));
+        const Run run = cremona({"render", "-", "-o", folder.path(name)}, cantilever());
+        CHECK(run.status == 2);
+        CHECK(has(run.err, name));
+    }
+}
+
 TEST_CASE("Wrong options of a picture are answered with what is wanted")
 {
     const auto message = [](std::vector<std::string> options) {

@@ -147,6 +147,21 @@ TEST_CASE("Tables tell title, indeterminacy, cases, and every kind of result wit
         if (std::string(part) != "sum of") CHECK_MESSAGE(has(run.out, part), part);
 }
 
+TEST_CASE("Round-off reads 0 in tables even where nothing else stands in the column")
+{
+    const std::string beam = R"({"cremona": 1, "analysis": "frame2d", "units": {"length": "m", "force": "kN"},
+        "materials": [{"id": "s", "E": 2e8, "alpha": 1.2e-5}], "sections": [{"id": "c", "A": 0.01, "Iz": 1e-4, "h": 0.3}],
+        "nodes": [{"id": "A", "at": [0, 0], "support": "pin"}, {"id": "B", "at": [7.3, 0], "support": "roller"}],
+        "members": [{"id": "AB", "nodes": ["A", "B"], "material": "s", "section": "c"}], "load_cases": [)";
+    for (const char* load : {R"({"member": "AB", "kind": "distributed", "qy": -12.7})",
+                             R"({"member": "AB", "kind": "temperature", "top": 31, "bottom": 10.3})"}) {
+        const Run run = cremona({"solve", "-"}, beam + R"({"id": "G", "members": [)" + load + "]}]}");
+        CHECK(run.status == 0);
+        CAPTURE(run.out);
+        CHECK(!has(run.out.substr(0, run.out.find("largest force out of balance")), "e-1"));
+    }
+}
+
 TEST_CASE("Tables speak Portuguese, JSON does not change")
 {
     CHECK(has(cremona({"solve", "-", "--lang", "pt"}, cantilever()).out, "Grau de hiperestaticidade: 0"));

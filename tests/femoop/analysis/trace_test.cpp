@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "femoop/analysis/trace.h"
+#include "femoop/io/results/results_table.h"
 
 using namespace femoop;
 
@@ -59,5 +60,35 @@ TEST_SUITE("trace")
         const MemberTrace trace = femoop::trace(model, MemberId(0));
         CHECK(trace.local_stiffness(2, 2) == doctest::Approx(3.0 * E * I / L));
         CHECK(trace.fixed_end[0].local[2] == doctest::Approx(q * L * L / 8.0));
+    }
+
+    TEST_CASE("A truss member and a bar show the loads across their axis too: turned back, they are those of the nodes")
+    {
+        Model frame = cantilever_with_prop();
+        frame.members[0].bar = true;
+        Model truss = cantilever_with_prop();
+        truss.analysis = AnalysisKind::Truss2d;
+        truss.nodes[1].support = Support{.fixed = {Dof::uy}, .angle = 20.0};
+        for (const Model& model : {frame, truss}) {
+            const MemberTrace trace = femoop::trace(model, MemberId(0));
+            const Eigen::VectorXd& own = trace.fixed_end[0].local;
+            REQUIRE(own.size() == static_cast<Eigen::Index>(trace.dofs.size()));
+            CHECK(own[0] == 0.0);
+            CHECK(own[1] == doctest::Approx(q * L / 2.0));
+            CHECK((trace.transformation.transpose() * own - trace.fixed_end[0].global).norm() < 1e-12 * q * L);
+            const Eigen::MatrixXd k = trace.transformation.transpose() * trace.local_stiffness * trace.transformation;
+            CHECK((k - trace.global_stiffness).norm() < 1e-12 * k.norm());
+        }
+    }
+
+    TEST_CASE("The trace of every member of a truss reads as tables, in space too")
+    {
+        Model model = cantilever_with_prop();
+        for (const AnalysisKind kind : {AnalysisKind::Truss2d, AnalysisKind::Truss3d}) {
+            model.analysis = kind;
+            model.nodes[1].support->kind = SupportKind::Pin;
+            const std::string text = trace_text(femoop::trace(model, MemberId(0)), model.units, english);
+            CHECK(text.find("B.uy'") != std::string::npos);
+        }
     }
 }

@@ -1,5 +1,7 @@
 #include "ui/paint/surface/pdf.h"
 
+#include "ui/paint/surface/write_file.h"
+
 #include <cairo-ft.h>
 #include <cairo-pdf.h>
 
@@ -7,6 +9,7 @@
 #include <memory>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace ui {
@@ -198,11 +201,16 @@ void use_unhinted_type(cairo_t* cairo)
     cairo_set_font_options(cairo, options.get());
 }
 
-void require(cairo_status_t status, const std::filesystem::path& path)
+void require(cairo_status_t status)
 {
     if (status != CAIRO_STATUS_SUCCESS)
-        throw std::runtime_error("file " + path.string() + ": cannot be written (" + cairo_status_to_string(status) +
-                                 "); check that its folder exists and may be written to");
+        throw std::runtime_error(std::string("the pages cannot be drawn: ") + cairo_status_to_string(status));
+}
+
+cairo_status_t append(void* text, const unsigned char* bytes, unsigned int count)
+{
+    static_cast<std::string*>(text)->append(bytes, bytes + count);
+    return CAIRO_STATUS_SUCCESS;
 }
 
 void draw_page(cairo_surface_t* target, const PdfPage& page, const Fonts& fonts, Color background)
@@ -228,17 +236,19 @@ void write_pdf(const std::filesystem::path& path, std::span<const PdfPage> pages
                const PdfLook& look)
 {
     const Size first = pages.empty() ? Size{1.0, 1.0} : points_per_pixel * pages.front().size;
-    const CairoTarget target(cairo_pdf_surface_create(path.string().c_str(), first.width, first.height));
-    require(cairo_surface_status(target.get()), path);
+    std::string document; // Cairo does not tell what it could not write to a file
+    const CairoTarget target(cairo_pdf_surface_create_for_stream(append, &document, first.width, first.height));
+    require(cairo_surface_status(target.get()));
     if (!look.title.empty()) cairo_pdf_surface_set_metadata(target.get(), CAIRO_PDF_METADATA_TITLE, look.title.c_str());
     for (const PdfPage& page : pages) {
         const Size size = points_per_pixel * page.size;
         cairo_pdf_surface_set_size(target.get(), size.width, size.height);
         draw_page(target.get(), page, fonts, look.background);
-        require(cairo_surface_status(target.get()), path);
+        require(cairo_surface_status(target.get()));
     }
     cairo_surface_finish(target.get());
-    require(cairo_surface_status(target.get()), path);
+    require(cairo_surface_status(target.get()));
+    write_file(path, document);
 }
 
 void write_pdf(const std::filesystem::path& path, const Picture& picture, const Fonts& fonts, const PdfLook& look)

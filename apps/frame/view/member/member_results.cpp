@@ -89,7 +89,7 @@ public:
           units_(display_units(subject.model, subject.options)),
           result_(subject.results[subject.options.load_case]),
           curve_(result_.curve(subject.member)),
-          numbers_(result_, shape_of(subject.model), units_),
+          numbers_(result_, units_),
           columns_(columns_of(subject, painter.size()))
     {}
 

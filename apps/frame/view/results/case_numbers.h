@@ -1,6 +1,5 @@
 #pragma once
 
-#include "apps/frame/view/geometry/structure_shape.h"
 #include "femoop/result/results.h"
 #include "ui/text/display_units.h"
 
@@ -13,8 +12,7 @@ namespace frame {
 /// a true minus sign.
 class CaseNumbers {
 public:
-    /// \pre the shape is that of the model that was solved
-    CaseNumbers(const femoop::CaseResult& result, const StructureShape& shape, const ui::DisplayUnits& units);
+    CaseNumbers(const femoop::CaseResult& result, const ui::DisplayUnits& units);
 
     std::string number(double value, ui::Measure measure) const;
     std::string text(double value, ui::Measure measure) const; ///< with its unit
