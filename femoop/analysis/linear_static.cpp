@@ -26,6 +26,8 @@ namespace {
 constexpr double doubtful_pivot = 1e-11;    // of the diagonal: a smaller one may be rounding alone
 constexpr double harmless_pivot = 1e-6;     // of the diagonal: above it no condition was seen that costs digits
 constexpr double poor_condition = 1e10;     // leaves some six correct digits
+constexpr double unmeant_motion = 1e5;      // of the structure's size; exercises with E I = 1 stay well below
+constexpr double unmeant_soft_motion = 10;  // where a pivot is so small that something is soft beside the rest
 constexpr double zero_eigenvalue = 1e-14;   // of the scaled K: a free motion leaves less
 constexpr Eigen::Index most_modes = 100;    // to look for in a structure that moves in many ways
 constexpr Eigen::Index most_described = 12; // of them: who reads more sentences than that?
@@ -59,11 +61,13 @@ struct LinearStatic::Parts {
     Parts& operator=(const Parts&) = delete;
     virtual std::vector<detail::CaseSolution> solve(const Model& model, const std::vector<CaseLoads>& loads) = 0;
     virtual std::size_t n_held() const = 0; ///< rotations that no member takes part in
+    bool is_soft() const { return smallest_pivot < harmless_pivot; }
 
     Stopwatch watch;
     std::shared_ptr<const Structure> structure;
     Equations equations;
     AnalysisStatistics statistics;
+    double smallest_pivot = 1.0; ///< of its diagonal entry
     std::vector<Fault> warnings;
 };
 
@@ -125,8 +129,9 @@ private:
         statistics.order += watch.lap();
         const Pivots pivots = system_.factorize();
         note_size();
+        smallest_pivot = pivots.smallest_ratio;
         if (!pivots.is_positive_definite || pivots.smallest_ratio <= doubtful_pivot) refuse_mechanism(model);
-        else if (pivots.smallest_ratio < harmless_pivot) warn_of_condition(model);
+        else if (is_soft()) warn_of_condition(model);
     }
 
     void note_size()
@@ -325,7 +330,9 @@ Results LinearStatic::solve(const Model& model)
     solution->warnings = parts_->warnings;
     const Results results(solution);
     if (auto faults = cases_beyond_range(*solution, results); !faults.empty()) throw ModelError(std::move(faults));
-    if (auto warning = huge_displacement(model, structure, results)) solution->warnings.push_back(std::move(*warning));
+    const double most = parts_->is_soft() ? unmeant_soft_motion : unmeant_motion;
+    if (auto warning = huge_displacement(model, structure, results, most))
+        solution->warnings.push_back(std::move(*warning));
     return results;
 }
 

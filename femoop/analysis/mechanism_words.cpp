@@ -161,6 +161,24 @@ std::vector<std::array<Eigen::Vector3d, 2>> member_ends(const std::shared_ptr<co
 
 } // namespace
 
+namespace {
+
+/// Where a node that rotates takes along a member whose far end is released, it is the member that swings about it.
+Fault swing(const Model& model, const Mechanism& mechanism)
+{
+    const auto turns = [](const NodeVector& v) { return rotation(v).norm() > still; };
+    const auto node = std::ranges::find_if(mechanism.motion, turns) - mechanism.motion.begin();
+    for (std::size_t i = 0; i < model.members.size(); ++i)
+        for (std::size_t end = 0; end < 2; ++end)
+            if (model.members[i].nodes[1 - end].index == static_cast<std::size_t>(node) &&
+                mechanism.member_ends[i][end].norm() > still)
+                return {.kind = FaultKind::MechanismMemberSwings,
+                        .arguments = {model.members[i].id, model.nodes[static_cast<std::size_t>(node)].id}};
+    return mechanism.fault;
+}
+
+} // namespace
+
 std::vector<Mechanism> mechanisms_of(const Model& model, const std::shared_ptr<const Structure>& structure,
                                      const Equations& equations, std::vector<detail::CaseSolution> motions)
 {
@@ -174,6 +192,7 @@ std::vector<Mechanism> mechanisms_of(const Model& model, const std::shared_ptr<c
                             .motion = std::move(nodes),
                             .member_ends = {}};
         mechanism.member_ends = member_ends(structure, equations, motion);
+        if (mechanism.fault.kind == FaultKind::MechanismNodeTurns) mechanism.fault = swing(model, mechanism);
         mechanisms.push_back(std::move(mechanism));
     }
     return mechanisms;

@@ -105,12 +105,12 @@ std::vector<Fault> cases_beyond_range(const detail::Solution& solution, const Re
     return faults;
 }
 
-std::optional<Fault> huge_displacement(const Model& model, const Structure& structure, const Results& results)
+std::optional<Fault> huge_displacement(const Model& model, const Structure& structure, const Results& results,
+                                       double most)
 {
-    constexpr double huge = 1e5; // of the structure's size
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& position : structure.positions) box.extend(position);
-    const double limit = huge * (box.isEmpty() ? 0.0 : box.diagonal().norm());
+    const double limit = most * (box.isEmpty() ? 0.0 : box.diagonal().norm());
     for (std::size_t c = 0; c < model.load_cases.size(); ++c) {
         const CaseResult result = results[CaseId(c)];
         for (std::size_t i = 0; i < structure.positions.size(); ++i) {

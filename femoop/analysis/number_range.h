@@ -18,7 +18,8 @@ inline constexpr double largest_number = 1e250; ///< a few lengths, multiplied w
 ///       their products might overflow
 std::vector<Fault> cases_beyond_range(const detail::Solution& solution, const Results& results);
 
-/// The first node that moves so far that nobody can mean it. Models for exercises with E I = 1 stay well below.
-std::optional<Fault> huge_displacement(const Model& model, const Structure& structure, const Results& results);
+/// The first node that moves further than `most` times the structure's size, in the first load case where one does.
+std::optional<Fault> huge_displacement(const Model& model, const Structure& structure, const Results& results,
+                                       double most);
 
 } // namespace femoop

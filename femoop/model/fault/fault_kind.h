@@ -24,6 +24,7 @@ enum class FaultKind : std::uint8_t {
     MechanismSpin,          ///< {0} node that a moment spins, {1} rotation
     MechanismSpins,         ///< {0} nodes that only rotate
     MechanismMixed,         ///< {0} nodes that move, each in its way
+    MechanismMemberSwings,  ///< {0} member, {1} node
     MechanismMemberFlies,   ///< {0} member, {1} release
     ConstraintConflict,     ///< {0} members, {1} case
     StiffnessBeyondRange,   ///< {0} nodes

@@ -51,6 +51,9 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::MechanismMixed:
         return "structure can move without strain: nodes {0} move, {1} along {2}; add a brace, a support or a "
                "rigid joint";
+    case FaultKind::MechanismMemberSwings:
+        return "structure can move without strain: member {0} swings about node {1}, its other end is released; take a "
+               "release away or hold the rotation of node {1}";
     case FaultKind::MechanismMemberFlies:
         return "structure can move without strain: member {0} is loose, its releases leave {1} free; take a release "
                "away";

@@ -26,10 +26,10 @@ TEST_CASE("Numbers of two kinds in one column have six digits each")
     table.add_row({"N [kN]", 0.45}, 1);
     table.add_row({"M [kN*mm]", -120000.0}, 2);
     table.add_row({"N [kN]", 0.0}, 1);
-    CHECK(table.text() == "                largest\n"
-                          "N [kN]          0.450000\n"
+    CHECK(table.text() == "                  largest\n"
+                          "N [kN]           0.450000\n"
                           "M [kN*mm]  -120000.0\n"
-                          "N [kN]          0\n");
+                          "N [kN]           0\n");
 }
 
 TEST_CASE("Round-off beside large numbers reads 0, without a sign")
