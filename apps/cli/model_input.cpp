@@ -1,5 +1,6 @@
 #include "apps/cli/model_input.h"
 
+#include <cstdio>
 #include <iostream>
 #include <iterator>
 
@@ -15,6 +16,7 @@ femoop::ModelReading examine(const std::string& file, const ui::Catalogue& tr)
     if (file.empty()) throw UsageError(tr("the name of the file is empty"));
     if (file != "-") return femoop::examine_model_file(file);
     const std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+    if (std::ferror(stdin) != 0) throw UsageError(tr("standard input cannot be read: is it a folder?"));
     return femoop::examine_model(text);
 }
 

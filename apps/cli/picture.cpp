@@ -37,16 +37,17 @@ ExitStatus draw_mechanism(const femoop::Model& model, const femoop::MechanismErr
 {
     const ui::Catalogue& tr = console.tr();
     const std::size_t total = error.mechanisms().size();
-    if (order.mechanism >= total)
+    const std::size_t shown = order.mechanism.value_or(0);
+    if (shown >= total)
         throw UsageError(tr("--mechanism: found {found}; wanted at most {total}, the number of its motions",
-                            {{"found", std::to_string(order.mechanism + 1)}, {"total", std::to_string(total)}}));
+                            {{"found", std::to_string(shown + 1)}, {"total", std::to_string(total)}}));
     report_mechanisms(error, file, console);
-    const frame::MotionChoice motion{error.mechanisms(), order.mechanism};
+    const frame::MotionChoice motion{error.mechanisms(), shown};
     write_picture(
         order, model.title, [&](ui::Painter& painter) { frame::draw(painter, model, motion, order.view); }, tr);
-    console.message(tr(
-        "{file} shows the motion {n} of {total}",
-        {{"file", order.path.string()}, {"n", std::to_string(order.mechanism + 1)}, {"total", std::to_string(total)}}));
+    console.message(
+        tr("{file} shows the motion {n} of {total}",
+           {{"file", order.path.string()}, {"n", std::to_string(shown + 1)}, {"total", std::to_string(total)}}));
     return ExitStatus::CannotSolve;
 }
 
@@ -71,6 +72,8 @@ ExitStatus draw_picture(const femoop::Model& model, const std::string& file, con
 {
     try {
         const femoop::Results results = femoop::analyse(model);
+        if (order.mechanism)
+            throw UsageError(console.tr()("--mechanism: the structure is no mechanism; leave the option out"));
         console.report(file, results.warnings());
         write_picture(
             order, model.title, [&](ui::Painter& painter) { frame::draw(painter, model, &results, order.view); },

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "apps/cli/console.h"
@@ -15,9 +16,9 @@ namespace cli {
 /// A picture to be written; its kind is the file's extension: .png, .svg or .pdf.
 struct PictureOrder {
     std::filesystem::path path;
-    ui::Size size{1280.0, 800.0}; ///< logical pixels
-    double pixel_scale = 1.0;     ///< pixels per logical pixel, PNG alone
-    std::size_t mechanism = 0;    ///< which way of moving is drawn when the structure cannot be solved
+    ui::Size size{1280.0, 800.0};         ///< logical pixels
+    double pixel_scale = 1.0;             ///< pixels per logical pixel, PNG alone
+    std::optional<std::size_t> mechanism; ///< which way of moving is drawn when the structure cannot be solved
     frame::ViewOptions view;
 };
 

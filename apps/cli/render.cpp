@@ -26,8 +26,8 @@ public:
 private:
     PictureOrder order(const ui::Catalogue& tr) const;
 
-    std::string file_, out_, theme_ = "light", size_ = "1280x800", scale_ = "1", mechanism_ = "1";
-    std::optional<std::string> show_, case_, magnification_;
+    std::string file_, out_, theme_ = "light", size_ = "1280x800", scale_ = "1";
+    std::optional<std::string> show_, case_, magnification_, mechanism_;
 };
 
 std::string show_list(const ui::Catalogue& tr)
@@ -123,7 +123,8 @@ PictureOrder Render::order(const ui::Catalogue& tr) const
                             {{"file", out_}, {"kind", "\"" + order.path.extension().string() + "\""}}));
     order.size = size_of(size_, tr);
     order.pixel_scale = pixel_scale(scale_, order.size, tr);
-    order.mechanism = static_cast<std::size_t>(whole_number("--mechanism", mechanism_, {1, 1000}, tr) - 1);
+    if (mechanism_)
+        order.mechanism = static_cast<std::size_t>(whole_number("--mechanism", *mechanism_, {1, 1000}, tr) - 1);
     const auto theme = ui::theme_named(theme_);
     if (!theme) throw unknown_choice("--theme", theme_, {"light", "dark", "print", "projector"}, tr);
     order.view.theme = *theme;

@@ -65,7 +65,9 @@ private:
                        const ui::Catalogue& tr) const;
     std::string tables(const Model& model, const Results& results, const Selection& selection,
                        const ui::Catalogue& tr) const;
-    std::string description(const Model& model, const Results& results, const ui::Catalogue& tr) const;
+    std::string description(const Model& model, const Results& results, const Selection& selection,
+                            const ui::Catalogue& tr) const;
+    void require_one_output(const ui::Catalogue& tr) const;
     std::string trace(const Model& model, const ui::Catalogue& tr) const;
     void write_csv(const Model& model, const Results& results, const Selection& selection,
                    const Console& console) const;
@@ -154,9 +156,24 @@ std::string Solve::tables(const Model& model, const Results& results, const Sele
     return text;
 }
 
-std::string Solve::description(const Model& model, const Results& results, const ui::Catalogue& tr) const
+/// Options that would print in place of one another.
+void Solve::require_one_output(const ui::Catalogue& tr) const
 {
-    const std::string text = femoop::describe(model, results, tr);
+    const auto refuse = [&](bool are_both, std::string_view a, std::string_view b) {
+        if (are_both)
+            throw UsageError(tr("{a} and {b} print different things; give one of them",
+                                {{"a", std::string(a)}, {"b", std::string(b)}}));
+    };
+    refuse(traced_member_ && is_described_, "--trace", "--describe");
+    refuse(traced_member_ && case_ != "all", "--trace", "--case");
+    refuse(traced_member_ && csv_folder_, "--trace", "--csv");
+    refuse(is_described_ && case_ == "envelope", "--describe", "--case envelope");
+}
+
+std::string Solve::description(const Model& model, const Results& results, const Selection& selection,
+                               const ui::Catalogue& tr) const
+{
+    const std::string text = femoop::describe(model, results, selection.cases, tr);
     if (!is_json_) return text;
     femoop::JsonWriter json;
     json.begin_object().member("cremona", 1).member("description", text).end();
@@ -179,7 +196,7 @@ std::string Solve::output(const Model& model, const Results& results, const Sele
                           const ui::Catalogue& tr) const
 {
     if (traced_member_) return trace(model, tr);
-    if (is_described_) return description(model, results, tr);
+    if (is_described_) return description(model, results, selection, tr);
     if (!is_json_) return tables(model, results, selection, tr);
     return selection.is_envelope ? femoop::envelope_json(model, results, selection.cases, selection.n_stations)
                                  : femoop::results_json(model, results, selection.cases, selection.n_stations);
@@ -245,6 +262,7 @@ ExitStatus Solve::run(Console& console)
 {
     const ui::Catalogue& tr = console.tr();
     if (file_.empty()) throw UsageError(tr("no file is given; see {command}", {{"command", "cremona solve --help"}}));
+    require_one_output(tr);
     const femoop::AnalysisOptions options{.solver = solver_named(solver_, tr)};
     Phases phases;
     StopWatch watch;

@@ -421,16 +421,17 @@ std::string indeterminacy_words(const Indeterminacy& degree, const Words& words)
                 {std::to_string(degree.total()), std::to_string(degree.external), std::to_string(degree.internal)});
 }
 
-void add_results(std::string& text, const Model& model, const Results& results, const Words& words)
+void add_results(std::string& text, const Model& model, const Results& results, std::span<const CaseId> cases,
+                 const Words& words)
 {
     text += indeterminacy_words(results.indeterminacy(), words) + ".\n";
-    for (std::size_t i = 0; i < results.n_cases(); ++i) {
-        const CaseResult result = results[CaseId(i)];
+    for (const CaseId id : cases) {
+        const CaseResult result = results[id];
         std::vector<std::string> lines{largest_displacement(model, result, words)};
         if (!model.members.empty()) add_largest_along_members(lines, model, result, words);
         add_reactions(lines, model, result, words);
         add_extremes(lines, model, result, words);
-        add_section(text, words.tr("Results") + ": " + words.case_title(CaseId(i)), lines);
+        add_section(text, words.tr("Results") + ": " + words.case_title(id), lines);
     }
 }
 
@@ -446,11 +447,8 @@ std::string kind_sentence(AnalysisKind kind, const Words& words)
     return words.tr("A space frame: nodes {0}, members {1}");
 }
 
-} // namespace
-
-std::string describe(const Model& model, const std::optional<Results>& results, const Translator& tr)
+std::string describe_model(const Model& model, const Words& words)
 {
-    const Words words(model, tr);
     std::string text = model.title.empty() ? std::string() : printable(model.title) + ".\n";
     text += fill(kind_sentence(model.analysis, words),
                  {std::to_string(model.nodes.size()), std::to_string(model.members.size())}) +
@@ -458,8 +456,25 @@ std::string describe(const Model& model, const std::optional<Results>& results, 
     add_structure(text, model, words);
     for (std::size_t i = 0; i < model.load_cases.size(); ++i)
         add_section(text, words.case_title(CaseId(i)), case_loads(model, model.load_cases[i], words));
-    if (results) add_results(text, model, *results, words);
     return text;
+}
+
+} // namespace
+
+std::string describe(const Model& model, const Results& results, std::span<const CaseId> cases, const Translator& tr)
+{
+    const Words words(model, tr);
+    std::string text = describe_model(model, words);
+    add_results(text, model, results, cases, words);
+    return text;
+}
+
+std::string describe(const Model& model, const std::optional<Results>& results, const Translator& tr)
+{
+    if (!results) return describe_model(model, Words(model, tr));
+    std::vector<CaseId> all;
+    for (std::size_t i = 0; i < results->n_cases(); ++i) all.emplace_back(i);
+    return describe(model, *results, all, tr);
 }
 
 } // namespace femoop

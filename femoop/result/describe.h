@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "femoop/model/fault/translator.h"
@@ -16,5 +17,7 @@ namespace femoop {
 ///
 /// Units  every number carries its unit; six significant digits
 std::string describe(const Model& model, const std::optional<Results>& results, const Translator& tr);
+/// The same with the results of some cases only.
+std::string describe(const Model& model, const Results& results, std::span<const CaseId> cases, const Translator& tr);
 
 } // namespace femoop

@@ -47,6 +47,12 @@ ui::Language system_language()
     return ui::Language::English;
 }
 
+std::filesystem::path png_named(const std::string& text)
+{
+    if (text.ends_with(".png")) return text;
+    throw OptionsEnd("frame: --screenshot: found \"" + text + "\", wanted a name that ends with .png", bad_arguments);
+}
+
 } // namespace
 
 Options parse_options(int argc, const char* const* argv)
@@ -87,7 +93,7 @@ Options parse_options(int argc, const char* const* argv)
         throw OptionsEnd(text.str(), status == 0 ? 0 : bad_arguments);
     }
     options.files.assign(files.begin(), files.end());
-    if (!screenshot.empty()) options.screenshot = screenshot;
+    if (!screenshot.empty()) options.screenshot = png_named(screenshot);
     if (!play.empty()) options.play = play;
     options.pictures = pictures;
     const bool is_headless = options.screenshot || options.play || options.describe;

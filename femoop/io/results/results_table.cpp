@@ -119,7 +119,7 @@ std::string case_title(const Model& model, CaseId id, const Translator& tr)
         if (!sum.empty() || is_minus) sum += sum.empty() ? "-" : is_minus ? " - " : " + ";
         sum += localized(number_text(is_minus ? -term.factor : term.factor), tr) + " " + model.case_name(term.of);
     }
-    return fill(tr("Combination {0} = {1}"), {combination.id, sum});
+    return fill(tr("Combination {0} = {1}"), {combination.id, sum.empty() ? "0" : sum});
 }
 
 /// The section forces that are worth a column: in a truss without span loads N alone.
