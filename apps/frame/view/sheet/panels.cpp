@@ -10,11 +10,9 @@ namespace {
 constexpr std::array results{Show::N, Show::V,  Show::Vy, Show::Vz,      Show::M,
                              Show::T, Show::My, Show::Mz, Show::Deformed};
 
-// Room that a panel needs around the structure, in logical pixels: legend, loads, supports, diagrams.
-constexpr double border_x = 170.0;
-constexpr double border_y = 200.0;
+} // namespace
 
-std::vector<ShowSet> contents(const PanelRequest& request)
+std::vector<ShowSet> panel_contents(const PanelRequest& request)
 {
     std::vector<Show> shown;
     for (const Show item : results)
@@ -38,46 +36,15 @@ std::vector<ShowSet> contents(const PanelRequest& request)
     return sets;
 }
 
-// Logical pixels that the structure's width would get.
-double width_in(ui::Size panel, const PanelRequest& request)
+std::vector<Panel> panels(const std::vector<ShowSet>& contents, const ui::Box& area, std::size_t columns)
 {
-    const double width = std::max(10.0, panel.width - request.border * border_x);
-    const double height = std::max(10.0, panel.height - request.border * border_y);
-    return std::min(width, height * request.aspect);
-}
-
-std::size_t best_columns(std::size_t n, const PanelRequest& request)
-{
-    const ui::Size area = request.area.size();
-    std::size_t best = 1;
-    double widest = -1.0;
-    for (std::size_t columns = 1; columns <= n; ++columns) {
-        const std::size_t rows = (n + columns - 1) / columns;
-        const ui::Size panel{area.width / static_cast<double>(columns), area.height / static_cast<double>(rows)};
-        const double width = width_in(panel, request);
-        // Columns are added only where they make the picture clearly larger.
-        if (width > 1.02 * widest) {
-            widest = width;
-            best = columns;
-        }
-    }
-    return best;
-}
-
-} // namespace
-
-std::vector<Panel> panels(const PanelRequest& request)
-{
-    const std::vector<ShowSet> sets = contents(request);
-    const std::size_t columns = best_columns(sets.size(), request);
-    const std::size_t rows = (sets.size() + columns - 1) / columns;
-    const ui::Size size{request.area.width() / static_cast<double>(columns),
-                        request.area.height() / static_cast<double>(rows)};
+    const std::size_t rows = (contents.size() + columns - 1) / columns;
+    const ui::Size size{area.width() / static_cast<double>(columns), area.height() / static_cast<double>(rows)};
     std::vector<Panel> list;
-    for (std::size_t i = 0; i < sets.size(); ++i) {
-        const ui::Point corner{request.area.min.x + static_cast<double>(i % columns) * size.width,
-                               request.area.min.y + static_cast<double>(i / columns) * size.height};
-        list.push_back({ui::box_at(corner, size), sets[i]});
+    for (std::size_t i = 0; i < contents.size(); ++i) {
+        const ui::Point corner{area.min.x + static_cast<double>(i % columns) * size.width,
+                               area.min.y + static_cast<double>(i / columns) * size.height};
+        list.push_back({ui::box_at(corner, size), contents[i]});
     }
     return list;
 }

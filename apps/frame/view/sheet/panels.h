@@ -14,18 +14,16 @@ struct Panel {
     ShowSet show; ///< what this one shows
 };
 
-/// How a sheet is divided: one picture with everything, or the loads first and then one panel per result, as large as
-/// the structure's shape allows.
-/// \param has_results  without them there is one panel
-/// \param aspect       width over height of the structure as it is seen
+/// How a sheet is divided: one picture with everything, or the loads first and then one panel per result.
 struct PanelRequest {
     ShowSet show;
     Layout layout = Layout::Automatic;
-    bool has_results = false;
-    ui::Box area;
-    double aspect = 1.0;
-    double border = 1.0; ///< factor for the room that loads and supports take around the structure
+    bool has_results = false; ///< without them there is one panel
 };
-std::vector<Panel> panels(const PanelRequest& request);
+/// What each panel shows.
+std::vector<ShowSet> panel_contents(const PanelRequest& request);
+
+/// Panels of one size, row by row. \pre columns > 0
+std::vector<Panel> panels(const std::vector<ShowSet>& contents, const ui::Box& area, std::size_t columns);
 
 } // namespace frame

@@ -215,16 +215,25 @@ ui::Box Subject::area(ui::Size sheet, const ui::Fonts& fonts) const
     return area;
 }
 
+// Panels beside one another only where the structure becomes clearly larger by it.
 Subject::Plan Subject::plan(ui::Size sheet, const ui::Fonts& fonts) const
 {
-    std::vector<Panel> list = panels({.show = without_absent(options_.show, model_.analysis),
-                                      .layout = options_.layout,
-                                      .has_results = solved_.has_value(),
-                                      .area = area(sheet, fonts),
-                                      .aspect = aspect(starting_camera()),
-                                      .border = theme_.symbol_scale()});
-    Camera camera = options_.camera ? *options_.camera : fitted(list, fonts);
-    return {std::move(list), std::move(camera)};
+    constexpr double clearly = 1.02;
+    const std::vector<ShowSet> contents = panel_contents({.show = without_absent(options_.show, model_.analysis),
+                                                          .layout = options_.layout,
+                                                          .has_results = solved_.has_value()});
+    const ui::Box room = area(sheet, fonts);
+    std::vector<Panel> list = panels(contents, room, 1);
+    if (contents.size() == 1 && options_.camera) return {std::move(list), *options_.camera};
+    Camera camera = fitted(list, fonts);
+    for (std::size_t columns = 2; columns <= contents.size(); ++columns) {
+        std::vector<Panel> others = panels(contents, room, columns);
+        Camera other = fitted(others, fonts);
+        if (Projection(other).scale() <= clearly * Projection(camera).scale()) continue;
+        list = std::move(others);
+        camera = std::move(other);
+    }
+    return {std::move(list), options_.camera ? *options_.camera : std::move(camera)};
 }
 
 std::vector<Eigen::Vector3d> Subject::fitted_points() const
