@@ -168,11 +168,18 @@ private:
             // In space small values of one plane would hide the large ones of the other.
             if (!scene_.is_flat() && std::abs(marked.value) < 0.02 * diagram_.largest) continue;
             Caption caption = value_at(marked.x, marked.value);
-            caption.rank = marked.is_peak ? Rank::Extreme : Rank::Value;
+            caption.rank = rank_of(marked);
             for (const double x : marked.others) caption.others.push_back(at(x, marked.value));
             sketch().caption(std::move(caption));
         }
         if (scene_.shows(Show::StepValues)) write_step_values(marks);
+    }
+
+    // The largest value of a diagram is what one looks for first.
+    Rank rank_of(const MarkedValue& marked) const
+    {
+        if (std::abs(marked.value) >= (1.0 - noise) * diagram_.largest) return Rank::Largest;
+        return marked.is_peak ? Rank::Extreme : Rank::Value;
     }
 
     Caption value_at(double x, double value) const
@@ -252,6 +259,7 @@ void draw_band(const Scene& scene, femoop::MemberId id, const Curve& curve, cons
                     .target = target(0.5),
                     .toward = across,
                     .gap = 4.0 + half,
+                    .rank = share >= 1.0 - noise ? Rank::Largest : Rank::Value,
                     .others = {target(0.4), target(0.6), target(0.3), target(0.7), target(0.2), target(0.8)},
                     .along = along});
 }

@@ -17,7 +17,7 @@ namespace frame {
 enum class Clearance : std::uint8_t { None, Soft, Hard };
 
 /// Which labels choose their place first.
-enum class Rank : std::uint8_t { Name, Minor, Value, Extreme, Load };
+enum class Rank : std::uint8_t { Name, Minor, Value, Extreme, Load, Largest };
 
 /// A string that is put near what it speaks of, wherever there is room.
 struct Caption {
