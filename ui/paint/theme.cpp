@@ -151,6 +151,7 @@ void add_results(Roles& roles, const Palette& p)
     at(roles, Role::AxialForce) = role_style(p, sky_blue, {.width = 1.6, .dash = {10, 3, 2, 3}});
     at(roles, Role::ShearForce) = role_style(p, orange, {.width = 1.6, .dash = {7, 3}});
     at(roles, Role::BendingMoment) = role_style(p, blue, {.width = 1.9});
+    at(roles, Role::Guess) = role_style(p, reddish_purple, {.width = 2.2, .dash = {7, 4}});
     at(roles, Role::Torsion) = role_style(p, yellow, {.width = 1.9, .dash = {2, 3}});
     at(roles, Role::Deformed) = role_style(p, reddish_purple, {.width = 2.6, .cap = Cap::Round});
     at(roles, Role::Mechanism) = role_style(p, vermillion, {.width = 3.0, .dash = {12, 4, 3, 4}});

@@ -29,6 +29,7 @@ enum class Role {
     AxialForce,
     ShearForce,
     BendingMoment,
+    Guess, ///< bending moment as a hand sketched it
     Torsion,
     Deformed,
     Undeformed, ///< the structure behind its deformed shape

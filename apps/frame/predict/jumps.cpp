@@ -14,18 +14,23 @@ using namespace places;
 namespace {
 
 constexpr int half = 5;       // places on either side across which a jump is seen
-constexpr int border = 10;    // places at the ends: a line from the axis to the first ordinate is no jump
+constexpr int closing = 8;    // places at the ends: a line from the axis to the first ordinate is no jump
+constexpr int border = 14;    // places at the ends where none is looked for
 constexpr double seen = 0.15; // of the largest ordinate
 
 /// By how much a profile jumps about a place: its change across it, less what the slopes on both sides make of it.
 double step_at(const Profile& profile, int place)
 {
-    const auto slope = [&](int from, int to) { return (at(profile, to) - at(profile, from)) / (to - from); };
+    constexpr int least = 4; // places that a slope is taken over
     const int left = place - half, right = place + half;
-    const int far_left = std::max(0, left - 2 * half), far_right = std::min(n - 1, right + 2 * half);
+    const int far_left = std::max(closing, left - 2 * half), far_right = std::min(n - 1 - closing, right + 2 * half);
     for (int i = far_left; i <= far_right; ++i)
         if (!is_drawn(profile, i)) return 0.0;
-    return at(profile, right) - at(profile, left) - half * (slope(far_left, left) + slope(right, far_right));
+    const auto slope = [&](int from, int to) { return (at(profile, to) - at(profile, from)) / (to - from); };
+    const bool has_left = left - far_left >= least, has_right = far_right - right >= least;
+    const double before = has_left ? slope(far_left, left) : slope(right, far_right);
+    const double after = has_right ? slope(right, far_right) : slope(far_left, left);
+    return at(profile, right) - at(profile, left) - half * (before + after);
 }
 
 struct Steps {

@@ -105,7 +105,7 @@ int n_stretches(const Truth& truth, const Truth::Piece& piece)
 
 PieceMark marked(const Truth& truth, const Profile& guess, const Truth::Piece& piece)
 {
-    constexpr double border_of_piece = 0.025, good = 0.6;
+    constexpr double border_of_piece = 0.035, good = 0.6;
     Truth::Piece inner = piece;
     inner.from += border_of_piece;
     inner.to -= border_of_piece;
@@ -121,6 +121,9 @@ PieceMark marked(const Truth& truth, const Profile& guess, const Truth::Piece& p
         if (verdict.share < worst) mark.flaw = verdict.flaw;
         worst = std::min(worst, verdict.share);
     }
+    const Verdict whole = stretch(truth, guess, inner);
+    if (whole.share < good) mark.flaw = whole.flaw;
+    else if (mark.flaw == Flaw::OtherWay) mark.flaw = Flaw::Uneven; // in a part of it only
     if (mark.share >= good) mark.flaw = Flaw::None;
     return mark;
 }

@@ -101,22 +101,22 @@ std::optional<MemberMark> mark(MemberId member, const femoop::Curve& curve, cons
 
 } // namespace
 
-std::optional<Report> report(const Prediction& prediction, const femoop::Results& results, femoop::CaseId shown)
+std::optional<Assessment> assess(const Prediction& prediction, const femoop::Results& results, femoop::CaseId shown)
 {
     const bool can_be_judged = results.analysis() == femoop::AnalysisKind::Frame2d && shown.index < results.n_cases();
     if (prediction.is_empty() || !can_be_judged) return std::nullopt;
     const Largest all = largest(prediction, results, shown);
     femoop::CurveReader reader(results[shown]);
-    Report report;
+    Assessment assessment;
     for (std::size_t i = 0; i < results.n_members(); ++i) {
         const MemberId member(i);
         if (auto one = mark(member, reader.read(member), prediction.on(member), all)) {
-            report.share += one->score.share;
-            report.members.push_back(std::move(*one));
+            assessment.share += one->score.share;
+            assessment.members.push_back(std::move(*one));
         }
     }
-    if (!report.members.empty()) report.share /= static_cast<double>(report.members.size());
-    return report;
+    if (!assessment.members.empty()) assessment.share /= static_cast<double>(assessment.members.size());
+    return assessment;
 }
 
 } // namespace frame

@@ -54,12 +54,12 @@ struct MemberMark {
 
 /// A prediction held against the moments of one case. Every member counts alike; those without moments on which nothing
 /// was drawn do not count.
-struct Report {
+struct Assessment {
     std::vector<MemberMark> members; ///< those that count
     double share = 0.0;              ///< of all points, 0 to 1
 };
 
 /// Nothing where nothing was drawn, or the results are not those of a plane frame or lack the case.
-std::optional<Report> report(const Prediction& prediction, const femoop::Results& results, femoop::CaseId shown);
+std::optional<Assessment> assess(const Prediction& prediction, const femoop::Results& results, femoop::CaseId shown);
 
 } // namespace frame

@@ -64,7 +64,7 @@ int n_needless(const Truth& truth, const std::vector<double>& crossings)
 // diagram at the end does not count.
 std::optional<double> value_at(int end, const Profile& guess)
 {
-    constexpr int from = 4, to = 12;
+    constexpr int from = 8, to = 18;
     const auto inward = [end](int i) { return end == 0 ? i : end - i; };
     for (int i = from; i <= to; ++i)
         if (!is_drawn(guess, inward(i))) return std::nullopt;

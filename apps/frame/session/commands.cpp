@@ -1,6 +1,7 @@
 #include "apps/frame/session/commands.h"
 
 #include "apps/frame/session/edit_commands.h"
+#include "apps/frame/session/predict_commands.h"
 #include "apps/frame/session/property_commands.h"
 #include "apps/frame/session/table_commands.h"
 #include "apps/frame/session/tabs.h"
@@ -135,22 +136,6 @@ void add_show_commands(CommandTable& table)
     }
 }
 
-constexpr ShowSet results{Show::Reactions, Show::N,  Show::V,  Show::Vy, Show::Vz,
-                          Show::M,         Show::My, Show::Mz, Show::T,  Show::Deformed};
-
-// Hides every result, for a class to guess, and brings back those that were shown.
-void hide_or_reveal(Session& session)
-{
-    ShowSet& show = session.view.show;
-    if (session.hidden) {
-        show = show | *session.hidden;
-        session.hidden.reset();
-        return;
-    }
-    session.hidden = show & results;
-    show = show - results;
-}
-
 // Keeps the present solution to compare later ones with it; drops the one that is kept.
 void keep_or_drop_ghost(Session& session)
 {
@@ -240,12 +225,6 @@ void add_camera_commands(CommandTable& table)
                    return translatable("the model has no results");
                },
                .is_on = [](const Desk& desk) { return desk.session.view.ghost != nullptr; }});
-    table.add({.id = "view.hide_results",
-               .menu = view_menu,
-               .label = translatable("Hide the results, or reveal them"),
-               .shortcuts = {{Key::H, {}}},
-               .run = [](Desk& desk) { hide_or_reveal(desk.session); },
-               .is_on = [](const Desk& desk) { return desk.session.hidden.has_value(); }});
     table.add({.id = "view.project",
                .menu = view_menu,
                .label = translatable("For the projector"),
@@ -391,6 +370,7 @@ CommandTable command_table()
     add_tool_commands(table);
     add_show_commands(table);
     add_camera_commands(table);
+    add_predict_commands(table);
     add_panel_commands(table);
     add_table_commands(table);
     add_look_commands(table);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "apps/frame/document/drawing.h"
+#include "apps/frame/session/predict_commands.h"
 #include "femoop/edit/place.h"
 
 namespace frame {
@@ -26,12 +27,14 @@ constexpr std::array tool_entries{
     ToolEntry{ToolKind::Load, "draw.load", translatable("Load"), Key::L},
     ToolEntry{ToolKind::Hinge, "draw.hinge", translatable("Hinge"), Key::J},
     ToolEntry{ToolKind::Delete, "draw.delete", translatable("Delete"), Key::X},
+    ToolEntry{ToolKind::Predict, "draw.predict", translatable("Predict the moments"), Key::K},
 };
 
 bool is_in_plane(const Desk& desk) { return femoop::n_coordinates(desk.session.model().analysis) == 2; }
 
 Reason why_not_take(const Desk& desk, ToolKind tool)
 {
+    if (tool == ToolKind::Predict) return why_not_predict(desk);
     const bool draws = tool == ToolKind::Member || tool == ToolKind::Node;
     if (!draws || is_in_plane(desk)) return std::nullopt;
     return translatable("a structure in space is not drawn with the mouse; change its numbers instead");
@@ -62,8 +65,14 @@ ui::Phrase about_selection(const Desk& desk, std::string_view one, std::string_v
     return part ? ui::Phrase(one, {{"part", title(desk.session.model(), *part)}}) : ui::Phrase(many);
 }
 
+Reason needs_something_to_delete(const Desk& desk)
+{
+    return is_predicting(desk) ? std::nullopt : needs_selection(desk);
+}
+
 void delete_selection(Desk& desk)
 {
+    if (is_predicting(desk)) return desk.session.prediction.clear();
     desk.session.change({about_selection(desk, translatable("Delete: {part}"), translatable("Delete the selection")),
                          [parts = selected(desk)](Document& document) { remove(document, parts); }});
 }
@@ -146,6 +155,7 @@ void add_selection_commands(CommandTable& table)
                .shortcuts = {{Key::Escape, {}}},
                .run = [](Desk& desk) {
                    if (desk.transform) return cancel_transform(desk);
+                   if (is_predicting(desk) && !desk.hand.is_sketching()) return desk.session.prediction.clear();
                    if (desk.hand.escape()) return;
                    desk.session.selection.clear();
                    desk.session.pin.reset();
@@ -156,7 +166,7 @@ void add_selection_commands(CommandTable& table)
                .label = translatable("Delete the selection"),
                .shortcuts = {{Key::Delete, {}}, {Key::Backspace, {}}},
                .run = delete_selection,
-               .why_not = needs_selection});
+               .why_not = needs_something_to_delete});
 }
 
 struct TransformEntry {
@@ -234,7 +244,11 @@ void add_tool_commands(CommandTable& table)
                    .menu = draw_menu,
                    .label = entry.label,
                    .shortcuts = {{entry.key, {}}},
-                   .run = [tool = entry.tool](Desk& desk) { desk.hand.take(tool); },
+                   .run =
+                       [tool = entry.tool](Desk& desk) {
+                           if (tool == ToolKind::Predict) begin_to_predict(desk);
+                           else desk.hand.take(tool);
+                       },
                    .why_not = [tool = entry.tool](const Desk& desk) { return why_not_take(desk, tool); },
                    .is_on = [tool = entry.tool](const Desk& desk) { return desk.hand.kind() == tool; }});
     }

@@ -33,6 +33,7 @@ void Session::restart(Document document)
     saved_ = document;
     history_ = ui::History<Document>(std::move(document), translatable("Begin"));
     selection.clear();
+    prediction.clear();
     view.load_case = femoop::CaseId(0);
     view.camera.reset();
     view.units.reset();
@@ -63,7 +64,10 @@ void Session::change(const Change& change)
     Document next = change.step == Step::Drag ? history_.settled() : document();
     change.command(next);
     const bool is_new = next != document();
-    if (is_new) selection.follow(model(), next.model);
+    if (is_new) {
+        selection.follow(model(), next.model);
+        prediction.follow(model(), next.model);
+    }
     hold_scales(change.step);
     if (change.step == Step::Click) history_.apply(std::move(next), change.label);
     if (change.step == Step::Drag) history_.drag(std::move(next), change.label);
@@ -74,6 +78,7 @@ void Session::change(const Change& change)
 void Session::follow(const Document& before)
 {
     selection.follow(before.model, model());
+    prediction.follow(before.model, model());
     refresh();
 }
 
@@ -187,6 +192,13 @@ bool Session::save(const std::filesystem::path& path)
 }
 
 std::string Session::file_name() const { return path_ ? path_->filename().string() : view.tr("Untitled"); }
+
+std::optional<ui::Phrase> Session::why_no_results() const
+{
+    if (hidden) return translatable("The results are hidden; H reveals them.");
+    if (!solution_.results) return translatable("There are no results: see the problems.");
+    return std::nullopt;
+}
 
 ui::DisplayUnits Session::units() const
 {

@@ -10,6 +10,7 @@
 #include "apps/frame/document/cut.h"
 #include "apps/frame/document/selection.h"
 #include "apps/frame/document/solution.h"
+#include "apps/frame/predict/prediction.h"
 #include "apps/frame/view/pick.h"
 #include "apps/frame/view/view_options.h"
 #include "femoop/model/fault/fault.h"
@@ -67,6 +68,9 @@ public:
     /// "portal.json", or the word for a document without a file.
     std::string file_name() const;
 
+    /// Why no results are to be read: there are none, or they are kept from the class; nothing where they can be.
+    std::optional<ui::Phrase> why_no_results() const;
+
     ui::DisplayUnits units() const;
     void set_language(ui::Language language);
 
@@ -76,6 +80,7 @@ public:
     std::optional<Cut> pin;
     std::optional<Notice> notice;
     bool is_animated = false;
+    Prediction prediction;         ///< of moments that the class has not seen yet: part of the tab, not of the document
     std::optional<ShowSet> hidden; ///< results that are kept from the class until they are revealed
     std::size_t mechanism = 0;     ///< which of several is shown
 

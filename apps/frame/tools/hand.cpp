@@ -5,6 +5,7 @@
 #include "apps/frame/tools/member_tool.h"
 #include "apps/frame/tools/node_tool.h"
 #include "apps/frame/tools/part_tools.h"
+#include "apps/frame/tools/predict_tool.h"
 #include "apps/frame/tools/typed_place.h"
 
 namespace frame {
@@ -21,6 +22,7 @@ std::unique_ptr<Tool> tool_of(ToolKind kind, const ToolSettings& settings)
     case ToolKind::Load: return std::make_unique<LoadTool>(settings);
     case ToolKind::Hinge: return std::make_unique<HingeTool>();
     case ToolKind::Delete: return std::make_unique<DeleteTool>();
+    case ToolKind::Predict: return std::make_unique<PredictTool>(settings);
     }
     return std::make_unique<SelectTool>();
 }

@@ -9,7 +9,7 @@
 
 namespace frame {
 
-enum class ToolKind : std::uint8_t { Select, Member, Node, Support, Load, Hinge, Delete };
+enum class ToolKind : std::uint8_t { Select, Member, Node, Support, Load, Hinge, Delete, Predict };
 
 /// The hand that works in the picture: the tool it holds, how the tools are set, and a place that is being typed.
 class Hand {
@@ -23,6 +23,8 @@ public:
     void take(ToolKind kind);
     /// Gives up what is typed, else what is begun, else the tool. \returns false where there was none of these
     bool escape();
+
+    bool is_sketching() const { return !tool_->preview().stroke.empty(); } ///< the button is held
 
     /// The tool can use a place that is typed; what has been typed of it so far.
     bool can_type() const { return tool_->draws(); }

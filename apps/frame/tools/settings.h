@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "apps/frame/document/moment_side.h"
 #include "femoop/model/model.h"
 
 namespace frame {
@@ -20,8 +21,9 @@ struct ToolSettings {
     femoop::SupportKind support = femoop::SupportKind::Pin;
     LoadKind load = LoadKind::UniformDown;
     femoop::Quantity force{10.0}, moment{10.0}, line_load{10.0};
-    femoop::CaseId load_case; ///< that is shown
-    double grid = 1.0;        ///< distance of the grid's lines [length]
+    femoop::CaseId load_case;                     ///< that is shown
+    MomentSide moment_side = MomentSide::Tension; ///< on which a positive moment is drawn
+    double grid = 1.0;                            ///< distance of the grid's lines [length]
 };
 
 } // namespace frame

@@ -13,6 +13,8 @@
 
 namespace frame {
 
+class Prediction;
+
 /// The arrow of a load that can be pulled longer.
 struct LoadGrip {
     Part load;
@@ -47,6 +49,7 @@ struct Aim {
 struct Work {
     const Document& document; ///< as it was before the gesture
     Selection& selection;
+    Prediction* prediction = nullptr; ///< that may be sketched; null while results are seen
 };
 
 /// What a tool shows before it changes anything, in the plane of the model.
@@ -54,6 +57,8 @@ struct Preview {
     std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> lines;
     /// The rectangle of a selection, from where the hand began to where it is.
     std::optional<std::pair<Eigen::Vector2d, Eigen::Vector2d>> window{};
+    std::span<const Eigen::Vector2d> stroke{}; ///< that is being sketched
+    std::optional<femoop::MemberId> member{};  ///< that it is sketched on
 };
 
 /// What the left button does in the picture, from press to release and on to the next press. A tool never changes a

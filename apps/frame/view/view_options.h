@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/frame/document/moment_side.h"
 #include "apps/frame/view/geometry/projection.h"
 #include "apps/frame/view/show.h"
 #include "femoop/analysis/mechanism.h"
@@ -17,8 +18,7 @@
 
 namespace frame {
 
-/// Where a positive bending moment is drawn: on the side that it stretches, or on the other one.
-enum class MomentSide : std::uint8_t { Tension, Compression };
+class Prediction;
 
 /// Whether each result gets a panel of its own beside the loads, or all are drawn over one another.
 enum class Layout : std::uint8_t {
@@ -54,6 +54,9 @@ struct ViewOptions {
     ui::NumberFormat numbers{.digits = 4}; ///< digits and decimal mark
     bool is_envelope = false;              ///< of all cases instead of one: diagrams as bands, no loads nor reactions
     std::shared_ptr<const Ghost> ghost;    ///< its diagrams are drawn behind, faint; none when null
+    /// Moments that are sketched before they are seen; outlives whatever draws it. While moments are not shown a fitted
+    /// picture keeps room for it. None when null.
+    const Prediction* prediction = nullptr;
     MomentSide moment_side = MomentSide::Tension;
     int steps = 10;                          ///< of every member, for Show::StepValues; > 0
     double diagram_factor = 1.0;             ///< > 0

@@ -21,6 +21,7 @@ constexpr double zoom_per_turn = 1.15;
 ViewOptions looked_at(const Session& session)
 {
     ViewOptions options = session.view;
+    if (session.hidden || !session.prediction.is_empty()) options.prediction = &session.prediction;
     if (options.is_envelope) options.show = options.show - ShowSet{Show::Loads, Show::Reactions, Show::Deformed};
     return options;
 }
@@ -84,6 +85,7 @@ void Canvas::follow_structure(const Desk& desk)
                            session.model().analysis,
                            shown_mechanism(desk),
                            is_drawn,
+                           options.prediction != nullptr,
                            is_drawn || has_diagrams(session)};
     const bool must_rest = is_working_ || session.history().is_dragging();
     const bool is_fitted = fitted_for_ == wanted && (must_rest || is_all_in_sight());
@@ -177,6 +179,7 @@ void Canvas::follow(Desk& desk, const Pointer& pointer)
     const Projection projection = projection_at(pointer.at);
     desk.hand.settings().grid = grid_of(projection);
     desk.hand.settings().load_case = session.view.load_case;
+    desk.hand.settings().moment_side = session.view.moment_side;
     Pick under = pick(shape_, projection, pointer.at, session.solution().results ? session.view.show : ShowSet{});
     if (under.cut) under.cut = snapped(session, shape_, *under.cut, pixels_along(projection, *under.cut));
     turn_wheel(session, pointer.at);
@@ -191,6 +194,7 @@ void Canvas::follow(Desk& desk, const Pointer& pointer)
     session.hover = under.cut;
     hover_panel_ = corner_of_panel(pointer.at);
     work(desk, aim, under);
+    if (const auto member = desk.hand.tool().preview().member) session.view.hover.members = {*member};
 }
 
 void Canvas::turn_wheel(Session& session, ui::Point at) const
@@ -210,7 +214,11 @@ void carry_out(Session& session, const std::optional<Change>& change)
     if (change) session.change(*change);
 }
 
-Work work_of(Session& session) { return {session.history().settled(), session.selection}; }
+Work work_of(Session& session)
+{
+    Prediction* const sketched = session.hidden && session.solution().results ? &session.prediction : nullptr;
+    return {session.history().settled(), session.selection, sketched};
+}
 
 } // namespace
 

@@ -70,7 +70,7 @@ private:
         ui::ThemeName theme;
         femoop::AnalysisKind kind;
         std::optional<std::size_t> mechanism;
-        bool is_drawn, has_diagrams; ///< while something is drawn they come and go
+        bool is_drawn, is_guessed, has_diagrams; ///< while something is drawn diagrams come and go
 
         friend bool operator==(const FittedFor&, const FittedFor&) = default;
     };

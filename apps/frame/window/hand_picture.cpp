@@ -90,6 +90,14 @@ public:
         painter_.polyline(corners, stroke, ui::PathEnds::Closed);
     }
 
+    /// The path of a pencil.
+    void stroke(std::span<const Vector2d> path)
+    {
+        std::vector<Point> points;
+        for (const Vector2d& place : path) points.push_back(at(place));
+        if (points.size() > 1) painter_.polyline(points, theme_.stroke(Role::Guess));
+    }
+
     /// A text beside a place, on a plate: at its right hand, at its left where the sheet ends.
     void note(Point beside, const std::string& text)
     {
@@ -128,6 +136,7 @@ void draw_hand(ui::Painter& painter, const Session& session, const Hand& hand, c
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
     const Preview preview = hand.tool().preview();
     for (const auto& [start, end] : preview.lines) picture.line(start, end);
+    picture.stroke(preview.stroke);
     if (preview.window) picture.window(preview.window->first, preview.window->second);
     const bool is_placing = hand.can_type() || !hand.tool().moving().empty();
     if (is_placing) picture.glyph(hand.aim().snap);

@@ -30,9 +30,13 @@ std::optional<femoop::MemberId> MemberPanel::member_of(const Session& session)
 void MemberPanel::show(Session& session, ui::ImGuiSession& gui, const ui::Fonts& fonts)
 {
     const ui::Catalogue& tr = session.view.tr;
+    if (const auto reason = session.why_no_results()) {
+        ImGui::TextWrapped("%s", tr(*reason).c_str());
+        return;
+    }
     const auto& results = session.solution().results;
     const std::optional<femoop::MemberId> member = member_of(session);
-    if (!results || results->n_cases() == 0) {
+    if (results->n_cases() == 0) {
         ImGui::TextWrapped("%s", tr("There are no results: see the problems.").c_str());
         return;
     }

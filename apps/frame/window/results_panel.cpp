@@ -170,8 +170,8 @@ void results_panel(Desk& desk)
     Session& session = desk.session;
     const ui::Catalogue& tr = session.view.tr;
     const auto& results = session.solution().results;
-    if (!results) {
-        ImGui::TextWrapped("%s", tr("There are no results: see the problems.").c_str());
+    if (const auto reason = session.why_no_results()) {
+        ImGui::TextWrapped("%s", tr(*reason).c_str());
         return;
     }
     if (results->n_cases() == 0) {

@@ -30,8 +30,13 @@ Table table_of(const Session& session, TableKind kind)
 {
     if (!is_result(kind)) return data_table(session.model(), kind, manner_of(session));
     const auto& results = session.solution().results;
-    if (!results || results->n_cases() == 0) return {};
+    if (session.why_no_results() || results->n_cases() == 0) return {};
     return result_table({session.model(), *results, session.view.load_case}, kind, manner_of(session));
+}
+
+ui::Phrase why_no_table(const Session& session)
+{
+    return session.why_no_results().value_or(ui::Phrase(translatable("There are no results: see the problems.")));
 }
 
 ui::Phrase change_label(TableKind kind) { return {translatable("Change table: {table}"), {{"table", title(kind)}}}; }
@@ -54,7 +59,7 @@ void TablesPanel::follow(const Desk& desk)
                             std::to_string(session.generation()) + ' ' + std::to_string(session.view.load_case.index) +
                             ' ' + std::string(code(session.units().system())) + ' ' +
                             std::string(code(session.view.tr.language())) + ' ' +
-                            std::to_string(static_cast<int>(desk.bottom.table));
+                            std::to_string(static_cast<int>(desk.bottom.table)) + (session.hidden ? " hidden" : "");
     const std::string document = std::to_string(desk.tab) + ' ' + session.file_name();
     if (kind_ != desk.bottom.table || document_ != document) {
         grid_.reset();
@@ -191,7 +196,7 @@ void TablesPanel::show_table(Desk& desk)
 {
     if (table_.headings.empty()) {
         const ui::Catalogue& tr = desk.session.view.tr;
-        ImGui::TextWrapped("%s", tr("There are no results: see the problems.").c_str());
+        ImGui::TextWrapped("%s", tr(why_no_table(desk.session)).c_str());
         return;
     }
     follow_selection(desk);
@@ -397,7 +402,7 @@ std::optional<ui::Phrase> TablesPanel::export_to(const Desk& desk, const std::fi
 {
     const Table table = table_of(desk.session, desk.bottom.table);
     const ui::Phrase::Argument file{"file", path.filename().string()};
-    if (table.headings.empty()) return ui::Phrase(translatable("There are no results: see the problems."));
+    if (table.headings.empty()) return why_no_table(desk.session);
     std::ofstream stream(path, std::ios::binary);
     stream << csv(table, desk.session.units().format().mark);
     stream.close();

@@ -107,6 +107,7 @@ std::string_view hint(ToolKind tool)
     case ToolKind::Support: return translatable("Click nodes.");
     case ToolKind::Load: return translatable("Click members or nodes.");
     case ToolKind::Hinge: return translatable("Click nodes or the ends of members.");
+    case ToolKind::Predict: return translatable("Draw the moments beside the members; H reveals.");
     case ToolKind::Delete: break;
     }
     return translatable("Click what is to go.");

@@ -15,6 +15,7 @@ public:
           ink_(theme.stroke(Role::Member).color),
           load_(theme.stroke(Role::Load).color),
           support_(theme.stroke(Role::Support).color),
+          guess_(theme.stroke(Role::Guess).color),
           unit_(painter.size().width / 24.0)
     {}
 
@@ -54,6 +55,16 @@ public:
         line(5, 19, 19, 5, 2.6, load_);
     }
 
+    void predict()
+    {
+        line(3, 7, 21, 7, 2.4, ink_);
+        std::vector<Point> curve;
+        for (int i = 0; i <= 12; ++i) curve.push_back(at(3.0 + 1.5 * i, 7.0 + 11.0 * i * (12 - i) / 36.0));
+        painter_.polyline(curve, {.color = guess_, .width = 1.8 * unit_, .dash = {3.2 * unit_, 2.0 * unit_}});
+        node(3, 7);
+        node(21, 7);
+    }
+
 private:
     Point at(double x, double y) const { return {unit_ * x, unit_ * y}; }
     ui::Stroke stroke(double width, ui::Color color) const { return {.color = color, .width = unit_ * width}; }
@@ -69,7 +80,7 @@ private:
     }
 
     ui::Painter& painter_;
-    ui::Color ink_, load_, support_;
+    ui::Color ink_, load_, support_, guess_;
     double unit_;
 };
 
@@ -86,6 +97,7 @@ void draw_tool_icon(ui::Painter& painter, ToolKind tool, const ui::Theme& theme)
     case ToolKind::Load: icon.load(); break;
     case ToolKind::Hinge: icon.hinge(); break;
     case ToolKind::Delete: icon.erase(); break;
+    case ToolKind::Predict: icon.predict(); break;
     }
 }
 

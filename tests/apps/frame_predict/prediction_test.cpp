@@ -37,7 +37,7 @@ TEST_SUITE("frame predict")
 {
     TEST_CASE("Nothing is reported of a prediction without strokes")
     {
-        CHECK(!frame::report({}, analyse(overhang()), case_P));
+        CHECK(!frame::assess({}, analyse(overhang()), case_P));
     }
 
     TEST_CASE("A member without moments on which nothing is drawn does not count; drawn as zero it is right")
@@ -45,15 +45,15 @@ TEST_SUITE("frame predict")
         const Model model = overhang();
         Prediction prediction;
         prediction.draw(model, case_P, AB, stroke(parabola()));
-        auto report = frame::report(prediction, analyse(model), case_P);
-        REQUIRE(report);
-        REQUIRE(report->members.size() == 1);
-        CHECK(report->share > 0.99);
+        auto assessment = frame::assess(prediction, analyse(model), case_P);
+        REQUIRE(assessment);
+        REQUIRE(assessment->members.size() == 1);
+        CHECK(assessment->share > 0.99);
         prediction.draw(model, case_P, BC, stroke(level(0.005)));
-        report = frame::report(prediction, analyse(model), case_P);
-        REQUIRE(report->members.size() == 2);
-        CHECK(report->members[1].outcome == Outcome::RightlyZero);
-        CHECK(report->share > 0.99);
+        assessment = frame::assess(prediction, analyse(model), case_P);
+        REQUIRE(assessment->members.size() == 2);
+        CHECK(assessment->members[1].outcome == Outcome::RightlyZero);
+        CHECK(assessment->share > 0.99);
     }
 
     TEST_CASE("Moments where there are none, and none where there are some, get nothing")
@@ -62,11 +62,11 @@ TEST_SUITE("frame predict")
         Prediction prediction;
         prediction.draw(model, case_P, AB, stroke(level(0.0)));
         prediction.draw(model, case_P, BC, stroke(level(0.2)));
-        const auto report = frame::report(prediction, analyse(model), case_P);
-        REQUIRE(report->members.size() == 2);
-        CHECK(report->members[0].outcome == Outcome::DrawnAsZero);
-        CHECK(report->members[1].outcome == Outcome::NotZero);
-        CHECK(report->share == 0.0);
+        const auto assessment = frame::assess(prediction, analyse(model), case_P);
+        REQUIRE(assessment->members.size() == 2);
+        CHECK(assessment->members[0].outcome == Outcome::DrawnAsZero);
+        CHECK(assessment->members[1].outcome == Outcome::NotZero);
+        CHECK(assessment->share == 0.0);
     }
 
     TEST_CASE("A member with moments on which nothing is drawn counts as nothing")
@@ -74,10 +74,10 @@ TEST_SUITE("frame predict")
         const Model model = two_spans({uniform(7.0)});
         Prediction prediction;
         prediction.draw(model, case_P, AB, stroke(true_diagram(moments(model))));
-        const auto report = frame::report(prediction, analyse(model), case_P);
-        REQUIRE(report->members.size() == 2);
-        CHECK(report->members[1].outcome == Outcome::NotDrawn);
-        CHECK(report->share == doctest::Approx(0.5).epsilon(0.01));
+        const auto assessment = frame::assess(prediction, analyse(model), case_P);
+        REQUIRE(assessment->members.size() == 2);
+        CHECK(assessment->members[1].outcome == Outcome::NotDrawn);
+        CHECK(assessment->share == doctest::Approx(0.5).epsilon(0.01));
     }
 
     TEST_CASE("A model that no load bends has nothing to guess but zero")
@@ -85,9 +85,9 @@ TEST_SUITE("frame predict")
         const Model model = beam(simple, {});
         Prediction prediction;
         prediction.draw(model, case_P, AB, stroke(level(0.3)));
-        CHECK(frame::report(prediction, analyse(model), case_P)->share == 0.0);
+        CHECK(frame::assess(prediction, analyse(model), case_P)->share == 0.0);
         prediction.draw(model, case_P, AB, stroke(level(0.0)));
-        CHECK(frame::report(prediction, analyse(model), case_P)->share == 1.0);
+        CHECK(frame::assess(prediction, analyse(model), case_P)->share == 1.0);
     }
 
     TEST_CASE("A combination is judged like a load case, and a case that is not there not at all")
@@ -97,9 +97,9 @@ TEST_SUITE("frame predict")
         Prediction prediction;
         prediction.draw(model, CaseId(1), AB, stroke([](double x) { return -x * (1.0 - x); }));
         const Results results = analyse(model);
-        CHECK(frame::report(prediction, results, CaseId(1))->share > 0.99);
-        CHECK(frame::report(prediction, results, case_P)->share < 0.55);
-        CHECK(!frame::report(prediction, results, CaseId(2)));
+        CHECK(frame::assess(prediction, results, CaseId(1))->share > 0.99);
+        CHECK(frame::assess(prediction, results, case_P)->share < 0.55);
+        CHECK(!frame::assess(prediction, results, CaseId(2)));
     }
 
     TEST_CASE("A guess follows its member by name and goes with it")

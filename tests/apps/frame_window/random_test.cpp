@@ -70,15 +70,16 @@ private:
 
     static constexpr std::array<std::string_view, 7> texts{"4", "4<30", "@3,2", "6,4", "1e3", "2*3 kN", "x"};
     static constexpr std::array keys{
-        ui::Chord{ui::Key::M, {}},        ui::Chord{ui::Key::M, {}},       ui::Chord{ui::Key::N, {}},
-        ui::Chord{ui::Key::S, {}},        ui::Chord{ui::Key::L, {}},       ui::Chord{ui::Key::J, {}},
-        ui::Chord{ui::Key::X, {}},        ui::Chord{ui::Key::Q, {}},       ui::Chord{ui::Key::Escape, {}},
-        ui::Chord{ui::Key::Enter, {}},    ui::Chord{ui::Key::Delete, {}},  ui::Chord{ui::Key::A, ui::ctrl},
-        ui::Chord{ui::Key::Z, ui::ctrl},  ui::Chord{ui::Key::Y, ui::ctrl}, ui::Chord{ui::Key::D, ui::ctrl},
-        ui::Chord{ui::Key::M, ui::ctrl},  ui::Chord{ui::Key::R, ui::ctrl}, ui::Chord{ui::Key::I, ui::ctrl},
-        ui::Chord{ui::Key::E, ui::ctrl},  ui::Chord{ui::Key::Left, {}},    ui::Chord{ui::Key::Up, {}},
-        ui::Chord{ui::Key::H, {}},        ui::Chord{ui::Key::F5, {}},      ui::Chord{ui::Key::D, ui::shift},
-        ui::Chord{ui::Key::N, ui::shift}, ui::Chord{ui::Key::T, {}},       ui::Chord{ui::Key::F4, {}},
+        ui::Chord{ui::Key::M, {}},       ui::Chord{ui::Key::M, {}},        ui::Chord{ui::Key::N, {}},
+        ui::Chord{ui::Key::S, {}},       ui::Chord{ui::Key::L, {}},        ui::Chord{ui::Key::J, {}},
+        ui::Chord{ui::Key::X, {}},       ui::Chord{ui::Key::Q, {}},        ui::Chord{ui::Key::Escape, {}},
+        ui::Chord{ui::Key::Enter, {}},   ui::Chord{ui::Key::Delete, {}},   ui::Chord{ui::Key::A, ui::ctrl},
+        ui::Chord{ui::Key::Z, ui::ctrl}, ui::Chord{ui::Key::Y, ui::ctrl},  ui::Chord{ui::Key::D, ui::ctrl},
+        ui::Chord{ui::Key::M, ui::ctrl}, ui::Chord{ui::Key::R, ui::ctrl},  ui::Chord{ui::Key::I, ui::ctrl},
+        ui::Chord{ui::Key::E, ui::ctrl}, ui::Chord{ui::Key::Left, {}},     ui::Chord{ui::Key::Up, {}},
+        ui::Chord{ui::Key::H, {}},       ui::Chord{ui::Key::F5, {}},       ui::Chord{ui::Key::D, ui::shift},
+        ui::Chord{ui::Key::K, {}},       ui::Chord{ui::Key::N, ui::shift}, ui::Chord{ui::Key::T, {}},
+        ui::Chord{ui::Key::F4, {}},
     };
 
     std::mt19937 engine_;

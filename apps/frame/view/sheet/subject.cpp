@@ -1,7 +1,10 @@
 #include "apps/frame/view/sheet/subject.h"
 
+#include "apps/frame/predict/prediction.h"
 #include "apps/frame/view/frame_view.h"
 #include "apps/frame/view/loads/loads.h"
+#include "apps/frame/view/predict/guess_picture.h"
+#include "apps/frame/view/predict/score_words.h"
 #include "apps/frame/view/results/deformed.h"
 #include "apps/frame/view/results/diagram.h"
 #include "apps/frame/view/results/mechanism_picture.h"
@@ -33,6 +36,10 @@ class PanelPicture {
 public:
     PanelPicture(const Scene& scene, ui::Size size) : scene_(scene), size_(size) {}
 
+    /// The prediction goes with the moments; where they are not shown at all it stands by itself.
+    void draw_prediction_alone() { is_prediction_alone_ = true; }
+    void judge(const Assessment& assessment) { assessment_ = &assessment; }
+
     /// `all` has the solved cases where an envelope is drawn, else none.
     void draw_solved(const SolvedCase* solved, const SolvedCase* scaled_by, const std::vector<SolvedCase>& all)
     {
@@ -41,6 +48,7 @@ public:
         draw_members(scene_, is_behind ? Presence::Behind : Presence::Subject);
         if (!all.empty()) draw_bands(all);
         else if (solved) draw_results(*solved, scaled_by ? *scaled_by : *solved);
+        if (is_prediction_alone_ && all.empty()) draw_prediction(scene_.projection.scale());
         draw_structure();
         if (scene_.shows(Show::Loads)) draw_loads(scene_);
         if (solved && scene_.shows(Show::Reactions)) draw_reactions(scene_, *solved);
@@ -70,7 +78,21 @@ private:
             use_one_scale(drawn);
             for (const Diagram& diagram : drawn) draw_envelope(scene_, all, diagram);
             heads_.push_back(diagram_head(scene_, drawn));
+            if (item == Show::M && has_prediction())
+                heads_.push_back(guess_head(scene_, *scene_.options.prediction, nullptr));
         }
+    }
+
+    bool has_prediction() const
+    {
+        return scene_.options.prediction != nullptr && !scene_.options.prediction->is_empty();
+    }
+
+    void draw_prediction(double scale)
+    {
+        if (!has_prediction()) return;
+        draw_guess(scene_, *scene_.options.prediction, scale, assessment_);
+        heads_.push_back(guess_head(scene_, *scene_.options.prediction, assessment_));
     }
 
     // The former solution of the same case, to the scale of the present one.
@@ -97,6 +119,8 @@ private:
             draw_former(drawn);
             for (const Diagram& diagram : drawn) draw_diagram(scene_, solved, diagram);
             heads_.push_back(diagram_head(scene_, drawn));
+            if (item == Show::M && has_prediction())
+                draw_prediction(guess_scale(scene_, *scene_.options.prediction, solved, drawn.front()));
         }
         if (!scene_.shows(Show::Deformed)) return;
         const double scale = deformation_scale(scene_, solved, scaled_by, size_);
@@ -139,6 +163,8 @@ private:
     const Scene& scene_;
     ui::Size size_;
     std::vector<PanelHead> heads_;
+    bool is_prediction_alone_ = false;
+    const Assessment* assessment_ = nullptr;
 };
 
 /// Without what a kind of model does not have, such as N in a grillage.
@@ -177,6 +203,8 @@ Subject::Subject(const femoop::Model& model, const femoop::Results* results, con
     if (results && fits(*results)) solved_ = solved_case(*results, options.load_case);
     for (std::size_t i = 0; options.is_envelope && results && fits(*results) && i < results->n_cases(); ++i)
         all_.push_back(*solved_case(*results, femoop::CaseId(i)));
+    const bool can_be_judged = options.prediction && solved_ && !options.is_envelope && options.show.contains(Show::M);
+    if (can_be_judged) assessment_ = assess(*options.prediction, *results, options.load_case);
     if (options.scaled_by && fits(*options.scaled_by)) scaled_by_ = solved_case(*options.scaled_by, options.load_case);
 }
 
@@ -210,7 +238,7 @@ ui::Box Subject::area(ui::Size sheet, const ui::Fonts& fonts) const
     if (options_.show.contains(Show::Legend))
         area.min.y += head_height(sheet_head(model_, results_, options_), theme_, fonts, sheet.width);
     const double line = 1.4 * theme_.type().normal;
-    const std::size_t n_lines = sentence_lines(sheet, fonts).size();
+    const std::size_t n_lines = foot_lines(sheet, fonts).size();
     if (n_lines > 0) area.max.y -= 14.0 + line * static_cast<double>(n_lines);
     return area;
 }
@@ -283,6 +311,11 @@ ui::Margins Subject::needed_margins(const std::vector<Panel>& panels, const Came
         margins.top = std::max(margins.top, nodes.min.y - marks->min.y + edge + drawn.heads_height);
         margins.bottom = std::max(margins.bottom, marks->max.y - nodes.max.y + edge);
     }
+    if (options_.prediction && !options_.show.contains(Show::M)) { // room to sketch in
+        const double room = 0.2 * std::min(size.width, size.height);
+        for (double* const margin : {&margins.left, &margins.right, &margins.top, &margins.bottom})
+            *margin = std::max(*margin, room);
+    }
     if (motion_) { // it moves to both sides
         margins.left = margins.right = std::max(margins.left, margins.right);
         margins.top = margins.bottom = std::max(margins.top, margins.bottom);
@@ -326,6 +359,8 @@ Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, con
     const Projection projection(camera, panel.box.min);
     const Scene scene{model_, shape_, projection, options, units_, sketch};
     PanelPicture picture(scene, panel.box.size());
+    if (!options_.show.contains(Show::M) && !shows_any(panel.show, diagrams)) picture.draw_prediction_alone();
+    if (assessment_) picture.judge(*assessment_);
     if (motion_) picture.draw_mechanism(motion_->all[motion_->shown]);
     else picture.draw_solved(solved_ ? &*solved_ : nullptr, scaled_by_ ? &*scaled_by_ : nullptr, all_);
     Drawn drawn{.bounds = sketch.bounds(), .tight_bounds = sketch.tight_bounds()};
@@ -378,7 +413,7 @@ Subject::Picture Subject::draw(ui::Painter& painter) const
         append(picture.grips, drawn.grips);
         picture.is_whole = picture.is_whole && holds(panel.box, drawn.tight_bounds);
     }
-    if (motion_) draw_sentence(painter);
+    draw_foot(painter);
     if (n_left_out > 0) draw_left_out(painter, n_left_out);
     return picture;
 }
@@ -424,19 +459,31 @@ std::string Subject::motion_sentence() const
                        {{"n", std::to_string(shown + 1)}, {"total", std::to_string(all.size())}, {"words", words}});
 }
 
-std::vector<std::string> Subject::sentence_lines(ui::Size sheet, const ui::Fonts& fonts) const
+ui::TextStyle Subject::foot_style() const
 {
-    if (!motion_) return {};
-    return wrapped(fonts, motion_sentence(), theme_.text(ui::Role::Error), sheet.width - 32.0);
+    return theme_.text(motion_ ? ui::Role::Error : ui::Role::Label, ui::Anchor::BottomLeft);
 }
 
-void Subject::draw_sentence(ui::Painter& painter) const
+std::vector<std::string> Subject::foot_lines(ui::Size sheet, const ui::Fonts& fonts) const
+{
+    std::vector<std::string> sentences, lines;
+    if (motion_) sentences.push_back(motion_sentence());
+    if (assessment_) sentences = ScoreWords{model_, shape_, units_, options_.tr}.lines(*assessment_);
+    for (const std::string& one : sentences) {
+        const std::vector<std::string> wrapped_one = wrapped(fonts, one, foot_style(), sheet.width - 32.0);
+        lines.insert(lines.end(), wrapped_one.begin(), wrapped_one.end());
+    }
+    return lines;
+}
+
+void Subject::draw_foot(ui::Painter& painter) const
 {
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
-    const ui::TextStyle style = theme_.text(ui::Role::Error, ui::Anchor::BottomLeft);
-    const std::vector<std::string> lines = sentence_lines(painter.size(), painter.fonts());
-    double y = painter.sheet().max.y - 10.0 - 1.4 * style.size * static_cast<double>(lines.size() - 1);
+    ui::TextStyle style = foot_style();
+    const std::vector<std::string> lines = foot_lines(painter.size(), painter.fonts());
+    double y = painter.sheet().max.y - 10.0 - 1.4 * style.size * static_cast<double>(lines.size()) + 1.4 * style.size;
     for (const std::string& line : lines) {
+        style.weight = assessment_ && &line == &lines.front() ? ui::Weight::Bold : ui::Weight::Regular;
         painter.text({16.0, y}, line, style);
         y += 1.4 * style.size;
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/frame/predict/prediction.h"
 #include "apps/frame/view/geometry/structure_shape.h"
 #include "apps/frame/view/results/solved_case.h"
 #include "apps/frame/view/sheet/panel_head.h"
@@ -65,9 +66,11 @@ private:
     std::vector<ui::Box> head_rows(const std::vector<PanelHead>& heads, const ui::Theme& theme, const ui::Fonts& fonts,
                                    const Panel& panel) const;
     std::string motion_sentence() const;
-    void draw_sentence(ui::Painter& painter) const;
+    /// What stands at the foot of the sheet: how the structure moves, or how good the prediction is.
+    void draw_foot(ui::Painter& painter) const;
     void draw_left_out(ui::Painter& painter, std::size_t n_left_out) const;
-    std::vector<std::string> sentence_lines(ui::Size sheet, const ui::Fonts& fonts) const;
+    std::vector<std::string> foot_lines(ui::Size sheet, const ui::Fonts& fonts) const;
+    ui::TextStyle foot_style() const;
 
     const femoop::Model& model_;
     const femoop::Results* results_ = nullptr;
@@ -79,6 +82,7 @@ private:
     std::optional<SolvedCase> solved_;
     std::vector<SolvedCase> all_; ///< cases of an envelope
     std::optional<SolvedCase> scaled_by_;
+    std::optional<Assessment> assessment_; ///< of the prediction, where the moments are seen
 };
 
 } // namespace frame

@@ -1,0 +1,95 @@
+#include "apps/frame/tools/predict_tool.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "femoop/model/member_axes.h"
+#include "femoop/model/member_ends.h"
+
+namespace frame {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using femoop::MemberId;
+
+std::optional<Change> PredictTool::press(const Work& work, const Aim& at)
+{
+    path_.clear();
+    if (work.prediction != nullptr) path_.push_back(at.pointer);
+    return std::nullopt;
+}
+
+std::optional<Change> PredictTool::move(const Work& work, const Aim& to)
+{
+    if (!path_.empty() && (to.pointer - path_.back()).norm() >= to.pixel) path_.push_back(to.pointer);
+    const std::vector<Vector2d> seen = path_.empty() ? std::vector<Vector2d>{to.pointer} : path_;
+    member_ = work.prediction != nullptr ? member_beside(work.document.model, seen) : std::nullopt;
+    return std::nullopt;
+}
+
+std::optional<Change> PredictTool::release(const Work& work, const Aim&)
+{
+    const std::vector<Vector2d> path = std::exchange(path_, {});
+    const femoop::Model& model = work.document.model;
+    const auto member = member_beside(model, path);
+    if (work.prediction == nullptr || !member) return std::nullopt;
+    work.prediction->draw(model, settings_.load_case, *member,
+                          stroke_along(model, *member, settings_.moment_side, path));
+    return std::nullopt;
+}
+
+bool PredictTool::escape() { return !std::exchange(path_, {}).empty(); }
+
+namespace {
+
+double distance_to(const Vector2d& a, const Vector2d& b, const Vector2d& place)
+{
+    const Vector2d along = b - a;
+    const double t = std::clamp((place - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    return (a + t * along - place).norm();
+}
+
+double mean_distance(const femoop::MemberEnds& ends, std::span<const Vector2d> path)
+{
+    double sum = 0.0;
+    for (const Vector2d& place : path) sum += distance_to(ends.start.head<2>(), ends.end.head<2>(), place);
+    return sum / static_cast<double>(path.size());
+}
+
+} // namespace
+
+std::optional<MemberId> member_beside(const femoop::Model& model, std::span<const Vector2d> path)
+{
+    constexpr double reach = 0.75; // of the member's length
+    std::optional<MemberId> nearest;
+    double least = 0.0;
+    for (std::size_t i = 0; i < model.members.size() && !path.empty(); ++i) {
+        const femoop::MemberEnds ends = femoop::ends_of(model, model.members[i]);
+        const double length = (ends.end - ends.start).norm();
+        if (!(length > 0.0)) continue;
+        const double distance = mean_distance(ends, path);
+        if (!(distance <= reach * length) || (nearest && distance >= least)) continue;
+        nearest = MemberId(i);
+        least = distance;
+    }
+    return nearest;
+}
+
+std::vector<StrokePoint> stroke_along(const femoop::Model& model, MemberId member, MomentSide side,
+                                      std::span<const Vector2d> path)
+{
+    const femoop::MemberEnds ends = femoop::ends_of(model, model[member]);
+    const double length = (ends.end - ends.start).norm();
+    const Vector3d x = (ends.end - ends.start) / length;
+    const Vector3d y = femoop::member_axes(model.analysis, x, femoop::vector_of(model[member].up)).row(1);
+    const double positive = side == MomentSide::Tension ? -1.0 : 1.0; // a positive moment stretches the -y' side
+    std::vector<StrokePoint> stroke;
+    for (const Vector2d& place : path) {
+        const Vector3d from_start = Vector3d(place.x(), place.y(), 0.0) - ends.start;
+        stroke.push_back({from_start.dot(x) / length, positive * from_start.dot(y) / length});
+    }
+    return stroke;
+}
+
+} // namespace frame

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "apps/frame/document/moment_side.h"
+#include "apps/frame/predict/prediction.h"
+#include "apps/frame/tools/settings.h"
+#include "apps/frame/tools/tool.h"
+
+namespace frame {
+
+/// Sketches bending moments: press beside a member, draw, release. The whole stroke belongs to the member that it keeps
+/// nearest to.
+class PredictTool : public Tool {
+public:
+    explicit PredictTool(const ToolSettings& settings) : settings_(settings) {}
+    std::optional<Change> press(const Work& work, const Aim& at) override;
+    std::optional<Change> move(const Work& work, const Aim& to) override;
+    std::optional<Change> release(const Work& work, const Aim& at) override;
+    bool escape() override;
+    Preview preview() const override { return {.lines = {}, .stroke = path_, .member = member_}; }
+
+private:
+    const ToolSettings& settings_;
+    std::vector<Eigen::Vector2d> path_; ///< while the button is held
+    std::optional<femoop::MemberId> member_;
+};
+
+/// The member that a path keeps nearest to, of those that it comes near to at all.
+std::optional<femoop::MemberId> member_beside(const femoop::Model& model, std::span<const Eigen::Vector2d> path);
+
+/// A path in the plane of the model as ordinates along a member. \pre the member has a length
+std::vector<StrokePoint> stroke_along(const femoop::Model& model, femoop::MemberId member, MomentSide side,
+                                      std::span<const Eigen::Vector2d> path);
+
+} // namespace frame

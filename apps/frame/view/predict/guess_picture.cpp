@@ -1,0 +1,128 @@
+#include "apps/frame/view/predict/guess_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "apps/frame/view/predict/score_words.h"
+
+namespace frame {
+
+using femoop::MemberComponent;
+using femoop::MemberId;
+
+namespace {
+
+/// Draws the guess on one member.
+class MemberGuess {
+public:
+    MemberGuess(const Scene& scene, const MemberShape& member, const Guess& guess, double scale)
+        : scene_(scene),
+          guess_(guess),
+          frame_(diagram_frame(scene, member, MemberComponent::Mz)),
+          length_(member.length * scene.projection.scale()),
+          height_(member.length * scale)
+    {}
+
+    void draw() const
+    {
+        for (std::size_t begin = 0; begin < Guess::n_places; ++begin) {
+            std::size_t end = begin;
+            while (end < Guess::n_places && guess_[end]) ++end;
+            if (end > begin + 1) draw_run(begin, end);
+            begin = end;
+        }
+    }
+
+    void write(const std::string& words) const
+    {
+        std::size_t highest = 0;
+        for (std::size_t i = 0; i < Guess::n_places; ++i)
+            if (std::abs(value(i)) > std::abs(value(highest))) highest = i;
+        Caption caption{.text = words,
+                        .role = ui::Role::Guess,
+                        .target = at(highest),
+                        .toward = value(highest) < 0.0 ? -frame_.y : frame_.y,
+                        .gap = 6.0,
+                        .rank = Rank::Extreme,
+                        .weight = ui::Weight::Bold};
+        for (const std::size_t i : {60U, 120U, 180U, 30U, 210U}) caption.others.push_back(at(i));
+        scene_.sketch.caption(std::move(caption));
+    }
+
+private:
+    double value(std::size_t place) const { return guess_[place].value_or(0.0); }
+    ui::Point foot(std::size_t place) const { return frame_(Guess::x(place) * length_, 0.0); }
+    ui::Point at(std::size_t place) const { return frame_(Guess::x(place) * length_, value(place) * height_); }
+
+    void draw_run(std::size_t begin, std::size_t end) const
+    {
+        Sketch& sketch = scene_.sketch;
+        std::vector<ui::Point> line;
+        for (std::size_t i = begin; i < end; ++i) line.push_back(at(i));
+        std::vector<ui::Point> area = line;
+        area.push_back(foot(end - 1));
+        area.push_back(foot(begin));
+        {
+            const ui::LayerScope layer(sketch.painter(), ui::Layer::Areas);
+            sketch.polygon(area, ui::with_opacity(sketch.stroke(ui::Role::Guess).color, 0.10), Clearance::Soft);
+        }
+        sketch.polyline(line, sketch.stroke(ui::Role::Guess), Clearance::Hard);
+        const ui::Stroke closing = sketch.thin(ui::Role::Guess);
+        if (begin == 0) sketch.line(foot(begin), at(begin), closing);
+        if (end == Guess::n_places) sketch.line(foot(end - 1), at(end - 1), closing);
+    }
+
+    const Scene& scene_;
+    const Guess& guess_;
+    SymbolFrame frame_;
+    double length_, height_; ///< of the member, and of an ordinate of its length [px]
+};
+
+const MemberMark* mark_of(const Assessment* assessment, MemberId member)
+{
+    if (assessment == nullptr) return nullptr;
+    const auto found = std::ranges::find(assessment->members, member, &MemberMark::member);
+    return found != assessment->members.end() ? &*found : nullptr;
+}
+
+} // namespace
+
+double guess_scale(const Scene& scene, const Prediction& prediction, const SolvedCase& solved, const Diagram& diagram)
+{
+    double drawn = 0.0, moment = 0.0;
+    for (std::size_t i = 0; i < scene.shape.members.size(); ++i) {
+        const Guess* const guess = prediction.on(MemberId(i));
+        if (guess == nullptr) continue;
+        const femoop::Extremes extremes = solved.curves[i].extremes(MemberComponent::Mz);
+        drawn = std::max(drawn, guess->largest() * scene.shape.members[i].length);
+        moment = std::max({moment, std::abs(extremes.max.value), std::abs(extremes.min.value)});
+    }
+    const double height = moment * diagram.pixels_per_unit;
+    return drawn > 0.0 && height > 0.0 ? height / drawn : scene.projection.scale();
+}
+
+void draw_guess(const Scene& scene, const Prediction& prediction, double scale, const Assessment* assessment)
+{
+    for (std::size_t i = 0; i < scene.shape.members.size(); ++i) {
+        const Guess* const guess = prediction.on(MemberId(i));
+        if (guess == nullptr) continue;
+        const MemberGuess picture(scene, scene.shape.members[i], *guess, scale);
+        picture.draw();
+        if (const MemberMark* const mark = mark_of(assessment, MemberId(i)))
+            picture.write(scene.model[MemberId(i)].id + ": " + percent(mark->score.share, scene.options.tr));
+    }
+}
+
+PanelHead guess_head(const Scene& scene, const Prediction& prediction, const Assessment* assessment)
+{
+    const ui::Catalogue& tr = scene.options.tr;
+    PanelHead head{.name = tr("Your guess of M"), .note = {}, .role = ui::Role::Guess};
+    if (scene.options.is_envelope) head.note = tr("an envelope is no diagram of one case; choose a case");
+    else if (prediction.is_stale(scene.model, scene.options.load_case))
+        head.note = tr("drawn for another state of the model, or another load case");
+    else if (assessment != nullptr) head.note = tr("dashed, as high as the true diagram");
+    else head.note = tr("H reveals the true diagram");
+    return head;
+}
+
+} // namespace frame

@@ -1,0 +1,104 @@
+#include <doctest/doctest.h>
+
+#include <vector>
+
+#include "apps/frame/document/document.h"
+#include "apps/frame/predict/prediction.h"
+#include "apps/frame/tools/predict_tool.h"
+
+using namespace frame;
+using Eigen::Vector2d;
+using femoop::MemberId;
+
+namespace {
+
+constexpr MemberId column{0}, beam{1}; ///< of the portal A(0,0) B(0,4) C(6,4) D(6,0)
+using Path = std::vector<Vector2d>;
+
+const femoop::Model& portal()
+{
+    static const femoop::Model model = starting_document().model;
+    return model;
+}
+
+Aim at(double x, double y) { return {.pointer = {x, y}, .pixel = 0.01}; }
+
+/// A portal, a pencil and what it has drawn.
+struct Desk {
+    Document document = starting_document();
+    Selection selection{};
+    Prediction prediction{};
+    ToolSettings settings{};
+    PredictTool tool{settings};
+
+    Work work() { return {document, selection, &prediction}; }
+    void draw(const Path& path)
+    {
+        tool.press(work(), at(path.front().x(), path.front().y()));
+        for (const Vector2d& place : path) tool.move(work(), at(place.x(), place.y()));
+        tool.release(work(), at(path.back().x(), path.back().y()));
+    }
+};
+
+} // namespace
+
+TEST_SUITE("frame model")
+{
+    TEST_CASE("A stroke belongs to the member that it keeps nearest to, though it begins at the corner of two")
+    {
+        CHECK(member_beside(portal(), Path{{0.0, 5.0}, {1.0, 4.2}, {3.0, 3.0}, {6.0, 5.0}}) == beam);
+        CHECK(member_beside(portal(), Path{{-1.0, 4.0}, {-0.5, 2.0}, {0.3, 0.0}}) == column);
+        CHECK(!member_beside(portal(), Path{{40.0, 40.0}, {41.0, 40.0}}));
+        CHECK(!member_beside(portal(), Path{}));
+        CHECK(!member_beside({}, Path{{0.0, 0.0}, {1.0, 0.0}}));
+    }
+
+    TEST_CASE("An ordinate on the stretched side is positive, and both are lengths of the member")
+    {
+        const Path below{{1.5, 3.4}};
+        const auto stretched = stroke_along(portal(), beam, MomentSide::Tension, below);
+        CHECK(stretched.at(0).x == doctest::Approx(0.25));
+        CHECK(stretched.at(0).value == doctest::Approx(0.1)); // 0.6 below, of 6
+        CHECK(stroke_along(portal(), beam, MomentSide::Compression, below).at(0).value == doctest::Approx(-0.1));
+        // The column goes up, so that its y' points to the left.
+        CHECK(stroke_along(portal(), column, MomentSide::Tension, Path{{1.0, 1.0}}).at(0).value ==
+              doctest::Approx(0.25));
+    }
+
+    TEST_CASE("The tool draws on the prediction and changes nothing of the document")
+    {
+        Desk desk;
+        const Document before = desk.document;
+        desk.draw({{0.0, 5.0}, {3.0, 3.0}, {6.0, 5.0}});
+        REQUIRE(desk.prediction.on(beam) != nullptr);
+        CHECK(desk.prediction.on(beam)->largest() == doctest::Approx(1.0 / 6.0));
+        CHECK((*desk.prediction.on(beam))[120] == doctest::Approx(1.0 / 6.0));
+        CHECK((*desk.prediction.on(beam))[0] == doctest::Approx(-1.0 / 6.0));
+        CHECK(desk.prediction.on(column) == nullptr);
+        CHECK(desk.document == before);
+    }
+
+    TEST_CASE("Esc gives up the stroke that is being drawn, and a click alone draws nothing")
+    {
+        Desk desk;
+        desk.tool.press(desk.work(), at(0.0, 5.0));
+        desk.tool.move(desk.work(), at(3.0, 5.0));
+        CHECK(!desk.tool.preview().stroke.empty());
+        CHECK(desk.tool.escape());
+        CHECK(!desk.tool.escape());
+        desk.tool.release(desk.work(), at(3.0, 5.0));
+        desk.draw({{3.0, 3.0}});
+        CHECK(desk.prediction.is_empty());
+    }
+
+    TEST_CASE("While the results are seen nothing can be drawn")
+    {
+        Desk desk;
+        const Work seen{desk.document, desk.selection};
+        desk.tool.press(seen, at(0.0, 5.0));
+        desk.tool.move(seen, at(6.0, 5.0));
+        desk.tool.release(seen, at(6.0, 5.0));
+        CHECK(desk.prediction.is_empty());
+        CHECK(!desk.tool.preview().member);
+    }
+}
