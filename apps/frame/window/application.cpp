@@ -195,8 +195,11 @@ void Application::show_menu_bar()
     if (!ImGui::BeginMainMenuBar()) return;
     ui::show_menus(commands_, desk_, desk_.session.view.tr);
     const std::string name = (desk_.session.is_dirty() ? "* " : "") + desk_.session.file_name();
-    ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::CalcTextSize(name.c_str()).x - 2.0F * ImGui::GetFontSize());
-    ImGui::TextDisabled("%s", name.c_str());
+    const float at = ImGui::GetWindowWidth() - ImGui::CalcTextSize(name.c_str()).x - 2.0F * ImGui::GetFontSize();
+    if (at > ImGui::GetCursorPosX()) { // the menus come first
+        ImGui::SameLine(at);
+        ImGui::TextDisabled("%s", name.c_str());
+    }
     ImGui::EndMainMenuBar();
 }
 

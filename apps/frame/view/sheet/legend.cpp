@@ -1,6 +1,7 @@
 #include "apps/frame/view/sheet/legend.h"
 
 #include "apps/frame/view/loads/case_terms.h"
+#include "ui/text/shortened.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,7 @@ namespace {
 using femoop::MemberComponent;
 
 constexpr double border = 16.0;
+constexpr std::size_t longest_title = 200; // letters
 
 std::string terms_text(const femoop::Model& model, const femoop::Combination& combination,
                        const ui::NumberFormat& format)
@@ -107,7 +109,7 @@ std::string capitalized(std::string text)
 
 SheetHead sheet_head(const femoop::Model& model, const femoop::Results* results, const ViewOptions& options)
 {
-    SheetHead head{.title = model.title, .line = {}};
+    SheetHead head{.title = ui::shortened(model.title, longest_title), .line = {}};
     join(head.line, case_text(model, options));
     join(head.line, self_weight_text(model, options));
     if (results) join(head.line, indeterminacy_text(*results, options.tr));

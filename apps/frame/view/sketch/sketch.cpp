@@ -4,11 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "ui/text/shortened.h"
+
 namespace frame {
 
 namespace {
 
-constexpr double same_place = 14.0; // [px] within which one string stands for two
+constexpr double same_place = 14.0;      // [px] within which one string stands for two
+constexpr std::size_t most_letters = 60; // of a caption: longer names would push the structure off the sheet
 
 /// Middle of a box whose border lies `gap` from the target, seen along `toward`.
 ui::Point center_beside(ui::Point target, ui::Point toward, double gap, ui::Size size)
@@ -117,6 +120,7 @@ ui::TextStyle Sketch::style_of(const Caption& caption) const
 void Sketch::caption(Caption caption)
 {
     if (caption.text.empty() || !ui::is_finite(caption.target)) return;
+    caption.text = ui::shortened(caption.text, most_letters);
     const auto says_the_same = [&](const Request& other) {
         const ui::Point apart = other.caption.target - caption.target;
         return dot(apart, apart) < same_place * same_place && other.caption.role == caption.role &&
