@@ -67,6 +67,11 @@ void add_file_commands(CommandTable& table)
                .label = translatable("Export picture, results or report…"),
                .shortcuts = {{Key::E, ui::ctrl_shift}},
                .run = asks(Request::ExportDialog)});
+    table.add({.id = "file.copy_picture",
+               .menu = file_menu,
+               .label = translatable("Copy picture"),
+               .shortcuts = {{Key::C, ui::ctrl_shift}},
+               .run = asks(Request::CopyPicture)});
     table.add({.id = "file.describe",
                .menu = file_menu,
                .label = translatable("Model and results in words"),

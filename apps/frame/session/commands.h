@@ -17,6 +17,7 @@ enum class Request : std::uint8_t {
     OpenDialog,
     SaveDialog,
     ExportDialog,
+    CopyPicture,
     ImportDialog,
     RecentList,
     Description,

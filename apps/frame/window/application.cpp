@@ -175,6 +175,9 @@ void Application::take_requests()
             is_exporting_ = true;
             path_dialog_.open(ui::PathDialog::Purpose::Save, export_name(session), ".png");
             break;
+        case Request::CopyPicture:
+            explain(copy_picture().value_or(ui::Phrase(translatable("the picture was copied"))));
+            break;
         case Request::ImportDialog: import_dialog_.open(ui::PathDialog::Purpose::Open, start, ".json"); break;
         case Request::Description: shows_description_ = !shows_description_; break;
         case Request::RecentList: kept_files_.ask_for_recent(); break;
@@ -379,6 +382,14 @@ std::optional<ui::Phrase> Application::export_as(const std::filesystem::path& pa
     context_.make_current(); // a PNG is drawn in a context of its own
     if (reason) explain(*reason);
     else explain({translatable("{file} was written"), {{"file", path.filename().string()}}});
+    return reason;
+}
+
+std::optional<ui::Phrase> Application::copy_picture()
+{
+    const ui::Picture picture = canvas_.picture_of(desk_);
+    const std::optional<ui::Phrase> reason = copy_to_clipboard(picture, desk_.session, fonts_, desk_.export_scale);
+    context_.make_current(); // it is drawn in a context of its own
     return reason;
 }
 

@@ -47,6 +47,7 @@ public:
     void remember_in(const std::filesystem::path& folder);
     /// Writes the picture, the results or a report to a file (export.h), and tells how it went. \returns why it cannot
     std::optional<ui::Phrase> export_as(const std::filesystem::path& path);
+    std::optional<ui::Phrase> copy_picture(); ///< to the system's clipboard. \returns why it cannot
     std::string window_title() const;
     ui::ImGuiSession& gui() { return gui_; }
     TablesPanel& tables() { return tables_; }

@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cctype>
 #include <stdexcept>
+#include <string>
+#include <system_error>
+#include <unistd.h>
 
 #include "apps/frame/report/html.h"
 #include "apps/frame/report/pages.h"
 #include "femoop/io/results/results_csv.h"
 #include "femoop/io/whole_file.h"
 #include "femoop/result/describe.h"
+#include "ui/context/image_clipboard.h"
 #include "ui/context/rasterize.h"
 #include "ui/paint/surface/pdf.h"
 #include "ui/paint/surface/svg.h"
@@ -83,6 +87,36 @@ private:
 };
 
 } // namespace
+
+namespace {
+
+/// A name in the folder for temporary files, which goes with its file.
+class ScratchFile {
+public:
+    ScratchFile() : path_(std::filesystem::temp_directory_path() / ("cremona-" + std::to_string(getpid()) + ".png")) {}
+    ~ScratchFile()
+    {
+        std::error_code nobody_cares;
+        std::filesystem::remove(path_, nobody_cares);
+    }
+    ScratchFile(const ScratchFile&) = delete;
+    ScratchFile& operator=(const ScratchFile&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+} // namespace
+
+std::optional<ui::Phrase> copy_to_clipboard(const ui::Picture& picture, const Session& session, const ui::Fonts& fonts,
+                                            double png_scale)
+{
+    const ScratchFile file;
+    if (const auto reason = export_to(file.path(), session, fonts, picture, png_scale)) return reason;
+    return ui::copy_png(file.path());
+}
 
 std::optional<ui::Phrase> export_to(const std::filesystem::path& path, const Session& session, const ui::Fonts& fonts,
                                     const ui::Picture& picture, double png_scale)

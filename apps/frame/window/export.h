@@ -18,4 +18,8 @@ namespace frame {
 std::optional<ui::Phrase> export_to(const std::filesystem::path& path, const Session& session, const ui::Fonts& fonts,
                                     const ui::Picture& picture, double png_scale);
 
+/// Puts the picture on the clipboard, as a PNG. \returns why it could not
+std::optional<ui::Phrase> copy_to_clipboard(const ui::Picture& picture, const Session& session, const ui::Fonts& fonts,
+                                            double png_scale);
+
 } // namespace frame
