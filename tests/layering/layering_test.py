@@ -20,7 +20,7 @@ CHOLMOD = re.compile(r"(suitesparse/)?(cholmod|SuiteSparse_config|cblas)")
 FONTS_AND_CAIRO = re.compile(r"cairo|ft2build|freetype/|fontconfig/|png\.h$")
 WINDOW = re.compile(r"(imgui|imstb_|GLFW/|GL/|EGL/|GLES)")
 OPTIONS = re.compile(r"CLI/")
-SYSTEM = re.compile(r"(dlfcn|fcntl|unistd|windows)\.h$|sys/")
+SYSTEM = re.compile(r"(dlfcn|fcntl|spawn|unistd|windows)\.h$|sys/")
 
 UI_BASE = ["ui/history/", "ui/command/", "ui/text/", "ui/scenario/"]
 
