@@ -17,7 +17,7 @@ namespace {
 
 // One button of the row: the tool's icon, framed where the hand holds it.
 void tool_button(Desk& desk, const CommandTable& commands, const ToolEntry& entry, ui::ImGuiSession& gui,
-                 const ui::Fonts& fonts)
+                 const ui::Fonts& fonts, const ui::Theme& theme)
 {
     const auto& command = *commands.find(entry.id);
     const auto reason = why_not(command, desk);
@@ -33,7 +33,7 @@ void tool_button(Desk& desk, const CommandTable& commands, const ToolEntry& entr
     const double edge = 0.12 * static_cast<double>(side);
     const double size = (static_cast<double>(side) - 2.0 * edge) / gui.scale();
     ui::Painter painter({size, size}, fonts);
-    draw_tool_icon(painter, entry.tool, ui::Theme(desk.session.view.theme));
+    draw_tool_icon(painter, entry.tool, theme);
     gui.show(painter.picture(), *ImGui::GetWindowDrawList(),
              {static_cast<double>(corner.x) + edge, static_cast<double>(corner.y) + edge});
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
@@ -128,8 +128,9 @@ void tool_bar(Desk& desk, const CommandTable& commands, ui::ImGuiSession& gui, c
 {
     const float em = ImGui::GetFontSize();
     const float top = ImGui::GetCursorPosY() + 0.125F * ImGui::GetFrameHeight();
+    const ui::Theme theme(desk.session.view.theme);
     for (const ToolEntry& entry : tools()) {
-        tool_button(desk, commands, entry, gui, fonts);
+        tool_button(desk, commands, entry, gui, fonts, theme);
         ImGui::SameLine(0.0F, 0.15F * em);
     }
     ImGui::SameLine(0.0F, em);

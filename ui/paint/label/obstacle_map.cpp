@@ -106,12 +106,11 @@ bool ObstacleMap::may_be_crossed(const Marks& marks, const Box& box) const
 Ground ObstacleMap::ground_of(const OrientedBox& box) const
 {
     const Box bounds = box.bounds();
-    const bool is_level = box.along == Point{1.0, 0.0};
-    if (is_level && is_crossed(hard_, bounds)) return Ground::Taken;
+    if (box.is_level() && is_crossed(hard_, bounds)) return Ground::Taken;
     if (may_be_crossed(hard_, bounds)) return obstacles_.ground_of(box);
     const Ground inside = obstacles_.ground_inside(box.center);
     if (inside != Ground::Free || !may_be_crossed(soft_, bounds)) return inside;
-    return is_level && is_crossed(soft_, bounds) ? Ground::Soft : obstacles_.ground_of(box);
+    return box.is_level() && is_crossed(soft_, bounds) ? Ground::Soft : obstacles_.ground_of(box);
 }
 
 } // namespace ui

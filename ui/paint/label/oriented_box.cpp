@@ -21,6 +21,7 @@ bool is_separating(Point axis, const OrientedBox& a, const OrientedBox& b)
 
 Box OrientedBox::bounds() const
 {
+    if (is_level()) return {center - half, center + half};
     const Point reach{reach_along(*this, {1.0, 0.0}), reach_along(*this, {0.0, 1.0})};
     return {center - reach, center + reach};
 }

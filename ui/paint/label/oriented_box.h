@@ -18,6 +18,7 @@ struct OrientedBox {
         if (rotation != 0.0) along = {std::cos(rotation), -std::sin(rotation)};
     }
 
+    bool is_level() const { return along == Point{1.0, 0.0}; }
     Point across() const { return -left_normal(along); }
     OrientedBox grown(double margin) const
     {

@@ -9,10 +9,10 @@ using femoop::MemberComponent;
 
 namespace {
 
-double largest_alone(const SolvedCase& solved, MemberComponent component)
+double largest_of(const std::vector<femoop::Curve>& curves, MemberComponent component)
 {
     double largest = 0.0;
-    for (const femoop::Curve& curve : solved.curves) {
+    for (const femoop::Curve& curve : curves) {
         const femoop::Extremes e = curve.extremes(component);
         for (const double value : {e.max.value, e.min.value})
             if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
@@ -22,10 +22,17 @@ double largest_alone(const SolvedCase& solved, MemberComponent component)
 
 } // namespace
 
+double SolvedCase::largest(MemberComponent component) const
+{
+    std::optional<double>& known = largest_[static_cast<std::size_t>(component)];
+    if (!known) known = largest_of(curves, component);
+    return *known;
+}
+
 std::optional<SolvedCase> solved_case(const femoop::Results& results, femoop::CaseId id)
 {
     if (id.index >= results.n_cases()) return std::nullopt;
-    SolvedCase solved{results[id], {}};
+    SolvedCase solved(results[id]);
     solved.curves.reserve(results.n_members());
     for (std::size_t i = 0; i < results.n_members(); ++i)
         solved.curves.push_back(solved.result.curve(femoop::MemberId{i}));
@@ -53,12 +60,12 @@ std::vector<MemberComponent> components(Show item, femoop::AnalysisKind kind)
 double largest_value(const SolvedCase& solved, MemberComponent component, double size)
 {
     constexpr double rounding = 1e-10;
-    const double own = largest_alone(solved, component);
+    const double own = solved.largest(component);
     double force = 0.0;
     for (const MemberComponent c : {MemberComponent::N, MemberComponent::Vy, MemberComponent::Vz})
-        force = std::max(force, largest_alone(solved, c));
+        force = std::max(force, solved.largest(c));
     for (const MemberComponent c : {MemberComponent::T, MemberComponent::My, MemberComponent::Mz})
-        force = std::max(force, largest_alone(solved, c) / size);
+        force = std::max(force, solved.largest(c) / size);
     const bool is_force = component <= MemberComponent::Vz;
     return own > rounding * force * (is_force ? 1.0 : size) ? own : 0.0;
 }

@@ -3,17 +3,26 @@
 #include "apps/frame/view/show.h"
 #include "femoop/result/results.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
 namespace frame {
 
 /// The results of the case that is drawn, with the exact solution of every member at hand.
-struct SolvedCase {
+class SolvedCase {
+public:
+    explicit SolvedCase(femoop::CaseResult of_case) : result(of_case) {}
+
     femoop::CaseResult result;
     std::vector<femoop::Curve> curves; ///< of the members
 
     const femoop::Curve& operator[](femoop::MemberId member) const { return curves[member.index]; }
+    /// The largest absolute value of a section force in the whole structure, rounding included.
+    double largest(femoop::MemberComponent component) const;
+
+private:
+    mutable std::array<std::optional<double>, femoop::n_member_components> largest_{}; ///< each when first asked for
 };
 
 /// Nothing when the results lack the case.

@@ -121,12 +121,13 @@ void Sketch::caption(Caption caption)
 {
     if (caption.text.empty() || !ui::is_finite(caption.target)) return;
     caption.text = ui::shortened(caption.text, most_letters);
-    const auto says_the_same = [&](const Request& other) {
-        const ui::Point apart = other.caption.target - caption.target;
-        return dot(apart, apart) < same_place * same_place && other.caption.role == caption.role &&
-               other.caption.text == caption.text;
+    std::vector<ui::Point>& said_at = said_[{caption.role, caption.text}];
+    const auto is_near = [&](ui::Point other) {
+        const ui::Point apart = other - caption.target;
+        return dot(apart, apart) < same_place * same_place;
     };
-    if (std::any_of(requests_.begin(), requests_.end(), says_the_same)) return;
+    if (std::any_of(said_at.begin(), said_at.end(), is_near)) return;
+    said_at.push_back(caption.target);
     const ui::TextStyle style = style_of(caption);
     const ui::Size size = ui::label_size(painter_->fonts(), caption.text, style);
     const ui::Point center = center_beside(caption.target, caption.toward, caption.gap, size);
@@ -227,6 +228,7 @@ void Sketch::write_captions()
     for (std::size_t i = 0; i < requests_.size(); ++i)
         if (placed.labels[i]) write(requests_[i], *placed.labels[i]);
     requests_.clear();
+    said_.clear();
 }
 
 } // namespace frame

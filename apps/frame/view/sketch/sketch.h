@@ -6,6 +6,7 @@
 #include "ui/paint/painter.h"
 #include "ui/paint/theme.h"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -138,6 +139,7 @@ private:
     double symbol_scale_;
     ui::LabelPlacer placer_;
     std::vector<Request> requests_;
+    std::map<std::pair<ui::Role, std::string>, std::vector<ui::Point>> said_; ///< where each request has its target
     std::vector<SignMark> signs_;
     Grips grips_;
     std::optional<ui::Box> bounds_, tight_bounds_;
