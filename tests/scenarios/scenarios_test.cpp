@@ -1,5 +1,6 @@
 // Every scenario of this folder, played in the real window off screen: what it expects is found, and what it keeps
 // looks as it did.
+#include "apps/frame/window/run.h"
 #include "apps/frame/window/stage.h"
 #include "tests/folder.h"
 #include "tests/golden/scene.h"
@@ -125,6 +126,25 @@ TEST_CASE("What goes wrong in a scenario is told with its line, what was found a
     CHECK(played(open + "command edit.jump") ==
           "line 2: found command \"edit.jump\", wanted one of the app's; the palette (Ctrl+K) lists them");
     CHECK(played(open + "expect luck").starts_with("line 2: expect: found \"luck\", wanted one of value, node, drawn"));
+}
+
+TEST_CASE("Every frame of a scenario can be kept for a film")
+{
+    const Folder folder;
+    golden::if_drawn(
+        [&] {
+            Options options;
+            options.play = folder.write("film.scenario", "wait 0.05\npicture end\n");
+            options.frames = folder.path("film");
+            options.pictures = folder.path("pictures");
+            options.size = {320.0, 240.0};
+            CHECK(run(options) == 0);
+            for (const char* frame : {"film/frame_00001.png", "film/frame_00003.png", "pictures/end.png"})
+                CHECK(ui::read_png(folder.path(frame)).size == ui::PixelSize{320, 240});
+            CHECK(!folder.has("film/frame_00004.png"));
+            return ui::Pixels{};
+        },
+        golden::this_machine());
 }
 
 TEST_CASE("Every scenario begins with its claim and is played to its end")

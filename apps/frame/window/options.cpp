@@ -60,7 +60,7 @@ Options parse_options(int argc, const char* const* argv)
     Options options;
     options.language = system_language();
     std::vector<std::string> files;
-    std::string screenshot, play, pictures = ".", size, theme, language, units, show, load_case;
+    std::string screenshot, play, pictures = ".", frames, size, theme, language, units, show, load_case;
     CLI::App app(
         "Shows a frame, truss or grillage at work: loads, supports, N, V, M, deformed shape; every number can be "
         "changed and the results follow.",
@@ -85,6 +85,9 @@ Options parse_options(int argc, const char* const* argv)
     app.add_option("--play", play, "play a scenario without a display")->option_text("SCENARIO");
     app.add_option("--pictures", pictures, "folder for the pictures of a scenario; default the current one")
         ->option_text("FOLDER");
+    app.add_option("--frames", frames, "folder for every frame of a scenario as a PNG file, for a film")
+        ->needs("--play")
+        ->option_text("FOLDER");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& end) {
@@ -96,6 +99,7 @@ Options parse_options(int argc, const char* const* argv)
     if (!screenshot.empty()) options.screenshot = png_named(screenshot);
     if (!play.empty()) options.play = play;
     options.pictures = pictures;
+    if (!frames.empty()) options.frames = frames;
     const bool is_headless = options.screenshot || options.play || options.describe;
     if (is_headless && files.size() > 1)
         throw OptionsEnd("frame: found " + std::to_string(files.size()) +

@@ -16,11 +16,12 @@ namespace frame {
 
 /// What the command line asks for.
 struct Options {
-    std::vector<std::filesystem::path> files; ///< one at most without a screen
+    std::vector<std::filesystem::path> files;        ///< one at most without a screen
     std::optional<std::filesystem::path> screenshot; ///< draw one picture, without a screen, and leave
     bool describe = false;                           ///< print model and results in words, without a screen, and leave
     std::optional<std::filesystem::path> play;       ///< a scenario, without a screen
     std::filesystem::path pictures = ".";            ///< where a scenario's pictures go
+    std::optional<std::filesystem::path> frames;     ///< where every frame of a scenario goes, for a film
     ui::Size size{1280.0, 800.0};                    ///< logical pixels
     double scale = 1.0;                              ///< physical pixels of a logical one, without a screen
     ui::ThemeName theme = ui::ThemeName::Light;

@@ -1,5 +1,6 @@
 #include "apps/frame/window/run.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -75,6 +76,17 @@ int take_screenshot(const Options& options, Session session)
     return Done;
 }
 
+// Writes frame_00001.png, frame_00002.png and so on.
+Film film_in(const std::filesystem::path& folder)
+{
+    std::filesystem::create_directories(folder);
+    return [folder, n = 0](const ui::Pixels& pixels) mutable {
+        std::string number = std::to_string(++n);
+        number.insert(0, 5 - std::min<std::size_t>(5, number.size()), '0');
+        ui::write_png(folder / ("frame_" + number + ".png"), pixels);
+    };
+}
+
 int play_scenario(const Options& options, Session session)
 {
     std::ifstream file(*options.play, std::ios::binary);
@@ -86,10 +98,12 @@ int play_scenario(const Options& options, Session session)
     const ui::Fonts fonts;
     ui::Offscreen context(offscreen_setup(options));
     Application application(context, fonts, std::move(session));
+    const auto keep = [&](std::string_view name, const ui::Pixels& pixels, Application&) {
+        std::filesystem::create_directories(options.pictures);
+        ui::write_png(options.pictures / (std::string(name) + ".png"), pixels);
+    };
     try {
-        play(script, context, application, [&](std::string_view name, const ui::Pixels& pixels, Application&) {
-            ui::write_png(options.pictures / (std::string(name) + ".png"), pixels);
-        });
+        play(script, context, application, keep, options.frames ? film_in(*options.frames) : Film());
     } catch (const ui::ScenarioError& error) {
         std::cerr << "frame: " << options.play->string() << ": " << error.what() << '\n';
         return AnswerIsNo;

@@ -94,7 +94,7 @@ std::optional<std::string> OffscreenStage::take_picture(std::string_view name)
 std::optional<std::string> OffscreenStage::expect(std::string_view words) { return why_not(words, application_); }
 
 void play(std::string_view script, ui::Offscreen& context, Application& application,
-          const OffscreenStage::KeepPicture& keep)
+          const OffscreenStage::KeepPicture& keep, const Film& film)
 {
     ui::Player player(ui::read_scenario(script));
     OffscreenStage stage(context, application, keep);
@@ -116,6 +116,7 @@ void play(std::string_view script, ui::Offscreen& context, Application& applicat
             key_held = frame->key->key;
         }
         application.frame(input);
+        if (film) film(context.pixels());
     }
 }
 

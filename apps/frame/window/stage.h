@@ -37,8 +37,9 @@ private:
     KeepPicture keep_;
 };
 
-/// Plays a script to its end. \throws ui::ScenarioError
+/// Plays a script to its end; `film` is given every frame. \throws ui::ScenarioError
+using Film = std::function<void(const ui::Pixels&)>;
 void play(std::string_view script, ui::Offscreen& context, Application& application,
-          const OffscreenStage::KeepPicture& keep);
+          const OffscreenStage::KeepPicture& keep, const Film& film = {});
 
 } // namespace frame
