@@ -137,6 +137,20 @@ TEST_SUITE("frame session")
         CHECK(desk.session.view.show == ShowSet{Show::N, Show::M});
     }
 
+    TEST_CASE("Results that are hidden are hidden in every tab, and revealed in every tab")
+    {
+        Desk desk = desk_with("portal.json");
+        desk.session.view.show = {Show::Loads, Show::M};
+        run(desk, "view.hide_results");
+        REQUIRE(open_file(desk, examples + "truss.json"));
+        CHECK(desk.session.view.show == ShowSet{Show::Loads});
+        run(desk, "view.hide_results");
+        CHECK(desk.session.view.show == ShowSet{Show::Loads, Show::N});
+        show_tab(desk, 0);
+        CHECK(desk.session.view.show == ShowSet{Show::Loads, Show::M});
+        CHECK(!desk.session.hidden);
+    }
+
     TEST_CASE("A few seconds after a change there is a draft, which goes when the document is saved or closed")
     {
         const Folder folder;
