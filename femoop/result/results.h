@@ -36,8 +36,8 @@ struct Equilibrium {
     NodeVector sum_reactions{}; ///< supports, springs and foundations
 };
 
-/// How large the numbers of a case are, those that cancel included (what heat would do to members that cannot give way),
-/// and what the structure's size makes of one kind out of the other. A number far below is nothing but rounding.
+/// How large the numbers of a case are, those that cancel included (what heat would do to members that cannot give
+/// way), and what the structure's size makes of one kind out of the other. A number far below is nothing but rounding.
 struct Magnitudes {
     double force = 0.0;
     double moment = 0.0;

@@ -10,8 +10,8 @@ namespace frame {
 /// How good a sketched diagram is. The size of the sketch does not matter: both diagrams are compared with their
 /// largest ordinate as 1.
 ///
-/// Points   the sign counts as much as all the rest: zeros 2, degree 2, jumps 2, place of the largest 1; zeros and jumps
-///          count only where the true diagram has some, or the guess has some too many
+/// Points   the sign counts as much as all the rest: zeros 2, degree 2, jumps 2, place of the largest 1
+///          zeros and jumps count only where the true diagram has some, or the guess has some too many
 /// Mirrored where nearly all lies on the wrong side the sign is lost, and the rest is judged as if it were turned over
 struct Score {
     double share = 0.0; ///< of all points, 0 to 1
