@@ -64,9 +64,9 @@ public:
     bool is_supported(NodeId node) const;       ///< has a support, so a reaction
     NodeVector reaction(NodeId node) const;     ///< what the support does to the structure, global axes
     Curve curve(MemberId member) const;         ///< the exact solution along the member
-    Magnitudes magnitudes() const; ///< goes through the whole structure
-    Equilibrium equilibrium()
-        const; ///< of a combination: sums by superposition, the largest residual of its load cases
+    Magnitudes magnitudes() const;              ///< goes through the whole structure
+    /// Of a combination: sums by superposition, the largest residual of its load cases.
+    Equilibrium equilibrium() const;
 
 private:
     friend class Results;
