@@ -78,7 +78,11 @@ public:
     void not_an_object(JsonValue value, const Place& own_place); ///< a fault if it is present
     void unknown_key(JsonValue value, const std::vector<std::string_view>& known, const Place& place);
     void missing_key(std::string_view key, const Place& place);
-    void add(Fault fault) { faults_.push_back(std::move(fault)); }
+    /// One that follows itself, as of a key that is given twice, is noted once.
+    void add(Fault fault)
+    {
+        if (faults_.empty() || faults_.back() != fault) faults_.push_back(std::move(fault));
+    }
 
     const Units& units() const { return units_; }
     void set_units(const Units& units) { units_ = units; }

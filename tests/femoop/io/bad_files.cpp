@@ -200,12 +200,12 @@ std::vector<BadFile> files_with_bad_keys()
         {File{.units = R"({"length": "yard", "force": "kN"})"}.text(),
          "units.length: \"yard\" is none of m, mm, cm, km, in, ft; choose one of them"},
         {with_nodes(R"([{"id": "A", "at": [0, 0, 0]}, {"id": "B", "at": [6, 0]}])"),
-         "nodes[0].at: found 3 lengths, wanted 2 in frame2d; give one per coordinate"},
+         "nodes[0].at: found a list of 3, wanted 2 lengths in frame2d; give one per coordinate"},
         {with_members(R"([{"id": "AB", "nodes": ["A", "B", "A"], "material": "m", "section": "s"}])"),
-         "members[0] \"AB\": joins 3 nodes, wanted 2; name the first and the second"},
-        {space(R"(, "up": [0, 1])").text(), "members[0].up: found 2 numbers, wanted 3; give x, y and z"},
+         "members[0] \"AB\": found a list of 3, wanted the names of 2 nodes; name the first and the second"},
+        {space(R"(, "up": [0, 1])").text(), "members[0].up: found a list of 2, wanted 3 numbers; give x, y and z"},
         {with_load(R"("kind": "distributed", "qy": [-1, -2, -3])"),
-         "load_cases[0].members[0].qy: found 3 values, wanted one number or two [value at \"from\", value at \"to\"]; "
+         "load_cases[0].members[0].qy: found a list of 3, wanted one number or two [value at \"from\", value at \"to\"]; "
          "leave out the others or add one"},
         {with_load(R"("kind": "point", "fy": -9, "at": "half%")"),
          "load_cases[0].members[0].at: cannot read \"half%\" as a percentage; write it like \"50%\""},
@@ -420,7 +420,7 @@ std::vector<BadFile> files_with_bad_members()
          "to "
          "1e100 m, and check its unit"},
         {with_member_keys(R"("start": {"offset": [1, 0, 0]})"),
-         "members[0].start.offset: found 3 lengths, wanted 2 in frame2d; give one per coordinate"},
+         "members[0].start.offset: found a list of 3, wanted 2 lengths in frame2d; give one per coordinate"},
         {File{
              .analysis = R"("truss2d")",
              .members =

@@ -112,7 +112,7 @@ TEST_CASE("All errors of a file come in one list: what cannot be read and what i
                                         {"id": "BA", "nodes": ["B", "A"], "material": "m", "section": "s", "foundation": {"y": -4}}])"}
                         .text()) ==
           "materials[0].densty: unknown key; did you mean \"density\"?\n"
-          "nodes[0].at: found 1 lengths, wanted 2 in frame2d; give one per coordinate\n"
+          "nodes[0].at: found a list of 1, wanted 2 lengths in frame2d; give one per coordinate\n"
           "nodes[0].support: \"fixd\" is none of fixed, pin, roller; did you mean \"fixed\"?\n"
           "members[0] \"AB\": no node \"D\"; add the node or name another\n"
           "materials[0] \"m\": E is -1 kN/m^2; give a value greater than 0\n"
