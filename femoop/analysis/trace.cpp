@@ -40,6 +40,15 @@ public:
         spans_simply_ = is_truss(kind) || is_bar;
     }
 
+    std::vector<std::string> names(const Model& model, const std::array<NodeId, 2>& nodes) const
+    {
+        std::vector<std::string> list;
+        for (const NodeId node : nodes)
+            for (const LocalAxis axis : axes_)
+                list.push_back(model[node].id + "." + std::string(name(all_dofs[index(axis)])) + "'");
+        return list;
+    }
+
     Eigen::MatrixXd stiffness() const
     {
         Eigen::MatrixXd K = Eigen::MatrixXd::Zero(size(), size());
@@ -106,6 +115,8 @@ template <AnalysisKind kind> MemberTrace trace_of(const Model& model, const Stru
     for (const NodeId node : model[member].nodes)
         for (const Dof dof : AnalysisModel<kind>::global)
             trace.dofs.push_back(model[node].id + "." + std::string(name(dof)));
+    trace.own_dofs = tracer.names(model, model[member].nodes);
+    if (const MemberExtras* extras = structure.extras_of(member)) trace.constraint = extras->constraint;
     trace.local_stiffness = tracer.stiffness();
     trace.transformation = tracer.transformation();
     trace.global_stiffness = element.stiffness();

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "femoop/element/member_properties.h"
 #include "femoop/model/model.h"
 
 namespace femoop {
@@ -18,7 +19,10 @@ struct MemberTrace {
         Eigen::VectorXd global; ///< in the axes of the nodes: global, or those of a support that is turned
     };
     std::string member;
-    std::vector<std::string> dofs; ///< of the rows: "A.ux", "A.uy", "A.rz", "B.ux", ...
+    std::vector<std::string> dofs;     ///< of the nodes' rows: "A.ux", "A.uy", "A.rz", "B.ux", ...
+    std::vector<std::string> own_dofs; ///< of the rows in the member's axes, as releases name them: "A.ux'", ...
+    /// What a constraint takes from the member is in no stiffness and no fixed-end force: it ties the ends instead.
+    Constraint constraint = Constraint::None;
     double length = 0.0;
     /// In the member's axes, releases and springs condensed; of a truss member across its axis too, where it is 0.
     Eigen::MatrixXd local_stiffness;

@@ -262,6 +262,11 @@ std::string trace_json(const MemberTrace& trace, const Units& units)
     json.key("dofs").begin_array();
     for (const std::string& dof : trace.dofs) json.value(dof);
     json.end();
+    json.key("own_dofs").begin_array();
+    for (const std::string& dof : trace.own_dofs) json.value(dof);
+    json.end();
+    if (trace.constraint != Constraint::None)
+        json.member("constraint", trace.constraint == Constraint::Rigid ? "rigid" : "inextensible");
     json.key("equations").begin_array();
     for (const int equation : trace.equations) json.value(equation);
     json.end();

@@ -325,12 +325,26 @@ TextTable matrix_table(const std::vector<std::string>& rows, const std::vector<s
     return table;
 }
 
-/// Names of the member's own displacements: the ends' degrees of freedom with a prime.
-std::vector<std::string> primed(const std::vector<std::string>& dofs)
+/// The rows of the member's axes beside those of the nodes.
+TextTable fixed_end_table(const MemberTrace& trace, const MemberTrace::FixedEnd& forces, const Translator& tr)
 {
-    std::vector<std::string> names;
-    for (const std::string& dof : dofs) names.push_back(dof + "'");
-    return names;
+    TextTable table({"", tr("own axes"), "", tr("axes of the nodes")});
+    for (std::size_t i = 0; i < trace.dofs.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        table.add_row({trace.own_dofs[i], forces.local[row], trace.dofs[i], forces.global[row]});
+    }
+    table.silence_round_off({1, 3});
+    return table;
+}
+
+std::string constraint_text(Constraint constraint, const Translator& tr)
+{
+    return constraint == Constraint::Rigid
+               ? tr("The member is rigid: a constraint ties its ends, and it has no stiffness and no fixed-end forces "
+                    "of its own.")
+               : tr("The member is inextensible: a constraint ties its ends along its axis, so that it has no "
+                    "stiffness "
+                    "and no fixed-end forces there.");
 }
 
 std::string equations_text(const MemberTrace& trace, const Translator& tr)
@@ -406,20 +420,19 @@ std::string envelope_text(const Model& model, const Results& results, const std:
 
 std::string trace_text(const MemberTrace& trace, const Units& units, const Translator& tr)
 {
-    const std::vector<std::string> local = primed(trace.dofs);
+    const std::vector<std::string>& local = trace.own_dofs;
     std::string text = fill(tr("Member {0}, length {1}: how it enters the system K u = f"),
                             {trace.member, localized(quantity_text(trace.length, dimension::length, units), tr)}) +
                        "\n";
     text += tr("The axes of a node are the global ones, and those of its support where that is turned.") + "\n";
+    if (trace.constraint != Constraint::None) text += constraint_text(trace.constraint, tr) + "\n";
     text += section(tr("Stiffness k' in the member's own axes"), matrix_table(local, local, trace.local_stiffness), tr);
     text += section(tr("Transformation T, u' = T u"), matrix_table(local, trace.dofs, trace.transformation), tr);
     text += section(tr("Stiffness in the axes of the nodes, k = T^T k' T"),
                     matrix_table(trace.dofs, trace.dofs, trace.global_stiffness), tr);
     for (const MemberTrace::FixedEnd& forces : trace.fixed_end) {
-        Eigen::MatrixXd columns(forces.local.size(), 2);
-        columns << forces.local, forces.global;
         text += section(fill(tr("Fixed-end forces on the member, load case {0}"), {forces.load_case}),
-                        matrix_table(trace.dofs, {tr("own axes"), tr("axes of the nodes")}, columns), tr);
+                        fixed_end_table(trace, forces, tr), tr);
     }
     return text + equations_text(trace, tr);
 }

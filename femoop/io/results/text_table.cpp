@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <map>
 #include <stdexcept>
 
@@ -18,13 +19,23 @@ struct NumberFormat {
     char mark = '.';
 };
 
+constexpr int digits = 6; // significant ones of the largest number
+
+/// Of the power of ten, once the number is rounded to the digits that are written.
+int exponent_of(double number)
+{
+    std::array<char, 32> text{};
+    const int n = std::snprintf(text.data(), text.size(), "%.*e", digits - 1, number);
+    const std::string_view written(text.data(), static_cast<std::size_t>(n));
+    return std::atoi(written.data() + written.find('e') + 1);
+}
+
 NumberFormat format_for(double largest)
 {
     if (largest == 0.0) return {};
-    const int exponent = static_cast<int>(std::floor(std::log10(largest)));
-    if (exponent < -4 || exponent > 8) return {true, 5};
-    if (exponent <= 2) return {false, 5 - exponent};
-    return {false, std::max(0, 6 - exponent)};
+    const int exponent = exponent_of(largest);
+    if (exponent < -4 || exponent > 8) return {true, digits - 1};
+    return {false, std::max(0, digits - 1 - exponent)};
 }
 
 bool is_zero_text(std::string_view text) { return text.find_first_of("123456789") == std::string_view::npos; }

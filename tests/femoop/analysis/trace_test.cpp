@@ -91,4 +91,26 @@ TEST_SUITE("trace")
             CHECK(text.find("B.uy'") != std::string::npos);
         }
     }
+
+    TEST_CASE("The rows in a grillage member's own axes are named as its releases are")
+    {
+        Model model = cantilever_with_prop();
+        model.analysis = AnalysisKind::Grillage;
+        model.sections[0].J = 2e-4;
+        model.nodes[1].support->kind = SupportKind::Pin;
+        model.load_cases.clear();
+        const MemberTrace trace = femoop::trace(model, MemberId(0));
+        CHECK(trace.own_dofs == std::vector<std::string>{"A.uy'", "A.rx'", "A.rz'", "B.uy'", "B.rx'", "B.rz'"});
+        CHECK(trace.dofs == std::vector<std::string>{"A.uz", "A.rx", "A.ry", "B.uz", "B.rx", "B.ry"});
+    }
+
+    TEST_CASE("The trace of a member that a constraint ties says so")
+    {
+        Model model = cantilever_with_prop();
+        CHECK(femoop::trace(model, MemberId(0)).constraint == Constraint::None);
+        model.members[0].inextensible = true;
+        CHECK(femoop::trace(model, MemberId(0)).constraint == Constraint::Inextensible);
+        const std::string text = trace_text(femoop::trace(model, MemberId(0)), model.units, english);
+        CHECK(text.find("inextensible: a constraint") != std::string::npos);
+    }
 }

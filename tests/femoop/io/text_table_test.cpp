@@ -20,6 +20,20 @@ TEST_CASE("Numbers of a column share their decimals, six significant digits of t
                           "C       7.5000\n");
 }
 
+TEST_CASE("Six digits are six, whatever the power of ten, and a number that rounds up to one counts as it")
+{
+    const auto written = [](double value) {
+        TextTable table({""});
+        table.add_row({value});
+        const std::string text = table.text();
+        return text.substr(text.find_first_not_of(" \n"));
+    };
+    CHECK(written(37035.0) == "37035.0\n");
+    CHECK(written(1234.5678) == "1234.57\n");
+    CHECK(written(0.9999999999999996) == "1.00000\n");
+    CHECK(written(123456.789) == "123457\n");
+}
+
 TEST_CASE("Numbers of two kinds in one column have six digits each")
 {
     TextTable table({"", "largest"});

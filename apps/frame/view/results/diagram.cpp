@@ -20,6 +20,20 @@ using femoop::Side;
 
 constexpr double noise = 2e-5; // of the largest value: below it a number is written as zero
 
+bool is_truss_force(const Scene& scene, MemberComponent component)
+{
+    return femoop::is_truss(scene.model.analysis) && component == MemberComponent::N;
+}
+
+/// "12.5", or of a truss "12.5 (T)".
+std::string value_text(const Scene& scene, MemberComponent component, double value)
+{
+    const bool shows_sense = is_truss_force(scene, component);
+    const double shown = has_signs(scene, component) && !shows_sense ? value : std::abs(value);
+    const std::string sense = !shows_sense || value == 0.0 ? "" : value > 0.0 ? " (T)" : " (C)";
+    return scene.number(shown, measure_of(component)) + sense;
+}
+
 double median_length(const Scene& scene)
 {
     std::vector<double> lengths;
@@ -72,6 +86,7 @@ public:
         sketch().polyline(line, sketch().stroke(role_), Clearance::Hard);
         if (has_signs(scene_, diagram_.component)) draw_signs(ordinates);
         if (scene_.shows(Show::Values)) write_values();
+        else if (scene_.shows(Show::StepValues)) write_step_values({});
     }
 
 private:
@@ -184,8 +199,7 @@ private:
 
     Caption value_at(double x, double value) const
     {
-        const double shown = has_signs(scene_, diagram_.component) ? value : std::abs(value);
-        return {.text = scene_.number(shown, measure_of(diagram_.component)),
+        return {.text = value_text(scene_, diagram_.component, value),
                 .role = role_,
                 .target = at(x, value),
                 .toward = value < 0.0 ? -frame_.y : frame_.y,
@@ -222,6 +236,13 @@ private:
     ui::Role role_;
 };
 
+// A band has one breadth: a member whose force changes along it gets a diagram.
+bool has_one_force(const Curve& curve, double largest)
+{
+    const femoop::Extremes N = curve.extremes(MemberComponent::N);
+    return N.max.value - N.min.value <= noise * largest;
+}
+
 // The bar as broad as its force is large; tension is filled, compression is hatched.
 void draw_band(const Scene& scene, femoop::MemberId id, const Curve& curve, const Diagram& diagram)
 {
@@ -251,10 +272,8 @@ void draw_band(const Scene& scene, femoop::MemberId id, const Curve& curve, cons
                 sketch.line(corner(x - half, -half), corner(x, half), stroke, Clearance::None);
     }
     if (!scene.shows(Show::Values)) return;
-    const std::string sense = N > 0.0 ? " (T)" : " (C)";
     const auto target = [&](double x) { return corner(x * length, 0.0); };
-    const double number = is_zero ? 0.0 : std::abs(N);
-    sketch.caption({.text = scene.number(number, ui::Measure::Force) + (is_zero ? "" : sense),
+    sketch.caption({.text = value_text(scene, MemberComponent::N, is_zero ? 0.0 : N),
                     .role = ui::Role::AxialForce,
                     .target = target(0.5),
                     .toward = across,
@@ -309,10 +328,10 @@ Diagram make_diagram(const Scene& scene, const SolvedCase& solved, const SolvedC
 void draw_diagram(const Scene& scene, const SolvedCase& solved, const Diagram& diagram)
 {
     if (!(diagram.largest > 0.0) && diagram.component != MemberComponent::N) return;
-    const bool is_truss = femoop::is_truss(scene.model.analysis) && diagram.component == MemberComponent::N;
+    const bool is_truss = is_truss_force(scene, diagram.component);
     for (std::size_t i = 0; i < scene.shape.members.size(); ++i) {
         const femoop::MemberId id{i};
-        if (is_truss) draw_band(scene, id, solved[id], diagram);
+        if (is_truss && has_one_force(solved[id], diagram.largest)) draw_band(scene, id, solved[id], diagram);
         else if (!diagram.is_zero()) MemberDiagram(scene, scene.shape[id], solved[id], diagram).draw();
     }
 }
