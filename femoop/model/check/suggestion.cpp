@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 
 namespace femoop {
 
@@ -40,18 +41,18 @@ std::optional<std::string> nearest(std::string_view typed, const std::vector<std
 {
     const std::string_view name = typed.substr(0, longest);
     const std::size_t allowed = name.size() / 3; // one slip in three letters
-    std::size_t best = allowed + 1;
+    std::pair best{allowed + 1, std::size_t{0}}; // how far, and of equally far ones how unlike in length
     std::string_view found;
     for (const std::string_view candidate : candidates) {
         const std::string_view other = candidate.substr(0, longest);
         const std::size_t apart = std::max(name.size(), other.size()) - std::min(name.size(), other.size());
-        if (apart >= best) continue;
-        const std::size_t far = distance(name, other);
+        if (apart > best.first) continue;
+        const std::pair far{distance(name, other), apart};
         if (far >= best) continue;
         best = far;
         found = candidate;
     }
-    if (best > allowed) return std::nullopt;
+    if (best.first > allowed) return std::nullopt;
     return std::string(found);
 }
 
