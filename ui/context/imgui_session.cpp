@@ -173,7 +173,9 @@ void ImGuiSession::feed(const Input& input)
     std::copy(input.is_button_down.begin(), input.is_button_down.end(), io.MouseDown);
     io.MouseWheel += static_cast<float>(input.wheel.y);
     io.MouseWheelH += static_cast<float>(input.wheel.x);
-    io.KeyCtrl = input.modifiers.ctrl;
+    // A chord that is over before the frame ends is seen all the same.
+    const auto held_ctrl = [](const KeyEvent& event) { return event.is_down && event.modifiers.ctrl; };
+    io.KeyCtrl = input.modifiers.ctrl || std::ranges::any_of(input.keys, held_ctrl);
     io.KeyShift = input.modifiers.shift;
     io.KeyAlt = input.modifiers.alt;
     if (input.has_lost_focus) io.AddFocusEvent(false);
@@ -188,6 +190,8 @@ void ImGuiSession::feed_keys(const std::vector<KeyEvent>& events)
     all.insert(all.end(), events.begin(), events.end());
     std::array<bool, n_keys> has_changed{};
     for (const KeyEvent& event : all) {
+        if (event.key == Key::Tab && event.is_down && event.modifiers.ctrl)
+            continue; // Dear ImGui would list its windows
         const auto key = static_cast<std::size_t>(event.key);
         if (has_changed[key]) {
             waiting_keys_.push_back(event);

@@ -17,6 +17,9 @@ inline constexpr std::size_t n_pointer_buttons = 3;
 struct KeyEvent {
     Key key;
     bool is_down;
+    Modifiers modifiers{}; ///< held at that moment, which may be over at the end of the frame
+
+    Chord chord() const { return {key, modifiers}; }
 };
 
 /// What a person did since the frame before, whether at a window or in a script.
@@ -24,8 +27,8 @@ struct Input {
     /// Logical pixels, y down; nothing while the pointer is elsewhere.
     std::optional<Point> pointer{};
     std::array<bool, n_pointer_buttons> is_button_down{};
-    Point wheel{}; ///< notches; positive y is away from the hand
-    Modifiers modifiers{};
+    Point wheel{};                ///< notches; positive y is away from the hand
+    Modifiers modifiers{};        ///< at the end of the frame
     std::vector<KeyEvent> keys{}; ///< in order
     std::string text{};           ///< typed, UTF-8
     std::vector<std::string> dropped_files{};

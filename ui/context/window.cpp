@@ -75,6 +75,25 @@ Modifiers modifiers_of(int mods)
     return {.ctrl = is_ctrl, .shift = (mods & GLFW_MOD_SHIFT) != 0, .alt = (mods & GLFW_MOD_ALT) != 0};
 }
 
+// On X11 a modifier's own key comes with the modifiers as they were before it.
+Modifiers modifiers_after(int key, int action, int mods)
+{
+    Modifiers held = modifiers_of(mods);
+    const bool is_down = action != GLFW_RELEASE;
+    switch (key) {
+    case GLFW_KEY_LEFT_CONTROL:
+    case GLFW_KEY_RIGHT_CONTROL:
+    case GLFW_KEY_LEFT_SUPER:
+    case GLFW_KEY_RIGHT_SUPER: held.ctrl = is_down; break;
+    case GLFW_KEY_LEFT_SHIFT:
+    case GLFW_KEY_RIGHT_SHIFT: held.shift = is_down; break;
+    case GLFW_KEY_LEFT_ALT:
+    case GLFW_KEY_RIGHT_ALT: held.alt = is_down; break;
+    default: break;
+    }
+    return held;
+}
+
 constexpr std::array<int, 6> cursor_shapes = {GLFW_ARROW_CURSOR,     GLFW_IBEAM_CURSOR,   GLFW_HAND_CURSOR,
                                               GLFW_CROSSHAIR_CURSOR, GLFW_HRESIZE_CURSOR, GLFW_VRESIZE_CURSOR};
 
@@ -148,9 +167,10 @@ void Window::Parts::listen()
     });
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
         Input& heard = of(w).input;
-        heard.modifiers = modifiers_of(mods);
+        heard.modifiers = modifiers_after(key, action, mods);
         if (action == GLFW_REPEAT) return; // the widgets repeat keys by themselves
-        if (const auto known = key_of(key, scancode)) heard.keys.push_back({*known, action == GLFW_PRESS});
+        const auto known = key_of(key, scancode);
+        if (known) heard.keys.push_back({*known, action == GLFW_PRESS, heard.modifiers});
     });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned codepoint) { append_utf8(of(w).input.text, codepoint); });
     glfwSetDropCallback(window, [](GLFWwindow* w, int n, const char** paths) {

@@ -115,18 +115,17 @@ void Application::take_keys(const ui::Input& all)
                             kept_files_.is_open() || tables_.is_asking() || is_popup_open;
     if (is_blocked) return;
     const ui::Input input = tables_.take(desk_, all);
-    const bool has_ctrl = input.modifiers.ctrl;
     const bool types = ImGui::GetIO().WantTextInput || fields_.is_typing();
-    if (!types && !has_ctrl) desk_.hand.type(input.text);
+    if (!types && !input.modifiers.ctrl) desk_.hand.type(input.text);
     for (const ui::KeyEvent& event : input.keys) {
-        if (!event.is_down || (types && !has_ctrl)) continue;
+        if (!event.is_down || (types && !event.modifiers.ctrl)) continue;
         if (!types && take_typing(event.key)) continue;
         if (event.key == ui::Key::Escape && desk_.session.history().is_dragging()) {
             desk_.hand.tool().escape(); // else it would go on with what is taken back
             desk_.session.cancel();
             continue;
         }
-        const auto* const command = commands_.find(ui::Chord{event.key, input.modifiers});
+        const auto* const command = commands_.find(event.chord());
         const bool is_edit_of_text = types && command != nullptr && command->id.starts_with("edit.");
         if (command == nullptr || is_edit_of_text) continue;
         const auto reason = run(*command, desk_);

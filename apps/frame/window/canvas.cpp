@@ -26,12 +26,11 @@ ViewOptions looked_at(const Session& session)
     return options;
 }
 
-// While something is drawn the structure is not complete yet, so no motion is played.
+// While members are drawn the structure is not complete yet, so no motion is played.
 std::optional<std::size_t> shown_mechanism(const Desk& desk)
 {
-    const bool is_drawn = desk.hand.kind() != ToolKind::Select;
-    return is_drawn || desk.session.solution().mechanisms.empty() ? std::nullopt
-                                                                  : std::optional(desk.session.mechanism);
+    return desk.hand.can_type() || desk.session.solution().mechanisms.empty() ? std::nullopt
+                                                                              : std::optional(desk.session.mechanism);
 }
 
 Subject subject(const Desk& desk, const ViewOptions& options)

@@ -112,7 +112,7 @@ void play(std::string_view script, ui::Offscreen& context, Application& applicat
         if (key_held) input.keys.push_back({*std::exchange(key_held, std::nullopt), false});
         if (frame->key) {
             input.modifiers = frame->key->modifiers;
-            input.keys.push_back({frame->key->key, true});
+            input.keys.push_back({frame->key->key, true, frame->key->modifiers});
             key_held = frame->key->key;
         }
         application.frame(input);

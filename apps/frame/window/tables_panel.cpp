@@ -253,7 +253,7 @@ ui::Input TablesPanel::take(Desk& desk, const ui::Input& input)
     rest.keys.clear();
     if (!desk.bottom.shows_member) follow(desk);
     for (const ui::KeyEvent& event : input.keys) {
-        const bool is_taken = event.is_down && take_key(desk, {event.key, input.modifiers});
+        const bool is_taken = event.is_down && take_key(desk, event.chord());
         if (!is_taken) rest.keys.push_back(event);
     }
     const bool is_typed = has_keyboard_ && !input.modifiers.ctrl && !desk.bottom.shows_member;

@@ -64,7 +64,7 @@ private:
     {
         const ui::Chord chord = keys[below(keys.size())];
         input.modifiers = chord.modifiers;
-        input.keys.push_back({chord.key, true});
+        input.keys.push_back({chord.key, true, chord.modifiers});
         key_held_ = chord.key;
     }
 

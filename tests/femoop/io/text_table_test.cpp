@@ -42,7 +42,7 @@ TEST_CASE("Numbers of two kinds in one column have six digits each")
     table.add_row({"N [kN]", 0.0}, 1);
     CHECK(table.text() == "                  largest\n"
                           "N [kN]           0.450000\n"
-                          "M [kN*mm]  -120000.0\n"
+                          "M [kN*mm]  -120000\n"
                           "N [kN]           0\n");
 }
 
@@ -51,7 +51,7 @@ TEST_CASE("Round-off beside large numbers reads 0, without a sign")
     TextTable table({"N"});
     table.add_row({-1.0e-13});
     table.add_row({4711.25});
-    CHECK(table.text() == "       N\n   0\n4711.250\n");
+    CHECK(table.text() == "      N\n   0\n4711.25\n");
 }
 
 TEST_CASE("A column of very small numbers is written with powers of ten")
