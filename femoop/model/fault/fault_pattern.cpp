@@ -128,8 +128,10 @@ std::string_view pattern(FaultKind kind)
         return "cremona: found format {0}, wanted 1; write \"cremona\": 1, or read this file with a newer program";
     case FaultKind::UnknownChoice: return "{0}: \"{1}\" is none of {2}; choose one of them";
     case FaultKind::UnknownChoiceNear: return "{0}: \"{1}\" is none of {2}; did you mean \"{3}\"?";
-    case FaultKind::WrongCoordinateCount: return "{0}: found a list of {1}, wanted {2} lengths in {3}; give one per coordinate";
-    case FaultKind::WrongNodeCount: return "{0}: found a list of {1}, wanted the names of 2 nodes; name the first and the second";
+    case FaultKind::WrongCoordinateCount:
+        return "{0}: found a list of {1}, wanted {2} lengths in {3}; give one per coordinate";
+    case FaultKind::WrongNodeCount:
+        return "{0}: found a list of {1}, wanted the names of 2 nodes; name the first and the second";
     case FaultKind::WrongVectorSize: return "{0}: found a list of {1}, wanted 3 numbers; give x, y and z";
     case FaultKind::WrongLineLoadSize:
         return "{0}: found a list of {1}, wanted one number or two [value at \"from\", value at \"to\"]; leave out the "

@@ -205,7 +205,8 @@ std::vector<BadFile> files_with_bad_keys()
          "members[0] \"AB\": found a list of 3, wanted the names of 2 nodes; name the first and the second"},
         {space(R"(, "up": [0, 1])").text(), "members[0].up: found a list of 2, wanted 3 numbers; give x, y and z"},
         {with_load(R"("kind": "distributed", "qy": [-1, -2, -3])"),
-         "load_cases[0].members[0].qy: found a list of 3, wanted one number or two [value at \"from\", value at \"to\"]; "
+         "load_cases[0].members[0].qy: found a list of 3, wanted one number or two [value at \"from\", value at "
+         "\"to\"]; "
          "leave out the others or add one"},
         {with_load(R"("kind": "point", "fy": -9, "at": "half%")"),
          "load_cases[0].members[0].at: cannot read \"half%\" as a percentage; write it like \"50%\""},
