@@ -112,12 +112,35 @@ void Assembly<kind>::visit_member(MemberId member, Visit&& visit) const
     visit(std::span<const std::int32_t>(own.equations), K);
 }
 
+template <AnalysisKind kind> bool Assembly<kind>::is_plain(MemberId member) const
+{
+    const auto& row = structure_.members[member.index];
+    return row.extras < 0 && axes_of(row.nodes[0]) == nullptr && axes_of(row.nodes[1]) == nullptr;
+}
+
 template <AnalysisKind kind> void Assembly<kind>::add_stiffness(SparseMatrix& K) const
 {
     const SystemPattern& pattern = equations_.pattern();
-    for (std::size_t i = 0; i < structure_.members.size(); ++i)
-        visit_member(MemberId(i),
-                     [&](std::span<const std::int32_t> rows, const auto& Ke) { pattern.add(K, i, rows, Ke); });
+    // Most structures repeat themselves: a member like the plain one before it has its stiffness.
+    struct {
+        std::uint32_t properties = 0;
+        Eigen::Vector3d span = Eigen::Vector3d::Zero(); // no member's
+        typename Element::GlobalMatrix K;
+    } last;
+    for (std::size_t i = 0; i < structure_.members.size(); ++i) {
+        const MemberId member(i);
+        if (!is_plain(member)) {
+            visit_member(member,
+                         [&](std::span<const std::int32_t> rows, const auto& Ke) { pattern.add(K, i, rows, Ke); });
+            continue;
+        }
+        const Structure::MemberRow& row = structure_.members[i];
+        const Eigen::Vector3d span = structure_.positions[row.nodes[1].index] -
+                                     structure_.positions[row.nodes[0].index];
+        if (span != last.span || row.properties != last.properties)
+            last = {row.properties, span, element(member, structure_.frame(member)).stiffness()};
+        pattern.add(K, i, node_equations(member), last.K);
+    }
     for (const Structure::SupportRow& support : structure_.supports)
         for (std::size_t i = 0; i < n; ++i)
             if (const std::int32_t row = equations_.of(support.node, i); row != Equations::none)

@@ -58,6 +58,7 @@ public:
 
 private:
     bool is_constrained(MemberId member) const;
+    bool is_plain(MemberId member) const; ///< without extras, between nodes in global axes
     Element element_of(MemberId member, const MemberFrame& frame, ActionSet actions) const;
     const NodeMatrix* axes_of(NodeId node) const;
     void add_node_loads(const CaseLoads& loads, Eigen::VectorXd& f) const;
