@@ -159,10 +159,6 @@ std::vector<std::array<Eigen::Vector3d, 2>> member_ends(const std::shared_ptr<co
     return ends;
 }
 
-} // namespace
-
-namespace {
-
 /// Where a node that rotates takes along a member whose far end is released, it is the member that swings about it.
 Fault swing(const Model& model, const Mechanism& mechanism)
 {

@@ -1,6 +1,5 @@
 #include "femoop/analysis/number_range.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -108,9 +107,7 @@ std::vector<Fault> cases_beyond_range(const detail::Solution& solution, const Re
 std::optional<Fault> huge_displacement(const Model& model, const Structure& structure, const Results& results,
                                        double most)
 {
-    Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& position : structure.positions) box.extend(position);
-    const double limit = most * (box.isEmpty() ? 0.0 : box.diagonal().norm());
+    const double limit = most * structure.size();
     for (std::size_t c = 0; c < model.load_cases.size(); ++c) {
         const CaseResult result = results[CaseId(c)];
         for (std::size_t i = 0; i < structure.positions.size(); ++i) {

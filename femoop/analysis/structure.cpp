@@ -1,5 +1,6 @@
 #include "femoop/analysis/structure.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -156,6 +157,13 @@ Structure::SupportRow support_row(const Node& node, NodeId id, AnalysisKind kind
 }
 
 } // namespace
+
+double Structure::size() const
+{
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& position : positions) box.extend(position);
+    return box.isEmpty() ? 0.0 : box.diagonal().norm();
+}
 
 MemberFrame Structure::frame(MemberId member) const
 {

@@ -41,6 +41,7 @@ struct Structure {
     bool has_constraints = false;              ///< any inextensible or rigid member
 
     MemberFrame frame(MemberId member) const;
+    double size() const; ///< diagonal of the box around the nodes; 0 without any
     const MemberProperties& properties_of(MemberId member) const
     {
         return properties[members[member.index].properties];

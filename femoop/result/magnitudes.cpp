@@ -1,4 +1,3 @@
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -10,13 +9,6 @@
 namespace femoop {
 
 namespace {
-
-double size_of(const Structure& structure)
-{
-    Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& position : structure.positions) box.extend(position);
-    return box.isEmpty() ? 0.0 : box.diagonal().norm();
-}
 
 void see(double& largest, double value)
 {
@@ -70,7 +62,7 @@ Magnitudes CaseResult::magnitudes() const
         see_nodes(most, solution_->loads[term.load_case], term.factor);
         see_strains(most, structure, solution_->loads[term.load_case], term.factor);
     }
-    const double size = size_of(structure);
+    const double size = structure.size();
     if (size == 0.0) return most;
     most.moment = std::max(most.moment, most.force * size);
     most.force = std::max(most.force, most.moment / size);

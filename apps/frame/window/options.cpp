@@ -100,8 +100,7 @@ Options parse_options(int argc, const char* const* argv)
     if (!play.empty()) options.play = play;
     options.pictures = pictures;
     if (!frames.empty()) options.frames = frames;
-    const bool is_headless = options.screenshot || options.play || options.describe;
-    if (is_headless && files.size() > 1)
+    if (options.is_headless() && files.size() > 1)
         throw OptionsEnd("frame: found " + std::to_string(files.size()) +
                              " files, wanted one: only a window has room for several",
                          bad_arguments);

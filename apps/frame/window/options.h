@@ -29,6 +29,8 @@ struct Options {
     std::optional<ui::UnitSystem> units;
     std::optional<ShowSet> show;
     std::optional<std::string> load_case;
+
+    bool is_headless() const { return screenshot || play || describe; }
 };
 
 /// The command line was a question (`--help`, `--version`) or a mistake: what to print, and the exit status.

@@ -155,8 +155,7 @@ int show_window(const Options& options, Session session)
 int run(const Options& options)
 {
     Session session = begin(options);
-    const bool is_headless = options.screenshot || options.play || options.describe;
-    if (is_headless && session.notice) {
+    if (options.is_headless() && session.notice) {
         print(*session.notice, session.view.tr);
         return BadInput;
     }
