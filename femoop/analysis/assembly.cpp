@@ -206,8 +206,7 @@ template <AnalysisKind kind> void Assembly<kind>::add_member_loads(const CaseLoa
         if (loads.of(member).empty()) continue;
         const MemberFrame frame = structure_.frame(member);
         const std::array<SpanLoading::Scaled, 1> terms{{{.loads = loads.of(member)}}};
-        loading.assign(frame.length, terms, structure_.properties_of(member).xy.longest_piece(),
-                       structure_.properties_of(member).xy.settling());
+        structure_.properties_of(member).xy.cut(loading, frame.length, terms);
         if (!is_constrained(member)) {
             subtract(node_equations(member), element(member, frame).fixed_end_forces(loading));
             continue;

@@ -31,7 +31,7 @@ std::optional<LooseEnd> driven_twist(const Beam& bending, double length, const E
     if (loads.empty()) return std::nullopt;
     SpanLoading loading;
     const std::array<SpanLoading::Scaled, 1> terms{{{.loads = loads}}};
-    loading.assign(length, terms, bending.longest_piece(), bending.settling());
+    bending.cut(loading, length, terms);
     const auto forces = element.rigid_joint_forces(loading);
     for (const LooseEnd& loose : element.loose_ends(forces))
         if (loose.axis == LocalAxis::rx && std::abs(loose.drive) > 1e-9 * forces.cwiseAbs().maxCoeff()) return loose;

@@ -128,8 +128,7 @@ template <AnalysisKind kind> MemberTrace trace_of(const Model& model, const Stru
     for (std::size_t c = 0; c < loads.size(); ++c) {
         SpanLoading loading;
         const std::array<SpanLoading::Scaled, 1> terms{{{.loads = loads[c].of(member)}}};
-        loading.assign(frame.length, terms, structure.properties_of(member).xy.longest_piece(),
-                       structure.properties_of(member).xy.settling());
+        structure.properties_of(member).xy.cut(loading, frame.length, terms);
         trace.fixed_end.push_back({.load_case = model.load_cases[c].id,
                                    .local = tracer.fixed_end_forces(loading),
                                    .global = element.fixed_end_forces(loading)});

@@ -89,6 +89,12 @@ struct Beam {
     /// What happens at a place is felt no further on than this; infinite without a foundation.
     double settling() const;
 
+    /// A member's loads in the pieces that this beam is solved over.
+    void cut(SpanLoading& loading, double L, std::span<const SpanLoading::Scaled> terms) const
+    {
+        loading.assign(L, terms, longest_piece(), settling());
+    }
+
     /// On a stiffer one a member of this length has more pieces, or shorter ones, than arithmetic bears.
     double stiffest_foundation(double L) const;
 

@@ -41,7 +41,7 @@ public:
         scaled_.clear();
         for (const CaseTerms::Term& term : terms_)
             scaled_.push_back({.loads = solution_.loads[term.load_case].of(member), .factor = term.factor});
-        loading_.assign(frame_.length, scaled_, properties_->xy.longest_piece(), properties_->xy.settling());
+        properties_->xy.cut(loading_, frame_.length, scaled_);
     }
 
     MemberState state() const

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "apps/frame/document/command.h"
 #include "apps/frame/document/drawing.h"
@@ -119,8 +118,7 @@ Change SelectTool::turned(const Work& work, const Aim& to) const
     const SupportGrip& grip = *start_.support;
     const Model& model = work.document.model;
     const Vector2d arm = to.pointer - place_of(model, grip.node);
-    const double seen_at = std::atan2(arm.y(), arm.x()) * 180.0 / std::numbers::pi;
-    const double angle = round_angle(model[grip.node].support->angle + seen_at - grip.angle, to.is_exact);
+    const double angle = round_angle(model[grip.node].support->angle + direction_of(arm) - grip.angle, to.is_exact);
     return {{translatable("Turn: {part}"), {{"part", title(model, grip.node)}}},
             [=](Document& changed) { set_support_angle(changed, grip.node, angle); },
             Step::Drag};

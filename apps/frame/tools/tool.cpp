@@ -1,6 +1,11 @@
 #include "apps/frame/tools/tool.h"
 
+#include <cmath>
+#include <numbers>
+
 namespace frame {
+
+double direction_of(const Eigen::Vector2d& arm) { return std::atan2(arm.y(), arm.x()) * 180.0 / std::numbers::pi; }
 
 std::optional<Part> Aim::part() const
 {

@@ -15,6 +15,9 @@ namespace frame {
 
 class Prediction;
 
+/// The direction of an arm from +x, counter-clockwise [degrees].
+double direction_of(const Eigen::Vector2d& arm);
+
 /// The arrow of a load that can be pulled longer.
 struct LoadGrip {
     Part load;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace frame {
 
@@ -49,8 +48,7 @@ std::optional<SupportGrip> support_at(const Projection& projection, ui::Point at
     if (mark == marks.end()) return std::nullopt;
     const auto root = place_in_plane(projection, mark->root), hand = place_in_plane(projection, at);
     if (!root || !hand || *root == *hand) return std::nullopt;
-    const Vector2d arm = *hand - *root;
-    return SupportGrip{mark->node, std::atan2(arm.y(), arm.x()) * 180.0 / std::numbers::pi};
+    return SupportGrip{mark->node, direction_of(*hand - *root)};
 }
 
 std::optional<LoadGrip> grip_at(const Projection& projection, ui::Point at, std::span<const LoadMark> marks)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "apps/frame/view/sketch/scene.h"
@@ -73,9 +72,8 @@ public:
         painter_.line(at(start), at(end), stroke);
         const Vector2d arm = end - start;
         if (arm.norm() == 0.0) return;
-        const double degrees = std::atan2(arm.y(), arm.x()) * 180.0 / std::numbers::pi;
         note(at(end), units_.text(arm.norm(), ui::Measure::Length) + "   " +
-                          with_minus(ui::number_text(degrees, units_.format())) + "°");
+                          with_minus(ui::number_text(direction_of(arm), units_.format())) + "°");
     }
 
     void window(const Vector2d& start, const Vector2d& end)

@@ -43,14 +43,20 @@ Model skew_chain(double h)
     return model;
 }
 
-std::vector<std::string> mechanisms(const Model& model)
+std::vector<Mechanism> motions(const Model& model)
 {
-    std::vector<std::string> sentences;
     try {
         analyse(model);
     } catch (const MechanismError& error) {
-        for (const Mechanism& mechanism : error.mechanisms()) sentences.push_back(message(mechanism.fault));
+        return error.mechanisms();
     }
+    return {};
+}
+
+std::vector<std::string> mechanisms(const Model& model)
+{
+    std::vector<std::string> sentences;
+    for (const Mechanism& mechanism : motions(model)) sentences.push_back(message(mechanism.fault));
     return sentences;
 }
 
@@ -316,12 +322,7 @@ TEST_SUITE("mechanisms")
         hold(model, 0, SupportKind::Fixed);
         hold(model, 2, SupportKind::Roller);
         model.members[0].start.release = model.members[0].end.release = {Dof::ux};
-        std::vector<Mechanism> found;
-        try {
-            analyse(model);
-        } catch (const MechanismError& error) {
-            found = error.mechanisms();
-        }
+        const std::vector<Mechanism> found = motions(model);
         REQUIRE(found.size() == 2);
         CHECK(found[0].member_ends[0][1].x() == doctest::Approx(1.0));
         CHECK(found[0].member_ends[1][0].norm() == 0.0);
@@ -335,12 +336,7 @@ TEST_SUITE("mechanisms")
         Model model = frame({{0, 0}, {40, 0}}, {{0, 1}});
         for (const std::size_t end : {0U, 1U}) hold(model, end, SupportKind::Fixed);
         model.members[0].start.release = model.members[0].end.release = {Dof::uy, Dof::rz};
-        std::vector<Mechanism> found;
-        try {
-            analyse(model);
-        } catch (const MechanismError& error) {
-            found = error.mechanisms();
-        }
+        const std::vector<Mechanism> found = motions(model);
         REQUIRE(found.size() == 2);
         for (const Mechanism& loose : found) {
             const auto& [start, end] = loose.member_ends[0];
