@@ -25,7 +25,8 @@ using EdgeId = Handle<struct EdgeKind>;
 using HalfEdgeId = Handle<struct HalfEdgeKind>;
 using VertexId = Handle<struct VertexKind>;
 
-/// As messages and tables name it: "v7" for a vertex, "he7" for a half-edge, "e" "l" "f" "sh" "s" for the others.
+/// As messages and tables name it, counting from 1: "v7" for the seventh vertex, "he7" for a half-edge, "e" "l" "f"
+/// "sh" "s" for the others.
 std::ostream& operator<<(std::ostream& out, SolidId id);
 std::ostream& operator<<(std::ostream& out, ShellId id);
 std::ostream& operator<<(std::ostream& out, FaceId id);
@@ -33,6 +34,24 @@ std::ostream& operator<<(std::ostream& out, LoopId id);
 std::ostream& operator<<(std::ostream& out, EdgeId id);
 std::ostream& operator<<(std::ostream& out, HalfEdgeId id);
 std::ostream& operator<<(std::ostream& out, VertexId id);
+
+enum class EntityKind : std::uint8_t { Face, Loop, Edge, HalfEdge, Vertex };
+
+/// A handle of any kind, where several kinds stand in one list.
+struct Entity {
+    EntityKind kind = EntityKind::Vertex;
+    std::uint32_t index = 0;
+
+    Entity() = default;
+    Entity(FaceId id) : kind(EntityKind::Face), index(id.index) {}
+    Entity(LoopId id) : kind(EntityKind::Loop), index(id.index) {}
+    Entity(EdgeId id) : kind(EntityKind::Edge), index(id.index) {}
+    Entity(HalfEdgeId id) : kind(EntityKind::HalfEdge), index(id.index) {}
+    Entity(VertexId id) : kind(EntityKind::Vertex), index(id.index) {}
+
+    friend auto operator<=>(const Entity&, const Entity&) = default;
+};
+std::ostream& operator<<(std::ostream& out, Entity entity); ///< as its handle
 
 } // namespace topology
 

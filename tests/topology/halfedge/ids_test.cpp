@@ -29,12 +29,12 @@ TEST_CASE("A handle of one kind is not taken for another, nor made of a bare num
     CHECK_FALSE(std::is_convertible_v<unsigned, VertexId>);
 }
 
-TEST_CASE("A handle is written with the letter of its kind, so that e3 and he3 are told apart")
+TEST_CASE("A handle is written with the letter of its kind, counting from 1, so that e4 and he4 are told apart")
 {
-    CHECK(text(EdgeId{3}) == "e3");
-    CHECK(text(HalfEdgeId{3}) == "he3");
-    CHECK(text(topology::ShellId{12}) == "sh12");
-    CHECK(text(topology::SolidId{12}) == "s12");
+    CHECK(text(EdgeId{3}) == "e4");
+    CHECK(text(HalfEdgeId{3}) == "he4");
+    CHECK(text(topology::ShellId{12}) == "sh13");
+    CHECK(text(topology::SolidId{12}) == "s13");
 }
 
 TEST_CASE("Handles order by index and are keys of a set")
