@@ -8,6 +8,7 @@
 #include "apps/cli/analysis_run.h"
 #include "apps/cli/argument.h"
 #include "apps/cli/bench_frame.h"
+#include "apps/cli/bench_halfedge.h"
 #include "femoop/io/json/json_writer.h"
 #include "femoop/solver/blas.h"
 
@@ -23,29 +24,38 @@ public:
     ExitStatus run(Console& console) override;
 
 private:
-    std::string what_, bays_ = "19", storeys_ = "50", solver_ = "automatic";
+    std::string frame(const ui::Catalogue& tr) const;
+    std::string halfedge(const ui::Catalogue& tr) const;
+
+    std::string what_, bays_ = "19", storeys_ = "50", solver_ = "automatic", n_ = "1000";
     bool is_json_ = false;
 };
 
 HelpText Bench::help(const ui::Catalogue& tr) const
 {
-    return {
-        tr("time the analysis of a large structure built in memory"),
-        tr("`bench frame` builds a plane frame (bays of 6 m, storeys of 3 m, fixed bases, 20 kN/m on every beam, "
-           "10 kN to the right at every level), solves it, recovers N, V and M at 11 stations of every member, and "
-           "prints how long each phase took, the peak of memory and the sway of the top left node."),
-        {{"cremona bench frame --bays 249 --storeys 400", tr("300 000 degrees of freedom.")},
-         {"cremona bench frame --bays 19 --storeys 50 --solver ldlt --json", tr("Another solver, for a program.")}}};
+    return {tr("time the analysis of a large structure, or the making of a large solid, in memory"),
+            tr("`bench frame` builds a plane frame (bays of 6 m, storeys of 3 m, fixed bases, 20 kN/m on every beam, "
+               "10 kN to the right at every level), solves it, recovers N, V and M at 11 stations of every member, and "
+               "prints how long each phase took, the peak of memory and the sway of the top left node.") +
+                "\n\n" +
+                tr("`bench halfedge` draws a grid of N by N quadrilaterals by the Euler operators MVFS, MEV and MEF, "
+                   "without "
+                   "and with the journal, undoes all of it and validates it."),
+            {{"cremona bench frame --bays 249 --storeys 400", tr("300 000 degrees of freedom.")},
+             {"cremona bench frame --bays 19 --storeys 50 --solver ldlt --json", tr("Another solver, for a program.")},
+             {"cremona bench halfedge --n 1000", tr("2 002 001 Euler operators.")}}};
 }
 
 void Bench::declare(CLI::App& app, const ui::Catalogue& tr)
 {
-    app.add_option("WHAT", what_, tr("the structure: frame"))->option_text(" ");
+    app.add_option("WHAT", what_, tr("what is built: frame or halfedge"))->option_text(" ");
     app.add_option("--bays", bays_, tr("how many bays the frame has (default 19)"))->option_text("B");
     app.add_option("--storeys", storeys_, tr("how many storeys the frame has (default 50)"))->option_text("S");
     app.add_option("--solver", solver_,
                    tr("who solves K u = f: automatic (the fastest, default), skyline, ldlt or cholmod"))
         ->option_text("NAME");
+    app.add_option("--n", n_, tr("how many quadrilaterals lie along each side of the grid (default 1000)"))
+        ->option_text("N");
     app.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
 }
 
@@ -93,15 +103,59 @@ std::string table(const FrameBench& bench, const ui::Catalogue& tr)
            "\n";
 }
 
-ExitStatus Bench::run(Console& console)
+std::string json(const HalfEdgeBench& bench)
 {
-    const ui::Catalogue& tr = console.tr();
-    if (what_ != "frame") throw unknown_choice("WHAT", what_, {"frame"}, tr);
+    femoop::JsonWriter json;
+    json.begin_object()
+        .member("operators", bench.operators)
+        .member("build", bench.build)
+        .member("build_journaled", bench.build_journaled)
+        .member("undo", bench.undo)
+        .member("validate", bench.validate)
+        .member("bytes_per_edge", bench.bytes_per_edge)
+        .end();
+    return json.take();
+}
+
+std::string table(const HalfEdgeBench& bench, const ui::Catalogue& tr)
+{
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(6);
+    text << std::setw(16) << bench.operators << ' ' << "    " << tr("operators") << '\n';
+    const auto line = [&](double time, const std::string& what) {
+        text << std::setw(16) << time << " s   " << what << '\n';
+    };
+    line(bench.build, tr("build"));
+    line(bench.build_journaled, tr("build, with the journal written"));
+    line(bench.undo, tr("undo all of it"));
+    line(bench.validate, tr("validate"));
+    text << std::setprecision(1) << std::setw(16) << bench.bytes_per_edge << " B   " << tr("an edge, points included")
+         << '\n';
+    return text.str();
+}
+
+std::string Bench::frame(const ui::Catalogue& tr) const
+{
     constexpr WholeRange range{1, 5000};
     const FrameSize size{.bays = static_cast<std::size_t>(whole_number("--bays", bays_, range, tr)),
                          .storeys = static_cast<std::size_t>(whole_number("--storeys", storeys_, range, tr))};
     const FrameBench bench = bench_frame(size, {.solver = solver_named(solver_, tr)});
-    console.print(is_json_ ? json(bench) : table(bench, tr));
+    return is_json_ ? json(bench) : table(bench, tr);
+}
+
+std::string Bench::halfedge(const ui::Catalogue& tr) const
+{
+    const long n = whole_number("--n", n_, {1, 10000}, tr);
+    const HalfEdgeBench bench = bench_halfedge(static_cast<std::size_t>(n));
+    return is_json_ ? json(bench) : table(bench, tr);
+}
+
+ExitStatus Bench::run(Console& console)
+{
+    const ui::Catalogue& tr = console.tr();
+    if (what_ == "frame") console.print(frame(tr));
+    else if (what_ == "halfedge") console.print(halfedge(tr));
+    else throw unknown_choice("WHAT", what_, {"frame", "halfedge"}, tr);
     return ExitStatus::Done;
 }
 

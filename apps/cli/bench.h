@@ -6,7 +6,7 @@
 
 namespace cli {
 
-/// `cremona bench`: times the analysis of structures that are built in memory.
+/// `cremona bench`: times the analysis of structures, and the making of solids, in memory.
 std::unique_ptr<Subcommand> bench_command();
 
 } // namespace cli

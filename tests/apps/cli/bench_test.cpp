@@ -25,6 +25,18 @@ TEST_CASE("A frame of 9 by 10 has 300 degrees of freedom and sways 12.604187 mm,
     }
 }
 
+TEST_CASE("A grid of 30 by 30 takes 1861 operators and no more than 100 bytes an edge")
+{
+    const Run run = cremona({"bench", "halfedge", "--n", "30", "--json"});
+    REQUIRE(run.status == 0);
+    const auto report = nlohmann::json::parse(run.out);
+    CHECK(report["operators"] == 2 * 30 * 30 + 2 * 30 + 1);
+    CHECK(report["bytes_per_edge"].get<double>() <= 100.0);
+    for (const char* phase : {"build", "build_journaled", "undo", "validate"})
+        CHECK_MESSAGE(report[phase].get<double>() >= 0.0, phase);
+    CHECK(has(cremona({"bench", "halfedge", "--n", "0"}).err, "--n: found \"0\"; wanted a whole number from 1 to"));
+}
+
 TEST_CASE("A frame of no size, or another benchmark, is answered with what is wanted")
 {
     CHECK(has(cremona({"bench", "frame", "--bays", "0"}).err, "--bays: found \"0\"; wanted a whole number from 1 to"));
