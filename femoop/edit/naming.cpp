@@ -38,8 +38,9 @@ template <class List> std::unordered_set<std::string_view> names_of(const List& 
     return names;
 }
 
-/// Counts on from the number at the name's end, 2 for a name without one.
-template <class IsTaken> std::string counted_on(const std::string& wanted, IsTaken&& is_taken)
+} // namespace
+
+std::string fresh_name(const std::string& wanted, const std::function<bool(const std::string&)>& is_taken)
 {
     if (!is_taken(wanted)) return wanted;
     const std::size_t digits = wanted.find_last_not_of("0123456789") + 1;
@@ -49,8 +50,6 @@ template <class IsTaken> std::string counted_on(const std::string& wanted, IsTak
         if (!is_taken(name)) return name;
     }
 }
-
-} // namespace
 
 std::string fresh_node_id(const Model& model)
 {
@@ -77,19 +76,19 @@ std::string fresh_member_id(const Model& model, NodeId start, NodeId end)
 
 std::string fresh_id(const std::vector<Material>& taken, const std::string& wanted)
 {
-    return counted_on(wanted,
+    return fresh_name(wanted,
                       [&](const std::string& name) { return std::ranges::count(taken, name, &Material::id) > 0; });
 }
 
 std::string fresh_id(const std::vector<Section>& taken, const std::string& wanted)
 {
-    return counted_on(wanted,
+    return fresh_name(wanted,
                       [&](const std::string& name) { return std::ranges::count(taken, name, &Section::id) > 0; });
 }
 
 std::string fresh_case_id(const Model& model, const std::string& wanted)
 {
-    return counted_on(wanted, [&](const std::string& name) { return model.find_case(name).has_value(); });
+    return fresh_name(wanted, [&](const std::string& name) { return model.find_case(name).has_value(); });
 }
 
 bool is_named_after_nodes(const Model& model, const Member& member)

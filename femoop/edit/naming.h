@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ std::string fresh_node_id(const Model& model);
 std::string fresh_member_id(const Model& model, NodeId start, NodeId end);
 
 /// The wanted name, or where it is taken the next free one with a number at its end: "steel", "steel2", "s1", "s2".
+std::string fresh_name(const std::string& wanted, const std::function<bool(const std::string&)>& is_taken);
 std::string fresh_id(const std::vector<Material>& taken, const std::string& wanted);
 std::string fresh_id(const std::vector<Section>& taken, const std::string& wanted);
 std::string fresh_case_id(const Model& model, const std::string& wanted); ///< of load cases and combinations alike

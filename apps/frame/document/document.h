@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include "apps/frame/document/named_sets.h"
 #include "femoop/model/model.h"
 
 namespace frame {
@@ -8,6 +11,7 @@ namespace frame {
 /// way to change it, and a history keeps its former states.
 struct Document {
     femoop::Model model;
+    std::vector<NamedSet> sets{}; ///< supports and loads under names
 
     friend bool operator==(const Document&, const Document&) = default;
 };

@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "apps/frame/document/naming.h"
 #include "femoop/edit/condense.h"
 #include "femoop/edit/naming.h"
 #include "femoop/model/quantity/in_units.h"
@@ -17,17 +18,6 @@ using namespace femoop;
 using ui::translatable;
 
 namespace {
-
-/// The name is wanted by an entry that is not in the list, or that has this place in it.
-template <class Entry>
-std::optional<ui::Phrase> objection(const std::vector<Entry>& list, std::size_t place, std::string_view name)
-{
-    if (name.find_first_not_of(' ') == std::string_view::npos) return ui::Phrase(translatable("a name is wanted"));
-    for (std::size_t i = 0; i < list.size(); ++i)
-        if (i != place && list[i].id == name)
-            return ui::Phrase(translatable("there is another one named {name}"), {{"name", std::string(name)}});
-    return std::nullopt;
-}
 
 template <class Id> std::vector<MemberId> members_where(const Model& model, std::optional<Id> Member::*property, Id id)
 {
@@ -61,6 +51,17 @@ auto add_for(Model& model, Entry entry, Use Member::*use, std::span<const Member
     return id;
 }
 
+// Of what comes, what is like nothing that is there.
+template <class Entry> std::vector<Entry> strangers(const std::vector<Entry>& there, const std::vector<Entry>& coming)
+{
+    std::vector<Entry> found;
+    for (const Entry& entry : coming) {
+        const auto is_like = [&](const Entry& other) { return are_alike(other, entry); };
+        if (std::ranges::none_of(there, is_like) && std::ranges::none_of(found, is_like)) found.push_back(entry);
+    }
+    return found;
+}
+
 } // namespace
 
 void put_section(Document& document, SectionId id, Section section)
@@ -86,12 +87,12 @@ MaterialId add_material(Document& document, Material material, std::span<const M
 
 std::optional<ui::Phrase> why_not_rename(const Model& model, SectionId id, std::string_view name)
 {
-    return objection(model.sections, id.index, name);
+    return objection(model.sections, &Section::id, id.index, name);
 }
 
 std::optional<ui::Phrase> why_not_rename(const Model& model, MaterialId id, std::string_view name)
 {
-    return objection(model.materials, id.index, name);
+    return objection(model.materials, &Material::id, id.index, name);
 }
 
 void rename(Document& document, SectionId id, std::string name)
@@ -139,20 +140,11 @@ std::size_t import_properties(Document& document, const Model& other)
     Model bare = other;
     bare.extra.clear();
     const Model counted = in_units(bare, document.model.units);
-    std::size_t n = 0;
-    const auto import = [&](auto& list, const auto& entries, auto add) {
-        for (const auto& entry : entries) {
-            if (std::ranges::any_of(list, [&](const auto& there) { return are_alike(there, entry); })) continue;
-            add(document, entry);
-            ++n;
-        }
-    };
-    import(document.model.materials, counted.materials, [](Document& d, const Material& m) { add_material(d, m);
-});
-    import(document.model.sections, counted.sections, [](Document& d, const Section& s) { add_section(d, s);
-    } // namespace frame
-);
-return n;
+    const std::vector<Material> materials = strangers(document.model.materials, counted.materials);
+    const std::vector<Section> sections = strangers(document.model.sections, counted.sections);
+    for (const Material& material : materials) add_material(document, material);
+    for (const Section& section : sections) add_section(document, section);
+    return materials.size() + sections.size();
 }
 
 } // namespace frame

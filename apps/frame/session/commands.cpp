@@ -3,6 +3,7 @@
 #include "apps/frame/session/edit_commands.h"
 #include "apps/frame/session/predict_commands.h"
 #include "apps/frame/session/property_commands.h"
+#include "apps/frame/session/set_commands.h"
 #include "apps/frame/session/table_commands.h"
 #include "apps/frame/session/tabs.h"
 
@@ -372,6 +373,7 @@ CommandTable command_table()
     add_file_commands(table);
     add_edit_commands(table);
     add_property_commands(table);
+    add_set_commands(table);
     add_tool_commands(table);
     add_show_commands(table);
     add_camera_commands(table);

@@ -55,7 +55,7 @@ void add_property_commands(CommandTable& table)
                .run = [](Desk& desk) { desk.requests.push_back(Request::ImportDialog); }});
     table.add({.id = "edit.condense",
                .menu = menu,
-               .label = translatable("Condense materials and sections"),
+               .label = translatable("Condense materials, sections and named sets"),
                .run = [](Desk& desk) { condense_properties(desk.session); }});
 }
 
@@ -71,11 +71,14 @@ void new_material(Session& session)
 void condense_properties(Session& session)
 {
     femoop::Condensed condensed;
-    session.change({translatable("Condense materials and sections"),
-                    [&](Document& document) { condensed = femoop::condense(document.model); }});
-    session.notice = Notice{{translatable("Materials and sections: {equal} were like others, {unused} nobody used"),
-                             {{"equal", text_of(condensed.n_equal)}, {"unused", text_of(condensed.n_unused)}}},
-                            {}};
+    session.change({translatable("Condense materials, sections and named sets"), [&](Document& document) {
+                        condensed = femoop::condense(document.model);
+                        const femoop::Condensed sets = condense_sets(document);
+                        condensed.n_equal += sets.n_equal;
+                        condensed.n_unused += sets.n_unused;
+                    }});
+    session.notice = passing_notice({translatable("Property sets: {equal} were like others, {unused} nobody used"),
+                                     {{"equal", text_of(condensed.n_equal)}, {"unused", text_of(condensed.n_unused)}}});
 }
 
 bool import_properties(Session& session, const std::filesystem::path& path)
@@ -91,8 +94,8 @@ bool import_properties(Session& session, const std::filesystem::path& path)
     std::size_t n = 0;
     session.change({{translatable("Import from {file}"), {file}},
                     [&](Document& document) { n = import_properties(document, reading.model); }});
-    session.notice = Notice{
-        {translatable("{count} materials and sections came from {file}"), {{"count", text_of(n)}, file}}, {}};
+    session.notice = passing_notice(
+        {translatable("{count} materials and sections came from {file}"), {{"count", text_of(n)}, file}});
     return true;
 }
 

@@ -23,6 +23,12 @@ std::uint64_t next_number()
 
 } // namespace
 
+Notice passing_notice(ui::Phrase sentence)
+{
+    constexpr double seconds_to_read = 6.0;
+    return {.sentence = std::move(sentence), .faults = {}, .seconds_left = seconds_to_read};
+}
+
 Session::Session(Document document) : history_(document), saved_(std::move(document)), number_(next_number())
 {
     restart(history_.current());

@@ -26,7 +26,11 @@ struct Notice {
     std::vector<femoop::Fault> faults;
     /// A file that was understood, but whose structure has errors: it can be opened to be mended.
     std::optional<std::filesystem::path> to_mend{};
+    std::optional<double> seconds_left{}; ///< then it goes by itself; until it is closed when absent
 };
+
+/// A notice that needs no answer: it goes when it has been read.
+Notice passing_notice(ui::Phrase sentence);
 
 /// What is open and how it is looked at: the app without its window. The document changes through `change` alone; its
 /// solution follows.

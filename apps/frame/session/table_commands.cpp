@@ -39,6 +39,8 @@ bool shows(const Desk& desk, TableKind kind)
     return desk.bottom.is_open && !desk.bottom.shows_member && desk.bottom.table == kind;
 }
 
+bool shows_member(const Desk& desk) { return desk.bottom.is_open && desk.bottom.shows_member; }
+
 } // namespace
 
 std::string_view command_id(TableKind kind)
@@ -63,7 +65,7 @@ void add_table_commands(CommandTable& table)
                    .label = title(entry.kind),
                    .run =
                        [kind = entry.kind](Desk& desk) {
-                           desk.bottom = {true, kind, false};
+                           desk.bottom = {!shows(desk, kind), kind, false};
                        },
                    .is_on = [kind = entry.kind](const Desk& desk) { return shows(desk, kind); }});
     }
@@ -73,13 +75,13 @@ void add_table_commands(CommandTable& table)
                .shortcuts = {{Key::F4, ui::shift}},
                .run =
                    [](Desk& desk) {
-                       desk.bottom = {true, desk.bottom.table, true};
+                       desk.bottom = {!shows_member(desk), desk.bottom.table, true};
                    },
                .why_not = [](const Desk& desk) -> std::optional<ui::Phrase> {
-                   if (desk.session.solution().results) return std::nullopt;
+                   if (shows_member(desk) || desk.session.solution().results) return std::nullopt;
                    return translatable("There are no results: see the problems.");
                },
-               .is_on = [](const Desk& desk) { return desk.bottom.is_open && desk.bottom.shows_member; }});
+               .is_on = shows_member});
     table.add({.id = "file.export_table",
                .menu = tables_menu,
                .label = translatable("Export the table as CSV…"),

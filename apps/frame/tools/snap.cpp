@@ -64,7 +64,7 @@ public:
         best_ = Snap{place, kind};
         distance_ = distance;
     }
-    Snap best() const { return best_.value_or(Snap{pointer_, SnapKind::Free}); }
+    const std::optional<Snap>& best() const { return best_; }
 
 private:
     Vector2d pointer_;
@@ -72,6 +72,12 @@ private:
     std::optional<Snap> best_;
     double distance_ = 0.0;
 };
+
+double rounded(double x, double step) { return step > 0.0 ? step * std::round(x / step) : x; }
+Vector2d rounded(const Vector2d& place, double step) { return {rounded(place.x(), step), rounded(place.y(), step)}; }
+
+// Places that nothing draws to itself are round all the same, though the hand hardly feels it.
+double fine(const SnapOptions& options) { return 0.1 * options.grid; }
 
 void offer_crossings(Magnet& magnet, const std::vector<Line>& near)
 {
@@ -84,14 +90,13 @@ void offer_crossings(Magnet& magnet, const std::vector<Line>& near)
 void offer_line(Magnet& magnet, const Line& line, const Vector2d& pointer, const SnapOptions& options)
 {
     magnet.offer(line.at(0.5), SnapKind::Midpoint);
-    if (const double share = line.foot(pointer); is_inside(share)) magnet.offer(line.at(share), SnapKind::OnMember);
+    const double along = rounded(line.foot(pointer) * line.length(), fine(options)) / line.length();
+    if (is_inside(along)) magnet.offer(line.at(along), SnapKind::OnMember);
     if (!options.from) return;
     const double share = line.foot(*options.from);
     const bool begins_on_line = (line.at(share) - *options.from).norm() <= 1e-9 * line.length();
     if (is_inside(share) && !begins_on_line) magnet.offer(line.at(share), SnapKind::Perpendicular);
 }
-
-double rounded(double x, double step) { return step > 0.0 ? step * std::round(x / step) : x; }
 
 void offer_ray(Magnet& magnet, const Vector2d& pointer, const Vector2d& from, double grid)
 {
@@ -121,10 +126,9 @@ Snap snap(const Model& model, const Vector2d& pointer, const SnapOptions& option
     }
     for (const Line& line : near) offer_line(magnet, line, pointer, options);
     offer_crossings(magnet, near);
-    if (options.grid > 0.0)
-        magnet.offer({rounded(pointer.x(), options.grid), rounded(pointer.y(), options.grid)}, SnapKind::Grid);
+    if (options.grid > 0.0) magnet.offer(rounded(pointer, options.grid), SnapKind::Grid);
     if (options.from) offer_ray(magnet, pointer, *options.from, options.grid);
-    return magnet.best();
+    return magnet.best().value_or(Snap{rounded(pointer, fine(options)), SnapKind::Free});
 }
 
 double round_grid(double smallest)

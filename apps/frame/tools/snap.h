@@ -15,10 +15,10 @@ enum class SnapKind : std::uint8_t {
     Intersection,  ///< of two members that cross without a node
     Midpoint,      ///< of a member
     Perpendicular, ///< the foot on a member of a line from the place where drawing began
-    OnMember,
+    OnMember,      ///< at a multiple of a tenth of the grid from its start
     Grid,
     Ray, ///< a multiple of 15 degrees from the place where drawing began, a round length along it
-    Free
+    Free ///< nothing: the place is rounded to a tenth of the grid, so that its numbers are short
 };
 
 /// A place in the plane of a model, in its unit of length, and what it was drawn to.

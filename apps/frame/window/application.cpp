@@ -60,6 +60,13 @@ Application::Application(ui::Context& context, const ui::Fonts& fonts, Session s
 
 bool Application::is_moving() const
 {
+    const Session& session = desk_.session;
+    const bool has_passing_notice = session.notice && session.notice->seconds_left;
+    return is_swinging() || has_passing_notice;
+}
+
+bool Application::is_swinging() const
+{
     return desk_.session.is_animated || !desk_.session.solution().mechanisms.empty();
 }
 
@@ -75,8 +82,16 @@ void Application::remember_in(const std::filesystem::path& folder) { kept_files_
 
 void Application::animate(double seconds)
 {
-    time_ = is_moving() ? time_ + seconds : full_swing;
+    time_ = is_swinging() ? time_ + seconds : full_swing;
     desk_.session.view.phase = std::sin(2.0 * std::numbers::pi * time_ / seconds_per_swing);
+}
+
+void Application::pass_notice(double seconds)
+{
+    std::optional<Notice>& notice = desk_.session.notice;
+    if (!notice || !notice->seconds_left) return;
+    *notice->seconds_left -= seconds;
+    if (*notice->seconds_left < 0.0) notice.reset();
 }
 
 void Application::frame(const ui::Input& input)
@@ -89,6 +104,7 @@ void Application::frame(const ui::Input& input)
     gui_.begin_frame(input);
     take_keys(input);
     animate(input.seconds);
+    pass_notice(input.seconds);
     show_menu_bar();
     show_body();
     show_dialogs();
@@ -106,7 +122,13 @@ void Application::take_files(const std::vector<std::string>& files)
     for (const std::string& file : files) open_file(desk_, file);
 }
 
-void Application::explain(const ui::Phrase& reason) { desk_.session.notice = Notice{reason, {}}; }
+void Application::explain(const ui::Phrase& reason) { desk_.session.notice = passing_notice(reason); }
+
+// What Escape is for first: to put away what lies over the picture.
+bool Application::put_away_a_window()
+{
+    return std::exchange(shows_shortcuts_, false) || std::exchange(shows_description_, false);
+}
 
 void Application::take_keys(const ui::Input& all)
 {
@@ -120,6 +142,7 @@ void Application::take_keys(const ui::Input& all)
     for (const ui::KeyEvent& event : input.keys) {
         if (!event.is_down || (types && !event.modifiers.ctrl)) continue;
         if (!types && take_typing(event.key)) continue;
+        if (event.key == ui::Key::Escape && put_away_a_window()) continue;
         if (event.key == ui::Key::Escape && desk_.session.history().is_dragging()) {
             desk_.hand.tool().escape(); // else it would go on with what is taken back
             desk_.session.cancel();
@@ -379,7 +402,7 @@ std::optional<ui::Phrase> Application::export_as(const std::filesystem::path& pa
     std::optional<ui::Phrase> reason = export_to(path, desk_.session, fonts_, canvas_.picture_of(desk_),
                                                  desk_.export_scale);
     context_.make_current(); // a PNG is drawn in a context of its own
-    if (reason) explain(*reason);
+    if (reason) desk_.session.notice = Notice{*reason, {}};
     else explain({translatable("{file} was written"), {{"file", path.filename().string()}}});
     return reason;
 }

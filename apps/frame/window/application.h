@@ -55,6 +55,7 @@ public:
 private:
     void take_keys(const ui::Input& all);
     bool take_typing(ui::Key key);
+    bool put_away_a_window();
     void explain(const ui::Phrase& reason);
     void take_files(const std::vector<std::string>& files);
     void take_requests();
@@ -68,7 +69,9 @@ private:
     void show_canvas();
     void show_tables(float height);
     void show_dialogs();
+    bool is_swinging() const; ///< the deformed shape or a mechanism
     void animate(double seconds);
+    void pass_notice(double seconds);
 
     Desk desk_;
     CommandTable commands_;

@@ -85,7 +85,7 @@ void Canvas::follow_structure(const Desk& desk)
                            shown_mechanism(desk),
                            is_drawn,
                            options.prediction != nullptr,
-                           is_drawn || has_diagrams(session)};
+                           desk.hand.kind() != ToolKind::Select || has_diagrams(session)};
     const bool must_rest = is_working_ || session.history().is_dragging();
     const bool is_fitted = fitted_for_ == wanted && (must_rest || is_all_in_sight());
     is_just_fitted_ = !options.camera && !is_fitted;

@@ -6,8 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "apps/frame/window/property_sets.h"
-
 namespace frame {
 
 using namespace femoop;
@@ -44,7 +42,7 @@ template <class... Types> std::vector<Part> of_type(const std::vector<Part>& all
 
 } // namespace
 
-void parts_list(Desk& desk)
+void parts_list(Desk& desk, PropertySets& sets)
 {
     const std::vector<Part> all = parts(desk.session.model());
     ImGui::TextWrapped("%s", desk.session.view.tr("Click a part in the picture or in this list to change it.").c_str());
@@ -53,6 +51,7 @@ void parts_list(Desk& desk)
     show_list(desk, translatable("Nodes"), of_type<NodeId>(all));
     show_list(desk, translatable("Materials"), of_type<MaterialId>(all));
     show_list(desk, translatable("Sections"), of_type<SectionId>(all));
+    sets.show_named(desk);
     property_buttons(desk);
     show_list(desk, translatable("Load cases"), of_type<LoadCasePlace>(all));
     show_list(desk, translatable("Loads"), of_type<NodeLoadPlace, SettlementPlace, MemberLoadPlace>(all));

@@ -22,6 +22,7 @@ void show_parts(Desk& desk, ui::NumberFields& fields, std::span<const Part> part
 {
     show_numbers(desk, fields, parts);
     show_choices(desk.session, parts);
+    named_set_rows(desk.session, parts);
 }
 
 // Which case a load belongs to, so that equal loads of two cases are told apart.
@@ -99,7 +100,7 @@ void properties_panel(Desk& desk, ui::NumberFields& fields, PropertySets& sets)
 {
     Selection& selection = desk.session.selection;
     if (selection.is_empty()) {
-        parts_list(desk);
+        parts_list(desk, sets);
         return;
     }
     if (ImGui::SmallButton((desk.session.view.tr("All parts") + "###all").c_str())) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "apps/frame/session/commands.h"
+#include "apps/frame/window/named_set_rows.h"
 
 namespace frame {
 
@@ -13,10 +14,13 @@ public:
     /// The name of a material or section, typed anew, who has it, and what can be done with it. Nothing for other
     /// parts.
     void show(Desk& desk, const Part& part);
+    /// The lists of supports and loads under names.
+    void show_named(Desk& desk) { named_.show(desk); }
 
 private:
     void show_name(Desk& desk, const Part& part);
 
+    NamedSetLists named_;
     std::string name_;                 ///< as it is typed
     std::optional<ui::Phrase> reason_; ///< why it was not taken
 };

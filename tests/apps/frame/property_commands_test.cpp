@@ -67,7 +67,7 @@ TEST_SUITE("frame: commands on property sets")
         CHECK(session.selection == Selection(Part(SectionId(2))));
         condense_properties(session);
         CHECK(session.document() == starting_document());
-        CHECK(ui::Catalogue()(session.notice->sentence) == "Materials and sections: 1 were like others, 0 nobody used");
+        CHECK(ui::Catalogue()(session.notice->sentence) == "Property sets: 1 were like others, 0 nobody used");
     }
 
     TEST_CASE("Materials and sections of a file are imported in one step, a broken file imports nothing")

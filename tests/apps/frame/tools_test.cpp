@@ -98,6 +98,15 @@ TEST_SUITE("frame tools")
         CHECK(snapped(2.5, 5.5) == Snap{{2.5, 5.5}, SnapKind::Free});
     }
 
+    TEST_CASE("Where nothing draws it, the pointer keeps to tenths of the grid, and along a member too")
+    {
+        CHECK(snapped(2.4637, 5.5182).place.isApprox(Vector2d(2.5, 5.5)));
+        const Snap held = frame::snap(crossing(), {2.4637, 5.5182}, {.reach = 0.3, .is_off = true});
+        CHECK(held == Snap{{2.4637, 5.5182}, SnapKind::Free});
+        const double along = snapped(5.13, 3.92).place.norm(); // of the member that begins at the origin
+        CHECK(along == doctest::Approx(6.5));
+    }
+
     TEST_CASE("The middle of a member is found, and the foot of a line square to it")
     {
         femoop::Model model = crossing();
