@@ -112,9 +112,19 @@ constexpr std::array support_choices{
     SupportChoice{SupportKind::Custom, translatable("By direction")},
 };
 
-std::size_t support_choice(const Node& node)
+// A support that was turned is still called by what it holds.
+SupportKind kind_shown(const Support& support, AnalysisKind analysis)
 {
-    const std::optional<SupportKind> kind = node.support ? std::optional(node.support->kind) : std::nullopt;
+    if (support.kind != SupportKind::Custom || !support.springs.empty()) return support.kind;
+    for (const SupportKind kind : {SupportKind::Fixed, SupportKind::Pin, SupportKind::Roller})
+        if (Support{.kind = kind}.blocked(analysis) == support.blocked(analysis)) return kind;
+    return SupportKind::Custom;
+}
+
+std::size_t support_choice(const Node& node, AnalysisKind analysis)
+{
+    const std::optional<SupportKind> kind = node.support ? std::optional(kind_shown(*node.support, analysis))
+                                                         : std::nullopt;
     const auto* const choice = std::ranges::find(support_choices, kind, &SupportChoice::kind);
     return static_cast<std::size_t>(choice - support_choices.begin());
 }
@@ -143,8 +153,9 @@ void show(const Rows& rows, const Group<NodeId>& nodes)
     rows.name(tr("Support"));
     std::vector<std::string> names;
     for (const SupportChoice& choice : support_choices) names.push_back(tr(choice.label));
-    const auto current = nodes.common([&](NodeId id) { return support_choice(nodes.model()[id]); });
-    if (const auto chosen = choose({"###support", names, current}, tr)) {
+    const AnalysisKind analysis = nodes.model().analysis;
+    const auto current = nodes.common([&](NodeId id) { return support_choice(nodes.model()[id], analysis); });
+    if (const auto chosen = choose({"###support", names, current}, tr); chosen && chosen != current) {
         const std::optional<SupportKind> kind = support_choices[*chosen].kind;
         nodes.change(translatable("support"), [=](Document& document, NodeId id) { set_support(document, id, kind); });
     }
