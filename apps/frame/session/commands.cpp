@@ -299,6 +299,18 @@ constexpr std::array unit_entries{
     UnitEntry{ui::UnitSystem::Us, "view.units.us", translatable("kip, ft, ksi")},
 };
 
+struct DigitsEntry {
+    int digits;
+    std::string_view id, label;
+};
+constexpr std::array digits_entries{
+    DigitsEntry{3, "view.digits.3", translatable("3 digits")},
+    DigitsEntry{4, "view.digits.4", translatable("4 digits")},
+    DigitsEntry{5, "view.digits.5", translatable("5 digits")},
+    DigitsEntry{6, "view.digits.6", translatable("6 digits")},
+    DigitsEntry{8, "view.digits.8", translatable("8 digits")},
+};
+
 struct ScaleEntry {
     double scale;
     std::string_view id, label;
@@ -326,6 +338,14 @@ void add_look_commands(CommandTable& table)
              .label = entry.label,
              .run = [system = entry.system](Desk& desk) { desk.session.view.units = system; },
              .is_on = [system = entry.system](const Desk& desk) { return desk.session.units().system() == system; }});
+    }
+    for (const DigitsEntry& entry : digits_entries) {
+        table.add({.id = entry.id,
+                   .menu = translatable("Units"),
+                   .label = entry.label,
+                   .run = [digits = entry.digits](Desk& desk) { desk.session.view.numbers.digits = digits; },
+                   .is_on = [digits = entry.digits](
+                                const Desk& desk) { return desk.session.view.numbers.digits == digits; }});
     }
     for (const ScaleEntry& entry : scales) {
         table.add({.id = entry.id,
