@@ -164,4 +164,13 @@ Parts insert(Model& model, const Model& other, const Placement& placement)
     return added;
 }
 
+CaseId insert_load_case(Model& model, std::string id)
+{
+    Model alone;
+    alone.units = model.units;
+    alone.analysis = model.analysis;
+    alone.load_cases.push_back({.id = std::move(id)});
+    return insert(model, alone, Placement::Identity()).cases.front();
+}
+
 } // namespace femoop

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "femoop/edit/place.h"
 #include "femoop/model/model.h"
 
@@ -17,5 +19,8 @@ namespace femoop {
 /// \returns the nodes, members, materials, sections and cases that are new
 /// \throws std::invalid_argument where the two are of different analyses, the model as it was
 Parts insert(Model& model, const Model& other, const Placement& placement);
+
+/// Adds an empty load case behind the others; combinations count on from it. \pre the name is free
+CaseId insert_load_case(Model& model, std::string id);
 
 } // namespace femoop

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "apps/frame/window/fixed_panel.h"
+#include "femoop/result/structure_words.h"
 
 namespace frame {
 
@@ -37,9 +38,7 @@ void status_bar(const Session& session)
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
     ImGui::Begin("###status", nullptr, fixed_panel | ImGuiWindowFlags_NoScrollbar);
     const ui::Catalogue& tr = session.view.tr;
-    const femoop::Model& model = session.model();
-    std::string text = tr("{nodes} nodes, {members} members", {{"nodes", std::to_string(model.nodes.size())},
-                                                               {"members", std::to_string(model.members.size())}});
+    std::string text = femoop::size_words(session.model(), tr);
     if (const auto& results = session.solution().results) {
         text += "   ·   " + degree_text(results->indeterminacy(), tr);
     } else {

@@ -12,6 +12,7 @@
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/result/components.h"
 #include "femoop/result/envelope.h"
+#include "femoop/result/structure_words.h"
 
 namespace femoop {
 
@@ -70,30 +71,12 @@ double size_of(MemberComponent component, const Magnitudes& most)
     return is_moment(component) ? most.moment : most.force;
 }
 
-std::string number_of(std::size_t n, std::string_view one, std::string_view many)
-{
-    return fill(n == 1 ? one : many, {std::to_string(n)});
-}
-
-std::string analysis_name(AnalysisKind kind, const Translator& tr)
-{
-    switch (kind) {
-    case AnalysisKind::Truss2d: return tr("plane truss");
-    case AnalysisKind::Frame2d: return tr("plane frame");
-    case AnalysisKind::Grillage: return tr("grillage");
-    case AnalysisKind::Truss3d: return tr("space truss");
-    case AnalysisKind::Frame3d: break;
-    }
-    return tr("space frame");
-}
-
 std::string counts(const Model& model, const Translator& tr)
 {
-    std::string text = number_of(model.nodes.size(), tr("{0} node"), tr("{0} nodes"));
-    text += ", " + number_of(model.members.size(), tr("{0} member"), tr("{0} members"));
-    text += ", " + number_of(model.load_cases.size(), tr("{0} load case"), tr("{0} load cases"));
+    std::string text = size_words(model, tr) + ", " +
+                       counted(model.load_cases.size(), tr("{0} load case"), tr("{0} load cases"));
     if (!model.combinations.empty())
-        text += ", " + number_of(model.combinations.size(), tr("{0} combination"), tr("{0} combinations"));
+        text += ", " + counted(model.combinations.size(), tr("{0} combination"), tr("{0} combinations"));
     return text;
 }
 
@@ -362,7 +345,7 @@ std::string heading_text(const Model& model, const Results& results, const Trans
 {
     std::string text = model.title.empty() ? std::string() : printable(model.title) + "\n";
     text += fill(tr("Analysis: {0}, linear static; lengths in {1}, forces in {2}, rotations in rad"),
-                 {analysis_name(model.analysis, tr), std::string(name(model.units.length)),
+                 {kind_words(model.analysis, tr), std::string(name(model.units.length)),
                   std::string(name(model.units.force))}) +
             "\n";
     text += counts(model, tr) + "\n" + indeterminacy_text(results.indeterminacy(), tr) + "\n";
