@@ -35,6 +35,13 @@ void Autosave::keep(const Session& session)
     if (!draft.recovery->keep(session.document(), session.path())) draft.generation = session.generation();
 }
 
+std::vector<Leftover> Autosave::new_leftovers()
+{
+    std::vector<Leftover> found = Recovery(folder_).leftovers();
+    std::erase_if(found, [&](const Leftover& leftover) { return !told_.insert(leftover.draft).second; });
+    return found;
+}
+
 void Autosave::forget_all()
 {
     for (auto& [number, draft] : drafts_) draft.recovery->forget();

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -25,7 +26,9 @@ public:
     /// Everything is saved or given up.
     void forget_all();
 
-    std::vector<Leftover> leftovers() const { return Recovery(folder_).leftovers(); }
+    /// What a program left behind and was not told before. A program that is being killed may hold its draft for a
+    /// moment still, so one asks again.
+    std::vector<Leftover> new_leftovers();
 
 private:
     struct Draft {
@@ -37,6 +40,7 @@ private:
     std::filesystem::path folder_;
     std::map<std::uint64_t, Draft> drafts_; ///< by the session's number
     double waited_ = 0.0;                   ///< [s]
+    std::set<std::filesystem::path> told_;  ///< leftovers
 };
 
 /// Opens a draft in a tab of its own, as a document that is not saved, and deletes the draft; false, with a notice, if

@@ -13,16 +13,29 @@ KeptFiles::KeptFiles(const std::optional<std::filesystem::path>& folder)
     if (!folder) return;
     autosave_.emplace(*folder);
     recent_.emplace(*folder / "recent");
-    leftovers_ = autosave_->leftovers();
+    leftovers_ = autosave_->new_leftovers();
 }
 
 void KeptFiles::tick(const Desk& desk, double seconds)
 {
     if (autosave_) autosave_->tick(desk, seconds);
+    if (!desk.session.history().is_dragging()) look_for_leftovers(seconds);
     const auto& path = desk.session.path();
     if (!recent_ || !path || *path == noted_) return;
     noted_ = *path;
     recent_->add(*path);
+}
+
+// Who starts the program again right after it was killed must not miss the draft that the dying one still holds; later
+// nobody is interrupted.
+void KeptFiles::look_for_leftovers(double seconds)
+{
+    constexpr double patience = 60.0, interval = 2.0; // s
+    age_ += seconds;
+    if (!autosave_ || age_ > patience || age_ - looked_at_ < interval) return;
+    looked_at_ = age_;
+    const std::vector<Leftover> found = autosave_->new_leftovers();
+    leftovers_.insert(leftovers_.end(), found.begin(), found.end());
 }
 
 void KeptFiles::end()

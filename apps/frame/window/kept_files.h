@@ -26,12 +26,15 @@ public:
     void show(Desk& desk);
 
 private:
+    void look_for_leftovers(double seconds);
     void show_recent(Desk& desk);
     void show_leftovers(Desk& desk);
 
     std::optional<Autosave> autosave_;
     std::optional<RecentFiles> recent_;
     std::vector<Leftover> leftovers_;
+    double age_ = 0.0;            ///< of the program [s]
+    double looked_at_ = 0.0;      ///< when leftovers were looked for last
     std::filesystem::path noted_; ///< the last file that was put on the list
     bool asks_for_recent_ = false;
 };

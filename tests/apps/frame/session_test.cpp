@@ -167,7 +167,7 @@ TEST_SUITE("frame session")
         touch(desk);
         autosave.tick(desk, Autosave::interval);
         CHECK(n_drafts() == 1);
-        CHECK(autosave.leftovers().empty()); // it is in use
+        CHECK(autosave.new_leftovers().empty()); // it is in use
         REQUIRE(desk.session.save(folder.path() / "saved.json"));
         autosave.tick(desk, Autosave::interval);
         CHECK(n_drafts() == 0);
@@ -175,6 +175,20 @@ TEST_SUITE("frame session")
         new_document(desk);
         autosave.tick(desk, Autosave::interval);
         CHECK(n_drafts() == 1); // of the tab on the shelf
+    }
+
+    TEST_CASE("A draft that is still held when another program starts is told as soon as it is free, and once only")
+    {
+        const Folder folder;
+        auto dying = std::make_optional<Recovery>(folder.path());
+        REQUIRE_FALSE(dying->keep(starting_document(), "/tmp/lesson.json"));
+        Autosave next(folder.path());
+        CHECK(next.new_leftovers().empty());
+        dying.reset(); // the lock goes with its program, the draft stays
+        const std::vector<Leftover> found = next.new_leftovers();
+        REQUIRE(found.size() == 1);
+        CHECK(found.front().original == std::filesystem::path("/tmp/lesson.json"));
+        CHECK(next.new_leftovers().empty());
     }
 
     TEST_CASE("What a program left behind opens as a document that is not saved, under its own name")
