@@ -17,6 +17,8 @@ struct Change {
     ui::Phrase label;
     std::function<void(Document&)> command;
     Step step = Step::Click;
+    /// Where what the command adds is to be selected: what is done after it was, such as to join what meets.
+    std::function<void(Document&)> after_selecting{};
 };
 
 } // namespace frame

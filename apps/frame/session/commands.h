@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 
 #include "apps/frame/session/bottom_view.h"
@@ -39,9 +40,10 @@ enum class Topic : std::uint8_t { Properties, Results, Problems, History };
 struct Desk {
     Session session;
     Hand hand{};
-    std::vector<Session> shelf{};         ///< the other tabs in their order (tabs.h)
-    std::size_t tab = 0;                  ///< place of the session among the tabs
-    std::optional<Transform> transform{}; ///< under way: its numbers can still change
+    std::vector<Session> shelf{};                ///< the other tabs in their order (tabs.h)
+    std::size_t tab = 0;                         ///< place of the session among the tabs
+    std::shared_ptr<const Clipping> clipboard{}; ///< what was copied last; null before that
+    std::optional<Transform> transform{};        ///< under way: its numbers can still change
     TypicalDraft typical{};
     SectionDraft section{};
     std::vector<Request> requests{};

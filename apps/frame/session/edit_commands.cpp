@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "apps/frame/document/drawing.h"
+#include "apps/frame/session/clipboard_commands.h"
 #include "apps/frame/session/predict_commands.h"
 #include "femoop/edit/place.h"
 
@@ -272,6 +273,7 @@ void add_edit_commands(CommandTable& table)
                .label = translatable("New section…"),
                .shortcuts = {{Key::C, ui::shift}},
                .run = [](Desk& desk) { desk.section.open_new(desk.session); }});
+    add_clipboard_commands(table);
     add_selection_commands(table);
     add_transform_commands(table);
     for (const Nudge& entry : nudges) {

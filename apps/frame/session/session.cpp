@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "apps/frame/document/number.h"
+#include "apps/frame/session/transform.h"
 #include "femoop/io/model_file.h"
 #include "femoop/model/check/check.h"
+#include "femoop/result/describe.h"
 #include "ui/text/catalogue.h"
 
 namespace frame {
@@ -46,6 +48,7 @@ void Session::restart(Document document)
     view.scaled_by.reset();
     view.ghost.reset();
     view.is_envelope = false;
+    view.left_out.clear();
     mechanism = 0;
     refresh();
 }
@@ -69,15 +72,26 @@ void Session::change(const Change& change)
 {
     Document next = change.step == Step::Drag ? history_.settled() : document();
     change.command(next);
+    if (change.after_selecting) selection = select_added(next, change.after_selecting);
     const bool is_new = next != document();
     if (is_new) {
-        selection.follow(model(), next.model);
+        if (!change.after_selecting) selection.follow(model(), next.model);
         prediction.follow(model(), next.model);
     }
     hold_scales(change.step);
     if (change.step == Step::Click) history_.apply(std::move(next), change.label);
     if (change.step == Step::Drag) history_.drag(std::move(next), change.label);
     if (is_new) refresh();
+}
+
+// The nodes and members that came last, where they are when all is done.
+Selection Session::select_added(Document& next, const std::function<void(Document&)>& finish) const
+{
+    Selection added = latest(next.model, model().nodes.size(), model().members.size());
+    const femoop::Model before = next.model;
+    finish(next);
+    added.follow(before, next.model);
+    return added;
 }
 
 // The document has gone on from a former state.
@@ -204,6 +218,14 @@ std::optional<ui::Phrase> Session::why_no_results() const
     if (hidden) return translatable("The results are hidden; H reveals them.");
     if (!solution_.results) return translatable("There are no results: see the problems.");
     return std::nullopt;
+}
+
+std::optional<femoop::Results> Session::told_results() const { return hidden ? std::nullopt : solution_.results; }
+
+std::string Session::in_words() const
+{
+    const std::string words = femoop::describe(model(), told_results(), view.tr);
+    return hidden ? words + "\n" + view.tr(*why_no_results()) + "\n" : words;
 }
 
 ui::DisplayUnits Session::units() const

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "apps/frame/document/selection.h"
 #include "apps/frame/document/solution.h"
 #include "apps/frame/predict/prediction.h"
+#include "apps/frame/tables/table.h"
 #include "apps/frame/view/pick.h"
 #include "apps/frame/view/view_options.h"
 #include "femoop/model/fault/fault.h"
@@ -74,8 +76,13 @@ public:
 
     /// Why no results are to be read: there are none, or they are kept from the class; nothing where they can be.
     std::optional<ui::Phrase> why_no_results() const;
+    /// The results as far as they may be told: nothing while they are kept from the class.
+    std::optional<femoop::Results> told_results() const;
+    /// Model and results in words; of hidden results it says that they are hidden.
+    std::string in_words() const;
 
     ui::DisplayUnits units() const;
+    Manner manner() const { return {units(), view.tr}; } ///< of tables
     void set_language(ui::Language language);
 
     ViewOptions view;
@@ -89,6 +96,7 @@ public:
     std::size_t mechanism = 0;     ///< which of several is shown
 
 private:
+    Selection select_added(Document& next, const std::function<void(Document&)>& finish) const;
     void refresh();
     void follow(const Document& before);
     /// While a number is dragged, diagrams keep the scale that they had before: one sees them grow.

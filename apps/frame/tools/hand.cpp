@@ -5,6 +5,7 @@
 #include "apps/frame/tools/member_tool.h"
 #include "apps/frame/tools/node_tool.h"
 #include "apps/frame/tools/part_tools.h"
+#include "apps/frame/tools/paste_tool.h"
 #include "apps/frame/tools/predict_tool.h"
 #include "apps/frame/tools/typed_place.h"
 
@@ -15,6 +16,7 @@ namespace {
 std::unique_ptr<Tool> tool_of(ToolKind kind, const ToolSettings& settings)
 {
     switch (kind) {
+    case ToolKind::Paste: // comes with what it carries
     case ToolKind::Select: break;
     case ToolKind::Member: return std::make_unique<MemberTool>();
     case ToolKind::Node: return std::make_unique<NodeTool>();
@@ -38,6 +40,18 @@ void Hand::take(ToolKind kind)
     kind_ = kind;
     tool_ = tool_of(kind, *settings_);
     typed_.clear();
+}
+
+void Hand::carry(std::shared_ptr<const Clipping> clipping, const femoop::Units& units)
+{
+    kind_ = ToolKind::Paste;
+    tool_ = std::make_unique<PasteTool>(std::move(clipping), units);
+    typed_.clear();
+}
+
+void Hand::settle()
+{
+    if (tool_->is_done()) take(ToolKind::Select);
 }
 
 bool Hand::escape()
@@ -68,7 +82,9 @@ std::optional<Change> Hand::enter()
     const auto place = place_typed(typed_, {.from = tool_->from(), .pointer = aim_.snap.place});
     if (!place) return std::nullopt;
     typed_.clear();
-    return tool_->type(*place);
+    std::optional<Change> change = tool_->type(*place);
+    settle();
+    return change;
 }
 
 } // namespace frame

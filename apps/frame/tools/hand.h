@@ -4,12 +4,13 @@
 #include <memory>
 #include <string>
 
+#include "apps/frame/document/clipping.h"
 #include "apps/frame/tools/select_tool.h"
 #include "apps/frame/tools/settings.h"
 
 namespace frame {
 
-enum class ToolKind : std::uint8_t { Select, Member, Node, Support, Load, Hinge, Delete, Predict };
+enum class ToolKind : std::uint8_t { Select, Member, Node, Support, Load, Hinge, Delete, Predict, Paste };
 
 /// The hand that works in the picture: the tool it holds, how the tools are set, and a place that is being typed.
 class Hand {
@@ -21,6 +22,10 @@ public:
     const Tool& tool() const { return *tool_; }
     /// Takes up a tool, anew if it is the same: what was begun with the last one is given up.
     void take(ToolKind kind);
+    /// Takes up what was copied, to put it down once. \pre the clipping holds structure
+    void carry(std::shared_ptr<const Clipping> clipping, const femoop::Units& units);
+    /// Lays down a tool that is done.
+    void settle();
     /// Gives up what is typed, else what is begun, else the tool. \returns false where there was none of these
     bool escape();
 

@@ -58,6 +58,7 @@ struct Work {
 /// What a tool shows before it changes anything, in the plane of the model.
 struct Preview {
     std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> lines;
+    std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> carried{}; ///< members of what the hand carries
     /// The rectangle of a selection, from where the hand began to where it is.
     std::optional<std::pair<Eigen::Vector2d, Eigen::Vector2d>> window{};
     std::span<const Eigen::Vector2d> stroke{}; ///< that is being sketched
@@ -79,6 +80,7 @@ public:
     /// Gives up what was begun; false where nothing was, so that the tool itself is left.
     virtual bool escape() { return false; }
 
+    virtual bool is_done() const { return false; }                               ///< the hand may lay it down
     virtual bool draws() const { return false; }                                 ///< places that are snapped and typed
     virtual std::optional<Eigen::Vector2d> from() const { return std::nullopt; } ///< where drawing began
     virtual std::span<const femoop::NodeId> moving() const { return {}; }        ///< nodes that the hand drags

@@ -13,7 +13,9 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace frame {
@@ -52,8 +54,11 @@ struct ViewOptions {
     ui::Catalogue tr;                      ///< language of the words
     std::optional<ui::UnitSystem> units;   ///< kN, m, mm (or kip, ft, in) when absent
     ui::NumberFormat numbers{.digits = 4}; ///< digits and decimal mark
-    bool is_envelope = false;              ///< of all cases instead of one: diagrams as bands, no loads nor reactions
-    std::shared_ptr<const Ghost> ghost;    ///< its diagrams are drawn behind, faint; none when null
+    bool is_envelope = false; ///< of several cases instead of one: diagrams as bands, reactions as ranges, no loads
+    /// Names of the load cases and combinations that the envelope is without; a name that the model lacks counts for
+    /// nothing, so cases that come and go need no care.
+    std::set<std::string> left_out;
+    std::shared_ptr<const Ghost> ghost; ///< its diagrams are drawn behind, faint; none when null
     /// Moments that are sketched before they are seen; outlives whatever draws it. While moments are not shown a fitted
     /// picture keeps room for it. None when null.
     const Prediction* prediction = nullptr;

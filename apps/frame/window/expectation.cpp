@@ -100,26 +100,46 @@ Complaint drawn(const Application& application, std::string_view text)
     return "drawn: found no string \"" + wanted + "\" in the picture";
 }
 
-// drawn "58.52"
-Complaint not_drawn(const Application& application, std::string_view text)
-{
-    constexpr std::string_view prefix = "drawn ";
-    if (!text.starts_with(prefix)) return "not: wanted drawn \"TEXT\"";
-    const std::string unwanted = unquoted(text.substr(prefix.size()));
-    if (!is_drawn(application, unwanted)) return std::nullopt;
-    return "not drawn: found the string \"" + unwanted + "\" in the picture";
-}
+/// A file and words that it should have, or lack.
+struct WrittenWords {
+    std::string name, words;
+    std::optional<std::string> content; ///< nothing where there is no such file
+    bool has_words() const { return content->find(words) != std::string::npos; }
+};
 
 // extremes.csv "Member;N max"
-Complaint written(std::string_view text)
+WrittenWords written_words(std::string_view text)
 {
     const std::size_t blank = std::min(text.find(' '), text.size());
-    const std::string name(text.substr(0, blank)), wanted = unquoted(text.substr(std::min(blank + 1, text.size())));
-    std::ifstream file(name, std::ios::binary);
-    if (!file) return "written: found no file " + name;
-    const std::string found{std::istreambuf_iterator<char>(file), {}};
-    if (found.find(wanted) != std::string::npos) return std::nullopt;
-    return "written: found no \"" + wanted + "\" in " + name;
+    WrittenWords found{std::string(text.substr(0, blank)), unquoted(text.substr(std::min(blank + 1, text.size()))), {}};
+    std::ifstream file(found.name, std::ios::binary);
+    if (file) found.content.emplace(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+    return found;
+}
+
+Complaint written(std::string_view text)
+{
+    const WrittenWords file = written_words(text);
+    if (!file.content) return "written: found no file " + file.name;
+    if (file.has_words()) return std::nullopt;
+    return "written: found no \"" + file.words + "\" in " + file.name;
+}
+
+// drawn "58.52", written portal.html "58.52"
+Complaint not_there(const Application& application, std::string_view text)
+{
+    if (constexpr std::string_view prefix = "drawn "; text.starts_with(prefix)) {
+        const std::string unwanted = unquoted(text.substr(prefix.size()));
+        if (!is_drawn(application, unwanted)) return std::nullopt;
+        return "not drawn: found the string \"" + unwanted + "\" in the picture";
+    }
+    if (constexpr std::string_view prefix = "written "; text.starts_with(prefix)) {
+        const WrittenWords file = written_words(text.substr(prefix.size()));
+        if (!file.content) return "not written: found no file " + file.name;
+        if (!file.has_words()) return std::nullopt;
+        return "not written: found \"" + file.words + "\" in " + file.name;
+    }
+    return "not: wanted drawn \"TEXT\" or written FILE \"TEXT\"";
 }
 
 std::string selection_text(const Session& session)
@@ -138,6 +158,7 @@ std::string sentence_or_nothing(const std::optional<ui::Phrase>& phrase)
 
 std::string tool_in(const Hand& hand)
 {
+    if (hand.kind() == ToolKind::Paste) return "edit.paste";
     return std::string(std::ranges::find(tools(), hand.kind(), &ToolEntry::tool)->id);
 }
 
@@ -180,7 +201,7 @@ constexpr std::array facts{
 
 std::string names_of_facts()
 {
-    std::string names = "value, node, drawn, not drawn, written";
+    std::string names = "value, node, drawn, not drawn, written, not written";
     for (const Fact& fact : facts) names += ", " + std::string(fact.name);
     return names;
 }
@@ -227,7 +248,7 @@ std::optional<std::string> why_not(std::string_view expectation, const Applicati
     if (what == "node") return node(application, rest);
     if (what == "drawn") return drawn(application, rest);
     if (what == "written") return written(rest);
-    if (what == "not") return not_drawn(application, rest);
+    if (what == "not") return not_there(application, rest);
     const auto fact = std::ranges::find(facts, what, &Fact::name);
     if (fact != facts.end()) return compared(what, fact->found(application), std::string(rest));
     return "expect: found \"" + std::string(what) + "\", wanted one of " + names_of_facts();

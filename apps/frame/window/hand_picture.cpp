@@ -76,6 +76,14 @@ public:
                           with_minus(ui::number_text(direction_of(arm), units_.format())) + "°");
     }
 
+    /// Members that are carried, and as a point a node.
+    void carried(const Vector2d& start, const Vector2d& end)
+    {
+        const ui::Color ink = theme_.stroke(Role::Selection).color;
+        if (start == end) painter_.disc(at(start), 3.5 * theme_.symbol_scale(), ink);
+        else painter_.line(at(start), at(end), {.color = ink, .width = 2.5});
+    }
+
     void window(const Vector2d& start, const Vector2d& end)
     {
         const Point a = at(start), b = at(end);
@@ -134,6 +142,7 @@ void draw_hand(ui::Painter& painter, const Session& session, const Hand& hand, c
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
     const Preview preview = hand.tool().preview();
     for (const auto& [start, end] : preview.lines) picture.line(start, end);
+    for (const auto& [start, end] : preview.carried) picture.carried(start, end);
     picture.stroke(preview.stroke);
     if (preview.window) picture.window(preview.window->first, preview.window->second);
     const bool is_placing = hand.can_type() || !hand.tool().moving().empty();

@@ -108,6 +108,7 @@ std::string_view hint(ToolKind tool)
     case ToolKind::Load: return translatable("Click members or nodes.");
     case ToolKind::Hinge: return translatable("Click nodes or the ends of members.");
     case ToolKind::Predict: return translatable("Draw the moments beside the members; H reveals.");
+    case ToolKind::Paste: return translatable("Click where it goes, or type the place: 6,4  @3,2");
     case ToolKind::Delete: break;
     }
     return translatable("Click what is to go.");

@@ -98,6 +98,7 @@ void draw_tool_icon(ui::Painter& painter, ToolKind tool, const ui::Theme& theme)
     case ToolKind::Hinge: icon.hinge(); break;
     case ToolKind::Delete: icon.erase(); break;
     case ToolKind::Predict: icon.predict(); break;
+    case ToolKind::Paste: break; // taken up by no button
     }
 }
 

@@ -1,0 +1,208 @@
+#include "apps/frame/document/clipping.h"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "apps/frame/document/drawing.h"
+#include "femoop/edit/condense.h"
+#include "femoop/edit/erase.h"
+#include "femoop/edit/insert.h"
+#include "femoop/edit/naming.h"
+#include "femoop/edit/place.h"
+#include "femoop/model/member_ends.h"
+#include "femoop/model/quantity/in_units.h"
+#include "ui/text/catalogue.h"
+
+namespace frame {
+
+using Eigen::Vector2d;
+using femoop::CaseId;
+using femoop::LoadCase;
+using femoop::MemberId;
+using femoop::Model;
+using femoop::NodeId;
+using ui::translatable;
+
+namespace {
+
+bool is_structural(const Part& part)
+{
+    return std::holds_alternative<NodeId>(part) || std::holds_alternative<MemberId>(part);
+}
+
+bool is_load(const Part& part)
+{
+    return std::holds_alternative<NodeLoadPlace>(part) || std::holds_alternative<MemberLoadPlace>(part) ||
+           std::holds_alternative<SettlementPlace>(part);
+}
+
+/// Takes out all loads but these.
+void keep_loads(Model& model, const std::set<Part>& kept)
+{
+    const auto thin = [&](auto& list, auto place) {
+        std::size_t i = 0;
+        std::erase_if(list, [&](const auto&) { return !kept.contains(place(i++)); });
+    };
+    for (std::size_t c = 0; c < model.load_cases.size(); ++c) {
+        LoadCase& load_case = model.load_cases[c];
+        thin(load_case.nodes, [c](std::size_t i) -> Part { return NodeLoadPlace{c, i}; });
+        thin(load_case.settlements, [c](std::size_t i) -> Part { return SettlementPlace{c, i}; });
+        thin(load_case.members, [c](std::size_t i) -> Part { return MemberLoadPlace{c, i}; });
+    }
+}
+
+/// Takes out what no selected node or member needs: other nodes and members, materials, sections, empty load cases.
+void keep_structure(Model& model, const std::vector<NodeId>& nodes, const std::set<MemberId>& members)
+{
+    femoop::Parts others;
+    for (std::size_t i = 0; i < model.nodes.size(); ++i)
+        if (!std::ranges::binary_search(nodes, NodeId(i))) others.nodes.emplace_back(i);
+    for (std::size_t i = 0; i < model.members.size(); ++i)
+        if (!members.contains(MemberId(i))) others.members.emplace_back(i);
+    femoop::erase(model, others);
+    model.combinations.clear();
+    std::erase_if(model.load_cases, [](const LoadCase& load_case) {
+        return load_case.nodes.empty() && load_case.members.empty() && load_case.settlements.empty();
+    });
+    femoop::condense(model);
+}
+
+Model without_words(Model model)
+{
+    model.title.clear();
+    model.notes.clear();
+    model.expected.clear();
+    model.extra.clear();
+    return model;
+}
+
+/// The bearers of loads, as if they were selected.
+std::vector<Part> bearers_of(const Model& model, const std::vector<Part>& loads)
+{
+    std::vector<Part> bearers;
+    for (const Part& part : loads) {
+        const LoadCase& load_case = model.load_cases[load_case_of(part)];
+        if (const auto* const p = std::get_if<NodeLoadPlace>(&part))
+            bearers.emplace_back(load_case.nodes[p->load].node);
+        if (const auto* const p = std::get_if<SettlementPlace>(&part))
+            bearers.emplace_back(load_case.settlements[p->settlement].node);
+        if (const auto* const p = std::get_if<MemberLoadPlace>(&part))
+            bearers.emplace_back(load_case.members[p->load].member);
+    }
+    return bearers;
+}
+
+} // namespace
+
+bool can_be_clipped(const Part& part) { return is_structural(part) || is_load(part); }
+
+std::optional<Clipping> clipping_of(const Model& model, std::span<const Part> parts)
+{
+    std::vector<Part> structure, loads;
+    std::ranges::copy_if(parts, std::back_inserter(structure), is_structural);
+    std::ranges::copy_if(parts, std::back_inserter(loads), is_load);
+    if (structure.empty() && loads.empty()) return std::nullopt;
+    Clipping clipping{without_words(model), Clipping::Holds::Structure};
+    if (structure.empty()) {
+        clipping.holds = Clipping::Holds::Loads;
+        structure = bearers_of(model, loads);
+        keep_loads(clipping.model, {loads.begin(), loads.end()});
+    }
+    std::set<MemberId> members;
+    for (const Part& part : structure)
+        if (const auto* const member = std::get_if<MemberId>(&part)) members.insert(*member);
+    keep_structure(clipping.model, nodes_of(model, structure), members);
+    return clipping;
+}
+
+std::optional<ui::Phrase> why_not_paste(const Model& model, std::span<const Part> selected, const Clipping& clipping)
+{
+    const bool is_alike = clipping.model.analysis == model.analysis;
+    if (!is_alike && !model.nodes.empty()) return translatable("what was copied is of another kind of structure");
+    if (clipping.holds == Clipping::Holds::Loads && std::ranges::none_of(selected, is_structural))
+        return translatable("loads were copied; select the nodes or members that get them");
+    return std::nullopt;
+}
+
+namespace {
+
+Vector2d place_of(const Model& model, NodeId node) { return femoop::position_of(model, node).head<2>(); }
+
+Vector2d grip_in(const Model& model)
+{
+    Vector2d grip = place_of(model, NodeId(0));
+    for (std::size_t i = 1; i < model.nodes.size(); ++i) {
+        const Vector2d place = place_of(model, NodeId(i));
+        if (std::pair(place.x(), place.y()) < std::pair(grip.x(), grip.y())) grip = place;
+    }
+    return grip;
+}
+
+} // namespace
+
+Vector2d grip_of(const Clipping& clipping, const femoop::Units& units)
+{
+    return grip_in(femoop::in_units(clipping.model, units));
+}
+
+std::vector<std::pair<Vector2d, Vector2d>> outline_of(const Clipping& clipping, const femoop::Units& units)
+{
+    const Model model = femoop::in_units(clipping.model, units);
+    const Vector2d grip = grip_in(model);
+    std::vector<std::pair<Vector2d, Vector2d>> lines;
+    const auto add = [&](NodeId a, NodeId b) {
+        lines.emplace_back(place_of(model, a) - grip, place_of(model, b) - grip);
+    };
+    for (const femoop::Member& member : model.members) add(member.nodes[0], member.nodes[1]);
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) add(NodeId(i), NodeId(i));
+    return lines;
+}
+
+void paste(Document& document, const Clipping& clipping, const Vector2d& place)
+{
+    Model& model = document.model;
+    if (model.nodes.empty()) model.analysis = clipping.model.analysis;
+    Model copied = clipping.model;
+    for (LoadCase& load_case : copied.load_cases) { // one of the same name is the same, whatever it does besides
+        const auto there = std::ranges::find(model.load_cases, load_case.id, &LoadCase::id);
+        if (there != model.load_cases.end()) load_case.self_weight = there->self_weight;
+    }
+    const Vector2d shift = place - grip_of(clipping, model.units);
+    femoop::insert(model, copied, femoop::moved_by({shift.x(), shift.y(), 0.0}));
+}
+
+namespace {
+
+std::size_t place_of_case(Model& model, const LoadCase& wanted)
+{
+    const auto there = std::ranges::find(model.load_cases, wanted.id, &LoadCase::id);
+    if (there != model.load_cases.end()) return static_cast<std::size_t>(there - model.load_cases.begin());
+    return femoop::insert_load_case(model, femoop::fresh_case_id(model, wanted.id)).index;
+}
+
+} // namespace
+
+void paste_loads(Document& document, const Clipping& clipping, std::span<const Part> bearers)
+{
+    const Model copied = femoop::in_units(clipping.model, document.model.units);
+    for (const LoadCase& from : copied.load_cases) {
+        LoadCase& to = document.model.load_cases[place_of_case(document.model, from)];
+        const auto put = [](auto& list, auto load, auto bearer, auto to_whom) {
+            load.*bearer = to_whom;
+            list.push_back(std::move(load));
+        };
+        for (const Part& part : bearers) {
+            if (const auto* const node = std::get_if<NodeId>(&part)) {
+                for (const auto& load : from.nodes) put(to.nodes, load, &femoop::NodeLoad::node, *node);
+                for (const auto& one : from.settlements) put(to.settlements, one, &femoop::Settlement::node, *node);
+            }
+            if (const auto* const member = std::get_if<MemberId>(&part))
+                for (const auto& load : from.members) put(to.members, load, &femoop::MemberLoad::member, *member);
+        }
+    }
+}
+
+} // namespace frame

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "apps/frame/document/document.h"
+#include "apps/frame/document/part.h"
+#include "ui/text/phrase.h"
+
+namespace frame {
+
+/// What was copied out of a document, to be put into it or another one: nodes and members with their supports, loads,
+/// materials and sections; or loads alone, whose bearers then come along only to carry them.
+struct Clipping {
+    enum class Holds : std::uint8_t { Structure, Loads };
+
+    femoop::Model model;
+    Holds holds = Holds::Structure;
+};
+
+/// Nodes, members and loads; materials and sections come with what has them.
+bool can_be_clipped(const Part& part);
+
+/// Nothing where none of the parts can be copied. A member takes its nodes along, a load alone nothing else.
+std::optional<Clipping> clipping_of(const femoop::Model& model, std::span<const Part> parts);
+
+/// Why the clipping cannot go into the model, where these parts are selected; nothing where it can.
+std::optional<ui::Phrase> why_not_paste(const femoop::Model& model, std::span<const Part> selected,
+                                        const Clipping& clipping);
+
+/// The node by which a hand holds it: the lowest of those farthest to the left [the model's unit of length].
+Eigen::Vector2d grip_of(const Clipping& clipping, const femoop::Units& units);
+
+/// The ends of its members, as seen from the grip [the model's unit of length]; a node without members is a line of no
+/// length.
+std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> outline_of(const Clipping& clipping,
+                                                                    const femoop::Units& units);
+
+/// Puts the structure so that its grip comes to the place. What meets is not joined yet. Equal materials and sections
+/// become one, and load cases of one name.
+void paste(Document& document, const Clipping& clipping, const Eigen::Vector2d& place);
+
+/// Puts the loads on every one of the parts that can bear them: those of nodes on nodes, those of members on members.
+void paste_loads(Document& document, const Clipping& clipping, std::span<const Part> bearers);
+
+} // namespace frame

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+
+#include "apps/frame/document/clipping.h"
+#include "apps/frame/tools/tool.h"
+
+namespace frame {
+
+/// Carries what was copied, and puts it where the hand clicks, or where a place is typed; `@3,2` counts from where it
+/// was copied. Then it is done.
+class PasteTool : public Tool {
+public:
+    PasteTool(std::shared_ptr<const Clipping> clipping, const femoop::Units& units);
+
+    std::optional<Change> press(const Work&, const Aim& at) override { return type(at.snap.place); }
+    std::optional<Change> move(const Work&, const Aim& to) override;
+    std::optional<Change> type(const Eigen::Vector2d& place) override;
+    bool draws() const override { return true; }
+    bool is_done() const override { return is_done_; }
+    std::optional<Eigen::Vector2d> from() const override { return grip_; }
+    Preview preview() const override;
+
+private:
+    std::shared_ptr<const Clipping> clipping_;
+    Eigen::Vector2d grip_;
+    std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> outline_; ///< from the grip
+    std::optional<Eigen::Vector2d> hand_;
+    bool is_done_ = false;
+};
+
+} // namespace frame

@@ -1,0 +1,149 @@
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "apps/frame/document/clipping.h"
+#include "apps/frame/document/drawing.h"
+#include "apps/frame/document/selection.h"
+#include "apps/frame/document/solution.h"
+#include "apps/frame/session/tabs.h"
+#include "femoop/io/model_file.h"
+#include "femoop/model/check/check.h"
+
+using namespace frame;
+using femoop::MemberId;
+using femoop::NodeId;
+
+namespace {
+
+femoop::Model model_of(const std::string& file)
+{
+    return femoop::read_model_file(CREMONA_SOURCE_DIR "/examples/" + file);
+}
+
+constexpr MemberId BC{1}; // of the portal: the beam, loaded in G and Q, from B (0, 4.5) to C (8, 4.5)
+
+std::optional<std::string> run(Desk& desk, std::string_view id)
+{
+    const auto reason = ui::run(*command_table().find(id), desk);
+    return reason ? std::optional(ui::Catalogue()(*reason)) : std::nullopt;
+}
+
+Desk desk_with(const std::string& file)
+{
+    Desk desk{Session{Document{}}};
+    REQUIRE(open_file(desk, CREMONA_SOURCE_DIR "/examples/" + file));
+    return desk;
+}
+
+} // namespace
+
+TEST_SUITE("frame document: clipboard")
+{
+    TEST_CASE("A member is copied with its nodes, loads, material and section, and nothing else")
+    {
+        const femoop::Model model = model_of("portal.json");
+        const auto clipping = clipping_of(model, std::vector<Part>{BC});
+        REQUIRE(clipping);
+        CHECK(clipping->holds == Clipping::Holds::Structure);
+        CHECK(clipping->model.members.size() == 1);
+        CHECK(clipping->model.nodes.size() == 2);
+        CHECK(clipping->model.materials.size() == 1);
+        CHECK(clipping->model.sections.size() == 1);
+        CHECK(clipping->model.combinations.empty());
+        CHECK(femoop::check(clipping->model).empty());
+    }
+
+    TEST_CASE("Pasted into its own document it shares material, section and load cases, and its loads double")
+    {
+        Document document{model_of("portal.json")};
+        const femoop::Model before = document.model;
+        paste(document, *clipping_of(before, std::vector<Part>{BC}), {20.0, 1.0});
+        CHECK(document.model.members.size() == before.members.size() + 1);
+        CHECK(document.model.materials == before.materials);
+        CHECK(document.model.sections == before.sections);
+        CHECK(document.model.n_cases() == before.n_cases());
+        const femoop::Member& pasted = document.model.members.back();
+        CHECK(document.model[pasted.nodes[0]].at[0] == doctest::Approx(20.0)); // the grip is the end at the left
+        CHECK(document.model[pasted.nodes[0]].at[1] == doctest::Approx(1.0));
+        CHECK(document.model[pasted.nodes[1]].at[0] == doctest::Approx(20.0 + 8.0));
+        CHECK(document.model.load_cases[0].members.size() == before.load_cases[0].members.size() + 1);
+    }
+
+    TEST_CASE("In an empty document what is pasted brings all that it needs, and is solved to the same results")
+    {
+        const femoop::Model model = model_of("portal.json");
+        const Selection all = everything(model);
+        Document empty;
+        paste(empty, *clipping_of(model, all.parts()), {0.0, 0.0});
+        CHECK(empty.model.nodes.size() == model.nodes.size());
+        const Solution solution = solve(empty), original = solve(Document{model});
+        REQUIRE(solution.results);
+        const auto moment = [](const Solution& of) {
+            return (*of.results)[femoop::CaseId(0)].curve(BC).extremes(femoop::MemberComponent::Mz).max.value;
+        };
+        CHECK(moment(solution) == doctest::Approx(moment(original)));
+    }
+
+    TEST_CASE("In a document of other units the lengths and forces stay what they were")
+    {
+        Document inches;
+        inches.model.units.length = femoop::LengthUnit::in;
+        inches.model.units.force = femoop::ForceUnit::lbf;
+        paste(inches, *clipping_of(model_of("portal.json"), std::vector<Part>{BC}), {100.0, 0.0});
+        CHECK(inches.model.nodes[0].at[0] == doctest::Approx(100.0));
+        CHECK(inches.model.nodes[1].at[0] == doctest::Approx(100.0 + 8.0 / 0.0254));
+    }
+
+    TEST_CASE("Loads that are copied alone go onto the members that are selected, in the load case of their name")
+    {
+        Document document{model_of("portal.json")};
+        const femoop::Model before = document.model;
+        const std::vector<Part> loads = loads_on(before, BC);
+        REQUIRE(!loads.empty());
+        const auto clipping = clipping_of(before, std::vector<Part>{loads.front()});
+        REQUIRE(clipping);
+        CHECK(clipping->holds == Clipping::Holds::Loads);
+        CHECK(why_not_paste(before, {}, *clipping));
+        paste_loads(document, *clipping, std::vector<Part>{MemberId(0), MemberId(2)});
+        CHECK(document.model.members.size() == before.members.size());
+        CHECK(document.model.load_cases.size() == before.load_cases.size());
+        CHECK(loads_on(document.model, MemberId(0)).size() == loads_on(before, MemberId(0)).size() + 1);
+        CHECK(loads_on(document.model, MemberId(2)).size() == loads_on(before, MemberId(2)).size() + 1);
+    }
+
+    TEST_CASE("Cut, then pasted at its old place, leaves the structure as it was, in two steps")
+    {
+        Desk desk = desk_with("portal.json");
+        CHECK(run(desk, "edit.paste") == "nothing was copied yet");
+        CHECK(run(desk, "edit.clip") == "nothing is selected that can be copied");
+        desk.session.selection = Part(BC);
+        const std::size_t n_states = desk.session.history().n_states();
+        CHECK(!run(desk, "edit.cut"));
+        CHECK(desk.session.model().members.size() == 2);
+        CHECK(!run(desk, "edit.paste"));
+        REQUIRE(desk.hand.kind() == ToolKind::Paste);
+        desk.hand.type("0,4.5");
+        desk.session.change(*desk.hand.enter());
+        CHECK(desk.hand.kind() == ToolKind::Select);
+        CHECK(desk.session.model().members.size() == 3);
+        CHECK(desk.session.model().nodes.size() == 4); // joined
+        CHECK(desk.session.history().n_states() == n_states + 2);
+        CHECK(ui::Catalogue()(*desk.session.history().undo_label()) == "Paste");
+        REQUIRE(desk.session.selection.size() > 0);
+        const auto part = desk.session.selection.parts();
+        CHECK(std::ranges::any_of(part, [](const Part& p) { return std::holds_alternative<MemberId>(p); }));
+    }
+
+    TEST_CASE("What was copied of a truss does not go into a frame, and the reason is told")
+    {
+        Desk desk = desk_with("truss.json");
+        desk.session.selection = everything(desk.session.model());
+        CHECK(!run(desk, "edit.clip"));
+        REQUIRE(open_file(desk, CREMONA_SOURCE_DIR "/examples/portal.json"));
+        CHECK(run(desk, "edit.paste") == "what was copied is of another kind of structure");
+        new_document(desk);
+        CHECK(!run(desk, "edit.paste")); // an empty sheet becomes what comes into it
+    }
+}
