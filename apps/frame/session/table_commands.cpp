@@ -18,8 +18,11 @@ struct TableEntry {
 constexpr std::array entries{
     TableEntry{TableKind::Nodes, "view.table.nodes"},
     TableEntry{TableKind::Members, "view.table.members"},
+    TableEntry{TableKind::Joints, "view.table.joints"},
     TableEntry{TableKind::Materials, "view.table.materials"},
     TableEntry{TableKind::Sections, "view.table.sections"},
+    TableEntry{TableKind::LoadCases, "view.table.load_cases"},
+    TableEntry{TableKind::Combinations, "view.table.combinations"},
     TableEntry{TableKind::NodeLoads, "view.table.node_loads"},
     TableEntry{TableKind::DistributedLoads, "view.table.distributed_loads"},
     TableEntry{TableKind::PointLoads, "view.table.point_loads"},
@@ -32,6 +35,7 @@ constexpr std::array entries{
     TableEntry{TableKind::MemberEnds, "view.table.member_ends"},
     TableEntry{TableKind::Extremes, "view.table.extremes"},
     TableEntry{TableKind::Envelope, "view.table.envelope"},
+    TableEntry{TableKind::ReactionEnvelope, "view.table.reaction_envelope"},
 };
 
 bool shows(const Desk& desk, TableKind kind)

@@ -16,6 +16,9 @@ std::string_view title(TableKind kind)
     case TableKind::Members: return translatable("Members");
     case TableKind::Materials: return translatable("Materials");
     case TableKind::Sections: return translatable("Sections");
+    case TableKind::Joints: return translatable("Releases and springs");
+    case TableKind::LoadCases: return translatable("Load cases");
+    case TableKind::Combinations: return translatable("Combinations");
     case TableKind::NodeLoads: return translatable("Loads on nodes");
     case TableKind::DistributedLoads: return translatable("Distributed loads");
     case TableKind::PointLoads: return translatable("Point loads");
@@ -27,9 +30,10 @@ std::string_view title(TableKind kind)
     case TableKind::Reactions: return translatable("Reactions");
     case TableKind::MemberEnds: return translatable("Member ends");
     case TableKind::Extremes: return translatable("Extremes");
-    case TableKind::Envelope: break;
+    case TableKind::Envelope: return translatable("Envelope");
+    case TableKind::ReactionEnvelope: break;
     }
-    return translatable("Envelope");
+    return translatable("Envelope of reactions");
 }
 
 std::vector<Column> columns(const Model& model, TableKind kind)
@@ -39,6 +43,9 @@ std::vector<Column> columns(const Model& model, TableKind kind)
     case TableKind::Members: return member_columns(model);
     case TableKind::Materials: return material_columns();
     case TableKind::Sections: return section_columns();
+    case TableKind::Joints: return joint_columns(model);
+    case TableKind::LoadCases: return load_case_columns();
+    case TableKind::Combinations: return combination_columns(model);
     default: return load_columns(model, kind);
     }
 }
@@ -49,6 +56,13 @@ template <class Id, class Entry> std::vector<Part> ids(const std::vector<Entry>&
 {
     std::vector<Part> all;
     for (std::size_t i = 0; i < list.size(); ++i) all.emplace_back(Id(i));
+    return all;
+}
+
+template <class Place, class Entry> std::vector<Part> places(const std::vector<Entry>& list)
+{
+    std::vector<Part> all;
+    for (std::size_t i = 0; i < list.size(); ++i) all.emplace_back(Place{i});
     return all;
 }
 
@@ -82,6 +96,9 @@ std::vector<Part> parts_of(const Model& model, TableKind kind)
     switch (kind) {
     case TableKind::Nodes: return ids<NodeId>(model.nodes);
     case TableKind::Members: return ids<MemberId>(model.members);
+    case TableKind::Joints: return is_truss(model.analysis) ? std::vector<Part>() : ids<MemberId>(model.members);
+    case TableKind::LoadCases: return places<LoadCasePlace>(model.load_cases);
+    case TableKind::Combinations: return places<CombinationPlace>(model.combinations);
     case TableKind::Materials: return ids<MaterialId>(model.materials);
     case TableKind::Sections: return ids<SectionId>(model.sections);
     default: break;

@@ -47,7 +47,9 @@ public:
         for (std::size_t i = 0; i < texts.size(); ++i) {
             const std::size_t row = target_.row + i;
             if (row < parts_.size()) change(row, texts[i]);
-            else if (!is_blank(texts[i])) add(row, texts[i]);
+            else if (is_blank(texts[i])) continue;
+            else if (can_grow(kind_)) add(row, texts[i]);
+            else refuse(row, columns_.size(), manner_.tr("this table gets its rows from another one"));
         }
         refuse_double_names();
         if (faults_.empty()) move_loads(next_, moves_);

@@ -73,27 +73,6 @@ Column property_column(std::string_view heading, Entries Model::*list, std::opti
     return column;
 }
 
-Column release_column(std::string_view heading, MemberEndName end)
-{
-    Column column{.heading = heading, .read = {}};
-    column.read = [end](const Model& model, const Part& part) -> CellValue {
-        const Member& member = member_of(model, part);
-        return names_of((end == MemberEndName::Start ? member.start : member.end).release);
-    };
-    column.write = [end](Document& document, const Part& part, const CellText& entry) -> Refusal {
-        const DofSet allowed = member_dofs(document.model.analysis);
-        const auto released = dofs_of(entry, allowed);
-        if (const auto* const reason = std::get_if<std::string>(&released)) return *reason;
-        for (const Dof dof : all_dofs) {
-            if (!allowed.contains(dof)) continue;
-            const Switch state = std::get<DofSet>(released).contains(dof) ? Switch::On : Switch::Off;
-            set_release(document, std::get<MemberId>(part), end, dof, state);
-        }
-        return std::nullopt;
-    };
-    return column;
-}
-
 Column trait_column(std::string_view heading, MemberTrait trait)
 {
     return word_column(heading, {.words = {translatable("no"), translatable("yes")},

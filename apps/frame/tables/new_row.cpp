@@ -5,6 +5,7 @@
 #include "apps/frame/document/drawing.h"
 #include "apps/frame/document/loading.h"
 #include "apps/frame/document/overloaded.h"
+#include "femoop/edit/insert.h"
 #include "femoop/edit/naming.h"
 #include "ui/text/catalogue.h"
 
@@ -36,6 +37,11 @@ Part append_load(Document& document, TableKind kind)
     }
 }
 
+Part append_load_case(Model& model)
+{
+    return LoadCasePlace{femoop::insert_load_case(model, fresh_case_id(model, "1")).index};
+}
+
 } // namespace
 
 Part append(Document& document, TableKind kind)
@@ -48,6 +54,10 @@ Part append(Document& document, TableKind kind)
         return model.add(std::move(node));
     }
     case TableKind::Members: return model.add(like_last_member(model));
+    case TableKind::LoadCases: return append_load_case(model);
+    case TableKind::Combinations:
+        model.combinations.push_back({.id = fresh_case_id(model, "C"), .terms = {}});
+        return CombinationPlace{model.combinations.size() - 1};
     case TableKind::Materials: return model.add(Material{});
     case TableKind::Sections: return model.add(Section{});
     default: return append_load(document, kind);
@@ -93,12 +103,24 @@ template <class Entries> std::optional<std::string> double_in(const Entries& lis
     return n > 1 ? std::optional(name) : std::nullopt;
 }
 
+// Load cases and combinations share one set of names.
+std::optional<std::string> double_case(const Model& model, CaseId id)
+{
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < model.n_cases(); ++i)
+        if (model.case_name(CaseId(i)) == model.case_name(id)) ++n;
+    return n > 1 ? std::optional(model.case_name(id)) : std::nullopt;
+}
+
 } // namespace
 
 std::optional<std::string> why_not_row(const Model& model, const Part& part, const ui::Catalogue& tr)
 {
     if (const auto* const id = std::get_if<MemberId>(&part); id && model[*id].nodes[0] == model[*id].nodes[1])
         return tr("the member starts and ends at one node");
+    if (const auto* const p = std::get_if<CombinationPlace>(&part);
+        p && model.combinations[p->combination].terms.empty())
+        return tr("the combination has no factor; give it one or delete its row");
     if (!has_value(model, part)) return tr("the load has no value; give it one or delete its row");
     return std::nullopt;
 }
@@ -109,6 +131,9 @@ std::optional<std::string> double_name(const Model& model, const Part& part)
     if (const auto* const id = std::get_if<MemberId>(&part)) return double_in(model.members, id->index);
     if (const auto* const id = std::get_if<MaterialId>(&part)) return double_in(model.materials, id->index);
     if (const auto* const id = std::get_if<SectionId>(&part)) return double_in(model.sections, id->index);
+    if (const auto* const p = std::get_if<LoadCasePlace>(&part)) return double_case(model, CaseId(p->load_case));
+    if (const auto* const p = std::get_if<CombinationPlace>(&part))
+        return double_case(model, CaseId(model.load_cases.size() + p->combination));
     return std::nullopt;
 }
 

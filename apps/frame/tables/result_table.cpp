@@ -1,6 +1,5 @@
 #include "apps/frame/tables/result_table.h"
 
-#include <map>
 #include <utility>
 
 #include "apps/frame/document/measures.h"
@@ -24,7 +23,7 @@ namespace {
 class ResultRows {
 public:
     ResultRows(const TabledResults& shown, const Manner& manner)
-        : shown_(shown), manner_(manner), kind_(shown.model.analysis)
+        : shown_(shown), manner_(manner), kind_(shown.model.analysis), numbers_(shown.results, manner.units)
     {}
 
     Table displacements()
@@ -97,10 +96,10 @@ public:
             for (const std::string_view which : {translatable("max"), translatable("min")}) {
                 add_heading(symbol(component) + ' ' + manner_.tr(which), measure_of(component));
                 add_heading("x", Measure::Length);
-                table_.headings.push_back({manner_.tr("Case")});
+                add_case_heading();
             }
         }
-        const Envelope all(shown_.results);
+        const Envelope all = chosen();
         for (std::size_t i = 0; i < shown_.model.members.size(); ++i) {
             begin_row(MemberId(i), shown_.model.members[i].id);
             for (const MemberComponent component : components()) {
@@ -111,7 +110,36 @@ public:
         return std::move(table_);
     }
 
+    Table reaction_envelope()
+    {
+        const std::vector<Dof> list = dof_list(kind_);
+        begin(translatable("Node"));
+        for (const Dof dof : list) {
+            for (const std::string_view which : {translatable("max"), translatable("min")}) {
+                add_heading(std::string(force_name(dof)) + ' ' + manner_.tr(which), force_measures.of(dof));
+                add_case_heading();
+            }
+        }
+        const Envelope all = chosen();
+        for (std::size_t i = 0; i < shown_.model.nodes.size(); ++i) {
+            if (!result().is_supported(NodeId(i))) continue;
+            begin_row(NodeId(i), shown_.model.nodes[i].id);
+            for (const Dof dof : list) {
+                const GoverningRange range = all.reaction(NodeId(i), dof);
+                for (const Governing& bound : {range.max, range.min}) {
+                    add(bound.value, force_measures.of(dof), bound.load_case);
+                    add_name(bound.load_case);
+                }
+            }
+        }
+        return std::move(table_);
+    }
+
 private:
+    Envelope chosen() const
+    {
+        return shown_.envelope_of.empty() ? Envelope(shown_.results) : Envelope(shown_.results, shown_.envelope_of);
+    }
     CaseResult result() const { return shown_.results[shown_.load_case]; }
     std::vector<MemberComponent> components() const { return section_force_components(kind_); }
     std::string symbol(MemberComponent component) const { return std::string(name(component, kind_)); }
@@ -137,7 +165,7 @@ private:
 
     void add(double value, Measure measure, CaseId of)
     {
-        Cell cell{.shown = numbers(of).number(value, measure)};
+        Cell cell{.shown = numbers_[of].number(value, measure)};
         const double tidy = cell.shown == "0" ? 0.0 : value;
         const Cell exact = cell_of(Quantity(tidy), measure, manner_);
         cell.typed = cell.plain = exact.plain;
@@ -149,22 +177,20 @@ private:
     {
         add(extreme.value, measure, extreme.load_case);
         add(extreme.x, Measure::Length, extreme.load_case);
-        const std::string& of = shown_.model.case_name(extreme.load_case);
-        table_.rows.back().cells.push_back({.shown = of, .typed = of, .plain = of});
+        add_name(extreme.load_case);
     }
 
-    // What is rounding alone differs from case to case.
-    const CaseNumbers& numbers(CaseId of)
+    void add_case_heading() { table_.headings.push_back({manner_.tr("Case")}); }
+    void add_name(CaseId load_case)
     {
-        const auto found = numbers_.find(of);
-        if (found != numbers_.end()) return found->second;
-        return numbers_.emplace(of, CaseNumbers(shown_.results[of], manner_.units)).first->second;
+        const std::string& name = shown_.model.case_name(load_case);
+        table_.rows.back().cells.push_back({.shown = name, .typed = name, .plain = name});
     }
 
     TabledResults shown_;
     const Manner& manner_;
     AnalysisKind kind_;
-    std::map<CaseId, CaseNumbers> numbers_;
+    NumbersOfCases numbers_;
     Table table_;
 };
 
@@ -178,6 +204,7 @@ Table result_table(const TabledResults& results, TableKind kind, const Manner& m
     case TableKind::Reactions: return rows.reactions();
     case TableKind::MemberEnds: return rows.member_ends();
     case TableKind::Extremes: return rows.extremes();
+    case TableKind::ReactionEnvelope: return rows.reaction_envelope();
     default: return rows.envelope();
     }
 }

@@ -17,12 +17,12 @@ namespace {
 
 constexpr double zoom_per_turn = 1.15;
 
-// An envelope belongs to no case, so it has neither loads nor reactions nor a deformed shape.
+// An envelope belongs to no case, so it has neither loads nor a deformed shape.
 ViewOptions looked_at(const Session& session)
 {
     ViewOptions options = session.view;
     if (session.hidden || !session.prediction.is_empty()) options.prediction = &session.prediction;
-    if (options.is_envelope) options.show = options.show - ShowSet{Show::Loads, Show::Reactions, Show::Deformed};
+    if (options.is_envelope) options.show = options.show - ShowSet{Show::Loads, Show::Deformed};
     return options;
 }
 
@@ -244,6 +244,7 @@ void Canvas::release(Desk& desk, const Aim& aim, const Pick& under)
     const bool was_dragging = session.history().is_dragging() || desk.hand.tool().preview().window;
     carry_out(session, desk.hand.tool().release(work_of(session), aim));
     session.settle();
+    if (desk.hand.tool().is_done()) return desk.hand.settle();
     if (was_dragging || desk.hand.kind() != ToolKind::Select) return;
     session.pin = under.cut;
     const bool is_read = under.cut && !aim.part(); // a click on a diagram means its member
@@ -332,7 +333,7 @@ Subject::Picture Canvas::draw(const Desk& desk, const ViewOptions& options, ui::
 {
     const Session& session = desk.session;
     if (session.model().nodes.empty()) {
-        draw_invitation(painter, options);
+        if (desk.hand.kind() != ToolKind::Paste) draw_invitation(painter, options);
         return {};
     }
     Subject::Picture picture = subject(desk, options).draw(painter);

@@ -7,6 +7,7 @@
 #include "apps/frame/session/snapping.h"
 #include "apps/frame/view/geometry/structure_shape.h"
 #include "apps/frame/view/member/member_results.h"
+#include "apps/frame/window/no_results.h"
 
 namespace frame {
 
@@ -27,13 +28,11 @@ std::optional<femoop::MemberId> MemberPanel::member_of(const Session& session)
     return session.pin ? std::optional(session.pin->member) : std::nullopt;
 }
 
-void MemberPanel::show(Session& session, ui::ImGuiSession& gui, const ui::Fonts& fonts)
+void MemberPanel::show(Desk& desk, ui::ImGuiSession& gui, const ui::Fonts& fonts)
 {
+    if (explain_no_results(desk)) return;
+    Session& session = desk.session;
     const ui::Catalogue& tr = session.view.tr;
-    if (const auto reason = session.why_no_results()) {
-        ImGui::TextWrapped("%s", tr(*reason).c_str());
-        return;
-    }
     const auto& results = session.solution().results;
     const std::optional<femoop::MemberId> member = member_of(session);
     if (results->n_cases() == 0) {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "apps/frame/session/session.h"
+#include "apps/frame/session/commands.h"
 #include "ui/command/chord.h"
 #include "ui/context/imgui_session.h"
 #include "ui/paint/text_measure.h"
@@ -17,7 +17,7 @@ public:
     static std::optional<femoop::MemberId> member_of(const Session& session);
 
     /// Fills what is left of the current window of Dear ImGui's.
-    void show(Session& session, ui::ImGuiSession& gui, const ui::Fonts& fonts);
+    void show(Desk& desk, ui::ImGuiSession& gui, const ui::Fonts& fonts);
 
     /// Left and Right move the pinned section, with Shift by a small step. False for other keys.
     bool take(Session& session, const ui::Chord& chord);

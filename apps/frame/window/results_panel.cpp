@@ -10,6 +10,9 @@
 #include "apps/frame/view/results/case_numbers.h"
 #include "apps/frame/view/results/diagram.h"
 #include "apps/frame/view/results/mechanism_picture.h"
+#include "apps/frame/window/envelope_panel.h"
+#include "apps/frame/window/no_results.h"
+#include "apps/frame/window/result_list.h"
 #include "femoop/result/components.h"
 #include "femoop/result/results.h"
 
@@ -32,58 +35,12 @@ struct ShownCase {
     const ui::Catalogue& tr() const { return session.view.tr; }
 };
 
-void right_aligned(const std::string& text)
-{
-    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
-    if (room > 0.0F) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
-    ImGui::TextUnformatted(text.c_str());
-}
-
-// A table whose first column names a part; where it is too wide it is scrolled, never cut. Calls row(i) for the rows
-// that are in sight.
-template <class Row> void table(const char* id, const std::vector<std::string>& headings, std::size_t n_rows, Row&& row)
-{
-    constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_ScrollX |
-                                      ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit;
-    const float line = ImGui::GetTextLineHeightWithSpacing() + 2.0F * ImGui::GetStyle().CellPadding.y;
-    const float height = std::min(static_cast<float>(n_rows + 1) * line, 12.0F * line) +
-                         ImGui::GetStyle().ScrollbarSize;
-    if (!ImGui::BeginTable(id, static_cast<int>(headings.size()), flags, {0.0F, height})) return;
-    ImGui::TableSetupScrollFreeze(1, 1);
-    for (const std::string& heading : headings) ImGui::TableSetupColumn(heading.c_str());
-    ImGui::TableHeadersRow();
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(n_rows));
-    while (clipper.Step()) {
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            ImGui::TableNextRow();
-            ImGui::TableNextColumn();
-            ImGui::PushID(i);
-            row(static_cast<std::size_t>(i));
-            ImGui::PopID();
-        }
-    }
-    ImGui::EndTable();
-}
-
-void part_cell(Session& session, const Part& part, const std::string& name)
-{
-    const bool is_selected = session.selection.contains(part);
-    if (ImGui::Selectable(name.c_str(), is_selected, ImGuiSelectableFlags_SpanAllColumns)) session.selection = part;
-}
-
-void number_cell(const std::string& text)
-{
-    ImGui::TableNextColumn();
-    right_aligned(text);
-}
-
 void displacements(const ShownCase& shown)
 {
     const std::vector<Dof> list = dof_list(shown.model().analysis);
     std::vector<std::string> headings{shown.tr()("Node")};
     for (const Dof dof : list) headings.push_back(shown.units.label(name(dof), displacement_measures.of(dof)));
-    table("displacements", headings, shown.model().nodes.size(), [&](std::size_t i) {
+    result_list("displacements", headings, shown.model().nodes.size(), [&](std::size_t i) {
         part_cell(shown.session, NodeId(i), shown.model().nodes[i].id);
         const NodeVector u = shown.result.displacement(NodeId(i));
         for (const Dof dof : list) number_cell(shown.numbers.number(u[index(dof)], displacement_measures.of(dof)));
@@ -99,7 +56,7 @@ void reactions(const ShownCase& shown)
     }
     std::vector<std::string> headings{shown.tr()("Node")};
     for (const Dof dof : list) headings.push_back(shown.units.label(force_name(dof), force_measures.of(dof)));
-    table("reactions", headings, supported.size(), [&](std::size_t i) {
+    result_list("reactions", headings, supported.size(), [&](std::size_t i) {
         part_cell(shown.session, supported[i], shown.model()[supported[i]].id);
         const NodeVector r = shown.result.reaction(supported[i]);
         for (const Dof dof : list) number_cell(shown.numbers.number(r[index(dof)], force_measures.of(dof)));
@@ -126,7 +83,7 @@ void member_forces(const ShownCase& shown, MemberComponent component, const std:
     std::vector<std::string> headings{tr("Member")};
     if (has_ends) headings.insert(headings.end(), {tr("start"), tr("end")});
     headings.insert(headings.end(), {tr("max"), tr("min")});
-    table(id.c_str(), headings, shown.model().members.size(), [&](std::size_t i) {
+    result_list(id.c_str(), headings, shown.model().members.size(), [&](std::size_t i) {
         part_cell(shown.session, MemberId(i), shown.model().members[i].id);
         const Curve curve = shown.result.curve(MemberId(i));
         const Extremes extremes = curve.extremes(component);
@@ -136,11 +93,6 @@ void member_forces(const ShownCase& shown, MemberComponent component, const std:
         value(extremes.max.value);
         value(extremes.min.value);
     });
-}
-
-bool section(const std::string& title, const char* id)
-{
-    return ImGui::CollapsingHeader((title + "###" + id).c_str(), ImGuiTreeNodeFlags_DefaultOpen);
 }
 
 void show_equilibrium(const ShownCase& shown)
@@ -170,14 +122,12 @@ void results_panel(Desk& desk)
     Session& session = desk.session;
     const ui::Catalogue& tr = session.view.tr;
     const auto& results = session.solution().results;
-    if (const auto reason = session.why_no_results()) {
-        ImGui::TextWrapped("%s", tr(*reason).c_str());
-        return;
-    }
+    if (explain_no_results(desk)) return;
     if (results->n_cases() == 0) {
         ImGui::TextWrapped("%s", tr("The model has no load case.").c_str());
         return;
     }
+    if (session.view.is_envelope) return envelope_panel(desk);
     const CaseResult result = (*results)[session.view.load_case];
     const ui::DisplayUnits units = session.units();
     const ShownCase shown{session, result, units, CaseNumbers(result, units)};
@@ -186,12 +136,12 @@ void results_panel(Desk& desk)
         desk.bottom = {true, TableKind::Extremes, false};
     for (const MemberComponent component : section_force_components(session.model().analysis)) {
         const std::string id(name(component, session.model().analysis));
-        if (section(tr("Members: {value}", {{"value", units.label(id, measure_of(component))}}), id.c_str()))
+        if (result_section(tr("Members: {value}", {{"value", units.label(id, measure_of(component))}}), id.c_str()))
             member_forces(shown, component, id);
     }
-    if (section(tr("Reactions"), "reactions")) reactions(shown);
-    if (section(tr("Displacements"), "displacements")) displacements(shown);
-    if (section(tr("Equilibrium"), "equilibrium")) show_equilibrium(shown);
+    if (result_section(tr("Reactions"), "reactions")) reactions(shown);
+    if (result_section(tr("Displacements"), "displacements")) displacements(shown);
+    if (result_section(tr("Equilibrium"), "equilibrium")) show_equilibrium(shown);
 }
 
 void problems_panel(Desk& desk)

@@ -9,6 +9,8 @@
 #include "apps/frame/document/drawing.h"
 #include "apps/frame/session/table_commands.h"
 #include "apps/frame/tables/result_table.h"
+#include "apps/frame/view/results/envelope_cases.h"
+#include "apps/frame/window/no_results.h"
 #include "ui/paint/theme.h"
 #include "ui/text/catalogue.h"
 
@@ -22,24 +24,19 @@ namespace {
 constexpr float splitter_ems = 0.35F;
 constexpr float least_height_of_diagrams = 20.0F; // ems
 
-Manner manner_of(const Session& session) { return {session.units(), session.view.tr}; }
-
-bool can_grow(TableKind kind) { return !is_result(kind); }
-
 Table table_of(const Session& session, TableKind kind)
 {
-    if (!is_result(kind)) return data_table(session.model(), kind, manner_of(session));
+    if (!is_result(kind)) return data_table(session.model(), kind, session.manner());
     const auto& results = session.solution().results;
     if (session.why_no_results() || results->n_cases() == 0) return {};
-    return result_table({session.model(), *results, session.view.load_case}, kind, manner_of(session));
+    const std::vector<femoop::CaseId> chosen = envelope_cases(session.model(), session.view);
+    return result_table({session.model(), *results, session.view.load_case, chosen}, kind, session.manner());
 }
 
 ui::Phrase why_no_table(const Session& session)
 {
-    return session.why_no_results().value_or(ui::Phrase(translatable("There are no results: see the problems.")));
+    return session.why_no_results().value_or(ui::Phrase(translatable("The model has no load case.")));
 }
-
-ui::Phrase change_label(TableKind kind) { return {translatable("Change table: {table}"), {{"table", title(kind)}}}; }
 
 } // namespace
 
@@ -59,7 +56,8 @@ void TablesPanel::follow(const Desk& desk)
                             std::to_string(session.generation()) + ' ' + std::to_string(session.view.load_case.index) +
                             ' ' + std::string(code(session.units().system())) + ' ' +
                             std::string(code(session.view.tr.language())) + ' ' +
-                            std::to_string(static_cast<int>(desk.bottom.table)) + (session.hidden ? " hidden" : "");
+                            std::to_string(static_cast<int>(desk.bottom.table)) + (session.hidden ? " hidden " : " ") +
+                            envelope_words(session.model(), session.view);
     const std::string document = std::to_string(desk.tab) + ' ' + session.file_name();
     if (kind_ != desk.bottom.table || document_ != document) {
         grid_.reset();
@@ -98,7 +96,7 @@ void TablesPanel::show(Desk& desk, ui::ImGuiSession& gui, const ui::Fonts& fonts
     show_tabs(desk);
     follow(desk);
     if (!std::exchange(was_open_, true)) has_keyboard_ = true;
-    if (desk.bottom.shows_member) member_.show(desk.session, gui, fonts);
+    if (desk.bottom.shows_member) member_.show(desk, gui, fonts);
     else show_table(desk);
     const bool is_over = ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
                                                 ImGuiHoveredFlags_AllowWhenBlockedByPopup);
@@ -123,80 +121,11 @@ void TablesPanel::show_splitter(float room)
     height_ = std::clamp(height_ - ImGui::GetIO().MouseDelta.y / em, 8.0F, 0.7F * room / em);
 }
 
-// One tab beside the other, in a second row where there is no room.
-bool TablesPanel::begin_tab(const std::string& label, bool is_chosen)
-{
-    const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-    const float gap = 0.3F * ImGui::GetFontSize();
-    const float width = ImGui::CalcTextSize(label.c_str(), nullptr, true).x + 2.0F * ImGui::GetStyle().FramePadding.x;
-    const bool is_first = ImGui::GetCursorPosX() <= ImGui::GetWindowContentRegionMin().x + 1.0F &&
-                          ImGui::GetCursorPosY() <= ImGui::GetWindowContentRegionMin().y + 1.0F;
-    if (!is_first && ImGui::GetItemRectMax().x + gap + width <= end) ImGui::SameLine(0.0F, gap);
-    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(is_chosen ? ImGuiCol_TabActive : ImGuiCol_Tab));
-    const bool is_clicked = ImGui::Button(label.c_str());
-    ImGui::PopStyleColor();
-    return is_clicked;
-}
-
-bool TablesPanel::tab(Desk& desk, TableKind kind)
-{
-    const bool is_chosen = desk.bottom.table == kind && !desk.bottom.shows_member;
-    const std::string label = desk.session.view.tr(title(kind)) + "###" + std::string(command_id(kind));
-    if (!begin_tab(label, is_chosen)) return false;
-    desk.bottom = {true, kind, false};
-    has_keyboard_ = true;
-    return true;
-}
-
-// All kinds of loads in one tab: which one is chosen from a list.
-void TablesPanel::show_loads_tab(Desk& desk)
-{
-    const ui::Catalogue& tr = desk.session.view.tr;
-    const bool is_chosen = is_load(desk.bottom.table) && !desk.bottom.shows_member;
-    const std::string name = is_chosen ? tr(title(desk.bottom.table)) : tr("Loads");
-    if (begin_tab(name + " …###loads", is_chosen)) ImGui::OpenPopup("###kinds of loads");
-    if (!ImGui::BeginPopup("###kinds of loads")) return;
-    for (const TableKind kind : all_table_kinds) {
-        if (!is_load(kind)) continue;
-        const std::size_t n = parts_of(desk.session.model(), kind).size();
-        const std::string label = tr(title(kind)) + (n > 0 ? " (" + std::to_string(n) + ")" : "");
-        if (!ImGui::MenuItem(label.c_str(), nullptr, desk.bottom.table == kind)) continue;
-        desk.bottom = {true, kind, false};
-        has_keyboard_ = true;
-    }
-    ImGui::EndPopup();
-}
-
-void TablesPanel::show_tabs(Desk& desk)
-{
-    using enum TableKind;
-    for (const TableKind kind : {Nodes, Members, Materials, Sections}) tab(desk, kind);
-    show_loads_tab(desk);
-    for (const TableKind kind : {Displacements, Reactions, MemberEnds, Extremes, Envelope}) tab(desk, kind);
-    show_member_tab(desk);
-    const ui::Catalogue& tr = desk.session.view.tr;
-    if (!desk.bottom.shows_member && begin_tab(tr("CSV…") + "###csv", false)) ask_for_file(desk);
-    if (!desk.bottom.shows_member && ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s", tr("Export the table as CSV…").c_str());
-}
-
-// It names the member whose diagrams it shows.
-void TablesPanel::show_member_tab(Desk& desk)
-{
-    const Session& session = desk.session;
-    const std::optional<femoop::MemberId> member = MemberPanel::member_of(session);
-    const std::string name = session.view.tr(member ? title(session.model(), *member)
-                                                    : ui::Phrase(translatable("Diagrams of the member")));
-    if (!begin_tab(name + "###member", desk.bottom.shows_member)) return;
-    desk.bottom.shows_member = true;
-    has_keyboard_ = true;
-}
-
 void TablesPanel::show_table(Desk& desk)
 {
     if (table_.headings.empty()) {
         const ui::Catalogue& tr = desk.session.view.tr;
-        ImGui::TextWrapped("%s", tr(why_no_table(desk.session)).c_str());
+        if (!explain_no_results(desk)) ImGui::TextWrapped("%s", tr("The model has no load case.").c_str());
         return;
     }
     follow_selection(desk);
@@ -225,7 +154,7 @@ void TablesPanel::show_footer(const Session& session) const
     }
     std::string text = tr("Type to change a cell: 25 kN/m, 2*3.5, 1/3. New rows at the end, or pasted from a "
                           "spreadsheet.");
-    if (kind_ == TableKind::Envelope) text = tr("all cases and combinations");
+    if (is_envelope(kind_)) text = envelope_words(session.model(), session.view);
     else if (is_result(kind_)) text = tr("Case {case}", {{"case", session.model().case_name(session.view.load_case)}});
     ImGui::TextDisabled("%s", text.c_str());
 }
@@ -281,104 +210,11 @@ bool TablesPanel::take_key(Desk& desk, const ui::Chord& chord)
     if (grid_.is_editing()) return false;
     if (chord == ui::Chord{Key::C, ui::ctrl}) copy(desk);
     else if (chord == ui::Chord{Key::V, ui::ctrl}) paste(desk);
-    else if (chord == ui::Chord{Key::Delete, {}} && grid_.has_whole_rows(table_)) remove_rows(desk);
+    else if (chord == ui::Chord{Key::Delete, {}} && can_grow(kind_) && grid_.has_whole_rows(table_)) remove_rows(desk);
     else if (chord == ui::Chord{Key::Delete, {}} || chord == ui::Chord{Key::Backspace, {}}) clear_block(desk);
     else if (chord.key == Key::Escape) leave();
     else return !chord.modifiers.ctrl && (chord.key < Key::F1 || chord.key > Key::F12);
     return true;
-}
-
-void TablesPanel::copy(const Desk&) const
-{
-    const CellBlock block = grid_.block();
-    if (block.rows.empty()) return;
-    const bool is_cell = block.rows.size() == 1 && block.first_column == block.last_column;
-    const std::string text = is_cell ? table_.rows[block.rows.front()].cells[block.first_column].plain
-                                     : tsv(table_, block);
-    ImGui::SetClipboardText(text.c_str());
-}
-
-// ---- edits ----
-
-// One text fills the whole block.
-void TablesPanel::paste(Desk& desk)
-{
-    const char* const text = ImGui::GetClipboardText();
-    if (text == nullptr || is_result(kind_)) return;
-    const CellBlock block = grid_.block();
-    TextBlock texts = read_block(text, table_, block.first_column);
-    const bool is_one = texts.size() == 1 && texts.front().size() == 1;
-    if (is_one) {
-        const std::vector<std::string> line(block.last_column - block.first_column + 1, texts.front().front());
-        texts.assign(grid_.n_rows_of_block(), line);
-    }
-    fill(desk, {grid_.first_row(), block.first_column, std::move(texts)});
-}
-
-void TablesPanel::clear_block(Desk& desk)
-{
-    const CellBlock block = grid_.block();
-    if (is_result(kind_) || block.rows.empty()) return;
-    const std::vector<std::string> line(block.last_column - block.first_column + 1);
-    fill(desk, {grid_.first_row(), block.first_column, TextBlock(block.rows.size(), line)});
-}
-
-void TablesPanel::remove_rows(Desk& desk)
-{
-    if (is_result(kind_)) return;
-    std::vector<Part> parts;
-    for (const std::size_t row : grid_.block().rows)
-        if (table_.rows[row].part) parts.push_back(*table_.rows[row].part);
-    desk.session.change({ui::Phrase(translatable("Delete rows: {table}"), {{"table", title(kind_)}}),
-                         [&](Document& document) { remove(document, parts); }});
-}
-
-// Fills cells, or says what hinders it and changes nothing.
-bool TablesPanel::fill(Desk& desk, const GridEdit& edit)
-{
-    Session& session = desk.session;
-    Filled result = filled(session.document(), kind_, {edit.row, edit.column, grid_.order()}, edit.texts,
-                           manner_of(session));
-    message_.clear();
-    if (!result.faults.empty()) {
-        message_ = sentence(result.faults.front(), table_, session.view.tr);
-        if (result.faults.size() > 1)
-            message_ += " " +
-                        session.view.tr("(and {count} more)", {{"count", std::to_string(result.faults.size() - 1)}});
-        return false;
-    }
-    if (result.document == session.document()) return true;
-    session.change({change_label(kind_), [&](Document& document) { document = std::move(result.document); }});
-    return true;
-}
-
-// A new row is kept until it has all that it needs.
-bool TablesPanel::fill_draft(Desk& desk, const GridEdit& edit)
-{
-    std::vector<std::string> line = grid_.draft;
-    line[edit.column] = edit.texts.front().front();
-    const Filled result = filled(desk.session.document(), kind_, {edit.row, 0, grid_.order()}, {line},
-                                 manner_of(desk.session));
-    const auto concerns_text = [&](const CellFault& fault) {
-        return fault.column < line.size() && !line[fault.column].empty();
-    };
-    if (std::ranges::any_of(result.faults, concerns_text)) return fill(desk, {edit.row, 0, {line}});
-    grid_.draft = line;
-    if (fill(desk, {edit.row, 0, {line}})) grid_.draft.assign(line.size(), "");
-    return true;
-}
-
-void TablesPanel::carry_out(Desk& desk, const GridEdit& edit)
-{
-    const bool is_new = edit.row >= table_.rows.size();
-    const bool is_taken = is_new ? fill_draft(desk, edit) : fill(desk, edit);
-    if (!is_taken) {
-        grid_.reject(edit);
-        return;
-    }
-    follow(desk);
-    grid_.accept();
-    select_rows(desk);
 }
 
 // ---- files ----

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <optional>
 #include <string>
 
@@ -40,7 +41,7 @@ private:
     void follow_selection(const Desk& desk);
     void show_splitter(float room);
     void show_tabs(Desk& desk);
-    void show_loads_tab(Desk& desk);
+    void show_group(Desk& desk, std::string_view label, std::initializer_list<TableKind> kinds);
     bool tab(Desk& desk, TableKind kind);
     bool begin_tab(const std::string& label, bool is_chosen);
     void show_table(Desk& desk);

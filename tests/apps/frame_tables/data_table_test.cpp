@@ -66,6 +66,11 @@ Document rich()
     wind.members.push_back({MemberId(1), femoop::Misfit{-0.004}});
     wind.members.push_back({MemberId(1), femoop::EndLoads{.start = {{femoop::Dof::uy, 7.0}}, .end = {}}});
     wind.settlements.push_back({NodeId(3), {{femoop::Dof::uy, -0.013}}});
+    model.load_cases.front().self_weight = 1.1;
+    model.combinations.push_back({"U", {{femoop::CaseId(0), 1.35}, {femoop::CaseId(1), -0.9}}});
+    model.combinations.push_back({"S", {{femoop::CaseId(2), 0.7}}}); // of the one before
+    model.members[2].end.springs.push_back({femoop::Dof::rz, femoop::Quantity(850.0, "0.85 MN*m/rad")});
+    model.members[2].end.offset = {0.1, -0.25};
     return document;
 }
 
@@ -255,5 +260,65 @@ TEST_SUITE("frame tables")
         const TextBlock block = read_tsv(tsv(table, whole(table)));
         CHECK(block == TextBlock{{"name", "x"}, {odd, "1"}});
         CHECK(csv(table, ui::DecimalMark::Comma).starts_with("name;x\r\n"));
+    }
+
+    TEST_CASE("Self-weight and the factors of combinations are typed, and a new combination is a new row")
+    {
+        const Filled heavier = pasted(rich(), TableKind::LoadCases, {0, 0}, "G\t1.35");
+        CHECK(first_fault(heavier, TableKind::LoadCases) == "");
+        CHECK(heavier.document.model.load_cases[0].id == "G");
+        CHECK(heavier.document.model.load_cases[0].self_weight == 1.35);
+        const Filled combined = pasted(rich(), TableKind::Combinations, {1, 0}, "S\t1\t\t\nX\t1,25\t2/3\t0.5");
+        CHECK(first_fault(combined, TableKind::Combinations) == "");
+        const auto& all = combined.document.model.combinations;
+        REQUIRE(all.size() == 3);
+        CHECK(all[1].terms == std::vector{femoop::Combination::Term{femoop::CaseId(0), 1.0}});
+        CHECK(all[2].id == "X");
+        REQUIRE(all[2].terms.size() == 3);
+        CHECK(all[2].terms[1].factor == doctest::Approx(2.0 / 3.0));
+        CHECK(all[2].terms[2].of == femoop::CaseId(2)); // U, which S was made of
+    }
+
+    TEST_CASE("A new load case stands before the combinations, which go on meaning what they meant")
+    {
+        const Document before = rich();
+        const Filled result = pasted(before, TableKind::LoadCases, {2, 0}, "snow\t0");
+        CHECK(first_fault(result, TableKind::LoadCases) == "");
+        const femoop::Model& model = result.document.model;
+        REQUIRE(model.load_cases.size() == 3);
+        CHECK(model.load_cases[2].id == "snow");
+        CHECK(model.combinations[0] == before.model.combinations[0]);
+        CHECK(model.case_name(model.combinations[1].terms[0].of) == "U");
+    }
+
+    TEST_CASE("Names of load cases and combinations stand once among both, and a combination has a factor")
+    {
+        CHECK(first_fault(pasted(rich(), TableKind::LoadCases, {0, 0}, "U"), TableKind::LoadCases) ==
+              "row 1, Load case: the name \"U\" is taken");
+        CHECK(first_fault(pasted(rich(), TableKind::Combinations, {2, 0}, "V"), TableKind::Combinations) ==
+              "row 3: the combination has no factor; give it one or delete its row");
+    }
+
+    TEST_CASE("A spring at a member's end takes the place of a release, and a release that of a spring")
+    {
+        const Document document = rich();
+        const Manner manner = english(document.model);
+        const Table table = data_table(document.model, TableKind::Joints, manner);
+        const auto column = [&](std::string_view label) {
+            for (std::size_t j = 0; j < table.headings.size(); ++j)
+                if (table.headings[j].label.starts_with(label)) return j;
+            return table.headings.size();
+        };
+        const Filled sprung = pasted(document, TableKind::Joints, {1, column("Spring rz, start")}, "500");
+        CHECK(first_fault(sprung, TableKind::Joints) == "");
+        const femoop::MemberEnd& start = sprung.document.model.members[1].start;
+        CHECK(start.release.is_empty());
+        REQUIRE(start.springs.size() == 1);
+        CHECK(start.springs[0].stiffness == 500.0);
+        const Filled released = pasted(document, TableKind::Joints, {2, column("Released at end")}, "rz");
+        CHECK(released.document.model.members[2].end.springs.empty());
+        CHECK(pasted(document, TableKind::Joints, {0, column("Spring rz, end")}, "-3").faults.size() == 1);
+        CHECK(first_fault(pasted(document, TableKind::Joints, {3, 1}, "rz"), TableKind::Joints) ==
+              "row 4: this table gets its rows from another one");
     }
 }

@@ -3,6 +3,7 @@
 #include "apps/frame/view/sketch/scene.h"
 
 #include <cmath>
+#include <utility>
 
 namespace frame {
 
@@ -37,6 +38,17 @@ std::string CaseNumbers::number(double value, Measure measure) const
 std::string CaseNumbers::text(double value, Measure measure) const
 {
     return with_minus(units_.text(without_rounding(value, measure), measure));
+}
+
+NumbersOfCases::NumbersOfCases(femoop::Results results, ui::DisplayUnits units)
+    : results_(std::move(results)), units_(std::move(units))
+{}
+
+const CaseNumbers& NumbersOfCases::operator[](femoop::CaseId load_case)
+{
+    const auto found = numbers_.find(load_case);
+    if (found != numbers_.end()) return found->second;
+    return numbers_.emplace(load_case, CaseNumbers(results_[load_case], units_)).first->second;
 }
 
 } // namespace frame

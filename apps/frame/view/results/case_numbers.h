@@ -24,4 +24,17 @@ private:
     std::map<ui::Measure, double> least_; ///< below which there is rounding alone
 };
 
+/// The same for several cases: what is rounding alone differs from one to the other.
+class NumbersOfCases {
+public:
+    NumbersOfCases(femoop::Results results, ui::DisplayUnits units);
+
+    const CaseNumbers& operator[](femoop::CaseId load_case);
+
+private:
+    femoop::Results results_;
+    ui::DisplayUnits units_;
+    std::map<femoop::CaseId, CaseNumbers> numbers_; ///< each when first asked for
+};
+
 } // namespace frame

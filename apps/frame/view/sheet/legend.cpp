@@ -1,6 +1,7 @@
 #include "apps/frame/view/sheet/legend.h"
 
 #include "apps/frame/view/loads/case_terms.h"
+#include "apps/frame/view/results/envelope_cases.h"
 #include "ui/text/shortened.h"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ std::string terms_text(const femoop::Model& model, const femoop::Combination& co
 
 std::string case_text(const femoop::Model& model, const ViewOptions& options)
 {
-    if (options.is_envelope) return options.tr("envelope of all cases");
+    if (options.is_envelope) return envelope_words(model, options);
     const std::size_t index = options.load_case.index;
     if (index >= model.n_cases()) return {};
     const std::string& name = model.case_name(options.load_case);

@@ -7,6 +7,8 @@
 #include "apps/frame/view/predict/score_words.h"
 #include "apps/frame/view/results/deformed.h"
 #include "apps/frame/view/results/diagram.h"
+#include "apps/frame/view/results/envelope_cases.h"
+#include "apps/frame/view/results/envelope_reactions.h"
 #include "apps/frame/view/results/mechanism_picture.h"
 #include "apps/frame/view/results/reactions.h"
 #include "apps/frame/view/sheet/legend.h"
@@ -51,7 +53,10 @@ public:
         if (is_prediction_alone_ && all.empty()) draw_prediction(scene_.projection.scale());
         draw_structure();
         if (scene_.shows(Show::Loads)) draw_loads(scene_);
-        if (solved && scene_.shows(Show::Reactions)) draw_reactions(scene_, *solved);
+        if (scene_.shows(Show::Reactions)) {
+            if (!all.empty()) draw_reaction_ranges(scene_, all);
+            else if (solved) draw_reactions(scene_, *solved);
+        }
         finish();
     }
 
@@ -201,8 +206,8 @@ Subject::Subject(const femoop::Model& model, const femoop::Results* results, con
         return r.n_members() == model.members.size() && r.n_nodes() == model.nodes.size();
     };
     if (results && fits(*results)) solved_ = solved_case(*results, options.load_case);
-    for (std::size_t i = 0; options.is_envelope && results && fits(*results) && i < results->n_cases(); ++i)
-        all_.push_back(*solved_case(*results, femoop::CaseId(i)));
+    if (options.is_envelope && results && fits(*results))
+        for (const femoop::CaseId id : envelope_cases(model, options)) all_.push_back(*solved_case(*results, id));
     const bool can_be_judged = options.prediction && solved_ && !options.is_envelope && options.show.contains(Show::M);
     if (can_be_judged) assessment_ = assess(*options.prediction, *results, options.load_case);
     if (options.scaled_by && fits(*options.scaled_by)) scaled_by_ = solved_case(*options.scaled_by, options.load_case);

@@ -1,0 +1,25 @@
+#include "apps/frame/window/no_results.h"
+
+#include <imgui.h>
+
+#include "apps/frame/session/predict_commands.h"
+
+namespace frame {
+
+bool explain_no_results(Desk& desk)
+{
+    const auto reason = desk.session.why_no_results();
+    if (!reason) return false;
+    ImGui::TextWrapped("%s", desk.session.view.tr(*reason).c_str());
+    offer_to_reveal(desk);
+    return true;
+}
+
+void offer_to_reveal(Desk& desk)
+{
+    if (!desk.session.hidden) return;
+    const std::string label = desk.session.view.tr("Reveal the results");
+    if (ImGui::Button((label + "###reveal").c_str())) hide_or_reveal(desk);
+}
+
+} // namespace frame

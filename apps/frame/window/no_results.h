@@ -1,0 +1,14 @@
+#pragma once
+
+#include "apps/frame/session/commands.h"
+
+namespace frame {
+
+/// Where results would stand: says why there are none to read, and offers hidden ones. \returns false where they can be
+/// read
+bool explain_no_results(Desk& desk);
+
+/// A button that reveals the results; nothing where they are not hidden.
+void offer_to_reveal(Desk& desk);
+
+} // namespace frame

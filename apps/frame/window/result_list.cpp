@@ -1,0 +1,69 @@
+#include "apps/frame/window/result_list.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace frame {
+
+namespace {
+
+void right_aligned(const std::string& text)
+{
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+    if (room > 0.0F) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
+    ImGui::TextUnformatted(text.c_str());
+}
+
+} // namespace
+
+void result_list(const char* id, const std::vector<std::string>& headings, std::size_t n_rows,
+                 const std::function<void(std::size_t)>& row)
+{
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_ScrollX |
+                                      ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit;
+    const float line = ImGui::GetTextLineHeightWithSpacing() + 2.0F * ImGui::GetStyle().CellPadding.y;
+    const float height = std::min(static_cast<float>(n_rows + 1) * line, 12.0F * line) +
+                         ImGui::GetStyle().ScrollbarSize;
+    if (!ImGui::BeginTable(id, static_cast<int>(headings.size()), flags, {0.0F, height})) return;
+    ImGui::TableSetupScrollFreeze(1, 1);
+    for (const std::string& heading : headings) ImGui::TableSetupColumn(heading.c_str());
+    ImGui::TableHeadersRow();
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(n_rows));
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            ImGui::TableNextRow();
+            ImGui::TableNextColumn();
+            ImGui::PushID(i);
+            row(static_cast<std::size_t>(i));
+            ImGui::PopID();
+        }
+    }
+    ImGui::EndTable();
+}
+
+void part_cell(Session& session, const Part& part, const std::string& name)
+{
+    const bool is_selected = session.selection.contains(part);
+    if (ImGui::Selectable(name.c_str(), is_selected, ImGuiSelectableFlags_SpanAllColumns)) session.selection = part;
+}
+
+void number_cell(const std::string& text)
+{
+    ImGui::TableNextColumn();
+    right_aligned(text);
+}
+
+void name_cell(const std::string& text)
+{
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(text.c_str());
+}
+
+bool result_section(const std::string& title, const char* id)
+{
+    return ImGui::CollapsingHeader((title + "###" + id).c_str(), ImGuiTreeNodeFlags_DefaultOpen);
+}
+
+} // namespace frame

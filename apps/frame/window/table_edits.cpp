@@ -1,0 +1,112 @@
+// What is done to the cells of the panel's table: filled, pasted, cleared, rows deleted.
+#include <imgui.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "apps/frame/document/drawing.h"
+#include "apps/frame/window/tables_panel.h"
+#include "ui/text/catalogue.h"
+
+namespace frame {
+
+using ui::translatable;
+
+namespace {
+
+ui::Phrase change_label(TableKind kind) { return {translatable("Change table: {table}"), {{"table", title(kind)}}}; }
+
+} // namespace
+
+void TablesPanel::copy(const Desk&) const
+{
+    const CellBlock block = grid_.block();
+    if (block.rows.empty()) return;
+    const bool is_cell = block.rows.size() == 1 && block.first_column == block.last_column;
+    const std::string text = is_cell ? table_.rows[block.rows.front()].cells[block.first_column].plain
+                                     : tsv(table_, block);
+    ImGui::SetClipboardText(text.c_str());
+}
+
+// One text fills the whole block.
+void TablesPanel::paste(Desk& desk)
+{
+    const char* const text = ImGui::GetClipboardText();
+    if (text == nullptr || is_result(kind_)) return;
+    const CellBlock block = grid_.block();
+    TextBlock texts = read_block(text, table_, block.first_column);
+    const bool is_one = texts.size() == 1 && texts.front().size() == 1;
+    if (is_one) {
+        const std::vector<std::string> line(block.last_column - block.first_column + 1, texts.front().front());
+        texts.assign(grid_.n_rows_of_block(), line);
+    }
+    fill(desk, {grid_.first_row(), block.first_column, std::move(texts)});
+}
+
+void TablesPanel::clear_block(Desk& desk)
+{
+    const CellBlock block = grid_.block();
+    if (is_result(kind_) || block.rows.empty()) return;
+    const std::vector<std::string> line(block.last_column - block.first_column + 1);
+    fill(desk, {grid_.first_row(), block.first_column, TextBlock(block.rows.size(), line)});
+}
+
+void TablesPanel::remove_rows(Desk& desk)
+{
+    if (is_result(kind_)) return;
+    std::vector<Part> parts;
+    for (const std::size_t row : grid_.block().rows)
+        if (table_.rows[row].part) parts.push_back(*table_.rows[row].part);
+    desk.session.change({ui::Phrase(translatable("Delete rows: {table}"), {{"table", title(kind_)}}),
+                         [&](Document& document) { remove(document, parts); }});
+}
+
+// Fills cells, or says what hinders it and changes nothing.
+bool TablesPanel::fill(Desk& desk, const GridEdit& edit)
+{
+    Session& session = desk.session;
+    Filled result = filled(session.document(), kind_, {edit.row, edit.column, grid_.order()}, edit.texts,
+                           session.manner());
+    message_.clear();
+    if (!result.faults.empty()) {
+        message_ = sentence(result.faults.front(), table_, session.view.tr);
+        if (result.faults.size() > 1)
+            message_ += " " +
+                        session.view.tr("(and {count} more)", {{"count", std::to_string(result.faults.size() - 1)}});
+        return false;
+    }
+    if (result.document == session.document()) return true;
+    session.change({change_label(kind_), [&](Document& document) { document = std::move(result.document); }});
+    return true;
+}
+
+// A new row is kept until it has all that it needs.
+bool TablesPanel::fill_draft(Desk& desk, const GridEdit& edit)
+{
+    std::vector<std::string> line = grid_.draft;
+    line[edit.column] = edit.texts.front().front();
+    const Filled result = filled(desk.session.document(), kind_, {edit.row, 0, grid_.order()}, {line},
+                                 desk.session.manner());
+    const auto concerns_text = [&](const CellFault& fault) {
+        return fault.column < line.size() && !line[fault.column].empty();
+    };
+    if (std::ranges::any_of(result.faults, concerns_text)) return fill(desk, {edit.row, 0, {line}});
+    grid_.draft = line;
+    if (fill(desk, {edit.row, 0, {line}})) grid_.draft.assign(line.size(), "");
+    return true;
+}
+
+void TablesPanel::carry_out(Desk& desk, const GridEdit& edit)
+{
+    const bool is_new = edit.row >= table_.rows.size();
+    const bool is_taken = is_new ? fill_draft(desk, edit) : fill(desk, edit);
+    if (!is_taken) {
+        grid_.reject(edit);
+        return;
+    }
+    follow(desk);
+    grid_.accept();
+    select_rows(desk);
+}
+
+} // namespace frame

@@ -1,0 +1,128 @@
+// What the keyboard does in a grid: moving, choosing blocks, editing a cell.
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "apps/frame/window/table_grid.h"
+
+namespace frame {
+
+using ui::Key;
+
+std::string TableGrid::typed_text(const Table& table, Place place) const
+{
+    if (place.row >= order_.size()) return draft[place.column];
+    return table.rows[order_[place.row]].cells[place.column].typed;
+}
+
+std::string TableGrid::shown_text(const Table& table, Place place) const
+{
+    if (place.row >= order_.size()) return draft[place.column];
+    return table.rows[order_[place.row]].cells[place.column].shown;
+}
+
+void TableGrid::open(std::string text)
+{
+    text_ = std::move(text);
+    is_editing_ = is_fresh_ = must_scroll_ = true;
+    ++n_openings_;
+    anchor_ = cursor_;
+}
+
+void TableGrid::confirm(Way then)
+{
+    is_editing_ = false;
+    ImGui::ClearActiveID();
+    then_ = then;
+    edit_ = GridEdit{cursor_.row, cursor_.column, {{text_}}};
+}
+
+void TableGrid::reject(const GridEdit& edit)
+{
+    cursor_ = {edit.row, edit.column};
+    open(edit.texts.front().front());
+}
+
+void TableGrid::accept() { move(std::exchange(then_, Way::Stay), false); }
+
+void TableGrid::move(Way way, bool extends)
+{
+    if (way == Way::Down && cursor_.row + 1 < n_rows_) ++cursor_.row;
+    if (way == Way::Up && cursor_.row > 0) --cursor_.row;
+    if (way == Way::Right && cursor_.column + 1 < n_columns_) ++cursor_.column;
+    if (way == Way::Left && cursor_.column > 0) --cursor_.column;
+    if (!extends) anchor_ = cursor_;
+    must_scroll_ = true;
+}
+
+void TableGrid::type(std::string_view letters, const Table& table)
+{
+    if (letters.empty() || n_rows_ == 0) return;
+    if (!is_editing_ && table.headings[cursor_.column].is_editable) open("");
+    if (!is_editing_ || !is_fresh_) return; // an editor with the keyboard reads for itself
+    text_ += letters;
+    ImGui::GetIO().InputQueueCharacters.resize(0);
+}
+
+bool TableGrid::take(const ui::Chord& chord, const Table& table)
+{
+    if (is_editing_) return take_editing(chord);
+    const bool has_no_modifier = chord.modifiers == ui::no_modifiers;
+    if (chord.key == Key::F2 && has_no_modifier && n_rows_ > 0) {
+        if (table.headings[cursor_.column].is_editable) open(typed_text(table, cursor_));
+        return true;
+    }
+    if (chord == ui::Chord{Key::A, ui::ctrl}) {
+        anchor_ = {};
+        cursor_ = {order_.empty() ? 0 : order_.size() - 1, n_columns_ - 1};
+        return true;
+    }
+    return take_moving(chord);
+}
+
+bool TableGrid::take_editing(const ui::Chord& chord)
+{
+    const bool has_shift = chord.modifiers.shift;
+    switch (chord.key) {
+    case Key::Enter: confirm(has_shift ? Way::Up : Way::Down); return true;
+    case Key::Tab: confirm(has_shift ? Way::Left : Way::Right); return true;
+    case Key::Escape:
+        is_editing_ = false;
+        ImGui::ClearActiveID();
+        return true;
+    default: return !chord.modifiers.ctrl && (chord.key < Key::F1 || chord.key > Key::F12); // the editor's own
+    }
+}
+
+bool TableGrid::take_moving(const ui::Chord& chord)
+{
+    const bool extends = chord.modifiers.shift;
+    if (chord.modifiers.alt) return false;
+    const auto jump = [&](Place to) {
+        cursor_ = to;
+        if (!extends) anchor_ = cursor_;
+        must_scroll_ = true;
+        return true;
+    };
+    const std::size_t last_row = n_rows_ > 0 ? n_rows_ - 1 : 0;
+    const std::size_t page = static_cast<std::size_t>(
+        std::max(1.0F, layout_.view_height / std::max(1.0F, layout_.line) - 2.0F));
+    const bool has_ctrl = chord.modifiers.ctrl;
+    switch (chord.key) {
+    case Key::Up: return has_ctrl ? jump({0, cursor_.column}) : (move(Way::Up, extends), true);
+    case Key::Down: return has_ctrl ? jump({last_row, cursor_.column}) : (move(Way::Down, extends), true);
+    case Key::Left: return has_ctrl ? jump({cursor_.row, 0}) : (move(Way::Left, extends), true);
+    case Key::Right: return has_ctrl ? jump({cursor_.row, n_columns_ - 1}) : (move(Way::Right, extends), true);
+    case Key::Enter: move(extends ? Way::Up : Way::Down, false); return true;
+    case Key::Tab: move(extends ? Way::Left : Way::Right, false); return true;
+    case Key::Home: return jump({has_ctrl ? 0 : cursor_.row, 0});
+    case Key::End: return jump({has_ctrl ? last_row : cursor_.row, n_columns_ - 1});
+    case Key::PageUp: return jump({cursor_.row - std::min(page, cursor_.row), cursor_.column});
+    case Key::PageDown: return jump({std::min(cursor_.row + page, last_row), cursor_.column});
+    default: return false;
+    }
+}
+
+} // namespace frame

@@ -1,0 +1,89 @@
+// The tabs of the panel: a table each, or several in a list, and the diagrams of the member.
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "apps/frame/session/table_commands.h"
+#include "apps/frame/window/tables_panel.h"
+#include "ui/text/catalogue.h"
+
+namespace frame {
+
+using ui::translatable;
+
+// One tab beside the other, in a second row where there is no room.
+bool TablesPanel::begin_tab(const std::string& label, bool is_chosen)
+{
+    const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    const float gap = 0.3F * ImGui::GetFontSize();
+    const float width = ImGui::CalcTextSize(label.c_str(), nullptr, true).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+    const bool is_first = ImGui::GetCursorPosX() <= ImGui::GetWindowContentRegionMin().x + 1.0F &&
+                          ImGui::GetCursorPosY() <= ImGui::GetWindowContentRegionMin().y + 1.0F;
+    if (!is_first && ImGui::GetItemRectMax().x + gap + width <= end) ImGui::SameLine(0.0F, gap);
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(is_chosen ? ImGuiCol_TabActive : ImGuiCol_Tab));
+    const bool is_clicked = ImGui::Button(label.c_str());
+    ImGui::PopStyleColor();
+    return is_clicked;
+}
+
+bool TablesPanel::tab(Desk& desk, TableKind kind)
+{
+    const bool is_chosen = desk.bottom.table == kind && !desk.bottom.shows_member;
+    const std::string label = desk.session.view.tr(title(kind)) + "###" + std::string(command_id(kind));
+    if (!begin_tab(label, is_chosen)) return false;
+    desk.bottom = {true, kind, false};
+    has_keyboard_ = true;
+    return true;
+}
+
+// Several tables in one tab: which one is chosen from a list.
+void TablesPanel::show_group(Desk& desk, std::string_view label, std::initializer_list<TableKind> kinds)
+{
+    const ui::Catalogue& tr = desk.session.view.tr;
+    const bool is_chosen = std::ranges::find(kinds, desk.bottom.table) != kinds.end() && !desk.bottom.shows_member;
+    const std::string name = tr(is_chosen ? title(desk.bottom.table) : label);
+    const std::string list = "###tables of " + std::string(label);
+    if (begin_tab(name + " …###" + std::string(label), is_chosen)) ImGui::OpenPopup(list.c_str());
+    if (!ImGui::BeginPopup(list.c_str())) return;
+    for (const TableKind kind : kinds) {
+        const std::size_t n = is_result(kind) ? 0 : parts_of(desk.session.model(), kind).size();
+        const std::string entry = tr(title(kind)) + (n > 0 ? " (" + std::to_string(n) + ")" : "");
+        if (!ImGui::MenuItem(entry.c_str(), nullptr, desk.bottom.table == kind)) continue;
+        desk.bottom = {true, kind, false};
+        has_keyboard_ = true;
+    }
+    ImGui::EndPopup();
+}
+
+void TablesPanel::show_tabs(Desk& desk)
+{
+    using enum TableKind;
+    tab(desk, Nodes);
+    show_group(desk, translatable("Members"), {Members, Joints});
+    tab(desk, Materials);
+    tab(desk, Sections);
+    show_group(desk, translatable("Loads"),
+               {LoadCases, Combinations, NodeLoads, DistributedLoads, PointLoads, EndLoads, Misfits, Temperatures,
+                Settlements});
+    for (const TableKind kind : {Displacements, Reactions, MemberEnds, Extremes}) tab(desk, kind);
+    show_group(desk, translatable("Envelope"), {Envelope, ReactionEnvelope});
+    show_member_tab(desk);
+    const ui::Catalogue& tr = desk.session.view.tr;
+    if (!desk.bottom.shows_member && begin_tab(tr("CSV…") + "###csv", false)) ask_for_file(desk);
+    if (!desk.bottom.shows_member && ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s", tr("Export the table as CSV…").c_str());
+}
+
+// It names the member whose diagrams it shows.
+void TablesPanel::show_member_tab(Desk& desk)
+{
+    const Session& session = desk.session;
+    const std::optional<femoop::MemberId> member = MemberPanel::member_of(session);
+    const std::string name = session.view.tr(member ? title(session.model(), *member)
+                                                    : ui::Phrase(translatable("Diagrams of the member")));
+    if (!begin_tab(name + "###member", desk.bottom.shows_member)) return;
+    desk.bottom.shows_member = true;
+    has_keyboard_ = true;
+}
+
+} // namespace frame
