@@ -1,8 +1,10 @@
 #include "apps/frame/report/pages.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <string>
+#include <variant>
 
 #include "apps/frame/view/sheet/legend.h"
 #include "ui/paint/painter.h"
@@ -16,6 +18,7 @@ constexpr double border = 57.0;       // 15 mm
 constexpr double width = a4.width - 2.0 * border;
 constexpr double bottom = a4.height - border - 20.0;
 constexpr double line = 1.4; // of the type's size
+constexpr double text_size = 11.0;
 const ui::Color ink = ui::rgb(0x1A1A1A);
 const ui::Color faint = ui::rgb(0x777777);
 
@@ -24,97 +27,145 @@ ui::TextStyle style_of(double size, ui::Weight weight = ui::Weight::Regular)
     return {.color = ink, .size = size, .weight = weight, .anchor = ui::Anchor::TopLeft};
 }
 
+double size_of(const ReportHeading& heading)
+{
+    constexpr std::array sizes{22.0, 17.0, 13.0, 11.0};
+    return sizes.at(static_cast<std::size_t>(heading.level - 1));
+}
+
 /// Fills page after page from the top.
 class PageWriter {
 public:
-    explicit PageWriter(const ui::Fonts& fonts) : fonts_(fonts) { begin_page(); }
+    PageWriter(const Report& report, const ui::Fonts& fonts) : report_(report), fonts_(fonts) { begin_page(); }
 
-    void operator()(const ReportHeading& heading)
+    std::vector<ui::PdfPage> pages()
     {
-        const double size = heading.level == 1 ? 22.0 : heading.level == 2 ? 17.0 : 13.0;
-        const bool is_at_top = y_ == border;
-        if (!is_at_top) y_ += 0.9 * size;
-        need(line * size + 70.0); // and the beginning of what it stands over
-        write(heading.text, style_of(size, ui::Weight::Bold));
-        y_ += 0.3 * size;
+        for (std::size_t i = 0; i < report_.blocks.size(); ++i) {
+            if (is_heading(i) && !(i > 0 && is_heading(i - 1))) need(height_to_keep_from(i));
+            std::visit([this](const auto& block) { put(block); }, report_.blocks[i]);
+        }
+        return finished();
     }
-    void operator()(const ReportText& text)
+
+private:
+    struct Page {
+        std::unique_ptr<ui::Painter> painter;
+        std::vector<ui::PlacedPicture> placed{};
+    };
+    struct TableLook {
+        double size = 10.0;
+        std::vector<double> widths;
+    };
+    static constexpr double above_text = 0.9, below_heading = 0.3; // of a heading's size
+    static constexpr double under_table = 10.0, caption = 24.0;
+
+    bool is_heading(std::size_t block) const { return std::holds_alternative<ReportHeading>(report_.blocks[block]); }
+
+    // Headings that follow one another stay together, and with the beginning of what they stand over.
+    double height_to_keep_from(std::size_t block) const
     {
-        write(text.text, style_of(11.0));
+        double height = 0.0;
+        for (std::size_t i = block; i < report_.blocks.size(); ++i) {
+            height += std::visit([this](const auto& next) { return beginning_of(next); }, report_.blocks[i]);
+            if (!is_heading(i)) break;
+        }
+        return height;
+    }
+    double beginning_of(const ReportHeading& heading) const
+    {
+        return (above_text + line + below_heading) * size_of(heading);
+    }
+    double beginning_of(const ReportText&) const { return 2.0 * line * text_size; }
+    double beginning_of(const ReportFigure& figure) const
+    {
+        return scale_of(figure) * figure.picture.size().height + caption;
+    }
+    // A short table stands on one page; of a long one some rows come before the first break.
+    double beginning_of(const ReportTable& table) const
+    {
+        constexpr std::size_t most_whole = 12, rows_kept = 3;
+        const std::size_t n_rows = table.rows.size() <= most_whole ? table.rows.size() : rows_kept;
+        return static_cast<double>(n_rows + 1) * line * look_of(table).size + 4.0;
+    }
+    static double scale_of(const ReportFigure& figure) { return std::min(1.0, width / figure.picture.size().width); }
+
+    void put(const ReportHeading& heading)
+    {
+        const double size = size_of(heading);
+        const bool is_at_top = y_ == border;
+        if (!is_at_top) y_ += above_text * size;
+        write(heading.text, style_of(size, ui::Weight::Bold));
+        y_ += below_heading * size;
+    }
+    void put(const ReportText& text)
+    {
+        write(text.text, style_of(text_size));
         y_ += 5.0;
     }
-    void operator()(const ReportFigure& figure)
+    void put(const ReportFigure& figure)
     {
-        const double scale = std::min(1.0, width / figure.picture.size().width);
-        const double height = scale * figure.picture.size().height;
-        need(height + 24.0);
-        placed_.push_back({figure.picture, {border, y_}, scale});
-        y_ += height + 4.0;
+        const double scale = scale_of(figure);
+        need(beginning_of(figure));
+        pages_.back().placed.push_back({figure.picture, {border, y_}, scale});
+        y_ += scale * figure.picture.size().height + 4.0;
         ui::TextStyle style = style_of(10.5);
         style.color = faint;
         write(figure.caption, style);
         y_ += 10.0;
     }
-    void operator()(const ReportTable& table)
+    void put(const ReportTable& table)
     {
-        TableLook look = look_of(table);
-        need(3.0 * line * look.size);
+        const TableLook look = look_of(table);
+        need(beginning_of(table));
         headings(table, look);
         for (const auto& row : table.rows) {
             if (y_ + line * look.size > bottom) {
-                end_page();
                 begin_page();
                 headings(table, look);
             }
             cells(row, table, look, ui::Weight::Regular);
         }
-        y_ += 10.0;
+        y_ += under_table;
     }
-
-    std::vector<ui::PdfPage> pages()
-    {
-        end_page();
-        return std::move(pages_);
-    }
-
-private:
-    struct TableLook {
-        double size = 10.0;
-        std::vector<double> widths;
-    };
 
     void begin_page()
     {
-        painter_ = std::make_unique<ui::Painter>(a4, fonts_);
+        pages_.push_back({std::make_unique<ui::Painter>(a4, fonts_)});
         y_ = border;
     }
-    void end_page()
-    {
-        const std::string number = std::to_string(pages_.size() + 1);
-        ui::TextStyle style = style_of(9.0);
-        style.color = faint;
-        style.anchor = ui::Anchor::Top;
-        painter_->text({0.5 * a4.width, a4.height - border}, number, style);
-        ui::PdfPage page{a4, std::move(placed_)};
-        page.pictures.push_back({painter_->picture(), {}, 1.0});
-        pages_.push_back(std::move(page));
-        placed_.clear();
-    }
+    ui::Painter& painter() { return *pages_.back().painter; }
     void need(double height)
     {
-        if (y_ + height <= bottom || y_ == border) return;
-        end_page();
-        begin_page();
+        if (y_ + height > bottom && y_ != border) begin_page();
+    }
+
+    // The title and "3 / 12" at the foot of each.
+    std::vector<ui::PdfPage> finished()
+    {
+        std::vector<ui::PdfPage> done;
+        for (Page& page : pages_) {
+            foot(*page.painter, done.size() + 1);
+            done.push_back({a4, std::move(page.placed)});
+            done.back().pictures.push_back({page.painter->picture(), {}, 1.0});
+        }
+        return done;
+    }
+    void foot(ui::Painter& page, std::size_t number) const
+    {
+        ui::TextStyle style = style_of(9.0);
+        style.color = faint;
+        const double y = a4.height - border;
+        const std::vector<std::string> title = wrapped(fonts_, report_.title, style, 0.85 * width);
+        if (!title.empty()) page.text({border, y}, title.front(), style);
+        style.anchor = ui::Anchor::TopRight;
+        page.text({a4.width - border, y}, std::to_string(number) + " / " + std::to_string(pages_.size()), style);
     }
 
     void write(const std::string& text, const ui::TextStyle& style)
     {
         for (const std::string& words : wrapped(fonts_, text, style, width)) {
-            if (y_ + line * style.size > bottom) {
-                end_page();
-                begin_page();
-            }
-            painter_->text({border, y_}, words, style);
+            if (y_ + line * style.size > bottom) begin_page();
+            painter().text({border, y_}, words, style);
             y_ += line * style.size;
         }
     }
@@ -152,7 +203,7 @@ private:
         std::vector<std::string> words;
         for (const auto& column : table.columns) words.push_back(column.heading);
         cells(words, table, look, ui::Weight::Bold);
-        painter_->line({border, y_ - 1.0}, {border + width, y_ - 1.0}, {.color = faint, .width = 0.7});
+        painter().line({border, y_ - 1.0}, {border + width, y_ - 1.0}, {.color = faint, .width = 0.7});
         y_ += 2.0;
     }
     void cells(const std::vector<std::string>& row, const ReportTable& table, const TableLook& look, ui::Weight weight)
@@ -163,16 +214,15 @@ private:
             const bool is_number = table.columns.at(i).is_number;
             if (is_number) style.anchor = ui::Anchor::TopRight;
             const double at = is_number ? x + look.widths[i] - 0.7 * look.size : x;
-            painter_->text({at, y_}, row[i], style);
+            painter().text({at, y_}, row[i], style);
             x += look.widths[i];
         }
         y_ += line * look.size;
     }
 
+    const Report& report_;
     const ui::Fonts& fonts_;
-    std::unique_ptr<ui::Painter> painter_;
-    std::vector<ui::PlacedPicture> placed_;
-    std::vector<ui::PdfPage> pages_;
+    std::vector<Page> pages_;
     double y_ = border;
 };
 
@@ -180,9 +230,7 @@ private:
 
 std::vector<ui::PdfPage> report_pages(const Report& report, const ui::Fonts& fonts)
 {
-    PageWriter writer(fonts);
-    for (const ReportBlock& block : report.blocks) std::visit(writer, block);
-    return writer.pages();
+    return PageWriter(report, fonts).pages();
 }
 
 } // namespace frame

@@ -11,10 +11,13 @@
 #include "apps/frame/view/geometry/structure_shape.h"
 #include "apps/frame/view/results/case_numbers.h"
 #include "apps/frame/view/results/diagram.h"
+#include "apps/frame/view/results/envelope_cases.h"
 #include "apps/frame/view/results/mechanism_picture.h"
 #include "apps/frame/view/sketch/scene.h"
 #include "femoop/analysis/trace.h"
+#include "femoop/model/member_ends.h"
 #include "femoop/result/components.h"
+#include "femoop/result/structure_words.h"
 #include "ui/paint/painter.h"
 #include "ui/text/number_format.h"
 
@@ -25,7 +28,19 @@ using ui::translatable;
 
 namespace {
 
-constexpr ui::Size figure_size{680.0, 400.0};
+// As broad as the page; a beam needs less of its height than a frame.
+ui::Size figure_size(const Model& model)
+{
+    constexpr double flat = 0.15; // height of what counts as a beam, of its length
+    Eigen::Vector3d least = Eigen::Vector3d::Zero(), most = least;
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        const Eigen::Vector3d place = position_of(model, NodeId(i));
+        least = i == 0 ? place : least.cwiseMin(place).eval();
+        most = i == 0 ? place : most.cwiseMax(place).eval();
+    }
+    const bool is_beam = is_plane(model.analysis) && most.y() - least.y() <= flat * (most.x() - least.x());
+    return {680.0, is_beam ? 240.0 : 400.0};
+}
 
 class ReportWriter {
 public:
@@ -44,8 +59,9 @@ public:
         if (!model_.notes.empty()) text(model_.notes);
         write_structure();
         write_data();
-        if (solution_.results) write_results();
-        else write_faults();
+        if (!solution_.results) write_faults();
+        else if (options_.about == ReportAbout::Data) write_loads();
+        else write_results();
         if (options_.matrices && solution_.results) write_matrices();
         report_.title = model_.title;
         report_.language = tr_.language() == ui::Language::Portuguese ? "pt-BR" : "en";
@@ -56,20 +72,39 @@ private:
     void heading(int level, std::string words) { report_.blocks.push_back(ReportHeading{level, std::move(words)}); }
     void text(std::string words) { report_.blocks.push_back(ReportText{std::move(words)}); }
 
-    // Columns in which nothing stands are left out.
-    void table(const Table& table)
+    // Columns in which nothing stands are left out, and tables in which nothing but names would be left.
+    static std::vector<std::size_t> used_columns(const Table& table)
+    {
+        std::vector<std::size_t> used;
+        for (std::size_t i = 1; i < table.headings.size(); ++i) {
+            const auto says = [i](const Row& row) { return i < row.cells.size() && !row.cells[i].shown.empty(); };
+            if (std::ranges::any_of(table.rows, says)) used.push_back(i);
+        }
+        return used;
+    }
+
+    // A table that is too broad for a page is cut between groups of columns; each part begins with the names.
+    void table(const Table& table, std::size_t group = 1)
+    {
+        constexpr std::size_t most = 12; // columns beside the names
+        const std::vector<std::size_t> used = used_columns(table);
+        const std::size_t step = std::max(group, most / group * group);
+        for (std::size_t begin = 0; begin < std::max<std::size_t>(1, used.size()); begin += step) {
+            std::vector<std::size_t> columns{0};
+            const std::size_t end = std::min(used.size(), begin + step);
+            for (std::size_t i = begin; i < end; ++i) columns.push_back(used[i]);
+            part_of(table, columns);
+        }
+    }
+
+    void part_of(const Table& table, const std::vector<std::size_t>& columns)
     {
         ReportTable block;
-        std::vector<std::size_t> used;
-        for (std::size_t i = 0; i < table.headings.size(); ++i) {
-            const auto says = [i](const Row& row) { return i < row.cells.size() && !row.cells[i].shown.empty(); };
-            if (i == 0 || std::ranges::any_of(table.rows, says)) used.push_back(i);
-        }
-        for (const std::size_t i : used)
+        for (const std::size_t i : columns)
             block.columns.push_back({table.headings[i].label, table.headings[i].is_number});
         for (const Row& row : table.rows) {
             std::vector<std::string> cells;
-            for (const std::size_t i : used) cells.push_back(i < row.cells.size() ? row.cells[i].shown : "");
+            for (const std::size_t i : columns) cells.push_back(i < row.cells.size() ? row.cells[i].shown : "");
             block.rows.push_back(std::move(cells));
         }
         report_.blocks.push_back(std::move(block));
@@ -77,7 +112,7 @@ private:
 
     template <class Draw> void figure(std::string caption, Draw&& draw)
     {
-        ui::Painter painter(figure_size, fonts_);
+        ui::Painter painter(figure_size(model_), fonts_);
         draw(painter);
         report_.blocks.push_back(ReportFigure{painter.picture(), std::move(caption)});
     }
@@ -87,6 +122,7 @@ private:
         view.theme = ui::ThemeName::Print;
         view.show = show;
         view.load_case = load_case;
+        view.is_envelope = false;
         view.layout = Layout::Overlay;
         view.camera.reset();
         view.scaled_by.reset();
@@ -98,9 +134,7 @@ private:
     void write_structure()
     {
         heading(2, tr_("Structure"));
-        text(tr_("{nodes} nodes, {members} members",
-                 {{"nodes", std::to_string(model_.nodes.size())}, {"members", std::to_string(model_.members.size())}}) +
-             ", " + std::string(name(model_.analysis)) + degree());
+        text(kind_words(model_.analysis, tr_) + ", " + size_words(model_, tr_) + degree());
         figure(tr_("Names of nodes and members, dimensions"), [&](ui::Painter& painter) {
             using enum Show;
             draw(painter, model_, nullptr, view({NodeNames, MemberNames, Dimensions, Values}));
@@ -118,7 +152,7 @@ private:
         for (const TableKind kind : all_table_kinds) {
             if (is_result(kind)) continue;
             const Table data = data_table(model_, kind, manner_);
-            if (data.rows.empty()) continue;
+            if (data.rows.empty() || used_columns(data).empty()) continue;
             heading(3, tr_(title(kind)));
             table(data);
         }
@@ -134,8 +168,37 @@ private:
     {
         for (std::size_t i = 0; i < solution_.results->n_cases(); ++i) write_case(CaseId(i));
         if (solution_.results->n_cases() < 2) return;
-        heading(2, tr_("Envelope of all cases"));
-        table(result_table({model_, *solution_.results, CaseId(0)}, TableKind::Envelope, manner_));
+        write_envelope();
+    }
+
+    void write_envelope()
+    {
+        const Results& results = *solution_.results;
+        heading(2, envelope_words(model_, options_.view));
+        for (const MemberComponent component : section_force_components(model_.analysis)) {
+            figure(force_label(component), [&](ui::Painter& painter) {
+                ViewOptions bands = view({show_of(component), Show::Values});
+                bands.is_envelope = true;
+                draw(painter, model_, &results, bands);
+            });
+        }
+        const TabledResults chosen{model_, results, CaseId(0), envelope_cases(model_, options_.view)};
+        for (const TableKind kind : {TableKind::Envelope, TableKind::ReactionEnvelope}) {
+            heading(3, tr_(title(kind)));
+            table(result_table(chosen, kind, manner_), kind == TableKind::Envelope ? 6 : 4);
+        }
+    }
+
+    void write_loads()
+    {
+        using enum Show;
+        heading(2, tr_("Loads"));
+        for (std::size_t i = 0; i < model_.n_cases(); ++i) {
+            figure(tr_("Case {case}", {{"case", model_.case_name(CaseId(i))}}), [&](ui::Painter& painter) {
+                draw(painter, model_, nullptr, view({Loads, Values, NodeNames}, CaseId(i)));
+            });
+        }
+        text(tr_("The results are hidden."));
     }
 
     void write_case(CaseId id)
@@ -147,17 +210,20 @@ private:
             figure(caption, [&](ui::Painter& painter) { draw(painter, model_, &results, view(show, id)); });
         };
         draw_case(tr_("Loads and reactions"), {Loads, Reactions, Values, NodeNames});
-        for (const MemberComponent component : section_force_components(model_.analysis)) {
-            const std::string force(name(component, model_.analysis));
-            draw_case(manner_.units.label(force, measure_of(component)), {show_of(component), Values});
-        }
+        for (const MemberComponent component : section_force_components(model_.analysis))
+            draw_case(force_label(component), {show_of(component), Values});
         draw_case(tr_("Deformed shape"), {Deformed, Values});
         for (const TableKind kind :
              {TableKind::Reactions, TableKind::Displacements, TableKind::MemberEnds, TableKind::Extremes}) {
             heading(3, tr_(title(kind)));
-            table(result_table({model_, results, id}, kind, manner_));
+            table(result_table({model_, results, id}, kind, manner_), kind == TableKind::Extremes ? 4 : 1);
         }
         write_equilibrium(results[id]);
+    }
+
+    std::string force_label(MemberComponent component) const
+    {
+        return manner_.units.label(std::string(name(component, model_.analysis)), measure_of(component));
     }
 
     Show show_of(MemberComponent component) const
@@ -203,9 +269,9 @@ private:
         for (std::size_t i = 0; i < model_.members.size(); ++i) {
             const MemberTrace traced = trace(model_, MemberId(i));
             heading(3, tr_("Member {id}", {{"id", traced.member}}));
-            text(tr_("Stiffness in the member's own axes"));
+            heading(4, tr_("Stiffness in the member's own axes"));
             matrix(traced, traced.local_stiffness);
-            text(tr_("Transformation to the axes of the nodes"));
+            heading(4, tr_("Transformation to the axes of the nodes"));
             matrix(traced, traced.transformation);
         }
     }

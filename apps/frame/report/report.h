@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -14,7 +15,7 @@ namespace frame {
 
 /// A calculation report as blocks, to be laid out as a page of the web (html.h) or on sheets of paper (pages.h).
 struct ReportHeading {
-    int level = 2; ///< 1: the title; 2, 3: chapters and their parts
+    int level = 2; ///< 1: the title; 2, 3, 4: chapters, their parts and the parts of these
     std::string text;
 };
 struct ReportText {
@@ -40,9 +41,13 @@ struct Report {
     std::vector<ReportBlock> blocks;
 };
 
+/// Data alone is a sheet of homework: the structure and its loads, for somebody to find the results.
+enum class ReportAbout : std::uint8_t { Everything, Data };
+
 struct ReportOptions {
     ViewOptions view;      ///< language, units, digits; figures are drawn in the print theme
     bool matrices = false; ///< the stiffness and the transformation of every member too
+    ReportAbout about = ReportAbout::Everything;
 };
 
 /// Data, numbering, results of every load case and combination with their figures, and the check of equilibrium. A

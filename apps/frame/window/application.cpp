@@ -390,7 +390,7 @@ void Application::show_dialogs()
     section_window_.show(desk_, gui_, fields_);
     shortcut_window(desk_, commands_, shows_shortcuts_);
     tables_.show_dialog(desk_);
-    description_window(desk_.session, shows_description_);
+    description_window(desk_, shows_description_);
     kept_files_.show(desk_);
     if (!questions_.show(desk_)) return;
     kept_files_.end();
@@ -402,8 +402,15 @@ std::optional<ui::Phrase> Application::export_as(const std::filesystem::path& pa
     std::optional<ui::Phrase> reason = export_to(path, desk_.session, fonts_, canvas_.picture_of(desk_),
                                                  desk_.export_scale);
     context_.make_current(); // a PNG is drawn in a context of its own
-    if (reason) desk_.session.notice = Notice{*reason, {}};
-    else explain({translatable("{file} was written"), {{"file", path.filename().string()}}});
+    if (reason) {
+        desk_.session.notice = Notice{*reason, {}};
+        return reason;
+    }
+    const std::string_view done = desk_.session.hidden
+                                      ? translatable("{file} was written without the results, which are hidden; H "
+                                                     "reveals them")
+                                      : translatable("{file} was written");
+    explain({done, {{"file", path.filename().string()}}});
     return reason;
 }
 

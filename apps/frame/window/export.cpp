@@ -11,7 +11,6 @@
 #include "apps/frame/report/pages.h"
 #include "femoop/io/results/results_csv.h"
 #include "femoop/io/whole_file.h"
-#include "femoop/result/describe.h"
 #include "ui/context/image_clipboard.h"
 #include "ui/context/rasterize.h"
 #include "ui/paint/surface/pdf.h"
@@ -46,8 +45,7 @@ public:
         else if (name.ends_with(".png"))
             ui::write_png(path_, rasterized(picture, fonts_, {.scale = png_scale, .background = paper}));
         else if (name.ends_with(".html")) return text(report_html(report(), fonts_));
-        else if (name.ends_with(".txt"))
-            return text(describe(session_.model(), session_.solution().results, session_.view.tr));
+        else if (name.ends_with(".txt")) return text(session_.in_words());
         else if (name.ends_with(".csv")) return results();
         else
             return ui::Phrase(
@@ -57,16 +55,17 @@ public:
     }
 
 private:
-    static ui::PdfLook pdf_look() { return {.background = ui::rgb(0xFFFFFF), .title = ""}; }
+    ui::PdfLook pdf_look() const { return {.background = ui::rgb(0xFFFFFF), .title = session_.model().title}; }
     Report report() const
     {
-        return make_report(session_.model(), session_.solution(), {.view = session_.view}, fonts_);
+        const auto about = session_.hidden ? ReportAbout::Data : ReportAbout::Everything;
+        return make_report(session_.model(), session_.solution(), {.view = session_.view, .about = about}, fonts_);
     }
 
     std::optional<ui::Phrase> results() const
     {
+        if (const auto reason = session_.why_no_results()) return reason;
         const auto& results = session_.solution().results;
-        if (!results) return ui::Phrase(translatable("the model has no results to write"));
         std::vector<femoop::CaseId> cases;
         for (std::size_t i = 0; i < results->n_cases(); ++i) cases.emplace_back(i);
         constexpr std::size_t n_stations = 11;

@@ -7,21 +7,23 @@
 #include <string>
 #include <vector>
 
-#include "femoop/result/describe.h"
+#include "apps/frame/window/no_results.h"
 
 namespace frame {
 
-void description_window(const Session& session, bool& is_open)
+void description_window(Desk& desk, bool& is_open)
 {
     if (!is_open) return;
-    const ui::Catalogue& tr = session.view.tr;
+    const ui::Catalogue& tr = desk.session.view.tr;
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
     ImGui::SetNextWindowSize({46.0F * em, 32.0F * em}, ImGuiCond_Appearing);
     ImGui::Begin((tr("Model and results in words") + "###description").c_str(), &is_open,
                  ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse);
-    const std::string words = femoop::describe(session.model(), session.solution().results, tr);
+    const std::string words = desk.session.in_words();
     if (ImGui::Button((tr("Copy") + "###copy").c_str())) ImGui::SetClipboardText(words.c_str());
+    if (desk.session.hidden) ImGui::SameLine();
+    offer_to_reveal(desk);
     ImGui::BeginChild("words");
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(words.c_str());

@@ -63,6 +63,21 @@ TEST_SUITE("frame session")
         CHECK(ui::Catalogue()(*mechanism.session.why_no_results()) == "There are no results: see the problems.");
     }
 
+    TEST_CASE("While results are hidden they are told in no words but those that say so")
+    {
+        Desk desk = desk_with("portal.json");
+        const std::string with_results = desk.session.in_words();
+        CHECK(with_results.find("58.5228") != std::string::npos); // kN m in the middle of the beam
+        CHECK(!run(desk, "view.hide_results"));
+        CHECK(!desk.session.told_results());
+        const std::string without = desk.session.in_words();
+        CHECK(without.find("58.5228") == std::string::npos);
+        CHECK(without.find("12 kN/m") != std::string::npos);
+        CHECK(without.ends_with("The results are hidden; H reveals them.\n"));
+        CHECK(!run(desk, "view.hide_results"));
+        CHECK(desk.session.in_words() == with_results);
+    }
+
     TEST_CASE("Moments are not guessed in space, of a mechanism, nor of an envelope, and the reason is told")
     {
         Desk grillage = desk_with("grillage.json");

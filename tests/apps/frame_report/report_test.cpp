@@ -4,12 +4,14 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 
 #include "apps/frame/report/html.h"
 #include "apps/frame/report/pages.h"
 #include "femoop/io/model_file.h"
 #include "tests/folder.h"
+#include "ui/paint/surface/golden_text.h"
 
 using namespace frame;
 
@@ -29,6 +31,23 @@ template <class Block> std::vector<Block> all(const Report& report)
     return found;
 }
 
+/// Its rows say "name 0", "name 1" and so on.
+ReportTable table_of(const std::string& name, int n_rows)
+{
+    ReportTable table{{{"Row", false}}, {}};
+    for (int i = 0; i < n_rows; ++i) table.rows.push_back({name + " " + std::to_string(i)});
+    return table;
+}
+
+/// The place of the first page on which the string stands.
+std::optional<std::size_t> page_of(const std::vector<ui::PdfPage>& pages, const std::string& string)
+{
+    for (std::size_t i = 0; i < pages.size(); ++i)
+        for (const ui::PlacedPicture& placed : pages[i].pictures)
+            if (ui::golden_text(placed.picture).find(" \"" + string + "\"\n") != std::string::npos) return i;
+    return std::nullopt;
+}
+
 bool says(const Report& report, const std::string& words)
 {
     const std::string html = report_html(report, ui::Fonts());
@@ -42,8 +61,8 @@ TEST_SUITE("frame report")
     TEST_CASE("A report has the data, the figures and the results of every case, and the check of equilibrium")
     {
         const Report report = report_of("examples/portal.json");
-        // The structure, and for each of 3 cases and 2 combinations: loads, N, V, M, deformed shape.
-        CHECK(all<ReportFigure>(report).size() == 1 + 5 * 5);
+        // The structure, for each of 3 cases and 2 combinations: loads, N, V, M, deformed shape; bands of N, V, M.
+        CHECK(all<ReportFigure>(report).size() == 1 + 5 * 5 + 3);
         CHECK(says(report, "58.52")); // M in the middle of BC under G
         CHECK(says(report, "Envelope of all cases"));
         CHECK(says(report, "Largest force out of balance"));
@@ -66,6 +85,16 @@ TEST_SUITE("frame report")
         const Report report = report_of("examples/mechanism.json");
         CHECK(says(report, "Not solved"));
         CHECK(says(report, "sway"));
+    }
+
+    TEST_CASE("A report about the data has the loads of every case and no result, and says so")
+    {
+        const Report report = report_of("examples/portal.json", {.about = ReportAbout::Data});
+        CHECK(all<ReportFigure>(report).size() == 1 + 5);
+        CHECK(says(report, "12 kN/m"));
+        CHECK(!says(report, "58.52"));
+        CHECK(!says(report, "54.27"));
+        CHECK(says(report, "The results are hidden."));
     }
 
     TEST_CASE("In Portuguese a report is Portuguese, with decimal commas")
@@ -105,6 +134,49 @@ TEST_SUITE("frame report")
                 }
             }
         }
+    }
+
+    TEST_CASE("A heading stands on the page of the table under it, with three of its rows or all of a short one")
+    {
+        const ui::Fonts fonts;
+        for (int n_before = 30; n_before < 75; ++n_before) { // rows, so that the heading comes anywhere on the page
+            CAPTURE(n_before);
+            Report report;
+            report.blocks.emplace_back(table_of("before", n_before));
+            report.blocks.emplace_back(ReportHeading{2, "Chapter"});
+            report.blocks.emplace_back(ReportHeading{3, "Part"});
+            report.blocks.emplace_back(table_of("short", 5));
+            report.blocks.emplace_back(ReportHeading{3, "Long part"});
+            report.blocks.emplace_back(table_of("long", 40));
+            const std::vector<ui::PdfPage> pages = report_pages(report, fonts);
+            const std::optional<std::size_t> page = page_of(pages, "Chapter");
+            for (const char* words : {"Part", "short 0", "short 4"}) CHECK(page_of(pages, words) == page);
+            for (const char* words : {"long 0", "long 2"}) CHECK(page_of(pages, words) == page_of(pages, "Long part"));
+        }
+    }
+
+    TEST_CASE("Every page of a report tells its number, how many there are, and of which report it is")
+    {
+        Report report;
+        report.title = "Portal frame";
+        report.blocks.emplace_back(table_of("row", 180));
+        const std::vector<ui::PdfPage> pages = report_pages(report, ui::Fonts());
+        REQUIRE(pages.size() == 3);
+        CHECK(page_of(pages, "1 / 3") == 0);
+        CHECK(page_of(pages, "3 / 3") == 2);
+        CHECK(page_of({pages.begin() + 1, pages.end()}, "Portal frame") == 0);
+    }
+
+    TEST_CASE("A report calls a structure what people call it, and one member is not many")
+    {
+        Document document{femoop::read_model_file(CREMONA_SOURCE_DIR "/examples/bent_cantilever.json")};
+        CHECK(says(make_report(document.model, solve(document), {}, ui::Fonts()), "space frame, 3 nodes, 2 members"));
+        const Report truss = report_of("examples/truss.json");
+        CHECK(says(truss, "plane truss, "));
+        CHECK(!says(truss, "truss2d"));
+        ReportOptions portuguese;
+        portuguese.view.tr = ui::Catalogue(ui::Language::Portuguese);
+        CHECK(says(report_of("examples/grillage.json", portuguese), "grelha, "));
     }
 
     TEST_CASE("The pages are written as one PDF document")

@@ -2,6 +2,7 @@
 #include "apps/frame/session/tabs.h"
 #include "apps/frame/window/stage.h"
 #include "tests/apps/frame_window/opened.h"
+#include "tests/folder.h"
 #include "tests/golden/scene.h"
 
 #include <doctest/doctest.h>
@@ -55,6 +56,19 @@ TEST_SUITE("frame window: interruptions")
                                        "examples/truss.json\"\nkey Enter\nwait 0.1\n"
                                        "expect notice nothing\nexpect file truss.json\n";
             CHECK_NOTHROW(play(script, context, application, [](auto, const auto&, auto&) {}));
+        });
+    }
+
+    TEST_CASE("Results that are hidden from a class are not written as CSV either, and the reason is told")
+    {
+        with_application([](ui::Offscreen&, Application& application) {
+            const Folder files;
+            CHECK(!application.export_as(files.path() / "all.csv"));
+            REQUIRE(!ui::run(*application.commands().find("view.hide_results"), application.desk()));
+            const auto reason = application.export_as(files.path() / "hidden.csv");
+            REQUIRE(reason);
+            CHECK(ui::Catalogue()(*reason) == "The results are hidden; H reveals them.");
+            CHECK(!files.has("hidden.csv"));
         });
     }
 }
