@@ -12,6 +12,7 @@
 #include "apps/cli/model_input.h"
 #include "apps/cli/output_file.h"
 #include "apps/cli/picture.h"
+#include "apps/cli/solid_file.h"
 #include "femoop/io/results/results_csv.h"
 #include "femoop/model/quantity/in_units.h"
 
@@ -31,6 +32,7 @@ public:
 private:
     ExitStatus to_json(const femoop::Model& model, Console& console) const;
     ExitStatus to_csv(const femoop::Model& model, Console& console) const;
+    ExitStatus solids(Console& console) const;
     void deliver(const std::string& text, Console& console) const;
 
     std::string in_, out_;
@@ -46,16 +48,24 @@ HelpText Convert::help(const ui::Catalogue& tr) const
            "stay as they were typed), and with --units its bare numbers are counted in other base units. To .csv the "
            "model is solved and every result is written in one long table: case, part, id, x, component, value, unit. "
            "To "
-           ".svg, .pdf or .png it is drawn; render has more to choose from."),
+           ".svg, .pdf or .png it is drawn; render has more to choose from.") +
+            "\n\n" +
+            tr("Solids go from .eul, .obj or .off to any of these; to .eul as a script of Euler operators that makes "
+               "them, "
+               "whose number of lines is the least that the theory asks for."),
         {{"cremona convert examples/portal.json portal_mm.json --units mm,N",
           tr("The same structure in millimetres and newtons.")},
-         {"cremona convert examples/portal.json portal.csv", tr("Every result, for a spreadsheet.")}}};
+         {"cremona convert examples/portal.json portal.csv", tr("Every result, for a spreadsheet.")},
+         {"cremona convert examples/cube.eul cube.off", tr("The surface of a solid, for another program.")}}};
 }
 
 void Convert::declare(CLI::App& app, const ui::Catalogue& tr)
 {
-    app.add_option("IN", in_, tr("the model file (.json); - is standard input"))->option_text(" ");
-    app.add_option("OUT", out_, tr("the file to write: .json, .csv, .svg, .pdf or .png; - is standard output, as JSON"))
+    app.add_option("IN", in_, tr("the model file (.json; - is standard input), or a file of solids (.eul, .obj, .off)"))
+        ->option_text(" ");
+    app.add_option(
+           "OUT", out_,
+           tr("the file to write: .json, .csv, .svg, .pdf or .png (- is standard output, as JSON); .eul, .obj or .off"))
         ->option_text(" ");
     app.add_option("--units", units_,
                    tr("base units of the new file: a length (m mm cm km in ft) and a force (N kN MN lbf kip tf kgf)"))
@@ -103,12 +113,21 @@ ExitStatus Convert::to_csv(const femoop::Model& model, Console& console) const
     return ExitStatus::Done;
 }
 
-void refuse_solid(const std::string& file, const ui::Catalogue& tr)
+/// Solids are written as solids, and models as models.
+void require_both_solids(const std::string& in, const std::string& out, const ui::Catalogue& tr)
 {
-    const std::string kind = kind_of(file);
-    if (kind == ".obj" || kind == ".off" || kind == ".eul")
-        throw UsageError(tr("{file}: solids (.obj, .off, .eul) come with the half-edge tools, which are not built yet",
-                            {{"file", file}}));
+    if (is_solid_file(in) && is_solid_file(out)) return;
+    throw UsageError(tr("{in} and {out}: a file of solids (.eul, .obj, .off) is written as another one only",
+                        {{"in", in}, {"out", out}}));
+}
+
+ExitStatus Convert::solids(Console& console) const
+{
+    require_both_solids(in_, out_, console.tr());
+    if (units_) throw UsageError(console.tr()("--units: only a .json file is written in other units"));
+    require_writable(out_, console.tr());
+    save_solids(out_, load_solids(in_, console.tr()), console.tr());
+    return ExitStatus::Done;
 }
 
 ExitStatus Convert::run(Console& console)
@@ -117,8 +136,8 @@ ExitStatus Convert::run(Console& console)
     if (in_.empty() || out_.empty())
         throw UsageError(
             tr("two files are needed, IN and OUT; see {command}", {{"command", "cremona convert --help"}}));
+    if (is_solid_file(in_) || is_solid_file(out_)) return solids(console);
     const std::string kind = out_ == "-" ? ".json" : kind_of(out_);
-    for (const std::string& file : {in_, out_}) refuse_solid(file, tr);
     if (kind != ".json" && kind != ".csv" && !is_picture(out_))
         throw UsageError(tr("{file}: cannot write the kind {kind}; choose from: .json, .csv, .svg, .pdf, .png",
                             {{"file", out_}, {"kind", "\"" + kind + "\""}}));

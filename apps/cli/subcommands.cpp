@@ -3,6 +3,7 @@
 #include "apps/cli/bench.h"
 #include "apps/cli/check.h"
 #include "apps/cli/convert.h"
+#include "apps/cli/euler.h"
 #include "apps/cli/render.h"
 #include "apps/cli/solve.h"
 #include "apps/cli/verify.h"
@@ -17,6 +18,7 @@ std::vector<std::unique_ptr<Subcommand>> all_subcommands()
     all.push_back(check_command());
     all.push_back(render_command());
     all.push_back(convert_command());
+    all.push_back(euler_command());
     all.push_back(bench_command());
     return all;
 }

@@ -55,9 +55,9 @@ private:
 ///                                  |  2:1
 ///                                 Edge
 ///
-/// Only EulerOperator changes it. Its shells and their genus are not stored: shells.h finds them. Positions are data
-/// that vertices carry.
-/// Source   M. Mantyla, An Introduction to Solid Modeling, chapters 9 to 11
+/// Only EulerOperator changes it; readers of files assemble one. Its shells and their genus are not stored: shells.h
+/// finds them. Positions are data that vertices carry. Source   M. Mantyla, An Introduction to Solid Modeling, chapters
+/// 9 to 11
 class Solid {
 public:
     bool is_empty() const { return t_.faces.n_living() == 0; }
@@ -107,6 +107,7 @@ public:
 
 private:
     friend class EulerOperator;
+    friend class Assembly;
     friend class Renumbering;
     friend class BrokenSolid;
     Tables t_;

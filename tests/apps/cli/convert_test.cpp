@@ -31,7 +31,7 @@ TEST_CASE("The extension of the output may be in capital letters")
     CHECK(cremona({"convert", in, folder.path("a.JSON")}).status == 0);
     CHECK(cremona({"convert", in, folder.path("a.Csv")}).status == 0);
     CHECK(folder.read("a.Csv").starts_with("case,part,id"));
-    CHECK(has(cremona({"convert", in, folder.path("a.OBJ")}).err, "not built yet"));
+    CHECK(has(cremona({"convert", in, folder.path("a.OBJ")}).err, "is written as another one only"));
 }
 
 TEST_CASE("In other units the structure sags the same, and its checks still pass")
@@ -57,14 +57,16 @@ TEST_CASE("To CSV every result stands in one long table with its unit")
     CHECK(has(table, "\nU,member,AB,4,"));
 }
 
-TEST_CASE("Kinds that are not written, and solids that come later, are told")
+TEST_CASE("Kinds that are not written, and models that would become solids, are told")
 {
     const Folder folder;
     const std::string in = folder.write("in.json", cantilever());
     CHECK(has(cremona({"convert", in, "out.xls"}).err, "cannot write the kind \".xls\"; choose from: .json"));
-    CHECK(has(cremona({"convert", in, "out.obj"}).err, "come with the half-edge tools"));
+    CHECK(has(cremona({"convert", in, "out.obj"}).err,
+              "out.obj: a file of solids (.eul, .obj, .off) is written as another one only"));
     CHECK(cremona({"convert", in, "out.obj"}).status == 2);
-    CHECK(has(cremona({"convert", "box.off", "out.json"}).err, "box.off: solids"));
+    CHECK(has(cremona({"convert", "box.off", "out.json"}).err,
+              "box.off and out.json: a file of solids (.eul, .obj, .off) is written as another one only"));
     CHECK(cremona({"convert", in}).err ==
           "cremona convert: two files are needed, IN and OUT; see cremona convert --help\n");
 }

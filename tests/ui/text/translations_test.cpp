@@ -10,6 +10,9 @@
 #include <string>
 
 #include "femoop/model/fault/fault.h"
+#include "topology/halfedge/operators/refusal.h"
+#include "topology/mesh/mesh.h"
+#include "topology/script/script_fault.h"
 #include "ui/text/catalogue.h"
 
 namespace {
@@ -81,6 +84,13 @@ std::set<std::string> sentences_in_sources()
     }
     for (int kind = 0; !femoop::pattern(static_cast<femoop::FaultKind>(kind)).empty(); ++kind)
         sentences.emplace(femoop::pattern(static_cast<femoop::FaultKind>(kind)));
+    for (int kind = 0; kind < topology::n_refusal_kinds; ++kind)
+        sentences.emplace(topology::pattern(static_cast<topology::RefusalKind>(kind)));
+    for (int fault = 0; fault < topology::n_script_faults; ++fault)
+        sentences.emplace(topology::pattern(static_cast<topology::ScriptFault>(fault)));
+    for (int fault = 0; fault < topology::n_mesh_faults; ++fault)
+        sentences.emplace(topology::pattern(static_cast<topology::MeshFault>(fault)));
+    sentences.emplace("line"); // before a line's number
     return sentences;
 }
 

@@ -33,6 +33,8 @@ std::string_view pattern(RefusalKind kind)
     case RefusalKind::NotLone: return "{0} is not a lone vertex; take its edges away first";
     case RefusalKind::NotSkeletal: return "{0} is more than a lone vertex; take its edges and rings away first";
     case RefusalKind::NotConnected: return "nothing but the ring {0} connects {1} with {2}; it cannot move there";
+    case RefusalKind::SingleClosedEdge:
+        return "the loop {0} is one closed edge at {1}, which has no second corner; split it with SEMV first";
     }
     return "";
 }

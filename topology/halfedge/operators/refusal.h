@@ -28,7 +28,10 @@ enum class RefusalKind : std::uint8_t {
     NotLone,            ///< KVR: {0} is not a lone vertex
     NotSkeletal,        ///< KVFS: {0} is more than a lone vertex
     NotConnected,       ///< RINGMV: nothing but the ring {0} connects {1} with {2}
+    SingleClosedEdge,   ///< sweep: the loop {0} is one closed edge at {1}
 };
+
+inline constexpr int n_refusal_kinds = 16;
 
 /// The reason and the entities that it speaks of.
 struct Refusal {

@@ -1,0 +1,217 @@
+#include "apps/cli/euler.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "apps/cli/argument.h"
+#include "apps/cli/model_input.h"
+#include "apps/cli/output_file.h"
+#include "apps/cli/solid_file.h"
+#include "femoop/io/json/json_writer.h"
+#include "femoop/io/results/text_table.h"
+#include "topology/halfedge/check/shells.h"
+#include "topology/halfedge/check/validate.h"
+#include "topology/script/table_text.h"
+#include "topology/text/line_error.h"
+
+namespace cli {
+
+namespace {
+
+using topology::NamedSolid;
+using topology::ScriptRunner;
+
+class Euler : public Subcommand {
+public:
+    std::string_view name() const override { return "euler"; }
+    HelpText help(const ui::Catalogue& tr) const override;
+    void declare(CLI::App& app, const ui::Catalogue& tr) override;
+    ExitStatus run(Console& console) override;
+
+private:
+    void require_sensible(const ui::Catalogue& tr) const;
+    std::string run_on(ScriptRunner& runner, const ui::Catalogue& tr) const;
+    void save(const std::vector<NamedSolid>& solids, const Console& console) const;
+
+    std::string script_, step_, obj_, to_script_, from_;
+    bool is_json_ = false, has_tables_ = false;
+};
+
+HelpText Euler::help(const ui::Catalogue& tr) const
+{
+    return {tr("run a script of Euler operators and print the solids that come out"),
+            tr("A script (.eul) makes solids step by step: one operator a line, such as `mev s1 f1 v1 v2 1 0 0`. "
+               "Printed are "
+               "the numbers of vertices, edges, faces, loops and shells, the genus, and whether V - E + F - (L - F) - "
+               "2 (S - "
+               "G) is 0 and the structure is sound. A step that cannot be done says why, with its line, and changes "
+               "nothing."),
+            {{"cremona euler examples/cube.eul", tr("A cube by MVFS, MEV and MEF.")},
+             {"cremona euler examples/cube.eul --step 3 --tables",
+              tr("The half-edge tables after each of the first steps.")},
+             {"cremona euler --from part.obj --to-script part.eul", tr("A script that makes the solid of a mesh.")}}};
+}
+
+void Euler::declare(CLI::App& app, const ui::Catalogue& tr)
+{
+    app.add_option("SCRIPT", script_, tr("the script (.eul); - is standard input; with --from it may be left out"))
+        ->option_text(" ");
+    app.add_flag("--tables", has_tables_, tr("print the tables of the half-edge structure after each step"));
+    app.add_option("--step", step_, tr("run the first N lines that are operators"))->option_text("N");
+    app.add_flag("--json", is_json_, tr("print JSON instead of tables"));
+    app.add_option("--obj", obj_, tr("also write the solids as a mesh of polygons"))->option_text("OUT.obj");
+    app.add_option("--to-script", to_script_, tr("also write a script that makes the solids from nothing"))
+        ->option_text("OUT.eul");
+    app.add_option("--from", from_, tr("begin with the solids of this file (.obj, .off, .eul); a mesh's is named s1"))
+        ->option_text("FILE");
+}
+
+std::vector<NamedSolid> living(const ScriptRunner& runner)
+{
+    std::vector<NamedSolid> solids;
+    for (const NamedSolid& solid : runner.solids())
+        if (solid.is_alive()) solids.push_back(solid);
+    return solids;
+}
+
+std::vector<int> loop_lengths(const topology::Solid& solid)
+{
+    std::vector<int> lengths;
+    for (const topology::LoopId l : solid.loops()) {
+        int n = 0;
+        for ([[maybe_unused]] const topology::HalfEdgeId h : solid.chain(l)) ++n;
+        lengths.push_back(n);
+    }
+    std::sort(lengths.begin(), lengths.end());
+    return lengths;
+}
+
+void write_solid(femoop::JsonWriter& json, const NamedSolid& solid)
+{
+    const topology::EulerCounts counts = topology::euler_counts(solid.solid);
+    json.key(solid.name)
+        .begin_object()
+        .member("V", counts.V)
+        .member("E", counts.E)
+        .member("F", counts.F)
+        .member("L", counts.L)
+        .member("S", counts.S)
+        .member("G", counts.G)
+        .member("euler", static_cast<int>(counts.formula()))
+        .member("valid", !topology::why_not_valid(solid.solid))
+        .key("loops")
+        .begin_array();
+    for (const int length : loop_lengths(solid.solid)) json.value(length);
+    json.end().end();
+}
+
+std::string json(const std::vector<NamedSolid>& solids, std::size_t n_steps)
+{
+    femoop::JsonWriter json;
+    json.begin_object().key("solids").begin_object();
+    for (const NamedSolid& solid : solids) write_solid(json, solid);
+    json.end().member("steps", n_steps).end();
+    return json.take();
+}
+
+std::string counts_table(const std::vector<NamedSolid>& solids, std::size_t n_steps, const ui::Catalogue& tr)
+{
+    femoop::TextTable table({tr("solid"), "V", "E", "F", "L", "S", "G", "V-E+F-(L-F)-2(S-G)", tr("sound")});
+    for (const NamedSolid& solid : solids) {
+        const topology::EulerCounts n = topology::euler_counts(solid.solid);
+        const auto breach = topology::why_not_valid(solid.solid);
+        std::vector<femoop::TextTable::Cell> row{solid.name};
+        for (const std::size_t count : {n.V, n.E, n.F, n.L, n.S, n.G}) row.emplace_back(std::to_string(count));
+        row.emplace_back(std::to_string(n.formula()));
+        row.emplace_back(breach ? tr("no") : tr("yes"));
+        table.add_row(std::move(row));
+    }
+    return tr("steps: {n}", {{"n", std::to_string(n_steps)}}) + "\n" + table.text();
+}
+
+/// The tables of every living solid, as the lecture prints them.
+std::string tables(const ScriptRunner& runner)
+{
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < runner.solids().size(); ++i)
+        if (runner.solids()[i].is_alive()) places.push_back(i);
+    std::string text;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        text += topology::table_text(runner.solids()[places[i]].solid,
+                                     {.number = places[i] + 1,
+                                      .older = i == 0 ? 0 : places[i - 1] + 1,
+                                      .newer = i + 1 == places.size() ? 0 : places[i + 1] + 1});
+    return text;
+}
+
+void Euler::require_sensible(const ui::Catalogue& tr) const
+{
+    if (script_.empty() && from_.empty())
+        throw UsageError(tr("a script is needed, or --from; see {command}", {{"command", "cremona euler --help"}}));
+    if (!from_.empty() && !is_solid_file(from_))
+        throw UsageError(tr("{option}: {file} is no file of solids; give it the extension {kinds}",
+                            {{"option", "--from"}, {"file", from_}, {"kinds", ".obj, .off, .eul"}}));
+    for (const auto& [option, file, kind] : {std::tuple{"--obj", obj_, ".obj"}, {"--to-script", to_script_, ".eul"}}) {
+        if (file.empty()) continue;
+        if (!file.ends_with(kind))
+            throw UsageError(tr("{option}: {file} is no file of solids; give it the extension {kinds}",
+                                {{"option", option}, {"file", file}, {"kinds", kind}}));
+        require_writable(file, tr);
+    }
+}
+
+/// \returns what `--tables` prints
+std::string Euler::run_on(ScriptRunner& runner, const ui::Catalogue& tr) const
+{
+    topology::ScriptOptions options;
+    if (!step_.empty())
+        options.most_steps = static_cast<std::size_t>(
+            whole_number("--step", step_, {0, std::numeric_limits<long>::max()}, tr));
+    std::string printed;
+    if (has_tables_)
+        options.after = [&](const ScriptRunner& now, std::string_view line) {
+            printed += (printed.empty() ? "" : "\n") + std::string(line) + "\n" + tables(now);
+        };
+    try {
+        if (!script_.empty()) run_script(runner, text_of(script_, tr), options);
+    } catch (const topology::LineError& fault) {
+        throw UsageError(display_name(script_, tr) + ": " + fault.sentence(tr));
+    }
+    if (printed.empty()) printed = tables(runner);
+    return printed;
+}
+
+void Euler::save(const std::vector<NamedSolid>& solids, const Console& console) const
+{
+    for (const std::string& file : {obj_, to_script_}) {
+        if (file.empty()) continue;
+        save_solids(file, solids, console.tr());
+        console.message(console.tr()("written: {file}", {{"file", file}}));
+    }
+}
+
+ExitStatus Euler::run(Console& console)
+{
+    const ui::Catalogue& tr = console.tr();
+    require_sensible(tr);
+    ScriptRunner runner;
+    if (!from_.empty())
+        for (NamedSolid& solid : load_solids(from_, tr)) runner.add(std::move(solid));
+    const std::string printed = run_on(runner, tr);
+    const std::vector<NamedSolid> solids = living(runner);
+    save(solids, console);
+    if (is_json_) console.print(json(solids, runner.n_steps()));
+    else console.print(has_tables_ ? printed : counts_table(solids, runner.n_steps(), tr));
+    return ExitStatus::Done;
+}
+
+} // namespace
+
+std::unique_ptr<Subcommand> euler_command() { return std::make_unique<Euler>(); }
+
+} // namespace cli
