@@ -349,7 +349,7 @@ TEST_CASE("The extremes of a band and the ranges of reactions are written with t
     model.combinations.push_back({"U", {{femoop::CaseId(0), 1.35}}});
     const ViewOptions options{.show = {Show::M, Show::Reactions, Show::Values}, .is_envelope = true};
     const view_test::Marks marks = marks_of(model, options, fonts);
-    CHECK(marks.has_text("99.23 (U)")); // 1.35 q L^2 / 8
+    CHECK(marks.has_text("99.23 (U)"));               // 1.35 q L^2 / 8
     CHECK(marks.has_text("fy 42 (G) … 56.7 (U) kN")); // q L / 2
 }
 
