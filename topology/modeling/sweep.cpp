@@ -24,7 +24,7 @@ std::vector<HalfEdgeId> chain_of(const Solid& solid, LoopId l)
 /// Sweeps the loops of one face; `done` gathers what is made.
 class FaceSweep {
 public:
-    FaceSweep(EulerOperator& op, const Vector& by) : op_(op), by_(by) {}
+    FaceSweep(EulerOperator& op, const Motion& image) : op_(op), image_(image) {}
 
     void sweep_loop(LoopId l)
     {
@@ -49,7 +49,7 @@ private:
     HalfEdgeId strut(HalfEdgeId corner)
     {
         const VertexId v = op_.solid().start(corner);
-        const NewEdge edge = op_.mev(corner, op_.solid().point(v) + by_);
+        const NewEdge edge = op_.mev(corner, image_(op_.solid().point(v)));
         done.vertices.push_back({v, edge.vertex});
         return edge.plus;
     }
@@ -63,7 +63,7 @@ private:
     }
 
     EulerOperator& op_;
-    Vector by_;
+    const Motion& image_;
 };
 
 } // namespace
@@ -82,8 +82,13 @@ std::optional<Refusal> why_not_sweep(const EulerOperator& op, FaceId f)
 
 Sweep sweep(EulerOperator& op, FaceId f, const Vector& by)
 {
+    return sweep(op, f, [&](const Point& p) { return p + by; });
+}
+
+Sweep sweep(EulerOperator& op, FaceId f, const Motion& image)
+{
     if (const auto refusal = why_not_sweep(op, f)) throw EulerError(*refusal);
-    FaceSweep swept(op, by);
+    FaceSweep swept(op, image);
     for (const LoopId l : loops_in_order(op.solid(), f)) swept.sweep_loop(l);
     return swept.done;
 }

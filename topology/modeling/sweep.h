@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -35,6 +36,10 @@ struct Sweep {
 /// Survive  f, as the moved face, and its rings; every old vertex and edge
 /// Source   M. Mantyla, An Introduction to Solid Modeling, program 12.3
 Sweep sweep(EulerOperator& op, FaceId f, const Vector& by);
+
+/// The same with any motion: the images of the face's vertices are where `image` puts them.
+using Motion = std::function<Point(const Point&)>;
+Sweep sweep(EulerOperator& op, FaceId f, const Motion& image);
 
 /// A loop of one closed edge has no second strut to join to; and f must live.
 std::optional<Refusal> why_not_sweep(const EulerOperator& op, FaceId f);
