@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "topology/geometry/vector.h"
 #include "topology/halfedge/solid.h"
 
@@ -17,5 +19,6 @@ struct MassProperties {
 /// Assumes  planar faces, outer loops counter-clockwise seen from outside, rings clockwise
 /// Accuracy exact but for round-off, whatever the faces' outline; lengths are taken from the first vertex
 MassProperties mass_properties(const Solid& solid);
+MassProperties mass_properties(const Solid& solid, const std::vector<FaceId>& faces); ///< of the shell that they are
 
 } // namespace topology

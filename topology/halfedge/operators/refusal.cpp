@@ -35,6 +35,13 @@ std::string_view pattern(RefusalKind kind)
     case RefusalKind::NotConnected: return "nothing but the ring {0} connects {1} with {2}; it cannot move there";
     case RefusalKind::SingleClosedEdge:
         return "the loop {0} is one closed edge at {1}, which has no second corner; split it with SEMV first";
+    case RefusalKind::NotFaceToFace:
+        return "{0} and {1} do not lie face to face: corner upon corner, one turned against the other, without a "
+               "common "
+               "vertex";
+    case RefusalKind::NoShellAndHole:
+        return "with the ring {0} and the faces {1} and {2} the shells and the handles do not change by one each";
+    case RefusalKind::OnPlane: return "{0} lies on the plane; move the plane a little";
     }
     return "";
 }

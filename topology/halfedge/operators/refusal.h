@@ -29,9 +29,12 @@ enum class RefusalKind : std::uint8_t {
     NotSkeletal,        ///< KVFS: {0} is more than a lone vertex
     NotConnected,       ///< RINGMV: nothing but the ring {0} connects {1} with {2}
     SingleClosedEdge,   ///< sweep: the loop {0} is one closed edge at {1}
+    NotFaceToFace,      ///< glue: {0} and {1}
+    NoShellAndHole,     ///< MSG, KSG: {0} a ring, {1} and {2} faces
+    OnPlane,            ///< split: {0} a vertex
 };
 
-inline constexpr int n_refusal_kinds = 16;
+inline constexpr int n_refusal_kinds = 19;
 
 /// The reason and the entities that it speaks of.
 struct Refusal {
