@@ -8,6 +8,7 @@
 #include "apps/cli/argument.h"
 #include "apps/cli/model_input.h"
 #include "apps/cli/picture.h"
+#include "apps/frame/document/companion/companion_file.h"
 
 namespace cli {
 
@@ -25,6 +26,7 @@ public:
 
 private:
     PictureOrder order(const ui::Catalogue& tr) const;
+    frame::CompanionReading companion(const Console& console, const femoop::Model& model) const;
 
     std::string file_, out_, theme_ = "light", size_ = "1280x800", scale_ = "1";
     std::optional<std::string> show_, case_, magnification_, mechanism_;
@@ -133,6 +135,15 @@ PictureOrder Render::order(const ui::Catalogue& tr) const
     return order;
 }
 
+// What stands beside the model in the picture; what is wrong with it is told and left out.
+frame::CompanionReading Render::companion(const Console& console, const femoop::Model& model) const
+{
+    if (file_ == "-") return {};
+    frame::CompanionReading reading = frame::read_companion_of(file_, model);
+    console.report(frame::companion_path(file_).string(), reading.faults);
+    return reading;
+}
+
 ExitStatus Render::run(Console& console)
 {
     const ui::Catalogue& tr = console.tr();
@@ -140,6 +151,8 @@ ExitStatus Render::run(Console& console)
     PictureOrder picture = order(tr);
     const std::optional<femoop::Model> model = load_model(file_, console);
     if (!model) return ExitStatus::BadInput;
+    const frame::CompanionReading beside = companion(console, *model);
+    picture.view.dimensions = beside.companion.dimensions;
     if (case_) picture.view.load_case = find_case(*model, *case_, tr);
     return draw_picture(*model, display_name(file_, tr), picture, console);
 }

@@ -2,16 +2,18 @@
 
 #include <vector>
 
+#include "apps/frame/document/companion/companion.h"
 #include "apps/frame/document/named_sets.h"
 #include "femoop/model/model.h"
 
 namespace frame {
 
-/// What the frame app edits and saves: a structure and its loads. A plain value; the commands (command.h) are the only
-/// way to change it, and a history keeps its former states.
+/// What the frame app edits and saves: a structure and its loads, and what stands beside it in the picture. A plain
+/// value; the commands (command.h) are the only way to change it, and a history keeps its former states.
 struct Document {
     femoop::Model model;
     std::vector<NamedSet> sets{}; ///< supports and loads under names
+    Companion companion{};        ///< saved in a file of its own
 
     friend bool operator==(const Document&, const Document&) = default;
 };

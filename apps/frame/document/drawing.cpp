@@ -1,6 +1,7 @@
 #include "apps/frame/document/drawing.h"
 
 #include <algorithm>
+#include <map>
 
 #include "femoop/edit/draw.h"
 #include "femoop/edit/erase.h"
@@ -75,7 +76,7 @@ public:
     }
     void operator()(LoadCasePlace place) { parts.cases.emplace_back(place.load_case); }
     void operator()(CombinationPlace place) { parts.cases.emplace_back(model_.load_cases.size() + place.combination); }
-    template <class LoadPlace> void operator()(const LoadPlace&) {} // remove_loads has seen to it
+    template <class OtherPlace> void operator()(const OtherPlace&) {} // loads and dimension lines are seen to elsewhere
 
     femoop::Parts parts;
     std::vector<std::string> node_names; ///< nodes go last, and then have other ids
@@ -83,6 +84,23 @@ public:
 private:
     const Model& model_;
 };
+
+void remove_dimensions(Companion& companion, std::span<const Part> parts)
+{
+    std::vector<std::size_t> places;
+    for (const Part& part : parts)
+        if (const auto* const place = std::get_if<DimensionPlace>(&part)) places.push_back(place->dimension);
+    erase_places(companion.dimensions, std::move(places));
+}
+
+/// Changes the model, and the companion follows.
+template <class Edit> void edit_model(Document& document, Edit&& edit)
+{
+    if (document.companion.is_empty()) return edit(document.model);
+    const Model before = document.model;
+    edit(document.model);
+    follow(document.companion, before, document.model);
+}
 
 femoop::Parts structural(std::span<const Part> parts)
 {
@@ -134,9 +152,12 @@ void remove(Document& document, std::span<const Part> parts)
 {
     ToErase erased(document.model);
     for (const Part& part : parts) std::visit(erased, part);
-    remove_loads(document.model, parts);
-    femoop::erase(document.model, erased.parts);
-    for (const std::string& name : erased.node_names) take_out(document.model, name);
+    remove_dimensions(document.companion, parts);
+    edit_model(document, [&](Model& model) {
+        remove_loads(model, parts);
+        femoop::erase(model, erased.parts);
+        for (const std::string& name : erased.node_names) take_out(model, name);
+    });
 }
 
 std::vector<femoop::NodeId> nodes_of(const Model& model, std::span<const Part> parts)
@@ -149,20 +170,72 @@ std::vector<femoop::NodeId> nodes_of(const Model& model, std::span<const Part> p
     return found.nodes;
 }
 
+namespace {
+
+/// What nodes that are placed or copied together are called then; the others have no such name.
+using Renaming = std::map<std::string, std::string>;
+
+/// The same line for the new names of its nodes; nothing where one of them stays behind.
+std::optional<DimensionLine> renamed(DimensionLine dimension, const Renaming& names)
+{
+    for (std::string& name : dimension.nodes) {
+        const auto found = names.find(name);
+        if (found == names.end()) return std::nullopt;
+        name = found->second;
+    }
+    return dimension;
+}
+
+/// The nodes in the order in which femoop copies them.
+std::vector<femoop::NodeId> copied_in_order(const Model& model, const femoop::Parts& parts)
+{
+    std::vector<femoop::NodeId> nodes = parts.nodes;
+    for (const femoop::MemberId member : parts.members)
+        for (const femoop::NodeId node : model[member].nodes)
+            if (std::ranges::find(nodes, node) == nodes.end()) nodes.push_back(node);
+    return nodes;
+}
+
+/// Copies parts with the dimension lines between them.
+femoop::Parts copy_once(Document& document, femoop::Parts parts, const femoop::Placement& placement)
+{
+    Model& model = document.model;
+    parts.nodes = copied_in_order(model, parts);
+    const femoop::Parts copies = femoop::copy_parts(model, parts, placement);
+    Renaming names;
+    for (std::size_t i = 0; i < parts.nodes.size(); ++i) names[model[parts.nodes[i]].id] = model[copies.nodes.at(i)].id;
+    std::vector<DimensionLine>& dimensions = document.companion.dimensions;
+    const std::size_t n = dimensions.size();
+    for (std::size_t i = 0; i < n; ++i)
+        if (auto copied = renamed(placed(dimensions[i], model, placement), names))
+            dimensions.push_back(std::move(*copied));
+    return copies;
+}
+
+} // namespace
+
 void place(Document& document, std::span<const Part> parts, const femoop::Placement& placement)
 {
-    femoop::place_nodes(document.model, nodes_of(document.model, parts), placement);
+    const std::vector<femoop::NodeId> nodes = nodes_of(document.model, parts);
+    Renaming names;
+    for (const femoop::NodeId node : nodes) names[document.model[node].id] = document.model[node].id;
+    for (DimensionLine& dimension : document.companion.dimensions)
+        if (renamed(dimension, names)) dimension = placed(dimension, document.model, placement);
+    femoop::place_nodes(document.model, nodes, placement);
 }
 
 std::vector<Part> copy(Document& document, std::span<const Part> parts, const femoop::Placement& placement, int times)
 {
     femoop::Parts latest = structural(parts);
-    for (int i = 0; i < times; ++i) latest = femoop::copy_parts(document.model, latest, placement);
+    for (int i = 0; i < times; ++i) latest = copy_once(document, std::move(latest), placement);
     std::vector<Part> copies(latest.nodes.begin(), latest.nodes.end());
     copies.insert(copies.end(), latest.members.begin(), latest.members.end());
     return copies;
 }
 
-void join(Document& document) { femoop::weld(document.model); }
+void join(Document& document)
+{
+    edit_model(document, [](Model& model) { femoop::weld(model); });
+}
 
 } // namespace frame

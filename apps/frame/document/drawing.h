@@ -30,11 +30,12 @@ void remove(Document& document, std::span<const Part> parts);
 /// The nodes of the parts: themselves, and the ends of members.
 std::vector<femoop::NodeId> nodes_of(const femoop::Model& model, std::span<const Part> parts);
 
-/// Moves, turns, mirrors or scales the nodes of the parts. What lands on something is not joined to it yet: see `join`.
+/// Moves, turns, mirrors or scales the nodes of the parts; dimension lines between them keep their side. What lands on
+/// something is not joined to it yet: see `join`.
 void place(Document& document, std::span<const Part> parts, const femoop::Placement& placement);
 
-/// Copies nodes and members with their supports and loads, `times` times, each copy placed on from the one before.
-/// \returns the parts of the last copies
+/// Copies nodes and members with their supports, loads and dimension lines, `times` times, each copy placed on from the
+/// one before. \returns the parts of the last copies
 std::vector<Part> copy(Document& document, std::span<const Part> parts, const femoop::Placement& placement,
                        int times = 1);
 

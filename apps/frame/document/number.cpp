@@ -102,6 +102,8 @@ public:
             visit_(name(component.dof), displacement_measures.of(component.dof), component.value);
     }
 
+    void operator()(DimensionPlace) {} // is no part of the model
+
     void operator()(MemberLoadPlace p)
     {
         std::visit([this](auto& load) { this->member_load(load); },

@@ -1,5 +1,6 @@
 #include "apps/frame/document/part.h"
 
+#include "apps/frame/document/document.h"
 #include "apps/frame/document/overloaded.h"
 #include "ui/text/catalogue.h"
 
@@ -27,6 +28,12 @@ std::string_view load_title(const MemberLoad& load)
 
 } // namespace
 
+bool has(const Document& document, const Part& part)
+{
+    const auto* const line = std::get_if<DimensionPlace>(&part);
+    return line ? line->dimension < document.companion.dimensions.size() : has(document.model, part);
+}
+
 bool has(const Model& model, const Part& part)
 {
     const auto in_case = [&](std::size_t load_case, auto list, std::size_t place) {
@@ -42,8 +49,17 @@ bool has(const Model& model, const Part& part)
                           [&](NodeLoadPlace p) { return in_case(p.load_case, &LoadCase::nodes, p.load); },
                           [&](SettlementPlace p) { return in_case(p.load_case, &LoadCase::settlements, p.settlement); },
                           [&](MemberLoadPlace p) { return in_case(p.load_case, &LoadCase::members, p.load); },
+                          [](DimensionPlace) { return false; },
                       },
                       part);
+}
+
+Phrase title(const Document& document, const Part& part)
+{
+    const auto* const place = std::get_if<DimensionPlace>(&part);
+    if (place == nullptr) return title(document.model, part);
+    const DimensionLine& line = document.companion.dimensions[place->dimension];
+    return named(translatable("Dimension line {id}"), line.nodes.front() + "–" + line.nodes.back());
 }
 
 Phrase title(const Model& model, const Part& part)
@@ -70,6 +86,7 @@ Phrase title(const Model& model, const Part& part)
                               const MemberLoad& load = cases[p.load_case].members[p.load];
                               return named(load_title(load), model[load.member].id);
                           },
+                          [](DimensionPlace) { return Phrase(translatable("Dimension line")); },
                       },
                       part);
 }

@@ -10,6 +10,8 @@
 
 namespace frame {
 
+struct Document;
+
 /// Places in the lists of a model that femoop itself has no ids for.
 struct LoadCasePlace {
     std::size_t load_case = 0;
@@ -32,15 +34,23 @@ struct MemberLoadPlace {
     friend auto operator<=>(MemberLoadPlace, MemberLoadPlace) = default;
 };
 
+/// A dimension line of the document's companion.
+struct DimensionPlace {
+    std::size_t dimension = 0;
+    friend auto operator<=>(DimensionPlace, DimensionPlace) = default;
+};
+
 /// Anything in a document that has properties: what can be selected and edited.
 using Part = std::variant<femoop::NodeId, femoop::MemberId, femoop::MaterialId, femoop::SectionId, LoadCasePlace,
-                          CombinationPlace, NodeLoadPlace, SettlementPlace, MemberLoadPlace>;
+                          CombinationPlace, NodeLoadPlace, SettlementPlace, MemberLoadPlace, DimensionPlace>;
 
-/// False where the model no longer has it, as after an undo.
-bool has(const femoop::Model& model, const Part& part);
+/// False where the document no longer has it, as after an undo.
+bool has(const Document& document, const Part& part);
+bool has(const femoop::Model& model, const Part& part); ///< of what is the model's own
 
-/// "Node B", "Load on member BC". \pre has(model, part)
-ui::Phrase title(const femoop::Model& model, const Part& part);
+/// "Node B", "Load on member BC". \pre has(document, part)
+ui::Phrase title(const Document& document, const Part& part);
+ui::Phrase title(const femoop::Model& model, const Part& part); ///< of what is the model's own
 
 /// Every part of the model, in the order of the file.
 std::vector<Part> parts(const femoop::Model& model);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "apps/frame/document/document.h"
+
 namespace frame {
 
 using namespace femoop;
@@ -26,12 +28,21 @@ namespace {
 /// Finds the part of one model in another.
 class Follower {
 public:
-    Follower(const Model& before, const Model& after) : before_(before), after_(after) {}
+    Follower(const Document& before, const Document& after) : before_(before), after_(after) {}
 
-    std::optional<Part> operator()(NodeId id) const { return named(after_.nodes, before_[id], id); }
-    std::optional<Part> operator()(MemberId id) const { return named(after_.members, before_[id], id); }
-    std::optional<Part> operator()(MaterialId id) const { return named(after_.materials, before_[id], id); }
-    std::optional<Part> operator()(SectionId id) const { return named(after_.sections, before_[id], id); }
+    std::optional<Part> operator()(NodeId id) const { return named(after_.model.nodes, before_.model[id], id); }
+    std::optional<Part> operator()(MemberId id) const { return named(after_.model.members, before_.model[id], id); }
+    std::optional<Part> operator()(MaterialId id) const { return named(after_.model.materials, before_.model[id], id); }
+    std::optional<Part> operator()(SectionId id) const { return named(after_.model.sections, before_.model[id], id); }
+    std::optional<Part> operator()(DimensionPlace place) const
+    {
+        const auto& list = after_.companion.dimensions;
+        const auto& nodes = before_.companion.dimensions[place.dimension].nodes;
+        if (has(after_, place) && list[place.dimension].nodes == nodes) return place;
+        const auto found = std::ranges::find(list, nodes, &DimensionLine::nodes);
+        if (found == list.end()) return std::nullopt;
+        return DimensionPlace{static_cast<std::size_t>(found - list.begin())};
+    }
     template <class Place> std::optional<Part> operator()(const Place& place) const
     {
         return has(after_, place) ? std::optional<Part>(place) : std::nullopt;
@@ -48,13 +59,13 @@ private:
         return Id(static_cast<std::size_t>(found - list.begin()));
     }
 
-    const Model& before_;
-    const Model& after_;
+    const Document& before_;
+    const Document& after_;
 };
 
 } // namespace
 
-void Selection::follow(const Model& before, const Model& after)
+void Selection::follow(const Document& before, const Document& after)
 {
     const Follower follower(before, after);
     std::vector<Part> found;

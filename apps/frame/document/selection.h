@@ -26,8 +26,8 @@ public:
     /// Adds what it lacks, drops what it has.
     void toggle(const Part& part);
     /// Goes on from one state of a model to the next: nodes, members and properties are known by their names, loads by
-    /// their places; what is gone is dropped.
-    void follow(const femoop::Model& before, const femoop::Model& after);
+    /// their places; what is gone is dropped. Dimension lines are known by their nodes.
+    void follow(const Document& before, const Document& after);
 
     friend bool operator==(const Selection&, const Selection&) = default;
 

@@ -229,6 +229,7 @@ void put_in_place(Document& document, const Model& structure)
     Model next = in_units(structure, document.model.units);
     next.notes = document.model.notes;
     document.model = std::move(next);
+    document.companion = {};
 }
 
 } // namespace frame

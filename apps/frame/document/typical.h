@@ -51,7 +51,7 @@ struct Neighbour {
 /// \pre it has one load case and is of the document's analysis \throws std::invalid_argument
 void insert_beside(Document& document, const femoop::Model& structure, const Neighbour& neighbour);
 
-/// The structure takes the place of all that is there; units and notes of the document stay.
+/// The structure takes the place of all that is there, dimension lines too; units and notes of the document stay.
 void put_in_place(Document& document, const femoop::Model& structure);
 
 } // namespace frame

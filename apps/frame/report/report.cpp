@@ -137,7 +137,8 @@ private:
         text(kind_words(model_.analysis, tr_) + ", " + size_words(model_, tr_) + degree());
         figure(tr_("Names of nodes and members, dimensions"), [&](ui::Painter& painter) {
             using enum Show;
-            draw(painter, model_, nullptr, view({NodeNames, MemberNames, Dimensions, Values}));
+            const ShowSet dimensions{options_.view.dimensions.empty() ? Dimensions : DrawnDimensions};
+            draw(painter, model_, nullptr, view(ShowSet{NodeNames, MemberNames, Values} | dimensions));
         });
     }
     std::string degree() const

@@ -118,6 +118,7 @@ constexpr std::array toggles{
     Toggle{Show::NodeNames, "view.show.node_names", translatable("Names of nodes"), std::nullopt},
     Toggle{Show::MemberNames, "view.show.member_names", translatable("Names of members"), std::nullopt},
     Toggle{Show::Dimensions, "view.show.dimensions", translatable("Dimensions"), std::nullopt},
+    Toggle{Show::DrawnDimensions, "view.show.drawn_dimensions", translatable("Drawn dimensions"), std::nullopt},
     Toggle{Show::LocalAxes, "view.show.local_axes", translatable("Local axes"), std::nullopt},
     Toggle{Show::Legend, "view.show.legend", translatable("Legend"), std::nullopt},
 };

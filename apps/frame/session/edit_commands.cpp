@@ -27,6 +27,7 @@ constexpr std::array tool_entries{
     ToolEntry{ToolKind::Support, "draw.support", translatable("Support"), Key::S},
     ToolEntry{ToolKind::Load, "draw.load", translatable("Load"), Key::L},
     ToolEntry{ToolKind::Hinge, "draw.hinge", translatable("Hinge"), Key::J},
+    ToolEntry{ToolKind::Dimension, "draw.dimension", translatable("Dimension line"), Key::D},
     ToolEntry{ToolKind::Delete, "draw.delete", translatable("Delete"), Key::X},
     ToolEntry{ToolKind::Predict, "draw.predict", translatable("Predict the moments"), Key::K},
 };
@@ -36,7 +37,7 @@ bool is_in_plane(const Desk& desk) { return femoop::n_coordinates(desk.session.m
 Reason why_not_take(const Desk& desk, ToolKind tool)
 {
     if (tool == ToolKind::Predict) return why_not_predict(desk);
-    const bool draws = tool == ToolKind::Member || tool == ToolKind::Node;
+    const bool draws = tool == ToolKind::Member || tool == ToolKind::Node || tool == ToolKind::Dimension;
     if (!draws || is_in_plane(desk)) return std::nullopt;
     return translatable("a structure in space is not drawn with the mouse; change its numbers instead");
 }
@@ -63,7 +64,7 @@ std::vector<Part> selected(const Desk& desk)
 ui::Phrase about_selection(const Desk& desk, std::string_view one, std::string_view many)
 {
     const std::optional<Part> part = desk.session.selection.only();
-    return part ? ui::Phrase(one, {{"part", title(desk.session.model(), *part)}}) : ui::Phrase(many);
+    return part ? ui::Phrase(one, {{"part", title(desk.session.document(), *part)}}) : ui::Phrase(many);
 }
 
 Reason needs_something_to_delete(const Desk& desk)

@@ -12,6 +12,7 @@
 #include <string>
 #include <utility>
 
+#include "apps/frame/document/companion/companion_file.h"
 #include "femoop/io/model_file.h"
 #include "femoop/io/whole_file.h"
 #include "femoop/model/fault/fault.h"
@@ -24,7 +25,7 @@ namespace {
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
-/// Beside beam.json: beam.json.lock, beam.json.path
+/// Beside beam.json: beam.json.lock, beam.json.path; and beam.view.json, its companion
 fs::path beside(fs::path draft, const char* extension) { return draft += extension; }
 
 /// A descriptor that holds the lock of a draft, or -1 if another program holds it.
@@ -46,7 +47,8 @@ bool is_in_use(const fs::path& draft)
 void remove_all_of(const fs::path& draft)
 {
     std::error_code ignored;
-    for (const fs::path& path : {draft, beside(draft, ".path"), beside(draft, ".lock")}) fs::remove(path, ignored);
+    for (const fs::path& path : {draft, companion_path(draft), beside(draft, ".path"), beside(draft, ".lock")})
+        fs::remove(path, ignored);
 }
 
 std::optional<fs::path> original_of(const fs::path& draft)
@@ -55,6 +57,8 @@ std::optional<fs::path> original_of(const fs::path& draft)
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     return text.empty() ? std::nullopt : std::optional<fs::path>(text);
 }
+
+bool is_draft(const fs::path& path) { return path.extension() == ".json" && !is_companion_path(path); }
 
 fs::file_time_type age(const Leftover& leftover)
 {
@@ -106,6 +110,7 @@ std::error_code Recovery::keep(const Document& document, const std::optional<fs:
                                                                fs::absolute(*original).string());
         if (error) return error;
     }
+    if (const std::error_code error = save_companion_of(draft_, document.companion)) return error;
     return femoop::write_whole_file(draft_, femoop::write_model(document.model));
 }
 
@@ -122,7 +127,7 @@ std::vector<Leftover> Recovery::leftovers() const
     std::vector<Leftover> found;
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_, error))
-        if (entry.path().extension() == ".json" && !is_in_use(entry.path()))
+        if (is_draft(entry.path()) && !is_in_use(entry.path()))
             found.push_back({entry.path(), original_of(entry.path())});
     std::ranges::sort(found, std::ranges::greater(), age);
     return found;

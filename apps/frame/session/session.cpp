@@ -4,6 +4,7 @@
 #include <atomic>
 #include <utility>
 
+#include "apps/frame/document/companion/companion_file.h"
 #include "apps/frame/document/number.h"
 #include "apps/frame/session/transform.h"
 #include "femoop/io/model_file.h"
@@ -70,12 +71,14 @@ void Session::refresh()
 
 void Session::change(const Change& change)
 {
-    Document next = change.step == Step::Drag ? history_.settled() : document();
+    const Document& from = change.step == Step::Drag ? history_.settled() : document();
+    Document next = from;
     change.command(next);
     if (change.after_selecting) selection = select_added(next, change.after_selecting);
+    if (!next.companion.is_empty()) frame::follow(next.companion, from.model, next.model);
     const bool is_new = next != document();
     if (is_new) {
-        if (!change.after_selecting) selection.follow(model(), next.model);
+        if (!change.after_selecting) selection.follow(document(), next);
         prediction.follow(model(), next.model);
     }
     hold_scales(change.step);
@@ -88,16 +91,16 @@ void Session::change(const Change& change)
 Selection Session::select_added(Document& next, const std::function<void(Document&)>& finish) const
 {
     Selection added = latest(next.model, model().nodes.size(), model().members.size());
-    const femoop::Model before = next.model;
+    const Document before = next;
     finish(next);
-    added.follow(before, next.model);
+    added.follow(before, next);
     return added;
 }
 
 // The document has gone on from a former state.
 void Session::follow(const Document& before)
 {
-    selection.follow(before.model, model());
+    selection.follow(before, document());
     prediction.follow(before.model, model());
     refresh();
 }
@@ -173,8 +176,16 @@ bool Session::open(const std::filesystem::path& path, Purpose purpose)
     pin.reset();
     hover.reset();
     path_ = path;
-    restart({std::move(reading.model)});
+    CompanionReading beside = read_companion_of(path, reading.model);
+    restart({.model = std::move(reading.model), .companion = std::move(beside.companion)});
+    if (!beside.faults.empty()) tell_of_companion(translatable("{file} was not understood in full"), beside.faults);
     return true;
+}
+
+// The model is open all the same. What is kept beside it has faults, so it is not overwritten: see `save`.
+void Session::tell_of_companion(std::string_view sentence, std::vector<femoop::Fault> faults)
+{
+    notice = Notice{{sentence, {{"file", companion_path(*path_).filename().string()}}}, std::move(faults)};
 }
 
 bool Session::recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original)
@@ -205,9 +216,43 @@ bool Session::save(const std::filesystem::path& path)
         return false;
     }
     path_ = path;
+    notice.reset();
+    if (!save_companion()) return false;
     saved_ = document();
     is_dirty_ = false;
-    notice.reset();
+    return true;
+}
+
+namespace {
+
+// Lines between nodes that are not there were told when the file was opened.
+bool is_companion_sound(const std::filesystem::path& model_file)
+{
+    const CompanionReading reading = read_companion_of(model_file, {});
+    return std::ranges::all_of(reading.faults, [](const femoop::Fault& fault) {
+        return fault.kind == femoop::FaultKind::NoSuchNode || fault.kind == femoop::FaultKind::NoSuchNodeNear;
+    });
+}
+
+} // namespace
+
+// What is there and has faults is put aside before another takes its place.
+bool Session::save_companion()
+{
+    const std::filesystem::path path = companion_path(*path_);
+    const bool has_faults = !is_companion_sound(*path_);
+    std::error_code error;
+    if (has_faults) std::filesystem::rename(path, old_companion_path(*path_), error);
+    if (!error) error = save_companion_of(*path_, document().companion);
+    if (error) {
+        tell_of_companion(translatable("{file} was not saved"),
+                          {{femoop::FaultKind::FileUnwritable, {path.string(), error.message()}}});
+        return false;
+    }
+    if (has_faults)
+        notice = Notice{{translatable("{file} was not understood; it is kept as {old}"),
+                         {{"file", path.filename().string()}, {"old", old_companion_path(*path_).filename().string()}}},
+                        {}};
     return true;
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "apps/frame/document/change.h"
@@ -59,13 +60,16 @@ public:
 
     /// Opens a file. If it has an error, the open document stays as it is and `notice` says why; false then. `Mend`
     /// opens a file too that is understood but whose structure has errors, as one that was saved while it was drawn.
+    /// What stands beside the model comes from its companion file; what is wrong with that hinders nothing, and
+    /// `notice` tells it.
     enum class Purpose : std::uint8_t { Work, Mend };
     bool open(const std::filesystem::path& path, Purpose purpose = Purpose::Work);
     /// Opens a draft of a file's document, or of one that has no file yet, as one that is not saved.
     bool recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original);
     /// Tells that a file was not opened.
     void refuse(const std::filesystem::path& path, const Notice& reason);
-    /// Writes to the path, whole or not at all; false, with a notice, if that fails.
+    /// Writes to the path, whole or not at all, and the companion file beside it; false, with a notice, if that fails.
+    /// A companion file with faults is kept under another name, with a notice.
     bool save(const std::filesystem::path& path);
     const std::optional<std::filesystem::path>& path() const { return path_; }
     bool is_dirty() const { return is_dirty_; } ///< has changes that are not saved
@@ -102,6 +106,8 @@ private:
     /// While a number is dragged, diagrams keep the scale that they had before: one sees them grow.
     void hold_scales(Step step);
     void restart(Document document);
+    bool save_companion();
+    void tell_of_companion(std::string_view sentence, std::vector<femoop::Fault> faults);
 
     ui::History<Document> history_;
     Document saved_;

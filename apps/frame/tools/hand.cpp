@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "apps/frame/tools/dimension_tool.h"
 #include "apps/frame/tools/member_tool.h"
 #include "apps/frame/tools/node_tool.h"
 #include "apps/frame/tools/part_tools.h"
@@ -23,6 +24,7 @@ std::unique_ptr<Tool> tool_of(ToolKind kind, const ToolSettings& settings)
     case ToolKind::Support: return std::make_unique<SupportTool>(settings);
     case ToolKind::Load: return std::make_unique<LoadTool>(settings);
     case ToolKind::Hinge: return std::make_unique<HingeTool>();
+    case ToolKind::Dimension: return std::make_unique<DimensionTool>();
     case ToolKind::Delete: return std::make_unique<DeleteTool>();
     case ToolKind::Predict: return std::make_unique<PredictTool>(settings);
     }
@@ -77,12 +79,12 @@ void Hand::rub_out()
     if (!typed_.empty()) typed_.pop_back();
 }
 
-std::optional<Change> Hand::enter()
+std::optional<Change> Hand::enter(const Work& work)
 {
     const auto place = place_typed(typed_, {.from = tool_->from(), .pointer = aim_.snap.place});
     if (!place) return std::nullopt;
     typed_.clear();
-    std::optional<Change> change = tool_->type(*place);
+    std::optional<Change> change = tool_->type(work, *place);
     settle();
     return change;
 }

@@ -10,7 +10,7 @@
 
 namespace frame {
 
-enum class ToolKind : std::uint8_t { Select, Member, Node, Support, Load, Hinge, Delete, Predict, Paste };
+enum class ToolKind : std::uint8_t { Select, Member, Node, Support, Load, Hinge, Dimension, Delete, Predict, Paste };
 
 /// The hand that works in the picture: the tool it holds, how the tools are set, and a place that is being typed.
 class Hand {
@@ -38,7 +38,7 @@ public:
     bool type(const std::string& letters);
     void rub_out();
     /// Ends the typing: the change that the tool asks for at this place. What is no place stays, to be mended.
-    std::optional<Change> enter();
+    std::optional<Change> enter(const Work& work);
 
     void point_at(const Aim& aim) { aim_ = aim; }
     const Aim& aim() const { return aim_; }

@@ -38,7 +38,7 @@ std::optional<Change> MemberTool::release(const Work&, const Aim& at)
     return change;
 }
 
-std::optional<Change> MemberTool::type(const Vector2d& place)
+std::optional<Change> MemberTool::type(const Work&, const Vector2d& place)
 {
     if (start_ && *start_ != place) return draw_to(place);
     start_ = place;

@@ -11,7 +11,7 @@ public:
     std::optional<Change> press(const Work&, const Aim& at) override;
     std::optional<Change> move(const Work&, const Aim& to) override;
     std::optional<Change> release(const Work&, const Aim& at) override;
-    std::optional<Change> type(const Eigen::Vector2d& place) override;
+    std::optional<Change> type(const Work&, const Eigen::Vector2d& place) override;
     bool escape() override;
     bool draws() const override { return true; }
     std::optional<Eigen::Vector2d> from() const override { return start_; }

@@ -5,7 +5,7 @@
 
 namespace frame {
 
-std::optional<Change> NodeTool::type(const Eigen::Vector2d& place)
+std::optional<Change> NodeTool::type(const Work&, const Eigen::Vector2d& place)
 {
     return Change{ui::translatable("Add a node"), [place](Document& document) { add_node(document, place); }};
 }

@@ -18,7 +18,7 @@ namespace {
 
 Phrase about(const Document& document, std::string_view sentence, const Part& part)
 {
-    return {sentence, {{"part", title(document.model, part)}}};
+    return {sentence, {{"part", title(document, part)}}};
 }
 
 } // namespace

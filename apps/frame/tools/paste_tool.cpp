@@ -19,7 +19,7 @@ std::optional<Change> PasteTool::move(const Work&, const Aim& to)
     return std::nullopt;
 }
 
-std::optional<Change> PasteTool::type(const Vector2d& place)
+std::optional<Change> PasteTool::type(const Work&, const Vector2d& place)
 {
     is_done_ = true;
     return Change{.label = ui::translatable("Paste"),

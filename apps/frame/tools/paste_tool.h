@@ -13,9 +13,9 @@ class PasteTool : public Tool {
 public:
     PasteTool(std::shared_ptr<const Clipping> clipping, const femoop::Units& units);
 
-    std::optional<Change> press(const Work&, const Aim& at) override { return type(at.snap.place); }
+    std::optional<Change> press(const Work& work, const Aim& at) override { return type(work, at.snap.place); }
     std::optional<Change> move(const Work&, const Aim& to) override;
-    std::optional<Change> type(const Eigen::Vector2d& place) override;
+    std::optional<Change> type(const Work&, const Eigen::Vector2d& place) override;
     bool draws() const override { return true; }
     bool is_done() const override { return is_done_; }
     std::optional<Eigen::Vector2d> from() const override { return grip_; }

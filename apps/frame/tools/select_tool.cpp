@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "apps/frame/document/command.h"
+#include "apps/frame/document/dimensioning.h"
 #include "apps/frame/document/drawing.h"
 #include "apps/frame/document/loading.h"
+#include "apps/frame/tools/dimension_tool.h"
 #include "ui/text/catalogue.h"
 
 namespace frame {
@@ -79,6 +81,7 @@ std::optional<Change> SelectTool::move(const Work& work, const Aim& to)
     if (gesture_ == Gesture::Move) return moved(work, to);
     if (gesture_ == Gesture::Pull) return pulled(work, to);
     if (gesture_ == Gesture::Turn) return turned(work, to);
+    if (gesture_ == Gesture::Slide) return slid(work, to);
     return std::nullopt;
 }
 
@@ -86,6 +89,7 @@ SelectTool::Gesture SelectTool::gesture_at(const Aim& at) const
 {
     if (at.node || at.cut) return Gesture::Move;
     if (at.points_at_support()) return Gesture::Turn;
+    if (at.dimension) return Gesture::Slide;
     return at.grip ? Gesture::Pull : Gesture::Window;
 }
 
@@ -95,7 +99,7 @@ Change SelectTool::moved(const Work& work, const Aim& to) const
     const Vector2d shift = to.snap.place - anchor;
     const std::vector<Part> parts(work.selection.parts().begin(), work.selection.parts().end());
     const ui::Phrase label = work.selection.only() ? ui::Phrase(translatable("Move: {part}"),
-                                                                {{"part", title(work.document.model, parts.front())}})
+                                                                {{"part", title(work.document, parts.front())}})
                                                    : ui::Phrase(translatable("Move the selection"));
     return {label,
             [=](Document& changed) {
@@ -124,6 +128,16 @@ Change SelectTool::turned(const Work& work, const Aim& to) const
             Step::Drag};
 }
 
+Change SelectTool::slid(const Work& work, const Aim& to) const
+{
+    const DimensionPlace place = *start_.dimension;
+    const DimensionLine& line = work.document.companion.dimensions.at(place.dimension);
+    const double offset = offset_meant(offset_through(work.document.model, line, to.pointer).value_or(line.offset), to);
+    return {{translatable("Move: {part}"), {{"part", title(work.document, place)}}},
+            [=](Document& changed) { set_offset(changed, place, offset); },
+            Step::Drag};
+}
+
 std::optional<Change> SelectTool::release(const Work& work, const Aim& at)
 {
     const Gesture gesture = std::exchange(gesture_, Gesture::None);
@@ -144,6 +158,7 @@ std::optional<Change> SelectTool::release(const Work& work, const Aim& at)
     }
     if (gesture == Gesture::Pull) return pulled(work, at);
     if (gesture == Gesture::Turn) return turned(work, at);
+    if (gesture == Gesture::Slide) return slid(work, at);
     const Change move = moved(work, at);
     return Change{move.label,
                   [command = move.command](Document& changed) {

@@ -8,7 +8,7 @@ namespace frame {
 
 /// Selects: a click one part, with Shift more; a window drawn to the right what lies inside it, one drawn to the left
 /// what it touches. A drag of a selected part moves the selection, one of a load's arrow changes its value, one of
-/// a support's symbol turns the support.
+/// a support's symbol turns the support, one of a dimension line changes its distance.
 class SelectTool : public Tool {
 public:
     std::optional<Change> press(const Work& work, const Aim& at) override;
@@ -19,11 +19,12 @@ public:
     Preview preview() const override;
 
 private:
-    enum class Gesture : std::uint8_t { None, Move, Pull, Turn, Window };
+    enum class Gesture : std::uint8_t { None, Move, Pull, Turn, Slide, Window };
 
     Change moved(const Work& work, const Aim& to) const;
     Change pulled(const Work& work, const Aim& to) const;
     Change turned(const Work& work, const Aim& to) const;
+    Change slid(const Work& work, const Aim& to) const;
     Gesture gesture_at(const Aim& at) const;
     void select_window(const Work& work) const;
 

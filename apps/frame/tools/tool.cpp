@@ -12,6 +12,7 @@ std::optional<Part> Aim::part() const
     if (node) return *node;
     if (cut) return cut->member;
     if (support) return support->node;
+    if (dimension) return *dimension;
     if (grip) return grip->load;
     return std::nullopt;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/frame/document/change.h"
+#include "apps/frame/document/companion/dimension.h"
 #include "apps/frame/document/cut.h"
 #include "apps/frame/document/selection.h"
 #include "apps/frame/tools/snap.h"
@@ -38,6 +39,7 @@ struct Aim {
     std::optional<femoop::NodeId> node;                ///< under it
     std::optional<Cut> cut;                            ///< of the member under it, where there is no node
     std::optional<SupportGrip> support;                ///< under it, where there is neither
+    std::optional<DimensionPlace> dimension;           ///< the line under it, where there is none of these
     std::optional<LoadGrip> grip;                      ///< of the load under it, where there is none of these
     double pixel = 0.01;                               ///< one logical pixel [length]
     bool adds = false;                                 ///< Shift is held
@@ -63,6 +65,7 @@ struct Preview {
     std::optional<std::pair<Eigen::Vector2d, Eigen::Vector2d>> window{};
     std::span<const Eigen::Vector2d> stroke{}; ///< that is being sketched
     std::optional<femoop::MemberId> member{};  ///< that it is sketched on
+    std::optional<DimensionLine> dimension{};
 };
 
 /// What the left button does in the picture, from press to release and on to the next press. A tool never changes a
@@ -76,11 +79,12 @@ public:
     virtual std::optional<Change> move(const Work&, const Aim&) { return std::nullopt; }
     virtual std::optional<Change> release(const Work&, const Aim&) { return std::nullopt; }
     /// A place that was typed, as if it had been clicked; tools that draw nothing have no use for it.
-    virtual std::optional<Change> type(const Eigen::Vector2d&) { return std::nullopt; }
+    virtual std::optional<Change> type(const Work&, const Eigen::Vector2d&) { return std::nullopt; }
     /// Gives up what was begun; false where nothing was, so that the tool itself is left.
     virtual bool escape() { return false; }
 
     virtual bool is_done() const { return false; }                               ///< the hand may lay it down
+    virtual bool snaps() const { return true; }                                  ///< a place is drawn to what is there
     virtual bool draws() const { return false; }                                 ///< places that are snapped and typed
     virtual std::optional<Eigen::Vector2d> from() const { return std::nullopt; } ///< where drawing began
     virtual std::span<const femoop::NodeId> moving() const { return {}; }        ///< nodes that the hand drags

@@ -12,9 +12,9 @@ namespace {
 
 using ui::translatable;
 
-const std::array<ShowWord, 19>& words()
+const std::array<ShowWord, 20>& words()
 {
-    static const std::array<ShowWord, 19> list{{
+    static const std::array<ShowWord, 20> list{{
         {"loads", {Show::Loads}, translatable("the loads of the case")},
         {"reactions", {Show::Reactions}, translatable("what the supports do to the structure")},
         {"N", {Show::N}, translatable("axial force diagram")},
@@ -30,10 +30,11 @@ const std::array<ShowWord, 19>& words()
         {"steps", {Show::StepValues}, translatable("numbers at every tenth of a diagram")},
         {"nodes", {Show::NodeNames}, translatable("names of the nodes")},
         {"members", {Show::MemberNames}, translatable("names of the members")},
-        {"dimensions", {Show::Dimensions}, translatable("dimension lines")},
+        {"dimensions", {Show::Dimensions}, translatable("chains of dimension lines around the structure")},
+        {"drawn", {Show::DrawnDimensions}, translatable("dimension lines that were drawn by hand")},
         {"axes", {Show::LocalAxes}, translatable("the members' own axes")},
         {"legend", {Show::Legend}, translatable("title, case, scales, signs")},
-        {"labels", labels, translatable("values, nodes, members and legend together")},
+        {"labels", labels, translatable("values, nodes, members, drawn and legend together")},
     }};
     return list;
 }

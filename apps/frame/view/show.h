@@ -26,7 +26,8 @@ enum class Show : std::uint8_t {
     StepValues, ///< numbers along diagrams at equal steps (ViewOptions::steps)
     NodeNames,
     MemberNames,
-    Dimensions,
+    Dimensions,      ///< of the whole structure, in chains around it
+    DrawnDimensions, ///< lines that were drawn by hand
     LocalAxes,
     Legend, ///< title, case, scales, signs, degree of indeterminacy
 };
@@ -66,8 +67,8 @@ private:
     std::uint32_t bits_ = 0;
 };
 
-/// What `--show labels` means: numbers, names of nodes and members, and the legend.
-inline constexpr ShowSet labels{Show::Values, Show::NodeNames, Show::MemberNames, Show::Legend};
+/// What `--show labels` means: numbers, names of nodes and members, drawn dimension lines, and the legend.
+inline constexpr ShowSet labels{Show::Values, Show::NodeNames, Show::MemberNames, Show::DrawnDimensions, Show::Legend};
 /// What is shown when nothing is asked for: `loads,reactions,labels`.
 inline constexpr ShowSet shown_by_default = ShowSet{Show::Loads, Show::Reactions} | labels;
 

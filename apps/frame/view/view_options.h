@@ -1,6 +1,8 @@
 #pragma once
 
+#include "apps/frame/document/companion/dimension.h"
 #include "apps/frame/document/moment_side.h"
+#include "apps/frame/document/part.h"
 #include "apps/frame/view/geometry/projection.h"
 #include "apps/frame/view/show.h"
 #include "femoop/analysis/mechanism.h"
@@ -32,6 +34,7 @@ enum class Layout : std::uint8_t {
 struct Highlight {
     std::vector<femoop::NodeId> nodes;
     std::vector<femoop::MemberId> members;
+    std::vector<DimensionPlace> dimensions{};
 };
 
 /// One of the motions of a structure that cannot be solved.
@@ -62,6 +65,7 @@ struct ViewOptions {
     /// Moments that are sketched before they are seen; outlives whatever draws it. While moments are not shown a fitted
     /// picture keeps room for it. None when null.
     const Prediction* prediction = nullptr;
+    std::span<const DimensionLine> dimensions; ///< drawn by hand; outlive whatever draws them
     MomentSide moment_side = MomentSide::Tension;
     int steps = 10;                          ///< of every member, for Show::StepValues; > 0
     double diagram_factor = 1.0;             ///< > 0

@@ -51,6 +51,13 @@ std::optional<SupportGrip> support_at(const Projection& projection, ui::Point at
     return SupportGrip{mark->node, direction_of(*hand - *root)};
 }
 
+std::optional<DimensionPlace> dimension_at(ui::Point at, std::span<const DimensionMark> marks)
+{
+    const auto mark = std::ranges::find_if(
+        marks, [&](const DimensionMark& m) { return distance_to(m.start, m.end, at) <= grip_reach; });
+    return mark != marks.end() ? std::optional(mark->dimension) : std::nullopt;
+}
+
 std::optional<LoadGrip> grip_at(const Projection& projection, ui::Point at, std::span<const LoadMark> marks)
 {
     const auto mark = std::ranges::find_if(marks, [&](const LoadMark& m) { return is_under(m, at); });
@@ -87,6 +94,7 @@ Aim aim_at(const Session& session, const Tool& tool, const Projection& projectio
     const bool is_near = under.node || under.is_on_member;
     if (!is_near) {
         aim.support = support_at(projection, pointer.at, grips.supports);
+        aim.dimension = dimension_at(pointer.at, grips.dimensions);
         aim.grip = grip_at(projection, pointer.at, grips.loads);
         aim.cut.reset(); // what is read at a distance is not touched
     }
@@ -97,7 +105,7 @@ Aim aim_at(const Session& session, const Tool& tool, const Projection& projectio
                      .grid = grid_of(projection),
                      .from = tool.from(),
                      .moving = tool.moving(),
-                     .is_off = pointer.is_exact});
+                     .is_off = pointer.is_exact || !tool.snaps()});
     return aim;
 }
 

@@ -9,6 +9,7 @@
 
 #include "apps/frame/session/property_commands.h"
 #include "apps/frame/session/tabs.h"
+#include "apps/frame/session/work.h"
 #include "apps/frame/window/banner.h"
 #include "apps/frame/window/document_tabs.h"
 #include "apps/frame/window/export.h"
@@ -162,7 +163,7 @@ bool Application::take_typing(ui::Key key)
     if (desk_.hand.typed().empty()) return false;
     if (key == ui::Key::Backspace) desk_.hand.rub_out();
     if (key == ui::Key::Enter) {
-        if (const auto change = desk_.hand.enter()) desk_.session.change(*change);
+        if (const auto change = desk_.hand.enter(work_of(desk_.session))) desk_.session.change(*change);
     }
     return key == ui::Key::Backspace || key == ui::Key::Enter;
 }

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "apps/frame/session/snapping.h"
+#include "apps/frame/session/work.h"
 #include "apps/frame/view/frame_view.h"
 #include "apps/frame/view/reading.h"
 #include "apps/frame/window/hand_picture.h"
@@ -21,6 +22,7 @@ constexpr double zoom_per_turn = 1.15;
 ViewOptions looked_at(const Session& session)
 {
     ViewOptions options = session.view;
+    options.dimensions = session.document().companion.dimensions;
     if (session.hidden || !session.prediction.is_empty()) options.prediction = &session.prediction;
     if (options.is_envelope) options.show = options.show - ShowSet{Show::Loads, Show::Deformed};
     return options;
@@ -189,6 +191,7 @@ void Canvas::follow(Desk& desk, const Pointer& pointer)
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && under.is_nothing() && !desk.hand.can_type()) fit(session);
     if (under.node) session.view.hover.nodes.push_back(*under.node);
     if (aim.points_at_support()) session.view.hover.nodes.push_back(aim.support->node);
+    if (aim.part() && aim.dimension) session.view.hover.dimensions.push_back(*aim.dimension);
     if (aim.cut) session.view.hover.members.push_back(aim.cut->member);
     session.hover = under.cut;
     hover_panel_ = corner_of_panel(pointer.at);
@@ -211,12 +214,6 @@ namespace {
 void carry_out(Session& session, const std::optional<Change>& change)
 {
     if (change) session.change(*change);
-}
-
-Work work_of(Session& session)
-{
-    Prediction* const sketched = session.hidden && session.solution().results ? &session.prediction : nullptr;
-    return {session.history().settled(), session.selection, sketched};
 }
 
 } // namespace
@@ -298,6 +295,7 @@ Highlight highlight(const Selection& selection)
     for (const Part& part : selection.parts()) {
         if (const auto* const node = std::get_if<femoop::NodeId>(&part)) chosen.nodes.push_back(*node);
         if (const auto* const member = std::get_if<femoop::MemberId>(&part)) chosen.members.push_back(*member);
+        if (const auto* const line = std::get_if<DimensionPlace>(&part)) chosen.dimensions.push_back(*line);
     }
     return chosen;
 }

@@ -147,7 +147,7 @@ std::string selection_text(const Session& session)
     const ui::Catalogue english;
     std::string text;
     for (const Part& part : session.selection.parts())
-        text += (text.empty() ? "" : ", ") + english(title(session.model(), part));
+        text += (text.empty() ? "" : ", ") + english(title(session.document(), part));
     return text.empty() ? "nothing" : text;
 }
 
@@ -177,6 +177,8 @@ struct Fact {
 constexpr std::array facts{
     Fact{"nodes", [](const Application& a) { return std::to_string(a.session().model().nodes.size()); }},
     Fact{"members", [](const Application& a) { return std::to_string(a.session().model().members.size()); }},
+    Fact{"dimensions",
+         [](const Application& a) { return std::to_string(a.session().document().companion.dimensions.size()); }},
     Fact{"loads", [](const Application& a) { return std::to_string(n_loads(a.session().model())); }},
     Fact{"undo", [](const Application& a) { return sentence_or_nothing(a.session().history().undo_label()); }},
     Fact{"redo", [](const Application& a) { return sentence_or_nothing(a.session().history().redo_label()); }},

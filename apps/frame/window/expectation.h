@@ -14,7 +14,7 @@ namespace frame {
 ///
 ///     value member AB M at 50% is -12.5 kN·m   as the reading of the section shows it
 ///     node B at (2, 4)                         in the unit of the file
-///     nodes 4     members 3     loads 5        how many
+///     nodes 4     members 3     loads 5     dimensions 2     how many
 ///     drawn "58.52"     not drawn "58.52"      a string of the picture
 ///     written all.csv "Node;x"                 a file that was written, with this in it
 ///     undo Move: Node C     redo nothing       the step that would be taken back or done again

@@ -58,8 +58,10 @@ private:
     ui::PdfLook pdf_look() const { return {.background = ui::rgb(0xFFFFFF), .title = session_.model().title}; }
     Report report() const
     {
+        ViewOptions view = session_.view;
+        view.dimensions = session_.document().companion.dimensions;
         const auto about = session_.hidden ? ReportAbout::Data : ReportAbout::Everything;
-        return make_report(session_.model(), session_.solution(), {.view = session_.view, .about = about}, fonts_);
+        return make_report(session_.model(), session_.solution(), {.view = std::move(view), .about = about}, fonts_);
     }
 
     std::optional<ui::Phrase> results() const

@@ -96,6 +96,18 @@ public:
         painter_.polyline(corners, stroke, ui::PathEnds::Closed);
     }
 
+    /// A dimension line that is being drawn, each length beside it.
+    void dimension(const DimensionLayout& layout)
+    {
+        const ui::Stroke stroke{.color = theme_.stroke(Role::Selection).color, .width = 1.5};
+        for (const DimensionLayout::Mark& mark : layout.marks) painter_.line(at(mark.node), at(mark.foot), stroke);
+        painter_.line(at(layout.marks.front().foot), at(layout.marks.back().foot), stroke);
+        for (std::size_t i = 1; i < layout.marks.size(); ++i) {
+            const DimensionLayout::Mark &a = layout.marks[i - 1], &b = layout.marks[i];
+            note(at(0.5 * (a.foot + b.foot)), units_.text(b.level - a.level, ui::Measure::Length));
+        }
+    }
+
     /// The path of a pencil.
     void stroke(std::span<const Vector2d> path)
     {
@@ -144,8 +156,10 @@ void draw_hand(ui::Painter& painter, const Session& session, const Hand& hand, c
     for (const auto& [start, end] : preview.lines) picture.line(start, end);
     for (const auto& [start, end] : preview.carried) picture.carried(start, end);
     picture.stroke(preview.stroke);
+    const auto dimension = preview.dimension ? layout_of(session.model(), *preview.dimension) : std::nullopt;
+    if (dimension) picture.dimension(*dimension);
     if (preview.window) picture.window(preview.window->first, preview.window->second);
-    const bool is_placing = hand.can_type() || !hand.tool().moving().empty();
+    const bool is_placing = (hand.can_type() && hand.tool().snaps()) || !hand.tool().moving().empty();
     if (is_placing) picture.glyph(hand.aim().snap);
     if (!hand.typed().empty()) picture.note(picture.at(hand.aim().snap.place) + Point{0.0, 40.0}, hand.typed() + "▏");
 }

@@ -61,7 +61,7 @@ void show_one(Desk& desk, ui::NumberFields& fields, PropertySets& sets, const Pa
 {
     Session& session = desk.session;
     const ui::Catalogue& tr = session.view.tr;
-    ImGui::TextUnformatted(tr(title(session.model(), part)).c_str());
+    ImGui::TextUnformatted(tr(title(session.document(), part)).c_str());
     ImGui::Separator();
     sets.show(desk, part);
     if (session.selection.only() != part) return; // the panel shows what it was before

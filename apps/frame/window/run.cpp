@@ -157,7 +157,7 @@ int run(const Options& options)
     Session session = begin(options);
     if (options.is_headless() && session.notice) {
         print(*session.notice, session.view.tr);
-        return BadInput;
+        if (!session.path()) return BadInput; // else it is about what stands beside the model
     }
     if (!choose_case(session, options)) return BadInput;
     if (options.describe) {

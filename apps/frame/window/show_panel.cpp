@@ -125,7 +125,9 @@ void show_panel(Desk& desk, const CommandTable& commands)
     if (kind == femoop::AnalysisKind::Grillage || kind == femoop::AnalysisKind::Frame3d) toggle(desk, commands, T);
     show_toggles(desk, commands, {Deformed, Reactions});
     heading(tr("Picture"));
-    show_toggles(desk, commands, {Loads, Values, NodeNames, MemberNames, Dimensions, LocalAxes, Legend});
+    show_toggles(desk, commands, {Loads, Values, NodeNames, MemberNames, Dimensions});
+    if (!session.document().companion.dimensions.empty()) toggle(desk, commands, DrawnDimensions);
+    show_toggles(desk, commands, {LocalAxes, Legend});
     heading(tr("Scales"));
     const ui::NumberFormat format{.digits = 2, .mark = session.view.numbers.mark};
     factor_slider(tr("Diagrams"), "###diagrams", session.view.diagram_factor, format);

@@ -107,6 +107,7 @@ std::string_view hint(ToolKind tool)
     case ToolKind::Support: return translatable("Click nodes.");
     case ToolKind::Load: return translatable("Click members or nodes.");
     case ToolKind::Hinge: return translatable("Click nodes or the ends of members.");
+    case ToolKind::Dimension: return translatable("Click two nodes, then a place; more nodes go on.");
     case ToolKind::Predict: return translatable("Draw the moments beside the members; H reveals.");
     case ToolKind::Paste: return translatable("Click where it goes, or type the place: 6,4  @3,2");
     case ToolKind::Delete: break;

@@ -49,6 +49,14 @@ public:
         line(16, 12, 22, 12, 2.4, ink_);
         painter_.circle(at(12, 12), 4.0 * unit_, stroke(1.8, ink_));
     }
+    void dimension()
+    {
+        for (const double x : {4.0, 20.0}) {
+            line(x, 4, x, 20, 1.4, ink_);
+            line(x - 2.5, 14.5, x + 2.5, 9.5, 2.0, ink_);
+        }
+        line(2, 12, 22, 12, 1.4, ink_);
+    }
     void erase()
     {
         line(5, 5, 19, 19, 2.6, load_);
@@ -96,6 +104,7 @@ void draw_tool_icon(ui::Painter& painter, ToolKind tool, const ui::Theme& theme)
     case ToolKind::Support: icon.support(); break;
     case ToolKind::Load: icon.load(); break;
     case ToolKind::Hinge: icon.hinge(); break;
+    case ToolKind::Dimension: icon.dimension(); break;
     case ToolKind::Delete: icon.erase(); break;
     case ToolKind::Predict: icon.predict(); break;
     case ToolKind::Paste: break; // taken up by no button

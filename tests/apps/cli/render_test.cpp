@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "tests/apps/cli/run_cremona.h"
@@ -36,6 +37,29 @@ TEST_CASE("SVG and PDF begin as their kinds do, and the SVG has the title, the l
     CHECK(has(folder.read("a.svg"), "<svg"));
     CHECK(folder.read("a.pdf").starts_with("%PDF-"));
     for (const char* text : {"Cantilever", "12 kN", "48 kN"}) CHECK_MESSAGE(has(folder.read("a.svg"), text), text);
+}
+
+TEST_CASE("What a view file keeps beside its model is drawn; what is wrong with it is told, and the rest is drawn")
+{
+    const Folder folder;
+    const std::string model = "examples/portal.json", copy = folder.path("portal.json"), svg = folder.path("a.svg");
+    std::filesystem::copy_file(model, copy);
+    const auto drawn_beside = [&](const std::string& line) {
+        std::ofstream(folder.path("portal.view.json"))
+            << R"({"cremona_view": 1, "dimensions": [)" << line
+            << R"({"nodes": ["A", "C"], "direction": "aligned", "offset": 1}]})";
+        return cremona({"render", copy, "-o", svg});
+    };
+    const Run sound = drawn_beside("");
+    CHECK(sound.status == 0);
+    CHECK(sound.err == "");
+    CHECK(has(folder.read("a.svg"), "9.179 m")); // the root of 8^2 + 4.5^2
+    const Run dangling = drawn_beside(R"({"nodes": ["A", "Z"], "direction": "aligned", "offset": 1}, )");
+    CHECK(dangling.status == 0);
+    CHECK(has(dangling.err, "portal.view.json: error: dimensions[0].nodes[1]: no node \"Z\""));
+    CHECK(has(folder.read("a.svg"), "9.179 m"));
+    CHECK(cremona({"render", copy, "-o", svg, "--show", "loads"}).status == 0);
+    CHECK_FALSE(has(folder.read("a.svg"), "9.179 m"));
 }
 
 TEST_CASE("A PNG has the pixels of --size times --scale")

@@ -8,6 +8,7 @@
 #include "apps/frame/document/selection.h"
 #include "apps/frame/document/solution.h"
 #include "apps/frame/session/tabs.h"
+#include "apps/frame/session/work.h"
 #include "femoop/io/model_file.h"
 #include "femoop/model/check/check.h"
 
@@ -125,7 +126,7 @@ TEST_SUITE("frame document: clipboard")
         CHECK(!run(desk, "edit.paste"));
         REQUIRE(desk.hand.kind() == ToolKind::Paste);
         desk.hand.type("0,4.5");
-        desk.session.change(*desk.hand.enter());
+        desk.session.change(*desk.hand.enter(work_of(desk.session)));
         CHECK(desk.hand.kind() == ToolKind::Select);
         CHECK(desk.session.model().members.size() == 3);
         CHECK(desk.session.model().nodes.size() == 4); // joined

@@ -9,10 +9,12 @@
 
 #include "apps/frame/document/drawing.h"
 #include "apps/frame/document/number.h"
+#include "apps/frame/tools/dimension_tool.h"
 #include "apps/frame/tools/hand.h"
 #include "apps/frame/tools/member_tool.h"
 #include "apps/frame/tools/node_tool.h"
 #include "apps/frame/tools/part_tools.h"
+#include "apps/frame/tools/select_tool.h"
 #include "apps/frame/tools/typed_place.h"
 #include "ui/history/history.h"
 
@@ -201,17 +203,93 @@ TEST_SUITE("frame tools")
         Bench bench;
         for (const char* place : {"0,0", "4<90", "@6,0"}) {
             CHECK(hand.type(place));
-            bench.carry_out(hand.enter());
+            bench.carry_out(hand.enter(bench.work()));
             CHECK(hand.typed().empty());
         }
         REQUIRE(bench.model().members.size() == 2);
         CHECK(bench.model().nodes[2].at[0] == 6.0);
         CHECK(bench.model().nodes[2].at[1] == 4.0);
         hand.type("4<");
-        CHECK(!hand.enter());
+        CHECK(!hand.enter(bench.work()));
         CHECK(hand.typed() == "4<");
         hand.rub_out();
         CHECK(hand.typed() == "4");
+    }
+
+    TEST_CASE("A dimension line is drawn from node to node, then to where it runs; more nodes go on along it")
+    {
+        Bench bench(frame::starting_document());
+        frame::DimensionTool tool;
+        const auto on = [](std::size_t i) {
+            frame::Aim aim = at(0, 0);
+            aim.node = femoop::NodeId(i);
+            return aim;
+        };
+        bench.click(tool, on(0));
+        bench.click(tool, on(2)); // (0, 0) and (6, 4)
+        bench.move(tool, at(3, -1.01));
+        REQUIRE(tool.preview().dimension);
+        CHECK(tool.preview().dimension->direction == frame::DimensionDirection::Horizontal);
+        bench.click(tool, at(3, -1.01));
+        const auto& lines = bench.history.current().companion.dimensions;
+        REQUIRE(lines.size() == 1);
+        CHECK(lines[0].nodes == std::vector<std::string>{"A", "C"});
+        CHECK(lines[0].offset == doctest::Approx(-1.0)); // a round one
+        bench.click(tool, on(3));
+        CHECK(bench.history.current().companion.dimensions[0].nodes.size() == 3);
+        CHECK(bench.history.n_states() == 3);
+        bench.click(tool, on(3)); // the node that it has: the line ends
+        CHECK(tool.preview().lines.empty());
+        bench.click(tool, on(1));
+        bench.click(tool, on(3));
+        frame::Aim exact = at(-0.513, 2);
+        exact.is_exact = true;
+        bench.click(tool, exact);
+        CHECK(bench.history.current().companion.dimensions.size() == 2);
+    }
+
+    TEST_CASE("After an undo the next node begins another dimension line")
+    {
+        Bench bench(frame::starting_document());
+        frame::Hand hand;
+        hand.take(frame::ToolKind::Dimension);
+        for (const char* place : {"0,0", "6,0", "3,-0.8"}) {
+            hand.type(place);
+            bench.carry_out(hand.enter(bench.work()));
+        }
+        REQUIRE(bench.history.current().companion.dimensions.size() == 1);
+        CHECK(bench.history.current().companion.dimensions[0].offset == doctest::Approx(-0.8));
+        bench.history.undo();
+        hand.type("0,4");
+        bench.carry_out(hand.enter(bench.work()));
+        CHECK(bench.history.current().companion.is_empty());
+        hand.type("6,4");
+        hand.enter(bench.work());
+        hand.tool().move(bench.work(), at(2, 5));
+        hand.point_at(at(2, 5));
+        hand.type("0.75"); // so far off, on the side of the pointer
+        bench.carry_out(hand.enter(bench.work()));
+        REQUIRE(bench.history.current().companion.dimensions.size() == 1);
+        CHECK(bench.history.current().companion.dimensions[0].nodes == std::vector<std::string>{"B", "C"});
+        CHECK(bench.history.current().companion.dimensions[0].offset == doctest::Approx(0.75));
+    }
+
+    TEST_CASE("A dimension line is dragged to another distance, and deleted by a click")
+    {
+        frame::Document document = frame::starting_document();
+        document.companion.dimensions.push_back(
+            {.nodes = {"A", "D"}, .direction = frame::DimensionDirection::Horizontal, .offset = -1.0});
+        Bench bench(document);
+        frame::SelectTool select;
+        frame::Aim line = at(2, -1);
+        line.dimension = frame::DimensionPlace{0};
+        bench.drag(select, line, at(2.5, -1.7));
+        CHECK(bench.history.current().companion.dimensions[0].offset == doctest::Approx(-1.7));
+        CHECK(bench.selection.contains(frame::DimensionPlace{0}));
+        CHECK(bench.history.n_states() == 2);
+        frame::DeleteTool erase;
+        bench.click(erase, line);
+        CHECK(bench.history.current().companion.is_empty());
     }
 
     TEST_CASE("A node clicked on a member cuts it")
@@ -384,9 +462,9 @@ TEST_SUITE("frame tools")
         frame::Document document = frame::starting_document();
         frame::Selection selection = frame::Part(femoop::NodeId(3));
         selection.add(femoop::MemberId(2));
-        const femoop::Model before = document.model;
+        const frame::Document before = document;
         frame::remove(document, std::array{frame::Part(femoop::NodeId(0))});
-        selection.follow(before, document.model);
+        selection.follow(before, document);
         CHECK(selection.parts()[0] == frame::Part(femoop::NodeId(2)));
         CHECK(selection.parts()[1] == frame::Part(femoop::MemberId(1)));
     }

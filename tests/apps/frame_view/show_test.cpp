@@ -20,9 +20,10 @@ TEST_CASE("A list of words shows each of them, in either case and with blanks ar
     CHECK(parse_show("") == ShowSet{});
 }
 
-TEST_CASE("labels stands for values, names and the legend")
+TEST_CASE("labels stands for values, names, drawn dimension lines and the legend")
 {
-    CHECK(parse_show("labels") == ShowSet{Show::Values, Show::NodeNames, Show::MemberNames, Show::Legend});
+    CHECK(parse_show("labels") ==
+          ShowSet{Show::Values, Show::NodeNames, Show::MemberNames, Show::DrawnDimensions, Show::Legend});
     CHECK(parse_show("loads,reactions,labels") == shown_by_default);
 }
 

@@ -13,6 +13,7 @@
 #include "apps/frame/view/results/reactions.h"
 #include "apps/frame/view/sheet/legend.h"
 #include "apps/frame/view/structure/dimensions.h"
+#include "apps/frame/view/structure/drawn_dimensions.h"
 #include "apps/frame/view/structure/members.h"
 #include "apps/frame/view/structure/supports.h"
 
@@ -160,6 +161,7 @@ private:
     {
         if (scene_.shows(Show::LocalAxes)) draw_local_axes(scene_);
         draw_names(scene_);
+        if (scene_.shows(Show::DrawnDimensions)) draw_drawn_dimensions(scene_);
         if (scene_.shows(Show::Dimensions)) draw_dimensions(scene_);
         if (heads_.empty() || scene_.shows(Show::Loads) || scene_.shows(Show::Reactions))
             heads_.insert(heads_.begin(), structure_head(scene_));
@@ -272,6 +274,8 @@ Subject::Plan Subject::plan(ui::Size sheet, const ui::Fonts& fonts) const
 std::vector<Eigen::Vector3d> Subject::fitted_points() const
 {
     std::vector<Eigen::Vector3d> points = shape_.nodes;
+    const std::vector<Eigen::Vector3d> ends = ends_of_dimensions(model_, options_);
+    points.insert(points.end(), ends.begin(), ends.end());
     if (!options_.show.contains(Show::Dimensions) || !is_seen_in_space(model_.analysis)) return points;
     const std::vector<Eigen::Vector3d> corners = dimensioned_corners(shape_);
     points.insert(points.end(), corners.begin(), corners.end());
@@ -400,6 +404,7 @@ void append(Grips& grips, const Grips& more)
 {
     grips.loads.insert(grips.loads.end(), more.loads.begin(), more.loads.end());
     grips.supports.insert(grips.supports.end(), more.supports.begin(), more.supports.end());
+    grips.dimensions.insert(grips.dimensions.end(), more.dimensions.begin(), more.dimensions.end());
 }
 
 bool holds(const ui::Box& panel, const std::optional<ui::Box>& bounds) { return !bounds || panel.contains(*bounds); }

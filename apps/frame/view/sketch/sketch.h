@@ -58,10 +58,17 @@ struct SupportMark {
     double radius = 0.0;    ///< about the middle
 };
 
+/// Where a dimension line stands, so that a hand can move it.
+struct DimensionMark {
+    DimensionPlace dimension;
+    ui::Point start, end;
+};
+
 /// What of a picture a hand can take hold of.
 struct Grips {
     std::vector<LoadMark> loads{};
     std::vector<SupportMark> supports{};
+    std::vector<DimensionMark> dimensions{};
 };
 
 /// Draws the marks of a structure and remembers where they are: labels keep clear of them, and the sheet learns how
@@ -100,6 +107,7 @@ public:
 
     void mark(LoadMark mark) { grips_.loads.push_back(std::move(mark)); }
     void mark(const SupportMark& mark) { grips_.supports.push_back(mark); }
+    void mark(const DimensionMark& mark) { grips_.dimensions.push_back(mark); }
     const Grips& grips() const { return grips_; }
 
     /// Finds places for all signs and captions and writes them. Call once, at the end.

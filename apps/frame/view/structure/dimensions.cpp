@@ -1,5 +1,7 @@
 #include "apps/frame/view/structure/dimensions.h"
 
+#include "apps/frame/view/structure/dimension_symbol.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -28,19 +30,6 @@ struct Chain {
     ui::Point outward;
 };
 
-void draw_tick(Sketch& sketch, ui::Point at, ui::Point along)
-{
-    const ui::Point n = ui::left_normal(along);
-    const double half = sketch.px(4.0);
-    const ui::Stroke stroke = sketch.stroke(ui::Role::Dimension);
-    sketch.line(at - 1.5 * half * n, at + 1.5 * half * n, stroke);
-    sketch.line(at - half * (n + along), at + half * (n + along), stroke);
-}
-
-constexpr double reach = 30.0; // [px] of a length from its line: farther off it would seem to belong to something else
-
-std::string length_text(const Scene& scene, double length) { return scene.text(length, ui::Measure::Length); }
-
 /// Of the longest of a chain's texts [px].
 double text_width(const Scene& scene, const std::vector<double>& levels)
 {
@@ -56,24 +45,11 @@ double text_width(const Scene& scene, const std::vector<double>& levels)
 
 void draw_chain(const Scene& scene, const Chain& chain)
 {
-    Sketch& sketch = scene.sketch;
-    for (std::size_t i = 0; i + 1 < chain.levels.size(); ++i) {
-        const ui::Point a = chain.at(chain.levels[i]);
-        const ui::Point b = chain.at(chain.levels[i + 1]);
-        const ui::Point along = ui::direction(b - a);
-        sketch.line(a, b, sketch.stroke(ui::Role::Dimension));
-        draw_tick(sketch, a, along);
-        draw_tick(sketch, b, along);
-        sketch.caption({.text = length_text(scene, chain.levels[i + 1] - chain.levels[i]),
-                        .role = ui::Role::Dimension,
-                        .target = 0.5 * (a + b),
-                        .toward = chain.outward,
-                        .gap = 3.0,
-                        .rank = Rank::Load,
-                        .size = sketch.theme().type().small,
-                        .reach = reach,
-                        .along = along});
-    }
+    for (std::size_t i = 0; i + 1 < chain.levels.size(); ++i)
+        draw(scene, {.start = chain.at(chain.levels[i]),
+                     .end = chain.at(chain.levels[i + 1]),
+                     .outward = chain.outward,
+                     .length = chain.levels[i + 1] - chain.levels[i]});
 }
 
 void draw_with_total(const Scene& scene, const Chain& chain, double step)

@@ -103,10 +103,7 @@ void draw_member(const Scene& scene, femoop::MemberId id, Presence presence)
 void draw_highlight(const Scene& scene, const Highlight& highlight, ui::Role role)
 {
     const ui::LayerScope layer(scene.sketch.painter(), ui::Layer::Areas);
-    ui::Stroke stroke = scene.sketch.stroke(role);
-    stroke.width *= 2.2;
-    stroke.dash = {};
-    stroke.color = ui::with_opacity(stroke.color, 0.35);
+    const ui::Stroke stroke = highlight_stroke(scene, role);
     for (const femoop::MemberId id : highlight.members) {
         if (id.index >= scene.shape.members.size()) continue;
         const MemberShape& shape = scene.shape[id];
@@ -127,6 +124,15 @@ bool is_bar(const femoop::Model& model, femoop::MemberId member)
 void draw_members(const Scene& scene, Presence presence)
 {
     for (const femoop::MemberId id : from_back_to_front(scene)) draw_member(scene, id, presence);
+}
+
+ui::Stroke highlight_stroke(const Scene& scene, ui::Role role)
+{
+    ui::Stroke stroke = scene.sketch.stroke(role);
+    stroke.width *= 2.2;
+    stroke.dash = {};
+    stroke.color = ui::with_opacity(stroke.color, 0.35);
+    return stroke;
 }
 
 void draw_highlights(const Scene& scene)

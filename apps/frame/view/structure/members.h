@@ -12,6 +12,7 @@ enum class Presence : std::uint8_t { Subject, Behind };
 void draw_members(const Scene& scene, Presence presence);
 /// Broad lines below what is hovered or selected.
 void draw_highlights(const Scene& scene);
+ui::Stroke highlight_stroke(const Scene& scene, ui::Role role);
 /// Joints, hinges, releases and semi-rigid ends.
 void draw_joints(const Scene& scene);
 /// Names of nodes and members, as far as they are to be shown.

@@ -1,0 +1,64 @@
+#include "apps/frame/document/companion/companion.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "femoop/edit/member_line.h"
+#include "femoop/model/member_ends.h"
+
+namespace frame {
+
+using namespace femoop;
+
+namespace {
+
+class NodeFollower {
+public:
+    NodeFollower(const Model& before, const Model& after) : before_(before), after_(after) {}
+
+    /// The name that the node has now.
+    std::optional<std::string> operator()(const std::string& name) const
+    {
+        if (after_.find_node(name)) return name;
+        const auto was = before_.find_node(name);
+        if (!was) return std::nullopt;
+        if (const auto renamed = renamed_at(*was)) return renamed;
+        return at_place_of(*was);
+    }
+
+private:
+    std::optional<std::string> renamed_at(NodeId was) const
+    {
+        if (before_.nodes.size() != after_.nodes.size() || before_.find_node(after_[was].id)) return std::nullopt;
+        return after_[was].id;
+    }
+    std::optional<std::string> at_place_of(NodeId was) const
+    {
+        const Eigen::Vector3d place = position_of(before_, was);
+        const double near = nearness_of(before_);
+        for (std::size_t i = 0; i < after_.nodes.size(); ++i)
+            if ((position_of(after_, NodeId(i)) - place).norm() <= near) return after_.nodes[i].id;
+        return std::nullopt;
+    }
+
+    const Model& before_;
+    const Model& after_;
+};
+
+} // namespace
+
+void follow(Companion& companion, const Model& before, const Model& after)
+{
+    const NodeFollower follower(before, after);
+    for (DimensionLine& dimension : companion.dimensions) {
+        std::vector<std::string> found;
+        for (const std::string& name : dimension.nodes) {
+            const auto now = follower(name);
+            if (now && std::ranges::find(found, *now) == found.end()) found.push_back(*now);
+        }
+        dimension.nodes = std::move(found);
+    }
+    std::erase_if(companion.dimensions, [](const DimensionLine& dimension) { return dimension.nodes.size() < 2; });
+}
+
+} // namespace frame

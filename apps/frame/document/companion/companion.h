@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "apps/frame/document/companion/dimension.h"
+
+namespace frame {
+
+/// What a document holds beside its model: nothing that a solution depends on. A plain value, saved in a file of its
+/// own (companion_file.h), since the model file is for every program that solves.
+struct Companion {
+    std::vector<DimensionLine> dimensions;
+
+    bool is_empty() const { return *this == Companion{}; }
+    friend bool operator==(const Companion&, const Companion&) = default;
+};
+
+/// Goes on from one state of a model to the next. A node that has another name at its old place in the list was
+/// renamed; one that is gone is the one that now lies where it lay, as after a merge; where there is none it is taken
+/// out, and with it a dimension line that has less than two left.
+void follow(Companion& companion, const femoop::Model& before, const femoop::Model& after);
+
+} // namespace frame

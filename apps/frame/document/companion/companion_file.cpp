@@ -1,0 +1,165 @@
+#include "apps/frame/document/companion/companion_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include "femoop/io/json/json_document.h"
+#include "femoop/io/json/json_writer.h"
+#include "femoop/io/reader/value_reader.h"
+#include "femoop/io/whole_file.h"
+#include "femoop/model/check/suggestion.h"
+
+namespace frame {
+
+using namespace femoop;
+using namespace std::string_view_literals;
+
+namespace {
+
+constexpr double format = 1.0;
+constexpr std::string_view ending = ".view.json";
+constexpr Keys<2> file_keys{{"cremona_view", "dimensions"}, 1};
+constexpr Keys<3> dimension_keys{{"nodes", "direction", "offset"}, 3};
+constexpr std::array directions{"aligned"sv, "horizontal"sv, "vertical"sv}; // as DimensionDirection has them
+
+class CompanionReader {
+public:
+    CompanionReader(const JsonReading& json, const Model& model) : model_(model)
+    {
+        for (const Fault& fault : json.faults) reader_.add(fault);
+        if (json.document) read(json.document->root());
+    }
+
+    CompanionReading take() { return {std::move(companion_), reader_.take_faults()}; }
+
+private:
+    void read(JsonValue file)
+    {
+        const Place top;
+        const auto [version, dimensions] = reader_.fields(file, file_keys, top);
+        const auto found = reader_.number(version, top);
+        if (found && *found != format)
+            reader_.add({FaultKind::UnknownChoice, {top.text("cremona_view"), compact_json(version), "1"}});
+        if (!reader_.is_list(dimensions, top)) return;
+        const Place list = top.key("dimensions");
+        for (std::size_t i = 0; const JsonValue entry : dimensions) add_dimension(entry, list.entry(i++));
+    }
+
+    // One with a fault is left out.
+    void add_dimension(JsonValue value, const Place& place)
+    {
+        const std::size_t before = reader_.n_troubles();
+        const auto [nodes, direction, offset] = reader_.fields(value, dimension_keys, place);
+        DimensionLine dimension;
+        read_nodes(nodes, place, dimension.nodes);
+        if (const auto chosen = reader_.choice(direction, directions, place))
+            dimension.direction = static_cast<DimensionDirection>(*chosen);
+        dimension.offset = reader_.number(offset, place).value_or(0.0);
+        if (value.is(JsonKind::Object) && reader_.n_troubles() == before)
+            companion_.dimensions.push_back(std::move(dimension));
+    }
+
+    void read_nodes(JsonValue list, const Place& place, std::vector<std::string>& names)
+    {
+        if (!reader_.is_list(list, place)) return;
+        if (list.size() < 2)
+            reader_.add({FaultKind::WrongNodeCount, {place.text("nodes"), std::to_string(list.size())}});
+        const Place here = place.key("nodes");
+        for (std::size_t i = 0; const JsonValue entry : list) {
+            const Place own_place = here.entry(i++);
+            const auto name = reader_.text(entry, own_place);
+            if (!name) continue;
+            if (!model_.find_node(*name)) no_such_node(*name, own_place);
+            if (std::ranges::find(names, *name) != names.end())
+                reader_.add({FaultKind::SameNodeTwice, {own_place.text(), *name}});
+            names.push_back(*name);
+        }
+    }
+
+    void no_such_node(const std::string& name, const Place& place)
+    {
+        std::vector<std::string_view> known;
+        for (const Node& node : model_.nodes) known.push_back(node.id);
+        auto near = nearest(name, known);
+        if (near) reader_.add({FaultKind::NoSuchNodeNear, {place.text(), name, std::move(*near)}});
+        else reader_.add({FaultKind::NoSuchNode, {place.text(), name}});
+    }
+
+    const Model& model_;
+    ValueReader reader_;
+    Companion companion_;
+};
+
+void write(JsonWriter& json, const DimensionLine& dimension)
+{
+    json.begin_object().key("nodes").begin_array();
+    for (const std::string& name : dimension.nodes) json.value(name);
+    json.end();
+    json.member("direction", directions.at(static_cast<std::size_t>(dimension.direction)));
+    json.member("offset", dimension.offset).end();
+}
+
+} // namespace
+
+std::filesystem::path companion_path(std::filesystem::path model_file) { return model_file.replace_extension(ending); }
+
+std::filesystem::path old_companion_path(const std::filesystem::path& model_file)
+{
+    return companion_path(model_file) += ".old";
+}
+
+bool is_companion_path(const std::filesystem::path& path) { return path.filename().string().ends_with(ending); }
+
+CompanionReading read_companion(std::string_view text, const Model& model)
+{
+    return CompanionReader(parse_json(text), model).take();
+}
+
+namespace {
+
+CompanionReading unreadable(const std::filesystem::path& path, int reason)
+{
+    return {{}, {{FaultKind::FileUnreadable, {path.string(), std::generic_category().message(reason)}}}};
+}
+
+} // namespace
+
+CompanionReading read_companion_of(const std::filesystem::path& model_file, const Model& model)
+{
+    const std::filesystem::path path = companion_path(model_file);
+    std::error_code unknown;
+    if (!std::filesystem::exists(path, unknown) && !unknown) return {};
+    if (std::filesystem::is_directory(path, unknown)) return unreadable(path, EISDIR);
+    errno = 0;
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return unreadable(path, errno);
+    return read_companion(std::string{std::istreambuf_iterator<char>(file), {}}, model);
+}
+
+std::string write_companion(const Companion& companion)
+{
+    JsonWriter json;
+    json.begin_object(JsonWriter::Layout::Block).member("cremona_view", 1);
+    if (!companion.dimensions.empty()) {
+        json.key("dimensions").begin_array(JsonWriter::Layout::Block);
+        for (const DimensionLine& dimension : companion.dimensions) write(json, dimension);
+        json.end();
+    }
+    json.end();
+    return json.take();
+}
+
+std::error_code save_companion_of(const std::filesystem::path& model_file, const Companion& companion)
+{
+    const std::filesystem::path path = companion_path(model_file);
+    if (!companion.is_empty()) return write_whole_file(path, write_companion(companion));
+    std::error_code error;
+    std::filesystem::remove(path, error);
+    return error;
+}
+
+} // namespace frame

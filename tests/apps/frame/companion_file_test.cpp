@@ -1,0 +1,193 @@
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <iterator>
+#include <regex>
+
+#include "apps/frame/document/companion/companion_file.h"
+#include "apps/frame/document/dimensioning.h"
+#include "apps/frame/document/document.h"
+#include "apps/frame/session/recovery.h"
+#include "apps/frame/session/session.h"
+#include "femoop/io/model_file.h"
+#include "tests/folder.h"
+
+namespace fs = std::filesystem;
+
+using frame::Companion;
+using frame::CompanionReading;
+using frame::DimensionDirection;
+using frame::Document;
+using frame::read_companion;
+using frame::Session;
+using frame::write_companion;
+
+namespace {
+
+std::string text_of(const fs::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void write(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+
+const Companion example{{{.nodes = {"A", "D"}, .direction = DimensionDirection::Horizontal, .offset = -0.1 - 0.7},
+                         {.nodes = {"B", "C", "D"}, .direction = DimensionDirection::Aligned, .offset = 1.25}}};
+
+/// The fault of a text, in words; "" where it has none.
+std::string fault_of(const std::string& text)
+{
+    const CompanionReading reading = read_companion(text, frame::starting_document().model);
+    return reading.faults.empty() ? "" : femoop::message(reading.faults.front());
+}
+
+/// The portal with a companion, saved.
+fs::path saved_in(const Folder& folder)
+{
+    Session session(frame::starting_document());
+    session.change({"Draw", [](Document& document) { document.companion = example; }});
+    REQUIRE(session.save(folder.path() / "portal.json"));
+    return folder.path() / "portal.json";
+}
+
+} // namespace
+
+TEST_SUITE("frame session")
+{
+    TEST_CASE("A companion written and read back is the same bit for bit")
+    {
+        const CompanionReading reading = read_companion(write_companion(example), frame::starting_document().model);
+        CHECK(reading.faults.empty());
+        CHECK(reading.companion == example);
+        CHECK(read_companion(write_companion({}), {}).companion.is_empty());
+    }
+
+    TEST_CASE("The example of the reference page is read as it is written")
+    {
+        const std::string page = text_of(CREMONA_SOURCE_DIR "/courseware/reference/view-file.md");
+        const std::size_t begin = page.find("```json\n");
+        REQUIRE(begin != std::string::npos);
+        const std::string text = page.substr(begin + 8, page.find("```", begin + 8) - begin - 8);
+        const CompanionReading reading = read_companion(text, frame::starting_document().model);
+        CHECK(reading.faults.empty());
+        CHECK(write_companion(reading.companion) == text);
+    }
+
+    TEST_CASE("What a companion file cannot mean is said with its place")
+    {
+        const auto with = [](const std::string& line) {
+            return fault_of(R"({"cremona_view": 1, "dimensions": [)" + line + "]}");
+        };
+        CHECK(with(R"({"nodes": ["A", "B"], "direction": "vertical", "offset": 1})") == "");
+        CHECK(fault_of("{}") == "file: \"cremona_view\" is missing; add it");
+        CHECK(fault_of(R"({"cremona_view": 2})") == R"(cremona_view: "2" is none of 1; choose one of them)");
+        CHECK(fault_of(R"({"cremona_view": 1, "dimension": []})") ==
+              R"(dimension: unknown key; did you mean "dimensions"?)");
+        CHECK(with(R"({"nodes": ["A", "Z"], "direction": "vertical", "offset": 1})") ==
+              R"(dimensions[0].nodes[1]: no node "Z"; add the node or name another)");
+        CHECK(with(R"({"nodes": ["A", "A"], "direction": "vertical", "offset": 1})") ==
+              R"(dimensions[0].nodes[1]: goes from node "A" to itself; name two different nodes)");
+        CHECK(with(R"({"nodes": ["A"], "direction": "vertical", "offset": 1})") ==
+              "dimensions[0].nodes: found a list of 1, wanted the names of 2 nodes; name the first and the second");
+        CHECK(with(R"({"nodes": ["A", "B"], "direction": "upright", "offset": 1})") ==
+              R"(dimensions[0].direction: "upright" is none of aligned, horizontal, vertical; choose one of them)");
+        CHECK(with(R"({"nodes": ["A", "B"], "direction": "vertical", "offset": "1 m"})") ==
+              R"(dimensions[0].offset: found a text "1 m", wanted a number; write it like 1.5)");
+        CHECK(with("7") == R"(dimensions[0]: found a number, wanted an object; write it like {"...": ...})");
+        CHECK(fault_of("{") != "");
+    }
+
+    TEST_CASE("A document is saved with its companion, and opens with it; without one there is no file")
+    {
+        const Folder folder;
+        const fs::path path = saved_in(folder);
+        Session again{Document{}};
+        REQUIRE(again.open(path));
+        CHECK(!again.notice);
+        CHECK(again.document().companion == example);
+        CHECK(!again.is_dirty());
+        again.change({"Wipe out", [](Document& document) { document.companion = {}; }});
+        CHECK(again.is_dirty());
+        REQUIRE(again.save(path));
+        CHECK(!fs::exists(folder.path() / "portal.view.json"));
+    }
+
+    TEST_CASE("A companion file with a fault leaves the model open, is told, and is kept when another takes its place")
+    {
+        const Folder folder;
+        const fs::path path = saved_in(folder), beside = folder.path() / "portal.view.json";
+        write(beside, R"({"cremona_view": 1, "dimensoins": []})");
+        Session session{Document{}};
+        REQUIRE(session.open(path));
+        REQUIRE(session.notice);
+        CHECK(ui::Catalogue()(session.notice->sentence) == "portal.view.json was not understood in full");
+        CHECK(session.notice->faults.size() == 1);
+        session.change({"Draw", [](Document& document) { document.companion = example; }});
+        REQUIRE(session.save(path));
+        CHECK(session.notice);
+        CHECK(text_of(folder.path() / "portal.view.json.old") == R"({"cremona_view": 1, "dimensoins": []})");
+        CHECK(text_of(beside) == write_companion(example));
+        REQUIRE(session.save(path));
+        CHECK(!session.notice);
+    }
+
+    TEST_CASE("A line to a node that the model does not have is told and left out, the others stay")
+    {
+        const Folder folder;
+        const fs::path path = saved_in(folder);
+        femoop::Model model = femoop::read_model_file(path);
+        model.nodes[0].id = "foot";
+        femoop::write_model_file(model, path);
+        Session session{Document{}};
+        REQUIRE(session.open(path));
+        REQUIRE(session.notice);
+        REQUIRE(session.document().companion.dimensions.size() == 1);
+        CHECK(session.document().companion.dimensions[0] == example.dimensions[1]);
+    }
+
+    TEST_CASE("A companion that cannot be written is told, and the document stays one with changes")
+    {
+        const Folder folder;
+        const fs::path path = saved_in(folder);
+        fs::remove(folder.path() / "portal.view.json");
+        fs::create_directory(folder.path() / "portal.view.json.old");
+        fs::create_directory(folder.path() / "portal.view.json");
+        write(folder.path() / "portal.view.json.old" / "a", "");
+        Session session(frame::starting_document());
+        session.change({"Draw", [](Document& document) { document.companion = example; }});
+        CHECK(!session.save(path));
+        CHECK(session.notice);
+        CHECK(session.is_dirty());
+    }
+
+    TEST_CASE("A draft keeps the companion too, and it goes with the draft")
+    {
+        const Folder folder;
+        Document document = frame::starting_document();
+        document.companion = example;
+        {
+            frame::Recovery recovery(folder.path());
+            REQUIRE(!recovery.keep(document, std::nullopt));
+        }
+        const auto leftovers = frame::Recovery(folder.path()).leftovers();
+        REQUIRE(leftovers.size() == 1);
+        Session session{Document{}};
+        REQUIRE(session.recover(leftovers[0].draft, std::nullopt));
+        CHECK(session.document() == document);
+        frame::Recovery::discard(leftovers[0]);
+        CHECK(fs::is_empty(folder.path()));
+    }
+
+    TEST_CASE("Undo brings a dimension line back with its node, and forgets one that was drawn")
+    {
+        Session session(frame::starting_document());
+        session.change({"Draw", [](Document& document) { document.companion = example; }});
+        session.change({"Rename", [](Document& document) { document.model.nodes[3].id = "foot"; }});
+        CHECK(session.document().companion.dimensions[0].nodes[1] == "foot");
+        session.undo();
+        CHECK(session.document().companion == example);
+        session.undo();
+        CHECK(session.document().companion.is_empty());
+    }
+}
