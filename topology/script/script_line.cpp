@@ -20,7 +20,8 @@ bool begins_name(char c)
 
 bool is_name(std::string_view word)
 {
-    return !word.empty() && begins_name(word.front()) && word.find_first_of(">%#") == std::string_view::npos &&
+    return !word.empty() && begins_name(word.front()) && is_utf8(word) &&
+           word.find_first_of(">%#") == std::string_view::npos &&
            std::none_of(word.begin(), word.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20U; });
 }
 

@@ -1,5 +1,6 @@
 #include "topology/text/line_error.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace topology {
@@ -26,7 +27,9 @@ std::string filled(std::string_view pattern, const std::vector<std::string>& wor
 std::string shown(std::string_view text)
 {
     constexpr std::size_t most = 160;
-    std::string clean(text.substr(0, most));
+    std::size_t end = std::min(most, text.size());
+    while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+    std::string clean(text.substr(0, end)); // no letter is cut in two
     for (char& c : clean)
         if (static_cast<unsigned char>(c) < 0x20U || c == 0x7F) c = '?';
     return text.size() > most ? clean + "..." : clean;

@@ -40,6 +40,44 @@ std::vector<std::string_view> words(std::string_view line)
     }
 }
 
+namespace {
+
+/// How many bytes follow a first one, and the least and the greatest that the next may be; none of a byte that begins
+/// nothing. Overlong forms, surrogates and numbers beyond U+10FFFF are left out so.
+struct Following {
+    std::size_t n = 0;
+    unsigned char least = 0x80, most = 0xBF;
+};
+std::optional<Following> following(unsigned char first)
+{
+    if (first < 0x80U) return Following{};
+    if (first >= 0xC2U && first <= 0xDFU) return Following{.n = 1};
+    if (first == 0xE0U) return Following{.n = 2, .least = 0xA0};
+    if (first == 0xEDU) return Following{.n = 2, .most = 0x9F};
+    if (first >= 0xE1U && first <= 0xEFU) return Following{.n = 2};
+    if (first == 0xF0U) return Following{.n = 3, .least = 0x90};
+    if (first == 0xF4U) return Following{.n = 3, .most = 0x8F};
+    if (first >= 0xF1U && first <= 0xF3U) return Following{.n = 3};
+    return std::nullopt;
+}
+
+} // namespace
+
+bool is_utf8(std::string_view word)
+{
+    while (!word.empty()) {
+        const auto rest = following(static_cast<unsigned char>(word.front()));
+        if (!rest || word.size() <= rest->n) return false;
+        for (std::size_t i = 1; i <= rest->n; ++i) {
+            const auto byte = static_cast<unsigned char>(word[i]);
+            const bool is_second = i == 1;
+            if (byte < (is_second ? rest->least : 0x80U) || byte > (is_second ? rest->most : 0xBFU)) return false;
+        }
+        word.remove_prefix(rest->n + 1);
+    }
+    return true;
+}
+
 std::optional<double> finite_number(std::string_view word)
 {
     const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;

@@ -25,6 +25,9 @@ private:
 /// The words of a line: separated by blanks, up to a word that begins with #.
 std::vector<std::string_view> words(std::string_view line);
 
+/// Is the word well-formed UTF-8, so that it may stand in JSON?
+bool is_utf8(std::string_view word);
+
 /// A number that is the whole word, with a point for the decimals whatever the locale; none if it is not finite.
 std::optional<double> finite_number(std::string_view word);
 
