@@ -1,9 +1,6 @@
 #pragma once
 
-#include <vector>
-
 #include "apps/frame/document/companion/companion.h"
-#include "apps/frame/document/named_sets.h"
 #include "femoop/model/model.h"
 
 namespace frame {
@@ -12,7 +9,6 @@ namespace frame {
 /// value; the commands (command.h) are the only way to change it, and a history keeps its former states.
 struct Document {
     femoop::Model model;
-    std::vector<NamedSet> sets{}; ///< supports and loads under names
     Companion companion{};        ///< saved in a file of its own
 
     friend bool operator==(const Document&, const Document&) = default;

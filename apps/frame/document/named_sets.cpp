@@ -114,15 +114,15 @@ std::optional<NamedSetPlace> set_of(const Document& document, const Part& part)
 {
     const std::optional<SetValue> value = value_of(document.model, part);
     if (!value) return std::nullopt;
-    const auto found = std::ranges::find_if(document.sets,
+    const auto found = std::ranges::find_if(document.companion.sets,
                                             [&](const NamedSet& set) { return are_alike(set.value, *value); });
-    if (found == document.sets.end()) return std::nullopt;
-    return NamedSetPlace{static_cast<std::size_t>(found - document.sets.begin())};
+    if (found == document.companion.sets.end()) return std::nullopt;
+    return NamedSetPlace{static_cast<std::size_t>(found - document.companion.sets.begin())};
 }
 
 std::vector<Part> users(const Document& document, NamedSetPlace set)
 {
-    return having(document.model, document.sets.at(set.set).value);
+    return having(document.model, document.companion.sets.at(set.set).value);
 }
 
 bool suits(const SetValue& value, const Part& part)
@@ -133,13 +133,14 @@ bool suits(const SetValue& value, const Part& part)
 
 NamedSetPlace keep(Document& document, const Part& part, const std::string& name)
 {
-    document.sets.push_back({fresh_name(document.sets, name), value_of(document.model, part).value()});
-    return {document.sets.size() - 1};
+    document.companion.sets.push_back(
+        {fresh_name(document.companion.sets, name), value_of(document.model, part).value()});
+    return {document.companion.sets.size() - 1};
 }
 
 std::vector<Part> give(Document& document, NamedSetPlace set, std::span<const Part> parts, CaseId load_case)
 {
-    const SetValue value = document.sets.at(set.set).value;
+    const SetValue value = document.companion.sets.at(set.set).value;
     for (const Part& part : parts)
         if (!has(document.model, part)) throw std::out_of_range("the document has no such part");
     std::vector<Part> loads;
@@ -165,12 +166,12 @@ std::vector<Part> give(Document& document, NamedSetPlace set, std::span<const Pa
 
 void assign(Document& document, NamedSetPlace set, const Part& part)
 {
-    put(document.model, part, document.sets.at(set.set).value);
+    put(document.model, part, document.companion.sets.at(set.set).value);
 }
 
 void replace(Document& document, NamedSetPlace set, const Part& part)
 {
-    SetValue& value = document.sets.at(set.set).value;
+    SetValue& value = document.companion.sets.at(set.set).value;
     const SetValue wanted = value_of(document.model, part).value();
     if (wanted.index() != value.index()) throw std::out_of_range("the part is of another kind than the set");
     for (const Part& user : having(document.model, value)) put(document.model, user, wanted);
@@ -179,44 +180,44 @@ void replace(Document& document, NamedSetPlace set, const Part& part)
 
 std::optional<ui::Phrase> why_not_rename(const Document& document, NamedSetPlace set, std::string_view name)
 {
-    return objection(document.sets, &NamedSet::name, set.set, name);
+    return objection(document.companion.sets, &NamedSet::name, set.set, name);
 }
 
 void rename(Document& document, NamedSetPlace set, std::string name)
 {
-    document.sets.at(set.set).name = std::move(name);
+    document.companion.sets.at(set.set).name = std::move(name);
 }
 
 void erase(Document& document, NamedSetPlace set)
 {
-    (void)document.sets.at(set.set);
-    document.sets.erase(document.sets.begin() + static_cast<std::ptrdiff_t>(set.set));
+    (void)document.companion.sets.at(set.set);
+    document.companion.sets.erase(document.companion.sets.begin() + static_cast<std::ptrdiff_t>(set.set));
 }
 
 Condensed condense_sets(Document& document)
 {
     Condensed condensed;
     std::vector<NamedSet> kept;
-    for (const NamedSet& set : document.sets) {
+    for (const NamedSet& set : document.companion.sets) {
         const bool is_there = std::ranges::any_of(kept, [&](const auto& k) { return are_alike(k.value, set.value); });
         if (is_there) ++condensed.n_equal;
         else if (having(document.model, set.value).empty()) ++condensed.n_unused;
         else kept.push_back(set);
     }
-    document.sets = std::move(kept);
+    document.companion.sets = std::move(kept);
     return condensed;
 }
 
 std::size_t import_sets(Document& document, const Document& other)
 {
-    const Model library = in_units(library_of(other.sets, other.model), document.model.units);
+    const Model library = in_units(library_of(other.companion.sets, other.model), document.model.units);
     std::size_t n = 0;
     for (NamedSet& set : sets_in(library)) {
-        const bool is_there = std::ranges::any_of(document.sets,
+        const bool is_there = std::ranges::any_of(document.companion.sets,
                                                   [&](const auto& there) { return are_alike(there.value, set.value); });
         if (is_there || !is_usable(set, document.model)) continue;
-        set.name = fresh_name(document.sets, set.name);
-        document.sets.push_back(std::move(set));
+        set.name = fresh_name(document.companion.sets, set.name);
+        document.companion.sets.push_back(std::move(set));
         ++n;
     }
     return n;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "apps/frame/document/companion/companion_file.h"
 #include "apps/frame/document/section_command.h"
 #include "femoop/edit/condense.h"
 #include "femoop/io/model_file.h"
@@ -91,11 +92,14 @@ bool import_properties(Session& session, const std::filesystem::path& path)
         session.notice = Notice{{translatable("nothing was imported from {file}"), {file}}, std::move(reading.faults)};
         return false;
     }
+    Companion beside = read_companion_of(path, reading.model).companion;
+    const Document other{.model = std::move(reading.model), .companion = std::move(beside)};
     std::size_t n = 0;
-    session.change({{translatable("Import from {file}"), {file}},
-                    [&](Document& document) { n = import_properties(document, reading.model); }});
+    session.change({{translatable("Import from {file}"), {file}}, [&](Document& document) {
+                        n = import_properties(document, other.model) + import_sets(document, other);
+                    }});
     session.notice = passing_notice(
-        {translatable("{count} materials and sections came from {file}"), {{"count", text_of(n)}, file}});
+        {translatable("Property sets that came from {file}: {count}"), {{"count", text_of(n)}, file}});
     return true;
 }
 

@@ -110,7 +110,7 @@ std::error_code Recovery::keep(const Document& document, const std::optional<fs:
                                                                fs::absolute(*original).string());
         if (error) return error;
     }
-    if (const std::error_code error = save_companion_of(draft_, document.companion)) return error;
+    if (const std::error_code error = save_companion_of(draft_, document)) return error;
     return femoop::write_whole_file(draft_, femoop::write_model(document.model));
 }
 

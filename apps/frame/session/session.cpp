@@ -243,7 +243,7 @@ bool Session::save_companion()
     const bool has_faults = !is_companion_sound(*path_);
     std::error_code error;
     if (has_faults) std::filesystem::rename(path, old_companion_path(*path_), error);
-    if (!error) error = save_companion_of(*path_, document().companion);
+    if (!error) error = save_companion_of(*path_, document());
     if (error) {
         tell_of_companion(translatable("{file} was not saved"),
                           {{femoop::FaultKind::FileUnwritable, {path.string(), error.message()}}});

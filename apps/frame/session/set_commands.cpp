@@ -11,7 +11,7 @@ namespace {
 
 Phrase named(std::string_view what, const Session& session, NamedSetPlace set)
 {
-    return {what, {{"name", session.document().sets.at(set.set).name}}};
+    return {what, {{"name", session.document().companion.sets.at(set.set).name}}};
 }
 
 bool is_support(const Part& part) { return std::holds_alternative<femoop::NodeId>(part); }
@@ -74,7 +74,7 @@ void select_users(Session& session, NamedSetPlace set)
 
 std::optional<Phrase> rename(Session& session, NamedSetPlace set, const std::string& name)
 {
-    if (session.document().sets.at(set.set).name == name) return std::nullopt;
+    if (session.document().companion.sets.at(set.set).name == name) return std::nullopt;
     if (auto reason = why_not_rename(session.document(), set, name)) return reason;
     session.change({named(translatable("Rename: {name}"), session, set),
                     [&](Document& document) { rename(document, set, name); }});

@@ -19,12 +19,15 @@ bool is_support(const NamedSet& set) { return std::holds_alternative<femoop::Sup
 std::vector<NamedSetPlace> sets_where(const Document& document, auto&& is_wanted)
 {
     std::vector<NamedSetPlace> found;
-    for (std::size_t i = 0; i < document.sets.size(); ++i)
-        if (is_wanted(document.sets[i])) found.push_back({i});
+    for (std::size_t i = 0; i < document.companion.sets.size(); ++i)
+        if (is_wanted(document.companion.sets[i])) found.push_back({i});
     return found;
 }
 
-const std::string& name_of(const Session& session, NamedSetPlace set) { return session.document().sets[set.set].name; }
+const std::string& name_of(const Session& session, NamedSetPlace set)
+{
+    return session.document().companion.sets[set.set].name;
+}
 
 // The kind of value that such a part has, though this one may have none: a free node can be given a support.
 std::size_t kind_of(const Part& part)
@@ -129,7 +132,7 @@ void NamedSetLists::show_list(Desk& desk, std::string_view heading, bool of_supp
     const Session& session = desk.session;
     const auto sets = sets_where(session.document(),
                                  [&](const NamedSet& set) { return is_support(set) == of_supports; });
-    if (chosen_ && chosen_->set >= session.document().sets.size()) chosen_.reset();
+    if (chosen_ && chosen_->set >= session.document().companion.sets.size()) chosen_.reset();
     if (sets.empty()) return;
     const std::string label = session.view.tr(heading) + "  (" + std::to_string(sets.size()) + ")###" +
                               std::string(heading);
@@ -142,7 +145,7 @@ void NamedSetLists::show_list(Desk& desk, std::string_view heading, bool of_supp
             reason_.reset();
         }
         if (chosen_ == set) show_chosen(desk);
-        if (!chosen_ && session.document().sets.size() <= set.set) return; // it is gone
+        if (!chosen_ && session.document().companion.sets.size() <= set.set) return; // it is gone
     }
 }
 

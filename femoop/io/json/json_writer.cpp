@@ -85,6 +85,13 @@ JsonWriter& JsonWriter::null()
     return *this;
 }
 
+JsonWriter& JsonWriter::json(std::string_view written)
+{
+    next_item();
+    text_ += written;
+    return *this;
+}
+
 std::string JsonWriter::take()
 {
     if (!levels_.empty()) throw std::logic_error("JsonWriter: an object or array was not ended");

@@ -25,6 +25,7 @@ public:
     JsonWriter& value(const char* text) { return value(std::string_view(text)); }
     JsonWriter& value(bool truth);
     JsonWriter& null();
+    JsonWriter& json(std::string_view written); ///< a value that is JSON text already
     /// `key` and `value` at once.
     template <class Value> JsonWriter& member(std::string_view name, const Value& what)
     {

@@ -33,12 +33,15 @@ std::string text_of(const fs::path& path)
 void write(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
 const Companion example{{{.nodes = {"A", "D"}, .direction = DimensionDirection::Horizontal, .offset = -0.1 - 0.7},
-                         {.nodes = {"B", "C", "D"}, .direction = DimensionDirection::Aligned, .offset = 1.25}}};
+                         {.nodes = {"B", "C", "D"}, .direction = DimensionDirection::Aligned, .offset = 1.25}},
+                        {}};
+
+femoop::Model portal() { return frame::starting_document().model; }
 
 /// The fault of a text, in words; "" where it has none.
 std::string fault_of(const std::string& text)
 {
-    const CompanionReading reading = read_companion(text, frame::starting_document().model);
+    const CompanionReading reading = read_companion(text, portal());
     return reading.faults.empty() ? "" : femoop::message(reading.faults.front());
 }
 
@@ -57,10 +60,40 @@ TEST_SUITE("frame session")
 {
     TEST_CASE("A companion written and read back is the same bit for bit")
     {
-        const CompanionReading reading = read_companion(write_companion(example), frame::starting_document().model);
+        const CompanionReading reading = read_companion(write_companion(example, portal()), portal());
         CHECK(reading.faults.empty());
         CHECK(reading.companion == example);
-        CHECK(read_companion(write_companion({}), {}).companion.is_empty());
+        CHECK(read_companion(write_companion({}, {}), {}).companion.is_empty());
+    }
+
+    TEST_CASE("Named supports and loads of every kind are written and read back, in the units of the model")
+    {
+        femoop::DistributedLoad floor{.values = {{femoop::Dof::uy, femoop::Quantity(-12.0, "-12 kN/m"), std::nullopt}}};
+        Companion companion;
+        companion.sets = {{"spring", femoop::Support{.springs = {{femoop::Dof::rz, femoop::Quantity(4500.0)}}}},
+                          {"floor", frame::MemberLoadValue(floor)},
+                          {"wind", std::vector<femoop::Component>{{femoop::Dof::ux, femoop::Quantity(7.5)}}}};
+        const std::string text = write_companion(companion, portal());
+        const CompanionReading reading = read_companion(text, portal());
+        CHECK(reading.faults.empty());
+        CHECK(reading.companion == companion);
+        femoop::Model in_newtons = portal();
+        in_newtons.units.force = femoop::ForceUnit::N;
+        const auto wind = read_companion(text, in_newtons).companion.sets[2];
+        CHECK(std::get<std::vector<femoop::Component>>(wind.value)[0].value.value() == 7500.0);
+    }
+
+    TEST_CASE("A named set that cannot be read is told, and the rest is read")
+    {
+        const CompanionReading reading = read_companion(
+            R"({"cremona_view": 1, "dimensions": [{"nodes": ["A", "B"], "direction": "vertical", "offset": 1}],
+                "sets": {"cremona": 1, "analysis": "frame2d", "units": {"length": "m", "force": "kN"},
+                "nodes": [{"id": "base", "at": [0, 0], "support": "fxed"}], "members": []}})",
+            portal());
+        REQUIRE(reading.faults.size() == 1);
+        CHECK(femoop::message(reading.faults[0]).find("fxed") != std::string::npos);
+        CHECK(reading.companion.sets.empty());
+        CHECK(reading.companion.dimensions.size() == 1);
     }
 
     TEST_CASE("The example of the reference page is read as it is written")
@@ -69,9 +102,9 @@ TEST_SUITE("frame session")
         const std::size_t begin = page.find("```json\n");
         REQUIRE(begin != std::string::npos);
         const std::string text = page.substr(begin + 8, page.find("```", begin + 8) - begin - 8);
-        const CompanionReading reading = read_companion(text, frame::starting_document().model);
+        const CompanionReading reading = read_companion(text, portal());
         CHECK(reading.faults.empty());
-        CHECK(write_companion(reading.companion) == text);
+        CHECK(write_companion(reading.companion, portal()) == text);
     }
 
     TEST_CASE("What a companion file cannot mean is said with its place")
@@ -127,7 +160,7 @@ TEST_SUITE("frame session")
         REQUIRE(session.save(path));
         CHECK(session.notice);
         CHECK(text_of(folder.path() / "portal.view.json.old") == R"({"cremona_view": 1, "dimensoins": []})");
-        CHECK(text_of(beside) == write_companion(example));
+        CHECK(text_of(beside) == write_companion(example, portal()));
         REQUIRE(session.save(path));
         CHECK(!session.notice);
     }

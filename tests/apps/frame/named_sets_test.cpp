@@ -49,7 +49,7 @@ TEST_SUITE("frame: named supports and loads")
     {
         Document document = with_base();
         keep(document, D, "base");
-        CHECK(document.sets[1].name == "base2");
+        CHECK(document.companion.sets[1].name == "base2");
     }
 
     TEST_CASE("A set is given to the nodes among the parts, and a load to the members")
@@ -97,7 +97,7 @@ TEST_SUITE("frame: named supports and loads")
         CHECK_THROWS_AS(erase(document, {1}), std::out_of_range);
         CHECK_THROWS_AS(give(document, {7}, std::array{A}, CaseId(0)), std::out_of_range);
         erase(document, {0});
-        CHECK(document.sets.empty());
+        CHECK(document.companion.sets.empty());
         CHECK(document.model == before);
     }
 
@@ -105,10 +105,10 @@ TEST_SUITE("frame: named supports and loads")
     {
         Document document = with_base();
         keep(document, D, "again");
-        document.sets.push_back({"nobody's", Support{.kind = SupportKind::Roller}});
+        document.companion.sets.push_back({"nobody's", Support{.kind = SupportKind::Roller}});
         CHECK(condense_sets(document) == Condensed{.n_equal = 1, .n_unused = 1});
-        REQUIRE(document.sets.size() == 1);
-        CHECK(document.sets[0].name == "base");
+        REQUIRE(document.companion.sets.size() == 1);
+        CHECK(document.companion.sets[0].name == "base");
     }
 
     TEST_CASE("Sets of another file come in the units of this one, once, and only those that its analysis takes")
@@ -117,19 +117,19 @@ TEST_SUITE("frame: named supports and loads")
         other.model.units = {.length = LengthUnit::mm, .force = ForceUnit::N};
         DistributedLoad load;
         load.values = {{Dof::uy, Quantity(-12.0), std::nullopt}};
-        other.sets = {{"floor", MemberLoadValue(load)},
-                      {"spring", Support{.springs = {{Dof::rz, Quantity(2.0e6)}}}},
-                      {"twist", std::vector<Component>{{Dof::rz, Quantity(5.0)}}}};
+        other.companion.sets = {{"floor", MemberLoadValue(load)},
+                                {"spring", Support{.springs = {{Dof::rz, Quantity(2.0e6)}}}},
+                                {"twist", std::vector<Component>{{Dof::rz, Quantity(5.0)}}}};
         Document document = starting_document(); // kN and m
         CHECK(import_sets(document, other) == 3);
         CHECK(import_sets(document, other) == 0);
-        REQUIRE(document.sets.size() == 3);
-        const auto& spring = std::get<Support>(document.sets[0].value).springs[0];
+        REQUIRE(document.companion.sets.size() == 3);
+        const auto& spring = std::get<Support>(document.companion.sets[0].value).springs[0];
         CHECK(spring.stiffness.value() == doctest::Approx(2.0)); // N mm/rad to kN m/rad: 1e-6
         Document truss;
         truss.model.analysis = AnalysisKind::Truss2d;
         CHECK(import_sets(truss, other) == 1); // no rotations there
-        CHECK(truss.sets[0].name == "floor");
+        CHECK(truss.companion.sets[0].name == "floor");
     }
 
     TEST_CASE("What is selected is kept, given, replaced and renamed as one step each")
@@ -139,7 +139,7 @@ TEST_SUITE("frame: named supports and loads")
         CHECK(why_not_keep(session, std::array{B}));
         CHECK(why_not_keep(session, std::array{A, wind}));
         keep_under_name(session, std::array{A, D});
-        CHECK(session.document().sets[0].name == "support");
+        CHECK(session.document().companion.sets[0].name == "support");
         CHECK_FALSE(rename(session, {0}, "base"));
         CHECK(rename(session, {0}, " "));
         give(session, {0}, std::array{B});

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "apps/frame/document/companion/dimension.h"
+#include "apps/frame/document/named_sets.h"
 
 namespace frame {
 
@@ -10,6 +11,7 @@ namespace frame {
 /// own (companion_file.h), since the model file is for every program that solves.
 struct Companion {
     std::vector<DimensionLine> dimensions;
+    std::vector<NamedSet> sets; ///< supports and loads under names
 
     bool is_empty() const { return *this == Companion{}; }
     friend bool operator==(const Companion&, const Companion&) = default;

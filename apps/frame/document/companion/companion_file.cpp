@@ -7,11 +7,15 @@
 #include <iterator>
 #include <optional>
 
+#include "apps/frame/document/document.h"
+#include "apps/frame/document/set_library.h"
 #include "femoop/io/json/json_document.h"
 #include "femoop/io/json/json_writer.h"
+#include "femoop/io/model_file.h"
 #include "femoop/io/reader/value_reader.h"
 #include "femoop/io/whole_file.h"
 #include "femoop/model/check/suggestion.h"
+#include "femoop/model/quantity/in_units.h"
 
 namespace frame {
 
@@ -22,7 +26,7 @@ namespace {
 
 constexpr double format = 1.0;
 constexpr std::string_view ending = ".view.json";
-constexpr Keys<2> file_keys{{"cremona_view", "dimensions"}, 1};
+constexpr Keys<3> file_keys{{"cremona_view", "dimensions", "sets"}, 1};
 constexpr Keys<3> dimension_keys{{"nodes", "direction", "offset"}, 3};
 constexpr std::array directions{"aligned"sv, "horizontal"sv, "vertical"sv}; // as DimensionDirection has them
 
@@ -40,13 +44,23 @@ private:
     void read(JsonValue file)
     {
         const Place top;
-        const auto [version, dimensions] = reader_.fields(file, file_keys, top);
+        const auto [version, dimensions, sets] = reader_.fields(file, file_keys, top);
         const auto found = reader_.number(version, top);
         if (found && *found != format)
             reader_.add({FaultKind::UnknownChoice, {top.text("cremona_view"), compact_json(version), "1"}});
+        if (sets.is_present()) add_sets(sets);
         if (!reader_.is_list(dimensions, top)) return;
         const Place list = top.key("dimensions");
         for (std::size_t i = 0; const JsonValue entry : dimensions) add_dimension(entry, list.entry(i++));
+    }
+
+    // They have the form of a model, which is read as such, and counted in the units of this one.
+    void add_sets(JsonValue value)
+    {
+        ModelReading library = examine_model(compact_json(value));
+        if (library.is_sound()) companion_.sets = sets_in(in_units(library.model, model_.units));
+        for (Fault& fault : library.faults)
+            if (severity(fault.kind) == Severity::Error) reader_.add(std::move(fault));
     }
 
     // One with a fault is left out.
@@ -140,7 +154,7 @@ CompanionReading read_companion_of(const std::filesystem::path& model_file, cons
     return read_companion(std::string{std::istreambuf_iterator<char>(file), {}}, model);
 }
 
-std::string write_companion(const Companion& companion)
+std::string write_companion(const Companion& companion, const Model& model)
 {
     JsonWriter json;
     json.begin_object(JsonWriter::Layout::Block).member("cremona_view", 1);
@@ -149,14 +163,19 @@ std::string write_companion(const Companion& companion)
         for (const DimensionLine& dimension : companion.dimensions) write(json, dimension);
         json.end();
     }
+    if (!companion.sets.empty()) {
+        const std::string library = write_model(library_of(companion.sets, model));
+        json.key("sets").json(pretty_json(parse_json(library).document->root(), 2, 120));
+    }
     json.end();
     return json.take();
 }
 
-std::error_code save_companion_of(const std::filesystem::path& model_file, const Companion& companion)
+std::error_code save_companion_of(const std::filesystem::path& model_file, const Document& document)
 {
+    const Companion& companion = document.companion;
     const std::filesystem::path path = companion_path(model_file);
-    if (!companion.is_empty()) return write_whole_file(path, write_companion(companion));
+    if (!companion.is_empty()) return write_whole_file(path, write_companion(companion, document.model));
     std::error_code error;
     std::filesystem::remove(path, error);
     return error;

@@ -11,6 +11,8 @@
 
 namespace frame {
 
+struct Document;
+
 /// The companion file beside a model file: portal.json has portal.view.json. Format 1, one UTF-8 JSON object; the
 /// contract is courseware/reference/view-file.md.
 std::filesystem::path companion_path(std::filesystem::path model_file);
@@ -27,11 +29,11 @@ CompanionReading read_companion(std::string_view text, const femoop::Model& mode
 /// Of the file beside this model file; an empty companion where there is none.
 CompanionReading read_companion_of(const std::filesystem::path& model_file, const femoop::Model& model);
 
-/// One dimension line a line; reading it back gives the same companion.
-std::string write_companion(const Companion& companion);
+/// One dimension line a line, quantities in the units of its model; reading it back gives the same companion.
+std::string write_companion(const Companion& companion, const femoop::Model& model);
 
 /// Writes the companion file whole or not at all; an empty companion has none, so one that is there goes.
 /// \returns what hindered it
-std::error_code save_companion_of(const std::filesystem::path& model_file, const Companion& companion);
+std::error_code save_companion_of(const std::filesystem::path& model_file, const Document& document);
 
 } // namespace frame
