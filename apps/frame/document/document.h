@@ -9,7 +9,7 @@ namespace frame {
 /// value; the commands (command.h) are the only way to change it, and a history keeps its former states.
 struct Document {
     femoop::Model model;
-    Companion companion{};        ///< saved in a file of its own
+    Companion companion{}; ///< saved in a file of its own
 
     friend bool operator==(const Document&, const Document&) = default;
 };

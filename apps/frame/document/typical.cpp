@@ -229,7 +229,8 @@ void put_in_place(Document& document, const Model& structure)
     Model next = in_units(structure, document.model.units);
     next.notes = document.model.notes;
     document.model = std::move(next);
-    document.companion = {};
+    document.companion.dimensions.clear();
+    document.companion.views.clear();
 }
 
 } // namespace frame

@@ -6,6 +6,7 @@
 #include "apps/frame/session/set_commands.h"
 #include "apps/frame/session/table_commands.h"
 #include "apps/frame/session/tabs.h"
+#include "apps/frame/session/view_commands.h"
 
 #include <array>
 #include <utility>
@@ -160,13 +161,6 @@ void project(Desk& desk)
     desk.has_panels = is_projecting;
 }
 
-void choose_next_case(Session& session, std::size_t step)
-{
-    const std::size_t n = session.model().n_cases();
-    session.view.is_envelope = false;
-    if (n > 0) session.view.load_case = femoop::CaseId((session.view.load_case.index + step) % n);
-}
-
 Reason needs_cases(const Desk& desk)
 {
     if (desk.session.model().n_cases() > 1) return std::nullopt;
@@ -190,18 +184,6 @@ void add_camera_commands(CommandTable& table)
                .label = translatable("Zoom out"),
                .shortcuts = {{Key::Minus, {}}, {Key::Minus, ui::ctrl}},
                .run = asks(Request::ZoomOut)});
-    table.add({.id = "view.next_case",
-               .menu = view_menu,
-               .label = translatable("Next load case"),
-               .shortcuts = {{Key::PageDown, {}}},
-               .run = [](Desk& desk) { choose_next_case(desk.session, 1); },
-               .why_not = needs_cases});
-    table.add({.id = "view.previous_case",
-               .menu = view_menu,
-               .label = translatable("Previous load case"),
-               .shortcuts = {{Key::PageUp, {}}},
-               .run = [](Desk& desk) { choose_next_case(desk.session, desk.session.model().n_cases() - 1); },
-               .why_not = needs_cases});
     table.add({.id = "view.animate",
                .menu = view_menu,
                .label = translatable("Animate"),
@@ -398,6 +380,7 @@ CommandTable command_table()
     add_tool_commands(table);
     add_show_commands(table);
     add_camera_commands(table);
+    add_view_commands(table);
     add_predict_commands(table);
     add_panel_commands(table);
     add_table_commands(table);

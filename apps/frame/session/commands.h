@@ -22,6 +22,8 @@ enum class Request : std::uint8_t {
     ImportDialog,
     RecentList,
     Description,
+    KeepView,
+    ViewList,
     CloseTab,
     ExportTable,
     Palette,

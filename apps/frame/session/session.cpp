@@ -45,6 +45,8 @@ void Session::restart(Document document)
     prediction.clear();
     view.load_case = femoop::CaseId(0);
     view.camera.reset();
+    shown_view.reset();
+    look_at.reset();
     view.units.reset();
     view.scaled_by.reset();
     view.ghost.reset();

@@ -98,6 +98,8 @@ public:
     Prediction prediction;         ///< of moments that the class has not seen yet: part of the tab, not of the document
     std::optional<ShowSet> hidden; ///< results that are kept from the class until they are revealed
     std::size_t mechanism = 0;     ///< which of several is shown
+    std::optional<std::size_t> shown_view; ///< the named view that was shown last
+    std::optional<Region> look_at;         ///< what the picture is wanted to show; the window takes it
 
 private:
     Selection select_added(Document& next, const std::function<void(Document&)>& finish) const;

@@ -83,4 +83,15 @@ ShowSet parse_show(std::string_view list)
     return set;
 }
 
+std::string words_of(ShowSet set)
+{
+    std::string list;
+    for (const ShowWord& known : words()) {
+        const bool is_several = known.shows == labels;
+        if (is_several || known.shows - set != ShowSet{}) continue;
+        list += (list.empty() ? "" : ",") + std::string(known.word);
+    }
+    return list;
+}
+
 } // namespace frame

@@ -89,5 +89,7 @@ public:
 /// Reads a list such as `loads,N,V,M,labels`, in upper or lower case; blanks around the words and empty words do not
 /// count. \throws ShowError
 ShowSet parse_show(std::string_view list);
+/// The list that `parse_show` reads as this set.
+std::string words_of(ShowSet set);
 
 } // namespace frame

@@ -9,6 +9,7 @@
 
 #include "apps/frame/session/property_commands.h"
 #include "apps/frame/session/tabs.h"
+#include "apps/frame/session/view_commands.h"
 #include "apps/frame/session/work.h"
 #include "apps/frame/window/banner.h"
 #include "apps/frame/window/document_tabs.h"
@@ -128,7 +129,7 @@ void Application::explain(const ui::Phrase& reason) { desk_.session.notice = pas
 // What Escape is for first: to put away what lies over the picture.
 bool Application::put_away_a_window()
 {
-    return std::exchange(shows_shortcuts_, false) || std::exchange(shows_description_, false);
+    return std::exchange(shows_shortcuts_, false) || std::exchange(shows_description_, false) || view_list_.close();
 }
 
 void Application::take_keys(const ui::Input& all)
@@ -207,6 +208,8 @@ void Application::take_requests()
         case Request::CloseTab: questions_.ask_to_close(); break;
         case Request::ExportTable: tables_.ask_for_file(desk_); break;
         case Request::Palette: palette_.open(); break;
+        case Request::KeepView: keep_view(session, canvas_.region(session)); break;
+        case Request::ViewList: view_list_.toggle(); break;
         case Request::ShortcutList: shows_shortcuts_ = !shows_shortcuts_; break;
         case Request::Fit: canvas_.fit(session); break;
         case Request::ZoomIn: canvas_.zoom(session, 1.25); break;
@@ -390,6 +393,7 @@ void Application::show_dialogs()
     typical_window_.show(desk_, gui_, fields_);
     section_window_.show(desk_, gui_, fields_);
     shortcut_window(desk_, commands_, shows_shortcuts_);
+    view_list_.show(desk_);
     tables_.show_dialog(desk_);
     description_window(desk_, shows_description_);
     kept_files_.show(desk_);

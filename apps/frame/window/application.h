@@ -13,6 +13,7 @@
 #include "apps/frame/window/section_window.h"
 #include "apps/frame/window/tables_panel.h"
 #include "apps/frame/window/typical_window.h"
+#include "apps/frame/window/view_list.h"
 #include "ui/context/context.h"
 #include "ui/context/imgui_session.h"
 #include "ui/context/input.h"
@@ -82,6 +83,7 @@ private:
     TypicalWindow typical_window_;
     TablesPanel tables_;
     SectionWindow section_window_;
+    ViewList view_list_;
     PropertySets property_sets_;
     ui::PathDialog import_dialog_;
     ui::NumberFields fields_;

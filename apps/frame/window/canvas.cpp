@@ -117,6 +117,28 @@ ui::Point Canvas::corner_of_panel(ui::Point at) const
 
 Projection Canvas::projection_at(ui::Point at) const { return Projection(plan_.camera, corner_of_panel(at)); }
 
+std::optional<Region> Canvas::region(const Session& session) const
+{
+    const auto* const camera = session.view.camera ? std::get_if<ui::PlaneCamera>(&*session.view.camera) : nullptr;
+    if (camera == nullptr || plan_.panels.empty()) return std::nullopt;
+    const ui::Size size = plan_.panels.front().box.size();
+    const ui::World2 centre = camera->to_world({0.5 * size.width, 0.5 * size.height});
+    return Region{.centre = {centre.x, centre.y}, .height = size.height / camera->scale()};
+}
+
+// A view under a name is put into the picture as large as it is now.
+void Canvas::look_at_region(Desk& desk)
+{
+    const std::optional<Region> region = std::exchange(desk.session.look_at, std::nullopt);
+    if (!region || plan_.panels.empty() || !std::holds_alternative<ui::PlaneCamera>(plan_.camera)) return;
+    const ui::Size size = plan_.panels.front().box.size();
+    const double scale = size.height / region->height;
+    const ui::Point middle{0.5 * size.width, 0.5 * size.height};
+    desk.session.view.camera = ui::PlaneCamera(
+        {middle.x - scale * region->centre.x(), middle.y + scale * region->centre.y()}, scale);
+    follow_structure(desk);
+}
+
 void Canvas::zoom(Session& session, double factor) const
 {
     if (plan_.panels.empty()) return;
@@ -155,6 +177,7 @@ void Canvas::show(Desk& desk, ui::ImGuiSession& gui)
     corner_ = {static_cast<double>(corner.x / scale), static_cast<double>(corner.y / scale)};
     sheet_ = {static_cast<double>(room.x / scale), static_cast<double>(room.y / scale)};
     follow_structure(desk);
+    look_at_region(desk);
 
     ImGui::InvisibleButton("canvas", room,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |

@@ -28,6 +28,8 @@ public:
     /// From now on the camera follows the sheet and the structure, until it is moved by hand.
     void fit(Session& session);
     void zoom(Session& session, double factor) const;
+    /// What is looked at where the camera was moved by hand, in the plane; nothing: the whole model.
+    std::optional<Region> region(const Session& session) const;
 
     /// Where something of the model lies in the window [logical pixels]; nothing before the first frame.
     std::optional<ui::Point> in_window(const Eigen::Vector3d& place) const;
@@ -50,6 +52,7 @@ private:
     ViewOptions options(const Session& session) const;
     void draw_cut(const Session& session, const ViewOptions& options, const Cut& cut, ui::Point panel,
                   ui::Painter& painter) const;
+    void look_at_region(Desk& desk);
     void follow_structure(const Desk& desk);
     bool is_all_in_sight() const;
     /// The panel of the sheet under a point, the first one where there is none.

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "apps/frame/document/companion/dimension.h"
+#include "apps/frame/document/companion/named_view.h"
 #include "apps/frame/document/named_sets.h"
 
 namespace frame {
@@ -11,7 +12,8 @@ namespace frame {
 /// own (companion_file.h), since the model file is for every program that solves.
 struct Companion {
     std::vector<DimensionLine> dimensions;
-    std::vector<NamedSet> sets; ///< supports and loads under names
+    std::vector<NamedSet> sets;   ///< supports and loads under names
+    std::vector<NamedView> views; ///< in the order of a walk through them
 
     bool is_empty() const { return *this == Companion{}; }
     friend bool operator==(const Companion&, const Companion&) = default;

@@ -26,7 +26,8 @@ namespace {
 
 constexpr double format = 1.0;
 constexpr std::string_view ending = ".view.json";
-constexpr Keys<3> file_keys{{"cremona_view", "dimensions", "sets"}, 1};
+constexpr Keys<4> file_keys{{"cremona_view", "dimensions", "sets", "views"}, 1};
+constexpr Keys<7> view_keys{{"name", "show", "case", "diagrams", "loads", "displacements", "region"}, 2};
 constexpr Keys<3> dimension_keys{{"nodes", "direction", "offset"}, 3};
 constexpr std::array directions{"aligned"sv, "horizontal"sv, "vertical"sv}; // as DimensionDirection has them
 
@@ -44,14 +45,58 @@ private:
     void read(JsonValue file)
     {
         const Place top;
-        const auto [version, dimensions, sets] = reader_.fields(file, file_keys, top);
+        const auto [version, dimensions, sets, views] = reader_.fields(file, file_keys, top);
         const auto found = reader_.number(version, top);
         if (found && *found != format)
             reader_.add({FaultKind::UnknownChoice, {top.text("cremona_view"), compact_json(version), "1"}});
         if (sets.is_present()) add_sets(sets);
+        read_list(views, top.key("views"), [&](JsonValue view, const Place& place) { add_view(view, place); });
         if (!reader_.is_list(dimensions, top)) return;
         const Place list = top.key("dimensions");
         for (std::size_t i = 0; const JsonValue entry : dimensions) add_dimension(entry, list.entry(i++));
+    }
+
+    template <class Read> void read_list(JsonValue list, const Place& place, Read read)
+    {
+        if (!reader_.is_list(list, place)) return;
+        for (std::size_t i = 0; const JsonValue entry : list) read(entry, place.entry(i++));
+    }
+
+    // One with a fault is left out.
+    void add_view(JsonValue value, const Place& place)
+    {
+        const std::size_t before = reader_.n_troubles();
+        const auto [name, show, load_case, diagrams, loads, displacements, region] = reader_.fields(value, view_keys,
+                                                                                                    place);
+        NamedView view{.name = reader_.text(name, place).value_or(""),
+                       .show = reader_.text(show, place).value_or(""),
+                       .load_case = reader_.text(load_case, place),
+                       .diagrams = positive(diagrams, place).value_or(1.0),
+                       .loads = positive(loads, place).value_or(1.0),
+                       .displacements = positive(displacements, place),
+                       .region = std::nullopt};
+        if (region.is_present()) view.region = read_region(region, place);
+        if (value.is(JsonKind::Object) && reader_.n_troubles() == before) companion_.views.push_back(std::move(view));
+    }
+
+    std::optional<double> positive(JsonValue value, const Place& place)
+    {
+        const std::optional<double> number = reader_.number(value, place);
+        if (number && !(*number > 0.0)) reader_.wrong_type(value, {"a number above 0", "1.5"}, place);
+        return number;
+    }
+
+    // Centre and height: [x, y, height].
+    std::optional<Region> read_region(JsonValue value, const Place& place)
+    {
+        std::vector<double> numbers;
+        for (const JsonValue entry : value)
+            if (entry.is(JsonKind::Number)) numbers.push_back(entry.number());
+        const bool is_region = value.is(JsonKind::Array) && value.size() == 3 && numbers.size() == 3 &&
+                               numbers.back() > 0.0;
+        if (is_region) return Region{.centre = {numbers[0], numbers[1]}, .height = numbers[2]};
+        reader_.wrong_type(value, {"a list of x, y and a height above 0", "[3, 2, 5]"}, place);
+        return std::nullopt;
     }
 
     // They have the form of a model, which is read as such, and counted in the units of this one.
@@ -117,6 +162,20 @@ void write(JsonWriter& json, const DimensionLine& dimension)
     json.member("offset", dimension.offset).end();
 }
 
+void write(JsonWriter& json, const NamedView& view)
+{
+    json.begin_object().member("name", view.name).member("show", view.show);
+    if (view.load_case) json.member("case", *view.load_case);
+    if (view.diagrams != 1.0) json.member("diagrams", view.diagrams);
+    if (view.loads != 1.0) json.member("loads", view.loads);
+    if (view.displacements) json.member("displacements", *view.displacements);
+    if (const std::optional<Region>& region = view.region) {
+        json.key("region").begin_array();
+        json.value(region->centre.x()).value(region->centre.y()).value(region->height).end();
+    }
+    json.end();
+}
+
 } // namespace
 
 std::filesystem::path companion_path(std::filesystem::path model_file) { return model_file.replace_extension(ending); }
@@ -166,6 +225,11 @@ std::string write_companion(const Companion& companion, const Model& model)
     if (!companion.sets.empty()) {
         const std::string library = write_model(library_of(companion.sets, model));
         json.key("sets").json(pretty_json(parse_json(library).document->root(), 2, 120));
+    }
+    if (!companion.views.empty()) {
+        json.key("views").begin_array(JsonWriter::Layout::Block);
+        for (const NamedView& view : companion.views) write(json, view);
+        json.end();
     }
     json.end();
     return json.take();

@@ -1,0 +1,147 @@
+#include "apps/frame/session/view_commands.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "apps/frame/document/naming.h"
+#include "femoop/edit/naming.h"
+
+namespace frame {
+
+using ui::Key;
+using ui::Phrase;
+using ui::translatable;
+
+namespace {
+
+constexpr std::string_view view_menu = translatable("View");
+
+const std::vector<NamedView>& views(const Session& session) { return session.document().companion.views; }
+
+void change(Session& session, std::string_view what, const std::string& name, auto&& command)
+{
+    session.change({{what, {{"name", name}}}, [&](Document& document) { command(document.companion.views); }});
+}
+
+// The walk goes on from the view that was shown last, and begins again at its end.
+void walk_views(Session& session, Way way)
+{
+    const std::size_t n = views(session).size();
+    const std::size_t last = session.shown_view.value_or(way == Way::Later ? n - 1 : 0) % n;
+    show_view(session, (last + (way == Way::Later ? 1 : n - 1)) % n);
+}
+
+void walk_cases(Session& session, Way way)
+{
+    const std::size_t n = session.model().n_cases();
+    session.view.is_envelope = false;
+    session.view.load_case = femoop::CaseId((session.view.load_case.index + (way == Way::Later ? 1 : n - 1)) % n);
+}
+
+void walk(Session& session, Way way)
+{
+    if (views(session).empty()) walk_cases(session, way);
+    else walk_views(session, way);
+}
+
+std::optional<Phrase> why_not_walk(const Desk& desk)
+{
+    if (!views(desk.session).empty() || desk.session.model().n_cases() > 1) return std::nullopt;
+    return translatable("the model has no other load case");
+}
+
+} // namespace
+
+void add_view_commands(CommandTable& table)
+{
+    table.add({.id = "view.next",
+               .menu = view_menu,
+               .label = translatable("Next view or load case"),
+               .shortcuts = {{Key::PageDown, {}}},
+               .run = [](Desk& desk) { walk(desk.session, Way::Later); },
+               .why_not = why_not_walk});
+    table.add({.id = "view.previous",
+               .menu = view_menu,
+               .label = translatable("Previous view or load case"),
+               .shortcuts = {{Key::PageUp, {}}},
+               .run = [](Desk& desk) { walk(desk.session, Way::Earlier); },
+               .why_not = why_not_walk});
+    table.add({.id = "view.keep",
+               .menu = view_menu,
+               .label = translatable("Keep this view"),
+               .shortcuts = {{Key::B, ui::ctrl}},
+               .run = [](Desk& desk) { desk.requests.push_back(Request::KeepView); }});
+    table.add({.id = "view.list",
+               .menu = view_menu,
+               .label = translatable("Kept views…"),
+               .shortcuts = {{Key::B, ui::ctrl_shift}},
+               .run = [](Desk& desk) { desk.requests.push_back(Request::ViewList); }});
+}
+
+void keep_view(Session& session, const std::optional<Region>& region)
+{
+    const ViewOptions& now = session.view;
+    NamedView view{.name = femoop::fresh_name(now.tr("View 1"),
+                                              [&](const std::string& name) {
+                                                  return std::ranges::find(views(session), name, &NamedView::name) !=
+                                                         views(session).end();
+                                              }),
+                   .show = words_of(now.show),
+                   .diagrams = now.diagram_factor,
+                   .loads = now.load_factor,
+                   .displacements = now.deformation_scale,
+                   .region = region};
+    if (!now.is_envelope && now.load_case.index < session.model().n_cases())
+        view.load_case = session.model().case_name(now.load_case);
+    const std::string name = view.name;
+    change(session, translatable("Keep view: {name}"), name, [&](auto& list) { list.push_back(std::move(view)); });
+    session.shown_view = views(session).size() - 1;
+    session.notice = passing_notice(
+        {translatable("Kept as {name}; PageDown and PageUp walk through the views"), {{"name", name}}});
+}
+
+void show_view(Session& session, std::size_t place)
+{
+    const NamedView& view = views(session).at(place);
+    try {
+        session.view.show = parse_show(view.show);
+    } catch (const ShowError& error) {
+        session.notice = passing_notice({"{what}", {{"what", error.what()}}});
+        return;
+    }
+    session.hidden.reset();
+    session.view.is_envelope = !view.load_case;
+    if (const auto id = view.load_case ? session.model().find_case(*view.load_case) : std::nullopt)
+        session.view.load_case = *id;
+    session.view.diagram_factor = view.diagrams;
+    session.view.load_factor = view.loads;
+    session.view.deformation_scale = view.displacements;
+    session.view.camera.reset();
+    session.look_at = view.region;
+    session.shown_view = place;
+    session.notice = passing_notice({"{name}", {{"name", view.name}}});
+}
+
+std::optional<Phrase> rename_view(Session& session, std::size_t place, const std::string& name)
+{
+    const std::string before = views(session).at(place).name;
+    if (before == name) return std::nullopt;
+    if (auto reason = objection(views(session), &NamedView::name, place, name)) return reason;
+    change(session, translatable("Rename: {name}"), before, [&](auto& list) { list[place].name = name; });
+    return std::nullopt;
+}
+
+void move_view(Session& session, std::size_t place, Way way)
+{
+    const std::size_t other = way == Way::Later ? place + 1 : place - 1;
+    change(session, translatable("Move view: {name}"), views(session).at(place).name,
+           [&](auto& list) { std::swap(list.at(place), list.at(other)); });
+}
+
+void erase_view(Session& session, std::size_t place)
+{
+    change(session, translatable("Delete view: {name}"), views(session).at(place).name,
+           [&](auto& list) { list.erase(list.begin() + static_cast<std::ptrdiff_t>(place)); });
+}
+
+} // namespace frame
