@@ -54,9 +54,11 @@ void put_clipboard(Desk& desk)
     if (desk.clipboard->holds == Clipping::Holds::Structure)
         return desk.hand.carry(desk.clipboard, desk.session.model().units);
     const auto selected = desk.session.selection.parts();
-    desk.session.change({translatable("Paste the loads"),
-                         [clipping = desk.clipboard, parts = std::vector<Part>(selected.begin(), selected.end())](
-                             Document& document) { paste_loads(document, *clipping, parts); }});
+    desk.session.change_soundly(
+        {translatable("Paste the loads"),
+         [clipping = desk.clipboard, parts = std::vector<Part>(selected.begin(), selected.end())](Document& document) {
+             paste_loads(document, *clipping, parts);
+         }});
 }
 
 } // namespace

@@ -69,6 +69,11 @@ void add_file_commands(CommandTable& table)
                .label = translatable("Export picture, results or report…"),
                .shortcuts = {{Key::E, ui::ctrl_shift}},
                .run = asks(Request::ExportDialog)});
+    table.add({.id = "file.report_matrices",
+               .menu = file_menu,
+               .label = translatable("Matrices in the report"),
+               .run = [](Desk& desk) { desk.session.reports_matrices = !desk.session.reports_matrices; },
+               .is_on = [](const Desk& desk) { return desk.session.reports_matrices; }});
     table.add({.id = "file.copy_picture",
                .menu = file_menu,
                .label = translatable("Copy picture"),
@@ -193,10 +198,14 @@ void add_camera_commands(CommandTable& table)
                        desk.session.is_animated = !desk.session.is_animated;
                        if (desk.session.is_animated) desk.session.view.show.insert(Show::Deformed);
                    },
+               .why_not = [](const Desk& desk) -> Reason {
+                   if (desk.session.is_animated) return std::nullopt;
+                   return desk.session.why_no_results();
+               },
                .is_on = [](const Desk& desk) { return desk.session.is_animated; }});
     table.add({.id = "view.envelope",
                .menu = view_menu,
-               .label = translatable("Envelope of all cases"),
+               .label = translatable("Envelope"),
                .shortcuts = {{Key::E, {}}},
                .run = [](Desk& desk) { desk.session.view.is_envelope = !desk.session.view.is_envelope; },
                .why_not = [](const Desk& desk) -> Reason {

@@ -71,6 +71,28 @@ void Session::refresh()
     if (mechanism >= solution_.mechanisms.size()) mechanism = 0;
 }
 
+namespace {
+
+std::vector<femoop::Fault> errors(const femoop::Model& model)
+{
+    std::vector<femoop::Fault> faults = femoop::check(model);
+    std::erase_if(faults, [](const auto& fault) { return femoop::severity(fault.kind) != femoop::Severity::Error; });
+    return faults;
+}
+
+} // namespace
+
+bool Session::change_soundly(const Change& wanted)
+{
+    Document next = document();
+    wanted.command(next);
+    std::vector<femoop::Fault> faults = errors(next.model);
+    for (const femoop::Fault& former : errors(model())) std::erase(faults, former);
+    if (faults.empty()) change(wanted);
+    else notice = Notice{translatable("nothing was changed, since the model would have an error"), faults};
+    return faults.empty();
+}
+
 void Session::change(const Change& change)
 {
     const Document& from = change.step == Step::Drag ? history_.settled() : document();

@@ -52,6 +52,8 @@ public:
 
     /// Carries it out, or throws what its command throws and changes nothing.
     void change(const Change& change);
+    /// Carries it out where the model gets no error by it that it had not; else nothing, and `notice` says why.
+    bool change_soundly(const Change& change);
     void settle();
     void cancel();
     void undo();
@@ -98,6 +100,7 @@ public:
     Prediction prediction;         ///< of moments that the class has not seen yet: part of the tab, not of the document
     std::optional<ShowSet> hidden; ///< results that are kept from the class until they are revealed
     std::size_t mechanism = 0;     ///< which of several is shown
+    bool reports_matrices = false; ///< the stiffness and the transformation of every member, in a report
     std::optional<std::size_t> shown_view; ///< the named view that was shown last
     std::optional<Region> look_at;         ///< what the picture is wanted to show; the window takes it
 

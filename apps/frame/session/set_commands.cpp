@@ -49,15 +49,15 @@ void keep_under_name(Session& session, std::span<const Part> parts)
 
 void give(Session& session, NamedSetPlace set, std::span<const Part> parts)
 {
-    session.change({named(translatable("Give: {name}"), session, set),
-                    [&](Document& document) { give(document, set, parts, session.view.load_case); }});
+    session.change_soundly({named(translatable("Give: {name}"), session, set),
+                            [&](Document& document) { give(document, set, parts, session.view.load_case); }});
 }
 
 void assign(Session& session, NamedSetPlace set, std::span<const Part> parts)
 {
-    session.change({named(translatable("Give: {name}"), session, set), [&](Document& document) {
-                        for (const Part& part : parts) assign(document, set, part);
-                    }});
+    session.change_soundly({named(translatable("Give: {name}"), session, set), [&](Document& document) {
+                                for (const Part& part : parts) assign(document, set, part);
+                            }});
 }
 
 void replace(Session& session, NamedSetPlace set, std::span<const Part> parts)

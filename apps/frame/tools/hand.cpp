@@ -31,7 +31,9 @@ std::unique_ptr<Tool> tool_of(ToolKind kind, const ToolSettings& settings)
     return std::make_unique<SelectTool>();
 }
 
-constexpr std::string_view place_letters = "0123456789+-.,;<@eE";
+// What a place begins with; then a unit or a calculation may follow.
+constexpr std::string_view first_letters = "0123456789+-.@(";
+bool is_printed(char letter) { return static_cast<unsigned char>(letter) >= ' ' && letter != '\x7f'; }
 
 } // namespace
 
@@ -69,7 +71,8 @@ bool Hand::type(const std::string& letters)
     if (!can_type()) return false;
     const std::size_t before = typed_.size();
     for (const char letter : letters) {
-        if (place_letters.find(letter) != std::string_view::npos) typed_ += letter;
+        const bool begins = first_letters.find(letter) != std::string_view::npos;
+        if (typed_.empty() ? begins : is_printed(letter)) typed_ += letter;
     }
     return typed_.size() > before;
 }
@@ -81,7 +84,9 @@ void Hand::rub_out()
 
 std::optional<Change> Hand::enter(const Work& work)
 {
-    const auto place = place_typed(typed_, {.from = tool_->from(), .pointer = aim_.snap.place});
+    const auto place = place_typed(
+        typed_,
+        {.from = tool_->from(), .pointer = aim_.snap.place, .file = work.document.model.units, .shown = work.units});
     if (!place) return std::nullopt;
     typed_.clear();
     std::optional<Change> change = tool_->type(work, *place);

@@ -34,7 +34,7 @@ public:
     /// The tool can use a place that is typed; what has been typed of it so far.
     bool can_type() const { return tool_->draws(); }
     const std::string& typed() const { return typed_; }
-    /// Takes those of the letters that a place is made of. \returns whether there was one
+    /// Takes those of the letters that a place begins with, and once it is begun all. \returns whether there was one
     bool type(const std::string& letters);
     void rub_out();
     /// Ends the typing: the change that the tool asks for at this place. What is no place stays, to be mended.

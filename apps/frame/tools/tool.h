@@ -11,6 +11,7 @@
 #include "apps/frame/document/cut.h"
 #include "apps/frame/document/selection.h"
 #include "apps/frame/tools/snap.h"
+#include "ui/text/display_units.h"
 
 namespace frame {
 
@@ -55,6 +56,7 @@ struct Work {
     const Document& document; ///< as it was before the gesture
     Selection& selection;
     Prediction* prediction = nullptr; ///< that may be sketched; null while results are seen
+    ui::DisplayUnits units{};         ///< of what is typed
 };
 
 /// What a tool shows before it changes anything, in the plane of the model.

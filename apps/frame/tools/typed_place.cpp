@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "apps/frame/document/number.h"
 #include "ui/text/number_format.h"
 
 namespace frame {
@@ -11,20 +12,28 @@ using Eigen::Vector2d;
 
 namespace {
 
-std::optional<Vector2d> pair(std::string_view text)
+std::optional<double> length_typed(std::string_view text, const DrawingHand& hand)
+{
+    const auto typed = quantity_typed(text, ui::Measure::Length, hand.file, hand.shown);
+    const auto* const length = std::get_if<femoop::Quantity>(&typed);
+    return length != nullptr ? std::optional(length->value()) : std::nullopt;
+}
+
+std::optional<Vector2d> pair(std::string_view text, const DrawingHand& hand)
 {
     const std::size_t semicolon = text.find(';');
     const std::size_t mark = semicolon != std::string_view::npos ? semicolon : text.find(',');
     if (mark == std::string_view::npos) return std::nullopt;
     if (text[mark] == ',' && text.find(',', mark + 1) != std::string_view::npos) return std::nullopt;
-    const auto x = ui::number_typed(text.substr(0, mark)), y = ui::number_typed(text.substr(mark + 1));
+    const auto x = length_typed(text.substr(0, mark), hand), y = length_typed(text.substr(mark + 1), hand);
     return x && y ? std::optional(Vector2d(*x, *y)) : std::nullopt;
 }
 
-std::optional<Vector2d> polar(std::string_view text)
+std::optional<Vector2d> polar(std::string_view text, const DrawingHand& hand)
 {
     const std::size_t mark = text.find('<');
-    const auto length = ui::number_typed(text.substr(0, mark)), angle = ui::number_typed(text.substr(mark + 1));
+    const auto length = length_typed(text.substr(0, mark), hand);
+    const auto angle = ui::number_typed(text.substr(mark + 1));
     if (!length || !angle) return std::nullopt;
     // Whole quarters are exact: 4<90 lies straight above.
     const double quarter = std::remainder(*angle, 360.0) / 90.0;
@@ -45,7 +54,7 @@ std::optional<Vector2d> from_start(const std::optional<Vector2d>& arm, const Dra
 /// A length towards the pointer.
 std::optional<Vector2d> towards_pointer(std::string_view text, const DrawingHand& hand)
 {
-    const auto length = ui::number_typed(text);
+    const auto length = length_typed(text, hand);
     if (!length || !hand.from) return std::nullopt;
     const Vector2d arm = hand.pointer - *hand.from;
     if (arm.norm() == 0.0) return std::nullopt;
@@ -56,9 +65,9 @@ std::optional<Vector2d> towards_pointer(std::string_view text, const DrawingHand
 
 std::optional<Vector2d> place_typed(std::string_view text, const DrawingHand& hand)
 {
-    if (text.starts_with('@')) return from_start(pair(text.substr(1)), hand);
-    if (text.find('<') != std::string_view::npos) return from_start(polar(text), hand);
-    if (text.find(',') != std::string_view::npos || text.find(';') != std::string_view::npos) return pair(text);
+    if (text.starts_with('@')) return from_start(pair(text.substr(1), hand), hand);
+    if (text.find('<') != std::string_view::npos) return from_start(polar(text, hand), hand);
+    if (text.find(',') != std::string_view::npos || text.find(';') != std::string_view::npos) return pair(text, hand);
     return towards_pointer(text, hand);
 }
 

@@ -4,9 +4,12 @@
 #include <optional>
 #include <string_view>
 
+#include "femoop/model/quantity/units.h"
+#include "ui/text/display_units.h"
+
 namespace frame {
 
-/// A place that a person typed while drawing, lengths in the model's unit:
+/// A place that a person typed while drawing, lengths in the unit that is shown or with one of their own (`600 cm,3`):
 ///
 ///     6,4      x and y
 ///     @3,2     so far from where drawing began
@@ -17,6 +20,8 @@ namespace frame {
 struct DrawingHand {
     std::optional<Eigen::Vector2d> from;               ///< where drawing began
     Eigen::Vector2d pointer = Eigen::Vector2d::Zero(); ///< the place that it is drawn to
+    femoop::Units file{};                              ///< whose lengths places are in
+    ui::DisplayUnits shown{};
 };
 
 /// Nothing for what is none of these, or needs a place where drawing began and there is none.

@@ -132,6 +132,16 @@ bool Application::put_away_a_window()
     return std::exchange(shows_shortcuts_, false) || std::exchange(shows_description_, false) || view_list_.close();
 }
 
+namespace {
+
+// A key that writes a letter, which a place that is being typed takes.
+bool writes(ui::Key key)
+{
+    return key <= ui::Key::Digit9 || key == ui::Key::Space || key == ui::Key::Plus || key == ui::Key::Minus;
+}
+
+} // namespace
+
 void Application::take_keys(const ui::Input& all)
 {
     const bool is_popup_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
@@ -140,10 +150,11 @@ void Application::take_keys(const ui::Input& all)
     if (is_blocked) return;
     const ui::Input input = tables_.take(desk_, all);
     const bool types = ImGui::GetIO().WantTextInput || fields_.is_typing();
-    if (!types && !input.modifiers.ctrl) desk_.hand.type(input.text);
+    const bool types_place = !types && !input.modifiers.ctrl && desk_.hand.type(input.text);
     for (const ui::KeyEvent& event : input.keys) {
         if (!event.is_down || (types && !event.modifiers.ctrl)) continue;
         if (!types && take_typing(event.key)) continue;
+        if (types_place && writes(event.key) && !event.modifiers.ctrl) continue;
         if (event.key == ui::Key::Escape && put_away_a_window()) continue;
         if (event.key == ui::Key::Escape && desk_.session.history().is_dragging()) {
             desk_.hand.tool().escape(); // else it would go on with what is taken back
@@ -165,6 +176,8 @@ bool Application::take_typing(ui::Key key)
     if (key == ui::Key::Backspace) desk_.hand.rub_out();
     if (key == ui::Key::Enter) {
         if (const auto change = desk_.hand.enter(work_of(desk_.session))) desk_.session.change(*change);
+        if (!desk_.hand.typed().empty())
+            explain({translatable("{text} is no place; type 6,4 or @3,2 or 4<30"), {{"text", desk_.hand.typed()}}});
     }
     return key == ui::Key::Backspace || key == ui::Key::Enter;
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "apps/frame/document/command.h"
+#include "apps/frame/document/dimensioning.h"
 #include "apps/frame/window/number_row.h"
 
 namespace frame {
@@ -310,6 +311,22 @@ void show(const Rows& rows, const Group<MemberLoadPlace>& loads)
                      [&](Document& document, const MemberLoadPlace& place) { set_projected(document, place, *state); });
 }
 
+// ---- dimension lines ----
+
+void show(const Rows& rows, const Group<DimensionPlace>& lines)
+{
+    const ui::Catalogue& tr = lines.tr();
+    rows.name(tr("Direction"));
+    const auto current = lines.common([&](DimensionPlace place) {
+        return static_cast<std::size_t>(lines.session.document().companion.dimensions[place.dimension].direction);
+    });
+    const std::vector<std::string> names{tr("Aligned"), tr("Horizontal"), tr("Vertical")};
+    if (const auto chosen = choose({"###direction", names, current}, tr))
+        lines.change(translatable("Direction"), [&](Document& document, DimensionPlace place) {
+            set_direction(document, place, static_cast<DimensionDirection>(*chosen));
+        });
+}
+
 template <class Id> void show_group(Session& session, std::span<const Part> parts)
 {
     if (!std::holds_alternative<Id>(parts.front())) return;
@@ -327,6 +344,7 @@ void show_choices(Session& session, std::span<const Part> parts)
     show_group<NodeId>(session, parts);
     show_group<MemberId>(session, parts);
     show_group<MemberLoadPlace>(session, parts);
+    show_group<DimensionPlace>(session, parts);
 }
 
 } // namespace frame

@@ -61,7 +61,8 @@ private:
         ViewOptions view = session_.view;
         view.dimensions = session_.document().companion.dimensions;
         const auto about = session_.hidden ? ReportAbout::Data : ReportAbout::Everything;
-        return make_report(session_.model(), session_.solution(), {.view = std::move(view), .about = about}, fonts_);
+        return make_report(session_.model(), session_.solution(),
+                           {.view = std::move(view), .matrices = session_.reports_matrices, .about = about}, fonts_);
     }
 
     std::optional<ui::Phrase> results() const

@@ -57,8 +57,12 @@ void TablesPanel::remove_rows(Desk& desk)
     std::vector<Part> parts;
     for (const std::size_t row : grid_.block().rows)
         if (table_.rows[row].part) parts.push_back(*table_.rows[row].part);
+    const Document before = desk.session.document();
     desk.session.change({ui::Phrase(translatable("Delete rows: {table}"), {{"table", title(kind_)}}),
                          [&](Document& document) { remove(document, parts); }});
+    message_.clear();
+    if (!parts.empty() && desk.session.document() == before)
+        message_ = desk.session.view.tr("what members have cannot be deleted; give them another one first");
 }
 
 // Fills cells, or says what hinders it and changes nothing.

@@ -161,6 +161,17 @@ TEST_SUITE("frame tools")
         for (const char* text : {"@3,2", "4<30", "4"}) CHECK(!frame::place_typed(text, {}));
     }
 
+    TEST_CASE("A typed place is in the unit that is shown, or in one of its own")
+    {
+        const femoop::Units feet{.length = femoop::LengthUnit::ft, .force = femoop::ForceUnit::kip};
+        const ui::DisplayUnits metres(ui::UnitSystem::KnM, frame::base_units(feet), {});
+        const frame::DrawingHand hand{.from = Vector2d(0, 0), .file = feet, .shown = metres};
+        CHECK(frame::place_typed("0,3.048", hand)->isApprox(Vector2d(0, 10)));
+        CHECK(frame::place_typed("120 in,2*1.524", hand)->isApprox(Vector2d(10, 10)));
+        CHECK(frame::place_typed("10 ft<90", hand)->isApprox(Vector2d(0, 10)));
+        CHECK(!frame::place_typed("3 kN,2", hand));
+    }
+
     TEST_CASE("Clicks draw a line that goes on from its last place until a second click there")
     {
         Bench bench;
