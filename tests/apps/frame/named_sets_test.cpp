@@ -132,6 +132,22 @@ TEST_SUITE("frame: named supports and loads")
         CHECK(truss.companion.sets[0].name == "floor");
     }
 
+    TEST_CASE("A load that a member is too short for is not given to it, and the reason is told")
+    {
+        Document document = starting_document(); // BC is 6 m long, AB 4 m
+        auto& load = std::get<DistributedLoad>(document.model.load_cases[0].members[0].load);
+        load.from = Quantity(1.0);
+        load.to = Quantity(5.0);
+        keep(document, dead, "part");
+        Session session(document);
+        give(session, {0}, std::array{AB});
+        CHECK(session.history().n_states() == 1);
+        REQUIRE(session.notice);
+        CHECK(session.notice->faults.size() == 1);
+        give(session, {0}, std::array{BC}); // has it already
+        CHECK(session.document() == document);
+    }
+
     TEST_CASE("What is selected is kept, given, replaced and renamed as one step each")
     {
         Session session(starting_document());
