@@ -40,10 +40,7 @@ public:
 
     std::string tr(std::string_view text) const { return tr_(text); }
     std::string number(double value) const { return localized(six_digits(value), tr_); }
-    std::string quantity(double value, Dimension dimension) const
-    {
-        return number(value) + " " + unit_text(dimension, model_.units);
-    }
+    std::string quantity(double value, Dimension dimension) const { return number(value) + " " + unit(dimension); }
     std::string length(double value) const { return quantity(value, dimension::length); }
 
     std::string point(const Node& node) const
@@ -53,24 +50,30 @@ public:
         return "(" + join(coordinates, decimal_mark(tr_) == ',' ? "; " : ", ") + ")";
     }
 
-    /// "12 kN down": the size and where it points.
-    std::string directed(Dof dof, double value, Dimension dimension) const
+    std::string unit(Dimension dimension) const { return unit_text(dimension, model_.units); }
+
+    /// Of a load along a degree of freedom. A moment per length is told as one, not as the force that it comes to.
+    std::string load_unit(Dof dof, bool is_per_length) const
     {
-        return quantity(std::abs(value), dimension) + " " + direction(dof, value > 0.0);
+        const std::string whole = unit(is_rotation(dof) ? dimension::moment : dimension::force);
+        return is_per_length ? whole + "/" + unit(dimension::length) : whole;
     }
 
-    std::string force(Dof dof, double value) const
+    /// "12 kN down": the size and where it points.
+    std::string directed(Dof dof, double value, const std::string& unit) const
     {
-        return directed(dof, value, is_rotation(dof) ? dimension::moment : dimension::force);
+        return number(std::abs(value)) + " " + unit + " " + direction(dof, value > 0.0);
     }
+
+    std::string force(Dof dof, double value) const { return directed(dof, value, load_unit(dof, false)); }
 
     /// The same in a member's own axes.
-    std::string local(Dof dof, double value, Dimension dimension) const
+    std::string local(Dof dof, double value, const std::string& unit) const
     {
         const std::string axis = std::string(name(dof)).substr(1);
         const std::string how = is_rotation(dof) ? tr("{0} about {1}{2}' of the member")
                                                  : tr("{0} along {1}{2}' of the member");
-        return fill(how, {quantity(std::abs(value), dimension), value < 0.0 ? "-" : "+", axis});
+        return fill(how, {number(std::abs(value)) + " " + unit, value < 0.0 ? "-" : "+", axis});
     }
 
     std::string case_title(CaseId id) const
@@ -177,10 +180,8 @@ public:
 
     std::string component(Dof dof, double value, bool is_per_length) const
     {
-        const Dimension whole = is_rotation(dof) ? dimension::moment : dimension::force;
-        const Dimension spread = is_rotation(dof) ? dimension::moment_per_length : dimension::force_per_length;
-        const Dimension dimension = is_per_length ? spread : whole;
-        return axes_ == LoadAxes::Local ? words_.local(dof, value, dimension) : words_.directed(dof, value, dimension);
+        const std::string unit = words_.load_unit(dof, is_per_length);
+        return axes_ == LoadAxes::Local ? words_.local(dof, value, unit) : words_.directed(dof, value, unit);
     }
 
     std::string components(const std::vector<Component>& list) const
@@ -249,7 +250,7 @@ void add_node_loads(std::vector<std::string>& lines, const Model& model, const L
     for (const Settlement& settlement : loads.settlements) {
         std::vector<std::string> parts;
         for (const Component& component : settlement.components) {
-            const std::string unit = is_rotation(component.dof) ? "rad" : unit_text(dimension::length, model.units);
+            const std::string unit = is_rotation(component.dof) ? "rad" : words.unit(dimension::length);
             parts.push_back(std::string(name(component.dof)) + " = " + words.number(component.value) + " " + unit);
         }
         lines.push_back(fill(words.tr("support {0} is moved: {1}"), {model[settlement.node].id, join(parts, ", ")}));
@@ -320,7 +321,7 @@ std::string largest_displacement(const Model& model, const CaseResult& result, c
     std::vector<std::string> parts;
     for (const Dof dof : dof_list(model.analysis))
         if (!is_rotation(dof) && std::abs(u[index(dof)]) > noise * largest)
-            parts.push_back(words.directed(dof, u[index(dof)], dimension::length));
+            parts.push_back(words.directed(dof, u[index(dof)], words.unit(dimension::length)));
     return fill(words.tr("node {0} moves most: {1}"), {model[where].id, join(parts, ", ")});
 }
 

@@ -253,6 +253,15 @@ TEST_CASE("--describe says the structure, its loads and its results in sentences
         CHECK_MESSAGE(has(run.out, sentence), sentence);
 }
 
+TEST_CASE("In Portuguese a moment per length has a decimal comma and its own unit too")
+{
+    json model = json::parse(cantilever());
+    model["load_cases"][0]["members"] = {{{"member", "AB"}, {"kind", "distributed"}, {"mz", -1.5}}};
+    const Run run = cremona({"solve", "-", "--describe", "--lang", "pt"}, model.dump());
+    CHECK(run.status == 0);
+    CHECK(has(run.out, "na barra AB: 1,5 kN*m/m no sentido horário"));
+}
+
 TEST_CASE("--time tells every phase and the size of the system on stderr, the tables stay on stdout")
 {
     const Run run = cremona({"solve", "-", "--time", "--solver", "ldlt"}, cantilever());

@@ -64,4 +64,20 @@ TEST_CASE("Every kind of support, joint and load has words")
         CHECK_MESSAGE(text.find(sentence) != std::string::npos, sentence << "\nis not in\n" << text);
 }
 
+TEST_CASE("A moment per length is told as one, in the member's own axes too")
+{
+    const Model model = read_model(R"({"cremona": 1, "analysis": "frame2d", "units": {"length": "m", "force": "kN"},
+      "materials": [{"id": "s", "E": 2e8}], "sections": [{"id": "c", "A": 0.01, "Iz": 2e-4}],
+      "nodes": [{"id": "A", "at": [0, 0], "support": "fixed"}, {"id": "B", "at": [3, 4]}],
+      "members": [{"id": "AB", "nodes": ["A", "B"], "material": "s", "section": "c"}],
+      "load_cases": [{"id": "G", "members": [
+        {"member": "AB", "kind": "distributed", "mz": 1.5},
+        {"member": "AB", "kind": "distributed", "mz": [-2, -3], "axes": "local"}]}]})");
+    const std::string text = describe(model, std::nullopt, english);
+    for (const char* sentence :
+         {"on member AB: 1.5 kN*m/m counter-clockwise over its whole length.",
+          "2 kN*m/m about -z' of the member changing to 3 kN*m/m about -z' of the member over its whole length."})
+        CHECK_MESSAGE(text.find(sentence) != std::string::npos, sentence << "\nis not in\n" << text);
+}
+
 TEST_SUITE_END();
