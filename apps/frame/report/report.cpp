@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "apps/frame/document/measures.h"
+#include "apps/frame/report/calculated_sections.h"
 #include "apps/frame/tables/data_table.h"
 #include "apps/frame/tables/result_table.h"
 #include "apps/frame/tables/table_kind.h"
@@ -150,12 +151,15 @@ private:
 
     void write_data()
     {
+        const Model written_out = with_calculated_sections(model_);
         for (const TableKind kind : all_table_kinds) {
             if (is_result(kind)) continue;
-            const Table data = data_table(model_, kind, manner_);
+            const Table data = data_table(written_out, kind, manner_);
             if (data.rows.empty() || used_columns(data).empty()) continue;
             heading(3, tr_(title(kind)));
             table(data);
+            if (kind == TableKind::Sections && written_out.sections != model_.sections)
+                text(tr_("Properties that were not typed are calculated from the profile or the shape."));
         }
     }
 

@@ -48,6 +48,24 @@ std::optional<std::size_t> page_of(const std::vector<ui::PdfPage>& pages, const 
     return std::nullopt;
 }
 
+/// The first table whose first column has this heading.
+ReportTable table_with(const Report& report, const std::string& heading)
+{
+    for (const ReportTable& table : all<ReportTable>(report))
+        if (table.columns.front().heading == heading) return table;
+    return {};
+}
+
+/// The cells under the heading that begins like this; none where the table has no such column.
+std::vector<std::string> column_of(const ReportTable& table, const std::string& heading)
+{
+    std::vector<std::string> cells;
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
+        if (table.columns[i].heading.starts_with(heading))
+            for (const std::vector<std::string>& row : table.rows) cells.push_back(row[i]);
+    return cells;
+}
+
 bool says(const Report& report, const std::string& words)
 {
     const std::string html = report_html(report, ui::Fonts());
@@ -67,6 +85,42 @@ TEST_SUITE("frame report")
         CHECK(says(report, "Envelope of all cases"));
         CHECK(says(report, "Largest force out of balance"));
         CHECK(!says(report, "nan"));
+    }
+
+    TEST_CASE("The table of sections has what a profile or a shape comes to, and a typed value wins")
+    {
+        Document document{femoop::read_model_file(CREMONA_SOURCE_DIR "/examples/portal.json")};
+        document.model.sections[1].Iz = femoop::Quantity(4.2e-4); // of IPE 400, whose table has 23130 cm^4
+        const Report report = make_report(document.model, solve(document), {}, ui::Fonts());
+        const ReportTable sections = table_with(report, "Section");
+        // EN 10365, HEB 240 and IPE 400, in cm
+        CHECK(column_of(sections, "A ") == std::vector<std::string>{"106", "84.5"});
+        CHECK(column_of(sections, "Iz ") == std::vector<std::string>{"11260", "42000"});
+        CHECK(column_of(sections, "Depth h ") == std::vector<std::string>{"24", "40"});
+        for (const char* unused : {"Iy ", "J ", "Asy "}) CHECK(column_of(sections, unused).empty());
+        CHECK(says(report, "Properties that were not typed are calculated from the profile or the shape."));
+    }
+
+    TEST_CASE("Shear areas stand in the table of sections where a member has shear strain, and no others in a plane")
+    {
+        Document document{femoop::read_model_file(CREMONA_SOURCE_DIR "/examples/continuous_beam.json")};
+        document.model.sections[0] = {.id = "s", .shape = femoop::Shape{.kind = femoop::ShapeKind::Rectangle}};
+        document.model.sections[0].shape->b = 0.3;
+        document.model.sections[0].shape->h = 0.5;
+        document.model.members[0].theory = femoop::BeamTheory::Timoshenko;
+        const Report report = make_report(document.model, solve(document), {}, ui::Fonts());
+        const ReportTable sections = table_with(report, "Section");
+        CHECK(column_of(sections, "Asy ") == std::vector<std::string>{"1250"}); // 5/6 b h
+        CHECK(column_of(sections, "Asz ").empty());
+    }
+
+    TEST_CASE("A section that cannot be stays as it was typed in the report")
+    {
+        Document document{femoop::read_model_file(CREMONA_SOURCE_DIR "/examples/portal.json")};
+        document.model.sections[0].profile = "HEB 241";
+        const Report report = make_report(document.model, solve(document), {}, ui::Fonts());
+        CHECK(column_of(table_with(report, "Section"), "A ").at(0).empty());
+        CHECK(says(report, "HEB 241"));
     }
 
     TEST_CASE("The page needs no other file, and what the model says cannot break it")
