@@ -38,6 +38,13 @@ template <class List> std::unordered_set<std::string_view> names_of(const List& 
     return names;
 }
 
+/// Leaves those alone whose names the other list has.
+template <class List> void forget_new(List& list, const List& before)
+{
+    const std::unordered_set<std::string_view> names = names_of(before);
+    std::erase_if(list, [&](const auto& entry) { return !names.contains(entry.id); });
+}
+
 } // namespace
 
 std::string fresh_name(const std::string& wanted, const std::function<bool(const std::string&)>& is_taken)
@@ -94,6 +101,26 @@ std::string fresh_case_id(const Model& model, const std::string& wanted)
 bool is_named_after_nodes(const Model& model, const Member& member)
 {
     return member.id == model[member.nodes[0]].id + model[member.nodes[1]].id;
+}
+
+void name_anew(Model& model, const Model& before)
+{
+    Model named = model;
+    forget_new(named.nodes, before.nodes);
+    forget_new(named.members, before.members);
+    const std::unordered_set<std::string_view> old_nodes = names_of(before.nodes),
+                                               old_members = names_of(before.members);
+    for (Node& node : model.nodes) {
+        if (old_nodes.contains(node.id)) continue;
+        node.id = fresh_node_id(named);
+        named.nodes.push_back(node);
+    }
+    named.nodes = model.nodes; // in the order that members refer to
+    for (Member& member : model.members) {
+        if (old_members.contains(member.id)) continue;
+        member.id = fresh_member_id(named, member.nodes[0], member.nodes[1]);
+        named.members.push_back(member);
+    }
 }
 
 } // namespace femoop

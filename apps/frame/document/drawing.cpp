@@ -7,6 +7,7 @@
 #include "femoop/edit/erase.h"
 #include "femoop/edit/member_line.h"
 #include "femoop/edit/merge.h"
+#include "femoop/edit/naming.h"
 #include "femoop/edit/weld.h"
 #include "femoop/model/quantity/in_units.h"
 
@@ -236,6 +237,16 @@ std::vector<Part> copy(Document& document, std::span<const Part> parts, const fe
 void join(Document& document)
 {
     edit_model(document, [](Model& model) { femoop::weld(model); });
+}
+
+void name_anew(Document& document, const Model& before)
+{
+    const std::vector<femoop::Node> were = document.model.nodes;
+    femoop::name_anew(document.model, before);
+    Renaming names;
+    for (std::size_t i = 0; i < were.size(); ++i) names[were[i].id] = document.model.nodes[i].id;
+    for (DimensionLine& dimension : document.companion.dimensions)
+        if (auto line = renamed(dimension, names)) dimension = *std::move(line);
 }
 
 } // namespace frame

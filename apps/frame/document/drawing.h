@@ -42,4 +42,8 @@ std::vector<Part> copy(Document& document, std::span<const Part> parts, const fe
 /// Makes one of what lies at one place (femoop/edit/weld.h): the end of every gesture that moved something.
 void join(Document& document);
 
+/// Names the nodes and members that were made since `before` as if they were drawn one by one (femoop/edit/naming.h),
+/// in dimension lines too: copies that were joined keep no gaps and no names of nodes that are gone.
+void name_anew(Document& document, const femoop::Model& before);
+
 } // namespace frame

@@ -219,15 +219,17 @@ void accept_transform(Desk& desk)
     Session& session = desk.session;
     if (!desk.transform) return;
     const femoop::Model& before = session.history().settled().model;
-    const std::size_t n_nodes = before.nodes.size(), n_members = before.members.size();
-    const Selection copies = latest(session.model(), n_nodes, n_members);
-    if (!copies.is_empty()) session.selection = copies;
+    const Document& made = session.document();
+    Selection copies = latest(made.model, before.nodes.size(), before.members.size());
+    Document joined = made;
+    join(joined);
+    if (!copies.is_empty()) {
+        copies.follow(made, joined);
+        name_anew(joined, before); // which moves nothing in the lists, so the copies are where they were
+    }
     session.change({session.history().label(session.history().place()),
-                    [made = session.document()](Document& document) {
-                        document = made;
-                        join(document);
-                    },
-                    Step::Drag});
+                    [&joined](Document& document) { document = joined; }, Step::Drag});
+    if (!copies.is_empty()) session.selection = copies;
     session.settle();
     desk.transform.reset();
 }

@@ -100,6 +100,25 @@ TEST_SUITE("frame document: drawing")
         CHECK(frame::solve(document).results.has_value());
     }
 
+    TEST_CASE("Copies that were joined are named after the nodes that they have, without gaps")
+    {
+        Document document = frame::starting_document();
+        const femoop::Model before = document.model;
+        const std::vector<Part> all{MemberId(0), MemberId(1), MemberId(2)};
+        document.companion.dimensions = {{.nodes = {"B", "C"}}};
+        frame::copy(document, all, femoop::moved_by({6, 0, 0}), 2);
+        frame::join(document);
+        frame::name_anew(document, before);
+        std::vector<std::string> nodes, members;
+        for (const femoop::Node& node : document.model.nodes) nodes.push_back(node.id);
+        for (const femoop::Member& member : document.model.members) members.push_back(member.id);
+        CHECK(nodes == std::vector<std::string>{"A", "B", "C", "D", "E", "F", "G", "H"});
+        CHECK(members == std::vector<std::string>{"AB", "BC", "CD", "CE", "EF", "EG", "GH"});
+        REQUIRE(document.companion.dimensions.size() == 3);
+        CHECK(document.companion.dimensions[1].nodes == std::vector<std::string>{"C", "E"});
+        CHECK(document.companion.dimensions[2].nodes == std::vector<std::string>{"E", "G"});
+    }
+
     TEST_CASE("A node moved onto another joins it")
     {
         Document document = frame::starting_document();

@@ -9,6 +9,7 @@
 #include "apps/frame/session/autosave.h"
 #include "apps/frame/session/edit_commands.h"
 #include "apps/frame/session/tabs.h"
+#include "femoop/edit/naming.h"
 #include "femoop/io/model_file.h"
 #include "tests/folder.h"
 
@@ -226,6 +227,21 @@ TEST_SUITE("frame session")
         CHECK(desk.session.history().n_states() == 2);
         run(desk, "edit.undo");
         CHECK(desk.session.document() == before);
+    }
+
+    TEST_CASE("What was mirrored and joined is selected, and its members have the names of their nodes")
+    {
+        Desk desk = desk_with("portal.json");
+        run(desk, "edit.select_all");
+        run(desk, "edit.mirror"); // about the right column
+        run(desk, "edit.accept");
+        const femoop::Model& model = desk.session.model();
+        REQUIRE(model.members.size() == 5);
+        for (const femoop::Member& member : model.members) CHECK(femoop::is_named_after_nodes(model, member));
+        CHECK(model.nodes.back().id == "F");
+        CHECK(desk.session.selection.contains(NodeId(5)));
+        CHECK(desk.session.selection.contains(MemberId(4)));
+        CHECK(!desk.session.selection.contains(MemberId(0)));
     }
 
     TEST_CASE("A quarter turn is exact: what stood upright lies level")
