@@ -55,6 +55,23 @@ TEST_SUITE("edit: placing")
         }
     }
 
+    TEST_CASE(
+        "Mirroring and turning keep the direction of a load in global axes and turn one in the member's axes along")
+    {
+        for (const Placement& placement : {mirrored({9, 1, 0}, {9, 4, 0}), turned({4, -3, 0}, 0.7)}) {
+            Model model = propped();
+            const PointLoad wind{.at = Quantity(2.0), .components = {{Dof::ux, 7}, {Dof::uy, -5}}};
+            model.load_cases[0].members.push_back({MemberId(0), wind});
+            model.load_cases[0].nodes.push_back({NodeId(1), {{Dof::ux, 3}}});
+            place_nodes(model, both, placement);
+            const auto& loads = model.load_cases[0];
+            CHECK(std::get<PointLoad>(loads.members[1].load).components == wind.components);
+            CHECK(loads.nodes[0].components[0].value == 3.0);
+            const bool is_mirrored = placement.linear().determinant() < 0.0;
+            CHECK(std::get<PointLoad>(loads.members[0].load).components[0].value == (is_mirrored ? 30.0 : -30.0));
+        }
+    }
+
     TEST_CASE("Scaling keeps a load at its share of the member")
     {
         Model model = propped();
