@@ -11,7 +11,6 @@
 #include "apps/frame/document/overloaded.h"
 #include "apps/frame/document/set_library.h"
 #include "femoop/edit/load_change.h"
-#include "femoop/edit/naming.h"
 #include "femoop/model/quantity/in_units.h"
 #include "ui/text/catalogue.h"
 
@@ -87,12 +86,6 @@ bool bears(const Model& model, LoadCasePlace place, MemberId member, const Membe
     });
 }
 
-std::string fresh_name(const std::vector<NamedSet>& sets, const std::string& wanted)
-{
-    return femoop::fresh_name(
-        wanted, [&](const std::string& name) { return std::ranges::find(sets, name, &NamedSet::name) != sets.end(); });
-}
-
 } // namespace
 
 bool are_alike(const SetValue& a, const SetValue& b) { return bare(a) == bare(b); }
@@ -134,7 +127,7 @@ bool suits(const SetValue& value, const Part& part)
 NamedSetPlace keep(Document& document, const Part& part, const std::string& name)
 {
     document.companion.sets.push_back(
-        {fresh_name(document.companion.sets, name), value_of(document.model, part).value()});
+        {fresh_name(document.companion.sets, &NamedSet::name, name), value_of(document.model, part).value()});
     return {document.companion.sets.size() - 1};
 }
 
@@ -216,7 +209,7 @@ std::size_t import_sets(Document& document, const Document& other)
         const bool is_there = std::ranges::any_of(document.companion.sets,
                                                   [&](const auto& there) { return are_alike(there.value, set.value); });
         if (is_there || !is_usable(set, document.model)) continue;
-        set.name = fresh_name(document.companion.sets, set.name);
+        set.name = fresh_name(document.companion.sets, &NamedSet::name, set.name);
         document.companion.sets.push_back(std::move(set));
         ++n;
     }

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "femoop/edit/naming.h"
 #include "ui/text/catalogue.h"
 #include "ui/text/phrase.h"
 
@@ -20,6 +22,14 @@ std::optional<ui::Phrase> objection(const std::vector<Entry>& list, std::string 
         if (i != place && list[i].*name_of == name)
             return ui::Phrase(ui::translatable("there is another one named {name}"), {{"name", std::string(name)}});
     return std::nullopt;
+}
+
+/// The wanted name, counted on where an entry of the list has it (femoop/edit/naming.h).
+template <class Entry>
+std::string fresh_name(const std::vector<Entry>& list, std::string Entry::*name_of, const std::string& wanted)
+{
+    return femoop::fresh_name(
+        wanted, [&](const std::string& name) { return std::ranges::find(list, name, name_of) != list.end(); });
 }
 
 } // namespace frame

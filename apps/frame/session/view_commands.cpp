@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "apps/frame/document/naming.h"
-#include "femoop/edit/naming.h"
 
 namespace frame {
 
@@ -81,11 +80,7 @@ void add_view_commands(CommandTable& table)
 void keep_view(Session& session, const std::optional<Region>& region)
 {
     const ViewOptions& now = session.view;
-    NamedView view{.name = femoop::fresh_name(now.tr("View 1"),
-                                              [&](const std::string& name) {
-                                                  return std::ranges::find(views(session), name, &NamedView::name) !=
-                                                         views(session).end();
-                                              }),
+    NamedView view{.name = fresh_name(views(session), &NamedView::name, now.tr("View 1")),
                    .show = words_of(now.show),
                    .diagrams = now.diagram_factor,
                    .loads = now.load_factor,
