@@ -71,23 +71,15 @@ void Session::refresh()
     if (mechanism >= solution_.mechanisms.size()) mechanism = 0;
 }
 
-namespace {
-
-std::vector<femoop::Fault> errors(const femoop::Model& model)
-{
-    std::vector<femoop::Fault> faults = femoop::check(model);
-    std::erase_if(faults, [](const auto& fault) { return femoop::severity(fault.kind) != femoop::Severity::Error; });
-    return faults;
-}
-
-} // namespace
-
 bool Session::change_soundly(const Change& wanted)
 {
     Document next = document();
     wanted.command(next);
-    std::vector<femoop::Fault> faults = errors(next.model);
-    for (const femoop::Fault& former : errors(model())) std::erase(faults, former);
+    std::vector<femoop::Fault> faults = femoop::check(next.model);
+    std::erase_if(faults, [&](const femoop::Fault& fault) {
+        const bool is_error = femoop::severity(fault.kind) == femoop::Severity::Error;
+        return !is_error || std::ranges::find(solution_.faults, fault) != solution_.faults.end();
+    });
     if (faults.empty()) change(wanted);
     else notice = Notice{translatable("nothing was changed, since the model would have an error"), faults};
     return faults.empty();
