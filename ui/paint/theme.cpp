@@ -1,5 +1,6 @@
 #include "ui/paint/theme.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace ui {
@@ -161,6 +162,29 @@ void add_results(Roles& roles, const Palette& p)
     at(roles, Role::Error) = role_style(p, vermillion, {.width = 2.5});
 }
 
+void add_steps(Roles& roles, const Palette& p)
+{
+    at(roles, Role::Edge) = plain_style(p, p.ink, {.width = 1.8, .cap = Cap::Round});
+    at(roles, Role::HiddenEdge) = plain_style(p, mixed(p.background, p.faint, 0.75), {.width = 1.0});
+    at(roles, Role::Created) = role_style(p, bluish_green, {.width = 3.2, .cap = Cap::Round});
+    at(roles, Role::Changed) = role_style(p, orange, {.width = 2.4, .cap = Cap::Round});
+    at(roles, Role::Killed) = role_style(p, vermillion, {.width = 2.8, .dash = {6, 4}});
+    at(roles, Role::Offered) = role_style(p, yellow, {.width = 7.0, .cap = Cap::Round});
+}
+
+/// Where there is no colour, shades and dashes stand for hues.
+std::array<RoleStyle, n_series> series(const Palette& p)
+{
+    constexpr Color hues[n_series] = {blue, orange, bluish_green, reddish_purple, sky_blue, vermillion, yellow};
+    const DashPattern dashes[n_series] = {{}, {6, 3}, {2, 2}, {9, 3, 2, 3}, {4, 2}, {12, 3}, {2, 4}};
+    std::array<RoleStyle, n_series> styles;
+    for (std::size_t i = 0; i < n_series; ++i) {
+        styles[i] = role_style(p, hues[i], {.width = 1.5, .dash = p.is_gray ? dashes[i] : DashPattern{}});
+        if (p.is_gray) styles[i].fill = with_opacity(p.ink, p.fill_opacity * (0.4 + 0.2 * static_cast<double>(i)));
+    }
+    return styles;
+}
+
 constexpr std::pair<ThemeName, std::string_view> theme_names[] = {{ThemeName::Light, "light"},
                                                                   {ThemeName::Dark, "dark"},
                                                                   {ThemeName::Print, "print"},
@@ -175,6 +199,8 @@ Theme::Theme(ThemeName name) : name_(name)
     add_structure(roles_, p);
     add_actions(roles_, p);
     add_results(roles_, p);
+    add_steps(roles_, p);
+    series_ = ui::series(p);
     if (name == ThemeName::Projector) {
         type_ = {.small = 17.0, .normal = 20.0, .large = 26.0};
         symbol_scale_ = 1.5;
@@ -186,10 +212,12 @@ Theme Theme::scaled(double factor) const
     Theme theme = *this;
     theme.type_ = {.small = factor * type_.small, .normal = factor * type_.normal, .large = factor * type_.large};
     theme.symbol_scale_ *= factor;
-    for (RoleStyle& role : theme.roles_) {
-        role.stroke.width *= factor;
-        role.stroke.dash = role.stroke.dash.scaled(factor);
-    }
+    const auto scale = [&](RoleStyle& style) {
+        style.stroke.width *= factor;
+        style.stroke.dash = style.stroke.dash.scaled(factor);
+    };
+    std::for_each(theme.roles_.begin(), theme.roles_.end(), scale);
+    std::for_each(theme.series_.begin(), theme.series_.end(), scale);
     return theme;
 }
 

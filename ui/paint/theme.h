@@ -39,12 +39,19 @@ enum class Role {
     Label,
     FaintLabel,
     Leader,
+    Edge,       ///< of a solid
+    HiddenEdge, ///< behind faces
+    Created,    ///< by the step that is shown
+    Changed,    ///< by it, but there before and after
+    Killed,     ///< by it
+    Offered,    ///< may be picked now
     Selection,
     Hover,
     Warning,
     Error
 };
 inline constexpr std::size_t n_roles = static_cast<std::size_t>(Role::Error) + 1;
+inline constexpr std::size_t n_series = 7;
 
 /// How a role looks: its line, the fill of its areas, and the colour of its words and numbers.
 struct RoleStyle {
@@ -79,6 +86,9 @@ public:
     const RoleStyle& operator[](Role role) const { return roles_[static_cast<std::size_t>(role)]; }
     Stroke stroke(Role role) const { return (*this)[role].stroke; }
     Color fill(Role role) const { return (*this)[role].fill; }
+    /// The i-th of things of one kind that are told apart by colour, or in print by shade and dashes; the looks come in
+    /// turn, `n_series` of them.
+    const RoleStyle& series(std::size_t i) const { return series_[i % n_series]; }
     /// The same with all sizes of type, lines and symbols multiplied.
     Theme scaled(double factor) const;
     /// Normal size, in the role's text colour.
@@ -90,6 +100,7 @@ private:
     TypeSizes type_;
     double symbol_scale_ = 1.0;
     std::array<RoleStyle, n_roles> roles_;
+    std::array<RoleStyle, n_series> series_;
 };
 
 std::string_view text(ThemeName name); ///< "light", "dark", "print", "projector"

@@ -103,6 +103,21 @@ TEST_CASE("People without red, green or blue cones tell loads, moments, shear an
     }
 }
 
+TEST_CASE("Things of one kind differ in colour, and in print in their shade and dashes")
+{
+    for (const auto name : all_themes) {
+        const ui::Theme theme(name);
+        CAPTURE(ui::text(name));
+        for (std::size_t i = 0; i < ui::n_series; ++i) {
+            CHECK(ui::contrast_ratio(theme.series(i).text, theme.background()) >= 4.5);
+            for (std::size_t j = 0; j < i; ++j) {
+                CHECK_FALSE(theme.series(i).fill == theme.series(j).fill);
+                CHECK_FALSE(theme.series(i).stroke == theme.series(j).stroke);
+            }
+        }
+    }
+}
+
 TEST_CASE("The print theme uses no colour at all")
 {
     const ui::Theme theme(ui::ThemeName::Print);
@@ -111,6 +126,7 @@ TEST_CASE("The print theme uses no colour at all")
         CHECK(c.r == c.g);
         CHECK(c.g == c.b);
     }
+    for (std::size_t i = 0; i < ui::n_series; ++i) CHECK(theme.series(i).fill.r == theme.series(i).fill.b);
 }
 
 TEST_CASE("On the projector type is half as large again, and members nearly twice as thick")
