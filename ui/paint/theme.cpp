@@ -166,6 +166,7 @@ void add_steps(Roles& roles, const Palette& p)
 {
     at(roles, Role::Edge) = plain_style(p, p.ink, {.width = 1.8, .cap = Cap::Round});
     at(roles, Role::HiddenEdge) = plain_style(p, mixed(p.background, p.faint, 0.75), {.width = 1.0});
+    at(roles, Role::HiddenEdge).text = p.faint;
     at(roles, Role::Created) = role_style(p, bluish_green, {.width = 3.2, .cap = Cap::Round});
     at(roles, Role::Changed) = role_style(p, orange, {.width = 2.4, .cap = Cap::Round});
     at(roles, Role::Killed) = role_style(p, vermillion, {.width = 2.8, .dash = {6, 4}});
