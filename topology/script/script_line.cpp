@@ -118,7 +118,7 @@ void ScriptLine::mvfs()
         runner_.add({.name = name});
     }
     NamedSolid& in = runner_.solids_[*place_];
-    const LoneVertex made = EulerOperator(in.solid, in.journal).mvfs(p);
+    const LoneVertex made = observed(in).mvfs(p);
     runner_.commit(*place_, 1);
     in.names.faces.give(made.face, face_name);
     in.names.vertices.give(made.vertex, vertex_name);
@@ -248,7 +248,7 @@ void ScriptLine::sweep()
     const Point end = point(3);
     const Vector by = end - Point{};
     NamedSolid& in = solid();
-    EulerOperator op(in.solid, in.journal);
+    EulerOperator op = observed(in);
     if (const auto refusal = why_not_sweep(op, f)) throw in_words(*refusal);
     for (const LoopId l : in.solid.loops(f))
         for (const HalfEdgeId h : in.solid.chain(l))

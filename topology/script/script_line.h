@@ -17,7 +17,9 @@ namespace topology {
 /// One line while it is run. Everything is found and checked before anything changes.
 class ScriptLine {
 public:
-    ScriptLine(ScriptRunner& runner, const std::vector<std::string_view>& words) : runner_(runner), words_(words) {}
+    ScriptLine(ScriptRunner& runner, const std::vector<std::string_view>& words, Observer* observer)
+        : runner_(runner), words_(words), observer_(observer)
+    {}
 
     LineKind run(); ///< \throws LineError
 
@@ -74,11 +76,17 @@ private:
     std::string new_face(std::size_t i);
     Point point(std::size_t i) const;
 
+    EulerOperator observed(NamedSolid& in) const
+    {
+        EulerOperator op(in.solid, in.journal);
+        if (observer_ != nullptr) op.observe(*observer_);
+        return op;
+    }
+
     /// Applies one operator to the solid, as one step.
     template <class Act> auto apply(const Act& act)
     {
-        NamedSolid& in = solid();
-        EulerOperator op(in.solid, in.journal);
+        EulerOperator op = observed(solid());
         try {
             if constexpr (std::is_void_v<decltype(act(op))>) {
                 act(op);
@@ -104,6 +112,7 @@ private:
 
     ScriptRunner& runner_;
     const std::vector<std::string_view>& words_;
+    Observer* observer_;
     std::optional<std::size_t> place_;
 };
 

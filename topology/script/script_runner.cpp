@@ -6,10 +6,10 @@
 
 namespace topology {
 
-LineKind ScriptRunner::run_line(std::string_view line)
+LineKind ScriptRunner::run_line(std::string_view line, Observer* observer)
 {
     const std::vector<std::string_view> found = words(line);
-    return found.empty() ? LineKind::Empty : ScriptLine(*this, found).run();
+    return found.empty() ? LineKind::Empty : ScriptLine(*this, found, observer).run();
 }
 
 void ScriptRunner::add(NamedSolid solid)
@@ -57,8 +57,7 @@ void ScriptRunner::undo(std::size_t n)
 
 void ScriptRunner::redo(std::size_t n)
 {
-    const std::size_t n_undone = history_.size() - n_done_;
-    if (n > n_undone) throw error(ScriptFault::NothingToRedo, {std::to_string(n_undone), std::to_string(n)});
+    if (n > n_undone()) throw error(ScriptFault::NothingToRedo, {std::to_string(n_undone()), std::to_string(n)});
     for (; n != 0; --n) {
         const Done& step = history_[n_done_++];
         NamedSolid& in = solids_[step.solid];

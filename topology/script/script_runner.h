@@ -37,13 +37,20 @@ enum class LineKind { Empty, Operator, UndoOrRedo };
 /// again.
 class ScriptRunner {
 public:
-    /// Does what the line says. \throws LineError without number; nothing is changed then
-    LineKind run_line(std::string_view line);
+    /// Does what the line says; `observer` is told what each of its operators did. \throws LineError without number;
+    /// nothing is changed then
+    LineKind run_line(std::string_view line, Observer* observer = nullptr);
 
     /// Takes a solid that was made elsewhere, as the first thing that cannot be undone. \pre its name is free
     void add(NamedSolid solid);
 
-    std::size_t n_steps() const { return n_done_; } ///< done and not undone
+    struct Done {
+        std::size_t solid = 0; ///< its place in solids()
+        std::size_t n_operators = 0;
+    };
+    std::size_t n_steps() const { return n_done_; }                           ///< done and not undone
+    std::size_t n_undone() const { return history_.size() - n_done_; }        ///< that redo can do again
+    const Done& operator[](std::size_t step) const { return history_[step]; } ///< done, then undone ones
     const std::deque<NamedSolid>& solids() const
     {
         return solids_;
@@ -51,10 +58,6 @@ public:
 
 private:
     friend class ScriptLine;
-    struct Done {
-        std::size_t solid; ///< its place in solids_
-        std::size_t n_operators;
-    };
     std::optional<std::size_t> find(std::string_view name) const; ///< the place of the living solid of this name
     void forget_undone();
     void commit(std::size_t solid, std::size_t n_operators);

@@ -3,20 +3,23 @@
 #include <utility>
 
 #include "topology/modeling/construction.h"
-#include "topology/text/words.h"
+#include "topology/script/wording.h"
 
 namespace topology {
 
 namespace {
-
-std::string spaced(const Point& p) { return " " + written(p.x) + " " + written(p.y) + " " + written(p.z); }
 
 /// Plays a journal from the beginning and writes down each step: the corners as they are named before it, what it makes
 /// after it.
 class Writer {
 public:
     explicit Writer(const NamedSolid& solid)
-        : names_(solid.names), name_(solid.name), solid_(solid.solid), journal_(solid.journal), op_(solid_, journal_)
+        : names_(solid.names),
+          name_(solid.name),
+          solid_(solid.solid),
+          journal_(solid.journal),
+          op_(solid_, journal_),
+          say_({solid_, names_, name_})
     {
         while (journal_.n_done() != 0) op_.undo();
     }
@@ -28,19 +31,6 @@ public:
     }
 
 private:
-    Named in() const { return {solid_, names_, name_}; }
-    std::string face(FaceId f) const { return " " + names_.faces.of(f); }
-    std::string vertex(VertexId v) const { return " " + names_.vertices.of(v); }
-    std::string face_of(HalfEdgeId h) const { return face(solid_.face(h)); }
-    std::string corner(HalfEdgeId h) const { return " " + corner_word(in(), h); }
-    std::string corner(LoopId l) const { return corner(solid_.half_edge(l)); }
-    /// "V1 V2": the edge along h.
-    std::string ends(HalfEdgeId h, bool is_in_face) const
-    {
-        const std::optional<FaceId> f = is_in_face ? std::optional(solid_.face(h)) : std::nullopt;
-        return vertex(solid_.start(h)) + " " + end_word(in(), h, f);
-    }
-
     void write(Step step)
     {
         const std::string line = operation(step);
@@ -56,42 +46,39 @@ private:
         const LoopId l{step.a};
         switch (step.kind) {
         case OperatorKind::MVFS: return "mvfs " + name_;
-        case OperatorKind::KVFS: return "kvfs " + name_ + face(f);
-        case OperatorKind::MEV: return a == b ? "mev " + name_ + face_of(a) + corner(a) : split(a, b);
-        case OperatorKind::KEV: return "kev " + name_ + ends(b, false);
-        case OperatorKind::SEMV: return "semv " + name_ + ends(a, false);
-        case OperatorKind::JEKV: return "jekv " + name_ + ends(b, false);
-        case OperatorKind::MVR: return "mvr " + name_ + face(f);
+        case OperatorKind::KVFS: return "kvfs " + name_ + say_.face(f);
+        case OperatorKind::MEV:
+            return a == b ? "mev " + name_ + say_.face_of(a) + say_.corner(a) : "split " + name_ + say_.split(a, b);
+        case OperatorKind::KEV: return "kev " + name_ + say_.ends(b);
+        case OperatorKind::SEMV: return "semv " + name_ + say_.ends(a);
+        case OperatorKind::JEKV: return "jekv " + name_ + say_.ends(b);
+        case OperatorKind::MVR: return "mvr " + name_ + say_.face(f);
         case OperatorKind::KVR:
-            return "kvr " + name_ + face(solid_.face(l)) + vertex(solid_.start(solid_.half_edge(l)));
-        case OperatorKind::MEF: return "mef " + name_ + face_of(a) + corner(a) + corner(b);
-        case OperatorKind::KEF: return "kef " + name_ + face_of(a) + ends(a, true);
-        case OperatorKind::KEMR: return "kemr " + name_ + face_of(a) + ends(a, true);
-        case OperatorKind::MEKR: return "mekr " + name_ + face_of(a) + corner(a) + corner(b);
-        case OperatorKind::KFMRH: return "kfmrh " + name_ + face(f) + face(FaceId{step.b});
-        case OperatorKind::MFKRH: return "mfkrh " + name_ + face(solid_.face(l)) + corner(l);
-        case OperatorKind::RINGMV: return "ringmv " + name_ + face(solid_.face(l)) + corner(l) + face(FaceId{step.b});
+            return "kvr " + name_ + say_.face(solid_.face(l)) + say_.vertex(solid_.start(solid_.half_edge(l)));
+        case OperatorKind::MEF: return "mef " + name_ + say_.face_of(a) + say_.corner(a) + say_.corner(b);
+        case OperatorKind::KEF: return "kef " + name_ + say_.face_of(a) + say_.ends_in_face(a);
+        case OperatorKind::KEMR: return "kemr " + name_ + say_.face_of(a) + say_.ends_in_face(a);
+        case OperatorKind::MEKR: return "mekr " + name_ + say_.face_of(a) + say_.corner(a) + say_.corner(b);
+        case OperatorKind::KFMRH: return "kfmrh " + name_ + say_.face(f) + say_.face(FaceId{step.b});
+        case OperatorKind::MFKRH: return "mfkrh " + name_ + say_.face(solid_.face(l)) + say_.corner(l);
+        case OperatorKind::RINGMV:
+            return "ringmv " + name_ + say_.face(solid_.face(l)) + say_.corner(l) + say_.face(FaceId{step.b});
         case OperatorKind::MOVE: break;
         }
-        return "move " + name_ + vertex(VertexId{step.a});
+        return "move " + name_ + say_.vertex(VertexId{step.a});
     }
-    std::string split(HalfEdgeId from, HalfEdgeId to) const
-    {
-        return "split " + name_ + face_of(from) + face_of(to) + vertex(solid_.start(from)) + " " +
-               end_word(in(), from, solid_.face(from)) + " " + end_word(in(), to, solid_.face(to));
-    }
-
     std::string made(const Step& step) const
     {
         const VertexId v{step.other};
         switch (step.kind) {
-        case OperatorKind::MVFS: return face(solid_.face(solid_.half_edge(v))) + vertex(v) + spaced(solid_.point(v));
+        case OperatorKind::MVFS:
+            return say_.face(solid_.face(solid_.half_edge(v))) + say_.vertex(v) + say_.point(solid_.point(v));
         case OperatorKind::MEV:
         case OperatorKind::SEMV:
-        case OperatorKind::MVR: return vertex(v) + spaced(solid_.point(v));
+        case OperatorKind::MVR: return say_.vertex(v) + say_.point(solid_.point(v));
         case OperatorKind::MEF:
-        case OperatorKind::MFKRH: return face(FaceId{step.other});
-        case OperatorKind::MOVE: return spaced(solid_.point(VertexId{step.a}));
+        case OperatorKind::MFKRH: return say_.face(FaceId{step.other});
+        case OperatorKind::MOVE: return say_.point(solid_.point(VertexId{step.a}));
         default: return "";
         }
     }
@@ -101,6 +88,7 @@ private:
     Solid solid_;
     Journal journal_;
     EulerOperator op_;
+    Wording say_;
     std::string text_;
 };
 

@@ -20,6 +20,8 @@ public:
 
     /// "line 7: mef s1 f1 v1 v9 f3: v9 is not in face f1"; the reason alone while no line is known.
     std::string sentence(const PatternTranslator& tr) const;
+    std::string_view pattern() const { return pattern_; } ///< of the reason, without its line
+    const std::vector<std::string>& words() const { return words_; }
     LineError at(std::size_t number, std::string_view line) const; ///< the same fault with its place
 
 private:

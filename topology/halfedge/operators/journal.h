@@ -15,6 +15,7 @@ public:
     std::size_t n_done() const { return n_done_; }
     std::size_t n_undone() const { return steps_.size() - n_done_; }
     const Step& operator[](std::size_t i) const { return steps_[i]; } ///< done, then undone ones
+    const Point& moved_from() const { return points_.back(); }        ///< \pre a MOVE was done last of all MOVEs
     std::size_t bytes() const { return steps_.capacity() * sizeof(Step) + points_.capacity() * sizeof(Point); }
 
     friend bool operator==(const Journal&, const Journal&) = default;

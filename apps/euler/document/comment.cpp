@@ -1,0 +1,53 @@
+#include "apps/euler/document/comment.h"
+
+#include "topology/text/words.h"
+
+namespace euler {
+
+namespace {
+
+std::string trimmed(std::string_view text)
+{
+    const std::size_t begin = text.find_first_not_of(" \t\r");
+    return begin == std::string_view::npos ? ""
+                                           : std::string(text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1));
+}
+
+/// What follows the # that begins a comment; "" where there is none.
+std::string after_mark(std::string_view line)
+{
+    for (std::size_t at = line.find('#'); at != std::string_view::npos; at = line.find('#', at + 1))
+        if (at == 0 || line[at - 1] == ' ' || line[at - 1] == '\t') return trimmed(line.substr(at + 1));
+    return "";
+}
+
+void append(std::string& paragraph, const std::string& text)
+{
+    if (!paragraph.empty() && !text.empty()) paragraph += ' ';
+    paragraph += text;
+}
+
+bool is_blank(std::string_view line) { return trimmed(line).empty(); }
+
+} // namespace
+
+std::string comment(std::string_view above, std::string_view line)
+{
+    std::string paragraph;
+    for (topology::Lines lines(above); lines.next();) {
+        if (is_blank(lines.line())) paragraph.clear();
+        append(paragraph, after_mark(lines.line()));
+    }
+    append(paragraph, after_mark(line));
+    return paragraph;
+}
+
+std::string first_comment(std::string_view text)
+{
+    std::string paragraph;
+    for (topology::Lines lines(text); lines.next() && trimmed(lines.line()).starts_with('#');)
+        append(paragraph, after_mark(lines.line()));
+    return paragraph;
+}
+
+} // namespace euler
