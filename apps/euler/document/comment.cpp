@@ -9,8 +9,9 @@ namespace {
 std::string trimmed(std::string_view text)
 {
     const std::size_t begin = text.find_first_not_of(" \t\r");
-    return begin == std::string_view::npos ? ""
-                                           : std::string(text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1));
+    return begin == std::string_view::npos
+               ? ""
+               : std::string(text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1));
 }
 
 /// What follows the # that begins a comment; "" where there is none.

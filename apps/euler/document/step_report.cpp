@@ -17,7 +17,6 @@ std::string difference(std::size_t before, std::size_t after)
     return after < before ? " -" + std::to_string(before - after) : " 0";
 }
 
-
 /// Those that are not among the others.
 std::vector<Entity> without(const std::set<Entity>& list, const std::set<Entity>& others)
 {
@@ -31,8 +30,8 @@ std::vector<Entity> without(const std::set<Entity>& list, const std::set<Entity>
 std::string deltas(const StepReport& step)
 {
     const topology::EulerCounts &a = step.before, &b = step.after;
-    return step.name + ":" + difference(a.V, b.V) + difference(a.E, b.E) + difference(a.F, b.F) +
-           difference(a.L, b.L) + difference(a.S, b.S) + difference(a.G, b.G);
+    return step.name + ":" + difference(a.V, b.V) + difference(a.E, b.E) + difference(a.F, b.F) + difference(a.L, b.L) +
+           difference(a.S, b.S) + difference(a.G, b.G);
 }
 
 Change together(const std::vector<Change>& changes)

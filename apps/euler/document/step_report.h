@@ -12,14 +12,14 @@ namespace euler {
 
 /// What there is to say of one step of a lesson.
 struct StepReport {
-    std::string line;                        ///< as the script has it, with the comment at its end
-    std::string name;                        ///< of the operator: "MEV", or "SWEEP", which is many
-    std::size_t solid = 0;                   ///< its place in the runner's solids()
-    std::vector<topology::Change> changes;   ///< one for each operator
-    topology::EulerCounts before, after;     ///< of that solid; all 0 before its first step
-    std::string inverse_name;                ///< "KEV"; of a sweep, and where one is not enough, "KEF, KEV"
-    std::vector<std::string> inverse;        ///< the lines that would take the step back: "kev s1 v1 v2"
-    ui::Phrase explanation;                  ///< the comment just above the step and at its end; may be empty
+    std::string line;                      ///< as the script has it, with the comment at its end
+    std::string name;                      ///< of the operator: "MEV", or "SWEEP", which is many
+    std::size_t solid = 0;                 ///< its place in the runner's solids()
+    std::vector<topology::Change> changes; ///< one for each operator
+    topology::EulerCounts before, after;   ///< of that solid; all 0 before its first step
+    std::string inverse_name;              ///< "KEV"; of a sweep, and where one is not enough, "KEF, KEV"
+    std::vector<std::string> inverse;      ///< the lines that would take the step back: "kev s1 v1 v2"
+    ui::Phrase explanation;                ///< the comment just above the step and at its end; may be empty
 };
 
 /// The six differences in the order of the formula, V E F L S G: "MEF: 0 +1 +1 +1 0 0".

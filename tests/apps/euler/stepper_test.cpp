@@ -58,7 +58,8 @@ TEST_SUITE("stepper")
         CHECK(lesson.report(2).inverse_name == "KEV");
         CHECK(lesson.report(2).inverse == std::vector<std::string>{"kev s1 v1 v2"});
         CHECK(lesson.report(4).inverse == std::vector<std::string>{"kef s1 f1 v1 v3"});
-        CHECK(lesson.report(2).changes.front().created.size() == 3); // an edge, a half-edge (one was there) and a vertex
+        CHECK(lesson.report(2).changes.front().created.size() ==
+              3); // an edge, a half-edge (one was there) and a vertex
     }
 
     TEST_CASE("Back and forth again every link is as it was")
@@ -76,7 +77,8 @@ TEST_SUITE("stepper")
         CHECK(solid(lesson) == end);
     }
 
-    TEST_CASE("A line that is refused changes nothing, not even what could be done again, and says why in both languages")
+    TEST_CASE(
+        "A line that is refused changes nothing, not even what could be done again, and says why in both languages")
     {
         Stepper lesson(triangle);
         lesson.go_to(3);
@@ -111,7 +113,8 @@ mev s1 f1 v2 v4 5 5 0  # elsewhere
     {
         Stepper lesson(triangle);
         CHECK_FALSE(lesson.apply("mvr s1 f1 w 0.2 0.2 0"));
-        CHECK(lesson.script() == std::string(triangle).insert(std::string(triangle).find("# That"), "mvr s1 f1 w 0.2 0.2 0\n"));
+        CHECK(lesson.script() ==
+              std::string(triangle).insert(std::string(triangle).find("# That"), "mvr s1 f1 w 0.2 0.2 0\n"));
     }
 
     TEST_CASE("Lines that undo and redo move the place and are no steps")
@@ -144,7 +147,7 @@ mev s1 f1 v2 v4 5 5 0  # elsewhere
         CHECK(sweep.changes.size() == 6);
         CHECK(sweep.inverse_name == "KEF, KEV");
         CHECK(sweep.inverse.size() == 6);
-        const topology::Change all = together(sweep.changes);
+        const topology::Change all = euler::together(sweep.changes);
         CHECK(all.created.size() == 3 + 6 + 12 + 3 + 3);
         CHECK(all.killed.empty());
     }
