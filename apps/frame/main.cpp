@@ -7,7 +7,7 @@
 int main(int argc, char** argv)
 try {
     return frame::run(frame::parse_options(argc, argv));
-} catch (const frame::OptionsEnd& end) {
+} catch (const ui::OptionsEnd& end) {
     (end.status == 0 ? std::cout : std::cerr) << end.what() << '\n';
     return end.status;
 } catch (const std::exception& error) {

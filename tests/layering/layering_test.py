@@ -31,6 +31,7 @@ ALLOWED = {
     "femoop/io": ["femoop/", EIGEN, JSON, SYSTEM],
     "femoop/solver": ["femoop/", EIGEN, CHOLMOD, SYSTEM],
     "ui": ["ui/", WINDOW, FONTS_AND_CAIRO, SYSTEM],
+    "ui/app": ["ui/", WINDOW, OPTIONS],
     "ui/paint": ["ui/paint/", FONTS_AND_CAIRO],
     "ui/canvas": ["ui/canvas/", "ui/paint/"],
     "ui/history": UI_BASE,
@@ -173,6 +174,8 @@ class Rules(unittest.TestCase):
         self.assert_refused("ui/text/catalogue.cpp", '#include "ui/paint/painter.h"')
         self.assert_refused("ui/canvas/camera.cpp", "#include <imgui.h>")
         self.assert_allowed("ui/widgets/number_field.cpp", "#include <imgui.h>")
+        self.assert_refused("ui/widgets/number_field.cpp", "#include <CLI/CLI.hpp>")
+        self.assert_allowed("ui/app/app_options.cpp", "#include <CLI/CLI.hpp>")
 
     def test_window_headers_stay_in_ui_and_in_an_apps_window_panels_and_main(self):
         for header in ("imgui.h", "GLFW/glfw3.h", "GL/gl.h"):

@@ -100,4 +100,15 @@ private:
     std::vector<Entry> commands_;
 };
 
+/// Runs the command of that name. \returns what hinders it, in English, as scenarios tell it
+template <class Session>
+std::optional<std::string> run_by_name(const CommandTable<Session>& table, std::string_view id, Session& session)
+{
+    const auto* const command = table.find(id);
+    if (command == nullptr)
+        return "found command \"" + std::string(id) + "\", wanted one of the app's; the palette (Ctrl+K) lists them";
+    const std::optional<Phrase> reason = run(*command, session);
+    return reason ? std::optional(Catalogue()(*reason)) : std::nullopt;
+}
+
 } // namespace ui

@@ -14,7 +14,6 @@
 #include "apps/frame/window/banner.h"
 #include "apps/frame/window/document_tabs.h"
 #include "apps/frame/window/export.h"
-#include "apps/frame/window/fixed_panel.h"
 #include "apps/frame/window/properties_panel.h"
 #include "apps/frame/window/reading_windows.h"
 #include "apps/frame/window/results_panel.h"
@@ -22,6 +21,7 @@
 #include "apps/frame/window/status_bar.h"
 #include "apps/frame/window/tool_bar.h"
 #include "apps/frame/window/transform_bar.h"
+#include "ui/widgets/panel.h"
 
 namespace frame {
 
@@ -32,18 +32,7 @@ namespace {
 constexpr double seconds_per_swing = 2.4;
 constexpr double full_swing = 0.25 * seconds_per_swing; // a still picture shows the full displacement
 
-constexpr float splitter_ems = 0.35F;
 constexpr float most_left = 0.25F, most_right = 0.30F; // of the window's width
-
-// A bar beside a panel, dragged to give it another width [ems].
-std::optional<float> splitter(const char* id, float width, float sign, float height)
-{
-    const float em = ImGui::GetFontSize();
-    ImGui::InvisibleButton(id, {splitter_ems * em, height});
-    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    if (!ImGui::IsItemActive()) return std::nullopt;
-    return std::clamp(width + sign * ImGui::GetIO().MouseDelta.x / em, 8.0F, 40.0F);
-}
 
 } // namespace
 
@@ -247,16 +236,7 @@ void Application::show_menu_bar()
 
 void Application::show_body()
 {
-    const ImGuiViewport& viewport = *ImGui::GetMainViewport();
-    const float status = ImGui::GetFrameHeight();
-    ImGui::SetNextWindowPos(viewport.WorkPos);
-    ImGui::SetNextWindowSize({viewport.WorkSize.x, viewport.WorkSize.y - status});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.0F});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, 0U);
-    ImGui::Begin("###body", nullptr, fixed_panel);
+    ui::begin_body();
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float below = tables_.height(desk_, room.y);
     if (below > 0.0F) show_tables(below);
@@ -266,9 +246,7 @@ void Application::show_body()
     if (desk_.has_panels) show_panels_and_canvas();
     else show_canvas();
     ImGui::EndChild();
-    ImGui::End();
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar(4);
+    ui::end_body();
     status_bar(desk_.session);
 }
 
@@ -290,15 +268,15 @@ void Application::show_panels_and_canvas()
 {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float em = ImGui::GetFontSize();
-    const float bar = splitter_ems * em;
+    const float bar = ui::splitter_ems * em;
     const float left = std::min(left_width_ * em, most_left * room.x);
     const float right = std::min(right_width_ * em, most_right * room.x);
     // The right panel is laid out before the canvas is drawn, so that the canvas shows what it changed.
     show_left(left);
     ImGui::SameLine();
-    if (const auto wider = splitter("###left splitter", left / em, 1.0F, room.y)) left_width_ = *wider;
+    if (const auto wider = ui::splitter("###left splitter", left / em, 1.0F, room.y)) left_width_ = *wider;
     ImGui::SameLine(room.x - right - bar);
-    if (const auto wider = splitter("###right splitter", right / em, -1.0F, room.y)) right_width_ = *wider;
+    if (const auto wider = ui::splitter("###right splitter", right / em, -1.0F, room.y)) right_width_ = *wider;
     ImGui::SameLine();
     show_right(right);
     ImGui::SameLine(left + bar);
@@ -309,36 +287,16 @@ void Application::show_panels_and_canvas()
     ImGui::PopStyleColor();
 }
 
-namespace {
-
-// The spacing within panels, whatever that of the window around them is.
-void begin_panel(const char* id, float width)
-{
-    const float em = ImGui::GetFontSize();
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.7F * em, 0.5F * em});
-    ImGui::BeginChild(id, {width, 0.0F}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.6F * em, 0.35F * em});
-}
-
-void end_panel()
-{
-    ImGui::PopStyleVar();
-    ImGui::EndChild();
-    ImGui::PopStyleVar();
-}
-
-} // namespace
-
 void Application::show_left(float width)
 {
-    begin_panel("###left", width);
+    ui::begin_panel("###left", width);
     show_panel(desk_, commands_);
-    end_panel();
+    ui::end_panel();
 }
 
 void Application::show_right(float width)
 {
-    begin_panel("###right", width);
+    ui::begin_panel("###right", width);
     show_tabs();
     ImGui::Separator();
     switch (desk_.topic) {
@@ -347,25 +305,17 @@ void Application::show_right(float width)
     case Topic::Problems: problems_panel(desk_); break;
     case Topic::History: history_panel(desk_); break;
     }
-    end_panel();
+    ui::end_panel();
 }
 
-// One tab beside the other, in a second row where there is no room: a word is never cut.
 void Application::show_tabs()
 {
-    const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-    const float gap = 0.3F * ImGui::GetFontSize();
+    ui::TabRow row;
     for (const TopicEntry& entry : topics()) {
         std::string title = desk_.session.view.tr(entry.label);
         const std::size_t n_faults = desk_.session.solution().faults.size();
         if (entry.topic == Topic::Problems && n_faults > 0) title += " (" + std::to_string(n_faults) + ")";
-        const float width = ImGui::CalcTextSize(title.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
-        const bool is_first = entry.topic == topics().front().topic;
-        if (!is_first && ImGui::GetItemRectMax().x + gap + width <= end) ImGui::SameLine(0.0F, gap);
-        const bool is_chosen = entry.topic == desk_.topic;
-        ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(is_chosen ? ImGuiCol_TabActive : ImGuiCol_Tab));
-        if (ImGui::Button((title + "###" + std::string(entry.id)).c_str())) desk_.topic = entry.topic;
-        ImGui::PopStyleColor();
+        if (row.show(title + "###" + std::string(entry.id), entry.topic == desk_.topic)) desk_.topic = entry.topic;
     }
 }
 

@@ -14,6 +14,7 @@
 #include "apps/frame/window/tables_panel.h"
 #include "apps/frame/window/typical_window.h"
 #include "apps/frame/window/view_list.h"
+#include "ui/app/app.h"
 #include "ui/context/context.h"
 #include "ui/context/imgui_session.h"
 #include "ui/context/input.h"
@@ -26,12 +27,12 @@ namespace frame {
 
 /// The frame app on a context, on the screen or off it. Each frame goes one way: input, edits, document, solution,
 /// picture.
-class Application {
+class Application final : public ui::App {
 public:
     /// \pre context and fonts outlive the application
     Application(ui::Context& context, const ui::Fonts& fonts, Session session);
 
-    void frame(const ui::Input& input);
+    void frame(const ui::Input& input) override;
 
     Desk& desk() { return desk_; }
     const Desk& desk() const { return desk_; }
@@ -39,18 +40,16 @@ public:
     const Session& session() const { return desk_.session; }
     const CommandTable& commands() const { return commands_; }
     const Canvas& canvas() const { return canvas_; }
-    /// Something moves by itself, so frames must follow one another.
-    bool is_moving() const;
-    bool wants_to_quit() const { return wants_to_quit_; }
-    /// The window's close button was pressed: closes, or asks first what to do with unsaved changes.
-    void ask_to_quit();
+    bool is_moving() const override;
+    bool wants_to_quit() const override { return wants_to_quit_; }
+    void ask_to_quit() override;
     /// From now on the last files and drafts of unsaved work are kept there. Offers what was left behind.
     void remember_in(const std::filesystem::path& folder);
     /// Writes the picture, the results or a report to a file (export.h), and tells how it went. \returns why it cannot
     std::optional<ui::Phrase> export_as(const std::filesystem::path& path);
     std::optional<ui::Phrase> copy_picture(); ///< to the system's clipboard. \returns why it cannot
-    std::string window_title() const;
-    ui::ImGuiSession& gui() { return gui_; }
+    std::string window_title() const override;
+    ui::ImGuiSession& gui() override { return gui_; }
     TablesPanel& tables() { return tables_; }
 
 private:

@@ -7,33 +7,11 @@
 
 #include "apps/frame/session/tabs.h"
 #include "apps/frame/view/results/mechanism_picture.h"
-#include "apps/frame/window/fixed_panel.h"
+#include "ui/widgets/panel.h"
 
 namespace frame {
 
 namespace {
-
-// What went wrong, in a box at the top of the picture.
-void show_messages(const std::vector<std::string>& lines, float left, float top, float width)
-{
-    const float em = ImGui::GetFontSize();
-    ImGui::SetNextWindowPos({left + em, top + em});
-    ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {width - 2.0F * em, 20.0F * em});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {em, 0.7F * em});
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.6F * em, 0.35F * em});
-    constexpr ImGuiWindowFlags flags = fixed_panel | ImGuiWindowFlags_AlwaysAutoResize |
-                                       ImGuiWindowFlags_NoFocusOnAppearing;
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg)); // the canvas has none
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
-    ImGui::Begin("###banner", nullptr, flags & ~ImGuiWindowFlags_NoBringToFrontOnFocus);
-    ImGui::PopStyleVar();
-    ImGui::PopStyleColor();
-    for (const std::string& line : lines) {
-        ImGui::PushTextWrapPos(width - 4.0F * em);
-        ImGui::TextUnformatted(line.c_str());
-        ImGui::PopTextWrapPos();
-    }
-}
 
 void show_notice_buttons(Desk& desk)
 {
@@ -70,11 +48,9 @@ void banner(Desk& desk)
         lines.resize(most_lines);
         lines.push_back(tr("… and {count} more", {{"count", std::to_string(n_more)}}));
     }
-    const ImVec2 corner = ImGui::GetWindowPos();
-    show_messages(lines, corner.x, corner.y, ImGui::GetWindowWidth());
+    ui::begin_message_box(lines);
     show_notice_buttons(desk);
-    ImGui::End();
-    ImGui::PopStyleVar(2);
+    ui::end_message_box();
 }
 
 } // namespace frame

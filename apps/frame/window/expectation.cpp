@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 #include "apps/frame/session/edit_commands.h"
@@ -11,14 +9,18 @@
 #include "apps/frame/view/geometry/structure_shape.h"
 #include "apps/frame/view/reading.h"
 #include "apps/frame/view/sketch/scene.h"
-#include "ui/paint/surface/golden_text.h"
+#include "ui/app/expectation.h"
+#include "ui/scenario/words.h"
 #include "ui/text/number_format.h"
 
 namespace frame {
 
 namespace {
 
-using Complaint = std::optional<std::string>;
+using ui::compared;
+using ui::Complaint;
+using ui::joined;
+using ui::words_of;
 
 // "50%" or a length from the start.
 std::optional<double> along(std::string_view text, double length)
@@ -28,19 +30,6 @@ std::optional<double> along(std::string_view text, double length)
         return percent ? std::optional(0.01 * *percent * length) : std::nullopt;
     }
     return ui::number_typed(text);
-}
-
-std::string joined(const std::vector<std::string>& words, std::size_t first)
-{
-    std::string text;
-    for (std::size_t i = first; i < words.size(); ++i) text += (i > first ? " " : "") + words[i];
-    return text;
-}
-
-Complaint compared(std::string_view what, const std::string& found, const std::string& wanted)
-{
-    if (found == wanted) return std::nullopt;
-    return std::string(what) + ": found " + found + ", wanted " + wanted;
 }
 
 // member AB M at 50% is -12.5 kN·m
@@ -79,67 +68,6 @@ Complaint node(const Application& application, std::string_view text)
     place << '(' << found.x() << ", " << found.y();
     if (femoop::n_coordinates(model.analysis) == 3) place << ", " << found.z();
     return "node " + words[0] + ": found at " + place.str() + "), wanted " + joined(words, 2);
-}
-
-std::string unquoted(std::string_view text)
-{
-    const bool is_quoted = text.size() >= 2 && text.front() == '"' && text.back() == '"';
-    return std::string(is_quoted ? text.substr(1, text.size() - 2) : text);
-}
-
-bool is_drawn(const Application& application, const std::string& text)
-{
-    const auto& picture = application.canvas().picture();
-    return picture && ui::golden_text(*picture).find(" \"" + text + "\"\n") != std::string::npos;
-}
-
-Complaint drawn(const Application& application, std::string_view text)
-{
-    const std::string wanted = unquoted(text);
-    if (is_drawn(application, wanted)) return std::nullopt;
-    return "drawn: found no string \"" + wanted + "\" in the picture";
-}
-
-/// A file and words that it should have, or lack.
-struct WrittenWords {
-    std::string name, words;
-    std::optional<std::string> content; ///< nothing where there is no such file
-    bool has_words() const { return content->find(words) != std::string::npos; }
-};
-
-// extremes.csv "Member;N max"
-WrittenWords written_words(std::string_view text)
-{
-    const std::size_t blank = std::min(text.find(' '), text.size());
-    WrittenWords found{std::string(text.substr(0, blank)), unquoted(text.substr(std::min(blank + 1, text.size()))), {}};
-    std::ifstream file(found.name, std::ios::binary);
-    if (file) found.content.emplace(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
-    return found;
-}
-
-Complaint written(std::string_view text)
-{
-    const WrittenWords file = written_words(text);
-    if (!file.content) return "written: found no file " + file.name;
-    if (file.has_words()) return std::nullopt;
-    return "written: found no \"" + file.words + "\" in " + file.name;
-}
-
-// drawn "58.52", written portal.html "58.52"
-Complaint not_there(const Application& application, std::string_view text)
-{
-    if (constexpr std::string_view prefix = "drawn "; text.starts_with(prefix)) {
-        const std::string unwanted = unquoted(text.substr(prefix.size()));
-        if (!is_drawn(application, unwanted)) return std::nullopt;
-        return "not drawn: found the string \"" + unwanted + "\" in the picture";
-    }
-    if (constexpr std::string_view prefix = "written "; text.starts_with(prefix)) {
-        const WrittenWords file = written_words(text.substr(prefix.size()));
-        if (!file.content) return "not written: found no file " + file.name;
-        if (!file.has_words()) return std::nullopt;
-        return "not written: found \"" + file.words + "\" in " + file.name;
-    }
-    return "not: wanted drawn \"TEXT\" or written FILE \"TEXT\"";
 }
 
 std::string selection_text(const Session& session)
@@ -210,14 +138,6 @@ std::string names_of_facts()
 
 } // namespace
 
-std::vector<std::string> words_of(std::string_view text)
-{
-    std::istringstream stream{std::string(text)};
-    std::vector<std::string> words;
-    for (std::string word; stream >> word;) words.push_back(word);
-    return words;
-}
-
 std::optional<Cut> cut_at(const femoop::Model& model, const std::string& member, std::string_view at)
 {
     const auto id = model.find_member(member);
@@ -248,9 +168,7 @@ std::optional<std::string> why_not(std::string_view expectation, const Applicati
     const std::string_view rest = expectation.substr(std::min(blank + 1, expectation.size()));
     if (what == "value") return value(application, rest);
     if (what == "node") return node(application, rest);
-    if (what == "drawn") return drawn(application, rest);
-    if (what == "written") return written(rest);
-    if (what == "not") return not_there(application, rest);
+    if (const auto complaint = ui::common_complaint(expectation, application.canvas().picture())) return *complaint;
     const auto fact = std::ranges::find(facts, what, &Fact::name);
     if (fact != facts.end()) return compared(what, fact->found(application), std::string(rest));
     return "expect: found \"" + std::string(what) + "\", wanted one of " + names_of_facts();

@@ -3,7 +3,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "apps/frame/document/cut.h"
 #include "apps/frame/window/application.h"
@@ -24,9 +23,6 @@ namespace frame {
 ///
 /// \returns what was found instead and what was wanted
 std::optional<std::string> why_not(std::string_view expectation, const Application& application);
-
-/// The words of a text between blanks.
-std::vector<std::string> words_of(std::string_view text);
 
 /// The section of a member of the model: `50%` of its length, or so far from its start.
 std::optional<Cut> cut_at(const femoop::Model& model, const std::string& member, std::string_view at);

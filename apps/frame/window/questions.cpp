@@ -1,10 +1,7 @@
 #include "apps/frame/window/questions.h"
 
-#include <imgui.h>
-
-#include <string>
-
 #include "apps/frame/session/tabs.h"
+#include "ui/widgets/unsaved_question.h"
 
 namespace frame {
 
@@ -46,26 +43,13 @@ bool Questions::go_on(Desk& desk)
 
 void Questions::ask(Desk& desk)
 {
-    const ui::Catalogue tr = desk.session.view.tr;
-    const std::string heading = tr("Unsaved changes") + "###unsaved";
-    ImGui::OpenPopup("###unsaved");
-    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
-    if (!ImGui::BeginPopupModal(heading.c_str(), nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
-    ImGui::TextUnformatted(tr("{file} has changes that are not saved.", {{"file", desk.session.file_name()}}).c_str());
-    ImGui::Spacing();
-    const bool wants_to_save = ImGui::Button((tr("Save") + "###save").c_str());
-    ImGui::SameLine();
-    const bool gives_up = ImGui::Button((tr("Do not save") + "###give up").c_str());
-    ImGui::SameLine();
-    const bool is_escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-    const bool is_cancelled = ImGui::Button((tr("Cancel") + "###cancel").c_str()) || is_escaped;
-    if (wants_to_save || gives_up || is_cancelled) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
+    const auto answer = ui::ask_about_unsaved(desk.session.file_name(), desk.session.view.tr);
+    const bool wants_to_save = answer == ui::UnsavedAnswer::Save;
     const bool needs_a_name = wants_to_save && !desk.session.path();
     const bool is_hindered = wants_to_save && !needs_a_name && !desk.session.save(*desk.session.path());
     if (needs_a_name) desk.requests.push_back(Request::SaveDialog);
-    if (needs_a_name || is_hindered || is_cancelled) purpose_ = Purpose::None;
-    if (!gives_up) return;
+    if (needs_a_name || is_hindered || answer == ui::UnsavedAnswer::Cancel) purpose_ = Purpose::None;
+    if (answer != ui::UnsavedAnswer::GiveUp) return;
     close_tab(desk);
     if (purpose_ == Purpose::Close) purpose_ = Purpose::None;
 }

@@ -1,10 +1,7 @@
 #include "apps/frame/window/run.h"
 
-#include <algorithm>
-#include <fstream>
 #include <iostream>
-#include <iterator>
-#include <utility>
+#include <memory>
 
 #include "apps/frame/session/recovery.h"
 #include "apps/frame/session/session.h"
@@ -12,15 +9,15 @@
 #include "apps/frame/window/application.h"
 #include "apps/frame/window/stage.h"
 #include "femoop/result/describe.h"
-#include "ui/context/offscreen.h"
-#include "ui/context/pixels.h"
+#include "ui/app/headless.h"
+#include "ui/app/window_loop.h"
 #include "ui/context/window.h"
 
 namespace frame {
 
 namespace {
 
-enum ExitStatus : int { Done = 0, AnswerIsNo = 1, BadInput = 2 };
+enum ExitStatus : int { Done = 0, BadInput = 2 };
 
 // What the options ask for is in the session; a file that cannot be opened leaves a notice in it.
 Session begin(const Options& options)
@@ -60,94 +57,34 @@ bool choose_case(Session& session, const Options& options)
     return false;
 }
 
-ui::Offscreen::Setup offscreen_setup(const Options& options)
-{
-    const auto pixels = [&](double side) { return static_cast<int>(side * options.scale); };
-    return {.size = {pixels(options.size.width), pixels(options.size.height)}, .scale = options.scale};
-}
-
-int take_screenshot(const Options& options, Session session)
+// Plays the scenario of the options through the real app.
+int play_scenario(const Options& options, const Session& session)
 {
     const ui::Fonts fonts;
-    ui::Offscreen context(offscreen_setup(options));
-    Application application(context, fonts, std::move(session));
-    for (int i = 0; i < 3; ++i) application.frame({}); // widgets find their sizes in the first ones
-    ui::write_png(*options.screenshot, context.pixels());
-    return Done;
+    return ui::play_scenario(options, "frame", session.view.tr, [&](const ui::Playing& playing) {
+        Application application(playing.context, fonts, session);
+        const auto keep = [&](std::string_view name, const ui::Pixels& pixels, Application&) {
+            playing.keep(name, pixels);
+        };
+        play(playing.script, playing.context, application, keep, playing.film);
+    });
 }
 
-// Writes frame_00001.png, frame_00002.png and so on.
-Film film_in(const std::filesystem::path& folder)
+ui::MakeApp app_with(const Session& session)
 {
-    std::filesystem::create_directories(folder);
-    return [folder, n = 0](const ui::Pixels& pixels) mutable {
-        std::string number = std::to_string(++n);
-        number.insert(0, 5 - std::min<std::size_t>(5, number.size()), '0');
-        ui::write_png(folder / ("frame_" + number + ".png"), pixels);
+    return [session](ui::Context& context, const ui::Fonts& fonts) {
+        return std::make_unique<Application>(context, fonts, session);
     };
 }
 
-int play_scenario(const Options& options, Session session)
+// The same, which remembers files and unsaved work from one time to the next.
+ui::MakeApp remembering_app_with(const Session& session)
 {
-    std::ifstream file(*options.play, std::ios::binary);
-    if (!file) {
-        std::cerr << "frame: " << session.view.tr("cannot read {file}", {{"file", options.play->string()}}) << '\n';
-        return BadInput;
-    }
-    const std::string script{std::istreambuf_iterator<char>(file), {}};
-    const ui::Fonts fonts;
-    ui::Offscreen context(offscreen_setup(options));
-    Application application(context, fonts, std::move(session));
-    const auto keep = [&](std::string_view name, const ui::Pixels& pixels, Application&) {
-        std::filesystem::create_directories(options.pictures);
-        ui::write_png(options.pictures / (std::string(name) + ".png"), pixels);
+    return [session](ui::Context& context, const ui::Fonts& fonts) {
+        auto application = std::make_unique<Application>(context, fonts, session);
+        if (const auto folder = state_folder()) application->remember_in(*folder);
+        return application;
     };
-    try {
-        play(script, context, application, keep, options.frames ? film_in(*options.frames) : Film());
-    } catch (const ui::ScenarioError& error) {
-        std::cerr << "frame: " << options.play->string() << ": " << error.what() << '\n';
-        return AnswerIsNo;
-    }
-    return Done;
-}
-
-bool is_quiet(const ui::Input& input, const std::optional<ui::Point>& pointer_before)
-{
-    const bool is_down = input.is_button_down[0] || input.is_button_down[1] || input.is_button_down[2];
-    return !is_down && input.pointer == pointer_before && input.wheel == ui::Point{} && input.keys.empty() &&
-           input.text.empty() && input.dropped_files.empty();
-}
-
-int show_window(const Options& options, Session session)
-{
-    const ui::Fonts fonts;
-    ui::Window window({.title = "Cremona", .size = options.size});
-    Application application(window, fonts, std::move(session));
-    application.gui().set_clipboard({.text = [&] { return window.clipboard(); },
-                                     .set_text = [&](const std::string& text) { window.set_clipboard(text); }});
-    if (const auto folder = state_folder()) application.remember_in(*folder);
-    ui::Input others; // come as files do that are dropped on the window
-    for (std::size_t i = 1; i < options.files.size(); ++i) others.dropped_files.push_back(options.files[i].string());
-    application.frame(others);
-    constexpr int settling_frames = 3; // widgets settle within these after something happened
-    constexpr double patience = 0.3;   // s; a caret blinks at this pace
-    int n_due = settling_frames;
-    std::optional<ui::Point> pointer;
-    std::string title;
-    while (!application.wants_to_quit()) {
-        const bool must_draw = application.is_moving() || n_due > 0;
-        const ui::Input input = window.input(must_draw ? 0.0 : patience);
-        n_due = is_quiet(input, pointer) ? n_due - 1 : settling_frames;
-        pointer = input.pointer;
-        application.frame(input);
-        if (std::exchange(title, application.window_title()) != title) window.set_title(title);
-        window.present();
-        if (window.wants_to_close()) {
-            window.stay_open();
-            application.ask_to_quit();
-        }
-    }
-    return Done;
 }
 
 } // namespace
@@ -164,8 +101,11 @@ int run(const Options& options)
         std::cout << femoop::describe(session.model(), session.solution().results, session.view.tr);
         return Done;
     }
-    if (options.play) return play_scenario(options, std::move(session));
-    if (options.screenshot) return take_screenshot(options, std::move(session));
+    if (options.play) return play_scenario(options, session);
+    if (options.screenshot) {
+        ui::take_screenshot(options, app_with(session));
+        return Done;
+    }
     if (!ui::Window::has_display()) {
         std::cerr << "frame: "
                   << session.view.tr("there is no display to open a window on; --screenshot OUT.png draws without one, "
@@ -173,7 +113,8 @@ int run(const Options& options)
                   << '\n';
         return BadInput;
     }
-    return show_window(options, std::move(session));
+    ui::show_in_window(options, remembering_app_with(session));
+    return Done;
 }
 
 } // namespace frame

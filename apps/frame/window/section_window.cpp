@@ -144,7 +144,7 @@ void show_buttons(Desk& desk, const ui::NumberFields& fields)
 {
     SectionDraft& draft = desk.section;
     const ui::Catalogue& tr = desk.session.view.tr;
-    const auto is_pressed = [&](int key) { return !fields.is_typing() && is_pressed_outside_fields(key); };
+    const auto is_pressed = [&](int key) { return !fields.is_typing() && ui::is_pressed_outside_fields(key); };
     if (ImGui::Button("OK###accept") || is_pressed(ImGuiKey_Enter)) draft.accept(desk.session);
     ImGui::SameLine();
     if (ImGui::Button((tr("Cancel") + "###cancel").c_str()) || is_pressed(ImGuiKey_Escape)) draft.cancel(desk.session);

@@ -4,11 +4,11 @@
 #include <string>
 
 #include "apps/frame/session/commands.h"
-#include "apps/frame/window/side_window.h"
 #include "femoop/section/profile.h"
 #include "ui/context/imgui_session.h"
 #include "ui/paint/text_measure.h"
 #include "ui/widgets/number_field.h"
+#include "ui/widgets/side_window.h"
 
 namespace frame {
 
@@ -30,7 +30,7 @@ private:
     bool lists_profiles(const SectionDraft& draft) const { return is_listing_ || draft.section().profile; }
 
     const ui::Fonts& fonts_;
-    SideWindow window_;
+    ui::SideWindow window_;
     std::string name_;                            ///< as it is typed
     std::optional<ui::Phrase> reason_;            ///< why it is not taken
     std::string filter_;                          ///< of profiles

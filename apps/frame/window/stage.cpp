@@ -8,7 +8,7 @@
 #include "apps/frame/session/tabs.h"
 #include "apps/frame/view/geometry/structure_shape.h"
 #include "apps/frame/window/expectation.h"
-#include "ui/text/number_format.h"
+#include "ui/scenario/words.h"
 
 namespace frame {
 
@@ -24,21 +24,15 @@ template <class Part> std::string names(const std::vector<Part>& parts)
     return parts.empty() ? "there is none" : parts.size() > most ? text + " and more" : text;
 }
 
-std::optional<ui::Point> pixel(const std::vector<std::string>& words)
-{
-    if (words.size() != 3 || words[0] != "pixel") return std::nullopt;
-    const auto x = ui::number_typed(words[1]), y = ui::number_typed(words[2]);
-    return x && y ? std::optional(ui::Point{*x, *y}) : std::nullopt;
-}
-
 } // namespace
 
 ui::Stage::Sought OffscreenStage::find(std::string_view place)
 {
     const femoop::Model& model = application_.session().model();
     const Canvas& canvas = application_.canvas();
-    const std::vector<std::string> words = words_of(place);
-    std::optional<ui::Point> at = pixel(words);
+    if (const auto pixel = ui::pixel_place(place)) return *pixel;
+    const std::vector<std::string> words = ui::words_of(place);
+    std::optional<ui::Point> at;
     if (words.size() == 2 && words[0] == "node") {
         const auto id = model.find_node(words[1]);
         if (!id) return "a node of the model: " + names(model.nodes);
@@ -78,11 +72,7 @@ std::optional<std::string> OffscreenStage::run_command(std::string_view id, std:
     }
     if (constexpr std::string_view prefix = "section."; id.starts_with(prefix))
         return desk.section.obey(desk.session, id.substr(prefix.size()), argument);
-    const auto* const command = application_.commands().find(id);
-    if (command == nullptr)
-        return "found command \"" + std::string(id) + "\", wanted one of the app's; the palette (Ctrl+K) lists them";
-    const auto reason = run(*command, desk);
-    return reason ? std::optional(english(*reason)) : std::nullopt;
+    return ui::run_by_name(application_.commands(), id, desk);
 }
 
 std::optional<std::string> OffscreenStage::take_picture(std::string_view name)
@@ -94,30 +84,10 @@ std::optional<std::string> OffscreenStage::take_picture(std::string_view name)
 std::optional<std::string> OffscreenStage::expect(std::string_view words) { return why_not(words, application_); }
 
 void play(std::string_view script, ui::Offscreen& context, Application& application,
-          const OffscreenStage::KeepPicture& keep, const Film& film)
+          const OffscreenStage::KeepPicture& keep, const ui::Film& film)
 {
-    ui::Player player(ui::read_scenario(script));
     OffscreenStage stage(context, application, keep);
-    std::optional<ui::Key> key_held;
-    application.frame({});
-    application.frame({});
-    while (const auto frame = player.next(stage)) {
-        ui::Input input;
-        input.pointer = ui::Point{frame->pointer.x, frame->pointer.y};
-        input.is_button_down[static_cast<std::size_t>(ui::PointerButton::Left)] = frame->is_left_down;
-        input.wheel = {0.0, frame->wheel};
-        input.seconds = ui::Player::time_step;
-        input.text = frame->text;
-        input.modifiers = frame->held;
-        if (key_held) input.keys.push_back({*std::exchange(key_held, std::nullopt), false});
-        if (frame->key) {
-            input.modifiers = frame->key->modifiers;
-            input.keys.push_back({frame->key->key, true, frame->key->modifiers});
-            key_held = frame->key->key;
-        }
-        application.frame(input);
-        if (film) film(context.pixels());
-    }
+    ui::play(script, context, application, stage, film);
 }
 
 } // namespace frame

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "apps/frame/window/application.h"
+#include "ui/app/headless.h"
 #include "ui/context/offscreen.h"
 #include "ui/scenario/player.h"
 
@@ -38,8 +39,7 @@ private:
 };
 
 /// Plays a script to its end; `film` is given every frame. \throws ui::ScenarioError
-using Film = std::function<void(const ui::Pixels&)>;
 void play(std::string_view script, ui::Offscreen& context, Application& application,
-          const OffscreenStage::KeepPicture& keep, const Film& film = {});
+          const OffscreenStage::KeepPicture& keep, const ui::Film& film = {});
 
 } // namespace frame

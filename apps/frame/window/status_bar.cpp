@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "apps/frame/window/fixed_panel.h"
 #include "femoop/result/structure_words.h"
+#include "ui/widgets/panel.h"
 
 namespace frame {
 
@@ -27,16 +27,7 @@ std::string degree_text(const femoop::Indeterminacy& degree, const ui::Catalogue
 
 void status_bar(const Session& session)
 {
-    const ImGuiViewport& viewport = *ImGui::GetMainViewport();
-    const float height = ImGui::GetFrameHeight();
-    ImGui::SetNextWindowPos({viewport.WorkPos.x, viewport.WorkPos.y + viewport.WorkSize.y - height});
-    ImGui::SetNextWindowSize({viewport.WorkSize.x, height});
-    const float em = ImGui::GetFontSize();
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.7F * em, 0.15F * em});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0F, 1.0F});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
-    ImGui::Begin("###status", nullptr, fixed_panel | ImGuiWindowFlags_NoScrollbar);
+    ui::begin_status_bar();
     const ui::Catalogue& tr = session.view.tr;
     std::string text = femoop::size_words(session.model(), tr);
     if (const auto& results = session.solution().results) {
@@ -48,11 +39,9 @@ void status_bar(const Session& session)
     const ui::DisplayUnits units = session.units();
     const std::string right = units.unit(ui::Measure::Force).name + ", " + units.unit(ui::Measure::Length).name + ", " +
                               units.unit(ui::Measure::Displacement).name;
-    ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::CalcTextSize(right.c_str()).x - em);
+    ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::CalcTextSize(right.c_str()).x - ImGui::GetFontSize());
     ImGui::TextDisabled("%s", right.c_str());
-    ImGui::End();
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar(3);
+    ui::end_status_bar();
 }
 
 } // namespace frame

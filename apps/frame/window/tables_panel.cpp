@@ -13,6 +13,7 @@
 #include "apps/frame/window/no_results.h"
 #include "ui/paint/theme.h"
 #include "ui/text/catalogue.h"
+#include "ui/widgets/panel.h"
 
 namespace frame {
 
@@ -21,7 +22,6 @@ using ui::translatable;
 
 namespace {
 
-constexpr float splitter_ems = 0.35F;
 constexpr float least_height_of_diagrams = 20.0F; // ems
 
 Table table_of(const Session& session, TableKind kind)
@@ -115,7 +115,7 @@ void TablesPanel::leave()
 void TablesPanel::show_splitter(float room)
 {
     const float em = ImGui::GetFontSize();
-    ImGui::InvisibleButton("###tables splitter", {ImGui::GetContentRegionAvail().x, splitter_ems * em});
+    ImGui::InvisibleButton("###tables splitter", {ImGui::GetContentRegionAvail().x, ui::splitter_ems * em});
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
     if (!ImGui::IsItemActive()) return;
     height_ = std::clamp(height_ - ImGui::GetIO().MouseDelta.y / em, 8.0F, 0.7F * room / em);

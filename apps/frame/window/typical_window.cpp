@@ -122,7 +122,7 @@ void show_buttons(Desk& desk, const ui::NumberFields& fields)
 {
     TypicalDraft& draft = desk.typical;
     const ui::Catalogue& tr = desk.session.view.tr;
-    const auto is_pressed = [&](int key) { return !fields.is_typing() && is_pressed_outside_fields(key); };
+    const auto is_pressed = [&](int key) { return !fields.is_typing() && ui::is_pressed_outside_fields(key); };
     if (ImGui::Button((tr("Insert") + "###insert").c_str()) || is_pressed(ImGuiKey_Enter)) draft.insert(desk.session);
     ImGui::SameLine();
     if (ImGui::Button((tr("Cancel") + "###cancel").c_str()) || is_pressed(ImGuiKey_Escape)) draft.cancel(desk.session);

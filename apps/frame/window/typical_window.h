@@ -3,11 +3,11 @@
 #include <vector>
 
 #include "apps/frame/session/commands.h"
-#include "apps/frame/window/side_window.h"
 #include "ui/context/imgui_session.h"
 #include "ui/paint/picture.h"
 #include "ui/paint/text_measure.h"
 #include "ui/widgets/number_field.h"
+#include "ui/widgets/side_window.h"
 
 namespace frame {
 
@@ -26,7 +26,7 @@ private:
     void draw_pictures(const Desk& desk, ui::Size size);
 
     const ui::Fonts& fonts_;
-    SideWindow window_;
+    ui::SideWindow window_;
     std::vector<ui::Picture> pictures_; ///< of all structures, in the look below
     ui::ThemeName theme_ = ui::ThemeName::Light;
     ui::Size size_{};

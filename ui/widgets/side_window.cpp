@@ -1,11 +1,11 @@
-#include "apps/frame/window/side_window.h"
+#include "ui/widgets/side_window.h"
 
 #include <imgui.h>
 
 #include <algorithm>
 #include <utility>
 
-namespace frame {
+namespace ui {
 
 bool SideWindow::begin(bool is_open, const char* id, const std::string& title)
 {
@@ -41,4 +41,4 @@ bool is_pressed_outside_fields(int key)
     return !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
 }
 
-} // namespace frame
+} // namespace ui

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-namespace frame {
+namespace ui {
 
 /// A window over the panel at the right that everything else waits for, while the picture beside it is looked at.
 class SideWindow {
@@ -22,4 +22,4 @@ private:
 /// Enter or Escape was pressed, and not to end what is typed into a field.
 bool is_pressed_outside_fields(int key);
 
-} // namespace frame
+} // namespace ui

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "ui/context/context.h"
+#include "ui/context/imgui_session.h"
+#include "ui/context/input.h"
+
+namespace ui {
+
+/// An app of the suite, as its window, its screenshots and its scenarios see it.
+class App {
+public:
+    virtual ~App() = default;
+    App(const App&) = delete;
+    App& operator=(const App&) = delete;
+
+    virtual void frame(const Input& input) = 0;
+    /// Something moves by itself, so frames must follow one another.
+    virtual bool is_moving() const = 0;
+    /// The window's close button was pressed: closes, or asks first what to do with unsaved changes.
+    virtual void ask_to_quit() = 0;
+    virtual bool wants_to_quit() const = 0;
+    virtual std::string window_title() const = 0;
+    virtual ImGuiSession& gui() = 0;
+
+protected:
+    App() = default;
+};
+
+/// Makes the app once there is something to draw on; both outlive it.
+using MakeApp = std::function<std::unique_ptr<App>(Context&, const Fonts&)>;
+
+} // namespace ui

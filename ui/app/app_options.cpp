@@ -1,0 +1,130 @@
+#include "ui/app/app_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdlib>
+#include <sstream>
+
+#include "ui/text/number_format.h"
+
+namespace ui {
+
+namespace {
+
+constexpr double smallest_side = 200.0, largest_side = 16384.0;
+
+Size parse_size(const std::string& program, const std::string& text)
+{
+    const std::size_t cross = text.find('x');
+    if (cross != std::string::npos) {
+        const auto width = number_typed(text.substr(0, cross));
+        const auto height = number_typed(text.substr(cross + 1));
+        const auto is_side = [](const std::optional<double>& side) {
+            return side && *side >= smallest_side && *side <= largest_side;
+        };
+        if (is_side(width) && is_side(height)) return {*width, *height};
+    }
+    throw OptionsEnd::mistake(program + ": --size: found \"" + text +
+                              "\", wanted WxH with sides from 200 to 16384, like 1280x800");
+}
+
+// The language of the system, where it is one of ours.
+Language system_language()
+{
+    for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
+        const char* const value = std::getenv(name);
+        if (value != nullptr && *value != '\0') return language_named(value).value_or(Language::English);
+    }
+    return Language::English;
+}
+
+std::filesystem::path png_named(const std::string& program, const std::string& text)
+{
+    if (text.ends_with(".png")) return text;
+    throw OptionsEnd::mistake(program + ": --screenshot: found \"" + text + "\", wanted a name that ends with .png");
+}
+
+/// Adds options whose values are texts that are understood at once.
+class TextOptions {
+public:
+    TextOptions(CLI::App& app, AppOptions& options) : app_(app), options_(options) {}
+
+    void add_document(const OptionWords& words)
+    {
+        app_.add_option_function<std::vector<std::string>>(
+                "FILE", [&to = options_](const auto& files) { to.files.assign(files.begin(), files.end()); },
+                words.files)
+            ->option_text("...");
+        add("--screenshot", "PNG", "draw one picture of the window to this PNG file and leave; needs no display",
+            [program = name()](AppOptions& to, const std::string& text) { to.screenshot = png_named(program, text); });
+        app_.add_flag("--describe", options_.describe, words.describe);
+    }
+
+    void add_look()
+    {
+        add("--size", "WxH", "size of the window in logical pixels, WxH; default 1280x800",
+            [program = name()](AppOptions& to, const std::string& text) { to.size = parse_size(program, text); });
+        app_.add_option("--scale", options_.scale,
+                        "physical pixels of a logical one in a screenshot, 0.5 to 4; default 1")
+            ->check(CLI::Range(0.5, 4.0))
+            ->option_text("K");
+        add("--theme", "NAME", "light, dark, print or projector",
+            [option = name() + ": --theme"](AppOptions& to, const std::string& text) {
+                to.theme = NamedOption<ThemeName>{option, text, "light, dark, print, projector", theme_named(text)}();
+            });
+        add("--lang", "LANG", "language: en or pt; default that of the system",
+            [option = name() + ": --lang"](AppOptions& to, const std::string& text) {
+                to.language = NamedOption<Language>{option, text, "en, pt", language_named(text)}();
+            });
+    }
+
+    void add_scenario()
+    {
+        add("--play", "SCENARIO", "play a scenario without a display",
+            [](AppOptions& to, const std::string& text) { to.play = text; });
+        add("--pictures", "FOLDER", "folder for the pictures of a scenario; default the current one",
+            [](AppOptions& to, const std::string& text) { to.pictures = text; });
+        add("--frames", "FOLDER", "folder for every frame of a scenario as a PNG file, for a film",
+            [](AppOptions& to, const std::string& text) { to.frames = text; })
+            ->needs("--play");
+    }
+
+private:
+    std::string name() const { return app_.get_name(); }
+
+    template <class Take> CLI::Option* add(const char* option, const char* value, const char* words, Take take)
+    {
+        const auto understand = [&to = options_, take](const std::string& text) {
+            if (!text.empty()) take(to, text);
+        };
+        return app_.add_option_function<std::string>(option, understand, words)->option_text(value);
+    }
+
+    CLI::App& app_;
+    AppOptions& options_;
+};
+
+} // namespace
+
+void add_app_options(CLI::App& app, AppOptions& options, const OptionWords& words)
+{
+    options.language = system_language();
+    TextOptions add(app, options);
+    add.add_document(words);
+    add.add_look();
+    add.add_scenario();
+}
+
+void parse(CLI::App& app, int argc, const char* const* argv)
+{
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& end) {
+        std::ostringstream text;
+        const int status = app.exit(end, text, text);
+        if (status == 0) throw OptionsEnd(text.str(), 0);
+        throw OptionsEnd::mistake(text.str());
+    }
+}
+
+} // namespace ui

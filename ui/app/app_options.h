@@ -1,0 +1,68 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "ui/paint/geometry.h"
+#include "ui/paint/theme.h"
+#include "ui/text/catalogue.h"
+
+namespace CLI {
+class App;
+}
+
+namespace ui {
+
+/// What the command line of every app asks for.
+struct AppOptions {
+    std::vector<std::filesystem::path> files;
+    std::optional<std::filesystem::path> screenshot; ///< draw one picture, without a screen, and leave
+    bool describe = false;                           ///< print the document in words, without a screen, and leave
+    std::optional<std::filesystem::path> play;       ///< a scenario, without a screen
+    std::filesystem::path pictures = ".";            ///< where a scenario's pictures go
+    std::optional<std::filesystem::path> frames;     ///< where every frame of a scenario goes, for a film
+    Size size{1280.0, 800.0};                        ///< logical pixels
+    double scale = 1.0;                              ///< physical pixels of a logical one, without a screen
+    ThemeName theme = ThemeName::Light;
+    Language language = Language::English;
+
+    bool is_headless() const { return screenshot || play || describe; }
+};
+
+/// The command line was a question (`--help`, `--version`) or a mistake: what to print, and the exit status.
+class OptionsEnd : public std::runtime_error {
+public:
+    OptionsEnd(const std::string& text, int exit_status) : std::runtime_error(text), status(exit_status) {}
+    static OptionsEnd mistake(const std::string& text) { return {text, 2}; }
+    int status;
+};
+
+/// What an app says of the options that mean its own document.
+struct OptionWords {
+    std::string files;    ///< "model files (.json) to open, each in a tab"
+    std::string describe; ///< "print the model and its results in words and leave; needs no display"
+};
+
+/// Adds the options of every app to the command line of one; `parse` fills them in.
+void add_app_options(CLI::App& app, AppOptions& options, const OptionWords& words);
+/// \throws OptionsEnd
+void parse(CLI::App& app, int argc, const char* const* argv);
+
+/// The value of an option that names one of a list. \throws OptionsEnd where there is none
+template <class Value> struct NamedOption {
+    std::string option;         ///< "frame: --theme"
+    std::string found;          ///< what was typed
+    std::string list;           ///< "light, dark, print, projector"
+    std::optional<Value> value; ///< nothing: it names none
+
+    Value operator()() const
+    {
+        if (!value) throw OptionsEnd::mistake(option + ": found \"" + found + "\", wanted one of " + list);
+        return *value;
+    }
+};
+
+} // namespace ui

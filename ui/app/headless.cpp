@@ -1,0 +1,114 @@
+#include "ui/app/headless.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <utility>
+
+#include "ui/scenario/words.h"
+#include "ui/text/number_format.h"
+
+namespace ui {
+
+Offscreen::Setup offscreen_setup(const AppOptions& options)
+{
+    const auto pixels = [&](double side) { return static_cast<int>(side * options.scale); };
+    return {.size = {pixels(options.size.width), pixels(options.size.height)}, .scale = options.scale};
+}
+
+void take_screenshot(const AppOptions& options, const MakeApp& make)
+{
+    const Fonts fonts;
+    Offscreen context(offscreen_setup(options));
+    const std::unique_ptr<App> app = make(context, fonts);
+    for (int i = 0; i < 3; ++i) app->frame({}); // widgets find their sizes in the first ones
+    write_png(*options.screenshot, context.pixels());
+}
+
+Film film_in(const std::filesystem::path& folder)
+{
+    std::filesystem::create_directories(folder);
+    return [folder, n = 0](const Pixels& pixels) mutable {
+        std::string number = std::to_string(++n);
+        number.insert(0, 5 - std::min<std::size_t>(5, number.size()), '0');
+        write_png(folder / ("frame_" + number + ".png"), pixels);
+    };
+}
+
+namespace {
+
+/// Turns what a person does within a frame into what the window tells of it.
+class InputOfFrame {
+public:
+    Input operator()(const InputFrame& frame)
+    {
+        Input input;
+        input.pointer = Point{frame.pointer.x, frame.pointer.y};
+        input.is_button_down[static_cast<std::size_t>(PointerButton::Left)] = frame.is_left_down;
+        input.wheel = {0.0, frame.wheel};
+        input.seconds = Player::time_step;
+        input.text = frame.text;
+        input.modifiers = frame.held;
+        if (key_held_) input.keys.push_back({*std::exchange(key_held_, std::nullopt), false});
+        if (frame.key) {
+            input.modifiers = frame.key->modifiers;
+            input.keys.push_back({frame.key->key, true, frame.key->modifiers});
+            key_held_ = frame.key->key;
+        }
+        return input;
+    }
+
+private:
+    std::optional<Key> key_held_;
+};
+
+} // namespace
+
+void play(std::string_view script, Offscreen& context, App& app, Stage& stage, const Film& film)
+{
+    Player player(read_scenario(script));
+    InputOfFrame input;
+    app.frame({});
+    app.frame({});
+    while (const auto frame = player.next(stage)) {
+        app.frame(input(*frame));
+        if (film) film(context.pixels());
+    }
+}
+
+int play_scenario(const AppOptions& options, std::string_view program, const Catalogue& tr,
+                  const std::function<void(const Playing&)>& play_it)
+{
+    constexpr int done = 0, answer_is_no = 1, bad_input = 2;
+    std::ifstream file(*options.play, std::ios::binary);
+    if (!file) {
+        std::cerr << program << ": " << tr("cannot read {file}", {{"file", options.play->string()}}) << '\n';
+        return bad_input;
+    }
+    Offscreen context(offscreen_setup(options));
+    const auto keep = [&](std::string_view name, const Pixels& pixels) {
+        std::filesystem::create_directories(options.pictures);
+        write_png(options.pictures / (std::string(name) + ".png"), pixels);
+    };
+    try {
+        play_it({.script = {std::istreambuf_iterator<char>(file), {}},
+                 .context = context,
+                 .keep = keep,
+                 .film = options.frames ? film_in(*options.frames) : Film()});
+    } catch (const ScenarioError& error) {
+        std::cerr << program << ": " << options.play->string() << ": " << error.what() << '\n';
+        return answer_is_no;
+    }
+    return done;
+}
+
+std::optional<PointerPlace> pixel_place(std::string_view text)
+{
+    const std::vector<std::string> words = words_of(text);
+    if (words.size() != 3 || words[0] != "pixel") return std::nullopt;
+    const auto x = number_typed(words[1]), y = number_typed(words[2]);
+    return x && y ? std::optional(PointerPlace{*x, *y}) : std::nullopt;
+}
+
+} // namespace ui

@@ -1,0 +1,116 @@
+#include "ui/widgets/panel.h"
+
+#include <algorithm>
+
+namespace ui {
+
+void begin_body()
+{
+    const ImGuiViewport& viewport = *ImGui::GetMainViewport();
+    const float status = ImGui::GetFrameHeight();
+    ImGui::SetNextWindowPos(viewport.WorkPos);
+    ImGui::SetNextWindowSize({viewport.WorkSize.x, viewport.WorkSize.y - status});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.0F});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, 0U);
+    ImGui::Begin("###body", nullptr, fixed_panel);
+}
+
+void end_body()
+{
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(4);
+}
+
+void begin_panel(const char* id, float width)
+{
+    const float em = ImGui::GetFontSize();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.7F * em, 0.5F * em});
+    ImGui::BeginChild(id, {width, 0.0F}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.6F * em, 0.35F * em});
+}
+
+void end_panel()
+{
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+}
+
+std::optional<float> splitter(const char* id, float width, float sign, float height)
+{
+    const float em = ImGui::GetFontSize();
+    ImGui::InvisibleButton(id, {splitter_ems * em, height});
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (!ImGui::IsItemActive()) return std::nullopt;
+    return std::clamp(width + sign * ImGui::GetIO().MouseDelta.x / em, 8.0F, 40.0F);
+}
+
+bool TabRow::show(const std::string& title, bool is_chosen)
+{
+    const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    const float gap = 0.3F * ImGui::GetFontSize();
+    const float words = ImGui::CalcTextSize(title.c_str(), nullptr, true).x;
+    const float width = words + 2.0F * ImGui::GetStyle().FramePadding.x;
+    if (!is_first_ && ImGui::GetItemRectMax().x + gap + width <= end) ImGui::SameLine(0.0F, gap);
+    is_first_ = false;
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(is_chosen ? ImGuiCol_TabActive : ImGuiCol_Tab));
+    const bool is_clicked = ImGui::Button(title.c_str());
+    ImGui::PopStyleColor();
+    return is_clicked;
+}
+
+void begin_status_bar()
+{
+    const ImGuiViewport& viewport = *ImGui::GetMainViewport();
+    const float height = ImGui::GetFrameHeight();
+    ImGui::SetNextWindowPos({viewport.WorkPos.x, viewport.WorkPos.y + viewport.WorkSize.y - height});
+    ImGui::SetNextWindowSize({viewport.WorkSize.x, height});
+    const float em = ImGui::GetFontSize();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.7F * em, 0.15F * em});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0F, 1.0F});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
+    ImGui::Begin("###status", nullptr, fixed_panel | ImGuiWindowFlags_NoScrollbar);
+}
+
+void end_status_bar()
+{
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(3);
+}
+
+void begin_message_box(const std::vector<std::string>& lines)
+{
+    const float em = ImGui::GetFontSize();
+    const ImVec2 corner = ImGui::GetWindowPos();
+    const float width = ImGui::GetWindowWidth();
+    ImGui::SetNextWindowPos({corner.x + em, corner.y + em});
+    ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {width - 2.0F * em, 20.0F * em});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {em, 0.7F * em});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.6F * em, 0.35F * em});
+    constexpr ImGuiWindowFlags flags = fixed_panel | ImGuiWindowFlags_AlwaysAutoResize |
+                                       ImGuiWindowFlags_NoFocusOnAppearing;
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg)); // the canvas has none
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+    ImGui::Begin("###banner", nullptr, flags & ~ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+    for (const std::string& line : lines) {
+        ImGui::PushTextWrapPos(width - 4.0F * em);
+        ImGui::TextUnformatted(line.c_str());
+        ImGui::PopTextWrapPos();
+    }
+}
+
+void end_message_box()
+{
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
+} // namespace ui
