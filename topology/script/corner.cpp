@@ -9,18 +9,6 @@ namespace topology {
 
 namespace {
 
-std::optional<HalfEdgeId> numbered(const Named& in, std::string_view word)
-{
-    if (!word.starts_with('%')) return std::nullopt;
-    std::uint32_t number = 0;
-    const char* end = word.data() + word.size();
-    const auto result = std::from_chars(word.data() + 1, end, number);
-    const bool is_number = result.ec == std::errc() && result.ptr == end && number != 0;
-    if (!is_number || !in.solid.has(HalfEdgeId{number - 1}))
-        throw error(ScriptFault::NoHalfEdge, {std::string(word), std::string(in.name)});
-    return HalfEdgeId{number - 1};
-}
-
 std::vector<VertexId> path(const Named& in, std::string_view word)
 {
     std::vector<VertexId> vertices;
@@ -75,6 +63,18 @@ HalfEdgeId in_face(const Named& in, std::optional<FaceId> f, HalfEdgeId h, std::
 
 } // namespace
 
+std::optional<HalfEdgeId> find_numbered(const Named& in, std::string_view word)
+{
+    if (!word.starts_with('%')) return std::nullopt;
+    std::uint32_t number = 0;
+    const char* end = word.data() + word.size();
+    const auto result = std::from_chars(word.data() + 1, end, number);
+    const bool is_number = result.ec == std::errc() && result.ptr == end && number != 0;
+    if (!is_number || !in.solid.has(HalfEdgeId{number - 1}))
+        throw error(ScriptFault::NoHalfEdge, {std::string(word), std::string(in.name)});
+    return HalfEdgeId{number - 1};
+}
+
 VertexId find_vertex(const Named& in, std::string_view word)
 {
     if (const auto v = in.names.vertices.find(word, in.solid)) return *v;
@@ -89,7 +89,7 @@ FaceId find_face(const Named& in, std::string_view word)
 
 HalfEdgeId find_corner(const Named& in, FaceId f, std::string_view word)
 {
-    if (const auto h = numbered(in, word)) return in_face(in, f, *h, word);
+    if (const auto h = find_numbered(in, word)) return in_face(in, f, *h, word);
     const std::vector<VertexId> vertices = path(in, word);
     const std::vector<HalfEdgeId> halves = that_fit(in.solid, f, vertices);
     if (!halves.empty()) return the_one(in, std::string(word), halves);
@@ -101,7 +101,7 @@ HalfEdgeId find_corner(const Named& in, FaceId f, std::string_view word)
 HalfEdgeId find_half_edge(const Named& in, std::optional<FaceId> f, std::string_view from, std::string_view to)
 {
     const VertexId start = find_vertex(in, from);
-    if (const auto h = numbered(in, to)) {
+    if (const auto h = find_numbered(in, to)) {
         if (in.solid.start(*h) != start) throw error(ScriptFault::WrongStart, {std::string(to), std::string(from)});
         return in_face(in, f, *h, to);
     }

@@ -18,6 +18,9 @@ struct Named {
 VertexId find_vertex(const Named& in, std::string_view word); ///< \throws LineError
 FaceId find_face(const Named& in, std::string_view word);     ///< \throws LineError
 
+/// The half-edge that "%7" names; none if the word is no number. \throws LineError if there is no such half-edge
+std::optional<HalfEdgeId> find_numbered(const Named& in, std::string_view word);
+
 /// The half-edge in face f that a corner names: "v1" by its start, "v1>v2" by its end too, "v1>v2>v3" by the end of the
 /// next, "%7" by its number. \throws LineError if none fits, or several, which it lists
 HalfEdgeId find_corner(const Named& in, FaceId f, std::string_view word);

@@ -1,0 +1,74 @@
+#include <vector>
+
+#include "apps/euler/document/palette/draft.h"
+#include "topology/script/corner.h"
+#include "topology/script/script_fault.h"
+#include "topology/text/words.h"
+
+namespace euler {
+
+namespace {
+
+using topology::HalfEdgeId;
+using topology::Named;
+using topology::ScriptFault;
+using Words = std::vector<std::string_view>;
+
+topology::Point point(const Words& words)
+{
+    double coordinates[3] = {};
+    if (words.size() != 3) throw error(ScriptFault::BadNumber, {words.empty() ? "" : std::string(words.back())});
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto value = topology::finite_number(words[i]);
+        if (!value) throw error(ScriptFault::BadNumber, {std::string(words[i])});
+        coordinates[i] = *value;
+    }
+    return {coordinates[0], coordinates[1], coordinates[2]};
+}
+
+/// "f1 v1" as a corner of the face; "v1>v2", "%7", or the one half-edge that starts at "v1" in any face.
+HalfEdgeId half_edge(const Named& in, const Words& words)
+{
+    if (words.size() == 2) return find_corner(in, find_face(in, words[0]), words[1]);
+    const std::string_view word = words.front();
+    if (const std::size_t mark = word.find('>'); mark != std::string_view::npos)
+        return find_half_edge(in, std::nullopt, word.substr(0, mark), word.substr(mark + 1));
+    if (const auto h = find_numbered(in, word)) return *h;
+    const topology::VertexId v = find_vertex(in, word);
+    const HalfEdgeId h = in.solid.half_edge(v);
+    std::string fit;
+    for (const HalfEdgeId each : in.solid.fan(v)) fit += (fit.empty() ? "" : ", ") + in.names.of(each, in.solid);
+    if (in.solid.turn(h) != h) throw error(ScriptFault::Ambiguous, {std::string(word), fit});
+    return h;
+}
+
+Choice read(const topology::ScriptRunner& runner, const Draft& draft, const Words& words)
+{
+    const ArgumentKind kind = draft.next().kind;
+    if (kind == ArgumentKind::Point || kind == ArgumentKind::Vector) return point(words);
+    if (words.empty()) throw error(ScriptFault::BadName, {""});
+    const auto place = draft.solid(runner);
+    if (!place) return std::string(words.front());
+    const Named in = runner.solids()[*place].named();
+    switch (kind) {
+    case ArgumentKind::Face: return find_face(in, words.front());
+    case ArgumentKind::Vertex: return find_vertex(in, words.front());
+    case ArgumentKind::Corner:
+    case ArgumentKind::HalfEdge:
+    case ArgumentKind::Ring: return half_edge(in, words);
+    default: return std::string(words.front());
+    }
+}
+
+} // namespace
+
+std::variant<Choice, ui::Phrase> typed(const topology::ScriptRunner& runner, const Draft& draft, std::string_view text)
+{
+    try {
+        return read(runner, draft, topology::words(text));
+    } catch (const topology::LineError& fault) {
+        return reason(fault);
+    }
+}
+
+} // namespace euler
