@@ -1,0 +1,222 @@
+#include "apps/euler/view/draw/names.h"
+
+#include "apps/euler/view/draw/name_places.h"
+#include "ui/paint/label_placement.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace euler {
+
+using topology::EntityKind;
+
+namespace {
+
+constexpr std::size_t most_names = 300;
+constexpr std::size_t most_pieces = 600; // for which places inside are looked for
+constexpr double least_edge = 26.0;      // [px] of an edge that has room for its name
+constexpr double least_room = 9.0;       // [px] about the middle of a face that has room for its name
+
+/// A name that wants to be written.
+struct Request {
+    std::string text;
+    ui::TextStyle style;
+    ui::Label label;
+    bool is_area = false; ///< it names what lies below it and needs no leader
+};
+
+class Names {
+public:
+    Names(ui::Painter& painter, const Shapes& shapes, std::span<const Subject> subjects, const Palette& palette,
+          const Look& look)
+        : painter_(painter),
+          shapes_(shapes),
+          subjects_(subjects),
+          palette_(palette),
+          look_(look),
+          symbol_(palette.theme().symbol_scale()),
+          is_crowded_(typical_edge(shapes) < least_edge),
+          placer_({.room = painter.sheet()})
+    {}
+
+    void write()
+    {
+        collect();
+        if (requests_.empty()) return;
+        add_obstacles();
+        std::stable_sort(requests_.begin(), requests_.end(),
+                         [](const Request& a, const Request& b) { return a.label.priority > b.label.priority; });
+        if (requests_.size() > most_names) requests_.resize(most_names);
+        std::vector<ui::Label> labels;
+        for (const Request& request : requests_) labels.push_back(request.label);
+        const ui::LabelPlacement placement = placer_.place(labels);
+        for (std::size_t i = 0; i < requests_.size(); ++i)
+            if (placement.labels[i]) write(requests_[i], *placement.labels[i]);
+    }
+
+private:
+    bool wants(EntityKind kind) const { return look_.names.contains(kind); }
+
+    /// Of several places of one entity, as in an exploded view, the one in front has the name.
+    bool is_first(const Part& part) { return named_.insert(part).second; }
+
+    /// A face without area is named beside one of its half-edges.
+    void find_places()
+    {
+        if (shapes_.pieces.size() > most_pieces) return;
+        for (const Shapes::Piece& piece : shapes_.pieces) {
+            const Shapes::Face& face = shapes_.faces[piece.face];
+            NamePlaces places = places_inside(piece.outline);
+            NamePlaces& best = places_[{face.subject, face.face}];
+            if (best.all.empty() || places.room > best.room) best = std::move(places);
+        }
+        for (const Shapes::Arrow& arrow : shapes_.arrows) {
+            const Part face{arrow.subject, palette_.solid(arrow.subject).face(arrow.half_edge)};
+            if (!places_.contains(face)) places_[face] = {{beside(arrow, 14.0), beside(arrow, -14.0)}, least_edge};
+        }
+    }
+
+    void collect()
+    {
+        if (wants(EntityKind::Face)) find_places();
+        if (wants(EntityKind::Vertex))
+            for (auto v = shapes_.vertices.rbegin(); v != shapes_.vertices.rend(); ++v) ask(*v);
+        if (wants(EntityKind::Face))
+            for (const Shapes::Face& face : shapes_.faces) ask(face);
+        if (wants(EntityKind::Edge))
+            for (auto e = shapes_.edges.rbegin(); e != shapes_.edges.rend(); ++e) ask(*e);
+        if (wants(EntityKind::HalfEdge) || wants(EntityKind::Loop))
+            for (const Shapes::Arrow& arrow : shapes_.arrows) ask(arrow);
+    }
+
+    void ask(const Shapes::Vertex& vertex)
+    {
+        const Part part{vertex.subject, vertex.vertex};
+        const topology::Solid& solid = palette_.solid(part.subject);
+        const bool is_lone = solid.mate(solid.half_edge(vertex.vertex)) == solid.half_edge(vertex.vertex);
+        if (is_crowded_ && !is_lone && !is_marked(part)) return;
+        ask(part, vertex.at, {}, vertex.is_hidden, {.clearance = is_lone ? 16.0 : 5.0, .priority = 40.0});
+    }
+
+    void ask(const Shapes::Face& face)
+    {
+        const Part part{face.subject, face.face};
+        const auto found = places_.find(part);
+        if (found == places_.end()) return;
+        const NamePlaces& places = found->second;
+        if (places.room < least_room * symbol_ && !is_marked(part)) return;
+        ask(part, places.all.front(), places.all, face.is_back, {.clearance = 4.0, .priority = 30.0});
+    }
+
+    void ask(const Shapes::Edge& edge)
+    {
+        const Part part{edge.subject, edge.edge};
+        const bool is_curve = edge.line.size() > 2;
+        if (!is_curve && ui::distance(edge.line.front(), edge.line.back()) < least_edge && !is_marked(part)) return;
+        const ui::Point middle = middle_of(edge.line);
+        ask(part, middle, {middle}, edge.is_hidden, {.clearance = 3.0, .priority = 20.0});
+    }
+
+    void ask(const Shapes::Arrow& arrow)
+    {
+        const topology::Solid& solid = palette_.solid(arrow.subject);
+        const topology::LoopId loop = solid.loop(arrow.half_edge);
+        const ui::Point middle = middle_of(arrow.line);
+        if (wants(EntityKind::HalfEdge))
+            ask({arrow.subject, arrow.half_edge}, middle, {beside(arrow, 10.0), beside(arrow, -10.0)}, arrow.is_hidden,
+                {.clearance = 3.0, .priority = 10.0});
+        if (wants(EntityKind::Loop) && solid.half_edge(loop) == arrow.half_edge)
+            ask({arrow.subject, loop}, middle, {beside(arrow, 12.0), beside(arrow, -12.0)}, arrow.is_hidden,
+                {.clearance = 4.0, .priority = 25.0});
+    }
+
+    struct Manner {
+        double clearance;
+        double priority;
+    };
+    void ask(const Part& part, ui::Point target, std::vector<ui::Point> wishes, bool is_hidden, const Manner& manner)
+    {
+        if (!is_first(part)) return;
+        const std::string text = name_of(part);
+        const ui::TextStyle style = palette_.name(part, is_hidden);
+        const double reach = 34.0 * symbol_;
+        requests_.push_back({text,
+                             style,
+                             {.target = target,
+                              .size = ui::label_size(painter_.fonts(), text, style),
+                              .wishes = std::move(wishes),
+                              .priority = manner.priority - (is_hidden ? 5.0 : 0.0) + (is_marked(part) ? 100.0 : 0.0),
+                              .clearance = manner.clearance * symbol_,
+                              .reach = reach},
+                             part.entity.kind == EntityKind::Face});
+    }
+
+    bool is_marked(const Part& part) const { return palette_.marks(part.subject).is_marked(part.entity); }
+
+    /// Half-edges as corners of scripts write them, edges and loops as the tables do, the others by the user's names.
+    std::string name_of(const Part& part) const
+    {
+        const Subject& subject = subjects_[part.subject];
+        if (part.entity.kind == EntityKind::HalfEdge) return "%" + std::to_string(part.entity.index + 1);
+        if (part.entity.kind == EntityKind::Edge) return topology::table_name(part.entity);
+        return subject.names->of(part.entity, *subject.solid);
+    }
+
+    /// So many pixels to the left of the middle of a half-edge's line.
+    ui::Point beside(const Shapes::Arrow& arrow, double by) const
+    {
+        const std::size_t n = arrow.line.size();
+        const ui::Point along = ui::direction(arrow.line[n / 2] - arrow.line[(n - 1) / 2 - (n > 2 ? 1 : 0)]);
+        return middle_of(arrow.line) + by * symbol_ * ui::left_normal(along);
+    }
+
+    static ui::Point middle_of(const std::vector<ui::Point>& line)
+    {
+        const std::size_t n = line.size();
+        return 0.5 * (line[(n - 1) / 2] + line[n / 2]);
+    }
+
+    void add_obstacles()
+    {
+        ui::LabelObstacles& obstacles = placer_.obstacles();
+        for (const Shapes::Vertex& vertex : shapes_.vertices)
+            obstacles.add_disc(vertex.at, 4.0 * symbol_, vertex.is_hidden ? ui::Firmness::Soft : ui::Firmness::Hard);
+        for (const Shapes::Edge& edge : shapes_.edges) obstacles.add_polyline(edge.line, 2.0, ui::Firmness::Soft);
+        for (const Shapes::Arrow& arrow : shapes_.arrows) obstacles.add_polyline(arrow.line, 3.0, ui::Firmness::Soft);
+    }
+
+    void write(const Request& request, const ui::PlacedLabel& place)
+    {
+        ui::TextStyle style = request.style;
+        if (place.is_over_soft) style.plate = ui::with_opacity(palette_.theme().background(), 0.75);
+        if (place.leader && !request.is_area)
+            painter_.line(place.leader->from, place.leader->to, palette_.theme().stroke(ui::Role::Leader));
+        ui::draw_label(painter_, place, request.text, style);
+    }
+
+    ui::Painter& painter_;
+    const Shapes& shapes_;
+    std::span<const Subject> subjects_;
+    const Palette& palette_;
+    const Look& look_;
+    double symbol_;
+    bool is_crowded_;
+    ui::LabelPlacer placer_;
+    std::vector<Request> requests_;
+    std::set<Part> named_;
+    std::map<Part, NamePlaces> places_; ///< of faces
+};
+
+} // namespace
+
+void write_names(ui::Painter& painter, const Shapes& shapes, std::span<const Subject> subjects, const Palette& palette,
+                 const Look& look)
+{
+    Names(painter, shapes, subjects, palette, look).write();
+}
+
+} // namespace euler

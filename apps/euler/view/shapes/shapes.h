@@ -1,0 +1,62 @@
+#pragma once
+
+#include "apps/euler/view/subject.h"
+#include "ui/paint/geometry.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace euler {
+
+/// Where everything of a picture stands on its sheet [px]: in space, in the plane or as polygons. Whatever drew it, one
+/// hand paints it (draw/draw.h) and one hand picks from it (pick.h).
+struct Shapes {
+    /// A part of a face without rings, painted in this order: later ones lie in front.
+    struct Piece {
+        std::size_t face; ///< its place in `faces`
+        std::vector<ui::Point> outline;
+        bool is_back = false; ///< seen from inside
+    };
+    struct Face {
+        std::size_t subject;
+        topology::FaceId face;
+        bool is_back = false; ///< seen from inside
+    };
+    struct Edge {
+        std::size_t subject;
+        topology::EdgeId edge;
+        std::vector<ui::Point> line; ///< from the old vertex to the new one
+        bool is_hidden = false;
+        std::size_t after = 0;               ///< painted after so many pieces
+        std::optional<std::size_t> series{}; ///< which colour tells it apart, where edges are told apart
+    };
+    /// A half-edge, beside its edge and inside its face; about its vertex where that is lone.
+    struct Arrow {
+        std::size_t subject;
+        topology::HalfEdgeId half_edge;
+        std::vector<ui::Point> line;
+        bool is_hidden = false;
+        std::size_t after = 0;
+    };
+    struct Vertex {
+        std::size_t subject;
+        topology::VertexId vertex;
+        ui::Point at;
+        bool is_hidden = false;
+        std::size_t after = 0;
+    };
+
+    std::vector<Piece> pieces;
+    std::vector<Face> faces;
+    std::vector<Edge> edges;
+    std::vector<Arrow> arrows;
+    std::vector<Vertex> vertices;
+    std::vector<std::string> sentences{}; ///< what this kind of picture cannot show, in words
+};
+
+/// The length of an edge on the sheet [px], of half of them at least; infinite where there is none.
+double typical_edge(const Shapes& shapes);
+
+} // namespace euler

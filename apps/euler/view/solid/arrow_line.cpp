@@ -1,0 +1,124 @@
+#include "apps/euler/view/solid/arrow_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace euler {
+
+using topology::FaceId;
+using topology::HalfEdgeId;
+using topology::Point;
+using topology::Vector;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double beside_edge = 11.0; // [px]
+constexpr double around_lone = 18.0; // [px]
+constexpr double inside = 1.6;       // times as far from the edge, of a face that is seen from inside
+constexpr double shortest = 18.0;    // [px] of a line with a head
+constexpr double gap = 3.0;          // [px] to the neighbour's line
+constexpr double least_slant = 0.3;  // sine between an edge and its face's normal
+
+Vector unit(const Vector& v)
+{
+    const double l = length(v);
+    return l > 0.0 ? (1.0 / l) * v : Vector{};
+}
+
+} // namespace
+
+double ArrowLines::offset(FaceId f) const
+{
+    constexpr double most_of_room = 0.4;
+    const bool is_back = dot(bodies_[f].normal, sight_.toward_eye()) < 0.0;
+    const double wanted = sight_.px(beside_edge * symbol_scale_ * (is_back ? inside : 1.0));
+    const double radius = bodies_[f].inner_radius;
+    return radius > 0.0 ? std::min(wanted, most_of_room * radius) : wanted;
+}
+
+Vector ArrowLines::plane_normal(FaceId f, const Vector& along) const
+{
+    const Vector& normal = bodies_[f].normal;
+    return length(cross(normal, along)) > least_slant ? normal : sight_.toward_eye();
+}
+
+Vector ArrowLines::direction(HalfEdgeId h) const
+{
+    const auto path = paths_(h);
+    return unit(path.back() - path.front());
+}
+
+double ArrowLines::taken(const Vector& from, const Vector& to, const Vector& normal, double offset)
+{
+    const double turn = std::atan2(dot(normal, cross(from, to)), dot(from, to));
+    if (turn <= 0.0 || turn > 0.98 * pi) return 0.0; // round the outside of a corner, or of a strut's end
+    return offset * std::tan(0.5 * turn);
+}
+
+std::vector<Point> ArrowLines::straight(HalfEdgeId h, const std::vector<Point>& path) const
+{
+    const FaceId f = solid_.face(h);
+    const Vector whole = path.back() - path.front(), along = unit(whole);
+    const Vector normal = plane_normal(f, along);
+    const double aside = offset(f), room = length(whole), least_gap = sight_.px(gap);
+    double before = taken(direction(solid_.prev(h)), along, normal, aside) + least_gap;
+    double after = taken(along, direction(solid_.next(h)), normal, aside) + least_gap;
+    const double shrink = std::min(1.0, 0.7 * room / (before + after));
+    before *= shrink;
+    after *= shrink;
+    const Vector inward = aside * unit(cross(normal, along));
+    return {path.front() + inward + before * along, path.back() + inward + (-after) * along};
+}
+
+/// Beside a curve in the sheet's plane, on its left.
+std::vector<Point> ArrowLines::curved(std::vector<Point> path) const
+{
+    const double aside = sight_.px(beside_edge * symbol_scale_);
+    std::vector<Point> line;
+    const std::size_t ends = path.size() / 6; // where both its ends meet at the vertex
+    for (std::size_t i = ends; i + ends < path.size(); ++i) {
+        const Vector along = path[i + 1] - path[i - 1];
+        line.push_back(path[i] + aside * unit(cross(sight_.toward_eye(), along)));
+    }
+    return line;
+}
+
+std::vector<Point> ArrowLines::circle(const Point& middle) const
+{
+    constexpr int n = 20;
+    std::vector<Point> line;
+    for (int i = 0; i <= n; ++i)
+        line.push_back(middle + sight_.px(around_lone * symbol_scale_) * sight_.across(pi * (0.6 + 1.7 * i / n)));
+    return line;
+}
+
+std::vector<Point> ArrowLines::operator()(HalfEdgeId h) const
+{
+    std::vector<Point> path = paths_(h);
+    if (path.size() == 1) return circle(path.front());
+    if (paths_.is_curved(h)) return curved(std::move(path));
+    if (ui::distance(sight_.to_sheet(path.front()), sight_.to_sheet(path.back())) < shortest * symbol_scale_) return {};
+    return straight(h, path);
+}
+
+void keep_share(std::vector<Point>& line, double share)
+{
+    if (share >= 1.0) return;
+    double left = 0.0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) left += length(line[i + 1] - line[i]);
+    left *= std::max(0.0, share);
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const double here = length(line[i + 1] - line[i]);
+        if (here < left) {
+            left -= here;
+            continue;
+        }
+        line[i + 1] = line[i] + (here > 0.0 ? left / here : 0.0) * (line[i + 1] - line[i]);
+        line.resize(i + 2);
+        return;
+    }
+}
+
+} // namespace euler

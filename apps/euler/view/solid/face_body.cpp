@@ -1,0 +1,170 @@
+#include "apps/euler/view/solid/face_body.h"
+
+#include "apps/euler/view/solid/slit.h"
+#include "topology/halfedge/check/shells.h"
+#include "ui/paint/mesh/polygon_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace euler {
+
+using topology::FaceId;
+using topology::Point;
+using topology::Vector;
+
+namespace {
+
+using Rim = std::vector<Point>;
+
+constexpr double flat_within = 1e-6;  // of the solid's extent
+constexpr double no_area = 1e-9;      // of the square of a face's outline
+constexpr double slit_width = 0.02;   // [px]
+constexpr double outward = 0.7;       // of a face's distance from its shell's middle, where it is fully exploded
+constexpr double along_normal = 0.12; // of the solid's extent
+
+Vector twice_area(const Rim& rim)
+{
+    Vector sum;
+    for (std::size_t i = 1; i + 1 < rim.size(); ++i) sum = sum + cross(rim[i] - rim[0], rim[i + 1] - rim[0]);
+    return sum;
+}
+
+double perimeter(const Rim& rim)
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i < rim.size(); ++i) sum += length(rim[(i + 1) % rim.size()] - rim[i]);
+    return sum;
+}
+
+/// Without the stretches that run forth and back along a strut.
+Rim without_struts(Rim rim)
+{
+    for (std::size_t i = 0; rim.size() >= 3 && i < rim.size();) {
+        const std::size_t n = rim.size(), before = (i + n - 1) % n, after = (i + 1) % n;
+        if (!(rim[before] == rim[after])) {
+            ++i;
+            continue;
+        }
+        const auto at = [&](std::size_t k) { return rim.begin() + static_cast<std::ptrdiff_t>(k); };
+        rim.erase(at(std::max(i, after)));
+        rim.erase(at(std::min(i, after)));
+        i = 0;
+    }
+    return rim.size() >= 3 ? rim : Rim{};
+}
+
+Rim rim_of(const topology::Solid& solid, topology::LoopId loop, const HalfEdgePaths& paths)
+{
+    Rim rim;
+    for (const topology::HalfEdgeId h : solid.chain(loop)) {
+        const auto path = paths(h);
+        rim.insert(rim.end(), path.begin(), path.size() > 1 ? path.end() - 1 : path.end());
+    }
+    return rim;
+}
+
+bool is_flat(const std::vector<Rim>& rims, const Vector& normal, double within)
+{
+    const Point& origin = rims.front().front();
+    for (const Rim& rim : rims)
+        for (const Point& p : rim)
+            if (std::abs(dot(normal, p - origin)) > within) return false;
+    return true;
+}
+
+/// Two directions in the plane of a normal, with it right-handed.
+struct Axes {
+    Vector u, v;
+    explicit Axes(const Vector& normal)
+    {
+        const Vector helper = std::abs(normal.z) < 0.9 ? Vector{0.0, 0.0, 1.0} : Vector{1.0, 0.0, 0.0};
+        const Vector across = cross(helper, normal);
+        u = (1.0 / length(across)) * across;
+        v = cross(normal, u);
+    }
+    ui::Point operator()(const Vector& p) const { return {dot(u, p), dot(v, p)}; }
+};
+
+std::vector<Rim> triangles(const Rim& outline, const std::vector<ui::Point>& flat)
+{
+    std::vector<Rim> result;
+    for (const auto& [a, b, c] : ui::triangulation(flat)) result.push_back({outline[a], outline[b], outline[c]});
+    return result;
+}
+
+std::vector<Rim> pieces(const std::vector<Rim>& rims, const Vector& normal, double within, double slit)
+{
+    std::vector<Rim> kept;
+    for (const Rim& rim : rims)
+        if (Rim clean = without_struts(rim); !clean.empty()) kept.push_back(std::move(clean));
+    if (kept.empty()) return {};
+    const Axes axes(normal);
+    const Point origin = kept.front().front();
+    const auto flat = [&](const Point& p) { return axes(p - origin); };
+    if (kept.size() == 1 && is_flat(kept, normal, within)) return kept;
+    const Rim outline = joined_by_slits(kept, flat, slit);
+    if (is_flat(kept, normal, within)) return {outline};
+    std::vector<ui::Point> in_plane(outline.size());
+    std::transform(outline.begin(), outline.end(), in_plane.begin(), flat);
+    return triangles(outline, in_plane);
+}
+
+Point middle_of(const std::vector<Rim>& rims)
+{
+    Vector sum;
+    double n = 0.0;
+    for (const Point& p : rims.front()) {
+        sum = sum + Vector{p.x, p.y, p.z};
+        n += 1.0;
+    }
+    return Point{} + (1.0 / n) * sum;
+}
+
+FaceBody body_of(const topology::Solid& solid, FaceId f, const HalfEdgePaths& paths, double extent, double slit)
+{
+    std::vector<Rim> rims;
+    Vector area;
+    double around = 0.0;
+    for (const topology::LoopId l : solid.loops(f)) {
+        rims.push_back(rim_of(solid, l, paths));
+        area = area + twice_area(rims.back());
+        around += perimeter(rims.back());
+    }
+    FaceBody body{.face = f, .middle = middle_of(rims)};
+    const double size = length(area);
+    if (!(size > no_area * around * around)) return body;
+    body.normal = (1.0 / size) * area;
+    body.inner_radius = size / around;
+    body.pieces = pieces(rims, body.normal, flat_within * extent, slit);
+    return body;
+}
+
+} // namespace
+
+FaceBodies::FaceBodies(const topology::Solid& solid, const Stations& stations, const HalfEdgePaths& paths,
+                       const Sight& sight)
+    : places_(solid.faces().n_rows())
+{
+    bodies_.reserve(solid.faces().n_living());
+    for (const FaceId f : solid.faces()) {
+        places_[f.index] = bodies_.size();
+        bodies_.push_back(body_of(solid, f, paths, stations.extent(), sight.px(slit_width)));
+    }
+}
+
+void FaceBodies::explode(const topology::Solid& solid, double how_far, double extent)
+{
+    if (how_far <= 0.0) return;
+    for (const topology::Shell& shell : topology::shells(solid)) {
+        Vector sum;
+        for (const FaceId f : shell.faces) sum = sum + ((*this)[f].middle - Point{});
+        const Point middle = Point{} + (1.0 / static_cast<double>(shell.faces.size())) * sum;
+        for (const FaceId f : shell.faces) {
+            FaceBody& body = bodies_[places_[f.index]];
+            body.shift = how_far * (outward * (body.middle - middle) + along_normal * extent * body.normal);
+        }
+    }
+}
+
+} // namespace euler

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "apps/euler/view/solid/sight.h"
+#include "ui/paint/geometry.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace euler {
+
+/// How near to the eye a plane is at each place of the sheet, in pixels as all depths here.
+struct DepthPlane {
+    ui::Point at;
+    double nearness = 0.0; ///< there
+    ui::Point slope;
+
+    double operator()(ui::Point p) const { return nearness + ui::dot(slope, p - at); }
+};
+/// Nothing where the plane is seen edge on.
+std::optional<DepthPlane> depth_plane(const topology::Point& at, const topology::Vector& normal, const Sight& sight);
+
+/// A flat piece of a face as it is seen.
+struct SeenPiece {
+    std::vector<ui::Point> outline;
+    std::optional<DepthPlane> plane;
+    bool is_back = false;
+    double nearness = 0.0; ///< mean
+    ui::Box bounds{};
+};
+
+/// The pieces from the farthest to the nearest, by index: where two overlap on the sheet, the one in front comes later.
+///
+/// Two pieces are compared where they are farthest apart in depth, which is at a corner of what they share: a corner of
+/// one inside the other, or where two outlines cross. So any outline will do, convex or not. Pieces that cover one
+/// another in a circle are taken by their mean depth, and so are all where there are more than `most_compared`.
+std::vector<std::size_t> back_to_front(std::span<const SeenPiece> pieces);
+inline constexpr std::size_t most_compared = 500;
+
+/// Whether a place in space is behind a piece, that is, farther from the eye than some piece that covers it.
+bool is_covered(std::span<const SeenPiece> pieces, ui::Point at, double nearness);
+
+} // namespace euler
