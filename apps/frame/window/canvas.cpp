@@ -186,7 +186,8 @@ void Canvas::show(Desk& desk, ui::ImGuiSession& gui)
     const ui::Point at{static_cast<double>((io.MousePos.x - corner.x) / scale),
                        static_cast<double>((io.MousePos.y - corner.y) / scale)};
     is_over_ = ImGui::IsItemHovered() || ImGui::IsItemActive();
-    follow(desk, {.at = at, .is_over = is_over_, .adds = io.KeyShift, .is_exact = io.KeyAlt});
+    const bool is_followed = is_over_ || is_working_; // a button may be released beside the picture
+    follow(desk, {.at = at, .is_over = is_followed, .adds = io.KeyShift, .is_exact = io.KeyAlt});
     paint(desk);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(corner, {corner.x + room.x, corner.y + room.y}, true);
