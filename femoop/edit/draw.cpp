@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "femoop/edit/crossing.h"
 #include "femoop/edit/member_line.h"
 #include "femoop/edit/naming.h"
 #include "femoop/edit/split.h"
@@ -31,17 +32,22 @@ std::optional<double> inside(const MemberLine& line, const Eigen::Vector3d& plac
     return (line.at(x) - place).norm() <= nearness ? std::optional(x) : std::nullopt;
 }
 
-/// Cuts every member that passes the node.
-void cut_members_at(Model& model, NodeId node, double nearness)
+/// Cuts every member that passes the node, as far as it may be cut.
+template <class MayCut> void cut_members_at(Model& model, NodeId node, double nearness, MayCut&& may_cut)
 {
     const Eigen::Vector3d place = position_of(model, node);
     const std::size_t n_members = model.members.size();
     for (std::size_t i = 0; i < n_members; ++i) {
         const auto& nodes = model.members[i].nodes;
-        if (nodes[0] == node || nodes[1] == node) continue;
+        if (nodes[0] == node || nodes[1] == node || !may_cut(MemberId(i))) continue;
         const std::optional<double> x = inside(line_of(model, model.members[i]), place, nearness);
         if (x) split_member(model, MemberId(i), *x, node);
     }
+}
+
+void cut_members_at(Model& model, NodeId node, double nearness)
+{
+    cut_members_at(model, node, nearness, [](MemberId) { return true; });
 }
 
 NodeId place_node(Model& model, const Eigen::Vector3d& place, double nearness)
@@ -50,19 +56,6 @@ NodeId place_node(Model& model, const Eigen::Vector3d& place, double nearness)
     const NodeId node = model.add(Node{.id = fresh_node_id(model), .at = coordinates(place)});
     cut_members_at(model, node, nearness);
     return node;
-}
-
-/// Where two lines cross inside both; nothing for parallel ones.
-std::optional<Eigen::Vector3d> crossing(const MemberLine& a, const MemberLine& b, double nearness)
-{
-    const Eigen::Vector3d r = b.start - a.start;
-    const double cosine = a.direction.dot(b.direction), sine_squared = 1.0 - cosine * cosine;
-    if (sine_squared < 1e-12) return std::nullopt;
-    const double s = (r.dot(a.direction) - cosine * r.dot(b.direction)) / sine_squared;
-    const double t = (cosine * r.dot(a.direction) - r.dot(b.direction)) / sine_squared;
-    const bool is_inside = s > nearness && s < a.length - nearness && t > nearness && t < b.length - nearness;
-    if (!is_inside || (a.at(s) - b.at(t)).norm() > nearness) return std::nullopt;
-    return b.at(t);
 }
 
 /// Nodes where the line crosses members.
@@ -114,10 +107,14 @@ std::optional<MemberId> member_between(const Model& model, NodeId a, NodeId b)
 
 NodeId place_node(Model& model, const Eigen::Vector3d& place) { return place_node(model, place, nearness_of(model)); }
 
-void cut_members_at(Model& model, NodeId node) { cut_members_at(model, node, nearness_of(model)); }
+void cut_members_at(Model& model, NodeId node, const MovedParts& moved)
+{
+    if (moved.is_moved(model, node)) return cut_members_at(model, node, nearness_of(model));
+    cut_members_at(model, node, nearness_of(model), [&](MemberId member) { return moved.is_moved(model, member); });
+}
 
 std::vector<MemberId> draw_member(Model& model, const Eigen::Vector3d& start, const Eigen::Vector3d& end,
-                                  const Member& pattern)
+                                  const Member& pattern, Crossings crossings)
 {
     const Eigen::Vector3d chord = end - start;
     const double nearness = nearness_of(model);
@@ -125,7 +122,7 @@ std::vector<MemberId> draw_member(Model& model, const Eigen::Vector3d& start, co
     const MemberLine line{start, chord.normalized(), chord.norm()};
     place_node(model, start, nearness);
     place_node(model, end, nearness);
-    place_crossings(model, line, nearness);
+    if (crossings == Crossings::Cut) place_crossings(model, line, nearness);
     const std::vector<NodeId> nodes = nodes_along(model, line, nearness);
     for (const NodeId node : nodes) cut_members_at(model, node, nearness);
     std::vector<MemberId> members;

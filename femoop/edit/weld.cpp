@@ -14,16 +14,34 @@ namespace femoop {
 
 namespace {
 
-/// Of each node the earliest one at its place.
-std::vector<NodeId> earliest_at_place(const Model& model)
+bool are_at_one_place(const Model& model, NodeId a, NodeId b, double nearness)
+{
+    return (position_of(model, a) - position_of(model, b)).norm() <= nearness;
+}
+
+/// Two that are both known from before met before.
+bool have_met(const MovedParts& moved, const Node& a, const Node& b)
+{
+    const std::optional<NodeId> former_a = moved.former(a), former_b = moved.former(b);
+    const Model& before = moved.before();
+    return former_a && former_b && are_at_one_place(before, *former_a, *former_b, nearness_of(before));
+}
+
+/// Of each node the earliest one at its place, where they have come to meet there.
+std::vector<NodeId> earliest_at_place(const Model& model, const MovedParts& moved)
 {
     const double nearness = nearness_of(model);
     std::vector<NodeId> earliest;
+    std::vector<bool> is_moved;
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-        const Eigen::Vector3d place = position_of(model, NodeId(i));
-        const auto is_here = [&](NodeId other) { return (position_of(model, other) - place).norm() <= nearness; };
-        const auto found = std::ranges::find_if(earliest, is_here);
-        earliest.push_back(found == earliest.end() ? NodeId(i) : *found);
+        const NodeId late(i);
+        is_moved.push_back(moved.is_moved(model, late));
+        const auto is_met = [&](NodeId other) {
+            return (is_moved[i] || is_moved[other.index]) && are_at_one_place(model, other, late, nearness) &&
+                   !have_met(moved, model[other], model[late]);
+        };
+        const auto found = std::ranges::find_if(earliest, is_met);
+        earliest.push_back(found == earliest.end() ? late : *found);
     }
     return earliest;
 }
@@ -51,9 +69,9 @@ void refer_to_earliest(Model& model, const std::vector<NodeId>& earliest)
         if (check.node) refer(*check.node);
 }
 
-void weld_nodes(Model& model)
+void weld_nodes(Model& model, const MovedParts& moved)
 {
-    const std::vector<NodeId> earliest = earliest_at_place(model);
+    const std::vector<NodeId> earliest = earliest_at_place(model, moved);
     Parts gone;
     for (std::size_t i = 0; i < earliest.size(); ++i) {
         if (earliest[i] == NodeId(i)) continue;
@@ -75,7 +93,15 @@ void hand_over_loads(Model& model, MemberId from, MemberId to)
             if (load.member == from) load.member = to;
 }
 
-void weld_members(Model& model)
+bool have_met(const MovedParts& moved, const Member& a, const Member& b)
+{
+    const std::optional<MemberId> former_a = moved.former(a), former_b = moved.former(b);
+    if (!former_a || !former_b) return false;
+    const Member &then_a = moved.before()[*former_a], &then_b = moved.before()[*former_b];
+    return std::ranges::is_permutation(then_a.nodes, then_b.nodes);
+}
+
+void weld_members(Model& model, const MovedParts& moved)
 {
     std::map<std::pair<NodeId, NodeId>, MemberId> between;
     Parts gone;
@@ -83,7 +109,7 @@ void weld_members(Model& model)
         const MemberId late(i);
         const auto [low, high] = std::minmax(model[late].nodes[0], model[late].nodes[1]);
         const auto [found, is_first] = between.try_emplace({low, high}, late);
-        if (is_first) continue;
+        if (is_first || have_met(moved, model[found->second], model[late])) continue;
         if (model[found->second].nodes != model[late].nodes) reverse_member(model, late);
         hand_over_loads(model, late, found->second);
         gone.members.push_back(late);
@@ -93,11 +119,16 @@ void weld_members(Model& model)
 
 } // namespace
 
-void weld(Model& model)
+void weld(Model& model, const Model& before, const Welding& welding)
 {
-    weld_nodes(model);
-    for (std::size_t i = 0; i < model.nodes.size(); ++i) cut_members_at(model, NodeId(i));
-    weld_members(model);
+    const MovedParts moved(before);
+    if (welding.crossings == Crossings::Cut)
+        for (const Eigen::Vector3d& place : new_crossings(model, moved, welding.n_copies)) place_node(model, place);
+    weld_nodes(model, moved);
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) cut_members_at(model, NodeId(i), moved);
+    weld_members(model, moved);
 }
+
+void weld(Model& model) { weld(model, {}); }
 
 } // namespace femoop

@@ -8,7 +8,6 @@
 #include "femoop/edit/member_line.h"
 #include "femoop/edit/merge.h"
 #include "femoop/edit/naming.h"
-#include "femoop/edit/weld.h"
 #include "femoop/model/quantity/in_units.h"
 
 namespace frame {
@@ -140,12 +139,13 @@ femoop::Member like_last_member(const Model& model)
 
 void add_node(Document& document, const Eigen::Vector2d& place) { femoop::place_node(document.model, in_space(place)); }
 
-void draw_member(Document& document, const Eigen::Vector2d& start, const Eigen::Vector2d& end)
+void draw_member(Document& document, const Eigen::Vector2d& start, const Eigen::Vector2d& end,
+                 femoop::Crossings crossings)
 {
     if ((end - start).norm() <= femoop::nearness_of(document.model)) return;
     Model next = document.model;
     const femoop::Member like = pattern(next);
-    femoop::draw_member(next, in_space(start), in_space(end), like);
+    femoop::draw_member(next, in_space(start), in_space(end), like, crossings);
     document.model = std::move(next);
 }
 
@@ -234,9 +234,9 @@ std::vector<Part> copy(Document& document, std::span<const Part> parts, const fe
     return copies;
 }
 
-void join(Document& document)
+void join(Document& document, const Model& before, const femoop::Welding& welding)
 {
-    edit_model(document, [](Model& model) { femoop::weld(model); });
+    edit_model(document, [&](Model& model) { femoop::weld(model, before, welding); });
 }
 
 void name_anew(Document& document, const Model& before)

@@ -7,6 +7,7 @@
 #include "apps/frame/document/document.h"
 #include "apps/frame/document/part.h"
 #include "femoop/edit/place.h"
+#include "femoop/edit/weld.h"
 
 namespace frame {
 
@@ -19,9 +20,10 @@ void add_node(Document& document, const Eigen::Vector2d& place);
 femoop::Member like_last_member(const femoop::Model& model);
 
 /// Members along a straight line, made like the last one of the model. A model without any material or section gets
-/// steel and a section to begin with. Crossed members are cut (femoop/edit/draw.h). Nothing where the
-/// places are one.
-void draw_member(Document& document, const Eigen::Vector2d& start, const Eigen::Vector2d& end);
+/// steel and a section to begin with. Crossed members are cut (femoop/edit/draw.h) unless they are to be kept. Nothing
+/// where the places are one.
+void draw_member(Document& document, const Eigen::Vector2d& start, const Eigen::Vector2d& end,
+                 femoop::Crossings crossings = femoop::Crossings::Cut);
 
 /// Takes these parts out, and what cannot be without them; where a node goes at which two equal members go on straight,
 /// they become one member. Materials and sections in use stay.
@@ -39,8 +41,9 @@ void place(Document& document, std::span<const Part> parts, const femoop::Placem
 std::vector<Part> copy(Document& document, std::span<const Part> parts, const femoop::Placement& placement,
                        int times = 1);
 
-/// Makes one of what lies at one place (femoop/edit/weld.h): the end of every gesture that moved something.
-void join(Document& document);
+/// Joins what was moved or made since `before` to what it meets, and cuts what it crosses (femoop/edit/weld.h): the end
+/// of every gesture that moved something.
+void join(Document& document, const femoop::Model& before, const femoop::Welding& welding = {});
 
 /// Names the nodes and members that were made since `before` as if they were drawn one by one (femoop/edit/naming.h),
 /// in dimension lines too: copies that were joined keep no gaps and no names of nodes that are gone.

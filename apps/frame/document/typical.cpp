@@ -220,7 +220,7 @@ void insert_beside(Document& document, const Model& structure, const Neighbour& 
     Eigen::Vector3d shift(there.right + neighbour.distance - here.left, 0.0, 0.0);
     shift[is_3d(added.analysis) ? 2 : 1] = there.bottom - here.bottom;
     insert(next.model, added, moved_by(shift));
-    join(next);
+    join(next, document.model);
     document = std::move(next);
 }
 

@@ -84,8 +84,9 @@ void nudge(Desk& desk, double x, double y)
     const double step = desk.hand.settings().grid;
     desk.session.change({about_selection(desk, translatable("Move: {part}"), translatable("Move the selection")),
                          [=, parts = selected(desk)](Document& document) {
+                             const femoop::Model before = document.model;
                              place(document, parts, femoop::moved_by({x * step, y * step, 0.0}));
-                             join(document);
+                             join(document, before);
                          }});
 }
 
@@ -222,7 +223,7 @@ void accept_transform(Desk& desk)
     const Document& made = session.document();
     Selection copies = latest(made.model, before.nodes.size(), before.members.size());
     Document joined = made;
-    join(joined);
+    join(joined, before, {.n_copies = desk.transform->n_copies()});
     if (!copies.is_empty()) {
         copies.follow(made, joined);
         name_anew(joined, before); // which moves nothing in the lists, so the copies are where they were

@@ -49,13 +49,13 @@ femoop::Placement Transform::placement() const
 Change Transform::change(const Selection& selection) const
 {
     const std::vector<Part> parts(selection.parts().begin(), selection.parts().end());
-    const bool copies = kind == Kind::Copy || keeps_original;
-    return {label(kind),
-            [parts, copies, placement = placement(), times = kind == Kind::Copy ? times : 1](Document& document) {
-                if (copies) copy(document, parts, placement, times);
-                else place(document, parts, placement);
-            },
-            Step::Drag};
+    return {
+        label(kind),
+        [parts, copies = copies(), placement = placement(), times = static_cast<int>(n_copies())](Document& document) {
+            if (copies) copy(document, parts, placement, times);
+            else place(document, parts, placement);
+        },
+        Step::Drag};
 }
 
 Transform transform_of(Transform::Kind kind, const femoop::Model& model, const Selection& selection)

@@ -20,6 +20,8 @@ struct Transform {
     bool keeps_original = false;     ///< Mirror, Rotate: what is turned is a copy
 
     femoop::Placement placement() const;
+    bool copies() const { return kind == Kind::Copy || keeps_original; }
+    std::size_t n_copies() const { return kind == Kind::Copy ? static_cast<std::size_t>(times) : 1; }
     /// What it does to the parts, as part of a gesture, so that its numbers can still change.
     Change change(const Selection& selection) const;
 };

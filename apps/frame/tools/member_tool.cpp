@@ -8,6 +8,7 @@
 namespace frame {
 
 using Eigen::Vector2d;
+using femoop::Crossings;
 
 std::optional<Change> MemberTool::press(const Work&, const Aim& at)
 {
@@ -17,7 +18,7 @@ std::optional<Change> MemberTool::press(const Work&, const Aim& at)
         start_.reset();
         return std::nullopt;
     }
-    if (start_) return draw_to(place);
+    if (start_) return draw_to(place, at.crossings());
     start_ = place;
     may_drag_ = true;
     return std::nullopt;
@@ -33,14 +34,14 @@ std::optional<Change> MemberTool::release(const Work&, const Aim& at)
 {
     const bool was_dragged = std::exchange(may_drag_, false) && start_ && *start_ != at.snap.place;
     if (!was_dragged) return std::nullopt;
-    std::optional<Change> change = draw_to(at.snap.place);
+    std::optional<Change> change = draw_to(at.snap.place, at.crossings());
     start_.reset();
     return change;
 }
 
 std::optional<Change> MemberTool::type(const Work&, const Vector2d& place)
 {
-    if (start_ && *start_ != place) return draw_to(place);
+    if (start_ && *start_ != place) return draw_to(place, Crossings::Cut);
     start_ = place;
     return std::nullopt;
 }
@@ -59,11 +60,11 @@ Preview MemberTool::preview() const
     return {.lines = {{*start_, pointer_}}};
 }
 
-std::optional<Change> MemberTool::draw_to(const Vector2d& place)
+std::optional<Change> MemberTool::draw_to(const Vector2d& place, Crossings crossings)
 {
     const Vector2d start = *std::exchange(start_, place);
     return Change{ui::translatable("Draw a member"),
-                  [start, place](Document& document) { draw_member(document, start, place); }};
+                  [start, place, crossings](Document& document) { draw_member(document, start, place, crossings); }};
 }
 
 } // namespace frame

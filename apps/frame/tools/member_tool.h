@@ -18,7 +18,7 @@ public:
     Preview preview() const override;
 
 private:
-    std::optional<Change> draw_to(const Eigen::Vector2d& place);
+    std::optional<Change> draw_to(const Eigen::Vector2d& place, femoop::Crossings crossings);
 
     std::optional<Eigen::Vector2d> start_;
     Eigen::Vector2d pointer_ = Eigen::Vector2d::Zero();

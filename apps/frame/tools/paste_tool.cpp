@@ -19,12 +19,23 @@ std::optional<Change> PasteTool::move(const Work&, const Aim& to)
     return std::nullopt;
 }
 
-std::optional<Change> PasteTool::type(const Work&, const Vector2d& place)
+std::optional<Change> PasteTool::press(const Work& work, const Aim& at)
+{
+    return put(work, at.snap.place, at.crossings());
+}
+
+std::optional<Change> PasteTool::type(const Work& work, const Vector2d& place)
+{
+    return put(work, place, femoop::Crossings::Cut);
+}
+
+Change PasteTool::put(const Work& work, const Vector2d& place, femoop::Crossings crossings)
 {
     is_done_ = true;
-    return Change{.label = ui::translatable("Paste"),
-                  .command = [clipping = clipping_, place](Document& document) { paste(document, *clipping, place); },
-                  .after_selecting = join};
+    return {.label = ui::translatable("Paste"),
+            .command = [clipping = clipping_, place](Document& document) { paste(document, *clipping, place); },
+            .after_selecting = [before = work.document.model,
+                                crossings](Document& document) { join(document, before, {.crossings = crossings}); }};
 }
 
 Preview PasteTool::preview() const

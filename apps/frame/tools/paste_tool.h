@@ -13,15 +13,17 @@ class PasteTool : public Tool {
 public:
     PasteTool(std::shared_ptr<const Clipping> clipping, const femoop::Units& units);
 
-    std::optional<Change> press(const Work& work, const Aim& at) override { return type(work, at.snap.place); }
+    std::optional<Change> press(const Work& work, const Aim& at) override;
     std::optional<Change> move(const Work&, const Aim& to) override;
-    std::optional<Change> type(const Work&, const Eigen::Vector2d& place) override;
+    std::optional<Change> type(const Work& work, const Eigen::Vector2d& place) override;
     bool draws() const override { return true; }
     bool is_done() const override { return is_done_; }
     std::optional<Eigen::Vector2d> from() const override { return grip_; }
     Preview preview() const override;
 
 private:
+    Change put(const Work& work, const Eigen::Vector2d& place, femoop::Crossings crossings);
+
     std::shared_ptr<const Clipping> clipping_;
     Eigen::Vector2d grip_;
     std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> outline_; ///< from the grip

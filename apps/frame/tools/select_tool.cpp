@@ -161,9 +161,10 @@ std::optional<Change> SelectTool::release(const Work& work, const Aim& at)
     if (gesture == Gesture::Slide) return slid(work, at);
     const Change move = moved(work, at);
     return Change{move.label,
-                  [command = move.command](Document& changed) {
+                  [command = move.command, crossings = at.crossings()](Document& changed) {
+                      const Model before = changed.model;
                       command(changed);
-                      join(changed);
+                      join(changed, before, {.crossings = crossings});
                   },
                   Step::Drag};
 }

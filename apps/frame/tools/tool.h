@@ -11,6 +11,7 @@
 #include "apps/frame/document/cut.h"
 #include "apps/frame/document/selection.h"
 #include "apps/frame/tools/snap.h"
+#include "femoop/edit/crossing.h"
 #include "ui/text/display_units.h"
 
 namespace frame {
@@ -44,8 +45,10 @@ struct Aim {
     std::optional<LoadGrip> grip;                      ///< of the load under it, where there is none of these
     double pixel = 0.01;                               ///< one logical pixel [length]
     bool adds = false;                                 ///< Shift is held
-    bool is_exact = false;                             ///< Alt is held: nothing is rounded that need not be
+    bool is_exact = false;                             ///< Alt is held: nothing is rounded or cut that need not be
 
+    /// Of what comes to cross: Alt holds off the cutting too.
+    femoop::Crossings crossings() const { return is_exact ? femoop::Crossings::Keep : femoop::Crossings::Cut; }
     bool points_at_support() const { return support && !node && !cut; } ///< at its symbol, not at its node
     /// The part under the pointer.
     std::optional<Part> part() const;

@@ -120,8 +120,9 @@ TEST_SUITE("frame document")
         frame::add_node(document, {9.0, 9.0});
         const std::string other = document.model.nodes.back().id;
         add_dimension(document, between("A", other.c_str(), horizontal, 1.0));
+        const femoop::Model before = document.model;
         frame::place(document, std::array{frame::Part(NodeId(n))}, femoop::moved_by({-2.0, -3.0, 0.0})); // on C
-        frame::join(document);
+        frame::join(document, before);
         CHECK(document.model.nodes.size() == n);
         CHECK(document.companion.dimensions[1].nodes == std::vector<std::string>{"A", "C"});
     }

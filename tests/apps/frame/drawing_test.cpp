@@ -92,9 +92,10 @@ TEST_SUITE("frame document: drawing")
     TEST_CASE("A portal copied two times beside itself becomes a frame of three bays")
     {
         Document document = frame::starting_document();
+        const femoop::Model before = document.model;
         const std::vector<Part> all{MemberId(0), MemberId(1), MemberId(2)};
         frame::copy(document, all, femoop::moved_by({6, 0, 0}), 2);
-        frame::join(document);
+        frame::join(document, before, {.n_copies = 2});
         CHECK(document.model.nodes.size() == 8);
         CHECK(document.model.members.size() == 7);
         CHECK(frame::solve(document).results.has_value());
@@ -107,7 +108,7 @@ TEST_SUITE("frame document: drawing")
         const std::vector<Part> all{MemberId(0), MemberId(1), MemberId(2)};
         document.companion.dimensions = {{.nodes = {"B", "C"}}};
         frame::copy(document, all, femoop::moved_by({6, 0, 0}), 2);
-        frame::join(document);
+        frame::join(document, before, {.n_copies = 2});
         frame::name_anew(document, before);
         std::vector<std::string> nodes, members;
         for (const femoop::Node& node : document.model.nodes) nodes.push_back(node.id);
@@ -122,8 +123,9 @@ TEST_SUITE("frame document: drawing")
     TEST_CASE("A node moved onto another joins it")
     {
         Document document = frame::starting_document();
+        const femoop::Model before = document.model;
         frame::place(document, std::vector<Part>{NodeId(2)}, femoop::moved_by({0, -4, 0}));
-        frame::join(document);
+        frame::join(document, before);
         CHECK(document.model.nodes.size() == 3);
         CHECK(document.model.members.size() == 2);
     }

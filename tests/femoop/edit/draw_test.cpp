@@ -51,6 +51,14 @@ TEST_SUITE("edit: drawing")
         CHECK(model.nodes[1].at[1] == 3.0);
     }
 
+    TEST_CASE("A member can be drawn across another without a node")
+    {
+        Model model = beam_from({0, 0, 0}, {10, 0, 0});
+        draw_member(model, {4, -2, 0}, {4, 3, 0}, model.members[0], Crossings::Keep);
+        CHECK(model.members.size() == 2);
+        CHECK(model.nodes.size() == 4);
+    }
+
     TEST_CASE("Crossing members are both cut and share a node")
     {
         Model model = beam_from({0, 0, 0}, {10, 0, 0});

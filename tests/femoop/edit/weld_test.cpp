@@ -88,6 +88,74 @@ TEST_SUITE("edit: welding")
         CHECK(model.members.size() == 5);
     }
 
+    // B o   o D        B o   o D
+    //   |    /           | /         E is where they cross; X bracing has no node there.
+    // A o   o C        A /   C
+    TEST_CASE("A member that is moved across another is cut with it, and loads stay in place")
+    {
+        Model model = with_nodes({{0, 0}, {0, 4}, {1, 1}, {7, 1}});
+        model.add(between("AB", 0, 1));
+        model.add(between("CD", 2, 3));
+        const PointLoad load{.at = Quantity(5), .components = {{Dof::uy, -7}}, .axes = LoadAxes::Global};
+        model.add(LoadCase{.id = "P", .members = {{MemberId(1), load}}});
+        const Model before = model;
+        place_nodes(model, std::vector{NodeId(2), NodeId(3)}, moved_by({-3, 0, 0}));
+        weld(model, before);
+        REQUIRE(model.nodes.size() == 5);
+        CHECK(position_of(model, NodeId(4)) == Eigen::Vector3d(0, 1, 0));
+        CHECK(model.members.size() == 4);
+        const MemberLoad& carried = model.load_cases[0].members[0];
+        CHECK(model[carried.member].nodes == std::array{NodeId(4), NodeId(3)});
+        CHECK(std::get<Quantity>(std::get<PointLoad>(carried.load).at) == 3.0);
+    }
+
+    TEST_CASE("Members that are to pass each other stay whole, and pass each other wherever they are moved then")
+    {
+        Model model = with_nodes({{0, 0}, {0, 4}, {1, 1}, {7, 1}});
+        model.add(between("AB", 0, 1));
+        model.add(between("CD", 2, 3));
+        Model before = model;
+        place_nodes(model, std::vector{NodeId(2)}, moved_by({-3, 0, 0}));
+        weld(model, before, {.crossings = Crossings::Keep});
+        CHECK(model.members.size() == 2);
+        before = model;
+        place_nodes(model, std::vector{NodeId(2)}, moved_by({0, 1, 0}));
+        weld(model, before);
+        CHECK(model.members.size() == 2);
+    }
+
+    TEST_CASE("What was not touched is left as it was opened: crossings, doubled nodes, members over nodes and twins")
+    {
+        Model model = with_nodes({{0, 0}, {4, 3}, {0, 3}, {4, 0}, {0, 0}, {2, 3}, {8, 0}, {9, 2}});
+        model.add(between("AB", 0, 1));
+        model.add(between("CD", 2, 3));
+        model.add(between("CB", 2, 1));
+        model.add(between("twin", 1, 2));
+        model.add(between("GH", 6, 7));
+        const Model before = model;
+        place_nodes(model, std::vector{NodeId(7)}, moved_by({1, 0, 0}));
+        Model moved = model;
+        weld(moved, before);
+        CHECK(moved == model);
+    }
+
+    TEST_CASE("Each copy of an X bracing passes itself, and is cut where it crosses another copy")
+    {
+        Model model = with_nodes({{0, 0}, {4, 3}, {0, 3}, {4, 0}});
+        model.add(between("AB", 0, 1));
+        model.add(between("CD", 2, 3));
+        const Model before = model;
+        const Parts bracing{.members = {MemberId(0), MemberId(1)}};
+        Model beside = model;
+        copy_parts(beside, copy_parts(beside, bracing, moved_by({10, 0, 0})), moved_by({10, 0, 0}));
+        weld(beside, before, {.n_copies = 2});
+        CHECK(beside.members.size() == 6);
+        Model over = model; // either diagonal of the second copy crosses the other one of the first
+        copy_parts(over, copy_parts(over, bracing, moved_by({10, 0, 0})), moved_by({2, 0, 0}));
+        weld(over, before, {.n_copies = 2});
+        CHECK(over.members.size() == 10);
+    }
+
     TEST_CASE("A sound model stays bit for bit")
     {
         Model model = with_nodes({{0, 0}, {6, 0}, {2, 4}});
