@@ -16,7 +16,7 @@
 #include "femoop/io/results/text_table.h"
 #include "topology/halfedge/check/shells.h"
 #include "topology/halfedge/check/validate.h"
-#include "topology/script/table_text.h"
+#include "topology/tables/table_text.h"
 #include "topology/text/line_error.h"
 
 namespace cli {
@@ -137,15 +137,10 @@ std::string counts_table(const std::vector<NamedSolid>& solids, std::size_t n_st
 /// The tables of every living solid, as the lecture prints them.
 std::string tables(const ScriptRunner& runner)
 {
-    std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < runner.solids().size(); ++i)
-        if (runner.solids()[i].is_alive()) places.push_back(i);
     std::string text;
-    for (std::size_t i = 0; i < places.size(); ++i)
-        text += topology::table_text(runner.solids()[places[i]].solid,
-                                     {.number = places[i] + 1,
-                                      .older = i == 0 ? 0 : places[i - 1] + 1,
-                                      .newer = i + 1 == places.size() ? 0 : places[i + 1] + 1});
+    for (std::size_t i = 0; i < runner.solids().size(); ++i)
+        if (runner.solids()[i].is_alive())
+            text += topology::table_text(runner.solids()[i].solid, place_among_living(runner, i));
     return text;
 }
 

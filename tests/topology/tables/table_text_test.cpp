@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "topology/halfedge/operators/euler_operator.h"
-#include "topology/script/table_text.h"
+#include "topology/tables/table_text.h"
 
 using namespace topology;
 
