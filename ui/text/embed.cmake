@@ -1,5 +1,8 @@
-# Writes a C++ source that holds the translation files: cmake -Dfiles=a.po,b.po -Doutput=x.cpp -P embed.cmake
-# Bytes are written one by one, so that no compiler's limit on string literals is met.
+# Writes a C++ source that holds files:
+#   cmake -Dfiles=a.po,b.po -Dfunction=ui::compiled_portuguese -Dheader=ui/text/compiled_translations.h -Doutput=x.cpp
+#         -P embed.cmake
+# The function, which the header declares, gives their texts in the order of `files`. Bytes are written one by one, so
+# that no compiler's limit on string literals is met.
 string(REPLACE "," ";" files "${files}")
 set(arrays "")
 set(list "")
@@ -8,23 +11,19 @@ foreach(file IN LISTS files)
   file(READ "${file}" bytes HEX)
   string(REGEX REPLACE "(..)" "'\\\\x\\1'," bytes "${bytes}")
   string(REGEX REPLACE "('..0a',)" "\\1\n" bytes "${bytes}")
-  string(APPEND arrays "constexpr char ${stem}_po[] = {\n${bytes}};\n\n")
-  string(APPEND list "        {${stem}_po, sizeof ${stem}_po},\n")
+  string(APPEND arrays "constexpr char ${stem}_text[] = {\n${bytes}};\n\n")
+  string(APPEND list "        {${stem}_text, sizeof ${stem}_text},\n")
 endforeach()
-file(WRITE "${output}" "// Written by ui/text/embed.cmake; edit the .po files.
-#include \"ui/text/compiled_translations.h\"
+file(WRITE "${output}" "// Written by ui/text/embed.cmake; edit the files that it holds.
+#include \"${header}\"
 
 namespace {
 
 ${arrays}} // namespace
 
-namespace ui {
-
-std::vector<std::string_view> compiled_portuguese()
+std::vector<std::string_view> ${function}()
 {
     return {
 ${list}    };
 }
-
-} // namespace ui
 ")

@@ -14,11 +14,14 @@ std::string trimmed(std::string_view text)
                : std::string(text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1));
 }
 
+constexpr std::string_view display = "    "; // so deep a line shows a command and is no part of a sentence
+
 /// What follows the # that begins a comment; "" where there is none.
 std::string after_mark(std::string_view line)
 {
     for (std::size_t at = line.find('#'); at != std::string_view::npos; at = line.find('#', at + 1))
-        if (at == 0 || line[at - 1] == ' ' || line[at - 1] == '\t') return trimmed(line.substr(at + 1));
+        if (at == 0 || line[at - 1] == ' ' || line[at - 1] == '\t')
+            return line.substr(at + 1).starts_with(display) ? "" : trimmed(line.substr(at + 1));
     return "";
 }
 

@@ -19,6 +19,7 @@ struct StepReport {
     topology::EulerCounts before, after;   ///< of that solid; all 0 before its first step
     std::string inverse_name;              ///< "KEV"; of a sweep, and where one is not enough, "KEF, KEV"
     std::vector<std::string> inverse;      ///< the lines that would take the step back: "kev s1 v1 v2"
+    ui::Phrase meaning;                    ///< what the line did, in a sentence
     ui::Phrase explanation;                ///< the comment just above the step and at its end; may be empty
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "apps/euler/document/comment.h"
+#include "apps/euler/document/meaning.h"
 #include "topology/script/inverse.h"
 #include "topology/text/line_error.h"
 #include "topology/text/words.h"
@@ -106,6 +107,7 @@ StepReport Stepper::described(std::string_view line, std::vector<Change> changes
     report.name = operator_name(line, changes.front().kind);
     report.before = counts_before(done.solid);
     report.after = counts_after(in.solid, report.before, changes.front().kind);
+    report.meaning = meaning(line, report.before, report.after);
     report.inverse = inverse_lines(in, done.n_operators);
     report.inverse_name = names_of(report.inverse);
     report.changes = std::move(changes);

@@ -17,7 +17,9 @@ TEST_CASE("The scripts of the examples make solids of the volume that their coor
                                                 {"tetrahedron", 1.0 / 6.0},
                                                 {"through_hole", 32.0 - 8.0},
                                                 {"void", 64.0 - 8.0},
-                                                {"hoffmann", 128.0 - 16.0 - 8.0}};
+                                                {"hoffmann", 128.0 - 16.0 - 8.0},
+                                                {"torus_by_rotation", 18.0 - 8.0},
+                                                {"shell_and_hole", 64.0 - 8.0 + 4.0}};
     for (const auto& known : volumes) {
         CAPTURE(known.first);
         std::ifstream file(std::string(CREMONA_SOURCE_DIR) + "/examples/" + known.first + ".eul");

@@ -9,6 +9,8 @@
 #include <set>
 #include <string>
 
+#include "apps/euler/document/gallery/gallery.h"
+#include "apps/euler/document/stepper.h"
 #include "femoop/model/fault/fault.h"
 #include "topology/halfedge/operators/refusal.h"
 #include "topology/mesh/mesh.h"
@@ -71,6 +73,18 @@ std::string without_comments(const std::string& source)
     return code;
 }
 
+// What the scripts of the gallery say of themselves and of their steps.
+void collect_comments(std::set<std::string>& sentences)
+{
+    for (const euler::GalleryItem& item : euler::gallery()) {
+        const euler::Stepper lesson(item.script);
+        sentences.insert(lesson.heading().sentence);
+        for (std::size_t step = 1; step <= lesson.n_steps(); ++step)
+            sentences.insert(lesson.report(step).explanation.sentence);
+    }
+    sentences.erase("");
+}
+
 std::set<std::string> sentences_in_sources()
 {
     std::set<std::string> sentences;
@@ -90,6 +104,7 @@ std::set<std::string> sentences_in_sources()
         sentences.emplace(topology::pattern(static_cast<topology::ScriptFault>(fault)));
     for (int fault = 0; fault < topology::n_mesh_faults; ++fault)
         sentences.emplace(topology::pattern(static_cast<topology::MeshFault>(fault)));
+    collect_comments(sentences);
     sentences.emplace("line"); // before a line's number
     return sentences;
 }
