@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "apps/euler/document/palette/free_name.h"
 #include "apps/euler/document/palette/legality.h"
 #include "topology/script/script_fault.h"
 #include "topology/text/words.h"
@@ -24,21 +25,6 @@ bool is_pointed_at(ArgumentKind kind)
            kind == ArgumentKind::Ring || kind == ArgumentKind::Vertex;
 }
 
-std::optional<std::size_t> living(const ScriptRunner& runner, std::string_view name)
-{
-    for (std::size_t i = 0; i < runner.solids().size(); ++i)
-        if (runner.solids()[i].is_alive() && runner.solids()[i].name == name) return i;
-    return std::nullopt;
-}
-
-template <class Id>
-std::string free_name(const topology::NameList<Id>& names, const std::string& letter, std::size_t n_rows)
-{
-    std::size_t number = n_rows + 1;
-    while (names.is_given(letter + std::to_string(number))) ++number;
-    return letter + std::to_string(number);
-}
-
 Phrase in_use(const std::string& name, const NamedSolid& in)
 {
     return reason(topology::error(ScriptFault::NameInUse, {name, in.name}));
@@ -48,7 +34,7 @@ Phrase in_use(const std::string& name, const NamedSolid& in)
 std::optional<Phrase> why_not_word(const ScriptRunner& runner, std::optional<std::size_t> solid, ArgumentKind kind,
                                    const std::string& word)
 {
-    if (kind == ArgumentKind::Solid && !living(runner, word))
+    if (kind == ArgumentKind::Solid && !living_solid(runner, word))
         return reason(topology::error(ScriptFault::NoSolid, {word}));
     if (!solid) return std::nullopt;
     const NamedSolid& in = runner.solids()[*solid];
@@ -86,7 +72,7 @@ std::string word_of(const Choice& choice)
 
 std::optional<std::size_t> Draft::solid(const ScriptRunner& runner) const
 {
-    return chosen_.empty() ? std::nullopt : living(runner, std::get<std::string>(chosen_.front()));
+    return chosen_.empty() ? std::nullopt : living_solid(runner, std::get<std::string>(chosen_.front()));
 }
 
 std::vector<Entity> Draft::picked() const
@@ -142,13 +128,9 @@ std::optional<Choice> Draft::suggestion(const ScriptRunner& runner) const
     const topology::Names& names = place ? runner.solids()[*place].names : no_names;
     const topology::Solid& in = place ? runner.solids()[*place].solid : none;
     switch (next().kind) {
-    case ArgumentKind::NewVertex: return free_name(names.vertices, "v", in.vertices().n_rows());
-    case ArgumentKind::NewFace: return free_name(names.faces, "f", in.faces().n_rows());
-    case ArgumentKind::AnySolid: {
-        std::size_t number = 1;
-        while (living(runner, "s" + std::to_string(number))) ++number;
-        return "s" + std::to_string(number);
-    }
+    case ArgumentKind::NewVertex: return free_vertex_name(names, in);
+    case ArgumentKind::NewFace: return free_face_name(names, in);
+    case ArgumentKind::AnySolid: return free_solid_name(runner);
     case ArgumentKind::Solid: break;
     default: return std::nullopt;
     }

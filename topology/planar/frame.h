@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+
+#include "topology/geometry/vector.h"
+#include "topology/halfedge/solid.h"
+
+namespace topology {
+
+/// A place in a plane, by its two coordinates there.
+struct FlatPoint {
+    double x = 0.0, y = 0.0;
+
+    friend bool operator==(const FlatPoint&, const FlatPoint&) = default;
+};
+
+/// Twice the area of the triangle a b c, positive where it is counter-clockwise.
+inline double turn(const FlatPoint& a, const FlatPoint& b, const FlatPoint& c)
+{
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// A plane with two axes of unit length at a right angle. It is looked at from where u x v points.
+struct Frame {
+    Point origin;
+    Vector u{1.0, 0.0, 0.0}, v{0.0, 1.0, 0.0};
+
+    FlatPoint flat(const Point& p) const { return {dot(u, p - origin), dot(v, p - origin)}; }
+    Vector normal() const { return cross(u, v); }
+};
+
+/// The plane that all of a solid's vertices lie in, looked at from above or, if it stands upright, from the side of the
+/// larger coordinate. Where they lie in a line, it is a plane through it, level if there is one. None where they lie in
+/// no plane, or there are none.
+/// Accuracy a vertex lies in the plane up to 1e-9 of the solid's extent
+std::optional<Frame> plane_of(const Solid& solid);
+
+} // namespace topology
