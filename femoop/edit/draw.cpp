@@ -53,7 +53,8 @@ void cut_members_at(Model& model, NodeId node, double nearness)
 NodeId place_node(Model& model, const Eigen::Vector3d& place, double nearness)
 {
     if (const std::optional<NodeId> there = node_at(model, place, nearness)) return *there;
-    const NodeId node = model.add(Node{.id = fresh_node_id(model), .at = coordinates(place)});
+    const double extent = nearness / relative_nearness;
+    const NodeId node = model.add(Node{.id = fresh_node_id(model), .at = coordinates(place, extent)});
     cut_members_at(model, node, nearness);
     return node;
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "femoop/edit/short_number.h"
+
 namespace femoop {
 
 MemberLine line_of(const Model& model, const Member& member)
@@ -25,13 +27,14 @@ double nearness_of(const Model& model)
     Eigen::AlignedBox3d box;
     for (std::size_t i = 0; i < model.nodes.size(); ++i) box.extend(position_of(model, NodeId(i)));
     const double extent = box.isEmpty() ? 0.0 : box.diagonal().stableNorm();
-    return 1e-6 * (extent > 0.0 ? extent : 1.0);
+    return relative_nearness * (extent > 0.0 ? extent : 1.0);
 }
 
-std::array<Quantity, 3> coordinates(const Eigen::Vector3d& place)
+std::array<Quantity, 3> coordinates(const Eigen::Vector3d& place, double extent)
 {
-    const Eigen::Vector3d plain = place.array() + 0.0; // no file has a -0
-    return {plain[0], plain[1], plain[2]};
+    const double scale = std::max(extent, place.cwiseAbs().maxCoeff());
+    const auto coordinate = [&](int i) { return short_number(place[i], scale) + 0.0; }; // no file has a -0
+    return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
 } // namespace femoop

@@ -20,10 +20,12 @@ MemberLine line_of(const Model& model, const Member& member);
 /// Where a position along a member of this length lies, from 0 to `length`.
 double distance(const Position& position, double length);
 
-/// The extent of the structure times 1e-6: two places nearer than that are one. 1e-6 for a structure without extent.
+/// The extent of the structure times this: two places nearer than that are one. Of a structure without extent it is 1.
+inline constexpr double relative_nearness = 1e-6;
 double nearness_of(const Model& model);
 
-/// The coordinates of a place as numbers of a node.
-std::array<Quantity, 3> coordinates(const Eigen::Vector3d& place);
+/// The coordinates of a place as numbers of a node, without what rounding left (short_number.h) of a calculation with
+/// lengths up to `extent`.
+std::array<Quantity, 3> coordinates(const Eigen::Vector3d& place, double extent);
 
 } // namespace femoop

@@ -10,6 +10,7 @@
 #include "femoop/edit/member_line.h"
 #include "femoop/edit/naming.h"
 #include "femoop/edit/reverse.h"
+#include "femoop/edit/short_number.h"
 
 namespace femoop {
 
@@ -119,14 +120,16 @@ private:
     Position on_whole(const Position& position, double begin, double length) const
     {
         if (std::holds_alternative<Percent>(position))
-            return Percent{100.0 * (begin + distance(position, length)) / whole()};
-        return begin == 0.0 ? position : Position(Quantity(begin + distance(position, length)));
+            return Percent{short_number(100.0 * (begin + distance(position, length)) / whole(), 100.0)};
+        return begin == 0.0 ? position : Position(Quantity(shortened(begin + distance(position, length))));
     }
+
+    double shortened(double x) const { return short_number(x, whole()); }
 
     void lengthen(DistributedLoad& load) const
     {
         if (load.from) load.from = on_whole(*load.from, 0.0, first_);
-        load.to = load.to ? on_whole(*load.to, 0.0, first_) : Position(Quantity(first_));
+        load.to = load.to ? on_whole(*load.to, 0.0, first_) : Position(Quantity(shortened(first_)));
     }
     void lengthen(PointLoad& load) const { load.at = on_whole(load.at, 0.0, first_); }
     void lengthen(EndLoads&) const {}
@@ -135,7 +138,7 @@ private:
 
     void shift(DistributedLoad& load) const
     {
-        load.from = load.from ? on_whole(*load.from, first_, second_) : Position(Quantity(first_));
+        load.from = load.from ? on_whole(*load.from, first_, second_) : Position(Quantity(shortened(first_)));
         if (load.to) load.to = on_whole(*load.to, first_, second_);
     }
     void shift(PointLoad& load) const { load.at = on_whole(load.at, first_, second_); }
@@ -158,7 +161,7 @@ private:
     static bool join(TemperatureLoad&, const TemperatureLoad&) { return false; }
     static bool join(Misfit& before, const Misfit& after)
     {
-        before.elongation = before.elongation + after.elongation;
+        before.elongation = short_number(before.elongation + after.elongation, before.elongation);
         return true;
     }
     static bool join(EndLoads& before, const EndLoads& after)
@@ -198,7 +201,8 @@ private:
         for (const NodeLoad& load : load_case.nodes)
             if (load.node == node_)
                 load_case.members.push_back(
-                    {pair_.first, PointLoad{.at = Quantity(first_), .components = load.components, .axes = {}}});
+                    {pair_.first,
+                     PointLoad{.at = Quantity(shortened(first_)), .components = load.components, .axes = {}}});
     }
 
     Pair pair_;

@@ -10,6 +10,7 @@
 #include "femoop/edit/load_change.h"
 #include "femoop/edit/member_line.h"
 #include "femoop/edit/naming.h"
+#include "femoop/edit/short_number.h"
 
 namespace femoop {
 
@@ -26,17 +27,28 @@ double turn_of(const Placement& placement)
     return std::atan2(x.y(), x.x()) * 180.0 / std::numbers::pi;
 }
 
-void place_node(const Model& model, Node& node, const Eigen::Vector3d& place)
+/// The largest number that placing calculates with.
+double extent_of(const Placement& placement, const Eigen::Vector3d& place)
+{
+    return std::max(placement.translation().cwiseAbs().maxCoeff(),
+                    (placement.linear().cwiseAbs() * place.cwiseAbs()).maxCoeff());
+}
+
+void place_node(const Model& model, Node& node, const Eigen::Vector3d& was, const Placement& placement)
 {
     const std::size_t n = n_coordinates(model.analysis);
+    const Eigen::Vector3d now = placement * was;
+    const std::array<Quantity, 3> numbers = coordinates(now, extent_of(placement, was));
     for (std::size_t i = 0; i < n; ++i)
-        if (const double x = place[static_cast<Eigen::Index>(i)]; node.at[i].value() != x) node.at[i] = x;
+        if (node.at[i].value() != now[static_cast<Eigen::Index>(i)]) node.at[i] = numbers[i];
 }
 
 void place_offset(std::vector<Quantity>& offset, const Placement& placement)
 {
     const Eigen::Vector3d placed = placement.linear() * vector_of(offset);
-    for (std::size_t i = 0; i < offset.size(); ++i) offset[i] = placed[static_cast<Eigen::Index>(i)];
+    const double extent = placed.cwiseAbs().maxCoeff();
+    for (std::size_t i = 0; i < offset.size(); ++i)
+        offset[i] = short_number(placed[static_cast<Eigen::Index>(i)], extent);
 }
 
 /// The support's axes turn: angle 0 is +x, so a turn adds to it, a mirror takes it from the image of +x.
@@ -47,7 +59,7 @@ void place_support(Support& support, const Placement& placement)
     if (has_no_direction || (turn == 0.0 && !mirrors(placement))) return;
     double angle = mirrors(placement) ? turn - support.angle : support.angle + turn;
     if (mirrors(placement) && std::abs(std::remainder(turn, 360.0)) > 90.0) angle += 180.0; // keeps it upright
-    support.angle = std::remainder(angle, 360.0);
+    support.angle = short_number(std::remainder(angle, 360.0), 360.0);
     if (support.kind == SupportKind::Roller && support.angle.value() != 0.0) {
         support.kind = SupportKind::Custom;
         support.fixed = {Dof::uy};
@@ -59,7 +71,7 @@ void keep_on(Position& place, double stretch, double length)
 {
     auto* const at = std::get_if<Quantity>(&place);
     if (!at) return;
-    const double x = std::min(at->value() * stretch, length);
+    const double x = short_number(std::min(at->value() * stretch, length), length);
     if (x != at->value()) *at = x;
 }
 
@@ -88,7 +100,7 @@ public:
         for (const Member& member : model_.members) lengths.push_back(line_of(model_, member).length);
         place_supports();
         for (std::size_t i = 0; i < model_.nodes.size(); ++i)
-            if (is_placed_[i]) place_node(model_, model_.nodes[i], placement_ * position_of(model_, NodeId(i)));
+            if (is_placed_[i]) place_node(model_, model_.nodes[i], position_of(model_, NodeId(i)), placement_);
         for (Member& member : model_.members) {
             if (!goes_along(member)) continue;
             place_offset(member.start.offset, placement_);

@@ -6,6 +6,7 @@
 
 #include "femoop/edit/member_line.h"
 #include "femoop/edit/naming.h"
+#include "femoop/edit/short_number.h"
 
 namespace femoop {
 
@@ -28,9 +29,10 @@ struct Piece {
 Position moved(const Position& position, const Piece& piece, const Cut& cut)
 {
     if (std::holds_alternative<Percent>(position))
-        return Percent{100.0 * (distance(position, cut.length) - piece.begin) / piece.length};
+        return Percent{short_number(100.0 * (distance(position, cut.length) - piece.begin) / piece.length,
+                                    100.0 * cut.length / piece.length)};
     if (piece.begin == 0.0) return position;
-    return Quantity(distance(position, cut.length) - piece.begin);
+    return Quantity(short_number(distance(position, cut.length) - piece.begin, cut.length));
 }
 
 /// Gives the loads of the whole member to its parts.
@@ -65,7 +67,8 @@ public:
         for (std::size_t i = 0; i < load.values.size(); ++i) {
             if (!load.values[i].end) continue;
             const double start = load.values[i].start, end = *load.values[i].end;
-            const double middle = start + (end - start) * (cut_.x - from) / (to - from);
+            const double middle = short_number(start + (end - start) * (cut_.x - from) / (to - from),
+                                               std::max(std::abs(start), std::abs(end)) * cut_.length / (to - from));
             before.values[i].end = middle;
             after.values[i].start = middle;
         }
@@ -97,11 +100,16 @@ public:
 
     void operator()(const Misfit& load)
     {
-        add(first_, Misfit{load.elongation * first_.length / cut_.length});
-        add(second_, Misfit{load.elongation * second_.length / cut_.length});
+        add(first_, share(load, first_));
+        add(second_, share(load, second_));
     }
 
 private:
+    Misfit share(const Misfit& whole, const Piece& piece) const
+    {
+        return {short_number(whole.elongation * piece.length / cut_.length, whole.elongation)};
+    }
+
     template <class Load> void add(const Piece& piece, Load load)
     {
         case_->members.push_back({piece.member, std::move(load)});
@@ -170,7 +178,7 @@ SplitMember split_member(Model& model, MemberId id, double x)
 {
     const MemberLine line = line_of(model, model[id]);
     if (!(x > 0.0 && x < line.length)) throw std::invalid_argument("split_member: the place is no inner point");
-    const NodeId node = model.add(Node{.id = fresh_node_id(model), .at = coordinates(line.at(x))});
+    const NodeId node = model.add(Node{.id = fresh_node_id(model), .at = coordinates(line.at(x), line.length)});
     return split_member(model, id, x, node);
 }
 

@@ -54,7 +54,8 @@ TEST_SUITE("edit: drawing")
     TEST_CASE("A member can be drawn across another without a node")
     {
         Model model = beam_from({0, 0, 0}, {10, 0, 0});
-        draw_member(model, {4, -2, 0}, {4, 3, 0}, model.members[0], Crossings::Keep);
+        draw_member(model, {4, -2, 0}, {4, 3, 0}, Member{.material = MaterialId(0), .section = SectionId(0)},
+                    Crossings::Keep);
         CHECK(model.members.size() == 2);
         CHECK(model.nodes.size() == 4);
     }
