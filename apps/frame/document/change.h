@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "apps/frame/document/document.h"
+#include "apps/frame/document/selection.h"
 #include "ui/text/phrase.h"
 
 namespace frame {
@@ -17,8 +18,9 @@ struct Change {
     ui::Phrase label;
     std::function<void(Document&)> command;
     Step step = Step::Click;
-    /// Where what the command adds is to be selected: what is done after it was, such as to join what meets.
-    std::function<void(Document&)> after_selecting{};
+    /// Where what the command adds is to be selected: what is done after it was, such as to join what meets; the
+    /// selection goes with it.
+    std::function<void(Document&, Selection&)> after_selecting{};
 };
 
 } // namespace frame

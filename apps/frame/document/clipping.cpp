@@ -148,19 +148,6 @@ Vector2d grip_of(const Clipping& clipping, const femoop::Units& units)
     return grip_in(femoop::in_units(clipping.model, units));
 }
 
-std::vector<std::pair<Vector2d, Vector2d>> outline_of(const Clipping& clipping, const femoop::Units& units)
-{
-    const Model model = femoop::in_units(clipping.model, units);
-    const Vector2d grip = grip_in(model);
-    std::vector<std::pair<Vector2d, Vector2d>> lines;
-    const auto add = [&](NodeId a, NodeId b) {
-        lines.emplace_back(place_of(model, a) - grip, place_of(model, b) - grip);
-    };
-    for (const femoop::Member& member : model.members) add(member.nodes[0], member.nodes[1]);
-    for (std::size_t i = 0; i < model.nodes.size(); ++i) add(NodeId(i), NodeId(i));
-    return lines;
-}
-
 void paste(Document& document, const Clipping& clipping, const Vector2d& place)
 {
     Model& model = document.model;

@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <utility>
-#include <vector>
 
 #include "apps/frame/document/document.h"
 #include "apps/frame/document/part.h"
@@ -34,11 +32,6 @@ std::optional<ui::Phrase> why_not_paste(const femoop::Model& model, std::span<co
 
 /// The node by which a hand holds it: the lowest of those farthest to the left [the model's unit of length].
 Eigen::Vector2d grip_of(const Clipping& clipping, const femoop::Units& units);
-
-/// The ends of its members, as seen from the grip [the model's unit of length]; a node without members is a line of no
-/// length.
-std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> outline_of(const Clipping& clipping,
-                                                                    const femoop::Units& units);
 
 /// Puts the structure so that its grip comes to the place. What meets is not joined yet. Equal materials and sections
 /// become one, and load cases of one name.

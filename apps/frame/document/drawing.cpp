@@ -239,6 +239,13 @@ void join(Document& document, const Model& before, const femoop::Welding& weldin
     edit_model(document, [&](Model& model) { femoop::weld(model, before, welding); });
 }
 
+void join(Document& document, Selection& selection, const Model& before, const femoop::Welding& welding)
+{
+    const Document apart = document;
+    join(document, before, welding);
+    selection.follow(apart, document);
+}
+
 void name_anew(Document& document, const Model& before)
 {
     const std::vector<femoop::Node> were = document.model.nodes;

@@ -6,6 +6,7 @@
 
 #include "apps/frame/document/document.h"
 #include "apps/frame/document/part.h"
+#include "apps/frame/document/selection.h"
 #include "femoop/edit/place.h"
 #include "femoop/edit/weld.h"
 
@@ -44,6 +45,9 @@ std::vector<Part> copy(Document& document, std::span<const Part> parts, const fe
 /// Joins what was moved or made since `before` to what it meets, and cuts what it crosses (femoop/edit/weld.h): the end
 /// of every gesture that moved something.
 void join(Document& document, const femoop::Model& before, const femoop::Welding& welding = {});
+
+/// The same, and the selection goes with what is joined.
+void join(Document& document, Selection& selection, const femoop::Model& before, const femoop::Welding& welding = {});
 
 /// Names the nodes and members that were made since `before` as if they were drawn one by one (femoop/edit/naming.h),
 /// in dimension lines too: copies that were joined keep no gaps and no names of nodes that are gone.

@@ -212,26 +212,19 @@ void begin_transform(Desk& desk, Transform::Kind kind)
     cancel_transform(desk);
     desk.hand.take(ToolKind::Select);
     desk.transform = transform_of(kind, desk.session.model(), desk.session.selection);
-    desk.session.change(desk.transform->change(desk.session.selection));
+    change_transform(desk);
+}
+
+void change_transform(Desk& desk)
+{
+    Session& session = desk.session;
+    session.change(desk.transform->change(session.history().settled().model));
 }
 
 void accept_transform(Desk& desk)
 {
-    Session& session = desk.session;
     if (!desk.transform) return;
-    const femoop::Model& before = session.history().settled().model;
-    const Document& made = session.document();
-    Selection copies = latest(made.model, before.nodes.size(), before.members.size());
-    Document joined = made;
-    join(joined, before, {.n_copies = desk.transform->n_copies()});
-    if (!copies.is_empty()) {
-        copies.follow(made, joined);
-        name_anew(joined, before); // which moves nothing in the lists, so the copies are where they were
-    }
-    session.change({session.history().label(session.history().place()),
-                    [&joined](Document& document) { document = joined; }, Step::Drag});
-    if (!copies.is_empty()) session.selection = copies;
-    session.settle();
+    desk.session.settle();
     desk.transform.reset();
 }
 

@@ -10,6 +10,7 @@ void add_edit_commands(CommandTable& table);
 
 /// Begins, ends or gives up a transformation of the selection by numbers.
 void begin_transform(Desk& desk, Transform::Kind kind);
+void change_transform(Desk& desk); ///< its numbers are others now
 void accept_transform(Desk& desk);
 void cancel_transform(Desk& desk);
 

@@ -87,30 +87,28 @@ bool Session::change_soundly(const Change& wanted)
 
 void Session::change(const Change& change)
 {
-    const Document& from = change.step == Step::Drag ? history_.settled() : document();
+    // What a gesture joins in passing comes apart again, so all of it starts from what was before the gesture.
+    const bool is_drag = change.step == Step::Drag;
+    if (is_drag && !history_.is_dragging()) before_gesture_ = {selection, prediction};
+    const Document& from = is_drag ? history_.settled() : document();
+    Companions companions = is_drag ? before_gesture_ : Companions{selection, prediction};
     Document next = from;
     change.command(next);
-    if (change.after_selecting) selection = select_added(next, change.after_selecting);
+    if (change.after_selecting) {
+        companions.selection = latest(next.model, from.model.nodes.size(), from.model.members.size());
+        change.after_selecting(next, companions.selection);
+    } else {
+        companions.selection.follow(from, next);
+    }
+    companions.prediction.follow(from.model, next.model);
     if (!next.companion.is_empty()) frame::follow(next.companion, from.model, next.model);
     const bool is_new = next != document();
-    if (is_new) {
-        if (!change.after_selecting) selection.follow(document(), next);
-        prediction.follow(model(), next.model);
-    }
+    if (is_new || change.after_selecting) selection = std::move(companions.selection);
+    if (is_new) prediction = std::move(companions.prediction);
     hold_scales(change.step);
     if (change.step == Step::Click) history_.apply(std::move(next), change.label);
     if (change.step == Step::Drag) history_.drag(std::move(next), change.label);
     if (is_new) refresh();
-}
-
-// The nodes and members that came last, where they are when all is done.
-Selection Session::select_added(Document& next, const std::function<void(Document&)>& finish) const
-{
-    Selection added = latest(next.model, model().nodes.size(), model().members.size());
-    const Document before = next;
-    finish(next);
-    added.follow(before, next);
-    return added;
 }
 
 // The document has gone on from a former state.
@@ -135,10 +133,13 @@ void Session::settle()
 
 void Session::cancel()
 {
-    const Document before = document();
+    if (history_.is_dragging()) {
+        selection = before_gesture_.selection;
+        prediction = before_gesture_.prediction;
+    }
     history_.cancel();
     settle();
-    follow(before);
+    refresh();
 }
 
 void Session::undo()

@@ -105,7 +105,6 @@ public:
     std::optional<Region> look_at;         ///< what the picture is wanted to show; the window takes it
 
 private:
-    Selection select_added(Document& next, const std::function<void(Document&)>& finish) const;
     void refresh();
     void follow(const Document& before);
     /// While a number is dragged, diagrams keep the scale that they had before: one sees them grow.
@@ -114,7 +113,14 @@ private:
     bool save_companion();
     void tell_of_companion(std::string_view sentence, std::vector<femoop::Fault> faults);
 
+    /// What goes with the document and is no part of it.
+    struct Companions {
+        Selection selection;
+        Prediction prediction;
+    };
+
     ui::History<Document> history_;
+    Companions before_gesture_;
     Document saved_;
     std::optional<std::filesystem::path> path_;
     bool is_dirty_ = false;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "apps/frame/document/drawing.h"
@@ -46,21 +47,30 @@ femoop::Placement Transform::placement() const
     return femoop::moved_by(place);
 }
 
-Change Transform::change(const Selection& selection) const
+Change Transform::change(const femoop::Model& before) const
 {
-    const std::vector<Part> parts(selection.parts().begin(), selection.parts().end());
-    return {
-        label(kind),
-        [parts, copies = copies(), placement = placement(), times = static_cast<int>(n_copies())](Document& document) {
-            if (copies) copy(document, parts, placement, times);
-            else place(document, parts, placement);
-        },
-        Step::Drag};
+    const auto as_placed = placement();
+    if (!copies())
+        return {label(kind),
+                [=, parts = parts](Document& document) {
+                    place(document, parts, as_placed);
+                    join(document, before);
+                },
+                Step::Drag};
+    const auto make = [=, parts = parts, times = static_cast<int>(n_copies())](Document& document) {
+        copy(document, parts, as_placed, times);
+    };
+    const auto finish = [=, n_copies = n_copies()](Document& document, Selection& copies) {
+        join(document, copies, before, {.n_copies = n_copies});
+        name_anew(document, before); // which moves nothing in the lists
+    };
+    return {label(kind), make, Step::Drag, finish};
 }
 
 Transform transform_of(Transform::Kind kind, const femoop::Model& model, const Selection& selection)
 {
     Transform transform{.kind = kind};
+    transform.parts.assign(selection.parts().begin(), selection.parts().end());
     const std::vector<femoop::NodeId> nodes = nodes_of(model, selection.parts());
     if (nodes.empty()) return transform;
     Vector3d least = femoop::position_of(model, nodes.front()), most = least;

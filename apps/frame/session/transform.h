@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "apps/frame/document/change.h"
 #include "apps/frame/document/selection.h"
@@ -18,12 +19,14 @@ struct Transform {
     double factor = 2.0;             ///< Scale; > 0
     int times = 1;                   ///< Copy; 1 to 100
     bool keeps_original = false;     ///< Mirror, Rotate: what is turned is a copy
+    std::vector<Part> parts{};       ///< that are transformed
 
     femoop::Placement placement() const;
     bool copies() const { return kind == Kind::Copy || keeps_original; }
     std::size_t n_copies() const { return kind == Kind::Copy ? static_cast<std::size_t>(times) : 1; }
-    /// What it does to the parts, as part of a gesture, so that its numbers can still change.
-    Change change(const Selection& selection) const;
+    /// What it does to the parts, as part of a gesture, so that its numbers can still change: what comes of it is
+    /// joined to what it meets and has its names, and copies are selected.
+    Change change(const femoop::Model& before) const;
 };
 
 /// As the kind begins: about the middle of the parts, a copy beside them.

@@ -8,41 +8,76 @@
 namespace frame {
 
 using Eigen::Vector2d;
+using femoop::Model;
+
+namespace {
+
+/// Nodes and members that were made since `before`.
+std::vector<Preview::Carried> made_since(const Model& before, const Model& model)
+{
+    const femoop::MovedParts moved(before);
+    const auto place_of = [&](femoop::NodeId node) { return Vector2d(femoop::position_of(model, node).head<2>()); };
+    std::vector<Preview::Carried> made;
+    for (const femoop::Member& member : model.members)
+        if (!moved.former(member)) made.push_back({place_of(member.nodes[0]), place_of(member.nodes[1]), member.id});
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        const Vector2d place = place_of(femoop::NodeId(i));
+        if (!moved.former(model.nodes[i])) made.push_back({place, place, model.nodes[i].id});
+    }
+    return made;
+}
+
+} // namespace
 
 PasteTool::PasteTool(std::shared_ptr<const Clipping> clipping, const femoop::Units& units)
-    : clipping_(std::move(clipping)), grip_(grip_of(*clipping_, units)), outline_(outline_of(*clipping_, units))
+    : clipping_(std::move(clipping)), grip_(grip_of(*clipping_, units))
 {}
 
-std::optional<Change> PasteTool::move(const Work&, const Aim& to)
+std::optional<Change> PasteTool::move(const Work& work, const Aim& to)
 {
-    hand_ = to.snap.place;
+    const Hold hold{to.snap.place, to.crossings()};
+    if (!is_done_ && foreseen_for_ != hold) foresee(work, hold);
     return std::nullopt;
+}
+
+void PasteTool::foresee(const Work& work, const Hold& hold)
+{
+    Document next = work.document;
+    const Change change = put(work, hold);
+    Selection pasted;
+    change.command(next);
+    change.after_selecting(next, pasted);
+    foreseen_ = made_since(work.document.model, next.model);
+    foreseen_for_ = hold;
 }
 
 std::optional<Change> PasteTool::press(const Work& work, const Aim& at)
 {
-    return put(work, at.snap.place, at.crossings());
+    is_done_ = true;
+    return put(work, {at.snap.place, at.crossings()});
 }
 
 std::optional<Change> PasteTool::type(const Work& work, const Vector2d& place)
 {
-    return put(work, place, femoop::Crossings::Cut);
+    is_done_ = true;
+    return put(work, {place, femoop::Crossings::Cut});
 }
 
-Change PasteTool::put(const Work& work, const Vector2d& place, femoop::Crossings crossings)
+Change PasteTool::put(const Work& work, const Hold& hold) const
 {
-    is_done_ = true;
     return {.label = ui::translatable("Paste"),
-            .command = [clipping = clipping_, place](Document& document) { paste(document, *clipping, place); },
-            .after_selecting = [before = work.document.model,
-                                crossings](Document& document) { join(document, before, {.crossings = crossings}); }};
+            .command = [clipping = clipping_,
+                        place = hold.place](Document& document) { paste(document, *clipping, place); },
+            .after_selecting =
+                [before = work.document.model, crossings = hold.crossings](Document& document, Selection& pasted) {
+                    join(document, pasted, before, {.crossings = crossings});
+                }};
 }
 
 Preview PasteTool::preview() const
 {
     Preview preview;
-    for (const auto& [start, end] : outline_)
-        if (hand_ && !is_done_) preview.carried.emplace_back(*hand_ + start, *hand_ + end);
+    if (!is_done_) preview.carried = foreseen_;
     return preview;
 }
 

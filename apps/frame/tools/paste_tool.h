@@ -7,14 +7,14 @@
 
 namespace frame {
 
-/// Carries what was copied, and puts it where the hand clicks, or where a place is typed; `@3,2` counts from where it
-/// was copied. Then it is done.
+/// Carries what was copied, shown as it will be joined to what it meets, and puts it where the hand clicks, or where a
+/// place is typed; `@3,2` counts from where it was copied. Then it is done.
 class PasteTool : public Tool {
 public:
     PasteTool(std::shared_ptr<const Clipping> clipping, const femoop::Units& units);
 
     std::optional<Change> press(const Work& work, const Aim& at) override;
-    std::optional<Change> move(const Work&, const Aim& to) override;
+    std::optional<Change> move(const Work& work, const Aim& to) override;
     std::optional<Change> type(const Work& work, const Eigen::Vector2d& place) override;
     bool draws() const override { return true; }
     bool is_done() const override { return is_done_; }
@@ -22,12 +22,19 @@ public:
     Preview preview() const override;
 
 private:
-    Change put(const Work& work, const Eigen::Vector2d& place, femoop::Crossings crossings);
+    /// Where the hand holds it, and whether it is cut there.
+    struct Hold {
+        Eigen::Vector2d place;
+        femoop::Crossings crossings;
+        friend bool operator==(const Hold&, const Hold&) = default;
+    };
+    Change put(const Work& work, const Hold& hold) const;
+    void foresee(const Work& work, const Hold& hold);
 
     std::shared_ptr<const Clipping> clipping_;
     Eigen::Vector2d grip_;
-    std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> outline_; ///< from the grip
-    std::optional<Eigen::Vector2d> hand_;
+    std::optional<Hold> foreseen_for_;
+    std::vector<Preview::Carried> foreseen_;
     bool is_done_ = false;
 };
 

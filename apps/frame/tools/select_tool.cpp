@@ -68,7 +68,8 @@ std::optional<Change> SelectTool::press(const Work& work, const Aim& at)
     was_selected_ = work.selection.contains(*part);
     if (at.adds) work.selection.add(*part);
     else if (!was_selected_) work.selection = *part;
-    if (gesture_ == Gesture::Move) moving_ = nodes_of(work.document.model, work.selection.parts());
+    grabbed_ = work.selection;
+    if (gesture_ == Gesture::Move) moving_ = nodes_of(work.document.model, grabbed_.parts());
     return std::nullopt;
 }
 
@@ -97,13 +98,15 @@ Change SelectTool::moved(const Work& work, const Aim& to) const
 {
     const Vector2d anchor = start_.node ? place_of(work.document.model, *start_.node) : start_.snap.place;
     const Vector2d shift = to.snap.place - anchor;
-    const std::vector<Part> parts(work.selection.parts().begin(), work.selection.parts().end());
-    const ui::Phrase label = work.selection.only() ? ui::Phrase(translatable("Move: {part}"),
-                                                                {{"part", title(work.document, parts.front())}})
-                                                   : ui::Phrase(translatable("Move the selection"));
+    const std::vector<Part> parts(grabbed_.parts().begin(), grabbed_.parts().end());
+    const ui::Phrase label = grabbed_.only() ? ui::Phrase(translatable("Move: {part}"),
+                                                          {{"part", title(work.document, parts.front())}})
+                                             : ui::Phrase(translatable("Move the selection"));
     return {label,
-            [=](Document& changed) {
+            [=, crossings = to.crossings()](Document& changed) {
+                const Model before = changed.model;
                 place(changed, parts, femoop::moved_by({shift.x(), shift.y(), 0.0}));
+                join(changed, before, {.crossings = crossings});
             },
             Step::Drag};
 }
@@ -159,14 +162,7 @@ std::optional<Change> SelectTool::release(const Work& work, const Aim& at)
     if (gesture == Gesture::Pull) return pulled(work, at);
     if (gesture == Gesture::Turn) return turned(work, at);
     if (gesture == Gesture::Slide) return slid(work, at);
-    const Change move = moved(work, at);
-    return Change{move.label,
-                  [command = move.command, crossings = at.crossings()](Document& changed) {
-                      const Model before = changed.model;
-                      command(changed);
-                      join(changed, before, {.crossings = crossings});
-                  },
-                  Step::Drag};
+    return moved(work, at);
 }
 
 void SelectTool::select_window(const Work& work) const

@@ -30,6 +30,7 @@ private:
 
     Gesture gesture_ = Gesture::None;
     Aim start_, now_;
+    Selection grabbed_; ///< what a gesture moves; the selection itself follows what is joined in passing
     std::vector<femoop::NodeId> moving_;
     bool is_dragging_ = false;  ///< the hand has gone so far that the gesture is no click
     bool was_selected_ = false; ///< before the press

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -65,7 +66,13 @@ struct Work {
 /// What a tool shows before it changes anything, in the plane of the model.
 struct Preview {
     std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> lines;
-    std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> carried{}; ///< members of what the hand carries
+    /// What will have come when the hand lets go of what it carries: members, and nodes as lines of no length, each
+    /// with its name.
+    struct Carried {
+        Eigen::Vector2d start, end;
+        std::string name;
+    };
+    std::vector<Carried> carried{};
     /// The rectangle of a selection, from where the hand began to where it is.
     std::optional<std::pair<Eigen::Vector2d, Eigen::Vector2d>> window{};
     std::span<const Eigen::Vector2d> stroke{}; ///< that is being sketched

@@ -77,11 +77,23 @@ public:
     }
 
     /// Members that are carried, and as a point a node.
-    void carried(const Vector2d& start, const Vector2d& end)
+    void carried(const Preview::Carried& part)
     {
         const ui::Color ink = theme_.stroke(Role::Selection).color;
-        if (start == end) painter_.disc(at(start), 3.5 * theme_.symbol_scale(), ink);
-        else painter_.line(at(start), at(end), {.color = ink, .width = 2.5});
+        if (part.start == part.end) painter_.disc(at(part.start), 3.5 * theme_.symbol_scale(), ink);
+        else painter_.line(at(part.start), at(part.end), {.color = ink, .width = 2.5});
+    }
+
+    /// Its name, where names are shown: of a node at its upper right, of a member upon its middle.
+    void name(const Preview::Carried& part, const ShowSet& shown)
+    {
+        const bool is_node = part.start == part.end;
+        if (!shown.contains(is_node ? Show::NodeNames : Show::MemberNames)) return;
+        ui::TextStyle style = theme_.text(Role::Label, is_node ? ui::Anchor::BottomLeft : ui::Anchor::Center);
+        style.plate = theme_.background();
+        constexpr double away = 6.0; // [px]
+        const Point middle = at(0.5 * (part.start + part.end));
+        painter_.text(is_node ? middle + Point{away, -away} : middle, part.name, style);
     }
 
     void window(const Vector2d& start, const Vector2d& end)
@@ -154,7 +166,8 @@ void draw_hand(ui::Painter& painter, const Session& session, const Hand& hand, c
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
     const Preview preview = hand.tool().preview();
     for (const auto& [start, end] : preview.lines) picture.line(start, end);
-    for (const auto& [start, end] : preview.carried) picture.carried(start, end);
+    for (const Preview::Carried& part : preview.carried) picture.carried(part);
+    for (const Preview::Carried& part : preview.carried) picture.name(part, session.view.show);
     picture.stroke(preview.stroke);
     const auto dimension = preview.dimension ? layout_of(session.model(), *preview.dimension) : std::nullopt;
     if (dimension) picture.dimension(*dimension);

@@ -212,15 +212,18 @@ TEST_SUITE("frame session")
         Desk desk = desk_with("portal.json");
         const Document before = desk.session.document();
         run(desk, "edit.select_all");
+        const Selection selected = desk.session.selection;
         run(desk, "edit.mirror");
-        CHECK(desk.session.model().members.size() == 6);
+        CHECK(desk.session.model().members.size() == 5); // the columns at the mirror are one
+        CHECK(desk.session.model().members.back().id == "FC");
         run(desk, "edit.deselect");
         CHECK(desk.session.document() == before);
+        CHECK(desk.session.selection == selected);
         CHECK(!desk.session.history().can_undo());
         CHECK(!desk.transform);
         run(desk, "edit.copy");
         desk.transform->times = 3;
-        desk.session.change(desk.transform->change(desk.session.selection));
+        change_transform(desk);
         run(desk, "edit.accept");
         CHECK(desk.session.model().members.size() == 9);
         CHECK(desk.session.model().nodes.size() == 10); // neighbours share a column
@@ -249,8 +252,9 @@ TEST_SUITE("frame session")
         Desk desk = desk_with("portal.json");
         desk.session.selection = Part(MemberId(0));
         desk.session.selection.add(NodeId(0));
-        Transform transform{.kind = Transform::Kind::Rotate, .x = 0.0, .y = 0.0};
-        desk.session.change(transform.change(desk.session.selection));
+        Transform transform = transform_of(Transform::Kind::Rotate, desk.session.model(), desk.session.selection);
+        transform.x = transform.y = 0.0;
+        desk.session.change(transform.change(desk.session.model()));
         const auto& at = desk.session.model().nodes[1].at;
         CHECK(at[0] == -4.5);
         CHECK(at[1] == 0.0);

@@ -365,6 +365,24 @@ TEST_SUITE("frame tools")
         CHECK(bench.history.current() == frame::starting_document());
     }
 
+    TEST_CASE("A drag shows what it will join and cut, and lets go of it again as the hand goes on")
+    {
+        Bench bench(frame::starting_document());
+        frame::SelectTool tool;
+        frame::Aim foot = at(6, 0); // of the right column
+        foot.node = femoop::NodeId(3);
+        bench.press(tool, foot);
+        bench.move(tool, at(0, 0));
+        CHECK(bench.model().nodes.size() == 3); // on the left foot
+        bench.move(tool, at(-3, 0));
+        CHECK(bench.model().nodes.size() == 5); // CD crosses the left column
+        bench.move(tool, at(2, 1));
+        CHECK(bench.model().nodes.size() == 4);
+        bench.release(tool, at(2, 1));
+        CHECK(bench.model().nodes[3].at[0] == 2.0);
+        CHECK(bench.history.n_states() == 2);
+    }
+
     TEST_CASE("A load's arrow is pulled to twice its length: twice the load, rounded to three digits")
     {
         Bench bench(frame::starting_document());

@@ -212,7 +212,7 @@ Subject::Subject(const femoop::Model& model, const femoop::Results* results, con
         for (const femoop::CaseId id : envelope_cases(model, options)) all_.push_back(*solved_case(*results, id));
     const bool can_be_judged = options.prediction && solved_ && !options.is_envelope && options.show.contains(Show::M);
     if (can_be_judged) assessment_ = assess(*options.prediction, *results, options.load_case);
-    if (options.scaled_by && fits(*options.scaled_by)) scaled_by_ = solved_case(*options.scaled_by, options.load_case);
+    if (options.scaled_by) scaled_by_ = solved_case(*options.scaled_by, options.load_case);
 }
 
 Subject::Subject(const femoop::Model& model, const MotionChoice& motion, const ViewOptions& options)
