@@ -150,13 +150,27 @@ void DrawListSurface::stroke(const Path& path, const Stroke& stroke)
     emit(stroke.color);
 }
 
-void DrawListSurface::fill(std::span<const Point> polygon, Color color)
+std::vector<Point> DrawListSurface::crisp_outline(std::span<const Point> polygon) const
 {
     std::vector<Point> points(polygon.size());
     std::transform(polygon.begin(), polygon.end(), points.begin(), [&](Point p) { return on_list(p); });
-    snap_edges(points, PathEnds::Closed, [](double x) { return std::round(x); });
-    points = simplified(points, unseen);
+    if (!points.empty()) snap_edges(points, PathEnds::Closed, [](double x) { return std::round(x); });
+    return points;
+}
+
+void DrawListSurface::fill(std::span<const Point> polygon, Color color)
+{
+    const std::vector<Point> points = simplified(crisp_outline(polygon), unseen);
     add_fill(mesh_, points, color.a <= palest_alpha ? Border::Hard : Border::Soft);
+    emit(color);
+}
+
+/// Each loop is moved onto the pixel grid for itself, before slits join them.
+void DrawListSurface::fill_region(std::span<const std::vector<Point>> loops, Color color)
+{
+    std::vector<std::vector<Point>> crisp;
+    for (const std::vector<Point>& loop : loops) crisp.push_back(crisp_outline(loop));
+    add_region(mesh_, crisp);
     emit(color);
 }
 

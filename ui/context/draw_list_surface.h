@@ -35,12 +35,15 @@ public:
     void clip(const Box& box) override;
     void stroke(const Path& path, const Stroke& stroke) override;
     void fill(std::span<const Point> polygon, Color color) override;
+    /// With jagged borders: meant for pale areas.
+    void fill_region(std::span<const std::vector<Point>> loops, Color color) override;
     void stroke_arc(const Arc& arc, const Stroke& stroke) override;
     void fill_disc(Point center, double radius, Color color) override;
     void text(Point at, std::string_view utf8, const TextStyle& style) override;
 
 private:
     Point on_list(Point p) const { return place_.origin + place_.scale * p; }
+    std::vector<Point> crisp_outline(std::span<const Point> polygon) const;
     void use_page(const AlphaImage* page);
     void emit(Color color);
     void write(const Mesh::Vertex& vertex, Color color);

@@ -79,6 +79,15 @@ void Painter::polygon(std::initializer_list<Point> points, Color fill)
     polygon(std::span(points.begin(), points.size()), fill);
 }
 
+void Painter::region(std::span<const std::vector<Point>> loops, Color fill)
+{
+    if (!std::all_of(loops.begin(), loops.end(), [](const auto& loop) { return is_drawable(loop); })) return refuse();
+    if (loops.empty() || loops.front().size() < 3) return;
+    Picture::Region region{{}, fill};
+    for (const std::vector<Point>& loop : loops) region.loops.push_back(picture_.store(loop));
+    add(std::move(region));
+}
+
 void Painter::rectangle(const Box& box, Color fill)
 {
     if (is_finite(box.min) && is_finite(box.max) && box.is_empty()) return;

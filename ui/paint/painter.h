@@ -43,6 +43,8 @@ public:
     /// Filled; may be concave. Where its outline crosses itself, each of the loops is filled.
     void polygon(std::span<const Point> points, Color fill);
     void polygon(std::initializer_list<Point> points, Color fill);
+    /// The area of the first loop without those of the others, which are its holes.
+    void region(std::span<const std::vector<Point>> loops, Color fill);
     void rectangle(const Box& box, Color fill);
     void circle(Point center, double radius, const Stroke& stroke);
     void disc(Point center, double radius, Color fill);

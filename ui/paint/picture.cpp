@@ -56,6 +56,10 @@ void Picture::draw(const Shape& shape, Surface& surface) const
         stroke_trimmed(path, line->stroke, clip.grown(margin_of(line->stroke)), surface);
     } else if (const auto* polygon = std::get_if<Polygon>(&shape.what)) {
         fill_trimmed(points(polygon->points), polygon->fill, clip.grown(fill_margin), surface);
+    } else if (const auto* region = std::get_if<Region>(&shape.what)) {
+        std::vector<std::vector<Point>> loops;
+        for (const Range range : region->loops) loops.emplace_back(points(range).begin(), points(range).end());
+        fill_region_trimmed(std::move(loops), region->fill, clip.grown(fill_margin), surface);
     } else if (const auto* arc = std::get_if<ArcLine>(&shape.what)) {
         stroke_arc_trimmed(arc->arc, arc->stroke, clip.grown(margin_of(arc->stroke)), surface);
     } else if (const auto* disc = std::get_if<Disc>(&shape.what)) {

@@ -45,6 +45,10 @@ private:
         Range points;
         Color fill;
     };
+    struct Region {
+        std::vector<Range> loops;
+        Color fill;
+    };
     struct ArcLine {
         Arc arc;
         Stroke stroke;
@@ -62,7 +66,7 @@ private:
     struct Shape {
         Layer layer;
         std::size_t clip;
-        std::variant<Line, Polygon, ArcLine, Disc, Text> what;
+        std::variant<Line, Polygon, Region, ArcLine, Disc, Text> what;
     };
 
     Range store(std::span<const Point> points);

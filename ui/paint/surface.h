@@ -5,6 +5,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace ui {
 
@@ -37,6 +38,9 @@ public:
     virtual void clip(const Box& box) = 0; ///< replaces the clip that was in force
     virtual void stroke(const Path& path, const Stroke& stroke) = 0;
     virtual void fill(std::span<const Point> polygon, Color color) = 0;
+    /// The first loop without the others, which lie inside it. As one polygon with slits, unless a surface knows
+    /// better.
+    virtual void fill_region(std::span<const std::vector<Point>> loops, Color color);
     virtual void stroke_arc(const Arc& arc, const Stroke& stroke) = 0;
     virtual void fill_disc(Point center, double radius, Color color) = 0;
     virtual void text(Point at, std::string_view utf8, const TextStyle& style) = 0;

@@ -151,6 +151,13 @@ void fill_trimmed(std::span<const Point> polygon, Color color, const Box& room, 
     if (kept.size() >= 3) surface.fill(kept, color);
 }
 
+void fill_region_trimmed(std::vector<std::vector<Point>> loops, Color color, const Box& room, Surface& surface)
+{
+    for (std::vector<Point>& loop : loops)
+        if (!all_inside(loop, room)) loop = polygon_inside(loop, room);
+    if (loops.front().size() >= 3) surface.fill_region(loops, color);
+}
+
 void stroke_arc_trimmed(const Arc& arc, const Stroke& stroke, const Box& room, Surface& surface)
 {
     if (!is_near(arc.center, arc.radius, room)) return;

@@ -22,6 +22,7 @@ std::vector<Point> polygon_inside(std::span<const Point> polygon, const Box& box
 /// Draw only what lies inside `room`; shapes that lie inside it as a whole are handed on unchanged.
 void stroke_trimmed(const Path& path, const Stroke& stroke, const Box& room, Surface& surface);
 void fill_trimmed(std::span<const Point> polygon, Color color, const Box& room, Surface& surface);
+void fill_region_trimmed(std::vector<std::vector<Point>> loops, Color color, const Box& room, Surface& surface);
 void stroke_arc_trimmed(const Arc& arc, const Stroke& stroke, const Box& room, Surface& surface);
 void fill_disc_trimmed(Point center, double radius, Color color, const Box& room, Surface& surface);
 

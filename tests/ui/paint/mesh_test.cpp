@@ -121,6 +121,22 @@ TEST_CASE("A filled polygon spends its area of ink, convex or not")
           Approx(40.0 * 10.0 + 30.0 * 10.0).epsilon(0.01));
 }
 
+TEST_CASE("A region with holes is filled once, and not in its holes, whichever way they run")
+{
+    const std::vector<ui::Point> outer = {{5.0, 5.0}, {55.0, 5.0}, {55.0, 55.0}, {5.0, 55.0}};
+    std::vector<ui::Point> hole = {{20.0, 20.0}, {40.0, 20.0}, {40.0, 40.0}, {20.0, 40.0}}; // corners on the diagonals
+    const std::vector<ui::Point> other = {{45.0, 10.0}, {50.0, 10.0}, {50.0, 16.0}};
+    for (int i = 0; i < 2; ++i) {
+        ui::Mesh mesh;
+        ui::add_region(mesh, std::vector{outer, hole, other});
+        CHECK(ink(mesh, room) == Approx(50.0 * 50.0 - 20.0 * 20.0 - 0.5 * 5.0 * 6.0).epsilon(0.01));
+        CHECK(mesh.coverage_at({30.0, 30.0}) == 0.0);
+        CHECK(mesh.coverage_at({48.5, 12.0}) == 0.0);
+        CHECK(mesh.coverage_at({10.0, 30.0}) == 1.0);
+        std::reverse(hole.begin(), hole.end());
+    }
+}
+
 TEST_CASE("A moment diagram that changes sign is filled on both sides of the member")
 {
     const std::vector<ui::Point> bow_tie = {{10.0, 30.0}, {10.0, 10.0}, {50.0, 50.0}, {50.0, 30.0}};

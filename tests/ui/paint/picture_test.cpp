@@ -1,4 +1,5 @@
 #include "tests/folder.h"
+#include "ui/paint/mesh/polygon_mesh.h"
 #include "ui/paint/paint_to_file.h"
 #include "ui/paint/painter.h"
 #include "ui/paint/surface/golden_text.h"
@@ -252,6 +253,18 @@ TEST_CASE("A file that cannot be written is an error that names it")
             CHECK(std::string(error.what()).find("tests/no-such-folder/picture") != std::string::npos);
         }
     }
+}
+
+TEST_CASE("A region reaches surfaces that know no holes as one polygon of the same area")
+{
+    const ui::Fonts fonts;
+    ui::Painter painter({100.0, 100.0}, fonts);
+    const std::vector<std::vector<ui::Point>> loops = {{{10.0, 10.0}, {90.0, 10.0}, {90.0, 80.0}, {10.0, 80.0}},
+                                                       {{30.0, 30.0}, {50.0, 30.0}, {50.0, 60.0}}};
+    painter.region(loops, ui::rgb(0x0072B2));
+    const Notes notes = notes_of(painter);
+    REQUIRE(notes.areas.size() == 1);
+    CHECK(std::abs(ui::twice_area(notes.areas[0])) == Approx(2.0 * 80.0 * 70.0 - 20.0 * 30.0));
 }
 
 TEST_SUITE_END();

@@ -1,5 +1,7 @@
 #include "ui/paint/mesh/polygon_mesh.h"
 
+#include "ui/paint/mesh/keyhole.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -273,6 +275,16 @@ void add_fill(Mesh& mesh, std::span<const Point> polygon, Border border)
     if (clean.size() < 3) return;
     if (is_convex(clean)) return add_loop(mesh, clean, border);
     for (const auto& loop : simple_loops(clean)) add_loop(mesh, loop, border);
+}
+
+void add_region(Mesh& mesh, std::span<const std::vector<Point>> loops)
+{
+    std::vector<Point> outline;
+    for (const auto& [loop, corner] : keyhole(loops)) outline.push_back(loops[loop][corner]);
+    if (outline.size() < 3) return;
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const Point p : outline) mesh.add(p, 1.0);
+    for (const auto& [a, b, c] : triangulation(outline)) mesh.triangle(first + a, first + b, first + c);
 }
 
 void add_disc(Mesh& mesh, Point center, double radius)

@@ -14,6 +14,9 @@ enum class Border { Soft, Hard };
 /// Any polygon: convex, concave, or crossing, touching or retracing itself, where each of its loops is filled.
 void add_fill(Mesh& mesh, std::span<const Point> polygon, Border border = Border::Soft);
 
+/// Adds the area of the first loop without the others, which lie inside it, with a hard border.
+void add_region(Mesh& mesh, std::span<const std::vector<Point>> loops);
+
 /// Adds a filled circle.
 void add_disc(Mesh& mesh, Point center, double radius);
 
