@@ -49,7 +49,7 @@ template <class Shape> const Shape* nearest(const std::vector<Shape>& shapes, ui
 const Shapes::Face* face_at(const Shapes& shapes, ui::Point p)
 {
     for (auto piece = shapes.pieces.rbegin(); piece != shapes.pieces.rend(); ++piece)
-        if (bounds_of(piece->outline).contains(p) && is_inside(piece->outline, p)) return &shapes.faces[piece->face];
+        if (bounds_of(piece->area).contains(p) && is_inside(piece->area, p)) return &shapes.faces[piece->face];
     return nullptr;
 }
 

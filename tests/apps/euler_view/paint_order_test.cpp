@@ -38,7 +38,7 @@ int n_wrong(const Made& made, const ui::OrbitCamera& camera, std::mt19937& rando
         const ui::Point at{x(random), y(random)};
         double before = -std::numeric_limits<double>::infinity();
         for (const Shapes::Piece& piece : shapes.pieces) {
-            if (!is_inside(piece.outline, at)) continue;
+            if (!is_inside(piece.area, at)) continue;
             const double now = depth(made.solid(), shapes.faces[piece.face].face, at, camera);
             if (now < before - 0.1) ++wrong;
             if (now > before) before = now;
@@ -77,7 +77,7 @@ TEST_CASE("Nothing is painted in a face's hole")
     const ui::Point in_hole = camera.to_sheet({2.0, 2.0, 2.0}), beside = camera.to_sheet({0.5, 3.1, 2.0});
     const auto n_at = [&](ui::Point at) {
         return std::count_if(shapes.pieces.begin(), shapes.pieces.end(),
-                             [&](const Shapes::Piece& piece) { return is_inside(piece.outline, at); });
+                             [&](const Shapes::Piece& piece) { return is_inside(piece.area, at); });
     };
     CHECK(n_at(in_hole) == 0);
     CHECK(n_at(beside) == 2); // the top and the bottom

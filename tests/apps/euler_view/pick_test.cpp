@@ -122,7 +122,7 @@ TEST_CASE("In an exploded view faces are picked where they stand")
     const Seen cube(example("cube"), exploded);
     for (const Shapes::Piece& piece : cube.shapes.pieces) {
         ui::Point middle;
-        for (const ui::Point p : piece.outline) middle = middle + 0.25 * p;
+        for (const ui::Point p : piece.area.front()) middle = middle + 0.25 * p;
         if (!piece.is_back)
             CHECK(cube.picked(middle, {EntityKind::Face}) == Part{0, cube.shapes.faces[piece.face].face});
     }

@@ -56,15 +56,17 @@ private:
     void draw(const Shapes::Piece& piece)
     {
         const Shapes::Face& face = shapes_.faces[piece.face];
-        painter_.polygon(piece.outline, palette_.face(face.subject, face.face));
-        if (!piece.is_back || !look_.hatching || is_small(piece.outline)) return;
-        hatch(painter_, piece.outline, hatch_spacing * symbol_,
+        const ui::Color color = palette_.face(face.subject, face.face);
+        if (piece.area.size() == 1) painter_.polygon(piece.area.front(), color);
+        else painter_.region(piece.area, color);
+        if (!piece.is_back || !look_.hatching || is_small(piece.area)) return;
+        hatch(painter_, piece.area, hatch_spacing * symbol_,
               {.color = palette_.hatching(face.subject, face.face), .width = symbol_});
     }
 
-    static bool is_small(const std::vector<ui::Point>& outline)
+    static bool is_small(const Region& area)
     {
-        const ui::Box box = bounds_of(outline);
+        const ui::Box box = bounds_of(area);
         return box.width() * box.height() < least_hatched;
     }
 

@@ -1,12 +1,11 @@
 #pragma once
 
+#include "apps/euler/view/shapes/outline.h"
 #include "ui/paint/painter.h"
-
-#include <span>
 
 namespace euler {
 
-/// Parallel lines across a polygon, at 45 degrees. Lines of neighbouring polygons run on in one another.
-void hatch(ui::Painter& painter, std::span<const ui::Point> outline, double spacing, const ui::Stroke& stroke);
+/// Parallel lines across an area, at 45 degrees. Lines of neighbouring areas run on in one another.
+void hatch(ui::Painter& painter, const Region& area, double spacing, const ui::Stroke& stroke);
 
 } // namespace euler

@@ -1,6 +1,6 @@
 #include "apps/euler/view/draw/names.h"
 
-#include "apps/euler/view/draw/name_places.h"
+#include "apps/euler/view/shapes/name_places.h"
 #include "ui/paint/label_placement.h"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ public:
           look_(look),
           symbol_(palette.theme().symbol_scale()),
           is_crowded_(typical_edge(shapes) < least_edge),
-          placer_({.room = painter.sheet()})
+          placer_({.room = painter.sheet(), .leader_after = 18.0 * symbol_})
     {}
 
     void write()
@@ -70,7 +70,7 @@ private:
         if (shapes_.pieces.size() > most_pieces) return;
         for (const Shapes::Piece& piece : shapes_.pieces) {
             const Shapes::Face& face = shapes_.faces[piece.face];
-            NamePlaces places = places_inside(piece.outline);
+            NamePlaces places = places_inside(piece.area);
             NamePlaces& best = places_[{face.subject, face.face}];
             if (best.all.empty() || places.room > best.room) best = std::move(places);
         }
@@ -99,7 +99,10 @@ private:
         const topology::Solid& solid = palette_.solid(part.subject);
         const bool is_lone = solid.mate(solid.half_edge(vertex.vertex)) == solid.half_edge(vertex.vertex);
         if (is_crowded_ && !is_lone && !is_marked(part)) return;
-        ask(part, vertex.at, {}, vertex.is_hidden, {.clearance = is_lone ? 16.0 : 5.0, .priority = 40.0});
+        std::vector<ui::Point> wishes;
+        if (vertex.toward != ui::Point{}) wishes.push_back(vertex.at + 14.0 * symbol_ * vertex.toward);
+        ask(part, vertex.at, std::move(wishes), vertex.is_hidden,
+            {.clearance = is_lone ? 16.0 : 5.0, .priority = 40.0});
     }
 
     void ask(const Shapes::Face& face)
@@ -140,10 +143,11 @@ private:
     };
     void ask(const Part& part, ui::Point target, std::vector<ui::Point> wishes, bool is_hidden, const Manner& manner)
     {
-        if (!is_first(part)) return;
+        if (!is_first(part) && !shapes_.is_repeated) return;
         const std::string text = name_of(part);
         const ui::TextStyle style = palette_.name(part, is_hidden);
-        const double reach = 34.0 * symbol_;
+        const bool is_area = part.entity.kind == EntityKind::Face; // named inside, or not at all
+        const double reach = is_area ? 0.0 : (shapes_.is_repeated ? 18.0 : 34.0) * symbol_;
         requests_.push_back({text,
                              style,
                              {.target = target,
@@ -152,7 +156,7 @@ private:
                               .priority = manner.priority - (is_hidden ? 5.0 : 0.0) + (is_marked(part) ? 100.0 : 0.0),
                               .clearance = manner.clearance * symbol_,
                               .reach = reach},
-                             part.entity.kind == EntityKind::Face});
+                             is_area});
     }
 
     bool is_marked(const Part& part) const { return palette_.marks(part.subject).is_marked(part.entity); }

@@ -1,6 +1,7 @@
 #include "apps/euler/view/draw/palette.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace euler {
 
@@ -70,7 +71,12 @@ ui::Stroke Palette::edge(const Part& part, bool is_hidden, std::optional<std::si
     ui::Stroke stroke = theme_.stroke(is_hidden ? Role::HiddenEdge : Role::Edge);
     if (series) {
         stroke = theme_.series(*series).stroke;
-        stroke.width = theme_.stroke(Role::Edge).width * 1.4;
+        stroke.width = theme_.stroke(Role::Edge).width * 1.8;
+        const double scale = theme_.symbol_scale();
+        const ui::DashPattern rhythms[] = {stroke.dash, ui::DashPattern{9.0, 3.0}.scaled(scale),
+                                           ui::DashPattern{3.0, 3.0}.scaled(scale),
+                                           ui::DashPattern{9.0, 3.0, 2.0, 3.0}.scaled(scale)};
+        stroke.dash = rhythms[*series / ui::n_series % std::size(rhythms)];
     }
     if (marks.is_illegal(part.entity)) stroke.color = gray();
     return stroke;

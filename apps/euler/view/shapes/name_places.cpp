@@ -1,6 +1,4 @@
-#include "apps/euler/view/draw/name_places.h"
-
-#include "apps/euler/view/shapes/outline.h"
+#include "apps/euler/view/shapes/name_places.h"
 
 #include <algorithm>
 
@@ -16,25 +14,24 @@ struct Place {
     double room;
 };
 
-double room_at(std::span<const ui::Point> outline, ui::Point p)
+double room_at(const Region& area, ui::Point p)
 {
-    double room = ui::distance(p, outline.front());
-    for (std::size_t i = 0; i < outline.size(); ++i)
-        room = std::min(room, distance_to_segment(p, outline[i], outline[(i + 1) % outline.size()]));
+    double room = ui::distance(p, area.front().front());
+    for_each_side(area, [&](ui::Point a, ui::Point b) { room = std::min(room, distance_to_segment(p, a, b)); });
     return room;
 }
 
 } // namespace
 
-NamePlaces places_inside(std::span<const ui::Point> outline)
+NamePlaces places_inside(const Region& area)
 {
-    const ui::Box box = bounds_of(outline);
+    const ui::Box box = bounds_of(area);
     std::vector<Place> places;
     for (int i = 1; i < 2 * n_cells; i += 2)
         for (int j = 1; j < 2 * n_cells; j += 2) {
             const ui::Point p{box.min.x + box.width() * j / (2 * n_cells),
                               box.min.y + box.height() * i / (2 * n_cells)};
-            if (is_inside(outline, p)) places.push_back({p, room_at(outline, p)});
+            if (is_inside(area, p)) places.push_back({p, room_at(area, p)});
         }
     if (places.empty()) return {{box.center()}, 0.0};
     std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.room > b.room; });

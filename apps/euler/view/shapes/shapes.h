@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/euler/view/shapes/outline.h"
 #include "apps/euler/view/subject.h"
 #include "ui/paint/geometry.h"
 
@@ -13,10 +14,10 @@ namespace euler {
 /// Where everything of a picture stands on its sheet [px]: in space, in the plane or as polygons. Whatever drew it, one
 /// hand paints it (draw/draw.h) and one hand picks from it (pick.h).
 struct Shapes {
-    /// A part of a face without rings, painted in this order: later ones lie in front.
+    /// A flat part of a face, painted in this order: later ones lie in front.
     struct Piece {
         std::size_t face; ///< its place in `faces`
-        std::vector<ui::Point> outline;
+        Region area;
         bool is_back = false; ///< seen from inside
     };
     struct Face {
@@ -46,6 +47,7 @@ struct Shapes {
         ui::Point at;
         bool is_hidden = false;
         std::size_t after = 0;
+        ui::Point toward{}; ///< unit vector to the side where its name stands best; zero: any
     };
 
     std::vector<Piece> pieces;
@@ -53,6 +55,7 @@ struct Shapes {
     std::vector<Edge> edges;
     std::vector<Arrow> arrows;
     std::vector<Vertex> vertices;
+    bool is_repeated = false;             ///< an entity stands in several places, and is named at each
     std::vector<std::string> sentences{}; ///< what this kind of picture cannot show, in words
 };
 

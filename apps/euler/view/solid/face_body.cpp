@@ -1,7 +1,7 @@
 #include "apps/euler/view/solid/face_body.h"
 
-#include "apps/euler/view/solid/slit.h"
 #include "topology/halfedge/check/shells.h"
+#include "ui/paint/mesh/keyhole.h"
 #include "ui/paint/mesh/polygon_mesh.h"
 
 #include <algorithm>
@@ -19,7 +19,6 @@ using Rim = std::vector<Point>;
 
 constexpr double flat_within = 1e-6;  // of the solid's extent
 constexpr double no_area = 1e-9;      // of the square of a face's outline
-constexpr double slit_width = 0.02;   // [px]
 constexpr double outward = 0.7;       // of a face's distance from its shell's middle, where it is fully exploded
 constexpr double along_normal = 0.12; // of the solid's extent
 
@@ -86,28 +85,31 @@ struct Axes {
     ui::Point operator()(const Vector& p) const { return {dot(u, p), dot(v, p)}; }
 };
 
-std::vector<Rim> triangles(const Rim& outline, const std::vector<ui::Point>& flat)
+std::vector<std::vector<Rim>> triangles(const std::vector<Rim>& rims, const Vector& normal)
 {
-    std::vector<Rim> result;
-    for (const auto& [a, b, c] : ui::triangulation(flat)) result.push_back({outline[a], outline[b], outline[c]});
+    const Axes axes(normal);
+    std::vector<std::vector<ui::Point>> flat;
+    for (const Rim& rim : rims) {
+        flat.emplace_back();
+        for (const Point& p : rim) flat.back().push_back(axes(p - rims.front().front()));
+    }
+    const std::vector<ui::LoopCorner> outline = ui::keyhole(flat);
+    std::vector<ui::Point> in_plane;
+    for (const auto& [loop, corner] : outline) in_plane.push_back(flat[loop][corner]);
+    const auto at = [&](std::uint32_t i) { return rims[outline[i].loop][outline[i].corner]; };
+    std::vector<std::vector<Rim>> result;
+    for (const auto& [a, b, c] : ui::triangulation(in_plane)) result.push_back({{at(a), at(b), at(c)}});
     return result;
 }
 
-std::vector<Rim> pieces(const std::vector<Rim>& rims, const Vector& normal, double within, double slit)
+std::vector<std::vector<Rim>> pieces(const std::vector<Rim>& rims, const Vector& normal, double within)
 {
     std::vector<Rim> kept;
     for (const Rim& rim : rims)
         if (Rim clean = without_struts(rim); !clean.empty()) kept.push_back(std::move(clean));
     if (kept.empty()) return {};
-    const Axes axes(normal);
-    const Point origin = kept.front().front();
-    const auto flat = [&](const Point& p) { return axes(p - origin); };
-    if (kept.size() == 1 && is_flat(kept, normal, within)) return kept;
-    const Rim outline = joined_by_slits(kept, flat, slit);
-    if (is_flat(kept, normal, within)) return {outline};
-    std::vector<ui::Point> in_plane(outline.size());
-    std::transform(outline.begin(), outline.end(), in_plane.begin(), flat);
-    return triangles(outline, in_plane);
+    if (is_flat(kept, normal, within)) return {kept};
+    return triangles(kept, normal);
 }
 
 Point middle_of(const std::vector<Rim>& rims)
@@ -121,7 +123,7 @@ Point middle_of(const std::vector<Rim>& rims)
     return Point{} + (1.0 / n) * sum;
 }
 
-FaceBody body_of(const topology::Solid& solid, FaceId f, const HalfEdgePaths& paths, double extent, double slit)
+FaceBody body_of(const topology::Solid& solid, FaceId f, const HalfEdgePaths& paths, double extent)
 {
     std::vector<Rim> rims;
     Vector area;
@@ -136,20 +138,29 @@ FaceBody body_of(const topology::Solid& solid, FaceId f, const HalfEdgePaths& pa
     if (!(size > no_area * around * around)) return body;
     body.normal = (1.0 / size) * area;
     body.inner_radius = size / around;
-    body.pieces = pieces(rims, body.normal, flat_within * extent, slit);
+    body.pieces = pieces(rims, body.normal, flat_within * extent);
     return body;
 }
 
 } // namespace
 
-FaceBodies::FaceBodies(const topology::Solid& solid, const Stations& stations, const HalfEdgePaths& paths,
-                       const Sight& sight)
+FaceBodies::FaceBodies(const topology::Solid& solid, const Stations& stations, const HalfEdgePaths& paths)
     : places_(solid.faces().n_rows())
 {
     bodies_.reserve(solid.faces().n_living());
     for (const FaceId f : solid.faces()) {
         places_[f.index] = bodies_.size();
-        bodies_.push_back(body_of(solid, f, paths, stations.extent(), sight.px(slit_width)));
+        bodies_.push_back(body_of(solid, f, paths, stations.extent()));
+    }
+}
+
+void FaceBodies::lay_flat(const std::set<FaceId>& outside)
+{
+    for (FaceBody& body : bodies_) {
+        body.normal = {0.0, 0.0, 1.0};
+        if (!outside.contains(body.face)) continue;
+        body.inner_radius = 0.0;
+        body.pieces.clear();
     }
 }
 

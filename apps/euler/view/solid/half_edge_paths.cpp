@@ -76,7 +76,7 @@ void HalfEdgePaths::bend(VertexId v)
             curves_[*solid_.edge(h)] = curve(v, angles[place], angles[places.at(solid_.mate(h))]);
 }
 
-HalfEdgePaths::Curve HalfEdgePaths::curve(VertexId v, double leaves_at, double returns_at) const
+Curve HalfEdgePaths::curve(VertexId v, double leaves_at, double returns_at) const
 {
     const double apart = std::remainder(returns_at - leaves_at, turn);
     const double middle = leaves_at + 0.5 * apart;

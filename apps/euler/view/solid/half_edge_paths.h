@@ -4,9 +4,13 @@
 
 #include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace euler {
+
+using Curve = std::vector<topology::Point>;
+using Curves = std::unordered_map<topology::EdgeId, Curve>; ///< each as its plus half runs
 
 /// The course of every half-edge in space: straight, or a curve in the sheet's plane where it comes back to the vertex
 /// it starts from.
@@ -19,20 +23,22 @@ namespace euler {
 class HalfEdgePaths {
 public:
     HalfEdgePaths(const topology::Solid& solid, const Stations& stations, const Sight& sight);
+    HalfEdgePaths(const topology::Solid& solid, const Stations& stations, const Sight& sight, Curves curves)
+        : solid_(solid), stations_(stations), sight_(sight), curves_(std::move(curves))
+    {}
 
     /// From its start to its end, both included; one point of a lone vertex.
     std::vector<topology::Point> operator()(topology::HalfEdgeId h) const;
     bool is_curved(topology::HalfEdgeId h) const;
 
 private:
-    using Curve = std::vector<topology::Point>;
     void bend(topology::VertexId v);
     Curve curve(topology::VertexId v, double leaves_at, double returns_at) const;
 
     const topology::Solid& solid_;
     const Stations& stations_;
     const Sight& sight_;
-    std::unordered_map<topology::EdgeId, Curve> curves_; ///< as the plus half runs
+    Curves curves_;
 };
 
 } // namespace euler

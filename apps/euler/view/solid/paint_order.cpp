@@ -1,7 +1,5 @@
 #include "apps/euler/view/solid/paint_order.h"
 
-#include "apps/euler/view/shapes/outline.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -30,10 +28,8 @@ class Comparison {
 public:
     Comparison(const SeenPiece& a, const SeenPiece& b) : a_(a), b_(b)
     {
-        for (const ui::Point p : a.outline)
-            if (b.bounds.contains(p) && is_inside(b.outline, p)) look_at(p);
-        for (const ui::Point p : b.outline)
-            if (a.bounds.contains(p) && is_inside(a.outline, p)) look_at(p);
+        look_at_corners(a, b);
+        look_at_corners(b, a);
         look_at_crossings();
     }
     double nearer() const { return most_; }
@@ -44,14 +40,20 @@ private:
         const double nearer = (*a_.plane)(p) - (*b_.plane)(p);
         if (std::abs(nearer) > std::abs(most_)) most_ = nearer;
     }
+    /// Those of one that lie in the other.
+    void look_at_corners(const SeenPiece& one, const SeenPiece& other)
+    {
+        for (const auto& loop : one.area)
+            for (const ui::Point p : loop)
+                if (other.bounds.contains(p) && is_inside(other.area, p)) look_at(p);
+    }
     void look_at_crossings()
     {
-        const std::size_t n = a_.outline.size(), m = b_.outline.size();
-        for (std::size_t i = 0; i < n; ++i)
-            for (std::size_t j = 0; j < m; ++j)
-                if (const auto at = crossing(a_.outline[i], a_.outline[(i + 1) % n], b_.outline[j],
-                                             b_.outline[(j + 1) % m]))
-                    look_at(*at);
+        for_each_side(a_.area, [&](ui::Point a, ui::Point b) {
+            for_each_side(b_.area, [&](ui::Point c, ui::Point d) {
+                if (const auto at = crossing(a, b, c, d)) look_at(*at);
+            });
+        });
     }
 
     const SeenPiece& a_;
@@ -132,7 +134,7 @@ bool is_covered(std::span<const SeenPiece> pieces, ui::Point at, double nearness
     constexpr double clearly = 0.5; // [px]
     return std::any_of(pieces.begin(), pieces.end(), [&](const SeenPiece& piece) {
         return piece.plane && piece.bounds.contains(at) && (*piece.plane)(at) > nearness + clearly &&
-               is_inside(piece.outline, at);
+               is_inside(piece.area, at);
     });
 }
 

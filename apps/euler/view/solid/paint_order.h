@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/euler/view/shapes/outline.h"
 #include "apps/euler/view/solid/sight.h"
 #include "ui/paint/geometry.h"
 
@@ -22,7 +23,7 @@ std::optional<DepthPlane> depth_plane(const topology::Point& at, const topology:
 
 /// A flat piece of a face as it is seen.
 struct SeenPiece {
-    std::vector<ui::Point> outline;
+    Region area;
     std::optional<DepthPlane> plane;
     bool is_back = false;
     double nearness = 0.0; ///< mean
@@ -32,7 +33,8 @@ struct SeenPiece {
 /// The pieces from the farthest to the nearest, by index: where two overlap on the sheet, the one in front comes later.
 ///
 /// Two pieces are compared where they are farthest apart in depth, which is at a corner of what they share: a corner of
-/// one inside the other, or where two outlines cross. So any outline will do, convex or not. Pieces that cover one
+/// one inside the other, or where two sides cross. So any area will do, convex or not, with
+/// holes or without. Pieces that cover one
 /// another in a circle are taken by their mean depth, and so are all where there are more than `most_compared`.
 std::vector<std::size_t> back_to_front(std::span<const SeenPiece> pieces);
 inline constexpr std::size_t most_compared = 500;

@@ -1,13 +1,11 @@
 #include "apps/euler/view/solid/solid_shapes.h"
 
-#include "apps/euler/view/shapes/outline.h"
 #include "apps/euler/view/solid/arrow_line.h"
-#include "apps/euler/view/solid/face_body.h"
 #include "apps/euler/view/solid/paint_order.h"
+#include "apps/euler/view/solid/placed_solid.h"
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numeric>
 
 namespace euler {
@@ -30,80 +28,57 @@ std::vector<ui::Point> on_sheet(const std::vector<Point>& line, const Vector& sh
     return points;
 }
 
-/// A solid with everything that its picture is made from.
-struct Built {
-    Built(std::size_t number, const Subject& subject, const Sight& sight, double explosion)
-        : place(number),
-          solid(*subject.solid),
-          marks(solid, subject.marks),
-          stations(solid, marks, sight),
-          paths(solid, stations, sight),
-          bodies(solid, stations, paths, sight),
-          last_piece(solid.faces().n_rows(), 0)
-    {
-        bodies.explode(solid, explosion, stations.extent());
-    }
-    Built(const Built&) = delete;
-    Built& operator=(const Built&) = delete;
-
-    std::size_t place; ///< among the subjects
-    const Solid& solid;
-    MarkTable marks;
-    Stations stations;
-    HalfEdgePaths paths;
-    FaceBodies bodies;
-    std::vector<std::size_t> last_piece; ///< by face: how many pieces are painted when it is done; 0 without area
-};
-
 class SolidShapes {
 public:
-    SolidShapes(std::span<const Subject> subjects, const Sight& sight, const Look& look)
-        : sight_(sight), look_(look), symbol_(look.full_theme().symbol_scale())
+    SolidShapes(const PlacedSolids& solids, const Sight& sight, const Look& look)
+        : solids_(solids), sight_(sight), look_(look), symbol_(look.full_theme().symbol_scale())
     {
-        for (std::size_t i = 0; i < subjects.size(); ++i)
-            built_.push_back(std::make_unique<Built>(i, subjects[i], sight, look.explosion));
+        for (const auto& solid : solids_) last_piece_.emplace_back(solid->solid.faces().n_rows(), 0);
     }
 
-    Shapes shapes()
+    Shapes take()
     {
-        for (const auto& built : built_) add_faces(*built);
+        for (const auto& solid : solids_) add_faces(*solid);
         put_in_order();
-        for (const auto& built : built_) {
-            add_edges(*built);
-            add_arrows(*built);
-            add_vertices(*built);
+        for (const auto& solid : solids_) {
+            add_edges(*solid);
+            add_arrows(*solid);
+            add_vertices(*solid);
         }
         return std::move(shapes_);
     }
 
 private:
-    void add_faces(const Built& of)
+    void add_faces(const PlacedSolid& of)
     {
         for (const FaceBody& body : of.bodies.all()) {
+            if (of.is_left_out(body.face)) continue;
             const std::size_t place = shapes_.faces.size();
             shapes_.faces.push_back({of.place, body.face, is_back(of, body.face)});
             for (const auto& piece : body.pieces) add_piece(place, piece, body.shift);
         }
     }
 
-    void add_piece(std::size_t face, const std::vector<Point>& piece, const Vector& shift)
+    void add_piece(std::size_t face, const std::vector<std::vector<Point>>& rims, const Vector& shift)
     {
-        SeenPiece seen{.outline = on_sheet(piece, shift, sight_)};
-        const Vector normal = area_of(piece);
-        seen.plane = depth_plane(piece.front() + shift, normal, sight_);
+        SeenPiece seen;
+        for (const std::vector<Point>& rim : rims) seen.area.push_back(on_sheet(rim, shift, sight_));
+        const std::vector<Point>& outline = rims.front();
+        const Vector normal = area_of(outline);
+        seen.plane = depth_plane(outline.front() + shift, normal, sight_);
         seen.is_back = dot(normal, sight_.toward_eye()) < 0.0;
-        seen.bounds = bounds_of(seen.outline);
-        for (const Point& p : piece) seen.nearness += sight_.scale() * sight_.nearness(p + shift);
-        seen.nearness /= static_cast<double>(piece.size());
+        seen.bounds = bounds_of(seen.area);
+        for (const Point& p : outline) seen.nearness += sight_.scale() * sight_.nearness(p + shift);
+        seen.nearness /= static_cast<double>(outline.size());
         seen_.push_back(std::move(seen));
         face_of_.push_back(face);
     }
 
-    static Vector area_of(const std::vector<Point>& piece)
+    static Vector area_of(const std::vector<Point>& outline)
     {
         Vector sum;
-        for (std::size_t i = 1; i + 1 < piece.size(); ++i)
-            sum = sum + cross(piece[i] - piece[0], piece[i + 1] - piece[0]);
+        for (std::size_t i = 1; i + 1 < outline.size(); ++i)
+            sum = sum + cross(outline[i] - outline[0], outline[i + 1] - outline[0]);
         return sum;
     }
 
@@ -111,15 +86,15 @@ private:
     {
         for (const std::size_t i : back_to_front(seen_)) {
             const Shapes::Face& face = shapes_.faces[face_of_[i]];
-            shapes_.pieces.push_back({face_of_[i], seen_[i].outline, seen_[i].is_back});
-            built_[face.subject]->last_piece[face.face.index] = shapes_.pieces.size();
+            shapes_.pieces.push_back({face_of_[i], seen_[i].area, seen_[i].is_back});
+            last_piece_[face.subject][face.face.index] = shapes_.pieces.size();
         }
     }
 
     /// After the faces on both its sides; after all where these have no area.
-    std::size_t turn(const Built& of, FaceId f, FaceId g) const
+    std::size_t turn(const PlacedSolid& of, FaceId f, FaceId g) const
     {
-        const std::size_t last = std::max(of.last_piece[f.index], of.last_piece[g.index]);
+        const std::size_t last = std::max(last_piece_[of.place][f.index], last_piece_[of.place][g.index]);
         return last != 0 ? last : shapes_.pieces.size();
     }
 
@@ -130,19 +105,20 @@ private:
         return is_covered(seen_, sight_.to_sheet(p), sight_.scale() * sight_.nearness(p));
     }
 
-    bool is_back(const Built& of, FaceId f) const { return dot(of.bodies[f].normal, sight_.toward_eye()) < 0.0; }
+    bool is_back(const PlacedSolid& of, FaceId f) const { return dot(of.bodies[f].normal, sight_.toward_eye()) < 0.0; }
 
-    void add_edges(const Built& of)
+    void add_edges(const PlacedSolid& of)
     {
         const bool is_exploded = look_.explosion > 0.0;
         for (const EdgeId e : of.solid.edges()) {
+            if (of.is_left_out(of.solid.face(of.solid.plus(e)))) continue;
             add_edge(of, e, of.solid.plus(e), is_exploded);
             if (is_exploded && of.solid.face(of.solid.plus(e)) != of.solid.face(of.solid.minus(e)))
                 add_edge(of, e, of.solid.minus(e), is_exploded);
         }
     }
 
-    void add_edge(const Built& of, EdgeId e, HalfEdgeId h, bool is_alone)
+    void add_edge(const PlacedSolid& of, EdgeId e, HalfEdgeId h, bool is_alone)
     {
         const FaceId f = of.solid.face(h), g = is_alone ? f : of.solid.face(of.solid.mate(h));
         const Vector shift = of.bodies[f].shift;
@@ -157,18 +133,19 @@ private:
     }
 
     /// How much of an edge is there, where both its ends stand still.
-    double grown(const Built& of, EdgeId e) const
+    double grown(const PlacedSolid& of, EdgeId e) const
     {
         const HalfEdgeId h = of.solid.plus(e);
         const bool moves = of.marks.presence(of.solid.start(h)) < 1.0 || of.marks.presence(of.solid.end(h)) < 1.0;
         return moves ? 1.0 : of.marks.presence(e);
     }
 
-    void add_arrows(const Built& of)
+    void add_arrows(const PlacedSolid& of)
     {
         const ArrowLines lines(of.solid, of.paths, of.bodies, sight_, symbol_);
         for (const HalfEdgeId h : of.solid.half_edges()) {
             const FaceId f = of.solid.face(h);
+            if (of.is_left_out(f)) continue;
             std::vector<Point> line = lines(h);
             if (line.empty()) continue;
             if (const auto e = of.solid.edge(h)) keep_share(line, grown(of, *e));
@@ -181,9 +158,10 @@ private:
         }
     }
 
-    void add_vertices(const Built& of)
+    void add_vertices(const PlacedSolid& of)
     {
         for (const VertexId v : of.solid.vertices()) {
+            if (of.is_left_out(of.solid.face(of.solid.half_edge(v)))) continue;
             std::vector<FaceId> faces;
             for (const HalfEdgeId h : of.solid.fan(v)) faces.push_back(of.solid.face(h));
             if (look_.explosion <= 0.0) {
@@ -196,7 +174,7 @@ private:
         }
     }
 
-    void add_vertex(const Built& of, VertexId v, const std::vector<FaceId>& faces)
+    void add_vertex(const PlacedSolid& of, VertexId v, const std::vector<FaceId>& faces)
     {
         const Point at = of.stations[v] + of.bodies[faces.front()].shift;
         std::size_t after = 0;
@@ -209,10 +187,12 @@ private:
                                     .after = after});
     }
 
+    const PlacedSolids& solids_;
     const Sight& sight_;
     const Look& look_;
     double symbol_;
-    std::vector<std::unique_ptr<Built>> built_; // which refer to one another inside
+    /// By solid and face: how many pieces are painted when it is done; 0 without area.
+    std::vector<std::vector<std::size_t>> last_piece_;
     std::vector<SeenPiece> seen_;
     std::vector<std::size_t> face_of_; ///< by piece, in `shapes_.faces`
     Shapes shapes_;
@@ -220,25 +200,27 @@ private:
 
 } // namespace
 
+Shapes shapes_of(const PlacedSolids& solids, const Sight& sight, const Look& look)
+{
+    return SolidShapes(solids, sight, look).take();
+}
+
 Shapes solid_shapes(std::span<const Subject> subjects, const ui::OrbitCamera& camera, const Look& look)
 {
     const Sight sight(camera);
-    return SolidShapes(subjects, sight, look).shapes();
+    return shapes_of(placed_in_space(subjects, sight, look.explosion), sight, look);
 }
 
 ui::OrbitCamera fitted(ui::OrbitCamera camera, std::span<const Subject> subjects, const Look& look, ui::Size sheet)
 {
     constexpr double margin = 70.0; // [px], for names and for closed edges
     std::vector<ui::World3> places;
-    const Sight sight(camera);
-    for (std::size_t i = 0; i < subjects.size(); ++i) {
-        const Built built(i, subjects[i], sight, look.explosion);
-        for (const VertexId v : built.solid.vertices())
-            for (const HalfEdgeId h : built.solid.fan(v)) {
-                const Point p = built.solid.point(v) + built.bodies[built.solid.face(h)].shift;
+    for (const auto& placed : placed_in_space(subjects, Sight(camera), look.explosion))
+        for (const VertexId v : placed->solid.vertices())
+            for (const HalfEdgeId h : placed->solid.fan(v)) {
+                const Point p = placed->solid.point(v) + placed->bodies[placed->solid.face(h)].shift;
                 places.push_back({p.x, p.y, p.z});
             }
-    }
     camera.fit(places, sheet, {margin, margin, margin, margin});
     return camera;
 }

@@ -2,6 +2,7 @@
 
 #include "apps/euler/view/look.h"
 #include "apps/euler/view/shapes/shapes.h"
+#include "apps/euler/view/solid/placed_solid.h"
 #include "ui/canvas/orbit_camera.h"
 
 #include <span>
@@ -18,5 +19,8 @@ Shapes solid_shapes(std::span<const Subject> subjects, const ui::OrbitCamera& ca
 
 /// The camera that shows everything, from where the given one stands. One point alone, and no solid, are shown too.
 ui::OrbitCamera fitted(ui::OrbitCamera camera, std::span<const Subject> subjects, const Look& look, ui::Size sheet);
+
+/// What stands where of solids that were put into their places before.
+Shapes shapes_of(const PlacedSolids& solids, const Sight& sight, const Look& look);
 
 } // namespace euler

@@ -4,6 +4,7 @@
 #include "apps/euler/view/solid/sight.h"
 #include "topology/halfedge/solid.h"
 
+#include <utility>
 #include <vector>
 
 namespace euler {
@@ -15,6 +16,7 @@ namespace euler {
 class Stations {
 public:
     Stations(const topology::Solid& solid, const MarkTable& marks, const Sight& sight);
+    explicit Stations(std::vector<topology::Point> points) : points_(std::move(points)), extent_(1.0) {}
 
     const topology::Point& operator[](topology::VertexId v) const { return points_[v.index]; }
     double extent() const { return extent_; } ///< the diagonal of the box around all; 0 at one point

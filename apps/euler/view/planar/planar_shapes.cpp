@@ -1,0 +1,207 @@
+#include "apps/euler/view/planar/planar_shapes.h"
+
+#include "apps/euler/view/planar/embedding.h"
+#include "apps/euler/view/shapes/name_places.h"
+#include "apps/euler/view/solid/solid_shapes.h"
+#include "topology/halfedge/check/shells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace euler {
+
+using topology::FaceId;
+using topology::HalfEdgeId;
+using topology::LoopId;
+using topology::Solid;
+
+namespace {
+
+constexpr double pitch = 2.4;            // between the middles of shells, whose radius is 1
+constexpr std::size_t most_edges = 6000; // that are drawn in the plane
+
+struct Disc {
+    ui::Point middle;
+    double radius = 1.0;
+
+    ui::Point at(ui::Point p) const { return middle + radius * p; }
+};
+
+/// n discs of one size side by side inside one.
+std::vector<Disc> packed(const Disc& disc, std::size_t n)
+{
+    if (n == 1) return {disc};
+    const double s = std::sin(std::numbers::pi / static_cast<double>(n)), share = s / (1.0 + s);
+    std::vector<Disc> discs;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n);
+        discs.push_back(
+            {disc.at((1.0 - share) * ui::Point{std::cos(angle), std::sin(angle)}), 0.9 * share * disc.radius});
+    }
+    return discs;
+}
+
+/// Draws one solid, shell by shell.
+class PlanarLayout {
+public:
+    explicit PlanarLayout(const Solid& solid) : solid_(solid) { layout_.vertices.resize(solid.vertices().n_rows()); }
+
+    void add_shell(FaceId outside, const Disc& disc)
+    {
+        layout_.outside.insert(outside);
+        std::vector<LoopId> loops;
+        for (const LoopId l : solid_.loops(outside)) loops.push_back(l);
+        add_parts(loops, disc);
+    }
+    void leave_out(const topology::Shell& shell) { layout_.left_out.insert(shell.faces.begin(), shell.faces.end()); }
+    PlacedSolid::Layout take() { return std::move(layout_); }
+
+private:
+    static topology::Point flat(ui::Point p) { return {p.x, p.y, 0.0}; }
+
+    void add_parts(const std::vector<LoopId>& around, const Disc& disc)
+    {
+        const std::vector<Disc> discs = packed(disc, around.size());
+        for (std::size_t i = 0; i < around.size(); ++i) add_part(around[i], discs[i]);
+    }
+
+    void add_part(LoopId around, const Disc& disc)
+    {
+        const Embedding drawn = embedding(solid_, around);
+        for (const auto& [v, at] : drawn.vertices) layout_.vertices[v.index] = flat(disc.at(at));
+        for (const auto& [e, curve] : drawn.curves)
+            for (const ui::Point p : curve) layout_.curves[e].push_back(flat(disc.at(p)));
+        for (const LoopId l : drawn.loops)
+            if (l != around) add_rings_inside(l, drawn, disc);
+    }
+
+    /// What else bounds the face of a loop, each part within it.
+    void add_rings_inside(LoopId l, const Embedding& drawn, const Disc& disc)
+    {
+        std::vector<LoopId> others;
+        for (const LoopId other : solid_.loops(solid_.face(l)))
+            if (other != l) others.push_back(other);
+        if (others.empty()) return;
+        std::vector<ui::Point> outline;
+        for (const HalfEdgeId h : solid_.chain(l)) add_path(outline, h, drawn, disc);
+        constexpr double share = 0.75;
+        const NamePlaces places = places_inside({outline});
+        add_parts(others, {places.all.front(), share * places.room});
+    }
+
+    void add_path(std::vector<ui::Point>& outline, HalfEdgeId h, const Embedding& drawn, const Disc& disc) const
+    {
+        const auto curve = drawn.curves.find(*solid_.edge(h));
+        if (curve == drawn.curves.end()) {
+            outline.push_back(disc.at(drawn.vertices.at(solid_.start(h))));
+            return;
+        }
+        std::vector<ui::Point> path = curve->second;
+        if (solid_.plus(curve->first) != h) std::reverse(path.begin(), path.end());
+        for (std::size_t i = 0; i + 1 < path.size(); ++i) outline.push_back(disc.at(path[i]));
+    }
+
+    const Solid& solid_;
+    PlacedSolid::Layout layout_;
+};
+
+std::size_t n_half_edges(const Solid& solid, FaceId f)
+{
+    std::size_t n = 0;
+    for (const LoopId l : solid.loops(f))
+        for ([[maybe_unused]] const HalfEdgeId h : solid.chain(l)) ++n;
+    return n;
+}
+
+FaceId outside_of(const Solid& solid, const topology::Shell& shell, std::optional<FaceId> wanted)
+{
+    if (wanted && std::find(shell.faces.begin(), shell.faces.end(), *wanted) != shell.faces.end()) return *wanted;
+    return *std::max_element(shell.faces.begin(), shell.faces.end(),
+                             [&](FaceId a, FaceId b) { return n_half_edges(solid, a) < n_half_edges(solid, b); });
+}
+
+std::optional<std::string> why_not_planar(const topology::Shell& shell, const ui::Catalogue& tr)
+{
+    if (shell.genus > 0)
+        return tr(
+            "A shell has genus {genus}: it cannot be drawn in the plane without crossings. Its plane model shows it.",
+            {{"genus", std::to_string(shell.genus)}});
+    if (shell.counts.edges > most_edges)
+        return tr("A shell has {count} edges: too many to be drawn in the plane.",
+                  {{"count", std::to_string(shell.counts.edges)}});
+    return std::nullopt;
+}
+
+/// Where everything is drawn, and why some things are not.
+struct Drawn {
+    std::vector<PlacedSolid::Layout> layouts; ///< by subject
+    std::vector<std::string> sentences;
+};
+
+/// All shells of all subjects, side by side.
+Drawn drawn(std::span<const Subject> subjects, const ui::Catalogue& tr, std::optional<Part> outside)
+{
+    Drawn result;
+    double x = 0.0;
+    for (std::size_t i = 0; i < subjects.size(); ++i) {
+        const Solid& solid = *subjects[i].solid;
+        PlanarLayout layout(solid);
+        const bool is_here = outside && outside->subject == i && outside->entity.kind == topology::EntityKind::Face;
+        const std::optional<FaceId> wanted = is_here ? std::optional(FaceId{outside->entity.index}) : std::nullopt;
+        for (const topology::Shell& shell : topology::shells(solid)) {
+            if (const auto reason = why_not_planar(shell, tr)) {
+                layout.leave_out(shell);
+                result.sentences.push_back(*reason);
+                continue;
+            }
+            layout.add_shell(outside_of(solid, shell, wanted), {{x, 0.0}, 1.0});
+            x += pitch;
+        }
+        result.layouts.push_back(layout.take());
+    }
+    return result;
+}
+
+/// All places of a layout that are seen.
+void add_places(std::vector<ui::World3>& places, const Solid& solid, const PlacedSolid::Layout& layout)
+{
+    const auto add = [&](const topology::Point& p) { places.push_back({p.x, p.y, p.z}); };
+    for (const topology::VertexId v : solid.vertices())
+        if (!layout.left_out.contains(solid.face(solid.half_edge(v)))) add(layout.vertices[v.index]);
+    for (const auto& [e, curve] : layout.curves) std::for_each(curve.begin(), curve.end(), add);
+}
+
+} // namespace
+
+Shapes planar_shapes(std::span<const Subject> subjects, const ui::OrbitCamera& camera, const Look& look,
+                     std::optional<Part> outside)
+{
+    ui::OrbitCamera from_above = camera;
+    from_above.look(ui::StandardView::Top);
+    const Sight sight(from_above);
+    Drawn plane = drawn(subjects, look.tr, outside);
+    PlacedSolids placed;
+    for (std::size_t i = 0; i < subjects.size(); ++i)
+        placed.push_back(std::make_unique<PlacedSolid>(i, subjects[i], sight, std::move(plane.layouts[i])));
+    Look flat = look;
+    flat.explosion = 0.0;
+    Shapes shapes = shapes_of(placed, sight, flat);
+    shapes.sentences = std::move(plane.sentences);
+    return shapes;
+}
+
+ui::OrbitCamera fitted_planar(std::span<const Subject> subjects, ui::Size sheet, std::optional<Part> outside)
+{
+    constexpr double margin = 60.0; // [px], for the outside's half-edges and for names
+    const Drawn plane = drawn(subjects, {}, outside);
+    std::vector<ui::World3> places;
+    for (std::size_t i = 0; i < subjects.size(); ++i) add_places(places, *subjects[i].solid, plane.layouts[i]);
+    ui::OrbitCamera camera;
+    camera.look(ui::StandardView::Top);
+    camera.fit(places, sheet, {margin, margin, margin, margin});
+    return camera;
+}
+
+} // namespace euler

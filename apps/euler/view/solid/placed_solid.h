@@ -1,0 +1,47 @@
+#pragma once
+
+#include "apps/euler/view/solid/face_body.h"
+#include "apps/euler/view/subject.h"
+
+#include <memory>
+#include <set>
+#include <span>
+#include <vector>
+
+namespace euler {
+
+/// A solid in its place, with all that its picture is made from.
+class PlacedSolid {
+public:
+    /// In space, where its vertices say.
+    PlacedSolid(std::size_t place, const Subject& subject, const Sight& sight, double explosion);
+
+    /// Drawn in the plane of x and y, seen from above, with every face left of its half-edges.
+    struct Layout {
+        std::vector<topology::Point> vertices; ///< by index
+        Curves curves;                         ///< of edges that are not straight
+        std::set<topology::FaceId> outside;    ///< which are all around, and not filled
+        std::set<topology::FaceId> left_out;   ///< which are not drawn at all
+    };
+    PlacedSolid(std::size_t place, const Subject& subject, const Sight& sight, Layout layout);
+
+    PlacedSolid(const PlacedSolid&) = delete;
+    PlacedSolid& operator=(const PlacedSolid&) = delete;
+
+    bool is_left_out(topology::FaceId f) const { return left_out_.contains(f); }
+
+    std::size_t place; ///< among the subjects
+    const topology::Solid& solid;
+    MarkTable marks;
+    Stations stations;
+    HalfEdgePaths paths;
+    FaceBodies bodies;
+
+private:
+    std::set<topology::FaceId> left_out_;
+};
+using PlacedSolids = std::vector<std::unique_ptr<PlacedSolid>>; ///< whose parts refer to one another
+
+PlacedSolids placed_in_space(std::span<const Subject> subjects, const Sight& sight, double explosion);
+
+} // namespace euler
