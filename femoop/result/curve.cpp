@@ -84,10 +84,22 @@ Station Curve::station(double x, Side side) const
     return {.x = x, .side = side, .forces = forces(x, side), .displacement = displacement(x, side)};
 }
 
+// A section force has a closed form of its own; the series of all its relatives would take much longer.
 double Curve::value(MemberComponent component, double x, Side side) const
 {
     const Piece& piece = piece_at(x, side);
-    return polynomial(component, piece)(x - piece.load.begin);
+    const double t = x - piece.load.begin;
+    const auto xy = [&] { return law_.xy.forces_at(t, piece.begin.xy, piece.load, BendingPlane::xy, law_.curvature); };
+    const auto xz = [&] { return law_.xz.forces_at(t, piece.begin.xz, piece.load, BendingPlane::xz, 0.0); };
+    switch (component) {
+    case MemberComponent::N: return law_.axial.force_at(t, piece.begin.axial, piece.load, LocalAxis::x);
+    case MemberComponent::T: return law_.torsion.force_at(t, piece.begin.torsion, piece.load, LocalAxis::rx);
+    case MemberComponent::Vy: return xy().V;
+    case MemberComponent::Mz: return xy().M;
+    case MemberComponent::Vz: return xz().V;
+    case MemberComponent::My: return xz().M;
+    default: return polynomial(component, piece)(t);
+    }
 }
 
 Extremes Curve::extremes(MemberComponent component) const

@@ -1,5 +1,6 @@
 #include "ui/paint/label_placement.h"
 
+#include "ui/paint/label/full_cells.h"
 #include "ui/paint/label/obstacle_map.h"
 
 #include <algorithm>
@@ -239,7 +240,7 @@ private:
 class Run {
 public:
     Run(std::span<const Label> labels, const LabelPlacer::Options& options, const LabelObstacles& obstacles)
-        : labels_(labels), obstacles_(obstacles), placed_(labels.size(), options)
+        : labels_(labels), room_(options.room), obstacles_(obstacles), placed_(labels.size(), options)
     {
         candidates_.reserve(labels.size());
         for (const Label& label : labels) candidates_.emplace_back(label, options, obstacles_);
@@ -249,8 +250,8 @@ public:
     {
         std::vector<std::size_t> homeless = by_priority();
         for (const Ground worst : {Ground::Free, Ground::Soft}) {
-            std::erase_if(homeless, [&](std::size_t label) { return put_where_free(label, worst); });
-            std::erase_if(homeless, [&](std::size_t label) { return put_by_moving_one(label, worst); });
+            put_each(homeless, [&](std::size_t label) { return put_where_free(label, worst); });
+            put_each(homeless, [&](std::size_t label) { return put_by_moving_one(label, worst); });
         }
         LabelPlacement placement;
         for (std::size_t i = 0; i < labels_.size(); ++i) {
@@ -272,6 +273,19 @@ private:
                          [&](std::size_t a, std::size_t b) { return labels_[a].priority > labels_[b].priority; });
         std::erase_if(order, [&](std::size_t i) { return !is_finite(labels_[i].target); });
         return order;
+    }
+
+    /// Leaves those for which `put` found no place.
+    template <class Put> void put_each(std::vector<std::size_t>& homeless, const Put& put) const
+    {
+        FullCells full(room_);
+        std::erase_if(homeless, [&](std::size_t i) {
+            const Label& label = labels_[i];
+            if (full.has_no_room(label.target, label.size)) return false;
+            const bool is_put = put(i);
+            if (!is_put) full.found_no_room(label.target, label.size);
+            return is_put;
+        });
     }
 
     /// How many of its places a label may try: all of them until the run has taken long, then those nearby.
@@ -325,6 +339,7 @@ private:
     }
 
     std::span<const Label> labels_;
+    Box room_;
     ObstacleMap obstacles_;
     Placed placed_;
     std::vector<Candidates> candidates_;

@@ -4,6 +4,7 @@
 #include "apps/frame/view/frame_view.h"
 #include "apps/frame/view/reading.h"
 #include "femoop/analysis/linear_static.h"
+#include "femoop/typical/typical.h"
 #include "tests/apps/frame_view/view_model.h"
 #include "tests/golden/scene.h"
 
@@ -58,6 +59,12 @@ TEST_CASE("Continuous beam on the projector: shear and moment below one another"
 {
     check("frame_continuous_beam", view_test::example("continuous_beam"),
           shown("loads,reactions,labels,V,M", ui::ThemeName::Projector), {1400.0, 1000.0});
+}
+
+TEST_CASE("Eight hundred members: small symbols, slim lines, and the numbers that have room")
+{
+    check("frame_storeys", femoop::StoreyFrame{.bays = 12, .storeys = 32}.model(), shown("loads,reactions,labels,M"),
+          {1000.0, 800.0});
 }
 
 TEST_CASE("Gerber beam in print in Portuguese, moments on the compression side, with dimensions")

@@ -1,5 +1,6 @@
 #include "ui/paint/label_placement.h"
 
+#include "ui/paint/label/full_cells.h"
 #include "ui/paint/label/obstacle_map.h"
 
 #include <doctest/doctest.h>
@@ -262,6 +263,20 @@ TEST_CASE("A label moves aside for another that has no choice")
     CHECK(placement.n_left_out == 0);
     REQUIRE(placement.labels[0]);
     CHECK(placement.labels[0]->center.x == 150.0);
+}
+
+TEST_CASE("Where four labels found no room a fifth one need not look, unless it is smaller or elsewhere")
+{
+    ui::FullCells full(room);
+    const ui::Point here{410.0, 310.0};
+    for (const double width : {62.0, 48.0, 55.0, 71.0}) {
+        CHECK(!full.has_no_room(here, {40.0, 13.0}));
+        CHECK(!full.has_no_room(here, {90.0, 13.0}));
+        full.found_no_room(here, {width, 13.0});
+    }
+    CHECK(full.has_no_room(here + ui::Point{3.0, -2.0}, {48.0, 13.0}));
+    CHECK(!full.has_no_room(here, {47.0, 13.0}));
+    CHECK(!full.has_no_room({130.0, 310.0}, {48.0, 13.0}));
 }
 
 TEST_CASE("A label with a target that is not finite is left out and harms nobody")

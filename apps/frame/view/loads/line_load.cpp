@@ -71,8 +71,10 @@ private:
     int n_arrows() const
     {
         const double length = ui::distance(head(0.0), head(1.0));
-        const double spacing = std::clamp(length / 20.0, scene_.sketch.px(15.0), scene_.sketch.px(34.0));
-        return std::clamp(static_cast<int>(std::lround(length / spacing)), 1, 200);
+        const double widest = scene_.sketch.px(34.0);
+        const double spacing = std::clamp(length / 20.0, scene_.sketch.px(15.0), widest);
+        const double apart = scene_.crowding.is_crowded() ? 2.0 * widest : spacing; // smaller arrows are not more
+        return std::clamp(static_cast<int>(std::lround(length / apart)), 1, 200);
     }
 
     void draw_area(std::vector<ui::Point> outline) const

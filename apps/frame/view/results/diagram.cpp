@@ -34,17 +34,6 @@ std::string value_text(const Scene& scene, MemberComponent component, double val
     return scene.number(shown, measure_of(component)) + sense;
 }
 
-double median_length(const Scene& scene)
-{
-    std::vector<double> lengths;
-    for (const MemberShape& member : scene.shape.members)
-        lengths.push_back(ui::distance(scene.projection(member.start), scene.projection(member.end)));
-    if (lengths.empty()) return 0.0;
-    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-    std::nth_element(lengths.begin(), middle, lengths.end());
-    return *middle;
-}
-
 double height_of(const Scene& scene)
 {
     double top = 0.0;
@@ -81,7 +70,7 @@ public:
         {
             const ui::LayerScope layer(sketch().painter(), ui::Layer::Areas);
             sketch().polygon(line, sketch().theme().fill(role_), Clearance::Soft);
-            draw_hatching();
+            if (!scene_.crowding.is_crowded()) draw_hatching();
         }
         sketch().polyline(line, sketch().stroke(role_), Clearance::Hard);
         if (has_signs(scene_, diagram_.component)) draw_signs(ordinates);
@@ -318,7 +307,7 @@ Diagram make_diagram(const Scene& scene, const SolvedCase& solved, const SolvedC
     // What the structure itself leaves free of the panel's height makes a beam's diagrams higher.
     const double spare = std::max(0.0, panel.height - height_of(scene) - 100.0);
     const double room = share * (std::min(panel.width, panel.height) + 0.6 * spare);
-    const double height = std::clamp(std::min(room, 3.2 * share * median_length(scene)), 16.0, 130.0);
+    const double height = std::clamp(std::min(room, 3.2 * share * scene.crowding.median_length()), 16.0, 130.0);
     const bool is_held = &scaled_by != &solved;
     const double given = is_held ? largest_value(scaled_by, component, scene.shape.size) : diagram.largest;
     diagram.pixels_per_unit = height * scene.options.diagram_factor / held(given, diagram.largest);

@@ -109,7 +109,8 @@ private:
         const auto solved = solved_case(ghost.results, scene_.options.load_case);
         if (!solved || ghost.model.analysis != scene_.model.analysis) return;
         const StructureShape shape = shape_of(ghost.model);
-        const Scene former{ghost.model, shape, scene_.projection, scene_.options, scene_.units, scene_.sketch};
+        const Scene former{ghost.model,  shape,         scene_.projection, scene_.options,
+                           scene_.units, scene_.sketch, scene_.crowding};
         for (const Diagram& diagram : present) draw_ghost(former, *solved, diagram);
     }
 
@@ -363,10 +364,14 @@ Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, con
     const ui::Theme theme = theme_for(theme_, panel.box.size(), aspect(usual_camera()));
     ViewOptions options = options_;
     options.show = panel.show;
-    Sketch sketch(
-        {.painter = &painter, .theme = &theme, .room = panel.box.grown(-4.0), .symbol_factor = options.symbol_factor});
     const Projection projection(camera, panel.box.min);
-    const Scene scene{model_, shape_, projection, options, units_, sketch};
+    const Crowding crowding(shape_, projection);
+    Sketch sketch({.painter = &painter,
+                   .theme = &theme,
+                   .room = panel.box.grown(-4.0),
+                   .symbol_factor = options.symbol_factor * crowding.symbol_share(),
+                   .is_crowded = crowding.is_crowded()});
+    const Scene scene{model_, shape_, projection, options, units_, sketch, crowding};
     PanelPicture picture(scene, panel.box.size());
     if (!options_.show.contains(Show::M) && !shows_any(panel.show, diagrams)) picture.draw_prediction_alone();
     if (assessment_) picture.judge(*assessment_);

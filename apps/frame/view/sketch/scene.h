@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/frame/view/geometry/crowding.h"
 #include "apps/frame/view/geometry/projection.h"
 #include "apps/frame/view/geometry/structure_shape.h"
 #include "apps/frame/view/sketch/sketch.h"
@@ -17,6 +18,7 @@ struct Scene {
     const ViewOptions& options;
     const ui::DisplayUnits& units;
     Sketch& sketch;
+    const Crowding& crowding;
 
     bool shows(Show item) const { return options.show.contains(item); }
     ui::Point place(femoop::NodeId node) const { return projection(shape[node]); }

@@ -11,6 +11,7 @@ namespace frame {
 namespace {
 
 constexpr double same_place = 14.0;      // [px] within which one string stands for two
+constexpr double crowded_reach = 20.0;   // [px]: farther off nobody could tell which of many parts is meant
 constexpr std::size_t most_letters = 60; // of a caption: longer names would push the structure off the sheet
 
 /// Middle of a box whose border lies `gap` from the target, seen along `toward`.
@@ -35,12 +36,23 @@ Sketch::Sketch(const Setup& setup)
     : painter_(setup.painter),
       theme_(setup.theme),
       symbol_scale_(setup.theme->symbol_scale() * setup.symbol_factor),
+      is_crowded_(setup.is_crowded),
       placer_({.room = setup.room})
 {}
 
-ui::Stroke Sketch::thin(ui::Role role) const
+ui::Stroke Sketch::stroke(ui::Role role) const
 {
     ui::Stroke stroke = theme_->stroke(role);
+    if (!is_crowded_) return stroke;
+    stroke.width *= 0.75;
+    stroke.cap = ui::Cap::Butt;
+    stroke.join = ui::Join::Miter;
+    return stroke;
+}
+
+ui::Stroke Sketch::thin(ui::Role role) const
+{
+    ui::Stroke stroke = this->stroke(role);
     stroke.width *= 0.7;
     stroke.dash = {};
     return stroke;
@@ -176,7 +188,7 @@ ui::Label Sketch::label_of(const Request& request) const
     const Caption& caption = request.caption;
     ui::Label label{.target = caption.target, .size = request.size};
     label.priority = static_cast<double>(caption.rank);
-    label.reach = caption.reach;
+    label.reach = is_crowded_ ? std::min(caption.reach, crowded_reach) : caption.reach;
     label.clearance = caption.gap;
     const auto wish = [&](ui::Point target, double angle, double gap) {
         label.wishes.push_back(center_beside(target, turned(caption.toward, angle), gap, request.size));

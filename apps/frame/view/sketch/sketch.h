@@ -80,6 +80,7 @@ public:
         const ui::Theme* theme;
         ui::Box room; ///< what the labels may use
         double symbol_factor = 1.0;
+        bool is_crowded = false; ///< strokes are slim, without the round joins and ends that nobody would see
     };
     explicit Sketch(const Setup& setup);
 
@@ -87,7 +88,7 @@ public:
     const ui::Theme& theme() const { return *theme_; }
     /// A length in the theme's symbol size.
     double px(double logical) const { return logical * symbol_scale_; }
-    ui::Stroke stroke(ui::Role role) const { return theme_->stroke(role); }
+    ui::Stroke stroke(ui::Role role) const;
     ui::Stroke thin(ui::Role role) const; ///< 0.7 of the role's width, solid
 
     void line(ui::Point a, ui::Point b, const ui::Stroke& stroke, Clearance clearance = Clearance::Hard);
@@ -145,6 +146,7 @@ private:
     ui::Painter* painter_;
     const ui::Theme* theme_;
     double symbol_scale_;
+    bool is_crowded_;
     ui::LabelPlacer placer_;
     std::vector<Request> requests_;
     std::map<std::pair<ui::Role, std::string>, std::vector<ui::Point>> said_; ///< where each request has its target
