@@ -46,7 +46,9 @@ private:
         case OperatorKind::KFMRH:
             return "mfkrh " + in_.name + say_.face(a) + say_.corner(t_.faces[b].outer) + say_.face(b);
         case OperatorKind::MFKRH: return "kfmrh " + in_.name + say_.face(FaceId{step_.old[0]}) + say_.face(f);
-        case OperatorKind::RINGMV: return ring_to_face(l, t_.loops[l].face, FaceId{step_.old[0]});
+        case OperatorKind::RINGMV:
+            return "ringmv " + in_.name + say_.face(t_.loops[l].face) + say_.corner(l) +
+                   say_.face(FaceId{step_.old[0]});
         default: break;
         }
         const VertexId moved{step_.a};
@@ -56,10 +58,8 @@ private:
     Edge newest() const { return t_.edges[t_.edges.last()]; }
     std::string with_point(VertexId v) const { return say_.vertex(v) + say_.point(t_.vertices[v].point); }
     std::string lone_vertex(LoopId l) const { return with_point(t_.start(t_.loops[l].half_edge)); }
-    std::string ring_to_face(LoopId ring, FaceId from, FaceId to) const
-    {
-        return "ringmv " + in_.name + say_.face(from) + say_.corner(ring) + say_.face(to);
-    }
+    /// A corner of the ring by its number, which means the same when lines before this one have made more corners.
+    std::string numbered(LoopId ring) const { return " %" + std::to_string(in_.solid.half_edge(ring).index + 1); }
 
     /// The edge of `plus`, from the killed vertex w to the staying one v.
     std::vector<std::string> vertex_unkilled() const
@@ -107,7 +107,8 @@ private:
         lines.push_back(split_face(f) + made);
         if (was_ring) lines.push_back("kfmrh " + in_.name + say_.face(dead) + made);
         for (LoopId l = t_.loops[dead_loop].next; l != dead_loop; l = t_.loops[l].next) {
-            if (l != t_.faces[dead].outer) lines.push_back(ring_to_face(l, f, dead));
+            if (l != t_.faces[dead].outer)
+                lines.push_back("ringmv " + in_.name + say_.face(f) + numbered(l) + say_.face(dead));
             if (l == t_.loops[dead_loop].prev) break;
         }
         return lines;

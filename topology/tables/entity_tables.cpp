@@ -36,7 +36,13 @@ void chain(std::vector<TableRow>& rows)
 
 class Maker {
 public:
-    Maker(const Solid& solid, const SolidPlace& place) : solid_(solid), place_(place) {}
+    Maker(const Solid& solid, const SolidPlace& place)
+        : solid_(solid), place_(place), loops_of_(solid.faces().n_rows()), is_bounding_(solid.loops().n_rows(), false)
+    {
+        for (const LoopId l : solid.loops()) loops_of_[solid.face(l).index].push_back(l);
+        for (const HalfEdgeId h : solid.half_edges())
+            if (solid.loop(other_half(h)) != solid.loop(h)) is_bounding_[solid.loop(h).index] = true;
+    }
 
     EntityTables take()
     {
@@ -68,33 +74,27 @@ private:
     }
     void loop(LoopId l)
     {
-        const std::vector<LoopId> all = loops_of(solid_.face(l));
+        const std::vector<LoopId>& all = loops_of_[solid_.face(l).index];
         const auto at = std::find(all.begin(), all.end(), l);
         add(TableKind::Loops, "L", l,
             {cell("H", solid_.half_edge(l)), cell("F", solid_.face(l)),
              cell("N", at == all.begin() ? nothing<LoopId> : *(at - 1)),
              cell("P", at + 1 == all.end() ? nothing<LoopId> : *(at + 1))});
     }
-    std::vector<LoopId> loops_of(FaceId f) const
-    {
-        std::vector<LoopId> all;
-        for (const LoopId l : solid_.loops(f)) all.push_back(l);
-        std::sort(all.begin(), all.end());
-        return all;
-    }
     void face(FaceId f)
     {
+        const std::vector<LoopId>& all = loops_of_[f.index];
         add(TableKind::Faces, "F", f,
             {{.label = "S", .number = place_.number},
-             cell("LOUT", is_bounded(f) ? solid_.outer(f) : nothing<LoopId>),
-             cell("LOOPS", loops_of(f).front())});
+             cell("LOUT", is_bounding_[solid_.outer(f).index] ? solid_.outer(f) : nothing<LoopId>),
+             cell("LOOPS", all.empty() ? nothing<LoopId> : all.front())});
     }
-    /// Does another loop lie beyond some edge of the outer one?
-    bool is_bounded(FaceId f) const
+    /// As the edge has it, not as a mate would be found in a sound solid.
+    HalfEdgeId other_half(HalfEdgeId h) const
     {
-        for (const HalfEdgeId h : solid_.chain(solid_.outer(f)))
-            if (solid_.loop(solid_.mate(h)) != solid_.outer(f)) return true;
-        return false;
+        const auto e = solid_.edge(h);
+        if (!e) return h;
+        return solid_.plus(*e) == h ? solid_.minus(*e) : solid_.plus(*e);
     }
     void solid()
     {
@@ -109,6 +109,8 @@ private:
 
     const Solid& solid_;
     SolidPlace place_;
+    std::vector<std::vector<LoopId>> loops_of_; ///< by face, oldest first
+    std::vector<bool> is_bounding_;             ///< by loop: does another loop lie beyond some edge of it?
     EntityTables made_;
 };
 
