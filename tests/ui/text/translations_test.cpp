@@ -12,6 +12,7 @@
 #include "apps/euler/document/gallery/gallery.h"
 #include "apps/euler/document/stepper.h"
 #include "femoop/model/fault/fault.h"
+#include "topology/halfedge/check/validate.h"
 #include "topology/halfedge/operators/refusal.h"
 #include "topology/mesh/mesh.h"
 #include "topology/script/script_fault.h"
@@ -100,6 +101,8 @@ std::set<std::string> sentences_in_sources()
         sentences.emplace(femoop::pattern(static_cast<femoop::FaultKind>(kind)));
     for (int kind = 0; kind < topology::n_refusal_kinds; ++kind)
         sentences.emplace(topology::pattern(static_cast<topology::RefusalKind>(kind)));
+    for (int invariant = 0; invariant < topology::n_invariants; ++invariant)
+        sentences.emplace(topology::pattern(static_cast<topology::Invariant>(invariant)));
     for (int fault = 0; fault < topology::n_script_faults; ++fault)
         sentences.emplace(topology::pattern(static_cast<topology::ScriptFault>(fault)));
     for (int fault = 0; fault < topology::n_mesh_faults; ++fault)

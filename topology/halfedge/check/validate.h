@@ -29,6 +29,8 @@ enum class Invariant : std::uint8_t {
     LoopsOfFace,    ///< the loops that a face chains are those that name it, in one circle
 };
 
+inline constexpr int n_invariants = 13;
+
 /// The first invariant that does not hold, and the entities where it fails.
 struct Breach {
     Invariant invariant = Invariant::LinkToLiving;

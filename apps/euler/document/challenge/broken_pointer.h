@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "topology/halfedge/check/broken_solid.h"
+#include "topology/tables/entity_tables.h"
+#include "ui/text/phrase.h"
+
+namespace euler {
+
+/// "Fix the broken pointer." One cell of the tables was bent, so that the structure is not sound. The picture is drawn
+/// of the sound solid; the tables shown are those of the broken one, and nothing but them may be asked of it.
+struct BrokenPointer {
+    topology::Solid sound, broken;
+    topology::BentLink bent; ///< what was done
+    topology::TableKind table = topology::TableKind::HalfEdges;
+    ui::Phrase message; ///< the checker's, hidden until it is asked for
+    ui::Phrase where;   ///< a second hint: the table in which it stands
+};
+BrokenPointer broken_pointer(std::uint32_t seed);
+
+/// Is the structure sound when this link is set? That may be another way than back.
+bool is_mended(const BrokenPointer& broken, const topology::BentLink& set);
+
+/// The link that a cell of a table shows, by the table and the cell's label; none of a list's N and P, which no link is
+/// behind, and of what the tables find out by themselves.
+std::optional<topology::LinkKind> link_of(topology::TableKind table, std::string_view label);
+
+} // namespace euler

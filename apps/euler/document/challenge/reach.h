@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "apps/euler/document/stepper.h"
+
+namespace euler {
+
+enum class Level : std::uint8_t { Easy, Middle, Hard };
+
+/// "Reach this solid in at most n operators." The structure counts, not where the vertices are: operators change links,
+/// and a student should not be held up by typing coordinates.
+struct ReachChallenge {
+    ui::Phrase task;
+    topology::Solid target;
+    std::size_t most_operators = 0; ///< the fewest that are needed
+};
+ReachChallenge reach_challenge(std::uint32_t seed, Level level);
+
+/// How an attempt stands at its place. A sweep counts as the operators that it is made of.
+struct ReachState {
+    std::size_t n_operators = 0;
+    bool is_reached = false; ///< whatever number of operators it took
+    bool is_won = false;     ///< and with no more than are allowed
+    ui::Phrase hint;         ///< what is still missing, or too much; shown when asked for
+};
+ReachState judged(const ReachChallenge& challenge, const Stepper& attempt);
+
+} // namespace euler
