@@ -5,16 +5,13 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
-#include <unistd.h>
 
 #include "apps/frame/report/html.h"
 #include "apps/frame/report/pages.h"
 #include "femoop/io/results/results_csv.h"
 #include "femoop/io/whole_file.h"
-#include "ui/context/image_clipboard.h"
-#include "ui/context/rasterize.h"
+#include "ui/context/write_picture.h"
 #include "ui/paint/surface/pdf.h"
-#include "ui/paint/surface/svg.h"
 
 namespace frame {
 
@@ -28,6 +25,13 @@ std::string in_small_letters(std::string text)
     return text;
 }
 
+ui::PictureLook picture_look(const Session& session, double png_scale)
+{
+    return {.background = ui::Theme(session.view.theme).background(),
+            .title = session.model().title,
+            .png_scale = png_scale};
+}
+
 /// Writes one session's exports.
 class Exporter {
 public:
@@ -38,12 +42,9 @@ public:
     std::optional<ui::Phrase> write(const ui::Picture& picture, double png_scale)
     {
         const std::string name = in_small_letters(path_.filename().string());
-        const ui::Color paper = ui::Theme(session_.view.theme).background();
         if (name.ends_with(".report.pdf")) write_pdf(path_, report_pages(report(), fonts_), fonts_, pdf_look());
-        else if (name.ends_with(".pdf")) write_pdf(path_, picture, fonts_, {paper, session_.model().title});
-        else if (name.ends_with(".svg")) return text(svg_document(picture, fonts_, paper));
-        else if (name.ends_with(".png"))
-            ui::write_png(path_, rasterized(picture, fonts_, {.scale = png_scale, .background = paper}));
+        else if (name.ends_with(".pdf") || name.ends_with(".svg") || name.ends_with(".png"))
+            return write_picture(path_, picture, fonts_, picture_look(session_, png_scale));
         else if (name.ends_with(".html")) return text(report_html(report(), fonts_));
         else if (name.ends_with(".txt")) return text(session_.in_words());
         else if (name.ends_with(".csv")) return results();
@@ -90,34 +91,10 @@ private:
 
 } // namespace
 
-namespace {
-
-/// A name in the folder for temporary files, which goes with its file.
-class ScratchFile {
-public:
-    ScratchFile() : path_(std::filesystem::temp_directory_path() / ("cremona-" + std::to_string(getpid()) + ".png")) {}
-    ~ScratchFile()
-    {
-        std::error_code nobody_cares;
-        std::filesystem::remove(path_, nobody_cares);
-    }
-    ScratchFile(const ScratchFile&) = delete;
-    ScratchFile& operator=(const ScratchFile&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
-
-} // namespace
-
 std::optional<ui::Phrase> copy_to_clipboard(const ui::Picture& picture, const Session& session, const ui::Fonts& fonts,
                                             double png_scale)
 {
-    const ScratchFile file;
-    if (const auto reason = export_to(file.path(), session, fonts, picture, png_scale)) return reason;
-    return ui::copy_png(file.path());
+    return ui::copy_picture(picture, fonts, picture_look(session, png_scale));
 }
 
 std::optional<ui::Phrase> export_to(const std::filesystem::path& path, const Session& session, const ui::Fonts& fonts,

@@ -1,0 +1,76 @@
+#include "ui/context/write_picture.h"
+
+#include <algorithm>
+#include <cctype>
+#include <exception>
+#include <system_error>
+#include <unistd.h>
+
+#include "ui/context/image_clipboard.h"
+#include "ui/context/rasterize.h"
+#include "ui/paint/surface/pdf.h"
+#include "ui/paint/surface/svg.h"
+#include "ui/paint/surface/write_file.h"
+#include "ui/text/catalogue.h"
+
+namespace ui {
+
+namespace {
+
+std::string in_small_letters(std::string text)
+{
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+Phrase not_written(const std::filesystem::path& path, const std::string& reason)
+{
+    return {translatable("{file} was not written: {reason}"), {{"file", path.filename().string()}, {"reason", reason}}};
+}
+
+/// A name in the folder for temporary files, which goes with its file.
+class ScratchFile {
+public:
+    ScratchFile() : path_(std::filesystem::temp_directory_path() / ("cremona-" + std::to_string(getpid()) + ".png")) {}
+    ~ScratchFile()
+    {
+        std::error_code nobody_cares;
+        std::filesystem::remove(path_, nobody_cares);
+    }
+    ScratchFile(const ScratchFile&) = delete;
+    ScratchFile& operator=(const ScratchFile&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+} // namespace
+
+std::optional<Phrase> write_picture(const std::filesystem::path& path, const Picture& picture, const Fonts& fonts,
+                                    const PictureLook& look)
+{
+    const std::string name = in_small_letters(path.filename().string());
+    try {
+        if (name.ends_with(".pdf")) write_pdf(path, picture, fonts, {look.background, look.title});
+        else if (name.ends_with(".svg")) write_file(path, svg_document(picture, fonts, look.background));
+        else if (name.ends_with(".png"))
+            write_png(path, rasterized(picture, fonts, {.scale = look.png_scale, .background = look.background}));
+        else
+            return Phrase(translatable("{file} was not written: wanted .png, .svg or .pdf"),
+                          {{"file", path.filename().string()}});
+    } catch (const std::exception& error) {
+        return not_written(path, error.what());
+    }
+    return std::nullopt;
+}
+
+std::optional<Phrase> copy_picture(const Picture& picture, const Fonts& fonts, const PictureLook& look)
+{
+    const ScratchFile file;
+    if (auto reason = write_picture(file.path(), picture, fonts, look)) return reason;
+    return copy_png(file.path());
+}
+
+} // namespace ui
