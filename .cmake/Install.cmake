@@ -23,7 +23,9 @@ install(DIRECTORY courseware/reference DESTINATION "${CMAKE_INSTALL_DOCDIR}" FIL
   PATTERN "*.svg")
 
 if(CREMONA_APPS)
-  install(TARGETS cremona frame RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
-  install(FILES apps/frame/cremona-frame.desktop DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
-  install(FILES apps/frame/cremona-frame.svg DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps")
+  install(TARGETS cremona euler frame RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  foreach(app euler frame)
+    install(FILES apps/${app}/cremona-${app}.desktop DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
+    install(FILES apps/${app}/cremona-${app}.svg DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps")
+  endforeach()
 endif()

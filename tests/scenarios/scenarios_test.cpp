@@ -4,55 +4,18 @@
 #include "apps/frame/window/stage.h"
 #include "tests/folder.h"
 #include "tests/golden/scene.h"
+#include "tests/scenarios/script_files.h"
 #include "ui/paint/surface/golden_text.h"
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
-#include <vector>
 
 namespace fs = std::filesystem;
 using namespace frame;
 
 namespace {
-
-const fs::path top = CREMONA_SOURCE_DIR;
-
-std::vector<fs::path> scenarios()
-{
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(top / "tests/scenarios"))
-        if (entry.path().extension() == ".scenario") files.push_back(entry.path());
-    std::ranges::sort(files);
-    return files;
-}
-
-std::string text_of(const fs::path& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// A scenario finds the files of the repository under their own paths, and what it writes is gone when it ends.
-class Workplace {
-public:
-    Workplace()
-    {
-        for (const char* name : {"examples", "tests"}) fs::create_directory_symlink(top / name, folder_.path() / name);
-        fs::current_path(folder_.path());
-    }
-    ~Workplace() { fs::current_path(home_); }
-    Workplace(const Workplace&) = delete;
-    Workplace& operator=(const Workplace&) = delete;
-
-private:
-    fs::path home_ = fs::current_path();
-    Folder folder_;
-};
 
 Session as_a_person_begins()
 {
@@ -88,23 +51,11 @@ std::string played(const std::string& script)
     return complaint;
 }
 
-// The blocks of a page that are marked as scenarios, one after the other.
-std::string scenario_on(const std::string& page)
-{
-    constexpr std::string_view begin = "```scenario\n", end = "```\n";
-    std::string script;
-    for (std::size_t at = page.find(begin); at != std::string::npos; at = page.find(begin, at)) {
-        at += begin.size();
-        script += page.substr(at, page.find(end, at) - at);
-    }
-    return script;
-}
-
 } // namespace
 
 TEST_CASE("The steps on the reference page of scenarios can be played")
 {
-    const std::string script = scenario_on(text_of(top / "courseware/reference/scenarios.md"));
+    const std::string script = scenario_on(text_of(repository() / "courseware/reference/scenarios.md"));
     CHECK(script.starts_with("# "));
     CHECK(played(script) == "");
 }
@@ -149,7 +100,7 @@ TEST_CASE("Every frame of a scenario can be kept for a film")
 
 TEST_CASE("Every scenario begins with its claim and is played to its end")
 {
-    for (const fs::path& file : scenarios()) {
+    for (const fs::path& file : scenarios_in("tests/scenarios")) {
         SUBCASE(file.stem().c_str())
         {
             CAPTURE(file.string());

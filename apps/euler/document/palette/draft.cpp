@@ -19,12 +19,6 @@ using topology::ScriptRunner;
 using ui::Phrase;
 using ui::translatable;
 
-bool is_pointed_at(ArgumentKind kind)
-{
-    return kind == ArgumentKind::Face || kind == ArgumentKind::Corner || kind == ArgumentKind::HalfEdge ||
-           kind == ArgumentKind::Ring || kind == ArgumentKind::Vertex;
-}
-
 Phrase in_use(const std::string& name, const NamedSolid& in)
 {
     return reason(topology::error(ScriptFault::NameInUse, {name, in.name}));

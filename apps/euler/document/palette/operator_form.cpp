@@ -140,4 +140,9 @@ std::span<const OperatorForm> operator_forms() { return forms; }
 
 const OperatorForm& form(Verb verb) { return forms[static_cast<std::size_t>(verb)]; }
 
+bool is_pointed_at(ArgumentKind kind)
+{
+    return kind == Face || kind == Corner || kind == HalfEdge || kind == Ring || kind == Vertex;
+}
+
 } // namespace euler

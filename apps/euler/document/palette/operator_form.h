@@ -46,6 +46,9 @@ enum class ArgumentKind : std::uint8_t {
     Vector
 };
 
+/// Pointing at an entity answers; else something is typed.
+bool is_pointed_at(ArgumentKind kind);
+
 struct Argument {
     ArgumentKind kind = ArgumentKind::Solid;
     std::string_view prompt; ///< what is asked for, in English; to be translated

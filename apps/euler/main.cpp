@@ -1,0 +1,16 @@
+#include <exception>
+#include <iostream>
+
+#include "apps/euler/window/options.h"
+#include "apps/euler/window/run.h"
+
+int main(int argc, char** argv)
+try {
+    return euler::run(euler::parse_options(argc, argv));
+} catch (const ui::OptionsEnd& end) {
+    (end.status == 0 ? std::cout : std::cerr) << end.what() << '\n';
+    return end.status;
+} catch (const std::exception& error) {
+    std::cerr << "euler: " << error.what() << '\n';
+    return 2;
+}

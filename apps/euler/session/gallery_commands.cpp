@@ -1,0 +1,44 @@
+#include "apps/euler/session/gallery_commands.h"
+
+#include <string>
+#include <vector>
+
+#include "apps/euler/document/gallery/gallery.h"
+
+namespace euler {
+
+using ui::translatable;
+
+namespace {
+
+std::vector<std::string> made_ids()
+{
+    std::vector<std::string> ids;
+    for (const GalleryItem& item : gallery()) ids.push_back("gallery." + std::string(item.name));
+    return ids;
+}
+
+} // namespace
+
+std::span<const std::string> gallery_command_ids()
+{
+    static const std::vector<std::string> ids = made_ids(); // commands refer to them
+    return ids;
+}
+
+void add_gallery_commands(CommandTable& table)
+{
+    const std::vector<GalleryItem> items = gallery();
+    for (std::size_t i = 0; i < items.size(); ++i)
+        table.add({.id = gallery_command_ids()[i],
+                   .menu = translatable("Gallery"),
+                   .label = items[i].title,
+                   .run = [script = items[i].script](Desk& desk) {
+                       leave_lesson(desk, [script](Desk& left) {
+                           left.session.show(Stepper(script));
+                           left.topic = Topic::Script;
+                       });
+                   }});
+}
+
+} // namespace euler

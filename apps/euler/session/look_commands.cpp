@@ -1,0 +1,222 @@
+#include "apps/euler/session/look_commands.h"
+
+#include <array>
+
+namespace euler {
+
+using topology::EntityKind;
+using topology::TableKind;
+using ui::Key;
+using ui::translatable;
+
+namespace {
+
+constexpr std::string_view view_menu = translatable("View");
+constexpr std::string_view show_menu = translatable("Show");
+
+struct KindEntry {
+    ViewKind kind;
+    std::string_view id, label;
+    Key key;
+};
+constexpr std::array kinds{
+    KindEntry{ViewKind::Space, "view.space", translatable("In space"), Key::Digit1},
+    KindEntry{ViewKind::Plane, "view.plane", translatable("As a map in the plane"), Key::Digit2},
+    KindEntry{ViewKind::Polygons, "view.polygons", translatable("As polygons: the plane model"), Key::Digit3},
+};
+
+struct DirectionEntry {
+    Request request;
+    std::string_view id, label;
+    Key key;
+};
+constexpr std::array directions{
+    DirectionEntry{Request::Fit, "view.fit", translatable("Show everything"), Key::F},
+    DirectionEntry{Request::ZoomIn, "view.zoom_in", translatable("Zoom in"), Key::Plus},
+    DirectionEntry{Request::ZoomOut, "view.zoom_out", translatable("Zoom out"), Key::Minus},
+    DirectionEntry{Request::LookIsometric, "view.isometric", translatable("From a corner"), Key::Digit7},
+    DirectionEntry{Request::LookFront, "view.front", translatable("From the front"), Key::Digit8},
+    DirectionEntry{Request::LookSide, "view.side", translatable("From the side"), Key::Digit9},
+    DirectionEntry{Request::LookTop, "view.top", translatable("From the top"), Key::Digit0},
+};
+
+void add_views(CommandTable& table)
+{
+    for (const KindEntry& entry : kinds)
+        table.add({.id = entry.id,
+                   .menu = view_menu,
+                   .label = entry.label,
+                   .shortcuts = {{entry.key, {}}},
+                   .run = [kind = entry.kind](Desk& desk) { desk.session.show_as(kind); },
+                   .is_on = [kind = entry.kind](const Desk& desk) { return desk.session.view() == kind; }});
+    for (const DirectionEntry& entry : directions)
+        table.add({.id = entry.id,
+                   .menu = view_menu,
+                   .label = entry.label,
+                   .shortcuts = {{entry.key, {}}},
+                   .run = asks(entry.request)});
+}
+
+struct LookEntry {
+    bool Look::*item;
+    std::string_view id, label;
+    Key key;
+};
+constexpr std::array looks{
+    LookEntry{&Look::faces, "view.show.faces", translatable("Faces"), Key::F},
+    LookEntry{&Look::hatching, "view.show.hatching", translatable("Hatching of back faces"), Key::B},
+    LookEntry{&Look::half_edges, "view.show.half_edges", translatable("Half-edges"), Key::H},
+};
+
+struct NameEntry {
+    EntityKind kind;
+    std::string_view id, label;
+    Key key;
+};
+constexpr std::array names{
+    NameEntry{EntityKind::Vertex, "view.show.vertex_names", translatable("Names of vertices"), Key::V},
+    NameEntry{EntityKind::Edge, "view.show.edge_names", translatable("Names of edges"), Key::E},
+    NameEntry{EntityKind::HalfEdge, "view.show.half_edge_names", translatable("Names of half-edges"), Key::D},
+    NameEntry{EntityKind::Face, "view.show.face_names", translatable("Names of faces"), Key::N},
+};
+
+void flip(std::set<EntityKind>& kinds_named, EntityKind kind)
+{
+    if (kinds_named.erase(kind) == 0) kinds_named.insert(kind);
+}
+
+void add_show(CommandTable& table)
+{
+    for (const LookEntry& entry : looks)
+        table.add({.id = entry.id,
+                   .menu = show_menu,
+                   .label = entry.label,
+                   .shortcuts = {{entry.key, ui::shift}},
+                   .run = [item = entry.item](Desk& desk) { desk.session.look.*item = !(desk.session.look.*item); },
+                   .is_on = [item = entry.item](const Desk& desk) { return desk.session.look.*item; }});
+    for (const NameEntry& entry : names)
+        table.add({.id = entry.id,
+                   .menu = show_menu,
+                   .label = entry.label,
+                   .shortcuts = {{entry.key, ui::shift}},
+                   .run = [kind = entry.kind](Desk& desk) { flip(desk.session.look.names, kind); },
+                   .is_on = [kind = entry.kind](const Desk& desk) { return desk.session.look.names.contains(kind); }});
+    table.add({.id = "view.show.exploded",
+               .menu = show_menu,
+               .label = translatable("Exploded"),
+               .shortcuts = {{Key::X, ui::shift}},
+               .run = [](Desk& desk) { desk.session.look.explosion = desk.session.look.explosion > 0.0 ? 0.0 : 0.5; },
+               .is_on = [](const Desk& desk) { return desk.session.look.explosion > 0.0; }});
+}
+
+struct ThemeEntry {
+    ui::ThemeName theme;
+    std::string_view id, label;
+};
+constexpr std::array themes{
+    ThemeEntry{ui::ThemeName::Light, "view.theme.light", translatable("Light theme")},
+    ThemeEntry{ui::ThemeName::Dark, "view.theme.dark", translatable("Dark theme")},
+    ThemeEntry{ui::ThemeName::Print, "view.theme.print", translatable("Print theme")},
+    ThemeEntry{ui::ThemeName::Projector, "view.theme.projector", translatable("Projector theme")},
+};
+
+// Large type and the whole window for the picture, and back.
+void project(Desk& desk)
+{
+    ui::ThemeName& theme = desk.session.look.theme;
+    const bool is_projecting = theme == ui::ThemeName::Projector;
+    theme = is_projecting ? ui::ThemeName::Light : ui::ThemeName::Projector;
+    desk.has_panels = desk.has_tables = is_projecting;
+}
+
+constexpr std::array topic_entries{
+    TopicEntry{Topic::Script, "panel.script", translatable("Script")},
+    TopicEntry{Topic::Operators, "panel.operators", translatable("Operators")},
+    TopicEntry{Topic::Gallery, "panel.gallery", translatable("Gallery")},
+};
+
+constexpr std::array table_entries{
+    TableEntry{TableKind::Vertices, "table.vertices", translatable("Vertices")},
+    TableEntry{TableKind::HalfEdges, "table.half_edges", translatable("Half-edges")},
+    TableEntry{TableKind::Edges, "table.edges", translatable("Edges")},
+    TableEntry{TableKind::Loops, "table.loops", translatable("Loops")},
+    TableEntry{TableKind::Faces, "table.faces", translatable("Faces")},
+    TableEntry{TableKind::Solids, "table.solids", translatable("Solids")},
+};
+
+void add_panels(CommandTable& table)
+{
+    table.add({.id = "view.panels",
+               .menu = view_menu,
+               .label = translatable("Panels"),
+               .shortcuts = {{Key::P, {}}},
+               .run = [](Desk& desk) { desk.has_panels = !desk.has_panels; },
+               .is_on = [](const Desk& desk) { return desk.has_panels; }});
+    table.add({.id = "view.tables",
+               .menu = view_menu,
+               .label = translatable("Tables"),
+               .shortcuts = {{Key::T, {}}},
+               .run = [](Desk& desk) { desk.has_tables = !desk.has_tables; },
+               .is_on = [](const Desk& desk) { return desk.has_tables; }});
+    for (const TopicEntry& entry : topic_entries)
+        table.add({.id = entry.id,
+                   .menu = view_menu,
+                   .label = entry.label,
+                   .run =
+                       [topic = entry.topic](Desk& desk) {
+                           desk.topic = topic;
+                           desk.has_panels = true;
+                       },
+                   .is_on = [topic = entry.topic](const Desk& desk) { return desk.topic == topic; }});
+    for (const TableEntry& entry : table_entries)
+        table.add({.id = entry.id,
+                   .menu = translatable("Tables"),
+                   .label = entry.label,
+                   .run =
+                       [kind = entry.table](Desk& desk) {
+                           desk.table = kind;
+                           desk.has_tables = true;
+                       },
+                   .is_on = [kind = entry.table](const Desk& desk) { return desk.table == kind; }});
+}
+
+void add_themes_and_languages(CommandTable& table)
+{
+    table.add({.id = "view.project",
+               .menu = view_menu,
+               .label = translatable("For the projector"),
+               .shortcuts = {{Key::F5, {}}},
+               .run = project,
+               .is_on = [](const Desk& desk) { return desk.session.look.theme == ui::ThemeName::Projector; }});
+    for (const ThemeEntry& entry : themes)
+        table.add({.id = entry.id,
+                   .menu = view_menu,
+                   .label = entry.label,
+                   .run = [name = entry.theme](Desk& desk) { desk.session.look.theme = name; },
+                   .is_on = [name = entry.theme](const Desk& desk) { return desk.session.look.theme == name; }});
+    for (const ui::Language language : ui::all_languages)
+        table.add({.id = language == ui::Language::English ? "view.language.en" : "view.language.pt",
+                   .menu = translatable("Language"),
+                   .label = ui::native_name(language),
+                   .run = [language](Desk& desk) { desk.session.look.tr = ui::Catalogue(language); },
+                   .is_on = [language](const Desk& desk) { return desk.session.tr().language() == language; }});
+}
+
+} // namespace
+
+void add_look_commands(CommandTable& table)
+{
+    add_views(table);
+    add_show(table);
+}
+
+void add_panel_commands(CommandTable& table)
+{
+    add_panels(table);
+    add_themes_and_languages(table);
+}
+
+std::span<const TopicEntry> topics() { return topic_entries; }
+std::span<const TableEntry> tables() { return table_entries; }
+
+} // namespace euler

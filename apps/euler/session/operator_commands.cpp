@@ -1,0 +1,79 @@
+#include "apps/euler/session/operator_commands.h"
+
+#include <array>
+
+namespace euler {
+
+using ui::Key;
+using ui::Phrase;
+using ui::translatable;
+
+namespace {
+
+using Reason = std::optional<Phrase>;
+
+constexpr std::string_view menu = translatable("Operator");
+
+constexpr std::array<std::string_view, n_verbs> ids{
+    "operator.mvfs", "operator.kvfs", "operator.mev",  "operator.split",  "operator.kev",   "operator.mef",
+    "operator.kef",  "operator.kemr", "operator.mekr", "operator.kfmrh",  "operator.mfkrh", "operator.mvr",
+    "operator.kvr",  "operator.semv", "operator.jekv", "operator.ringmv", "operator.move",  "operator.sweep"};
+
+Reason needs_draft(const Desk& desk)
+{
+    if (desk.session.draft()) return std::nullopt;
+    return translatable("no operator is chosen");
+}
+
+Reason why_not_accept(const Desk& desk)
+{
+    if (Reason reason = needs_draft(desk)) return reason;
+    if (desk.session.draft()->is_complete()) return std::nullopt;
+    return {{translatable("{what} is missing"), {{"what", Phrase(desk.session.draft()->next().prompt)}}}};
+}
+
+} // namespace
+
+std::string command_id(const OperatorForm& form) { return std::string(ids[static_cast<std::size_t>(form.verb)]); }
+
+void add_operator_commands(CommandTable& table)
+{
+    for (const OperatorForm& form : operator_forms()) {
+        table.add({.id = ids[static_cast<std::size_t>(form.verb)],
+                   .menu = menu,
+                   .label = form.meaning,
+                   .run =
+                       [verb = form.verb](Desk& desk) {
+                           desk.session.begin(verb);
+                           desk.topic = Topic::Operators;
+                       },
+                   .is_on =
+                       [verb = form.verb](const Desk& desk) {
+                           return desk.session.draft() && desk.session.draft()->form().verb == verb;
+                       },
+                   .live_label = [&form](const Desk&) -> Phrase {
+                       return {translatable("{operator}: {meaning}"),
+                               {{"operator", std::string(form.name)}, {"meaning", Phrase(form.meaning)}}};
+                   }});
+    }
+    table.add({.id = "operator.accept",
+               .menu = menu,
+               .label = translatable("Apply the operator"),
+               .shortcuts = {{Key::Enter, {}}},
+               .run = [](Desk& desk) { desk.session.accept(); },
+               .why_not = why_not_accept});
+    table.add({.id = "operator.take_back",
+               .menu = menu,
+               .label = translatable("Take back the last argument"),
+               .shortcuts = {{Key::Backspace, {}}},
+               .run = [](Desk& desk) { desk.session.take_back_choice(); },
+               .why_not = needs_draft});
+    table.add({.id = "operator.cancel",
+               .menu = menu,
+               .label = translatable("Give up the operator"),
+               .shortcuts = {{Key::Escape, {}}},
+               .run = [](Desk& desk) { desk.session.give_up(); },
+               .why_not = needs_draft});
+}
+
+} // namespace euler

@@ -1,0 +1,327 @@
+#include "apps/euler/session/session.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <utility>
+
+#include "apps/euler/session/argument_pick.h"
+#include "femoop/io/whole_file.h"
+#include "ui/text/catalogue.h"
+
+namespace euler {
+
+using ui::translatable;
+
+namespace {
+
+constexpr double seconds_per_step = 0.9, seconds_between_steps = 0.6;
+
+std::vector<Snapshot> snapshots(const Stepper& stepper)
+{
+    std::vector<Snapshot> copies;
+    for (const topology::NamedSolid& in : stepper.runner().solids()) copies.push_back({in.name, in.solid, in.names});
+    return copies;
+}
+
+// Slow at both ends, as a hand moves.
+double eased(double t) { return t * t * (3.0 - 2.0 * t); }
+
+} // namespace
+
+Notice passing_notice(ui::Phrase sentence)
+{
+    constexpr double seconds_to_read = 6.0;
+    return {.sentence = std::move(sentence), .seconds_left = seconds_to_read};
+}
+
+Session::Session()
+{
+    // From a corner, but so that no two corners of a cube are seen at one place.
+    constexpr double azimuth = -1.1, elevation = 0.42;
+    eye.look(azimuth, elevation);
+    restart(Stepper());
+}
+
+void Session::restart(Stepper lesson)
+{
+    stepper_ = std::move(lesson);
+    saved_ = stepper_.script();
+    path_.reset();
+    is_dirty_ = is_playing = false;
+    selection.reset();
+    hover.reset();
+    notice.reset();
+    is_fitted = true;
+    look_at_end();
+    look_at_place();
+}
+
+void Session::begin_anew() { restart(Stepper()); }
+
+void Session::show(Stepper lesson)
+{
+    restart(std::move(lesson));
+    go_to(std::min<std::size_t>(1, n_steps()));
+}
+
+bool Session::open(const std::filesystem::path& path)
+{
+    const auto refuse = [&](const ui::Phrase& why) {
+        notice = Notice{
+            {translatable("{file} was not opened: {reason}"), {{"file", path.filename().string()}, {"reason", why}}}};
+        return false;
+    };
+    std::error_code none;
+    if (std::filesystem::is_directory(path, none)) return refuse(translatable("it is a folder"));
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return refuse(translatable("it cannot be read"));
+    try {
+        Stepper lesson(std::string{std::istreambuf_iterator<char>(file), {}});
+        restart(std::move(lesson));
+    } catch (const topology::LineError& fault) {
+        return refuse(ui::Phrase(fault.sentence([this](std::string_view pattern) { return tr()(pattern); })));
+    }
+    path_ = path;
+    return true;
+}
+
+bool Session::save(const std::filesystem::path& path)
+{
+    const std::string script = stepper_.script();
+    if (const std::error_code error = femoop::write_whole_file(path, script)) {
+        notice = Notice{{translatable("{file} was not written: {reason}"),
+                         {{"file", path.filename().string()}, {"reason", error.message()}}}};
+        return false;
+    }
+    path_ = path;
+    saved_ = script;
+    is_dirty_ = false;
+    notice = passing_notice({translatable("{file} was written"), {{"file", path.filename().string()}}});
+    return true;
+}
+
+std::string Session::file_name() const { return path_ ? path_->filename().string() : tr()("Untitled"); }
+
+// Takes the last step back and does it again, to see what was before it.
+void Session::look_at_place()
+{
+    give_up();
+    motion_.reset();
+    ++generation_;
+    const std::size_t here = place();
+    before_.clear();
+    if (here > 0) {
+        stepper_.go_to(here - 1);
+        before_ = snapshots(stepper_);
+        stepper_.go_to(here);
+    }
+    after_ = snapshots(stepper_);
+}
+
+void Session::look_at_end()
+{
+    const std::size_t here = place();
+    stepper_.go_to(n_steps());
+    at_end_ = snapshots(stepper_);
+    stepper_.go_to(here);
+}
+
+void Session::go_to(std::size_t place)
+{
+    stepper_.go_to(place);
+    look_at_place();
+}
+
+void Session::step_forward()
+{
+    go_to(place() + 1);
+    motion_ = Motion{.is_back = false};
+}
+
+void Session::step_back()
+{
+    if (motion_) look_at_place();
+    give_up();
+    stepper_.go_to(place() - 1);
+    ++generation_;
+    motion_ = Motion{.is_back = true};
+}
+
+bool Session::tick(double seconds)
+{
+    if (notice && notice->seconds_left && (*notice->seconds_left -= seconds) < 0.0) notice.reset();
+    if (motion_) {
+        motion_->done += seconds * speed / seconds_per_step;
+        if (motion_->done >= 1.0) look_at_place();
+        rest_ = 0.0;
+        return true;
+    }
+    if (!is_playing) return false;
+    if (place() == n_steps()) is_playing = false;
+    else if ((rest_ += seconds * speed) >= seconds_between_steps) step_forward();
+    return true;
+}
+
+void Session::show_as(ViewKind kind)
+{
+    view_ = kind;
+    is_fitted = true;
+}
+
+const StepReport* Session::report() const { return step() == 0 ? nullptr : &stepper_.report(step()); }
+
+const std::vector<Snapshot>& Session::shown() const
+{
+    if (!preview_.empty()) return preview_;
+    const StepReport* const step = report();
+    const bool shows_before = motion_ && step != nullptr && is_drawn_before(together(step->changes));
+    return shows_before ? before_ : after_;
+}
+
+std::vector<Subject> Session::subjects() const
+{
+    std::vector<Subject> subjects;
+    for (const Snapshot& snapshot : shown()) subjects.push_back({&snapshot.solid, &snapshot.names, {}});
+    const StepReport* const step = report();
+    if (step != nullptr && step->solid < subjects.size() && preview_.empty()) {
+        const double done = motion_ ? eased(motion_->done) : 1.0;
+        subjects[step->solid].marks = marks_of(together(step->changes),
+                                               motion_ && motion_->is_back ? 1.0 - done : done);
+    }
+    const auto mark = [&](const std::optional<Part>& part) -> Marks* {
+        return part && part->subject < subjects.size() ? &subjects[part->subject].marks : nullptr;
+    };
+    if (Marks* const marks = mark(selection)) marks->selected.push_back(selection->entity);
+    if (Marks* const marks = mark(hover)) marks->hovered = hover->entity;
+    if (draft_ && !draft_->is_complete()) {
+        if (const auto solid = draft_->solid(stepper_.runner())) subjects[*solid].marks.legal = legal_;
+    }
+    if (!preview_.empty()) subjects[preview_solid_].marks.preview = preview_made_;
+    return subjects;
+}
+
+void Session::begin(Verb verb)
+{
+    if (motion_) look_at_place();
+    is_playing = false;
+    give_up();
+    draft_.emplace(verb);
+    fill_in_suggestions();
+}
+
+// The solid is chosen for the user where there is but one.
+void Session::fill_in_suggestions()
+{
+    const topology::ScriptRunner& runner = stepper_.runner();
+    while (draft_ && !draft_->is_complete() && draft_->next().kind == ArgumentKind::Solid) {
+        const std::optional<Choice> only = draft_->suggestion(runner);
+        if (!only || draft_->choose(runner, *only)) break;
+    }
+    legal_ = draft_->legal_picks(runner);
+    preview_draft();
+}
+
+void Session::preview_draft()
+{
+    preview_.clear();
+    preview_made_.clear();
+    if (!draft_ || !draft_->is_complete()) return;
+    const std::optional<Stepper> would_be = preview(stepper_, *draft_);
+    if (!would_be) return;
+    const StepReport& step = would_be->report(would_be->place());
+    preview_ = snapshots(*would_be);
+    preview_solid_ = step.solid;
+    const topology::Change change = together(step.changes);
+    preview_made_ = change.created;
+}
+
+std::optional<ui::Phrase> Session::choose(const Choice& choice)
+{
+    if (!draft_ || draft_->is_complete()) return translatable("nothing is asked for");
+    if (auto reason = draft_->choose(stepper_.runner(), choice)) return reason;
+    fill_in_suggestions();
+    return std::nullopt;
+}
+
+std::optional<ui::Phrase> Session::choose_typed(std::string_view text)
+{
+    if (!draft_ || draft_->is_complete()) return translatable("nothing is asked for");
+    const auto understood = typed(stepper_.runner(), *draft_, text);
+    if (const auto* const reason = std::get_if<ui::Phrase>(&understood)) return *reason;
+    return choose(std::get<Choice>(understood));
+}
+
+std::optional<ui::Phrase> Session::why_not_pick(const Part& part) const
+{
+    if (!draft_ || draft_->is_complete()) return std::nullopt;
+    const auto solid = draft_->solid(stepper_.runner());
+    if (!solid || !is_pointed_at(draft_->next().kind)) return std::nullopt;
+    if (*solid != part.subject) return ui::Phrase(translatable("this belongs to another solid"));
+    const topology::Entity wanted = as_argument(after_[part.subject].solid, draft_->next().kind, part.entity, legal_);
+    return draft_->why_not(stepper_.runner(), wanted);
+}
+
+void Session::pick(const Part& part)
+{
+    if (!draft_ || draft_->is_complete()) {
+        selection = part;
+        return;
+    }
+    if (draft_->next().kind == ArgumentKind::Solid) {
+        choose(after_[part.subject].name);
+        return;
+    }
+    if (!is_pointed_at(draft_->next().kind)) {
+        selection = part;
+        return;
+    }
+    if (auto reason = why_not_pick(part)) {
+        notice = passing_notice(std::move(*reason));
+        return;
+    }
+    choose(as_argument(after_[part.subject].solid, draft_->next().kind, part.entity, legal_));
+}
+
+void Session::take_back_choice()
+{
+    if (!draft_) return;
+    const bool only_the_solid = draft_->chosen().size() == 1 &&
+                                draft_->form().arguments()[0].kind == ArgumentKind::Solid;
+    if (draft_->chosen().empty() || only_the_solid) return give_up();
+    draft_->take_back();
+    legal_ = draft_->legal_picks(stepper_.runner());
+    preview_draft();
+}
+
+void Session::give_up()
+{
+    draft_.reset();
+    legal_.clear();
+    preview_.clear();
+    preview_made_.clear();
+}
+
+bool Session::accept()
+{
+    if (!draft_ || !draft_->is_complete()) return false;
+    const auto reason = apply(draft_->line(stepper_.runner()));
+    if (reason) notice = passing_notice(*reason);
+    return !reason;
+}
+
+std::optional<ui::Phrase> Session::apply(std::string_view line)
+{
+    if (motion_) look_at_place();
+    is_playing = false;
+    const std::size_t here = place();
+    if (auto reason = stepper_.apply(line)) return reason;
+    is_dirty_ = stepper_.script() != saved_;
+    look_at_end();
+    look_at_place();
+    if (place() == here + 1) motion_ = Motion{.is_back = false};
+    return std::nullopt;
+}
+
+} // namespace euler

@@ -1,0 +1,142 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/euler/document/palette/draft.h"
+#include "apps/euler/document/stepper.h"
+#include "apps/euler/view/look.h"
+#include "apps/euler/view/subject.h"
+#include "ui/canvas/orbit_camera.h"
+#include "ui/canvas/plane_camera.h"
+#include "ui/text/phrase.h"
+
+namespace euler {
+
+/// Something that the app tells its user: one sentence.
+struct Notice {
+    ui::Phrase sentence;
+    std::optional<double> seconds_left{}; ///< then it goes by itself; until it is closed when absent
+};
+
+/// A notice that needs no answer: it goes when it has been read.
+Notice passing_notice(ui::Phrase sentence);
+
+/// One of the solids of a lesson, as it was at some place.
+struct Snapshot {
+    std::string name;
+    topology::Solid solid;
+    topology::Names names;
+};
+
+/// How the topology is drawn.
+enum class ViewKind : std::uint8_t {
+    Space,    ///< where the vertices are
+    Plane,    ///< as a map in the plane, one face outside all others
+    Polygons, ///< each loop a polygon, edges told by colour: the plane model
+};
+
+/// What is open and how it is looked at: the app without its window.
+class Session {
+public:
+    Session();
+
+    const Stepper& stepper() const { return stepper_; }
+    std::size_t place() const { return stepper_.place(); }
+    std::size_t n_steps() const { return stepper_.n_steps(); }
+
+    /// An empty script.
+    void begin_anew();
+    /// Opens a script. Where it has a fault the open one stays as it is and `notice` says why; false then.
+    bool open(const std::filesystem::path& path);
+    /// A lesson that comes from no file of the user's, shown before its first step.
+    void show(Stepper lesson);
+    /// Writes to the path, whole or not at all; false, with a notice, if that fails.
+    bool save(const std::filesystem::path& path);
+    const std::optional<std::filesystem::path>& path() const { return path_; }
+    bool is_dirty() const { return is_dirty_; } ///< has steps that are not saved
+    std::string file_name() const;              ///< "cube.eul", or the word for a script without a file
+
+    /// At once.   \pre place <= n_steps()
+    void go_to(std::size_t place);
+    /// One step, which is seen on its way. \pre there is one
+    void step_forward();
+    void step_back();
+    /// Time goes by. \returns whether something moved
+    bool tick(double seconds);
+    bool is_moving() const { return motion_.has_value() || is_playing; }
+    bool is_playing = false; ///< one step follows the other
+    double speed = 1.0;      ///< of what moves
+    static constexpr double slowest = 0.25, fastest = 4.0;
+
+    /// The step that is looked at: the one done last, or the one that is being taken back. 0 before the first.
+    std::size_t step() const { return place() + (motion_ && motion_->is_back ? 1 : 0); }
+    const StepReport* report() const; ///< of that step; null before the first
+    /// Counts what was looked at: what is derived from one place is stale when it has grown.
+    std::uint64_t generation() const { return generation_; }
+    /// The solids before and after that step, in the order of the runner's.
+    const std::vector<Snapshot>& before() const { return before_; }
+    const std::vector<Snapshot>& after() const { return after_; }
+    const std::vector<Snapshot>& at_end() const { return at_end_; } ///< of the lesson
+    /// What the picture shows: the solids, the step on its way, what is selected, what an operator asks for.
+    std::vector<Subject> subjects() const;
+    /// Those of `subjects`.
+    const std::vector<Snapshot>& shown() const;
+
+    /// Begins to ask for an operator's arguments.
+    void begin(Verb verb);
+    const std::optional<Draft>& draft() const { return draft_; }
+    /// The next argument. \returns why it cannot be that
+    std::optional<ui::Phrase> choose(const Choice& choice);
+    /// The next argument, as it is typed. \returns why it cannot be that
+    std::optional<ui::Phrase> choose_typed(std::string_view text);
+    /// What lies under the pointer as an argument, and why not.
+    std::optional<ui::Phrase> why_not_pick(const Part& part) const;
+    void pick(const Part& part); ///< selects it, or gives it to the operator that asks
+    void take_back_choice();     ///< the last one; without one the operator is given up
+    void give_up();
+    bool accept();                                          ///< does what the operator would do
+    std::optional<ui::Phrase> apply(std::string_view line); ///< one more line. \returns why not, nothing being changed
+
+    std::optional<Part> selection, hover;
+    Look look;
+    ViewKind view() const { return view_; }
+    void show_as(ViewKind kind);
+    ui::OrbitCamera eye, map_eye; ///< in space, and on the map in the plane
+    ui::PlaneCamera polygon_eye;  ///< on the plane model
+    bool is_fitted = true;        ///< the camera shows everything, until it is moved by hand
+    std::optional<Notice> notice;
+    const ui::Catalogue& tr() const { return look.tr; }
+
+private:
+    struct Motion {
+        bool is_back;
+        double done = 0.0; ///< 0 to 1
+    };
+    void look_at_place();
+    void look_at_end();
+    void restart(Stepper lesson);
+    void fill_in_suggestions();
+    void preview_draft();
+
+    ViewKind view_ = ViewKind::Space;
+    Stepper stepper_;
+    std::string saved_;
+    std::optional<std::filesystem::path> path_;
+    bool is_dirty_ = false;
+    std::vector<Snapshot> before_, after_, at_end_;
+    std::optional<Motion> motion_;
+    std::uint64_t generation_ = 0;
+    double rest_ = 0.0; ///< since the last step, while playing [s]
+    std::optional<Draft> draft_;
+    std::vector<topology::Entity> legal_;        ///< picks for the argument that is asked for
+    std::vector<Snapshot> preview_;              ///< as they would be; empty where nothing is ready
+    std::vector<topology::Entity> preview_made_; ///< by the operator
+    std::size_t preview_solid_ = 0;
+};
+
+} // namespace euler

@@ -1,0 +1,285 @@
+#include "apps/euler/window/canvas.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "apps/euler/view/draw/draw.h"
+#include "apps/euler/view/pick.h"
+#include "apps/euler/view/planar/planar_shapes.h"
+#include "apps/euler/view/polygons/plane_model.h"
+#include "apps/euler/view/shapes/outline.h"
+#include "apps/euler/view/solid/solid_shapes.h"
+
+namespace euler {
+
+using topology::EntityKind;
+using ui::translatable;
+
+namespace {
+
+constexpr double zoom_per_turn = 1.15;
+
+// Of the view that is seen.
+template <class Change> void move(Session& session, const Change& change)
+{
+    session.is_fitted = false;
+    switch (session.view()) {
+    case ViewKind::Space: return change(session.eye);
+    case ViewKind::Plane: return change(session.map_eye);
+    case ViewKind::Polygons: return change(session.polygon_eye);
+    }
+}
+
+// What the pointer may mean now.
+std::set<EntityKind> wanted_kinds(const Session& session)
+{
+    using enum EntityKind;
+    if (!session.draft() || session.draft()->is_complete()) return {Vertex, HalfEdge, Edge, Face};
+    switch (session.draft()->next().kind) {
+    case ArgumentKind::Face: return {Face};
+    case ArgumentKind::Vertex: return {Vertex};
+    case ArgumentKind::HalfEdge:
+    case ArgumentKind::Ring: return {HalfEdge, Edge};
+    default: return {Vertex, HalfEdge, Edge, Face};
+    }
+}
+
+bool asks_for_corner(const Session& session)
+{
+    return session.draft() && !session.draft()->is_complete() && session.draft()->next().kind == ArgumentKind::Corner;
+}
+
+std::optional<Part> under_pointer(const Session& session, const Shapes& shapes, std::span<const Subject> subjects,
+                                  ui::Point at)
+{
+    const PickRequest request{.at = at, .kinds = wanted_kinds(session), .reach = session.look.size};
+    if (asks_for_corner(session))
+        if (const auto corner = pick_corner(shapes, subjects, request)) return corner;
+    return pick(shapes, subjects, request);
+}
+
+// Around which the eye turns.
+ui::World3 middle_of(std::span<const Subject> subjects)
+{
+    ui::World3 sum;
+    double n = 0.0;
+    for (const Subject& subject : subjects) {
+        for (const topology::VertexId v : subject.solid->vertices()) {
+            const topology::Point& p = subject.solid->point(v);
+            sum = {sum.x + p.x, sum.y + p.y, sum.z + p.z};
+            n += 1.0;
+        }
+    }
+    return n > 0.0 ? ui::World3{sum.x / n, sum.y / n, sum.z / n} : sum;
+}
+
+std::string_view kind_name(EntityKind kind)
+{
+    switch (kind) {
+    case EntityKind::Vertex: return translatable("vertex {name}");
+    case EntityKind::Edge: return translatable("edge {name}");
+    case EntityKind::HalfEdge: return translatable("half-edge {name}");
+    case EntityKind::Loop: return translatable("loop {name}");
+    case EntityKind::Face: return translatable("face {name}");
+    }
+    return "";
+}
+
+// On an empty sheet: how to begin.
+void draw_invitation(ui::Painter& painter, const Look& look)
+{
+    const ui::Theme theme = look.full_theme();
+    ui::TextStyle style = theme.text(ui::Role::FaintLabel);
+    style.size = theme.type().large;
+    const ui::Point middle = 0.5 * painter.sheet().max;
+    painter.text(middle, look.tr("Choose an example in the gallery, or begin with the operator MVFS."), style);
+    painter.text(middle + ui::Point{0.0, 1.6 * style.size}, look.tr("Ctrl+O opens a script, Ctrl+K finds a command."),
+                 style);
+}
+
+} // namespace
+
+std::string describe(const Session& session, const Part& part)
+{
+    const Snapshot& in = session.shown()[part.subject];
+    return session.tr()(kind_name(part.entity.kind), {{"name", in.names.of(part.entity, in.solid)}});
+}
+
+Shapes Canvas::shapes_of(const Session& session, std::span<const Subject> subjects) const
+{
+    switch (session.view()) {
+    case ViewKind::Plane: return planar_shapes(subjects, session.map_eye, session.look);
+    case ViewKind::Polygons: return plane_model(subjects, session.polygon_eye, session.look);
+    case ViewKind::Space: break;
+    }
+    return solid_shapes(subjects, session.eye, session.look);
+}
+
+// For the whole lesson and for what is seen now, so that the picture rests from step to step.
+void Canvas::fit(Session& session) const
+{
+    std::vector<Subject> all = session.subjects();
+    for (const Snapshot& snapshot : session.at_end()) all.push_back({&snapshot.solid, &snapshot.names, {}});
+    session.eye = fitted(session.eye, all, session.look, sheet_);
+    const std::vector<Subject> now = session.subjects();
+    session.map_eye = fitted_planar(now, sheet_);
+    session.polygon_eye = fitted_plane_model(now, sheet_);
+}
+
+void Canvas::zoom(Session& session, double factor) const
+{
+    move(session, [&](auto& camera) { camera.zoom({0.5 * sheet_.width, 0.5 * sheet_.height}, factor); });
+}
+
+void Canvas::look(Session& session, ui::StandardView view)
+{
+    session.eye.look(view);
+    session.show_as(ViewKind::Space);
+}
+
+void Canvas::show(Session& session, ui::ImGuiSession& gui)
+{
+    const auto scale = static_cast<float>(gui.scale());
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    if (room.x < 8.0F || room.y < 8.0F) return;
+    corner_ = {static_cast<double>(corner.x / scale), static_cast<double>(corner.y / scale)};
+    sheet_ = {static_cast<double>(room.x / scale), static_cast<double>(room.y / scale)};
+    if (session.is_fitted) fit(session);
+    ImGui::InvisibleButton("canvas", room,
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
+                               ImGuiButtonFlags_MouseButtonRight);
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive())
+        follow(session, {static_cast<double>((io.MousePos.x - corner.x) / scale),
+                         static_cast<double>((io.MousePos.y - corner.y) / scale)});
+    paint(session);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(corner, {corner.x + room.x, corner.y + room.y}, true);
+    gui.show(*picture_, list, {static_cast<double>(corner.x), static_cast<double>(corner.y)});
+    list.PopClipRect();
+}
+
+void Canvas::follow(Session& session, ui::Point at)
+{
+    move_camera(session, at);
+    if (is_dragging_) return;
+    const std::vector<Subject> subjects = session.subjects();
+    const auto under = under_pointer(session, shapes_of(session, subjects), subjects, at);
+    if (under) session.hover = under;
+    if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && ImGui::IsItemDeactivated()) click(session, under);
+    if (!under && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) session.is_fitted = true;
+    tell(session);
+}
+
+void Canvas::click(Session& session, const std::optional<Part>& under) const
+{
+    if (under) session.pick(*under);
+    else session.selection.reset();
+}
+
+// What lies under the pointer, and why it cannot be chosen where an operator asks.
+void Canvas::tell(const Session& session) const
+{
+    if (!session.hover || session.hover->subject >= session.shown().size()) return;
+    std::string words = describe(session, *session.hover);
+    if (const auto reason = session.why_not_pick(*session.hover)) words += "\n" + session.tr()(*reason);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.5F * ImGui::GetFontSize(), 0.3F * ImGui::GetFontSize()});
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(24.0F * ImGui::GetFontSize());
+    ImGui::TextUnformatted(words.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
+}
+
+void Canvas::move_camera(Session& session, ui::Point at)
+{
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.MouseWheel != 0.0F) {
+        const double factor = std::pow(zoom_per_turn, static_cast<double>(io.MouseWheel));
+        move(session, [&](auto& camera) { camera.zoom(at, factor); });
+    }
+    const bool is_left = ImGui::IsMouseDragging(ImGuiMouseButton_Left);
+    const bool is_other = ImGui::IsMouseDragging(ImGuiMouseButton_Middle) ||
+                          ImGui::IsMouseDragging(ImGuiMouseButton_Right);
+    if (!ImGui::IsItemActive() || (!is_left && !is_other)) {
+        // The release of a drag is no click.
+        if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left)) is_dragging_ = false;
+        return;
+    }
+    is_dragging_ = true;
+    const double pixel = sheet_.width / std::max(1.0, static_cast<double>(ImGui::GetItemRectSize().x));
+    const ui::Point drag{pixel * static_cast<double>(io.MouseDelta.x), pixel * static_cast<double>(io.MouseDelta.y)};
+    const bool turns = is_left && !io.KeyShift && session.view() == ViewKind::Space;
+    if (turns) session.eye.orbit(drag, middle_of(session.subjects()));
+    else move(session, [&](auto& camera) { camera.pan(drag); });
+    session.is_fitted = false;
+}
+
+void Canvas::paint(const Session& session)
+{
+    const std::vector<Subject> subjects = session.subjects();
+    shapes_ = shapes_of(session, subjects);
+    ui::Painter painter(sheet_, fonts_);
+    draw(painter, shapes_, subjects, session.look);
+    if (shapes_.vertices.empty()) draw_invitation(painter, session.look);
+    picture_ = painter.picture();
+}
+
+ui::Picture Canvas::picture_of(const Session& session) const
+{
+    std::vector<Subject> subjects = session.subjects();
+    for (Subject& subject : subjects) {
+        subject.marks.hovered.reset();
+        subject.marks.selected.clear();
+    }
+    return euler::picture(shapes_of(session, subjects), subjects, session.look, sheet_, fonts_);
+}
+
+namespace {
+
+ui::Point middle_of(const std::vector<ui::Point>& line)
+{
+    const std::size_t n = line.size();
+    return n % 2 == 1 ? line[n / 2] : 0.5 * (line[n / 2 - 1] + line[n / 2]);
+}
+
+// A place that is in no hole: the middle, or the first of some others.
+ui::Point place_in(const Region& area)
+{
+    const ui::Box box = bounds_of(area);
+    constexpr int n = 8;
+    if (is_inside(area, box.center())) return box.center();
+    for (int i = 1; i < n * n; ++i) {
+        const ui::Point p{box.min.x + (i % n + 0.5) / n * box.width(), box.min.y + (i / n + 0.5) / n * box.height()};
+        if (is_inside(area, p)) return p;
+    }
+    return box.center();
+}
+
+} // namespace
+
+std::optional<ui::Point> Canvas::in_window(const Part& part) const
+{
+    const auto is_it = [&](std::size_t subject, topology::Entity entity) {
+        return subject == part.subject && entity == part.entity;
+    };
+    for (const Shapes::Vertex& vertex : shapes_.vertices)
+        if (is_it(vertex.subject, vertex.vertex)) return corner_ + vertex.at;
+    for (const Shapes::Edge& edge : shapes_.edges)
+        if (is_it(edge.subject, edge.edge) && !edge.line.empty()) return corner_ + middle_of(edge.line);
+    for (const Shapes::Arrow& arrow : shapes_.arrows)
+        if (is_it(arrow.subject, arrow.half_edge) && !arrow.line.empty()) return corner_ + middle_of(arrow.line);
+    for (const Shapes::Piece& piece : shapes_.pieces) {
+        const Shapes::Face& face = shapes_.faces[piece.face];
+        if (is_it(face.subject, face.face)) return corner_ + place_in(piece.area);
+    }
+    return std::nullopt;
+}
+
+} // namespace euler

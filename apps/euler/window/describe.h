@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "apps/euler/session/commands.h"
+
+namespace euler {
+
+/// The script's steps and every solid in words: counts, formula, whether it is sound.
+std::string in_words(const Session& session);
+/// The line at the window's foot.
+std::string status_text(const Session& session);
+/// The words in a window, until it is closed.
+void description_window(const Session& session, bool& is_open);
+
+} // namespace euler

@@ -1,0 +1,96 @@
+#include "apps/euler/window/expectation.h"
+
+#include <algorithm>
+#include <array>
+
+#include "topology/halfedge/check/validate.h"
+#include "ui/app/expectation.h"
+
+namespace euler {
+
+namespace {
+
+std::string counts(const Session& session)
+{
+    topology::EulerCounts sum;
+    for (const Snapshot& in : session.after()) {
+        const topology::EulerCounts n = topology::euler_counts(in.solid);
+        sum = {
+            .V = sum.V + n.V, .E = sum.E + n.E, .F = sum.F + n.F, .L = sum.L + n.L, .S = sum.S + n.S, .G = sum.G + n.G};
+    }
+    std::string text;
+    for (const std::size_t n : {sum.V, sum.E, sum.F, sum.L, sum.S, sum.G})
+        text += (text.empty() ? "" : " ") + std::to_string(n);
+    return text;
+}
+
+std::string place(const Session& session)
+{
+    return std::to_string(session.place()) + " of " + std::to_string(session.n_steps());
+}
+
+std::string differences(const Session& session)
+{
+    if (session.report() == nullptr) return "nothing";
+    const std::string text = deltas(*session.report());
+    return text.substr(std::min(text.find(": ") + 2, text.size()));
+}
+
+bool is_sound(const Snapshot& in) { return !topology::why_not_valid(in.solid); }
+
+std::string selected(const Session& session)
+{
+    if (!session.selection) return "nothing";
+    const Snapshot& in = session.after()[session.selection->subject];
+    const topology::Entity entity = session.selection->entity;
+    constexpr std::array kinds{"face ", "loop ", "edge ", "half-edge ", "vertex "};
+    return kinds[static_cast<std::size_t>(entity.kind)] + in.names.of(entity, in.solid);
+}
+
+std::string asked(const Session& session)
+{
+    const bool asks = session.draft() && !session.draft()->is_complete();
+    return asks ? std::string(session.draft()->next().prompt) : "nothing";
+}
+
+/// One word that stands for something of the app.
+struct Fact {
+    std::string_view name;
+    std::string (*found)(const Session&);
+};
+constexpr std::array facts{
+    Fact{"counts", counts},
+    Fact{"place", place},
+    Fact{"step", [](const Session& s) { return s.report() == nullptr ? "nothing" : s.report()->name; }},
+    Fact{"deltas", differences},
+    Fact{"valid",
+         [](const Session& s) { return std::string(std::ranges::all_of(s.after(), is_sound) ? "yes" : "no"); }},
+    Fact{"selection", selected},
+    Fact{"asked", asked},
+    Fact{"notice",
+         [](const Session& s) { return s.notice ? ui::Catalogue()(s.notice->sentence) : std::string("nothing"); }},
+    Fact{"file", [](const Session& s) { return s.file_name(); }},
+    Fact{"changed", [](const Session& s) { return std::string(s.is_dirty() ? "yes" : "no"); }},
+};
+
+std::string names_of_facts()
+{
+    std::string names = "drawn, not drawn, written, not written";
+    for (const Fact& fact : facts) names += ", " + std::string(fact.name);
+    return names;
+}
+
+} // namespace
+
+std::optional<std::string> why_not(std::string_view expectation, const Application& application)
+{
+    if (const auto complaint = ui::common_complaint(expectation, application.canvas().picture())) return *complaint;
+    const std::size_t blank = std::min(expectation.find(' '), expectation.size());
+    const std::string_view what = expectation.substr(0, blank);
+    const std::string_view rest = expectation.substr(std::min(blank + 1, expectation.size()));
+    const auto fact = std::ranges::find(facts, what, &Fact::name);
+    if (fact != facts.end()) return ui::compared(what, fact->found(application.session()), std::string(rest));
+    return "expect: found \"" + std::string(what) + "\", wanted one of " + names_of_facts();
+}
+
+} // namespace euler

@@ -1,0 +1,134 @@
+#include "apps/euler/window/operators_panel.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "apps/euler/session/operator_commands.h"
+#include "topology/text/words.h"
+
+namespace euler {
+
+using ui::translatable;
+
+namespace {
+
+std::string text_of(const Session& session, const Choice& choice)
+{
+    if (const auto* const name = std::get_if<std::string>(&choice)) return *name;
+    if (const auto* const p = std::get_if<topology::Point>(&choice))
+        return topology::written(p->x) + " " + topology::written(p->y) + " " + topology::written(p->z);
+    const auto solid = session.draft()->solid(session.stepper().runner());
+    const topology::NamedSolid& in = session.stepper().runner().solids()[*solid];
+    return in.names.of(std::get<topology::Entity>(choice), in.solid);
+}
+
+// One button of the palette.
+void operator_button(Desk& desk, const CommandTable& commands, const OperatorForm& form)
+{
+    const auto& command = *commands.find(command_id(form));
+    const float width = 5.0F * ImGui::GetFontSize();
+    const bool is_full = form.verb == Verb::Split; // it shares its name with the strut's
+    const std::string name = std::string(form.name) + (is_full ? " *" : "") + "###" + std::string(command.id);
+    if (ImGui::Button(name.c_str(), {width, 0.0F})) run(command, desk);
+    ImGui::SameLine();
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(desk.session.tr()(form.meaning).c_str());
+    ImGui::PopTextWrapPos();
+}
+
+void command_button(Desk& desk, const CommandTable& commands, std::string_view id)
+{
+    const auto& command = *commands.find(id);
+    const auto reason = why_not(command, desk);
+    ImGui::BeginDisabled(reason.has_value());
+    const bool is_clicked = ImGui::Button((label(command, desk, desk.session.tr()) + "###" + std::string(id)).c_str());
+    ImGui::EndDisabled();
+    if (reason && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        ImGui::SetTooltip("%s", desk.session.tr()(*reason).c_str());
+    if (is_clicked) run(command, desk);
+}
+
+} // namespace
+
+void OperatorsPanel::show(Desk& desk, const CommandTable& commands)
+{
+    is_typing_ = false;
+    if (desk.session.draft()) show_draft(desk, commands);
+    else list(desk, commands);
+}
+
+void OperatorsPanel::list(Desk& desk, const CommandTable& commands)
+{
+    asked_.reset();
+    reason_.reset();
+    ImGui::BeginChild("###operators");
+    for (const OperatorForm& form : operator_forms()) operator_button(desk, commands, form);
+    ImGui::EndChild();
+}
+
+// The line as far as it is known, then what is asked for.
+void OperatorsPanel::show_draft(Desk& desk, const CommandTable& commands)
+{
+    Session& session = desk.session;
+    const ui::Catalogue& tr = session.tr();
+    const Draft& draft = *session.draft();
+    ImGui::TextUnformatted(std::string(draft.form().name).c_str());
+    ImGui::SameLine();
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextDisabled("%s", tr(draft.form().meaning).c_str());
+    for (std::size_t i = 0; i < draft.chosen().size(); ++i)
+        ImGui::TextUnformatted(
+            (tr(draft.form().arguments()[i].prompt) + ": " + text_of(session, draft.chosen()[i])).c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::Separator();
+    if (draft.is_complete()) {
+        ImGui::PushTextWrapPos(0.0F);
+        ImGui::TextUnformatted(draft.line(session.stepper().runner()).c_str());
+        ImGui::PopTextWrapPos();
+    } else {
+        ask(session);
+    }
+    if (!session.draft()) return;
+    ImGui::Spacing();
+    command_button(desk, commands, "operator.accept");
+    command_button(desk, commands, "operator.take_back");
+    command_button(desk, commands, "operator.cancel");
+}
+
+// What is likely typed stands there already.
+bool OperatorsPanel::suggest(const Session& session)
+{
+    const Draft& draft = *session.draft();
+    if (asked_ == draft.chosen().size() && verb_ == draft.form().verb) return false;
+    asked_ = draft.chosen().size();
+    verb_ = draft.form().verb;
+    reason_.reset();
+    const std::optional<Choice> likely = draft.suggestion(session.stepper().runner());
+    typed_ = likely ? text_of(session, *likely) : "";
+    return true;
+}
+
+void OperatorsPanel::ask(Session& session)
+{
+    const ui::Catalogue& tr = session.tr();
+    const bool is_new = suggest(session);
+    const Argument& argument = session.draft()->next();
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(tr(argument.prompt).c_str());
+    if (is_pointed_at(argument.kind))
+        ImGui::TextDisabled("%s", tr("Click it in the picture, or type its name.").c_str());
+    if (argument.kind == ArgumentKind::Point) ImGui::TextDisabled("%s", tr("Type x y z: 1 0 0").c_str());
+    if (argument.kind == ArgumentKind::Vector) ImGui::TextDisabled("%s", tr("Type dx dy dz: 0 0 1").c_str());
+    if (!is_pointed_at(argument.kind) && is_new) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1.0F);
+    const bool is_entered = ImGui::InputText("###argument", &typed_,
+                                             ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    is_typing_ = ImGui::IsItemActive();
+    if (is_entered) reason_ = session.choose_typed(typed_);
+    if (is_entered && reason_) ImGui::SetKeyboardFocusHere(-1);
+    if (is_entered && !reason_) typed_.clear();
+    if (reason_) ImGui::TextUnformatted(tr(*reason_).c_str());
+    ImGui::PopTextWrapPos();
+}
+
+} // namespace euler

@@ -1,0 +1,162 @@
+#include "apps/euler/window/step_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace euler {
+
+using topology::EulerCounts;
+using ui::translatable;
+
+namespace {
+
+struct CountEntry {
+    const char* letter;
+    std::size_t EulerCounts::*count;
+    std::string_view words;
+};
+constexpr std::array counts_shown{
+    CountEntry{"V", &EulerCounts::V, translatable("vertices")},
+    CountEntry{"E", &EulerCounts::E, translatable("edges")},
+    CountEntry{"F", &EulerCounts::F, translatable("faces")},
+    CountEntry{"L", &EulerCounts::L, translatable("loops")},
+    CountEntry{"S", &EulerCounts::S, translatable("shells")},
+    CountEntry{"G", &EulerCounts::G, translatable("genus: handles")},
+};
+
+std::string with_sign(long difference)
+{
+    if (difference == 0) return "0";
+    return (difference > 0 ? "+" : "−") + std::to_string(std::abs(difference));
+}
+
+void wrapped(const std::string& text)
+{
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+}
+
+void faint(const std::string& text)
+{
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    wrapped(text);
+    ImGui::PopStyleColor();
+}
+
+void count_row(const std::string& name, const std::array<std::string, counts_shown.size()>& cells)
+{
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(name.c_str());
+    for (const std::string& cell : cells) {
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(cell.c_str());
+    }
+}
+
+void headings(const ui::Catalogue& tr)
+{
+    ImGui::TableNextColumn();
+    for (const CountEntry& entry : counts_shown) {
+        ImGui::TableNextColumn();
+        ImGui::TextDisabled("%s", entry.letter);
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tr(entry.words).c_str());
+    }
+}
+
+// Before, the operator's own row, after: the middle one is what defines an operator.
+void count_table(const StepReport& step, const ui::ImGuiSession& gui, const ui::Catalogue& tr)
+{
+    std::array<std::string, counts_shown.size()> before, change, after;
+    for (std::size_t i = 0; i < counts_shown.size(); ++i) {
+        const std::size_t was = step.before.*counts_shown[i].count, is = step.after.*counts_shown[i].count;
+        before[i] = std::to_string(was);
+        change[i] = with_sign(static_cast<long>(is) - static_cast<long>(was));
+        after[i] = std::to_string(is);
+    }
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg |
+                                      ImGuiTableFlags_BordersInnerV;
+    if (!ImGui::BeginTable("counts", 1 + static_cast<int>(counts_shown.size()), flags)) return;
+    headings(tr);
+    count_row(tr("before"), before);
+    ImGui::PushFont(gui.bold());
+    count_row(step.name, change);
+    ImGui::PopFont();
+    count_row(tr("after"), after);
+    ImGui::EndTable();
+}
+
+void show_formula(const EulerCounts& counts)
+{
+    wrapped("V − E + F − (L − F) − 2 (S − G)");
+    wrapped("= " + formula_text(counts));
+}
+
+const OperatorForm* form_of(const StepReport& step)
+{
+    const auto forms = operator_forms();
+    const std::string word = step.line.substr(0, step.line.find(' '));
+    const auto found = std::ranges::find(forms, word, &OperatorForm::word);
+    return found == forms.end() ? nullptr : &*found;
+}
+
+void show_inverse(const StepReport& step, const ui::Catalogue& tr)
+{
+    faint(tr("Taken back by {operator}:", {{"operator", step.inverse_name}}));
+    for (std::size_t i = 0; i < std::min<std::size_t>(step.inverse.size(), 4); ++i) wrapped(step.inverse[i]);
+    if (step.inverse.size() > 4)
+        wrapped(tr("… and {count} more", {{"count", std::to_string(step.inverse.size() - 4)}}));
+}
+
+void before_the_first(const Session& session)
+{
+    const ui::Catalogue& tr = session.tr();
+    if (const std::string heading = tr(session.stepper().heading()); !heading.empty()) return wrapped(heading);
+    faint(session.n_steps() == 0 ? tr("The script is empty. MVFS makes the first vertex, with a face and a shell.")
+                                 : tr("Nothing is done yet."));
+}
+
+} // namespace
+
+std::string code(const StepReport& step)
+{
+    const std::string line = step.line.substr(0, step.line.find(" #"));
+    return line.substr(0, line.find_last_not_of(' ') + 1);
+}
+
+std::string formula_text(const EulerCounts& n)
+{
+    const auto s = [](std::size_t count) { return std::to_string(count); };
+    const long sum = n.formula();
+    return s(n.V) + " − " + s(n.E) + " + " + s(n.F) + " − (" + s(n.L) + " − " + s(n.F) + ") − 2 (" + s(n.S) + " − " +
+           s(n.G) + ") = " + (sum < 0 ? "−" + std::to_string(-sum) : std::to_string(sum));
+}
+
+void step_panel(const Session& session, const ui::ImGuiSession& gui)
+{
+    const StepReport* const step = session.report();
+    if (step == nullptr) return before_the_first(session);
+    const ui::Catalogue& tr = session.tr();
+    ImGui::PushFont(gui.large());
+    ImGui::TextUnformatted(step->name.c_str());
+    ImGui::PopFont();
+    if (const OperatorForm* const form = form_of(*step)) {
+        ImGui::SameLine();
+        faint(tr(form->meaning));
+    }
+    wrapped(code(*step));
+    ImGui::Spacing();
+    wrapped(tr(step->meaning));
+    if (const std::string why = tr(step->explanation); !why.empty()) faint(why);
+    ImGui::Spacing();
+    count_table(*step, gui, tr);
+    ImGui::Spacing();
+    show_formula(step->after);
+    ImGui::Spacing();
+    show_inverse(*step, tr);
+}
+
+} // namespace euler

@@ -1,0 +1,185 @@
+#include "apps/euler/window/tables_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "apps/euler/document/step_tables.h"
+#include "ui/widgets/panel.h"
+
+namespace euler {
+
+using topology::RowMark;
+using topology::TableCell;
+using topology::TableKind;
+using topology::TableRow;
+using ui::translatable;
+
+namespace {
+
+ImU32 packed(ui::Color color) { return IM_COL32(color.r, color.g, color.b, color.a); }
+
+/// An entity's row before and after a step.
+struct RowPair {
+    const TableRow* before = nullptr;
+    const TableRow* after = nullptr;
+};
+
+// In the order of the numbers, which both are in.
+std::vector<RowPair> paired(const std::vector<TableRow>& before, const std::vector<TableRow>& after)
+{
+    std::vector<RowPair> pairs;
+    for (auto a = before.begin(), b = after.begin(); a != before.end() || b != after.end();) {
+        const bool takes_a = b == after.end() || (a != before.end() && a->number <= b->number);
+        const bool takes_b = a == before.end() || (b != after.end() && b->number <= a->number);
+        pairs.push_back({takes_a ? &*a : nullptr, takes_b ? &*b : nullptr});
+        if (takes_a) ++a;
+        if (takes_b) ++b;
+    }
+    return pairs;
+}
+
+/// Writes the rows of one table.
+class RowWriter {
+public:
+    RowWriter(Session& session, std::size_t solid) : session_(session), solid_(solid), theme_(session.look.theme) {}
+
+    void write(const TableRow* row, std::size_t n_cells, const char* side)
+    {
+        ImGui::PushID(side);
+        if (row == nullptr) {
+            for (std::size_t i = 0; i <= n_cells; ++i) ImGui::TableNextColumn();
+        } else {
+            const bool is_selected = row->entity && session_.selection == Part{solid_, *row->entity};
+            number({row->label, row->number, row->entity, false}, row->mark, is_selected, -1);
+            for (std::size_t i = 0; i < row->cells.size(); ++i)
+                number(row->cells[i], row->mark, is_selected, static_cast<int>(i));
+        }
+        ImGui::PopID();
+    }
+
+private:
+    ImU32 ink(RowMark mark) const
+    {
+        if (mark == RowMark::Created) return packed(theme_[ui::Role::Created].text);
+        if (mark == RowMark::Killed) return packed(theme_[ui::Role::Killed].text);
+        return ImGui::GetColorU32(ImGuiCol_Text);
+    }
+
+    // A number that leads somewhere.
+    void number(const TableCell& cell, RowMark mark, bool is_selected, int id)
+    {
+        ImGui::TableNextColumn();
+        if (is_selected) ImGui::TableSetBgColor(ImGuiTableBgTarget_CellBg, ImGui::GetColorU32(ImGuiCol_Header));
+        if (cell.is_changed) {
+            const ui::Color lit = ui::with_opacity(theme_[ui::Role::Changed].stroke.color, 0.28);
+            ImGui::TableSetBgColor(ImGuiTableBgTarget_CellBg, packed(lit));
+        }
+        const std::string text = std::to_string(cell.number) + "###" + std::to_string(id);
+        ImGui::PushStyleColor(ImGuiCol_Text, ink(mark));
+        if (cell.link) {
+            if (ImGui::Selectable(text.c_str())) session_.selection = Part{solid_, *cell.link};
+            if (ImGui::IsItemHovered()) session_.hover = Part{solid_, *cell.link};
+        } else {
+            ImGui::Text("%zu", cell.number);
+        }
+        ImGui::PopStyleColor();
+    }
+
+    Session& session_;
+    std::size_t solid_;
+    ui::Theme theme_;
+};
+
+bool is_touched(const RowPair& pair)
+{
+    const auto touched = [](const TableRow* row) { return row != nullptr && row->mark != RowMark::Same; };
+    return touched(pair.before) || touched(pair.after);
+}
+
+} // namespace
+
+void TablesPanel::follow(const Session& session)
+{
+    if (std::exchange(generation_, session.generation()) == session.generation()) return;
+    const StepReport* const step = session.report();
+    tables_ = step == nullptr ? topology::ComparedTables() : step_tables(session.stepper(), session.step());
+    solid_ = step == nullptr ? 0 : step->solid;
+    is_new_ = true;
+}
+
+void TablesPanel::show(Desk& desk)
+{
+    follow(desk.session);
+    const float em = ImGui::GetFontSize();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.6F * em, 0.3F * em});
+    ImGui::BeginChild("###tables", {}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.4F * em, 0.2F * em});
+    show_tabs(desk);
+    show_table(desk.session, desk.table);
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+}
+
+// A dot tells which tables the step has changed.
+void TablesPanel::show_tabs(Desk& desk) const
+{
+    const auto is_same = [](const TableRow& row) { return row.mark == RowMark::Same; };
+    ui::TabRow row;
+    for (const TableEntry& entry : euler::tables()) {
+        const bool is_changed = !std::ranges::all_of(tables_.after[entry.table], is_same) ||
+                                !std::ranges::all_of(tables_.before[entry.table], is_same);
+        const std::string title = desk.session.tr()(entry.label) + (is_changed ? " •" : "");
+        if (row.show(title + "###" + std::string(entry.id), entry.table == desk.table)) desk.table = entry.table;
+    }
+}
+
+void TablesPanel::headings(const Session& session, const TableRow& like) const
+{
+    const ui::Catalogue& tr = session.tr();
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    for (const std::string_view when : {translatable("before"), translatable("after")}) {
+        ImGui::TableNextColumn();
+        const std::string title = tr(when) + ": " + std::string(like.label);
+        ImGui::TextDisabled("%s", title.c_str());
+        for (const TableCell& cell : like.cells) {
+            ImGui::TableNextColumn();
+            ImGui::TextDisabled("%s", std::string(cell.label).c_str());
+        }
+    }
+}
+
+void TablesPanel::show_table(Session& session, TableKind kind)
+{
+    const std::vector<RowPair> pairs = paired(tables_.before[kind], tables_.after[kind]);
+    if (pairs.empty()) {
+        ImGui::TextDisabled("%s", session.tr()("Nothing is done yet.").c_str());
+        return;
+    }
+    const TableRow& like = pairs.front().after != nullptr ? *pairs.front().after : *pairs.front().before;
+    const std::size_t n_cells = like.cells.size();
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
+                                      ImGuiTableFlags_SizingStretchSame;
+    if (!ImGui::BeginTable("rows", 2 * (1 + static_cast<int>(n_cells)), flags)) return;
+    ImGui::TableSetupScrollFreeze(0, 1);
+    headings(session, like);
+    RowWriter writer(session, solid_);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        ImGui::TableNextRow();
+        ImGui::PushID(static_cast<int>(i));
+        writer.write(pairs[i].before, n_cells, "before");
+        writer.write(pairs[i].after, n_cells, "after");
+        ImGui::PopID();
+        if (is_new_ && is_touched(pairs[i])) {
+            ImGui::SetScrollHereY(0.3F);
+            is_new_ = false;
+        }
+    }
+    is_new_ = false;
+    ImGui::EndTable();
+}
+
+} // namespace euler

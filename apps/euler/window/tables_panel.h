@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+
+#include "apps/euler/session/commands.h"
+#include "topology/tables/compared_tables.h"
+
+namespace euler {
+
+/// The tables of the half-edge structure before and after the step that is looked at, side by side: what it made is
+/// green, what it killed red, each cell that it changed lit up. A number leads to its entity, which it selects.
+class TablesPanel {
+public:
+    void show(Desk& desk);
+
+private:
+    void follow(const Session& session);
+    void show_tabs(Desk& desk) const;
+    void show_table(Session& session, topology::TableKind kind);
+    void headings(const Session& session, const topology::TableRow& like) const;
+
+    topology::ComparedTables tables_;
+    std::size_t solid_ = 0;
+    std::uint64_t generation_ = 0; ///< that the tables belong to
+    bool is_new_ = false;          ///< the first row that the step changed is to be brought into sight
+};
+
+} // namespace euler

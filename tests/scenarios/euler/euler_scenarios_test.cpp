@@ -1,0 +1,91 @@
+// Every scenario of this folder, played in the stepper's real window off screen: what it expects is found, and what it
+// keeps looks as it did.
+#include "apps/euler/window/run.h"
+#include "apps/euler/window/stage.h"
+#include "tests/golden/scene.h"
+#include "tests/scenarios/script_files.h"
+#include "ui/paint/surface/golden_text.h"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <string>
+
+namespace fs = std::filesystem;
+using namespace euler;
+
+namespace {
+
+/// What went wrong, "" for nothing.
+std::string played(const std::string& script)
+{
+    const Workplace workplace;
+    const ui::Fonts fonts;
+    std::string complaint;
+    golden::if_drawn(
+        [&] {
+            ui::Offscreen context({.size = {1280, 800}});
+            Application application(context, fonts, Session());
+            OffscreenStage stage(context, application, [&](std::string_view name, const ui::Pixels& pixels) {
+                golden::check_picture(std::string(name), pixels, ui::golden_text(*application.canvas().picture()));
+            });
+            try {
+                ui::play(script, context, application, stage, {});
+            } catch (const ui::ScenarioError& error) {
+                complaint = error.what();
+            }
+            return context.pixels();
+        },
+        golden::this_machine());
+    return complaint;
+}
+
+} // namespace
+
+TEST_CASE("The steps on the stepper's reference page can be played")
+{
+    const std::string script = scenario_on(text_of(repository() / "courseware/reference/euler-app.md"));
+    CHECK(script.starts_with("# "));
+    CHECK(played(script) == "");
+}
+
+TEST_CASE("What goes wrong in a stepper's scenario is told with its line, what was found and what was wanted")
+{
+    const std::string open = "command file.open examples/cube.eul\n";
+    CHECK(played(open + "click vertex v99") ==
+          "line 2: found \"vertex v99\", wanted a place: vertex v1, edge v1 v2, half-edge v1 v2, face f1 or "
+          "pixel 400 300");
+    CHECK(played(open + "expect counts 8 12 6 6 1 1") == "line 2: counts: found 8 12 6 6 1 0, wanted 8 12 6 6 1 1");
+    CHECK(played(open + "command step.forward") == "line 2: this is the last step");
+    CHECK(played(open + "command step.go_to 14") == "line 2: step.go_to: found \"14\", wanted a step from 0 to 13");
+    CHECK(played(open + "command step.apply mef s1 f1 v1 v2 f9").starts_with("line 2: "));
+    CHECK(played(open + "command edit.jump") ==
+          "line 2: found command \"edit.jump\", wanted one of the app's; the palette (Ctrl+K) lists them");
+    CHECK(played(open + "expect luck").starts_with("line 2: expect: found \"luck\", wanted one of drawn"));
+}
+
+TEST_CASE("A screenshot, a description and a scenario need no screen, and a broken script is told")
+{
+    const Folder folder;
+    Options options;
+    options.files = {repository() / "examples/cube.eul"};
+    options.describe = true;
+    CHECK(run(options) == 0);
+    options.files = {folder.write("broken.eul", "mvfs s1 f1 v1 0 0 0\nmev s1 f1 v9 v2 1 0 0\n")};
+    CHECK(run(options) == 2);
+    options.files = {folder.path("missing.eul")};
+    CHECK(run(options) == 2);
+}
+
+TEST_CASE("Every scenario of the stepper begins with its claim and is played to its end")
+{
+    for (const fs::path& file : scenarios_in("tests/scenarios/euler")) {
+        SUBCASE(file.stem().c_str())
+        {
+            CAPTURE(file.string());
+            const std::string script = text_of(file);
+            CHECK(script.starts_with("# "));
+            CHECK(played(script) == "");
+        }
+    }
+}

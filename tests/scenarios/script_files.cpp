@@ -1,0 +1,43 @@
+#include "tests/scenarios/script_files.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+namespace fs = std::filesystem;
+
+fs::path repository() { return CREMONA_SOURCE_DIR; }
+
+std::vector<fs::path> scenarios_in(const fs::path& folder)
+{
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(repository() / folder))
+        if (entry.path().extension() == ".scenario") files.push_back(entry.path());
+    std::ranges::sort(files);
+    return files;
+}
+
+std::string text_of(const fs::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string scenario_on(const std::string& page)
+{
+    constexpr std::string_view begin = "```scenario\n", end = "```\n";
+    std::string script;
+    for (std::size_t at = page.find(begin); at != std::string::npos; at = page.find(begin, at)) {
+        at += begin.size();
+        script += page.substr(at, page.find(end, at) - at);
+    }
+    return script;
+}
+
+Workplace::Workplace()
+{
+    for (const char* name : {"examples", "tests"})
+        fs::create_directory_symlink(repository() / name, folder_.path() / name);
+    fs::current_path(folder_.path());
+}

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "tests/folder.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// Where this repository's files are.
+std::filesystem::path repository();
+/// The scenarios of a folder of it, in the order of their names.
+std::vector<std::filesystem::path> scenarios_in(const std::filesystem::path& folder);
+std::string text_of(const std::filesystem::path& path);
+/// The blocks of a page that are marked as scenarios, one after the other.
+std::string scenario_on(const std::string& page);
+
+/// A scenario finds the files of the repository under their own paths, and what it writes is gone when it ends.
+class Workplace {
+public:
+    Workplace();
+    ~Workplace() { std::filesystem::current_path(home_); }
+    Workplace(const Workplace&) = delete;
+    Workplace& operator=(const Workplace&) = delete;
+
+private:
+    std::filesystem::path home_ = std::filesystem::current_path();
+    Folder folder_;
+};
