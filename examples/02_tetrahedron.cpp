@@ -22,7 +22,8 @@
 //   MEF   V 4 E 5 F 3  sum 0
 //   MEF   V 4 E 6 F 4  sum 0
 //   volume 8
-//   MEF is refused: one half-edge lies in loop l2 and the other in loop l1; an operator for two loops is MEKR, for two faces KEF
+//   MEF is refused:
+//   one half-edge lies in loop l2 and the other in loop l1; an operator for two loops is MEKR, for two faces KEF
 //   undone: V 0 E 0 F 0
 #include <cstdio>
 
@@ -71,7 +72,7 @@ int main()
     try {
         op.mef(ab.minus, ab.plus);
     } catch (const EulerError& refused) {
-        std::printf("MEF is refused: %s\n", refused.what());
+        std::printf("MEF is refused:\n%s\n", refused.what());
     }
 
     // 4. The journal takes every step back by its inverse: KEF, KEF, KEV, KEF, KEV, KEV, KVFS.
