@@ -171,6 +171,7 @@ void add_steps(Roles& roles, const Palette& p)
     at(roles, Role::Changed) = role_style(p, orange, {.width = 2.4, .cap = Cap::Round});
     at(roles, Role::Killed) = role_style(p, vermillion, {.width = 2.8, .dash = {6, 4}});
     at(roles, Role::Offered) = role_style(p, yellow, {.width = 7.0, .cap = Cap::Round});
+    if (!p.is_gray) at(roles, Role::Offered).stroke.color = yellow; // a broad mark below something else
 }
 
 /// Where there is no colour, shades and dashes stand for hues.

@@ -3,10 +3,12 @@
 
 #include "apps/euler/view/draw/draw.h"
 #include "apps/euler/view/planar/planar_shapes.h"
+#include "apps/euler/view/pointers/pointer_drawing.h"
 #include "apps/euler/view/polygons/plane_model.h"
 #include "apps/euler/view/solid/solid_shapes.h"
 #include "tests/apps/euler_view/example_solids.h"
 #include "tests/golden/scene.h"
+#include "topology/modeling/primitives.h"
 
 #include <functional>
 
@@ -51,6 +53,16 @@ void check_planar(const std::string& name, const std::vector<Subject>& subjects,
 void check_polygons(const std::string& name, const std::vector<Subject>& subjects, const Look& look = {})
 {
     check(name, plane_model(subjects, fitted_plane_model(subjects, sheet), look), subjects, look);
+}
+
+/// Of the half-edge that a loop names.
+void check_pointers(const std::string& name, const Made& made, topology::LoopId loop, const Look& look)
+{
+    const ui::Fonts fonts;
+    const auto graph = topology::pointer_graph(made.solid(), made.solid().half_edge(loop));
+    const PointerDrawing drawing(graph, made.subjects().front(), look, sheet, fonts);
+    golden::check_scene(name, {.size = sheet, .background = background(look)},
+                        [&](ui::Painter& painter) { drawing.draw(painter); });
 }
 
 } // namespace
@@ -136,6 +148,83 @@ TEST_CASE("The plane model of a block with a through hole: rings within their fa
     const Made block(example("through_hole"));
     check_polygons("polygons_through_hole", block.subjects(),
                    {.names = {EntityKind::Vertex, EntityKind::Edge, EntityKind::Face}});
+}
+
+TEST_CASE("The pointers of a half-edge of a cube: next, prev, mate, start, edge and loop, and those that lead back")
+{
+    const Made cube(example("cube"));
+    check_pointers("pointers_half_edge", cube, cube.solid().outer(cube.face("f3")), {});
+}
+
+TEST_CASE("The pointers of a lone vertex's half-edge lead back to itself, on the projector")
+{
+    const Made point(example("cube", 1));
+    check_pointers("pointers_lone", point, point.solid().outer(point.face("f1")), {.theme = ui::ThemeName::Projector});
+}
+
+TEST_CASE("MEF half done: the new edge has grown half its way, the new face is half there, the rest is pale")
+{
+    const Made cube(example("cube", 11));
+    check_in_space("step_mef_half", cube.subjects(marks_of(cube.last_change(), 0.5)));
+}
+
+TEST_CASE("MEV three quarters done on dark ground: the new vertex is on its way from the old one")
+{
+    const Made cube(example("cube", 8));
+    check_in_space("step_mev", cube.subjects(marks_of(cube.last_change(), 0.75)), {.theme = ui::ThemeName::Dark});
+}
+
+TEST_CASE("KEF undoes MEF: a third on its way the edge shrinks and the face fades, in the colour of what goes")
+{
+    const Made cube(example("cube", 11));
+    const Marks marks = marks_of(topology::reversed(cube.last_change()), 0.33);
+    check_in_space("step_kef", cube.subjects(marks));
+}
+
+TEST_CASE("Only the corners that MEF takes are offered, on the projector; one is under the pointer")
+{
+    const Made cube(example("cube", 11));
+    Marks marks;
+    marks.legal.emplace();
+    for (const auto h : cube.solid().chain(cube.solid().outer(cube.face("f1")))) marks.legal->push_back(h);
+    marks.hovered = marks.legal->front();
+    marks.selected = {cube.face("f1")};
+    check_in_space("picks_offered", cube.subjects(marks), {.theme = ui::ThemeName::Projector});
+}
+
+TEST_CASE("A preview is dashed")
+{
+    const Made cube(example("cube", 12));
+    Marks marks;
+    marks.preview = cube.last_change().created;
+    check_in_space("preview_mef", cube.subjects(marks), {.names = {EntityKind::Vertex}});
+}
+
+TEST_CASE("Two solids in print, with every kind of name")
+{
+    const Made two(example("tetrahedron") + "mvfs b g1 u1 1.4 0 0\n"
+                                            "mev b g1 u1 u2 2.2 0 0\n"
+                                            "mev b g1 u2 u3 2.2 1.2 0\n"
+                                            "mvr b g1 u4 1.6 0.9 0\n");
+    check_in_space(
+        "solids_print", two.subjects(),
+        {.names = {EntityKind::Vertex, EntityKind::Edge, EntityKind::HalfEdge, EntityKind::Loop, EntityKind::Face},
+         .theme = ui::ThemeName::Print});
+}
+
+TEST_CASE("A closed edge on a lone vertex has a face inside and one outside")
+{
+    const Made made(example("torus", 2));
+    check_in_space("solid_closed_edge", made.subjects(),
+                   {.names = {EntityKind::Vertex, EntityKind::HalfEdge, EntityKind::Face}});
+}
+
+TEST_CASE("A torus by rotation on dark ground: its far side is seen from inside through the hole")
+{
+    topology::NamedSolid torus;
+    topology::EulerOperator op(torus.solid, torus.journal);
+    topology::add_torus(op, {.radius = 3.0, .tube = 1.1}, 16, 10);
+    check_in_space("solid_torus", {{&torus.solid, &torus.names}}, {.half_edges = false, .theme = ui::ThemeName::Dark});
 }
 
 TEST_SUITE_END();

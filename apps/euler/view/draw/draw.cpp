@@ -1,5 +1,6 @@
 #include "apps/euler/view/draw/draw.h"
 
+#include "apps/euler/view/draw/arrow_head.h"
 #include "apps/euler/view/draw/hatching.h"
 #include "apps/euler/view/draw/names.h"
 #include "apps/euler/view/draw/palette.h"
@@ -16,16 +17,31 @@ constexpr double dot_radius = 3.6, hidden_dot_radius = 2.6, lone_dot_radius = 5.
 constexpr double halo_more = 8.0;                                                  // [px] broader than what it is about
 constexpr double head_length = 9.0;                                                // [px] of a half-edge's arrow
 constexpr double hatch_spacing = 8.0;                                              // [px]
-constexpr double least_hatched = 300.0;                                            // [px^2] of a piece's box
-constexpr double crowded = 12.0; // [px] of a typical edge, below which vertices have no dots
+constexpr double pale = 0.6;                   // share of a bent face's colour, which only hints where it is
+constexpr double least_hatched = 300.0;        // [px^2] of a piece's box
+constexpr double crowded = 40.0;               // [px] of a typical edge, below which there is less of everything
+constexpr std::size_t many_edges = 1500;       // of which the hidden ones are left out where it is crowded
+constexpr double least_hatched_there = 1500.0; // [px^2]
 
-/// The indices of shapes by the number of pieces that they are painted after.
-template <class List> std::vector<std::vector<std::size_t>> by_turn(const List& shapes, std::size_t n_pieces)
-{
-    std::vector<std::vector<std::size_t>> turns(n_pieces + 1);
-    for (std::size_t i = 0; i < shapes.size(); ++i) turns[std::min(shapes[i].after, n_pieces)].push_back(i);
-    return turns;
-}
+/// Shapes by the number of pieces that they are painted after, taken from there turn by turn.
+template <class Shape> class Turns {
+public:
+    explicit Turns(const std::vector<Shape>& shapes) : order_(shapes.size())
+    {
+        for (std::size_t i = 0; i < shapes.size(); ++i) order_[i] = &shapes[i];
+        std::stable_sort(order_.begin(), order_.end(),
+                         [](const Shape* a, const Shape* b) { return a->after < b->after; });
+    }
+    /// Those of this turn and of any before that were not taken yet.
+    template <class Draw> void take(std::size_t turn, const Draw& draw)
+    {
+        for (; next_ < order_.size() && order_[next_]->after <= turn; ++next_) draw(*order_[next_]);
+    }
+
+private:
+    std::vector<const Shape*> order_;
+    std::size_t next_ = 0;
+};
 
 class Drawing {
 public:
@@ -35,20 +51,20 @@ public:
           palette_(palette),
           look_(look),
           symbol_(palette.theme().symbol_scale()),
-          is_crowded_(typical_edge(shapes) < crowded)
+          is_crowded_(typical_edge(shapes) < crowded * symbol_)
     {}
 
     void draw()
     {
-        const std::size_t n = shapes_.pieces.size();
-        const auto edges = by_turn(shapes_.edges, n), arrows = by_turn(shapes_.arrows, n),
-                   vertices = by_turn(shapes_.vertices, n);
-        for (std::size_t turn = 0; turn <= n; ++turn) {
+        Turns edges(shapes_.edges);
+        Turns arrows(shapes_.arrows);
+        Turns vertices(shapes_.vertices);
+        const auto draw_one = [&](const auto& shape) { draw(shape); };
+        for (std::size_t turn = 0; turn <= shapes_.pieces.size(); ++turn) {
             if (turn > 0 && look_.faces) draw(shapes_.pieces[turn - 1]);
-            for (const std::size_t i : edges[turn]) draw(shapes_.edges[i]);
-            if (look_.half_edges)
-                for (const std::size_t i : arrows[turn]) draw(shapes_.arrows[i]);
-            for (const std::size_t i : vertices[turn]) draw(shapes_.vertices[i]);
+            edges.take(turn, draw_one);
+            if (look_.half_edges) arrows.take(turn, draw_one);
+            vertices.take(turn, draw_one);
         }
     }
 
@@ -56,52 +72,56 @@ private:
     void draw(const Shapes::Piece& piece)
     {
         const Shapes::Face& face = shapes_.faces[piece.face];
-        const ui::Color color = palette_.face(face.subject, face.face);
+        ui::Color color = palette_.face(face.subject, face.face);
+        if (face.is_bent) color = ui::with_opacity(color, pale * color.a / 255.0);
         if (piece.area.size() == 1) painter_.polygon(piece.area.front(), color);
         else painter_.region(piece.area, color);
-        if (!piece.is_back || !look_.hatching || is_small(piece.area)) return;
+        if (!piece.is_back || face.is_bent || !look_.hatching || is_small(piece.area)) return;
         hatch(painter_, piece.area, hatch_spacing * symbol_,
               {.color = palette_.hatching(face.subject, face.face), .width = symbol_});
     }
 
-    static bool is_small(const Region& area)
+    bool is_small(const Region& area) const
     {
         const ui::Box box = bounds_of(area);
-        return box.width() * box.height() < least_hatched;
+        return box.width() * box.height() < (is_crowded_ ? least_hatched_there : least_hatched);
+    }
+
+    /// Thin, and with blunt ends, which take a few triangles less each.
+    static void make_slim(ui::Stroke& stroke)
+    {
+        stroke.width *= 0.6;
+        stroke.cap = ui::Cap::Butt;
     }
 
     void draw(const Shapes::Edge& edge)
     {
         const Part part{edge.subject, edge.edge};
-        const ui::Stroke stroke = palette_.edge(part, edge.is_hidden, edge.series);
+        ui::Stroke stroke = palette_.edge(part, edge.is_hidden, edge.series);
+        if (is_crowded_ && !palette_.marks(edge.subject).is_marked(part.entity)) {
+            if (edge.is_hidden && shapes_.edges.size() > many_edges) return;
+            make_slim(stroke);
+        }
+        draw_line(part, edge.line, stroke);
+    }
+
+    /// On its halo, where it has one.
+    void draw_line(const Part& part, const std::vector<ui::Point>& line, const ui::Stroke& stroke)
+    {
         if (const auto halo = palette_.halo(part))
-            painter_.polyline(edge.line, {.color = *halo,
-                                          .width = stroke.width + halo_more * symbol_,
-                                          .cap = ui::Cap::Round,
-                                          .join = ui::Join::Round});
-        painter_.polyline(edge.line, stroke);
+            painter_.polyline(line, {.color = *halo,
+                                     .width = stroke.width + halo_more * symbol_,
+                                     .cap = ui::Cap::Round,
+                                     .join = ui::Join::Round});
+        painter_.polyline(line, stroke);
     }
 
     void draw(const Shapes::Arrow& arrow)
     {
         const Part part{arrow.subject, arrow.half_edge};
         const ui::Stroke stroke = palette_.arrow(arrow.subject, arrow.half_edge, arrow.is_hidden);
-        if (const auto halo = palette_.halo(part))
-            painter_.polyline(arrow.line, {.color = *halo,
-                                           .width = stroke.width + halo_more * symbol_,
-                                           .cap = ui::Cap::Round,
-                                           .join = ui::Join::Round});
-        painter_.polyline(arrow.line, stroke);
-        draw_head(arrow.line, stroke.color);
-    }
-
-    void draw_head(const std::vector<ui::Point>& line, ui::Color color)
-    {
-        const ui::Point tip = line.back();
-        const double length = head_length * symbol_;
-        const ui::Point before = line.size() > 3 ? line[line.size() - 4] : line.front();
-        const ui::Point back = -length * ui::direction(tip - before), aside = 0.36 * ui::left_normal(back);
-        painter_.polygon({tip, tip + back + aside, tip + back - aside}, color);
+        draw_line(part, arrow.line, stroke);
+        draw_head(painter_, arrow.line, head_length * symbol_, stroke.color);
     }
 
     void draw(const Shapes::Vertex& vertex)

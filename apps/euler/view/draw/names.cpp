@@ -1,5 +1,6 @@
 #include "apps/euler/view/draw/names.h"
 
+#include "apps/euler/view/shapes/entity_name.h"
 #include "apps/euler/view/shapes/name_places.h"
 #include "ui/paint/label_placement.h"
 
@@ -18,7 +19,8 @@ namespace {
 
 constexpr std::size_t most_names = 300;
 constexpr std::size_t most_pieces = 600; // for which places inside are looked for
-constexpr double least_edge = 26.0;      // [px] of an edge that has room for its name
+constexpr double least_edge = 30.0;      // [px] of an edge that has room for its name, typically and by itself
+constexpr double roomy_edge = 80.0;      // [px] typically, where hidden things are named too
 constexpr double least_room = 9.0;       // [px] about the middle of a face that has room for its name
 
 /// A name that wants to be written.
@@ -39,7 +41,7 @@ public:
           palette_(palette),
           look_(look),
           symbol_(palette.theme().symbol_scale()),
-          is_crowded_(typical_edge(shapes) < least_edge),
+          typical_(typical_edge(shapes)),
           placer_({.room = painter.sheet(), .leader_after = 18.0 * symbol_})
     {}
 
@@ -98,7 +100,7 @@ private:
         const Part part{vertex.subject, vertex.vertex};
         const topology::Solid& solid = palette_.solid(part.subject);
         const bool is_lone = solid.mate(solid.half_edge(vertex.vertex)) == solid.half_edge(vertex.vertex);
-        if (is_crowded_ && !is_lone && !is_marked(part)) return;
+        if (typical_ < least_edge * symbol_ && !is_lone && !is_marked(part)) return;
         std::vector<ui::Point> wishes;
         if (vertex.toward != ui::Point{}) wishes.push_back(vertex.at + 14.0 * symbol_ * vertex.toward);
         ask(part, vertex.at, std::move(wishes), vertex.is_hidden,
@@ -144,10 +146,12 @@ private:
     void ask(const Part& part, ui::Point target, std::vector<ui::Point> wishes, bool is_hidden, const Manner& manner)
     {
         if (!is_first(part) && !shapes_.is_repeated) return;
-        const std::string text = name_of(part);
+        if (is_hidden && typical_ < roomy_edge * symbol_ && !is_marked(part)) return;
+        const std::string text = entity_name(subjects_[part.subject], part.entity);
         const ui::TextStyle style = palette_.name(part, is_hidden);
         const bool is_area = part.entity.kind == EntityKind::Face; // named inside, or not at all
-        const double reach = is_area ? 0.0 : (shapes_.is_repeated ? 18.0 : 34.0) * symbol_;
+        const double reach = is_area ? 0.0
+                                     : std::clamp(0.4 * typical_, 18.0, shapes_.is_repeated ? 18.0 : 34.0) * symbol_;
         requests_.push_back({text,
                              style,
                              {.target = target,
@@ -160,15 +164,6 @@ private:
     }
 
     bool is_marked(const Part& part) const { return palette_.marks(part.subject).is_marked(part.entity); }
-
-    /// Half-edges as corners of scripts write them, edges and loops as the tables do, the others by the user's names.
-    std::string name_of(const Part& part) const
-    {
-        const Subject& subject = subjects_[part.subject];
-        if (part.entity.kind == EntityKind::HalfEdge) return "%" + std::to_string(part.entity.index + 1);
-        if (part.entity.kind == EntityKind::Edge) return topology::table_name(part.entity);
-        return subject.names->of(part.entity, *subject.solid);
-    }
 
     /// So many pixels to the left of the middle of a half-edge's line.
     ui::Point beside(const Shapes::Arrow& arrow, double by) const
@@ -187,10 +182,17 @@ private:
     void add_obstacles()
     {
         ui::LabelObstacles& obstacles = placer_.obstacles();
+        const auto is_kept_clear = [&](const auto& shape) {
+            return !shape.is_hidden || typical_ >= roomy_edge * symbol_;
+        };
         for (const Shapes::Vertex& vertex : shapes_.vertices)
-            obstacles.add_disc(vertex.at, 4.0 * symbol_, vertex.is_hidden ? ui::Firmness::Soft : ui::Firmness::Hard);
-        for (const Shapes::Edge& edge : shapes_.edges) obstacles.add_polyline(edge.line, 2.0, ui::Firmness::Soft);
-        for (const Shapes::Arrow& arrow : shapes_.arrows) obstacles.add_polyline(arrow.line, 3.0, ui::Firmness::Soft);
+            if (is_kept_clear(vertex))
+                obstacles.add_disc(vertex.at, 4.0 * symbol_,
+                                   vertex.is_hidden ? ui::Firmness::Soft : ui::Firmness::Hard);
+        for (const Shapes::Edge& edge : shapes_.edges)
+            if (is_kept_clear(edge)) obstacles.add_polyline(edge.line, 2.0, ui::Firmness::Soft);
+        for (const Shapes::Arrow& arrow : shapes_.arrows)
+            if (is_kept_clear(arrow)) obstacles.add_polyline(arrow.line, 3.0, ui::Firmness::Soft);
     }
 
     void write(const Request& request, const ui::PlacedLabel& place)
@@ -208,7 +210,7 @@ private:
     const Palette& palette_;
     const Look& look_;
     double symbol_;
-    bool is_crowded_;
+    double typical_; ///< length of an edge on the sheet
     ui::LabelPlacer placer_;
     std::vector<Request> requests_;
     std::set<Part> named_;

@@ -91,7 +91,7 @@ ui::Stroke Palette::arrow(std::size_t subject, topology::HalfEdgeId h, bool is_h
     stroke.dash = solid(subject).is_outer(loop) ? ui::DashPattern{} : ui::DashPattern{4.0, 2.5};
     if (const auto role = step_role(part)) stroke.color = theme_.stroke(*role).color;
     if (marks_[subject].is_illegal(h)) stroke.color = gray();
-    if (is_hidden) stroke.color = pale(stroke.color, 0.5);
+    if (is_hidden && !marks_[subject].is_legal(h)) stroke.color = pale(stroke.color, 0.5);
     return stroke;
 }
 
@@ -104,12 +104,11 @@ ui::Color Palette::vertex(const Part& part, bool is_hidden) const
 
 std::optional<ui::Color> Palette::halo(const Part& part) const
 {
-    constexpr double opacity = 0.5;
     const MarkTable& marks = marks_[part.subject];
-    const auto of = [&](Role role) { return ui::with_opacity(theme_.stroke(role).color, opacity); };
-    if (marks.is_hovered(part.entity)) return of(Role::Hover);
-    if (marks.is_selected(part.entity)) return of(Role::Selection);
-    if (marks.is_legal(part.entity)) return of(Role::Offered);
+    const auto of = [&](Role role, double opacity) { return ui::with_opacity(theme_.stroke(role).color, opacity); };
+    if (marks.is_hovered(part.entity)) return of(Role::Hover, 0.6);
+    if (marks.is_selected(part.entity)) return of(Role::Selection, 0.5);
+    if (marks.is_legal(part.entity)) return of(Role::Offered, 0.85);
     return std::nullopt;
 }
 

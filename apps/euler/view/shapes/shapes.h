@@ -24,6 +24,7 @@ struct Shapes {
         std::size_t subject;
         topology::FaceId face;
         bool is_back = false; ///< seen from inside
+        bool is_bent = false; ///< stretched over its loops as triangles
     };
     struct Edge {
         std::size_t subject;

@@ -18,8 +18,10 @@ constexpr double beside_edge = 11.0; // [px]
 constexpr double around_lone = 18.0; // [px]
 constexpr double inside = 1.6;       // times as far from the edge, of a face that is seen from inside
 constexpr double shortest = 18.0;    // [px] of a line with a head
-constexpr double gap = 3.0;          // [px] to the neighbour's line
-constexpr double least_slant = 0.3;  // sine between an edge and its face's normal
+constexpr std::size_t many = 2000;   // half-edges, of which only the long ones have arrows
+constexpr double shortest_of_many = 60.0;
+constexpr double gap = 3.0;         // [px] to the neighbour's line
+constexpr double least_slant = 0.3; // sine between an edge and its face's normal
 
 Vector unit(const Vector& v)
 {
@@ -44,11 +46,7 @@ Vector ArrowLines::plane_normal(FaceId f, const Vector& along) const
     return length(cross(normal, along)) > least_slant ? normal : sight_.toward_eye();
 }
 
-Vector ArrowLines::direction(HalfEdgeId h) const
-{
-    const auto path = paths_(h);
-    return unit(path.back() - path.front());
-}
+Vector ArrowLines::direction(HalfEdgeId h) const { return unit(paths_.end(h) - paths_.start(h)); }
 
 double ArrowLines::taken(const Vector& from, const Vector& to, const Vector& normal, double offset)
 {
@@ -57,10 +55,10 @@ double ArrowLines::taken(const Vector& from, const Vector& to, const Vector& nor
     return offset * std::tan(0.5 * turn);
 }
 
-std::vector<Point> ArrowLines::straight(HalfEdgeId h, const std::vector<Point>& path) const
+std::vector<Point> ArrowLines::straight(HalfEdgeId h) const
 {
     const FaceId f = solid_.face(h);
-    const Vector whole = path.back() - path.front(), along = unit(whole);
+    const Vector whole = paths_.end(h) - paths_.start(h), along = unit(whole);
     const Vector normal = plane_normal(f, along);
     const double aside = offset(f), room = length(whole), least_gap = sight_.px(gap);
     double before = taken(direction(solid_.prev(h)), along, normal, aside) + least_gap;
@@ -69,7 +67,7 @@ std::vector<Point> ArrowLines::straight(HalfEdgeId h, const std::vector<Point>& 
     before *= shrink;
     after *= shrink;
     const Vector inward = aside * unit(cross(normal, along));
-    return {path.front() + inward + before * along, path.back() + inward + (-after) * along};
+    return {paths_.start(h) + inward + before * along, paths_.end(h) + inward + (-after) * along};
 }
 
 /// Beside a curve in the sheet's plane, on its left.
@@ -96,11 +94,11 @@ std::vector<Point> ArrowLines::circle(const Point& middle) const
 
 std::vector<Point> ArrowLines::operator()(HalfEdgeId h) const
 {
-    std::vector<Point> path = paths_(h);
-    if (path.size() == 1) return circle(path.front());
-    if (paths_.is_curved(h)) return curved(std::move(path));
-    if (ui::distance(sight_.to_sheet(path.front()), sight_.to_sheet(path.back())) < shortest * symbol_scale_) return {};
-    return straight(h, path);
+    if (!solid_.edge(h)) return circle(paths_.start(h));
+    if (paths_.is_curved(h)) return curved(paths_(h));
+    const double on_sheet = ui::distance(sight_.to_sheet(paths_.start(h)), sight_.to_sheet(paths_.end(h)));
+    const double least = solid_.half_edges().n_living() > many ? shortest_of_many : shortest;
+    return on_sheet < least * symbol_scale_ ? std::vector<Point>{} : straight(h);
 }
 
 void keep_share(std::vector<Point>& line, double share)

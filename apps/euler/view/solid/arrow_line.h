@@ -19,12 +19,12 @@ public:
         : solid_(solid), paths_(paths), bodies_(bodies), sight_(sight), symbol_scale_(symbol_scale)
     {}
 
-    /// From tail to head; empty where there is no room for an arrow.
+    /// From tail to head; empty where there is no room for an arrow, less soon in a solid of thousands.
     std::vector<topology::Point> operator()(topology::HalfEdgeId h) const;
 
 private:
     std::vector<topology::Point> circle(const topology::Point& middle) const;
-    std::vector<topology::Point> straight(topology::HalfEdgeId h, const std::vector<topology::Point>& path) const;
+    std::vector<topology::Point> straight(topology::HalfEdgeId h) const;
     std::vector<topology::Point> curved(std::vector<topology::Point> path) const;
     topology::Vector plane_normal(topology::FaceId f, const topology::Vector& along) const;
     double offset(topology::FaceId f) const;

@@ -17,7 +17,7 @@ namespace {
 
 using Rim = std::vector<Point>;
 
-constexpr double flat_within = 1e-6;  // of the solid's extent
+constexpr double flat_within = 1e-3;  // of the length of a face's outline: nobody sees the difference
 constexpr double no_area = 1e-9;      // of the square of a face's outline
 constexpr double outward = 0.7;       // of a face's distance from its shell's middle, where it is fully exploded
 constexpr double along_normal = 0.12; // of the solid's extent
@@ -57,6 +57,10 @@ Rim rim_of(const topology::Solid& solid, topology::LoopId loop, const HalfEdgePa
 {
     Rim rim;
     for (const topology::HalfEdgeId h : solid.chain(loop)) {
+        if (!paths.is_curved(h)) {
+            rim.push_back(paths.start(h));
+            continue;
+        }
         const auto path = paths(h);
         rim.insert(rim.end(), path.begin(), path.size() > 1 ? path.end() - 1 : path.end());
     }
@@ -123,7 +127,7 @@ Point middle_of(const std::vector<Rim>& rims)
     return Point{} + (1.0 / n) * sum;
 }
 
-FaceBody body_of(const topology::Solid& solid, FaceId f, const HalfEdgePaths& paths, double extent)
+FaceBody body_of(const topology::Solid& solid, FaceId f, const HalfEdgePaths& paths)
 {
     std::vector<Rim> rims;
     Vector area;
@@ -138,19 +142,18 @@ FaceBody body_of(const topology::Solid& solid, FaceId f, const HalfEdgePaths& pa
     if (!(size > no_area * around * around)) return body;
     body.normal = (1.0 / size) * area;
     body.inner_radius = size / around;
-    body.pieces = pieces(rims, body.normal, flat_within * extent);
+    body.pieces = pieces(rims, body.normal, flat_within * around);
     return body;
 }
 
 } // namespace
 
-FaceBodies::FaceBodies(const topology::Solid& solid, const Stations& stations, const HalfEdgePaths& paths)
-    : places_(solid.faces().n_rows())
+FaceBodies::FaceBodies(const topology::Solid& solid, const HalfEdgePaths& paths) : places_(solid.faces().n_rows())
 {
     bodies_.reserve(solid.faces().n_living());
     for (const FaceId f : solid.faces()) {
         places_[f.index] = bodies_.size();
-        bodies_.push_back(body_of(solid, f, paths, stations.extent()));
+        bodies_.push_back(body_of(solid, f, paths));
     }
 }
 

@@ -24,7 +24,7 @@ struct FaceBody {
 
 class FaceBodies {
 public:
-    FaceBodies(const topology::Solid& solid, const Stations& stations, const HalfEdgePaths& paths);
+    FaceBodies(const topology::Solid& solid, const HalfEdgePaths& paths);
 
     const FaceBody& operator[](topology::FaceId f) const { return bodies_[places_[f.index]]; }
     const std::vector<FaceBody>& all() const { return bodies_; } ///< in the order in which the faces were made

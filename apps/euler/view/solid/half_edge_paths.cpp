@@ -91,6 +91,7 @@ Curve HalfEdgePaths::curve(VertexId v, double leaves_at, double returns_at) cons
 
 bool HalfEdgePaths::is_curved(HalfEdgeId h) const
 {
+    if (curves_.empty()) return false;
     const auto e = solid_.edge(h);
     return e && curves_.contains(*e);
 }

@@ -30,6 +30,8 @@ public:
     /// From its start to its end, both included; one point of a lone vertex.
     std::vector<topology::Point> operator()(topology::HalfEdgeId h) const;
     bool is_curved(topology::HalfEdgeId h) const;
+    const topology::Point& start(topology::HalfEdgeId h) const { return stations_[solid_.start(h)]; }
+    const topology::Point& end(topology::HalfEdgeId h) const { return stations_[solid_.end(h)]; }
 
 private:
     void bend(topology::VertexId v);

@@ -10,7 +10,7 @@ PlacedSolid::PlacedSolid(std::size_t number, const Subject& subject, const Sight
       marks(solid, subject.marks),
       stations(solid, marks, sight),
       paths(solid, stations, sight),
-      bodies(solid, stations, paths)
+      bodies(solid, paths)
 {
     bodies.explode(solid, explosion, stations.extent());
 }
@@ -21,7 +21,7 @@ PlacedSolid::PlacedSolid(std::size_t number, const Subject& subject, const Sight
       marks(solid, subject.marks),
       stations(std::move(layout.vertices)),
       paths(solid, stations, sight, std::move(layout.curves)),
-      bodies(solid, stations, paths),
+      bodies(solid, paths),
       left_out_(std::move(layout.left_out))
 {
     bodies.lay_flat(layout.outside);

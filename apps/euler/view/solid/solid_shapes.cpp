@@ -54,7 +54,7 @@ private:
         for (const FaceBody& body : of.bodies.all()) {
             if (of.is_left_out(body.face)) continue;
             const std::size_t place = shapes_.faces.size();
-            shapes_.faces.push_back({of.place, body.face, is_back(of, body.face)});
+            shapes_.faces.push_back({of.place, body.face, is_back(of, body.face), body.pieces.size() > 1});
             for (const auto& piece : body.pieces) add_piece(place, piece, body.shift);
         }
     }
@@ -63,6 +63,7 @@ private:
     {
         SeenPiece seen;
         for (const std::vector<Point>& rim : rims) seen.area.push_back(on_sheet(rim, shift, sight_));
+        if (shapes_.faces[face].is_bent) set_aslant(seen.area);
         const std::vector<Point>& outline = rims.front();
         const Vector normal = area_of(outline);
         seen.plane = depth_plane(outline.front() + shift, normal, sight_);
@@ -72,6 +73,14 @@ private:
         seen.nearness /= static_cast<double>(outline.size());
         seen_.push_back(std::move(seen));
         face_of_.push_back(face);
+    }
+
+    /// A surface moves level and upright sides onto its grid of pixels, which would open seams between triangles; a
+    /// hundredth of a pixel keeps their sides aslant. It depends on the place alone, so that triangles still meet.
+    static void set_aslant(Region& area)
+    {
+        for (std::vector<ui::Point>& loop : area)
+            for (ui::Point& p : loop) p = p + 0.01 * ui::Point{std::sin(0.37 * p.y), std::sin(0.37 * p.x)};
     }
 
     static Vector area_of(const std::vector<Point>& outline)
@@ -140,6 +149,14 @@ private:
         return moves ? 1.0 : of.marks.presence(e);
     }
 
+    /// A half-edge's line grows as its edge does: the one that runs with it from its tail, the other from its head.
+    static void grow(std::vector<Point>& line, double share, bool is_along)
+    {
+        if (!is_along) std::reverse(line.begin(), line.end());
+        keep_share(line, share);
+        if (!is_along) std::reverse(line.begin(), line.end());
+    }
+
     void add_arrows(const PlacedSolid& of)
     {
         const ArrowLines lines(of.solid, of.paths, of.bodies, sight_, symbol_);
@@ -148,7 +165,7 @@ private:
             if (of.is_left_out(f)) continue;
             std::vector<Point> line = lines(h);
             if (line.empty()) continue;
-            if (const auto e = of.solid.edge(h)) keep_share(line, grown(of, *e));
+            if (const auto e = of.solid.edge(h)) grow(line, grown(of, *e), h == of.solid.minus(*e));
             const Point middle = line[line.size() / 2];
             shapes_.arrows.push_back({.subject = of.place,
                                       .half_edge = h,
