@@ -35,15 +35,16 @@ Vector any_normal(const Vector& along)
     return cross(along, side);
 }
 
-Frame frame(const Point& origin, const Vector& normal)
+} // namespace
+
+Frame frame_across(const Point& origin, const Vector& normal)
 {
-    const Vector n = toward_viewer(unit(normal));
+    const Vector n = unit(normal);
     if (n.z > 1.0 - tolerance) return {.origin = origin};
+    if (n.z < tolerance - 1.0) return {.origin = origin, .u = {1.0, 0.0, 0.0}, .v = {0.0, -1.0, 0.0}};
     const Vector u = unit(cross({0.0, 0.0, 1.0}, n));
     return {origin, u, cross(n, u)};
 }
-
-} // namespace
 
 std::optional<Frame> plane_of(const Solid& solid)
 {
@@ -54,7 +55,8 @@ std::optional<Frame> plane_of(const Solid& solid)
     const Vector along = unit(end - origin);
     const auto [side, width] = farthest(solid, [&](const Point& p) { return length(cross(along, p - origin)); });
     const bool is_line = width <= tolerance * extent;
-    const Frame found = frame(origin, is_line ? any_normal(along) : cross(along, side - origin));
+    const Vector normal = unit(is_line ? any_normal(along) : cross(along, side - origin));
+    const Frame found = frame_across(origin, toward_viewer(normal));
     const Vector n = found.normal();
     const double depth = farthest(solid, [&](const Point& p) { return std::abs(dot(n, p - origin)); }).second;
     return depth <= tolerance * extent ? std::optional(found) : std::nullopt;

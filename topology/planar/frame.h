@@ -29,6 +29,9 @@ struct Frame {
     Vector normal() const { return cross(u, v); }
 };
 
+/// The plane through a point that is looked at from where the normal points. \pre the normal has a length
+Frame frame_across(const Point& origin, const Vector& normal);
+
 /// The plane that all of a solid's vertices lie in, looked at from above or, if it stands upright, from the side of the
 /// larger coordinate. Where they lie in a line, it is a plane through it, level if there is one. None where they lie in
 /// no plane, or there are none.

@@ -12,6 +12,7 @@
 #include "apps/euler/document/gallery/gallery.h"
 #include "apps/euler/document/stepper.h"
 #include "femoop/model/fault/fault.h"
+#include "topology/embedding/embedding.h"
 #include "topology/halfedge/check/validate.h"
 #include "topology/halfedge/operators/refusal.h"
 #include "topology/mesh/mesh.h"
@@ -103,6 +104,8 @@ std::set<std::string> sentences_in_sources()
         sentences.emplace(topology::pattern(static_cast<topology::RefusalKind>(kind)));
     for (int invariant = 0; invariant < topology::n_invariants; ++invariant)
         sentences.emplace(topology::pattern(static_cast<topology::Invariant>(invariant)));
+    for (int fault = 0; fault < topology::n_embedding_faults; ++fault)
+        sentences.emplace(topology::pattern(static_cast<topology::EmbeddingFault>(fault)));
     for (int fault = 0; fault < topology::n_script_faults; ++fault)
         sentences.emplace(topology::pattern(static_cast<topology::ScriptFault>(fault)));
     for (int fault = 0; fault < topology::n_mesh_faults; ++fault)

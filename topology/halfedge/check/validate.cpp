@@ -26,12 +26,7 @@ std::string_view pattern(Invariant invariant)
 
 std::string sentence(const Breach& breach, const EntityName& name)
 {
-    std::string filled(pattern(breach.invariant));
-    for (std::size_t i = 0; i < breach.entities.size(); ++i) {
-        const std::string place = "{" + std::to_string(i) + "}";
-        filled.replace(filled.find(place), place.size(), name(breach.entities[i]));
-    }
-    return filled;
+    return sentence_of(pattern(breach.invariant), breach.entities, name);
 }
 
 namespace {

@@ -46,19 +46,23 @@ std::string_view pattern(RefusalKind kind)
     return "";
 }
 
-std::string sentence(const Refusal& refusal, const EntityName& name)
+std::string sentence_of(std::string_view pattern, std::span<const Entity> entities, const EntityName& name)
 {
-    const std::string_view text = pattern(refusal.kind);
     std::string filled;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] != '{') {
-            filled += text[i];
+    for (std::size_t i = 0; i < pattern.size(); ++i) {
+        if (pattern[i] != '{') {
+            filled += pattern[i];
             continue;
         }
-        filled += name(refusal.entities[static_cast<std::size_t>(text[i + 1] - '0')]);
+        filled += name(entities[static_cast<std::size_t>(pattern[i + 1] - '0')]);
         i += 2;
     }
     return filled;
+}
+
+std::string sentence(const Refusal& refusal, const EntityName& name)
+{
+    return sentence_of(pattern(refusal.kind), refusal.entities, name);
 }
 
 } // namespace topology

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -48,6 +49,8 @@ using EntityName = std::function<std::string(Entity)>;
 std::string table_name(Entity entity); ///< "v7", as the tables number it
 
 std::string_view pattern(RefusalKind kind); ///< English, with places {0} {1} {2}
+/// The pattern with the names of the entities in its places {0} {1} {2}.
+std::string sentence_of(std::string_view pattern, std::span<const Entity> entities, const EntityName& name);
 std::string sentence(const Refusal& refusal, const EntityName& name = table_name);
 
 /// Thrown by an operator whose `why_not_` gives a reason. The solid is as it was.
