@@ -1,0 +1,129 @@
+#include "apps/euler/view/planar/planar_shapes.h"
+#include "apps/euler/view/polygons/plane_model.h"
+#include "tests/apps/euler_view/example_solids.h"
+#include "tests/topology/halfedge/random_walk.h"
+#include "topology/halfedge/check/shells.h"
+
+#include <doctest/doctest.h>
+
+#include <map>
+
+using namespace euler;
+using view_test::example;
+using view_test::Made;
+
+TEST_SUITE_BEGIN("euler view: plane");
+
+namespace {
+
+constexpr ui::Size sheet{800.0, 600.0};
+const topology::Names no_names;
+
+Shapes in_plane(const std::vector<Subject>& subjects, std::optional<Part> outside = std::nullopt)
+{
+    return planar_shapes(subjects, fitted_planar(subjects, sheet, outside), {}, outside);
+}
+
+bool cross_inside(ui::Point a, ui::Point b, ui::Point c, ui::Point d)
+{
+    const auto side = [](ui::Point p, ui::Point q, ui::Point r) { return ui::cross(q - p, r - p); };
+    return side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0;
+}
+
+bool cross_anywhere(const std::vector<ui::Point>& one, const std::vector<ui::Point>& other)
+{
+    for (std::size_t i = 0; i + 1 < one.size(); ++i)
+        for (std::size_t j = 0; j + 1 < other.size(); ++j)
+            if (cross_inside(one[i], one[i + 1], other[j], other[j + 1])) return true;
+    return false;
+}
+
+int n_crossings(const Shapes& shapes)
+{
+    int n = 0;
+    for (std::size_t i = 0; i < shapes.edges.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (cross_anywhere(shapes.edges[i].line, shapes.edges[j].line)) ++n;
+    return n;
+}
+
+/// A random solid whose shells have no handles.
+topology::Solid random_sphere(std::uint32_t seed, int n_steps)
+{
+    RandomWalk walk(seed);
+    for (int i = 0; i < n_steps; ++i) {
+        walk.step(2.0);
+        if (topology::euler_counts(walk.solid).G > 0) walk.op().undo();
+    }
+    return walk.solid;
+}
+
+} // namespace
+
+TEST_CASE("In the plane no two edges of a random solid without handles cross, whatever its loops are")
+{
+    for (std::uint32_t seed = 1; seed <= 60; ++seed) {
+        const topology::Solid solid = random_sphere(seed, 10 + static_cast<int>(seed) / 2);
+        CAPTURE(seed);
+        const Shapes shapes = in_plane({{&solid, &no_names}});
+        CHECK(shapes.edges.size() == solid.edges().n_living());
+        CHECK(shapes.sentences.empty());
+        CHECK(n_crossings(shapes) == 0);
+    }
+}
+
+TEST_CASE("A polyhedron's edges are straight in the plane, and every face but the one outside is filled")
+{
+    const Made cube(example("cube"));
+    const Shapes shapes = in_plane(cube.subjects(), Part{0, cube.face("f4")});
+    CHECK(n_crossings(shapes) == 0);
+    for (const Shapes::Edge& edge : shapes.edges) CHECK(edge.line.size() == 2);
+    REQUIRE(shapes.pieces.size() == 5);
+    for (const Shapes::Piece& piece : shapes.pieces) {
+        CHECK_FALSE(piece.is_back);
+        CHECK(shapes.faces[piece.face].face != cube.face("f4"));
+    }
+}
+
+TEST_CASE("Of a shell with a handle a sentence is left, the shells beside it are drawn")
+{
+    const Made block(example("hoffmann"));
+    const Shapes shapes = in_plane(block.subjects());
+    REQUIRE(shapes.sentences.size() == 1);
+    CHECK(shapes.sentences.front().find("genus 1") != std::string::npos);
+    CHECK(shapes.edges.size() == 12); // of the void
+    CHECK(shapes.vertices.size() == 8);
+}
+
+TEST_CASE("The plane model has a side for every half-edge, two for every edge, and they run against each other")
+{
+    for (const char* name : {"cube", "torus", "through_hole", "hoffmann"}) {
+        const Made made(example(name));
+        const std::vector<Subject> subjects = made.subjects();
+        const Shapes shapes = plane_model(subjects, fitted_plane_model(subjects, sheet), {});
+        CAPTURE(name);
+        CHECK(shapes.arrows.size() == made.solid().half_edges().n_living());
+        std::map<topology::EdgeId, int> n_sides;
+        for (const Shapes::Edge& edge : shapes.edges) ++n_sides[edge.edge];
+        CHECK(n_sides.size() == made.solid().edges().n_living());
+        for (const auto& [edge, n] : n_sides) CHECK(n == 2);
+        CHECK(shapes.pieces.size() == made.solid().faces().n_living());
+    }
+}
+
+TEST_CASE("Random solids of every genus have a plane model on the sheet, without a place that is not finite")
+{
+    const ui::Box room{{0.0, 0.0}, {sheet.width, sheet.height}};
+    for (std::uint32_t seed = 1; seed <= 40; ++seed) {
+        RandomWalk walk(seed);
+        for (std::uint32_t i = 0; i < 2 * seed; ++i) walk.step(2.0);
+        const std::vector<Subject> subjects{{&walk.solid, &no_names}};
+        const Shapes shapes = plane_model(subjects, fitted_plane_model(subjects, sheet), {});
+        CAPTURE(seed);
+        for (const Shapes::Vertex& vertex : shapes.vertices) CHECK(room.contains(vertex.at));
+        for (const Shapes::Arrow& arrow : shapes.arrows)
+            for (const ui::Point p : arrow.line) CHECK(ui::is_finite(p));
+    }
+}
+
+TEST_SUITE_END();
