@@ -95,7 +95,7 @@ LineKind Stepper::run(std::string_view line)
     steps_.resize(place() - 1);
     StepReport report = described(line, std::move(recorder.changes));
     report.explanation = std::string_view(comment(above_, line));
-    steps_.push_back({std::exchange(above_, ""), std::move(report)});
+    steps_.push_back(std::make_shared<const TextStep>(TextStep{std::exchange(above_, ""), std::move(report)}));
     return kind;
 }
 
@@ -117,7 +117,7 @@ StepReport Stepper::described(std::string_view line, std::vector<Change> changes
 EulerCounts Stepper::counts_before(std::size_t solid) const
 {
     for (auto step = steps_.rbegin(); step != steps_.rend(); ++step)
-        if (step->report.solid == solid) return step->report.after;
+        if ((*step)->report.solid == solid) return (*step)->report.after;
     return {};
 }
 
@@ -145,7 +145,7 @@ std::optional<ui::Phrase> Stepper::apply(std::string_view line)
 std::string Stepper::script() const
 {
     std::string text;
-    for (const TextStep& step : steps_) text += step.above + step.report.line + "\n";
+    for (const auto& step : steps_) text += step->above + step->report.line + "\n";
     return text + above_;
 }
 

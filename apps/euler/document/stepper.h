@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -32,7 +33,7 @@ public:
     std::optional<ui::Phrase> apply(std::string_view line);
 
     const topology::ScriptRunner& runner() const { return runner_; }
-    const StepReport& report(std::size_t i) const { return steps_[i - 1].report; } ///< \pre 1 <= i <= n_steps()
+    const StepReport& report(std::size_t i) const { return steps_[i - 1]->report; } ///< \pre 1 <= i <= n_steps()
 
     /// What is saved: every step with its comments, those beyond the place too.
     std::string script() const;
@@ -49,7 +50,7 @@ private:
     topology::EulerCounts counts_before(std::size_t solid) const;
 
     topology::ScriptRunner runner_;
-    std::vector<TextStep> steps_;
+    std::vector<std::shared_ptr<const TextStep>> steps_; ///< never changed, so that copies share them
     std::string above_; ///< of the step that is read next; in the end, what follows the last step
     ui::Phrase heading_;
 };
