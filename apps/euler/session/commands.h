@@ -34,6 +34,9 @@ enum class Request : std::uint8_t {
 /// What the panel at the left shows.
 enum class Topic : std::uint8_t { Script, Operators, Gallery };
 
+/// The structure whose tables are seen below.
+enum class Structure : std::uint8_t { HalfEdges, WingedEdges };
+
 /// A session, the panels around its picture, and what its commands ask the window for. The window takes the requests
 /// once a frame.
 struct Desk {
@@ -42,6 +45,7 @@ struct Desk {
     /// What is to be done once the user has said what becomes of steps that are not saved.
     std::function<void(Desk&)> after_question{};
     Topic topic = Topic::Script;
+    Structure structure = Structure::HalfEdges;
     topology::TableKind table = topology::TableKind::HalfEdges; ///< that is seen below
     bool has_panels = true;
     bool has_tables = true;

@@ -169,15 +169,27 @@ void add_panels(CommandTable& table)
                        },
                    .is_on = [topic = entry.topic](const Desk& desk) { return desk.topic == topic; }});
     for (const TableEntry& entry : table_entries)
-        table.add({.id = entry.id,
-                   .menu = translatable("Tables"),
-                   .label = entry.label,
-                   .run =
-                       [kind = entry.table](Desk& desk) {
-                           desk.table = kind;
-                           desk.has_tables = true;
-                       },
-                   .is_on = [kind = entry.table](const Desk& desk) { return desk.table == kind; }});
+        table.add(
+            {.id = entry.id,
+             .menu = translatable("Tables"),
+             .label = entry.label,
+             .run =
+                 [kind = entry.table](Desk& desk) {
+                     desk.table = kind;
+                     desk.structure = Structure::HalfEdges;
+                     desk.has_tables = true;
+                 },
+             .is_on = [kind = entry.table](
+                          const Desk& desk) { return desk.table == kind && desk.structure == Structure::HalfEdges; }});
+    table.add({.id = "table.winged",
+               .menu = translatable("Tables"),
+               .label = translatable("Winged edges"),
+               .run =
+                   [](Desk& desk) {
+                       desk.structure = Structure::WingedEdges;
+                       desk.has_tables = true;
+                   },
+               .is_on = [](const Desk& desk) { return desk.structure == Structure::WingedEdges; }});
 }
 
 void add_themes_and_languages(CommandTable& table)

@@ -56,6 +56,12 @@ void add_operator_commands(CommandTable& table)
                                {{"operator", std::string(form.name)}, {"meaning", Phrase(form.meaning)}}};
                    }});
     }
+    table.add({.id = "operator.draw",
+               .menu = menu,
+               .label = translatable("Draw lines, and be told their operators"),
+               .shortcuts = {{Key::L, {}}},
+               .run = [](Desk& desk) { desk.session.draw_or_look(); },
+               .is_on = [](const Desk& desk) { return desk.session.is_drawing(); }});
     table.add({.id = "operator.accept",
                .menu = menu,
                .label = translatable("Apply the operator"),
@@ -72,8 +78,14 @@ void add_operator_commands(CommandTable& table)
                .menu = menu,
                .label = translatable("Give up the operator"),
                .shortcuts = {{Key::Escape, {}}},
-               .run = [](Desk& desk) { desk.session.give_up(); },
-               .why_not = needs_draft});
+               .run =
+                   [](Desk& desk) {
+                       if (desk.session.is_drawing()) desk.session.draw_or_look();
+                       desk.session.give_up();
+                   },
+               .why_not = [](const Desk& desk) -> Reason {
+                   return desk.session.is_drawing() ? std::nullopt : needs_draft(desk);
+               }});
 }
 
 } // namespace euler

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "apps/euler/document/drawing/drawn_line.h"
 #include "apps/euler/session/argument_pick.h"
 #include "femoop/io/whole_file.h"
 #include "ui/text/catalogue.h"
@@ -164,8 +165,35 @@ bool Session::tick(double seconds)
     return true;
 }
 
+void Session::draw_or_look()
+{
+    give_up();
+    is_drawing_ = !is_drawing_;
+    if (!is_drawing_) return;
+    eye.look(ui::StandardView::Top);
+    view_ = ViewKind::Space;
+    is_fitted = true;
+}
+
+std::optional<ui::Phrase> Session::draw(const topology::Point& from, const topology::Point& to)
+{
+    if (motion_) look_at_place();
+    const bool has_figure = place() > 0 && stepper_.runner().solids()[report()->solid].is_alive();
+    const auto figure = has_figure ? std::optional(report()->solid) : std::nullopt;
+    const auto drawn = drawn_line(stepper_, figure, from, to);
+    if (const auto* const reason = std::get_if<ui::Phrase>(&drawn)) return *reason;
+    std::string told;
+    for (const DrawnStep& step : std::get<std::vector<DrawnStep>>(drawn)) {
+        if (auto reason = apply(step.line)) return reason;
+        told += (told.empty() ? "" : "\n") + report()->name + ": " + tr()(step.why);
+    }
+    notice = passing_notice(ui::Phrase(told));
+    return std::nullopt;
+}
+
 void Session::show_as(ViewKind kind)
 {
+    is_drawing_ = false;
     view_ = kind;
     is_fitted = true;
 }

@@ -102,6 +102,13 @@ public:
     bool accept();                                          ///< does what the operator would do
     std::optional<ui::Phrase> apply(std::string_view line); ///< one more line. \returns why not, nothing being changed
 
+    /// Draws a straight line into the plane figure that was worked on last, and tells which operators it takes and why
+    /// these. \returns why it cannot be drawn
+    std::optional<ui::Phrase> draw(const topology::Point& from, const topology::Point& to);
+    /// Lines are drawn on the xy plane, seen from the top.
+    bool is_drawing() const { return is_drawing_; }
+    void draw_or_look(); ///< begins to draw lines, or ends it
+
     std::optional<Part> selection, hover;
     Look look;
     ViewKind view() const { return view_; }
@@ -124,6 +131,7 @@ private:
     void preview_draft();
 
     ViewKind view_ = ViewKind::Space;
+    bool is_drawing_ = false;
     Stepper stepper_;
     std::string saved_;
     std::optional<std::filesystem::path> path_;

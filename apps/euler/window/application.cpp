@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "apps/euler/window/describe.h"
+#include "apps/euler/window/entity_panel.h"
 #include "apps/euler/window/gallery_panel.h"
 #include "apps/euler/window/player_bar.h"
 #include "apps/euler/window/script_panel.h"
@@ -228,6 +229,7 @@ void Application::show_right(float width)
 {
     ui::begin_panel("###right", width);
     step_panel(session(), gui_);
+    entity_panel(desk_.session);
     ui::end_panel();
 }
 
@@ -235,8 +237,11 @@ void Application::show_canvas()
 {
     const float em = ImGui::GetFontSize();
     const float bar = 1.25F * ImGui::GetFrameHeight() + 0.6F * em;
+    if (!desk_.has_panels) step_caption(session(), gui_);
     const ImVec2 room = ImGui::GetContentRegionAvail();
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, 0U);
     ImGui::BeginChild("###picture", {room.x, room.y - bar}, false, ImGuiWindowFlags_NoNav); // its keys are commands
+    ImGui::PopStyleColor();
     canvas_.show(desk_.session, gui_);
     show_notice();
     ImGui::EndChild();

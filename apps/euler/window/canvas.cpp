@@ -3,8 +3,10 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "apps/euler/view/draw/draw.h"
@@ -130,6 +132,16 @@ void Canvas::fit(Session& session) const
     session.polygon_eye = fitted_plane_model(now, sheet_);
 }
 
+// Around what is drawn already; from then on the picture rests under the hand.
+void Canvas::give_room_to_draw(Session& session) const
+{
+    constexpr std::array<ui::World3, 2> sheet_of_paper{{{-1.0, -1.0, 0.0}, {9.0, 7.0, 0.0}}};
+    if (shapes_.vertices.empty()) session.eye.fit(sheet_of_paper, sheet_);
+    else fit(session);
+    if (!shapes_.vertices.empty()) session.eye.zoom({0.5 * sheet_.width, 0.5 * sheet_.height}, 0.6);
+    session.is_fitted = false;
+}
+
 void Canvas::zoom(Session& session, double factor) const
 {
     move(session, [&](auto& camera) { camera.zoom({0.5 * sheet_.width, 0.5 * sheet_.height}, factor); });
@@ -149,12 +161,13 @@ void Canvas::show(Session& session, ui::ImGuiSession& gui)
     if (room.x < 8.0F || room.y < 8.0F) return;
     corner_ = {static_cast<double>(corner.x / scale), static_cast<double>(corner.y / scale)};
     sheet_ = {static_cast<double>(room.x / scale), static_cast<double>(room.y / scale)};
-    if (session.is_fitted) fit(session);
+    if (session.is_fitted) session.is_drawing() ? give_room_to_draw(session) : fit(session);
     ImGui::InvisibleButton("canvas", room,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
                                ImGuiButtonFlags_MouseButtonRight);
     const ImGuiIO& io = ImGui::GetIO();
-    if (ImGui::IsItemHovered() || ImGui::IsItemActive())
+    if (!ImGui::IsItemHovered() && !ImGui::IsItemActive()) line_start_.reset(); // released beside the picture
+    else
         follow(session, {static_cast<double>((io.MousePos.x - corner.x) / scale),
                          static_cast<double>((io.MousePos.y - corner.y) / scale)});
     paint(session);
@@ -168,6 +181,7 @@ void Canvas::follow(Session& session, ui::Point at)
 {
     move_camera(session, at);
     if (is_dragging_) return;
+    if (session.is_drawing()) return draw_line(session, at);
     const std::vector<Subject> subjects = session.subjects();
     const auto under = under_pointer(session, shapes_of(session, subjects), subjects, at);
     if (under) session.hover = under;
@@ -197,6 +211,52 @@ void Canvas::tell(const Session& session) const
     ImGui::PopStyleVar();
 }
 
+namespace {
+
+// So many pixels apart that a hand can choose among them.
+double grid(double scale)
+{
+    constexpr double least = 24.0; // px
+    double step = std::pow(10.0, std::floor(std::log10(least / scale)));
+    for (const double factor : {2.0, 2.5, 2.0})
+        if (step * scale < least) step *= factor;
+    return step;
+}
+
+} // namespace
+
+// At a vertex that is near, else on the grid.
+topology::Point Canvas::place(const Session& session, ui::Point at) const
+{
+    constexpr double near = 10.0; // px
+    for (const Shapes::Vertex& vertex : shapes_.vertices)
+        if (ui::distance(vertex.at, at) < near) return session.shown()[vertex.subject].solid.point(vertex.vertex);
+    const ui::World3 p = session.eye.to_world(at, 0.0);
+    const double step = grid(session.eye.scale());
+    return {step * std::round(p.x / step), step * std::round(p.y / step), 0.0};
+}
+
+void Canvas::draw_line(Session& session, ui::Point at)
+{
+    line_end_ = place(session, at);
+    if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) line_start_ = line_end_;
+    if (!line_start_ || !ImGui::IsMouseReleased(ImGuiMouseButton_Left)) return;
+    if (const auto reason = session.draw(*std::exchange(line_start_, std::nullopt), *line_end_))
+        session.notice = passing_notice(*reason);
+}
+
+// The place that is meant, and the line on its way.
+void Canvas::paint_drawing(const Session& session, ui::Painter& painter) const
+{
+    const ui::Theme theme = session.look.full_theme();
+    const ui::LayerScope above(painter, ui::Layer::Overlay);
+    if (!line_end_) return;
+    const auto on_sheet = [&](const topology::Point& p) { return session.eye.to_sheet({p.x, p.y, p.z}); };
+    const ui::Stroke stroke = theme.stroke(ui::Role::Created);
+    painter.circle(on_sheet(*line_end_), 5.0 * theme.symbol_scale(), stroke);
+    if (line_start_) painter.line(on_sheet(*line_start_), on_sheet(*line_end_), stroke);
+}
+
 void Canvas::move_camera(Session& session, ui::Point at)
 {
     const ImGuiIO& io = ImGui::GetIO();
@@ -204,7 +264,7 @@ void Canvas::move_camera(Session& session, ui::Point at)
         const double factor = std::pow(zoom_per_turn, static_cast<double>(io.MouseWheel));
         move(session, [&](auto& camera) { camera.zoom(at, factor); });
     }
-    const bool is_left = ImGui::IsMouseDragging(ImGuiMouseButton_Left);
+    const bool is_left = ImGui::IsMouseDragging(ImGuiMouseButton_Left) && !session.is_drawing();
     const bool is_other = ImGui::IsMouseDragging(ImGuiMouseButton_Middle) ||
                           ImGui::IsMouseDragging(ImGuiMouseButton_Right);
     if (!ImGui::IsItemActive() || (!is_left && !is_other)) {
@@ -227,7 +287,8 @@ void Canvas::paint(const Session& session)
     shapes_ = shapes_of(session, subjects);
     ui::Painter painter(sheet_, fonts_);
     draw(painter, shapes_, subjects, session.look);
-    if (shapes_.vertices.empty()) draw_invitation(painter, session.look);
+    if (shapes_.vertices.empty() && !session.is_drawing()) draw_invitation(painter, session.look);
+    if (session.is_drawing()) paint_drawing(session, painter);
     picture_ = painter.picture();
 }
 
@@ -263,6 +324,11 @@ ui::Point place_in(const Region& area)
 }
 
 } // namespace
+
+ui::Point Canvas::in_window(const Session& session, const topology::Point& place) const
+{
+    return corner_ + session.eye.to_sheet({place.x, place.y, place.z});
+}
 
 std::optional<ui::Point> Canvas::in_window(const Part& part) const
 {

@@ -6,6 +6,7 @@
 
 #include "apps/euler/session/commands.h"
 #include "apps/euler/view/shapes/shapes.h"
+#include "topology/geometry/point.h"
 #include "ui/context/imgui_session.h"
 #include "ui/paint/painter.h"
 
@@ -27,6 +28,8 @@ public:
 
     /// Where an entity of a solid lies in the window [logical pixels]; nothing where it is not to be seen.
     std::optional<ui::Point> in_window(const Part& part) const;
+    /// Where a place in space lies.
+    ui::Point in_window(const Session& session, const topology::Point& place) const;
     /// The solids as they are seen now, without what the pointer does.
     ui::Picture picture_of(const Session& session) const;
     /// The picture that was drawn last, for golden texts.
@@ -37,7 +40,11 @@ private:
     void move_camera(Session& session, ui::Point at);
     void click(Session& session, const std::optional<Part>& under) const;
     void tell(const Session& session) const;
+    void draw_line(Session& session, ui::Point at);
+    topology::Point place(const Session& session, ui::Point at) const;
+    void paint_drawing(const Session& session, ui::Painter& painter) const;
     void fit(Session& session) const;
+    void give_room_to_draw(Session& session) const;
     Shapes shapes_of(const Session& session, std::span<const Subject> subjects) const;
     void paint(const Session& session);
 
@@ -47,6 +54,7 @@ private:
     Shapes shapes_;      ///< drawn last
     std::optional<ui::Picture> picture_;
     bool is_dragging_ = false;
+    std::optional<topology::Point> line_start_{}, line_end_{}; ///< of a line that is being drawn
 };
 
 /// "vertex v1", in the language of the session.

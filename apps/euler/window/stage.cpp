@@ -13,7 +13,19 @@ namespace euler {
 
 namespace {
 
-constexpr const char* any_place = "a place: vertex v1, edge v1 v2, half-edge v1 v2, face f1 or pixel 400 300";
+constexpr const char* any_place = "a place: vertex v1, edge v1 v2, half-edge v1 v2, face f1, (2, 0) or pixel 400 300";
+
+// "(2, 0)" or "(2, 0, 1)"
+std::optional<topology::Point> point_in(std::string_view text)
+{
+    if (text.size() < 5 || text.front() != '(' || text.back() != ')') return std::nullopt;
+    std::string plain(text.substr(1, text.size() - 2));
+    std::ranges::replace(plain, ',', ' ');
+    std::vector<double> numbers;
+    for (const std::string& word : ui::words_of(plain)) numbers.push_back(ui::number_typed(word).value_or(0.0));
+    if (numbers.size() < 2 || numbers.size() > 3) return std::nullopt;
+    return topology::Point{numbers[0], numbers[1], numbers.size() == 3 ? numbers[2] : 0.0};
+}
 
 std::optional<std::string> in_english(const std::optional<ui::Phrase>& reason)
 {
@@ -41,6 +53,10 @@ std::optional<std::string> go_to(Session& session, std::string_view argument)
 ui::Stage::Sought OffscreenStage::find(std::string_view place)
 {
     if (const auto pixel = ui::pixel_place(place)) return *pixel;
+    if (const auto point = point_in(place)) {
+        const ui::Point at = application_.canvas().in_window(application_.session(), *point);
+        return ui::PointerPlace{at.x, at.y};
+    }
     const auto part = named_part(application_.session().shown(), place);
     if (!part) return any_place;
     const auto at = application_.canvas().in_window(*part);

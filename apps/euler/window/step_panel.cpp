@@ -80,6 +80,10 @@ void count_table(const StepReport& step, const ui::ImGuiSession& gui, const ui::
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg |
                                       ImGuiTableFlags_BordersInnerV;
     if (!ImGui::BeginTable("counts", 1 + static_cast<int>(counts_shown.size()), flags)) return;
+    const float em = ImGui::GetFontSize();
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 5.0F * em);
+    for (const CountEntry& entry : counts_shown)
+        ImGui::TableSetupColumn(entry.letter, ImGuiTableColumnFlags_WidthFixed, 2.4F * em);
     headings(tr);
     count_row(tr("before"), before);
     ImGui::PushFont(gui.bold());
@@ -133,6 +137,23 @@ std::string formula_text(const EulerCounts& n)
     const long sum = n.formula();
     return s(n.V) + " − " + s(n.E) + " + " + s(n.F) + " − (" + s(n.L) + " − " + s(n.F) + ") − 2 (" + s(n.S) + " − " +
            s(n.G) + ") = " + (sum < 0 ? "−" + std::to_string(-sum) : std::to_string(sum));
+}
+
+void step_caption(const Session& session, const ui::ImGuiSession& gui)
+{
+    const StepReport* const step = session.report();
+    const float em = ImGui::GetFontSize();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.7F * em, 0.4F * em});
+    ImGui::BeginChild("###caption", {0.0F, 3.4F * em}, false,
+                      ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
+    if (step != nullptr) {
+        ImGui::PushFont(gui.large());
+        ImGui::TextUnformatted((deltas(*step) + "        " + formula_text(step->after)).c_str());
+        ImGui::PopFont();
+        ImGui::TextUnformatted(session.tr()(step->meaning).c_str());
+    }
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
 }
 
 void step_panel(const Session& session, const ui::ImGuiSession& gui)

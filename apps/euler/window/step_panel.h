@@ -9,6 +9,9 @@ namespace euler {
 /// explanation and its inverse.
 void step_panel(const Session& session, const ui::ImGuiSession& gui);
 
+/// The same in two lines, to be read from the last row: where no panel says it.
+void step_caption(const Session& session, const ui::ImGuiSession& gui);
+
 /// The step's line without its comment.
 std::string code(const StepReport& step);
 

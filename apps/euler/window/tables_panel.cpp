@@ -3,6 +3,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <functional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -54,7 +56,7 @@ public:
         } else {
             const bool is_selected = row->entity && session_.selection == Part{solid_, *row->entity};
             number({row->label, row->number, row->entity, false}, row->mark, is_selected, -1);
-            for (std::size_t i = 0; i < row->cells.size(); ++i)
+            for (std::size_t i = 0; i < std::min(row->cells.size(), n_cells); ++i)
                 number(row->cells[i], row->mark, is_selected, static_cast<int>(i));
         }
         ImGui::PopID();
@@ -107,6 +109,7 @@ void TablesPanel::follow(const Session& session)
     const StepReport* const step = session.report();
     tables_ = step == nullptr ? topology::ComparedTables() : step_tables(session.stepper(), session.step());
     solid_ = step == nullptr ? 0 : step->solid;
+    winged_ = step == nullptr ? topology::WingedTables() : topology::winged_tables(session.after()[solid_].solid);
     is_new_ = true;
 }
 
@@ -118,7 +121,8 @@ void TablesPanel::show(Desk& desk)
     ImGui::BeginChild("###tables", {}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.4F * em, 0.2F * em});
     show_tabs(desk);
-    show_table(desk.session, desk.table);
+    if (desk.structure == Structure::WingedEdges) show_winged(desk.session);
+    else show_table(desk.session, desk.table);
     ImGui::PopStyleVar();
     ImGui::EndChild();
     ImGui::PopStyleVar();
@@ -133,8 +137,13 @@ void TablesPanel::show_tabs(Desk& desk) const
         const bool is_changed = !std::ranges::all_of(tables_.after[entry.table], is_same) ||
                                 !std::ranges::all_of(tables_.before[entry.table], is_same);
         const std::string title = desk.session.tr()(entry.label) + (is_changed ? " •" : "");
-        if (row.show(title + "###" + std::string(entry.id), entry.table == desk.table)) desk.table = entry.table;
+        const bool is_chosen = desk.structure == Structure::HalfEdges && entry.table == desk.table;
+        if (!row.show(title + "###" + std::string(entry.id), is_chosen)) continue;
+        desk.table = entry.table;
+        desk.structure = Structure::HalfEdges;
     }
+    const std::string winged = desk.session.tr()("Winged edges") + "###table.winged";
+    if (row.show(winged, desk.structure == Structure::WingedEdges)) desk.structure = Structure::WingedEdges;
 }
 
 void TablesPanel::headings(const Session& session, const TableRow& like) const
@@ -152,33 +161,87 @@ void TablesPanel::headings(const Session& session, const TableRow& like) const
     }
 }
 
+namespace {
+
+constexpr ImGuiTableFlags table_look = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
+                                       ImGuiTableFlags_SizingStretchSame;
+
+// A solid may have a hundred thousand rows; those in sight are written.
+void write_rows(std::span<const RowPair> pairs, const std::function<void(const RowPair&)>& write)
+{
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(pairs.size()));
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            ImGui::TableNextRow();
+            ImGui::PushID(i);
+            write(pairs[static_cast<std::size_t>(i)]);
+            ImGui::PopID();
+        }
+    }
+}
+
+// The first row that a step changed, with some before it.
+void bring_into_sight(std::span<const RowPair> pairs)
+{
+    const auto touched = std::ranges::find_if(pairs, is_touched);
+    if (touched == pairs.end()) return;
+    constexpr std::ptrdiff_t n_before = 2;
+    const std::ptrdiff_t row = std::max<std::ptrdiff_t>(0, touched - pairs.begin() - n_before);
+    const float height = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
+    ImGui::SetScrollY(height * static_cast<float>(row));
+}
+
+} // namespace
+
 void TablesPanel::show_table(Session& session, TableKind kind)
 {
     const std::vector<RowPair> pairs = paired(tables_.before[kind], tables_.after[kind]);
-    if (pairs.empty()) {
-        ImGui::TextDisabled("%s", session.tr()("Nothing is done yet.").c_str());
-        return;
-    }
+    if (pairs.empty()) return ImGui::TextDisabled("%s", session.tr()("Nothing is done yet.").c_str());
     const TableRow& like = pairs.front().after != nullptr ? *pairs.front().after : *pairs.front().before;
     const std::size_t n_cells = like.cells.size();
-    constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
-                                      ImGuiTableFlags_SizingStretchSame;
-    if (!ImGui::BeginTable("rows", 2 * (1 + static_cast<int>(n_cells)), flags)) return;
+    if (!ImGui::BeginTable("rows", 2 * (1 + static_cast<int>(n_cells)), table_look)) return;
     ImGui::TableSetupScrollFreeze(0, 1);
     headings(session, like);
     RowWriter writer(session, solid_);
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        ImGui::TableNextRow();
-        ImGui::PushID(static_cast<int>(i));
-        writer.write(pairs[i].before, n_cells, "before");
-        writer.write(pairs[i].after, n_cells, "after");
-        ImGui::PopID();
-        if (is_new_ && is_touched(pairs[i])) {
-            ImGui::SetScrollHereY(0.3F);
-            is_new_ = false;
-        }
+    write_rows(pairs, [&](const RowPair& pair) {
+        writer.write(pair.before, n_cells, "before");
+        writer.write(pair.after, n_cells, "after");
+    });
+    if (std::exchange(is_new_, false)) bring_into_sight(pairs);
+    ImGui::EndTable();
+}
+
+// The same solid as edges that carry all the links: edges, vertices and faces beside one another.
+void TablesPanel::show_winged(Session& session)
+{
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    winged_table(session, winged_.edges, {"winged edges", 0.66F * room - gap});
+    ImGui::SameLine();
+    winged_table(session, winged_.vertices, {"winged vertices", 0.14F * room - gap});
+    ImGui::SameLine();
+    winged_table(session, winged_.faces, {"winged faces", 0.2F * room - gap});
+}
+
+void TablesPanel::winged_table(Session& session, const std::vector<TableRow>& rows, const TablePlace& place) const
+{
+    std::size_t n_cells = 0; // a face has a cell for each of its loops
+    for (const TableRow& row : rows) n_cells = std::max(n_cells, row.cells.size());
+    constexpr std::size_t most_cells = 12;
+    n_cells = std::min(n_cells, most_cells);
+    if (n_cells == 0 || !ImGui::BeginTable(place.id, 1 + static_cast<int>(n_cells), table_look, {place.width, 0.0F}))
+        return ImGui::Dummy({place.width, 1.0F});
+    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s", std::string(rows.front().label).c_str());
+    for (const TableCell& cell : rows.front().cells) {
+        ImGui::TableNextColumn();
+        ImGui::TextDisabled("%s", std::string(cell.label).c_str());
     }
-    is_new_ = false;
+    RowWriter writer(session, solid_);
+    write_rows(paired({}, rows), [&](const RowPair& pair) { writer.write(pair.after, n_cells, "row"); });
     ImGui::EndTable();
 }
 

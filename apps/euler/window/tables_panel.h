@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "apps/euler/session/commands.h"
 #include "topology/tables/compared_tables.h"
+#include "topology/tables/winged_edge.h"
 
 namespace euler {
 
@@ -19,7 +21,16 @@ private:
     void show_table(Session& session, topology::TableKind kind);
     void headings(const Session& session, const topology::TableRow& like) const;
 
+    /// A table beside others.
+    struct TablePlace {
+        const char* id;
+        float width;
+    };
+    void show_winged(Session& session);
+    void winged_table(Session& session, const std::vector<topology::TableRow>& rows, const TablePlace& place) const;
+
     topology::ComparedTables tables_;
+    topology::WingedTables winged_;
     std::size_t solid_ = 0;
     std::uint64_t generation_ = 0; ///< that the tables belong to
     bool is_new_ = false;          ///< the first row that the step changed is to be brought into sight

@@ -1,0 +1,53 @@
+#include "apps/euler/window/entity_panel.h"
+
+#include <imgui.h>
+
+#include <string>
+
+#include "apps/euler/window/canvas.h"
+#include "topology/tables/pointer_graph.h"
+
+namespace euler {
+
+using topology::EntityKind;
+
+namespace {
+
+bool lives(const topology::Solid& solid, topology::Entity e)
+{
+    switch (e.kind) {
+    case EntityKind::Vertex: return solid.has(topology::VertexId{e.index});
+    case EntityKind::HalfEdge: return solid.has(topology::HalfEdgeId{e.index});
+    case EntityKind::Edge: return solid.has(topology::EdgeId{e.index});
+    case EntityKind::Loop: return solid.has(topology::LoopId{e.index});
+    case EntityKind::Face: return solid.has(topology::FaceId{e.index});
+    }
+    return false;
+}
+
+} // namespace
+
+void entity_panel(Session& session)
+{
+    if (!session.selection || session.selection->subject >= session.after().size()) return;
+    const Part part = *session.selection;
+    const topology::Solid& solid = session.after()[part.subject].solid;
+    if (!lives(solid, part.entity)) return;
+    ImGui::Separator();
+    ImGui::TextUnformatted(describe(session, part).c_str());
+    if (!ImGui::BeginTable("pointers", 2, ImGuiTableFlags_RowBg)) return;
+    ImGui::TableSetupColumn("link", ImGuiTableColumnFlags_WidthFixed, 7.0F * ImGui::GetFontSize());
+    ImGui::TableSetupColumn("entity", ImGuiTableColumnFlags_WidthStretch);
+    int row = 0;
+    for (const topology::Pointer& pointer : topology::pointers(solid, part.entity)) {
+        ImGui::TableNextColumn();
+        ImGui::TextDisabled("%s", std::string(pointer.label).c_str());
+        ImGui::TableNextColumn();
+        const Part to{part.subject, pointer.to};
+        if (ImGui::Selectable((describe(session, to) + "###" + std::to_string(row++)).c_str())) session.selection = to;
+        if (ImGui::IsItemHovered()) session.hover = to;
+    }
+    ImGui::EndTable();
+}
+
+} // namespace euler
