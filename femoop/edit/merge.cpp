@@ -89,12 +89,28 @@ bool have_one_temperature(const Model& model, const Pair& pair)
     });
 }
 
+/// Lengths of the two, and places on them as places on the whole.
+struct Lengths {
+    double first, second;
+
+    double whole() const { return first + second; }
+    double shortened(double x) const { return short_number(x, whole()); }
+    Position of_first(const Position& position) const { return moved(position, 0.0, first); }
+    Position of_second(const Position& position) const { return moved(position, first, second); }
+
+private:
+    Position moved(const Position& position, double begin, double length) const
+    {
+        if (std::holds_alternative<Percent>(position))
+            return Percent{short_number(100.0 * (begin + distance(position, length)) / whole(), 100.0)};
+        return begin == 0.0 ? position : Position(Quantity(shortened(begin + distance(position, length))));
+    }
+};
+
 /// Moves the loads of both members to the merged one, which has the first's id and the whole length.
 class LoadMerger {
 public:
-    LoadMerger(const Pair& pair, NodeId node, double first_length, double second_length)
-        : pair_(pair), node_(node), first_(first_length), second_(second_length)
-    {}
+    LoadMerger(const Pair& pair, NodeId node, const Lengths& lengths) : pair_(pair), node_(node), lengths_(lengths) {}
 
     void merge(LoadCase& load_case)
     {
@@ -115,33 +131,22 @@ public:
     }
 
 private:
-    double whole() const { return first_ + second_; }
-
-    Position on_whole(const Position& position, double begin, double length) const
-    {
-        if (std::holds_alternative<Percent>(position))
-            return Percent{short_number(100.0 * (begin + distance(position, length)) / whole(), 100.0)};
-        return begin == 0.0 ? position : Position(Quantity(shortened(begin + distance(position, length))));
-    }
-
-    double shortened(double x) const { return short_number(x, whole()); }
-
     void lengthen(DistributedLoad& load) const
     {
-        if (load.from) load.from = on_whole(*load.from, 0.0, first_);
-        load.to = load.to ? on_whole(*load.to, 0.0, first_) : Position(Quantity(shortened(first_)));
+        if (load.from) load.from = lengths_.of_first(*load.from);
+        load.to = load.to ? lengths_.of_first(*load.to) : Position(Quantity(joint()));
     }
-    void lengthen(PointLoad& load) const { load.at = on_whole(load.at, 0.0, first_); }
+    void lengthen(PointLoad& load) const { load.at = lengths_.of_first(load.at); }
     void lengthen(EndLoads&) const {}
     void lengthen(TemperatureLoad&) const {}
     void lengthen(Misfit&) const {}
 
     void shift(DistributedLoad& load) const
     {
-        load.from = load.from ? on_whole(*load.from, first_, second_) : Position(Quantity(shortened(first_)));
-        if (load.to) load.to = on_whole(*load.to, first_, second_);
+        load.from = load.from ? lengths_.of_second(*load.from) : Position(Quantity(joint()));
+        if (load.to) load.to = lengths_.of_second(*load.to);
     }
-    void shift(PointLoad& load) const { load.at = on_whole(load.at, first_, second_); }
+    void shift(PointLoad& load) const { load.at = lengths_.of_second(load.at); }
     void shift(EndLoads&) const {}
     void shift(TemperatureLoad&) const {}
     void shift(Misfit&) const {}
@@ -201,14 +206,34 @@ private:
         for (const NodeLoad& load : load_case.nodes)
             if (load.node == node_)
                 load_case.members.push_back(
-                    {pair_.first,
-                     PointLoad{.at = Quantity(shortened(first_)), .components = load.components, .axes = {}}});
+                    {pair_.first, PointLoad{.at = Quantity(joint()), .components = load.components, .axes = {}}});
     }
+
+    double whole() const { return lengths_.whole(); }
+    double joint() const { return lengths_.shortened(lengths_.first); }
 
     Pair pair_;
     NodeId node_;
-    double first_, second_;
+    Lengths lengths_;
 };
+
+/// Checks follow the place that they read; what is an extreme of a part is none of the whole.
+void follow(std::vector<Expected>& checks, const Pair& pair, const Lengths& lengths)
+{
+    const auto is_of_part = [&](const Expected& check) {
+        return check.member == pair.first || check.member == pair.second;
+    };
+    std::erase_if(checks, [&](const Expected& check) { return is_of_part(check) && !check.at; });
+    for (Expected& check : checks) {
+        if (!is_of_part(check)) continue;
+        const bool is_of_first = check.member == pair.first;
+        const double x = distance(*check.at, is_of_first ? lengths.first : lengths.second);
+        const bool is_at_joint = x == (is_of_first ? lengths.first : 0.0);
+        if (is_at_joint && !check.side) check.side = is_of_first ? Side::Before : Side::After;
+        check.at = is_of_first ? lengths.of_first(*check.at) : lengths.of_second(*check.at);
+        check.member = pair.first;
+    }
+}
 
 bool is_loaded_inside(const Model& model, const Pair& pair)
 {
@@ -251,9 +276,10 @@ MemberId merge_members_at(Model& model, NodeId node)
     const Member& tail = model[pair.second];
     const bool rename = is_named_after_nodes(model, member) && model.extra.empty();
 
-    LoadMerger merger(pair, node, line_of(model, member).length, line_of(model, tail).length);
+    const Lengths lengths{line_of(model, member).length, line_of(model, tail).length};
+    LoadMerger merger(pair, node, lengths);
     for (LoadCase& load_case : model.load_cases) merger.merge(load_case);
-    std::erase_if(model.expected, [&](const Expected& check) { return check.member == pair.first; });
+    follow(model.expected, pair, lengths);
     member.nodes[1] = tail.nodes[1];
     member.end = tail.end;
     if (rename) member.id = fresh_member_id(model, member.nodes[0], member.nodes[1]);

@@ -23,8 +23,9 @@ std::optional<MergeObstacle> why_not_merge_at(const Model& model, NodeId node);
 
 /// Takes out a node at which two equal members go on straight, and makes one member of them; the inverse of
 /// `split_member`. Loads keep their place: those of the node become point loads, distributed loads that continue each
-/// other become one, misfits add up. The member keeps the direction of the earlier one; checks (`expected`) of the node
-/// and along both members are dropped.
+/// other become one, misfits add up. The member keeps the direction of the earlier one. Checks (`expected`) follow the
+/// place on the member that they read; those of the node and extremes of a part are dropped, and so are those of a
+/// member that had to be turned round.
 /// \throws std::invalid_argument where `why_not_merge_at` gives a reason, the model as it was
 MemberId merge_members_at(Model& model, NodeId node);
 

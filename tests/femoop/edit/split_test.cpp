@@ -197,6 +197,25 @@ TEST_SUITE("edit: cutting members")
         CHECK(model.expected[2].member == parts.first);
     }
 
+    TEST_CASE("Checks on both parts of a member follow their places into the merged one; extremes of a part go")
+    {
+        Model model = loaded_beam();
+        const auto check = [](Position at, std::optional<Side> side) {
+            return Expected{.quantity = ExpectedQuantity::SectionForce,
+                            .member = MemberId(0),
+                            .component = MemberComponent::Mz,
+                            .at = at,
+                            .side = side};
+        };
+        model.expected = {check(Quantity(1.5), {}), check(Quantity(7.0), Side::Before),
+                          check(Percent{40.0}, Side::After)};
+        const Model whole = model;
+        const SplitMember parts = split_member(model, MemberId(0), 4.0);
+        model.expected.push_back({.quantity = ExpectedQuantity::Extreme, .member = parts.second});
+        merge_members_at(model, parts.node);
+        CHECK(model.expected == whole.expected);
+    }
+
     TEST_CASE("A place at an end or beyond is refused and changes nothing")
     {
         Model model = loaded_beam();
