@@ -12,6 +12,7 @@
 #include "femoop/edit/insert.h"
 #include "femoop/edit/naming.h"
 #include "femoop/edit/place.h"
+#include "femoop/model/check/check.h"
 #include "femoop/model/member_ends.h"
 #include "femoop/model/quantity/in_units.h"
 #include "ui/text/catalogue.h"
@@ -54,7 +55,7 @@ void keep_loads(Model& model, const std::set<Part>& kept)
     }
 }
 
-/// Takes out what no selected node or member needs: other nodes and members, materials, sections, empty load cases.
+/// Takes out what no selected node or member needs: other nodes and members, materials, sections.
 void keep_structure(Model& model, const std::vector<NodeId>& nodes, const std::set<MemberId>& members)
 {
     femoop::Parts others;
@@ -63,11 +64,16 @@ void keep_structure(Model& model, const std::vector<NodeId>& nodes, const std::s
     for (std::size_t i = 0; i < model.members.size(); ++i)
         if (!members.contains(MemberId(i))) others.members.emplace_back(i);
     femoop::erase(model, others);
+    femoop::condense(model);
+}
+
+/// Takes out cases that are about the structure as a whole: empty ones, and combinations.
+void keep_loaded_cases(Model& model)
+{
     model.combinations.clear();
     std::erase_if(model.load_cases, [](const LoadCase& load_case) {
         return load_case.nodes.empty() && load_case.members.empty() && load_case.settlements.empty();
     });
-    femoop::condense(model);
 }
 
 Model without_words(Model model)
@@ -114,8 +120,23 @@ std::optional<Clipping> clipping_of(const Model& model, std::span<const Part> pa
     std::set<MemberId> members;
     for (const Part& part : structure)
         if (const auto* const member = std::get_if<MemberId>(&part)) members.insert(*member);
-    keep_structure(clipping.model, nodes_of(model, structure), members);
+    const std::vector<NodeId> nodes = nodes_of(model, structure);
+    keep_structure(clipping.model, nodes, members);
+    const bool is_whole = nodes.size() == model.nodes.size() && members.size() == model.members.size();
+    if (clipping.holds == Clipping::Holds::Loads || !is_whole) keep_loaded_cases(clipping.model);
     return clipping;
+}
+
+std::vector<femoop::Fault> weightless(const Model& model, const Clipping& clipping)
+{
+    Document trial{.model = model, .companion = {}};
+    if (clipping.holds == Clipping::Holds::Structure) paste(trial, clipping, Vector2d::Zero());
+    std::vector<femoop::Fault> faults = femoop::check(trial.model);
+    const std::vector<femoop::Fault> known = femoop::check(model);
+    std::erase_if(faults, [&](const femoop::Fault& fault) {
+        return fault.kind != femoop::FaultKind::MissingDensity || std::ranges::find(known, fault) != known.end();
+    });
+    return faults;
 }
 
 std::optional<ui::Phrase> why_not_paste(const Model& model, std::span<const Part> selected, const Clipping& clipping)

@@ -7,12 +7,14 @@
 
 #include "apps/frame/document/document.h"
 #include "apps/frame/document/part.h"
+#include "femoop/model/fault/fault.h"
 #include "ui/text/phrase.h"
 
 namespace frame {
 
 /// What was copied out of a document, to be put into it or another one: nodes and members with their supports, loads,
-/// materials and sections; or loads alone, whose bearers then come along only to carry them.
+/// materials and sections, and where they are all of the structure all load cases and combinations too; or loads alone,
+/// whose bearers then come along only to carry them.
 struct Clipping {
     enum class Holds : std::uint8_t { Structure, Loads };
 
@@ -29,6 +31,10 @@ std::optional<Clipping> clipping_of(const femoop::Model& model, std::span<const 
 /// Why the clipping cannot go into the model, where these parts are selected; nothing where it can.
 std::optional<ui::Phrase> why_not_paste(const femoop::Model& model, std::span<const Part> selected,
                                         const Clipping& clipping);
+
+/// The materials without density that would have to bear their own weight once the structure were pasted: load cases
+/// come along, and those of one name are one.
+std::vector<femoop::Fault> weightless(const femoop::Model& model, const Clipping& clipping);
 
 /// The node by which a hand holds it: the lowest of those farthest to the left [the model's unit of length].
 Eigen::Vector2d grip_of(const Clipping& clipping, const femoop::Units& units);

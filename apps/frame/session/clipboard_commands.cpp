@@ -51,6 +51,10 @@ Reason why_not_put(const Desk& desk)
 void put_clipboard(Desk& desk)
 {
     cancel_transform(desk);
+    if (std::vector<femoop::Fault> faults = weightless(desk.session.model(), *desk.clipboard); !faults.empty()) {
+        desk.session.notice = Notice{translatable("nothing was changed, since the model would have an error"), faults};
+        return;
+    }
     if (desk.clipboard->holds == Clipping::Holds::Structure)
         return desk.hand.carry(desk.clipboard, desk.session.model().units);
     const auto selected = desk.session.selection.parts();

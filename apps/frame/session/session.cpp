@@ -5,9 +5,12 @@
 #include <utility>
 
 #include "apps/frame/document/companion/companion_file.h"
+#include "apps/frame/document/loss.h"
 #include "apps/frame/document/number.h"
 #include "apps/frame/session/transform.h"
+#include "apps/frame/view/results/envelope_cases.h"
 #include "femoop/io/model_file.h"
+#include "femoop/io/results/results_table.h"
 #include "femoop/model/check/check.h"
 #include "femoop/result/describe.h"
 #include "ui/text/catalogue.h"
@@ -73,41 +76,51 @@ void Session::refresh()
 
 bool Session::change_soundly(const Change& wanted)
 {
-    Document next = document();
-    wanted.command(next);
-    std::vector<femoop::Fault> faults = femoop::check(next.model);
+    Outcome outcome = outcome_of(wanted);
+    std::vector<femoop::Fault> faults = femoop::check(outcome.document.model);
     std::erase_if(faults, [&](const femoop::Fault& fault) {
         const bool is_error = femoop::severity(fault.kind) == femoop::Severity::Error;
         return !is_error || std::ranges::find(solution_.faults, fault) != solution_.faults.end();
     });
-    if (faults.empty()) change(wanted);
+    if (faults.empty()) take(wanted, std::move(outcome));
     else notice = Notice{translatable("nothing was changed, since the model would have an error"), faults};
     return faults.empty();
 }
 
-void Session::change(const Change& change)
+void Session::change(const Change& change) { take(change, outcome_of(change)); }
+
+// What a gesture joins in passing comes apart again, so all of it starts from what was before the gesture.
+Session::Outcome Session::outcome_of(const Change& change) const
 {
-    // What a gesture joins in passing comes apart again, so all of it starts from what was before the gesture.
-    const bool is_drag = change.step == Step::Drag;
-    if (is_drag && !history_.is_dragging()) before_gesture_ = {selection, prediction};
-    const Document& from = is_drag ? history_.settled() : document();
-    Companions companions = is_drag ? before_gesture_ : Companions{selection, prediction};
-    Document next = from;
+    const bool goes_on = change.step == Step::Drag && history_.is_dragging();
+    const Document& from = change.step == Step::Drag ? history_.settled() : document();
+    Outcome outcome{from, goes_on ? before_gesture_ : Companions{selection, prediction}};
+    Document& next = outcome.document;
     change.command(next);
     if (change.after_selecting) {
-        companions.selection = latest(next.model, from.model.nodes.size(), from.model.members.size());
-        change.after_selecting(next, companions.selection);
+        outcome.companions.selection = latest(next.model, from.model.nodes.size(), from.model.members.size());
+        change.after_selecting(next, outcome.companions.selection);
     } else {
-        companions.selection.follow(from, next);
+        outcome.companions.selection.follow(from, next);
     }
-    companions.prediction.follow(from.model, next.model);
+    outcome.companions.prediction.follow(from.model, next.model);
     if (!next.companion.is_empty()) frame::follow(next.companion, from.model, next.model);
-    const bool is_new = next != document();
-    if (is_new || change.after_selecting) selection = std::move(companions.selection);
-    if (is_new) prediction = std::move(companions.prediction);
+    return outcome;
+}
+
+void Session::take(const Change& change, Outcome outcome)
+{
+    const bool begins = change.step == Step::Drag && !history_.is_dragging();
+    if (begins) before_gesture_ = {selection, prediction};
+    const bool is_new = outcome.document != document();
+    if (is_new || change.after_selecting) selection = std::move(outcome.companions.selection);
+    if (is_new) prediction = std::move(outcome.companions.prediction);
     hold_scales(change.step);
-    if (change.step == Step::Click) history_.apply(std::move(next), change.label);
-    if (change.step == Step::Drag) history_.drag(std::move(next), change.label);
+    if (change.step == Step::Click) {
+        tell_loss(model(), outcome.document.model);
+        history_.apply(std::move(outcome.document), change.label);
+    }
+    if (change.step == Step::Drag) history_.drag(std::move(outcome.document), change.label);
     if (is_new) refresh();
 }
 
@@ -125,8 +138,14 @@ void Session::hold_scales(Step step)
     else if (!history_.is_dragging()) view.scaled_by = solution_.results;
 }
 
+void Session::tell_loss(const femoop::Model& before, const femoop::Model& after)
+{
+    if (const std::optional<ui::Phrase> loss = unseen_loss(before, after)) notice = passing_notice(*loss);
+}
+
 void Session::settle()
 {
+    if (history_.is_dragging()) tell_loss(history_.settled().model, model());
     history_.settle();
     view.scaled_by.reset();
 }
@@ -286,7 +305,10 @@ std::optional<femoop::Results> Session::told_results() const { return hidden ? s
 
 std::string Session::in_words() const
 {
-    const std::string words = femoop::describe(model(), told_results(), view.tr);
+    std::string words = femoop::describe(model(), told_results(), view.tr);
+    if (view.is_envelope && told_results())
+        words += "\n" + envelope_words(model(), view) + "\n" +
+                 femoop::envelope_text(model(), *solution_.results, envelope_cases(model(), view), view.tr);
     return hidden ? words + "\n" + view.tr(*why_no_results()) + "\n" : words;
 }
 

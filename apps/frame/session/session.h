@@ -84,7 +84,8 @@ public:
     std::optional<ui::Phrase> why_no_results() const;
     /// The results as far as they may be told: nothing while they are kept from the class.
     std::optional<femoop::Results> told_results() const;
-    /// Model and results in words; of hidden results it says that they are hidden.
+    /// Model and results in words, and the envelope's numbers where one is shown; of hidden results it says that they
+    /// are hidden.
     std::string in_words() const;
 
     ui::DisplayUnits units() const;
@@ -105,19 +106,26 @@ public:
     std::optional<Region> look_at;         ///< what the picture is wanted to show; the window takes it
 
 private:
+    /// What goes with the document and is no part of it.
+    struct Companions {
+        Selection selection;
+        Prediction prediction;
+    };
+    /// What comes of a change.
+    struct Outcome {
+        Document document;
+        Companions companions;
+    };
+    Outcome outcome_of(const Change& change) const;
+    void take(const Change& change, Outcome outcome);
     void refresh();
+    void tell_loss(const femoop::Model& before, const femoop::Model& after);
     void follow(const Document& before);
     /// While a number is dragged, diagrams keep the scale that they had before: one sees them grow.
     void hold_scales(Step step);
     void restart(Document document);
     bool save_companion();
     void tell_of_companion(std::string_view sentence, std::vector<femoop::Fault> faults);
-
-    /// What goes with the document and is no part of it.
-    struct Companions {
-        Selection selection;
-        Prediction prediction;
-    };
 
     ui::History<Document> history_;
     Companions before_gesture_;

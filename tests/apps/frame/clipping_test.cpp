@@ -72,6 +72,43 @@ TEST_SUITE("frame document: clipboard")
         CHECK(document.model.load_cases[0].members.size() == before.load_cases[0].members.size() + 1);
     }
 
+    TEST_CASE("The whole of a structure brings its combinations, and load cases that are about it as a whole")
+    {
+        femoop::Model model = model_of("portal.json");
+        model.load_cases.push_back({.id = "weight", .self_weight = 1.0});
+        model.materials[0].density = 7850.0;
+        model.combinations.clear();
+        model.combinations.push_back(
+            {.id = "all", .terms = {{femoop::CaseId(0), 1.2}, {femoop::CaseId(model.load_cases.size() - 1), 1.4}}});
+        const Selection whole = everything(model);
+        Document document;
+        document.model.units = model.units;
+        paste(document, *clipping_of(model, whole.parts()), {0.0, 0.0});
+        CHECK(document.model.load_cases == model.load_cases);
+        CHECK(document.model.combinations == model.combinations);
+    }
+
+    TEST_CASE("A case with self-weight is not pasted over a material without density, and the remedy is told")
+    {
+        Desk desk = desk_with("portal.json");
+        desk.session.change({"weigh", [](Document& document) {
+                                 document.model.load_cases[0].self_weight = 1.0;
+                                 for (femoop::Material& material : document.model.materials) material.density = 7850.0;
+                             }});
+        desk.session.selection = Part(BC);
+        CHECK(!run(desk, "edit.clip"));
+        CHECK(!run(desk, "file.new"));
+        desk.session.change({"draw", [](Document& document) {
+                                 draw_member(document, {0, 0}, {3, 0});
+                                 document.model.materials[0].density.reset();
+                             }});
+        desk.session.notice.reset();
+        CHECK(!run(desk, "edit.paste"));
+        CHECK(desk.hand.kind() == ToolKind::Select);
+        REQUIRE(desk.session.notice);
+        CHECK(desk.session.notice->faults.at(0).kind == femoop::FaultKind::MissingDensity);
+    }
+
     TEST_CASE("In an empty document what is pasted brings all that it needs, and is solved to the same results")
     {
         const femoop::Model model = model_of("portal.json");

@@ -247,6 +247,45 @@ TEST_SUITE("frame session")
         CHECK(!desk.session.selection.contains(MemberId(0)));
     }
 
+    TEST_CASE("A load case that goes out of combinations with its deletion is told, by drag or by click")
+    {
+        Desk desk = desk_with("portal.json");
+        const std::string name = desk.session.model().load_cases[0].id;
+        desk.session.selection = Part(LoadCasePlace{0});
+        run(desk, "edit.delete");
+        REQUIRE(desk.session.notice);
+        const std::string words = ui::Catalogue()(desk.session.notice->sentence);
+        CAPTURE(words);
+        CHECK(words.starts_with(name + " went out of the combinations "));
+        run(desk, "edit.undo");
+        desk.session.notice.reset();
+        desk.session.selection = Part(NodeId(0));
+        run(desk, "edit.nudge_up");
+        CHECK(!desk.session.notice);
+    }
+
+    TEST_CASE("Expected results that go with the part that they are about are told")
+    {
+        Desk desk = desk_with("portal.json");
+        desk.session.change({"check", [](Document& document) {
+                                 document.model.expected = {{.member = MemberId(1)}, {.member = MemberId(1)}};
+                             }});
+        desk.session.selection = Part(MemberId(1));
+        run(desk, "edit.delete");
+        REQUIRE(desk.session.notice);
+        CHECK(ui::Catalogue()(desk.session.notice->sentence).find("too: 2;") != std::string::npos);
+    }
+
+    TEST_CASE("A change that must be sound runs its command once")
+    {
+        Desk desk = desk_with("portal.json");
+        int n_runs = 0;
+        CHECK(desk.session.change_soundly(
+            {"title", [&](Document& document) { document.model.title = std::to_string(++n_runs); }}));
+        CHECK(n_runs == 1);
+        CHECK(desk.session.model().title == "1");
+    }
+
     TEST_CASE("A quarter turn is exact: what stood upright lies level")
     {
         Desk desk = desk_with("portal.json");
