@@ -8,6 +8,8 @@
 #include "apps/cli/analysis_run.h"
 #include "apps/cli/output_file.h"
 #include "apps/frame/view/frame_view.h"
+#include "apps/frame/view/kept_view.h"
+#include "apps/frame/view/sheet/subject.h"
 #include "femoop/analysis/mechanism.h"
 #include "ui/context/paint_to_png.h"
 #include "ui/paint/paint_to_file.h"
@@ -30,6 +32,17 @@ void write_picture(const PictureOrder& order, const std::string& title, const ui
     } catch (const std::exception& error) {
         throw UsageError(tr("cannot draw {file}: {reason}", {{"file", order.path.string()}, {"reason", error.what()}}));
     }
+}
+
+// A region is as high as the panel that the sheet leaves for it.
+frame::ViewOptions looked_at(const PictureOrder& order, const femoop::Model& model, const femoop::Results& results,
+                             const ui::Painter& painter)
+{
+    frame::ViewOptions view = order.view;
+    if (!order.region || frame::is_seen_in_space(model.analysis)) return view;
+    const auto plan = frame::Subject(model, &results, order.view).plan(painter.size(), painter.fonts());
+    if (!plan.panels.empty()) view.camera = frame::camera_on(*order.region, plan.panels.front().box.size());
+    return view;
 }
 
 ExitStatus draw_mechanism(const femoop::Model& model, const femoop::MechanismError& error, const std::string& file,
@@ -76,7 +89,10 @@ ExitStatus draw_picture(const femoop::Model& model, const std::string& file, con
             throw UsageError(console.tr()("--mechanism: the structure is no mechanism; leave the option out"));
         console.report(file, results.warnings());
         write_picture(
-            order, model.title, [&](ui::Painter& painter) { frame::draw(painter, model, &results, order.view); },
+            order, model.title,
+            [&](ui::Painter& painter) {
+                frame::draw(painter, model, &results, looked_at(order, model, results, painter));
+            },
             console.tr());
         return ExitStatus::Done;
     } catch (const femoop::MechanismError& error) {

@@ -7,6 +7,7 @@
 
 #include "apps/cli/console.h"
 #include "apps/cli/exit_status.h"
+#include "apps/frame/document/companion/named_view.h"
 #include "apps/frame/view/view_options.h"
 #include "femoop/model/model.h"
 #include "ui/paint/geometry.h"
@@ -20,6 +21,7 @@ struct PictureOrder {
     double pixel_scale = 1.0;             ///< pixels per logical pixel, PNG alone
     std::optional<std::size_t> mechanism; ///< which way of moving is drawn when the structure cannot be solved
     frame::ViewOptions view;
+    std::optional<frame::Region> region; ///< of a plane model that is looked at; the whole when absent
 };
 
 /// The extension in small letters: A.PNG is a .png too.

@@ -1,6 +1,7 @@
 #include "apps/cli/render.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "apps/cli/model_input.h"
 #include "apps/cli/picture.h"
 #include "apps/frame/document/companion/companion_file.h"
+#include "apps/frame/view/kept_view.h"
 
 namespace cli {
 
@@ -26,10 +28,13 @@ public:
 
 private:
     PictureOrder order(const ui::Catalogue& tr) const;
+    void choose_case(frame::ViewOptions& view, const femoop::Model& model, const ui::Catalogue& tr) const;
+    void look_at_view(PictureOrder& order, const frame::Companion& companion, const femoop::Model& model,
+                      const ui::Catalogue& tr) const;
     frame::CompanionReading companion(const Console& console, const femoop::Model& model) const;
 
     std::string file_, out_, theme_ = "light", size_ = "1280x800", scale_ = "1";
-    std::optional<std::string> show_, case_, magnification_, mechanism_;
+    std::optional<std::string> show_, case_, view_, magnification_, mechanism_;
 };
 
 std::string show_list(const ui::Catalogue& tr)
@@ -60,8 +65,13 @@ void Render::declare(CLI::App& app, const ui::Catalogue& tr)
     app.add_option("--show", show_,
                    tr("what is drawn, separated by commas (default loads,reactions,labels):") + show_list(tr))
         ->option_text("LIST");
-    app.add_option("--case", case_, tr("the load case or combination that is drawn (default the first)"))
-        ->option_text("ID");
+    app.add_option("--case", case_,
+                   tr("the load case or combination that is drawn (default the first), or envelope: the largest and "
+                      "smallest of all"))
+        ->option_text("ID|envelope");
+    app.add_option("--view", view_,
+                   tr("a view that the frame app keeps beside the model: what it shows, of which case, and how large"))
+        ->option_text("NAME");
     app.add_option("--size", size_, tr("width and height in pixels (default 1280x800)"))->option_text("WxH");
     app.add_option("--scale", scale_,
                    tr("pixels per pixel of --size in a PNG: 2 draws it twice as sharp and twice as large (default 1)"))
@@ -144,6 +154,37 @@ frame::CompanionReading Render::companion(const Console& console, const femoop::
     return reading;
 }
 
+// A case that bears the name of the keyword is still reached.
+void Render::choose_case(frame::ViewOptions& view, const femoop::Model& model, const ui::Catalogue& tr) const
+{
+    view.is_envelope = *case_ == "envelope" && !model.find_case("envelope");
+    if (!view.is_envelope) view.load_case = find_case(model, *case_, tr);
+    else if (model.n_cases() == 0)
+        throw UsageError(tr("--case: an envelope needs at least one load case, and the model has none"));
+}
+
+// What other options say stands above what the view says.
+void Render::look_at_view(PictureOrder& order, const frame::Companion& companion, const femoop::Model& model,
+                          const ui::Catalogue& tr) const
+{
+    if (companion.views.empty()) throw UsageError(tr("--view: no views are kept beside the model"));
+    const auto kept = std::ranges::find(companion.views, *view_, &frame::NamedView::name);
+    if (kept == companion.views.end()) {
+        std::vector<std::string> names;
+        for (const frame::NamedView& known : companion.views) names.push_back(known.name);
+        throw unknown_choice("--view", *view_, names, tr);
+    }
+    const frame::ViewOptions asked_for = order.view;
+    try {
+        frame::look_as(order.view, *kept, model);
+    } catch (const frame::ShowError& error) {
+        throw UsageError(error.what());
+    }
+    order.region = kept->region;
+    if (show_) order.view.show = asked_for.show;
+    if (magnification_) order.view.deformation_scale = asked_for.deformation_scale;
+}
+
 ExitStatus Render::run(Console& console)
 {
     const ui::Catalogue& tr = console.tr();
@@ -153,7 +194,8 @@ ExitStatus Render::run(Console& console)
     if (!model) return ExitStatus::BadInput;
     const frame::CompanionReading beside = companion(console, *model);
     picture.view.dimensions = beside.companion.dimensions;
-    if (case_) picture.view.load_case = find_case(*model, *case_, tr);
+    if (view_) look_at_view(picture, beside.companion, *model, tr);
+    if (case_) choose_case(picture.view, *model, tr);
     return draw_picture(*model, display_name(file_, tr), picture, console);
 }
 

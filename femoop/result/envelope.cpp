@@ -79,6 +79,11 @@ GoverningExtremes Envelope::extremes(MemberId member, MemberComponent component)
     return governing;
 }
 
+GoverningRange Envelope::at(MemberId member, MemberComponent component, double x, Side side) const
+{
+    return range([&](const CaseResult& result) { return result.curve(member).value(component, x, side); });
+}
+
 std::vector<EnvelopeStation> Envelope::stations(MemberId member, const std::vector<MemberComponent>& components,
                                                 std::size_t n) const
 {

@@ -50,6 +50,8 @@ public:
     GoverningRange displacement(NodeId node, Dof dof) const; ///< global axes
     GoverningRange reaction(NodeId node, Dof dof) const;     ///< global axes
     GoverningExtremes extremes(MemberId member, MemberComponent component) const;
+    /// At a place along a member, where it jumps on the side that is asked for.
+    GoverningRange at(MemberId member, MemberComponent component, double x, Side side = Side::After) const;
 
     /// `n` evenly spaced stations and the load points of every case; a jump in any case gives two at one x.
     std::vector<EnvelopeStation> stations(MemberId member, const std::vector<MemberComponent>& components,

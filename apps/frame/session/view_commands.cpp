@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "apps/frame/document/naming.h"
+#include "apps/frame/view/kept_view.h"
 
 namespace frame {
 
@@ -99,18 +100,12 @@ void show_view(Session& session, std::size_t place)
 {
     const NamedView& view = views(session).at(place);
     try {
-        session.view.show = parse_show(view.show);
+        look_as(session.view, view, session.model());
     } catch (const ShowError& error) {
         session.notice = passing_notice({"{what}", {{"what", error.what()}}});
         return;
     }
     session.hidden.reset();
-    session.view.is_envelope = !view.load_case;
-    if (const auto id = view.load_case ? session.model().find_case(*view.load_case) : std::nullopt)
-        session.view.load_case = *id;
-    session.view.diagram_factor = view.diagrams;
-    session.view.load_factor = view.loads;
-    session.view.deformation_scale = view.displacements;
     session.view.camera.reset();
     session.look_at = view.region;
     session.shown_view = place;

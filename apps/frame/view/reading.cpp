@@ -2,17 +2,21 @@
 
 #include "apps/frame/view/results/case_numbers.h"
 #include "apps/frame/view/results/diagram.h"
+#include "apps/frame/view/results/envelope_cases.h"
 #include "apps/frame/view/sheet/subject.h"
 #include "apps/frame/view/sketch/scene.h"
 #include "apps/frame/view/sketch/symbols.h"
 #include "femoop/result/components.h"
+#include "femoop/result/envelope.h"
 #include "ui/paint/label/oriented_box.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 namespace frame {
 
@@ -126,10 +130,13 @@ void draw_between_strings(ui::Painter& painter, ui::Point a, ui::Point b, const 
 /// A box beside the cursor with a sketch at its left and lines of text at its right.
 class ReadingBox {
 public:
-    ReadingBox(ui::Painter& painter, const ui::Theme& theme, std::string title, std::vector<ReadingLine> lines)
+    enum class Side : std::uint8_t { Free, Sketch }; ///< what stands at the left hand of the lines
+
+    ReadingBox(ui::Painter& painter, const ui::Theme& theme, std::string title, std::vector<ReadingLine> lines,
+               Side left)
         : painter_(painter), theme_(theme), title_(std::move(title)), lines_(std::move(lines))
     {
-        sketch_width_ = 114.0 * theme.symbol_scale();
+        if (left == Side::Sketch) sketch_width_ = 114.0 * theme.symbol_scale();
         for (const ReadingLine& line : lines_) {
             name_width_ = std::max(name_width_, painter.measure(line.name, style(line)).width);
             value_width_ = std::max(value_width_, painter.measure(line.value, style(line)).width);
@@ -140,7 +147,8 @@ public:
                  16.0 + step() * static_cast<double>(lines_.size() + 1)};
     }
 
-    void draw(ui::Point beside, const femoop::SectionForces& forces) const
+    /// With the cut member where there are forces of one case.
+    void draw(ui::Point beside, const std::optional<femoop::SectionForces>& forces) const
     {
         const ui::Box box = placed(beside);
         draw_leader(beside, box);
@@ -156,9 +164,10 @@ public:
             right.anchor = ui::Anchor::Right;
             painter_.text({box.max.x - 10.0, at.y}, line.value, right);
         }
+        if (!forces) return;
         Sketch sketch({.painter = &painter_, .theme = &theme_, .room = painter_.sheet()});
         const ui::Point face{box.min.x + 0.5 * sketch_width_, box.min.y + 0.5 * (size_.height + step())};
-        CutMember(sketch, face, forces, 1e-6 * largest(forces)).draw();
+        CutMember(sketch, face, *forces, 1e-6 * largest(*forces)).draw();
     }
 
 private:
@@ -171,32 +180,56 @@ private:
         return style;
     }
 
-    // Beside the place, near or farther off, where it and its leader disturb the fewest strings.
+    /// A place for the box, and how much it disturbs there.
+    struct Trial {
+        ui::Box box{};
+        int harm = std::numeric_limits<int>::max();
+    };
+    static constexpr int covers_one = 1000; // a string, beside one that the leader crosses and that can still be read
+
+    // Near or farther off, where it and its leader disturb the fewest strings; elsewhere where all these cover one.
     ui::Box placed(ui::Point beside) const
     {
         const std::vector<ui::Box> strings = painter_.picture().text_boxes(painter_.fonts());
-        const auto harm = [&](const ui::Box& box) { // a string that is crossed by the leader can still be read
-            int sum = box.contains(beside) ? 100 : 0;
-            for (const ui::Box& string : strings) {
-                const ui::OrientedBox words(string.center(), string.size());
-                if (string.overlaps(box.grown(4.0))) sum += 4;
-                else if (words.meets_segment(beside, nearest(box, beside))) sum += 1;
-            }
-            return sum;
+        Trial best;
+        const auto try_at = [&](ui::Point center) {
+            const ui::Box box = on_sheet(center);
+            if (const int harm = harm_of(box, beside, strings, best.harm); harm < best.harm) best = {box, harm};
         };
-        ui::Box best;
-        int least = std::numeric_limits<int>::max();
-        for (const double away : {18.0, 50.0, 90.0, 140.0, 200.0, 270.0}) {
-            for (const ui::Point side : sides) {
-                const ui::Box box = on_sheet(
-                    beside + ui::Point{side.x * (away + 0.5 * size_.width), side.y * (away + 0.5 * size_.height)});
-                const int now = harm(box);
-                if (now >= least) continue;
-                least = now;
-                best = box;
-            }
+        for (const double away : {18.0, 50.0, 90.0, 140.0, 200.0, 270.0})
+            for (const ui::Point side : sides)
+                try_at(beside + ui::Point{side.x * (away + 0.5 * size_.width), side.y * (away + 0.5 * size_.height)});
+        if (best.harm < covers_one) return best.box;
+        for (const ui::Point place : places_from(beside)) {
+            try_at(place);
+            if (best.harm < covers_one) break;
         }
-        return best;
+        return best.box;
+    }
+
+    // Counted up to what is too much already.
+    static int harm_of(const ui::Box& box, ui::Point beside, const std::vector<ui::Box>& strings, int too_much)
+    {
+        int sum = box.contains(beside) ? 25 * covers_one : 0;
+        for (const ui::Box& string : strings) {
+            if (sum >= too_much) break;
+            const ui::OrientedBox words(string.center(), string.size());
+            if (string.overlaps(box.grown(4.0))) sum += covers_one;
+            else if (words.meets_segment(beside, nearest(box, beside))) sum += 1;
+        }
+        return sum;
+    }
+
+    // All over the sheet, the nearest first.
+    std::vector<ui::Point> places_from(ui::Point beside) const
+    {
+        constexpr double step = 24.0; // [px]
+        const ui::Box room = painter_.sheet();
+        std::vector<ui::Point> places;
+        for (double x = room.min.x; x <= room.max.x; x += step)
+            for (double y = room.min.y; y <= room.max.y; y += step) places.push_back({x, y});
+        std::ranges::stable_sort(places, {}, [&](ui::Point place) { return ui::distance(place, beside); });
+        return places;
     }
 
     ui::Box on_sheet(ui::Point center) const
@@ -231,6 +264,36 @@ bool has(const femoop::Model& model, const femoop::Results& results, const ViewO
            results.n_members() == model.members.size() && results.n_nodes() == model.nodes.size();
 }
 
+ui::Role role_of_line(MemberComponent component)
+{
+    return femoop::is_displacement(component) ? ui::Role::Deformed : role_of(component);
+}
+
+// "M": "-12.5 (G) … 58.5 (U1) kN·m"
+std::vector<ReadingLine> lines_of_envelope(const Subject& subject, const femoop::Results& results,
+                                           const ViewOptions& options, const Cut& cut)
+{
+    const femoop::Model& model = subject.model();
+    const femoop::Envelope envelope(results, envelope_cases(model, options));
+    const ui::DisplayUnits units = display_units(model, options);
+    NumbersOfCases numbers(results, units);
+    const auto words = [&](const femoop::Governing& bound, ui::Measure measure) {
+        const std::string number = numbers[bound.load_case].number(bound.value, measure);
+        return envelope.cases().size() == 1 ? number : governed(number, model.case_name(bound.load_case));
+    };
+    std::vector<ReadingLine> list{
+        {"x", numbers[envelope.cases().front()].text(cut.x, ui::Measure::Length), ui::Role::Label}};
+    for (const MemberComponent component : femoop::member_components(model.analysis)) {
+        const ui::Measure measure = measure_of(component);
+        const femoop::GoverningRange range = envelope.at(cut.member, component, cut.x);
+        const std::string least = words(range.min, measure), most = words(range.max, measure);
+        list.push_back({std::string(femoop::name(component, model.analysis)),
+                        (least == most ? least : least + " … " + most) + " " + units.unit(measure).name,
+                        role_of_line(component)});
+    }
+    return list;
+}
+
 std::vector<ReadingLine> lines(const Subject& subject, const femoop::CaseResult& result, const ui::DisplayUnits& units,
                                const Cut& cut)
 {
@@ -239,8 +302,7 @@ std::vector<ReadingLine> lines(const Subject& subject, const femoop::CaseResult&
     std::vector<ReadingLine> list{{"x", numbers.text(cut.x, ui::Measure::Length), ui::Role::Label}};
     for (const MemberComponent component : femoop::member_components(subject.model().analysis))
         list.push_back({std::string(femoop::name(component, subject.model().analysis)),
-                        numbers.text(curve.value(component, cut.x), measure_of(component)),
-                        femoop::is_displacement(component) ? ui::Role::Deformed : role_of(component)});
+                        numbers.text(curve.value(component, cut.x), measure_of(component)), role_of_line(component)});
     return list;
 }
 
@@ -269,6 +331,7 @@ std::vector<ReadingLine> reading(const femoop::Model& model, const femoop::Resul
 {
     if (!has(model, results, options, cut)) return {};
     const Subject subject(model, &results, options);
+    if (options.is_envelope) return lines_of_envelope(subject, results, options, within(results, cut));
     return lines(subject, results[options.load_case], display_units(model, options), within(results, cut));
 }
 
@@ -283,7 +346,12 @@ void draw_reading(ui::Painter& painter, const femoop::Model& model, const femoop
     const femoop::CaseResult result = results[options.load_case];
     const Cut read = within(results, cut);
     const std::string title = options.tr("member {member}", {{"member", model[cut.member].id}});
-    ReadingBox(painter, theme, title, lines(subject, result, display_units(model, options), read))
+    if (options.is_envelope)
+        return ReadingBox(painter, theme, title, lines_of_envelope(subject, results, options, read),
+                          ReadingBox::Side::Free)
+            .draw(beside, std::nullopt);
+    ReadingBox(painter, theme, title, lines(subject, result, display_units(model, options), read),
+               ReadingBox::Side::Sketch)
         .draw(beside, result.curve(cut.member).forces(read.x));
 }
 

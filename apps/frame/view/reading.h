@@ -18,12 +18,13 @@ struct ReadingLine {
     ui::Role role = ui::Role::Label;
 };
 
-/// What is to be read at a cut: where it is, the section forces, the displacements. Empty where the results lack it.
+/// What is to be read at a cut: where it is, the section forces, the displacements; in an envelope the least and the
+/// largest of each, with the cases that govern. Empty where the results lack it.
 std::vector<ReadingLine> reading(const femoop::Model& model, const femoop::Results& results, const ViewOptions& options,
                                  const Cut& cut);
 
 /// Draws the reading on a card beside a place of the sheet, where it covers the fewest strings of the picture so far:
-/// the values, and the cut member with N, V and M as they act on it. Marks the section in every panel.
+/// the values, and of one case the cut member with N, V and M as they act on it. Marks the section in every panel.
 ///
 ///         ____________      | V > 0 (along -y')
 ///        |   member   | --->  N > 0 (tension)

@@ -9,6 +9,7 @@
 #include "apps/frame/session/snapping.h"
 #include "apps/frame/session/work.h"
 #include "apps/frame/view/frame_view.h"
+#include "apps/frame/view/kept_view.h"
 #include "apps/frame/view/reading.h"
 #include "apps/frame/window/hand_picture.h"
 
@@ -131,11 +132,7 @@ void Canvas::look_at_region(Desk& desk)
 {
     const std::optional<Region> region = std::exchange(desk.session.look_at, std::nullopt);
     if (!region || plan_.panels.empty() || !std::holds_alternative<ui::PlaneCamera>(plan_.camera)) return;
-    const ui::Size size = plan_.panels.front().box.size();
-    const double scale = size.height / region->height;
-    const ui::Point middle{0.5 * size.width, 0.5 * size.height};
-    desk.session.view.camera = ui::PlaneCamera(
-        {middle.x - scale * region->centre.x(), middle.y + scale * region->centre.y()}, scale);
+    desk.session.view.camera = camera_on(*region, plan_.panels.front().box.size());
     follow_structure(desk);
 }
 
@@ -368,7 +365,7 @@ void Canvas::draw_cut(const Session& session, const ViewOptions& options, const 
                       ui::Painter& painter) const
 {
     const auto& results = session.solution().results;
-    if (!results || session.hidden || options.is_envelope) return;
+    if (!results || session.hidden) return;
     const ui::Point at = Projection(*options.camera, panel)(shape_[cut.member].at(cut.x));
     draw_reading(painter, session.model(), *results, options, cut, at);
 }

@@ -8,6 +8,7 @@
 
 #include "apps/frame/report/html.h"
 #include "apps/frame/report/pages.h"
+#include "apps/frame/view/results/envelope_cases.h"
 #include "femoop/io/results/results_csv.h"
 #include "femoop/io/whole_file.h"
 #include "ui/context/write_picture.h"
@@ -70,9 +71,12 @@ private:
     {
         if (const auto reason = session_.why_no_results()) return reason;
         const auto& results = session_.solution().results;
+        constexpr std::size_t n_stations = 11;
+        if (session_.view.is_envelope)
+            return text(long_envelope_csv(session_.model(), *results, envelope_cases(session_.model(), session_.view),
+                                          n_stations));
         std::vector<femoop::CaseId> cases;
         for (std::size_t i = 0; i < results->n_cases(); ++i) cases.emplace_back(i);
-        constexpr std::size_t n_stations = 11;
         return text(long_csv(session_.model(), *results, cases, n_stations));
     }
 

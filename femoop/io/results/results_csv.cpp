@@ -179,6 +179,24 @@ void add_range(CsvText& csv, const Model& model, const GoverningRange& range)
     csv.end_row();
 }
 
+/// Displacements of all nodes and reactions of those that are supported; `begin` writes what stands before the range.
+template <class Begin>
+void add_nodes(CsvText& csv, const Model& model, const Results& results, const Envelope& envelope, Begin&& begin)
+{
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        const std::string& node = model.nodes[i].id;
+        for (const Dof dof : dof_list(model.analysis)) {
+            begin(node, name(dof), unit(dof, model.units));
+            add_range(csv, model, envelope.displacement(NodeId(i), dof));
+        }
+        if (!results[envelope.cases().front()].is_supported(NodeId(i))) continue;
+        for (const Dof dof : dof_list(model.analysis)) {
+            begin(node, force_name(dof), force_unit(dof, model.units));
+            add_range(csv, model, envelope.reaction(NodeId(i), dof));
+        }
+    }
+}
+
 std::string node_envelope(const Model& model, const Results& results, const Envelope& envelope)
 {
     CsvText csv;
@@ -190,17 +208,9 @@ std::string node_envelope(const Model& model, const Results& results, const Enve
         << "min"
         << "case of min";
     csv.end_row();
-    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-        for (const Dof dof : dof_list(model.analysis)) {
-            csv << model.nodes[i].id << name(dof) << unit(dof, model.units);
-            add_range(csv, model, envelope.displacement(NodeId(i), dof));
-        }
-        if (!results[envelope.cases().front()].is_supported(NodeId(i))) continue;
-        for (const Dof dof : dof_list(model.analysis)) {
-            csv << model.nodes[i].id << force_name(dof) << force_unit(dof, model.units);
-            add_range(csv, model, envelope.reaction(NodeId(i), dof));
-        }
-    }
+    add_nodes(
+        csv, model, results, envelope,
+        [&](const std::string& node, std::string_view what, const std::string& in) { csv << node << what << in; });
     return csv.take();
 }
 
@@ -242,6 +252,34 @@ std::vector<CsvFile> envelope_csv(const Model& model, const Results& results, co
     const Envelope envelope(results, cases);
     return {{"envelope_nodes.csv", node_envelope(model, results, envelope)},
             {"envelope_members.csv", member_envelope(model, envelope)}};
+}
+
+std::string long_envelope_csv(const Model& model, const Results& results, const std::vector<CaseId>& cases,
+                              std::size_t n_stations)
+{
+    const Envelope envelope(results, cases);
+    CsvText csv;
+    csv << "part"
+        << "id" << header("x", unit_text(dimension::length, model.units)) << "component"
+        << "unit"
+        << "max"
+        << "case of max"
+        << "min"
+        << "case of min";
+    csv.end_row();
+    add_nodes(csv, model, results, envelope,
+              [&](const std::string& node, std::string_view what, const std::string& in) {
+                  csv << "node" << node << "" << what << in;
+              });
+    const std::vector<MemberComponent> components = member_components(model.analysis);
+    for (std::size_t i = 0; i < model.members.size(); ++i)
+        for (const EnvelopeStation& station : envelope.stations(MemberId(i), components, n_stations))
+            for (std::size_t c = 0; c < components.size(); ++c) {
+                csv << "member" << model.members[i].id << station.x << name(components[c], model.analysis)
+                    << unit(components[c], model.units);
+                add_range(csv, model, station.ranges[c]);
+            }
+    return csv.take();
 }
 
 std::string long_csv(const Model& model, const Results& results, const std::vector<CaseId>& cases,

@@ -32,6 +32,11 @@ std::vector<CsvFile> results_csv(const Model& model, const Results& results, con
 ///   envelope_members.csv  member, component, unit, max, x, case, min, x, case
 std::vector<CsvFile> envelope_csv(const Model& model, const Results& results, const std::vector<CaseId>& cases);
 
+/// The envelope over these cases in one long table: part (node or member), id, x, component, unit, max, case of max,
+/// min, case of min; members at each station.
+std::string long_envelope_csv(const Model& model, const Results& results, const std::vector<CaseId>& cases,
+                              std::size_t n_stations);
+
 /// Everything in one long table: case, part (node or member), id, x, component, value, unit.
 std::string long_csv(const Model& model, const Results& results, const std::vector<CaseId>& cases,
                      std::size_t n_stations);

@@ -89,6 +89,30 @@ TEST_CASE("--show, --case, --theme and --lang change the picture")
     CHECK(drawn({"--lang", "pt"}) != plain);
 }
 
+TEST_CASE("An envelope is drawn, and a view that the app has kept beside the model")
+{
+    const Folder folder;
+    const std::string copy = folder.path("portal.json"), svg = folder.path("a.svg");
+    std::filesystem::copy_file("examples/portal.json", copy);
+    CHECK(cremona({"render", copy, "-o", svg, "--case", "envelope", "--show", "M,labels"}).status == 0);
+    CHECK(has(folder.read("a.svg"), "Envelope of all cases"));
+    const Run none = cremona({"render", copy, "-o", svg, "--view", "Moments"});
+    CHECK(none.status == 2);
+    CHECK(has(none.err, "no views are kept beside the model"));
+    std::ofstream(folder.path("portal.view.json"))
+        << R"({"cremona_view": 1, "views": [{"name": "Moments", "show": "M,legend"},)"
+        << R"({"name": "Corner", "show": "loads,nodes", "case": "Q", "region": [0, 4.5, 2]}]})";
+    CHECK(cremona({"render", copy, "-o", svg, "--view", "Moments"}).status == 0);
+    CHECK(has(folder.read("a.svg"), "Envelope of all cases"));
+    CHECK(cremona({"render", copy, "-o", svg, "--view", "Moments", "--case", "G"}).status == 0);
+    CHECK(!has(folder.read("a.svg"), "Envelope of all cases"));
+    CHECK(cremona({"render", copy, "-o", svg, "--view", "Corner"}).status == 0);
+    CHECK(!has(folder.read("a.svg"), ">D<")); // the foot of the other column is out of sight
+    const Run wrong = cremona({"render", copy, "-o", svg, "--view", "corner"});
+    CHECK(wrong.status == 2);
+    CHECK(has(wrong.err, "Corner"));
+}
+
 TEST_CASE("A structure that can move is drawn moving, with status 3 and its motions on stderr")
 {
     const Folder folder;

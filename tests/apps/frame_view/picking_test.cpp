@@ -5,6 +5,7 @@
 #include "apps/frame/view/pick.h"
 #include "apps/frame/view/reading.h"
 #include "femoop/analysis/linear_static.h"
+#include "femoop/result/envelope.h"
 #include "tests/apps/frame_view/view_model.h"
 #include "ui/paint/label/oriented_box.h"
 
@@ -72,6 +73,48 @@ TEST_CASE("A reading shows zero where there is nothing but rounding, and a true 
     CHECK(read["N"] == "−14.2 kN");
     CHECK(read["V"] == "0 kN");
     CHECK(read["u"] == "0 mm");
+}
+
+TEST_CASE("A reading in an envelope tells the least and the largest, with the cases that govern")
+{
+    const femoop::Model model = view_test::example("portal");
+    const femoop::Results results = femoop::analyse(model);
+    ViewOptions options{.is_envelope = true};
+    double least = 1e9, most = -1e9;
+    for (std::size_t i = 0; i < results.n_cases(); ++i) {
+        const double M = results[femoop::CaseId(i)].curve(femoop::MemberId{1}).value(femoop::MemberComponent::Mz, 2.0);
+        least = std::min(least, M);
+        most = std::max(most, M);
+    }
+    const femoop::GoverningRange range = femoop::Envelope(results).at(femoop::MemberId{1}, femoop::MemberComponent::Mz,
+                                                                      2.0);
+    CHECK(range.min.value == least);
+    CHECK(range.max.value == most);
+    std::string read;
+    for (const ReadingLine& line : reading(model, results, options, {femoop::MemberId{1}, 2.0}))
+        if (line.name == "M") read = line.value;
+    CAPTURE(read);
+    CHECK(read.find(" (" + model.case_name(range.min.load_case) + ") … ") != std::string::npos);
+    CHECK(read.ends_with("(" + model.case_name(range.max.load_case) + ") kN·m"));
+}
+
+TEST_CASE("The card of a reading covers no string anywhere, where the sheet has room for it at all")
+{
+    const femoop::Model model = view_test::example("portal");
+    const femoop::Results results = femoop::analyse(model);
+    const ui::Fonts fonts;
+    const ViewOptions options{.show = shown_by_default | ShowSet{Show::M}, .layout = Layout::Overlay};
+    for (const double x : {0.3, 2.0, 4.0, 7.7})
+        for (const ui::Point beside : {ui::Point{200.0, 120.0}, {450.0, 250.0}, {600.0, 560.0}, {120.0, 500.0}}) {
+            CAPTURE(x);
+            ui::Painter painter({900.0, 620.0}, fonts);
+            draw(painter, model, &results, options);
+            const std::vector<ui::Box> before = painter.picture().text_boxes(fonts);
+            draw_reading(painter, model, results, options, {femoop::MemberId{1}, x}, beside);
+            const std::vector<ui::Box> after = painter.picture().text_boxes(fonts);
+            for (std::size_t i = 0; i < before.size(); ++i)
+                for (std::size_t j = before.size(); j < after.size(); ++j) CHECK(!before[i].overlaps(after[j]));
+        }
 }
 
 TEST_CASE("The card of a reading covers no string of the picture where there is room beside them")

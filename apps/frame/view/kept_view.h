@@ -1,0 +1,16 @@
+#pragma once
+
+#include "apps/frame/document/companion/named_view.h"
+#include "apps/frame/view/view_options.h"
+
+namespace frame {
+
+/// Looks at the model as the view that was kept: what is shown, of which case, how large. Where the model lacks the
+/// view's load case the one that is shown stays. The region is left to who knows the sheet: `camera_on`.
+/// \throws ShowError for words that this program does not know, the options as they were
+void look_as(ViewOptions& options, const NamedView& view, const femoop::Model& model);
+
+/// The camera that shows the region as high as a panel.
+ui::PlaneCamera camera_on(const Region& region, ui::Size panel);
+
+} // namespace frame
