@@ -16,6 +16,12 @@ void continue_dimension(Document& document, DimensionPlace place, const std::str
     if (std::ranges::find(nodes, node) == nodes.end()) nodes.push_back(node);
 }
 
+void set_node(Document& document, DimensionPlace place, std::size_t n, const std::string& node)
+{
+    std::vector<std::string>& nodes = document.companion.dimensions.at(place.dimension).nodes;
+    if (std::ranges::find(nodes, node) == nodes.end()) nodes.at(n) = node;
+}
+
 void set_offset(Document& document, DimensionPlace place, double offset)
 {
     document.companion.dimensions.at(place.dimension).offset = offset;

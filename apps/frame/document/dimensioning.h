@@ -14,6 +14,8 @@ namespace frame {
 DimensionPlace add_dimension(Document& document, DimensionLine dimension);
 /// Goes on to one more node, on the same line; nothing where it has the node.
 void continue_dimension(Document& document, DimensionPlace place, const std::string& node);
+/// Another node in the place of its `n`-th; nothing where the line has the node already.
+void set_node(Document& document, DimensionPlace place, std::size_t n, const std::string& node);
 void set_offset(Document& document, DimensionPlace place, double offset);
 void set_direction(Document& document, DimensionPlace place, DimensionDirection direction);
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <numeric>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "apps/frame/view/sheet/legend.h"
@@ -85,7 +87,44 @@ private:
     {
         constexpr std::size_t most_whole = 12, rows_kept = 3;
         const std::size_t n_rows = table.rows.size() <= most_whole ? table.rows.size() : rows_kept;
-        return static_cast<double>(n_rows + 1) * line * look_of(table).size + 4.0;
+        return static_cast<double>(n_rows + 1) * line * look_of(legible(table).front()).size + 4.0;
+    }
+
+    // A table that is too wide for a type that can be read goes on below itself with its further columns; each part
+    // begins with the words by which its rows are known.
+    std::vector<ReportTable> legible(const ReportTable& table) const
+    {
+        constexpr double least_size = 8.0; // 6 pt
+        if (look_of(table).size >= least_size) return {table};
+        const std::vector<double> widths = widths_of(table, text_size - 1.0);
+        std::size_t n_keys = 1;
+        while (n_keys < table.columns.size() && n_keys < 2 && !table.columns[n_keys].is_number) ++n_keys;
+        std::vector<std::size_t> keys, chosen;
+        for (std::size_t i = 0; i < n_keys; ++i) keys.push_back(i);
+        std::vector<ReportTable> parts;
+        double taken = 0.0;
+        for (std::size_t i = n_keys; i < table.columns.size(); ++i) {
+            const bool is_full = !chosen.empty() && taken + widths[i] > width;
+            if (is_full) parts.push_back(columns_of(table, std::exchange(chosen, {})));
+            if (chosen.empty()) {
+                chosen = keys;
+                taken = std::accumulate(widths.begin(), widths.begin() + static_cast<std::ptrdiff_t>(n_keys), 0.0);
+            }
+            chosen.push_back(i);
+            taken += widths[i];
+        }
+        parts.push_back(columns_of(table, chosen));
+        return parts;
+    }
+    static ReportTable columns_of(const ReportTable& table, const std::vector<std::size_t>& columns)
+    {
+        ReportTable part;
+        for (const std::size_t i : columns) part.columns.push_back(table.columns[i]);
+        for (const auto& row : table.rows) {
+            part.rows.emplace_back();
+            for (const std::size_t i : columns) part.rows.back().push_back(i < row.size() ? row[i] : "");
+        }
+        return part;
     }
     static double scale_of(const ReportFigure& figure) { return std::min(1.0, width / figure.picture.size().width); }
 
@@ -114,6 +153,10 @@ private:
         y_ += 10.0;
     }
     void put(const ReportTable& table)
+    {
+        for (const ReportTable& part : legible(table)) put_part(part);
+    }
+    void put_part(const ReportTable& table)
     {
         const TableLook look = look_of(table);
         need(beginning_of(table));
@@ -173,25 +216,25 @@ private:
     // As large as the page allows.
     TableLook look_of(const ReportTable& table) const
     {
-        constexpr double gap = 1.4; // of the type's size, between columns
         TableLook look;
-        const auto measured = [&](double size) {
-            std::vector<double> widths;
-            for (std::size_t i = 0; i < table.columns.size(); ++i) {
-                double most = width_of(table.columns[i].heading, size, ui::Weight::Bold);
-                for (const auto& row : table.rows)
-                    most = std::max(most, i < row.size() ? width_of(row[i], size, ui::Weight::Regular) : 0.0);
-                widths.push_back(most + gap * size);
-            }
-            return widths;
-        };
-        look.widths = measured(look.size);
-        double total = 0.0;
-        for (const double w : look.widths) total += w;
+        look.widths = widths_of(table, look.size);
+        const double total = std::accumulate(look.widths.begin(), look.widths.end(), 0.0);
         if (total <= width) return look;
         look.size *= width / total;
-        look.widths = measured(look.size);
+        look.widths = widths_of(table, look.size);
         return look;
+    }
+    std::vector<double> widths_of(const ReportTable& table, double size) const
+    {
+        constexpr double gap = 1.4; // of the type's size, between columns
+        std::vector<double> widths;
+        for (std::size_t i = 0; i < table.columns.size(); ++i) {
+            double most = width_of(table.columns[i].heading, size, ui::Weight::Bold);
+            for (const auto& row : table.rows)
+                most = std::max(most, i < row.size() ? width_of(row[i], size, ui::Weight::Regular) : 0.0);
+            widths.push_back(most + gap * size);
+        }
+        return widths;
     }
     double width_of(const std::string& text, double size, ui::Weight weight) const
     {

@@ -9,6 +9,7 @@
 #include "apps/frame/tools/paste_tool.h"
 #include "apps/frame/tools/predict_tool.h"
 #include "apps/frame/tools/typed_place.h"
+#include "ui/text/catalogue.h"
 
 namespace frame {
 
@@ -82,12 +83,25 @@ void Hand::rub_out()
     if (!typed_.empty()) typed_.pop_back();
 }
 
-std::optional<Change> Hand::enter(const Work& work)
+std::optional<Eigen::Vector2d> Hand::typed_place(const Work& work) const
 {
-    const auto place = place_typed(
+    return place_typed(
         typed_,
         {.from = tool_->from(), .pointer = aim_.snap.place, .file = work.document.model.units, .shown = work.units});
-    if (!place) return std::nullopt;
+}
+
+ui::Phrase Hand::why_not_enter(const Work& work) const
+{
+    const auto place = typed_place(work);
+    const auto reason = place ? tool_->why_not_type(work, *place) : std::nullopt;
+    return reason.value_or(
+        ui::Phrase(ui::translatable("{text} is no place; type 6,4 or @3,2 or 4<30"), {{"text", typed_}}));
+}
+
+std::optional<Change> Hand::enter(const Work& work)
+{
+    const auto place = typed_place(work);
+    if (!place || tool_->why_not_type(work, *place)) return std::nullopt;
     typed_.clear();
     std::optional<Change> change = tool_->type(work, *place);
     settle();

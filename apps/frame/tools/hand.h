@@ -37,8 +37,11 @@ public:
     /// Takes those of the letters that a place begins with, and once it is begun all. \returns whether there was one
     bool type(const std::string& letters);
     void rub_out();
-    /// Ends the typing: the change that the tool asks for at this place. What is no place stays, to be mended.
+    /// Ends the typing: the change that the tool asks for at this place. What is no place, or one that the tool has no
+    /// use for, stays to be mended.
     std::optional<Change> enter(const Work& work);
+    /// Why what is typed is no place that can be used. \pre something is typed
+    ui::Phrase why_not_enter(const Work& work) const;
 
     void point_at(const Aim& aim) { aim_ = aim; }
     const Aim& aim() const { return aim_; }
@@ -47,6 +50,8 @@ public:
     const ToolSettings& settings() const { return *settings_; }
 
 private:
+    std::optional<Eigen::Vector2d> typed_place(const Work& work) const;
+
     std::unique_ptr<ToolSettings> settings_; ///< the tools know where it is
     ToolKind kind_ = ToolKind::Select;
     std::unique_ptr<Tool> tool_;

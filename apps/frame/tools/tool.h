@@ -14,6 +14,7 @@
 #include "apps/frame/tools/snap.h"
 #include "femoop/edit/crossing.h"
 #include "ui/text/display_units.h"
+#include "ui/text/phrase.h"
 
 namespace frame {
 
@@ -90,6 +91,8 @@ public:
     /// With or without the button held down.
     virtual std::optional<Change> move(const Work&, const Aim&) { return std::nullopt; }
     virtual std::optional<Change> release(const Work&, const Aim&) { return std::nullopt; }
+    /// Why a place that was typed is of no use now; nothing where it is.
+    virtual std::optional<ui::Phrase> why_not_type(const Work&, const Eigen::Vector2d&) const { return std::nullopt; }
     /// A place that was typed, as if it had been clicked; tools that draw nothing have no use for it.
     virtual std::optional<Change> type(const Work&, const Eigen::Vector2d&) { return std::nullopt; }
     /// Gives up what was begun; false where nothing was, so that the tool itself is left.

@@ -165,8 +165,7 @@ bool Application::take_typing(ui::Key key)
     if (key == ui::Key::Backspace) desk_.hand.rub_out();
     if (key == ui::Key::Enter) {
         if (const auto change = desk_.hand.enter(work_of(desk_.session))) desk_.session.change(*change);
-        if (!desk_.hand.typed().empty())
-            explain({translatable("{text} is no place; type 6,4 or @3,2 or 4<30"), {{"text", desk_.hand.typed()}}});
+        if (!desk_.hand.typed().empty()) explain(desk_.hand.why_not_enter(work_of(desk_.session)));
     }
     return key == ui::Key::Backspace || key == ui::Key::Enter;
 }

@@ -313,9 +313,33 @@ void show(const Rows& rows, const Group<MemberLoadPlace>& loads)
 
 // ---- dimension lines ----
 
+// The nodes that it can go from or to: all but those that it has besides.
+void show_end(const Rows& rows, const Group<DimensionPlace>& lines, std::string_view name, std::size_t n)
+{
+    const std::vector<std::string>& nodes =
+        lines.session.document().companion.dimensions[lines.ids.front().dimension].nodes;
+    const std::string id = "###" + std::string(name);
+    Choices choices{id.c_str(), {}, {}};
+    for (const Node& node : lines.model().nodes) {
+        if (node.id == nodes[n]) choices.current = choices.names.size();
+        if (node.id == nodes[n] || std::ranges::find(nodes, node.id) == nodes.end()) choices.names.push_back(node.id);
+    }
+    rows.name(lines.tr()(name));
+    const auto chosen = choose(choices, lines.tr());
+    if (!chosen) return;
+    lines.change(
+        name, [&](Document& document, DimensionPlace place) { set_node(document, place, n, choices.names[*chosen]); });
+}
+
 void show(const Rows& rows, const Group<DimensionPlace>& lines)
 {
     const ui::Catalogue& tr = lines.tr();
+    if (lines.ids.size() == 1) {
+        const auto& line = lines.session.document().companion.dimensions[lines.ids.front().dimension];
+        const std::size_t last = line.nodes.size() - 1;
+        show_end(rows, lines, translatable("From node"), 0);
+        show_end(rows, lines, translatable("To node"), last);
+    }
     rows.name(tr("Direction"));
     const auto current = lines.common([&](DimensionPlace place) {
         return static_cast<std::size_t>(lines.session.document().companion.dimensions[place.dimension].direction);

@@ -95,11 +95,19 @@ void choose_load(Session& session, std::span<const Part> parts, const std::vecto
 
 namespace {
 
-void show_naming(Session& session, std::span<const Part> parts, const Rows& rows)
+// Nothing where the parts have no name and none can be given to them.
+std::optional<Naming> naming_of(const Session& session, std::span<const Part> parts)
+{
+    if (!can_have_name(parts.front()) || !has(session.model(), parts.front())) return std::nullopt;
+    Naming naming(session, parts);
+    return naming.sets.empty() && why_not_keep(session, parts) ? std::nullopt : std::optional(std::move(naming));
+}
+
+void show_naming(Session& session, std::span<const Part> parts, const Rows& rows, const Naming& naming)
 {
     const bool is_node = std::holds_alternative<femoop::NodeId>(parts.front());
     rows.name(session.view.tr(is_node ? translatable("Named support") : translatable("Named load")));
-    choose_name(session, parts, Naming(session, parts));
+    choose_name(session, parts, naming);
 }
 
 } // namespace
@@ -110,12 +118,11 @@ void named_set_rows(Session& session, std::span<const Part> shown)
     const std::vector<Part> parts(shown.begin(), shown.end()); // a change moves what they stand for
     const auto loads = sets_where(
         session.document(), [&](const NamedSet& set) { return !is_support(set) && suits(set.value, parts.front()); });
-    const bool has_naming = can_have_name(parts.front()) && has(session.model(), parts.front()) &&
-                            (!Naming(session, parts).sets.empty() || !why_not_keep(session, parts));
-    if (loads.empty() && !has_naming) return;
+    const std::optional<Naming> naming = naming_of(session, parts);
+    if (loads.empty() && !naming) return;
     const Rows rows("named sets");
     if (!rows.is_open()) return;
-    if (has_naming) show_naming(session, parts, rows);
+    if (naming) show_naming(session, parts, rows, *naming);
     if (loads.empty()) return;
     rows.name(session.view.tr("Give a load"));
     choose_load(session, parts, loads);

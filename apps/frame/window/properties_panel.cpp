@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/frame/document/dimensioning.h"
 #include "apps/frame/window/choices.h"
 #include "apps/frame/window/number_row.h"
 #include "apps/frame/window/parts_list.h"
@@ -18,9 +19,25 @@ using ui::translatable;
 
 namespace {
 
+// Of a dimension line, which is no part of the model: its distance from its first node.
+void show_offset(Desk& desk, ui::NumberFields& fields, std::span<const Part> parts)
+{
+    const auto* const place = parts.size() == 1 ? std::get_if<DimensionPlace>(&parts.front()) : nullptr;
+    if (place == nullptr) return;
+    const Rows rows("offset");
+    if (!rows.is_open()) return;
+    Session& session = desk.session;
+    Quantity offset = session.document().companion.dimensions[place->dimension].offset;
+    rows.name(session.units().label(session.view.tr("Distance"), ui::Measure::Length));
+    if (edit_quantity(desk, fields, {"offset", ui::Measure::Length}, offset))
+        session.change({{translatable("Move: {part}"), {{"part", title(session.document(), *place)}}},
+                        [place = *place, offset](Document& document) { set_offset(document, place, offset); }});
+}
+
 void show_parts(Desk& desk, ui::NumberFields& fields, std::span<const Part> parts)
 {
     show_numbers(desk, fields, parts);
+    show_offset(desk, fields, parts);
     show_choices(desk.session, parts);
     named_set_rows(desk.session, parts);
 }

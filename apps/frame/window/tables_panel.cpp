@@ -196,7 +196,6 @@ ui::Input TablesPanel::take(Desk& desk, const ui::Input& input)
 bool TablesPanel::take_key(Desk& desk, const ui::Chord& chord)
 {
     if (desk.bottom.shows_member) {
-        if (chord.key == Key::Escape) leave();
         return chord.key == Key::Escape || member_.take(desk.session, chord);
     }
     follow(desk); // the key before may have changed the document
@@ -212,7 +211,6 @@ bool TablesPanel::take_key(Desk& desk, const ui::Chord& chord)
     else if (chord == ui::Chord{Key::V, ui::ctrl}) paste(desk);
     else if (chord == ui::Chord{Key::Delete, {}} && can_grow(kind_) && grid_.has_whole_rows(table_)) remove_rows(desk);
     else if (chord == ui::Chord{Key::Delete, {}} || chord == ui::Chord{Key::Backspace, {}}) clear_block(desk);
-    else if (chord.key == Key::Escape) leave();
     else return !chord.modifiers.ctrl && (chord.key < Key::F1 || chord.key > Key::F12);
     return true;
 }

@@ -190,6 +190,29 @@ TEST_SUITE("frame report")
         }
     }
 
+    TEST_CASE("A table too wide for the paper goes on below itself in type that can be read, its rows named again")
+    {
+        Report report;
+        ReportTable table{{{"Node", false}}, {{"N1"}}};
+        for (int i = 0; i < 30; ++i) {
+            table.columns.push_back({"column " + std::to_string(i), true});
+            table.rows[0].push_back("value " + std::to_string(i));
+        }
+        report.blocks.emplace_back(table);
+        const std::vector<ui::PdfPage> pages = report_pages(report, ui::Fonts());
+        REQUIRE(pages.size() == 1);
+        const std::string words = ui::golden_text(pages[0].pictures.back().picture);
+        CHECK(words.find("\"value 29\"") != std::string::npos);
+        std::size_t n_named = 0;
+        for (std::size_t at = words.find("\"N1\""); at != std::string::npos; at = words.find("\"N1\"", at + 1))
+            ++n_named;
+        CHECK(n_named > 2);
+        for (const ui::Box& box : pages[0].pictures.back().picture.text_boxes(ui::Fonts())) {
+            CHECK(box.max.x <= pages[0].size.width);
+            CHECK(box.size().height >= 8.0);
+        }
+    }
+
     TEST_CASE("A heading stands on the page of the table under it, with three of its rows or all of a short one")
     {
         const ui::Fonts fonts;
