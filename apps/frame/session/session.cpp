@@ -129,6 +129,8 @@ void Session::follow(const Document& before)
 {
     selection.follow(before, document());
     prediction.follow(before.model, model());
+    const std::optional<ui::Phrase> brought_back = unseen_loss(model(), before.model);
+    if (notice && brought_back && notice->sentence == *brought_back) notice.reset();
     refresh();
 }
 

@@ -258,7 +258,7 @@ TEST_SUITE("frame session")
         CAPTURE(words);
         CHECK(words.starts_with(name + " went out of the combinations "));
         run(desk, "edit.undo");
-        desk.session.notice.reset();
+        CHECK(!desk.session.notice); // it is back
         desk.session.selection = Part(NodeId(0));
         run(desk, "edit.nudge_up");
         CHECK(!desk.session.notice);
