@@ -1,6 +1,5 @@
 #include "apps/cli/solid_file.h"
 
-#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <utility>
@@ -8,6 +7,7 @@
 #include "apps/cli/model_input.h"
 #include "apps/cli/output_file.h"
 #include "apps/cli/picture.h"
+#include "femoop/io/file_text.h"
 #include "topology/mesh/mesh_file.h"
 #include "topology/script/script_writer.h"
 #include "topology/text/line_error.h"
@@ -77,10 +77,9 @@ bool is_solid_file(const std::filesystem::path& path)
 std::string text_of(const std::string& file, const ui::Catalogue& tr)
 {
     if (file == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
-    std::ifstream in(file, std::ios::binary);
-    if (!in || std::filesystem::is_directory(file))
-        throw UsageError(tr("cannot read {file}: there is no such file, or no permission", {{"file", file}}));
-    return {std::istreambuf_iterator<char>(in), {}};
+    femoop::FileText found = femoop::file_text(file);
+    if (found.fault) throw UsageError(femoop::message(*found.fault, tr));
+    return std::move(found.text);
 }
 
 std::vector<NamedSolid> load_solids(const std::string& file, const ui::Catalogue& tr)

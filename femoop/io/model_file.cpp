@@ -1,19 +1,16 @@
 #include "femoop/io/model_file.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <fstream>
 #include <istream>
 #include <iterator>
 #include <sstream>
-#include <system_error>
 #include <utility>
 
+#include "femoop/io/file_text.h"
 #include "femoop/io/json/json_document.h"
 #include "femoop/io/reader/model_reader.h"
 #include "femoop/io/whole_file.h"
 #include "femoop/model/check/check_parts.h"
-#include "femoop/model/fault/translator.h"
 
 namespace femoop {
 
@@ -35,23 +32,6 @@ std::string contents(std::istream& input)
     return {std::istreambuf_iterator<char>(input), std::istreambuf_iterator<char>()};
 }
 
-std::string reason_text(std::errc reason)
-{
-    switch (reason) {
-    case std::errc::no_such_file_or_directory: return std::string(translatable("No such file or directory"));
-    case std::errc::permission_denied: return std::string(translatable("Permission denied"));
-    case std::errc::is_a_directory: return std::string(translatable("Is a directory"));
-    case std::errc::no_space_on_device: return std::string(translatable("No space left on device"));
-    case std::errc::read_only_file_system: return std::string(translatable("Read-only file system"));
-    default: return std::make_error_code(reason).message();
-    }
-}
-
-Fault file_fault(FaultKind kind, const std::filesystem::path& path, std::errc reason)
-{
-    return {kind, {path.string(), reason_text(reason)}};
-}
-
 } // namespace
 
 bool ModelReading::is_sound() const { return std::none_of(faults.begin(), faults.end(), is_error); }
@@ -69,14 +49,9 @@ ModelReading examine_model(std::string_view text)
 
 ModelReading examine_model_file(const std::filesystem::path& path)
 {
-    std::error_code unknown;
-    if (std::filesystem::is_directory(path, unknown))
-        return {{}, {file_fault(FaultKind::FileUnreadable, path, std::errc::is_a_directory)}};
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    const auto reason = static_cast<std::errc>(errno);
-    if (!file) return {{}, {file_fault(FaultKind::FileUnreadable, path, reason)}};
-    return examine_model(contents(file));
+    FileText file = file_text(path);
+    if (file.fault) return {{}, {*std::move(file.fault)}};
+    return examine_model(file.text);
 }
 
 Model read_model(std::string_view text) { return sound_model(examine_model(text)); }

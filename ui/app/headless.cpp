@@ -81,8 +81,11 @@ int play_scenario(const AppOptions& options, std::string_view program, const Cat
                   const std::function<void(const Playing&)>& play_it)
 {
     constexpr int done = 0, answer_is_no = 1, bad_input = 2;
-    std::ifstream file(*options.play, std::ios::binary);
-    if (!file) {
+    std::error_code unknown;
+    const bool is_file = std::filesystem::is_regular_file(*options.play, unknown); // a pipe may never end
+    std::ifstream file;
+    if (is_file) file.open(*options.play, std::ios::binary);
+    if (!file.is_open()) {
         std::cerr << program << ": " << tr("cannot read {file}", {{"file", options.play->string()}}) << '\n';
         return bad_input;
     }

@@ -1,6 +1,7 @@
 #include "femoop/io/model_file.h"
 
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cmath>
@@ -135,6 +136,28 @@ TEST_CASE("A file is written whole and read back; a file that is not there is re
     CHECK_THROWS_WITH_AS(
         write_model_file(model, nowhere),
         ("cannot write " + nowhere + ": No such file or directory; choose another folder or name").c_str(), ModelError);
+}
+
+TEST_CASE("What has no end is not read: a device, or a pipe that nobody writes to")
+{
+    const Folder folder;
+    const std::string pipe = folder.path("pipe.json");
+    REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+    for (const std::string& path : {std::string("/dev/zero"), pipe}) {
+        CAPTURE(path);
+        const ModelReading reading = examine_model_file(path);
+        REQUIRE(reading.faults.size() == 1);
+        CHECK(reading.faults[0] == Fault{FaultKind::FileUnreadable, {path, "Not a regular file"}});
+    }
+}
+
+TEST_CASE("A file longer than a gigabyte is refused before it is read")
+{
+    const Folder folder;
+    const std::string path = folder.path("long.json");
+    write_model_file(read_model(everything()), path);
+    std::filesystem::resize_file(path, (std::uintmax_t{1} << 30U) + 1U); // the rest is a hole
+    CHECK(examine_model_file(path).faults == std::vector{Fault{FaultKind::FileUnreadable, {path, "File too large"}}});
 }
 
 TEST_CASE("A stream is read like a text")

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <system_error>
+
+#include "femoop/model/fault/fault.h"
+
+namespace femoop {
+
+/// What a file holds, or why it cannot be read. Only a regular file is read, and none beyond a gigabyte: a device has
+/// no end, and who waits for a pipe may wait for ever.
+struct FileText {
+    std::string text;
+    std::optional<Fault> fault;
+};
+FileText file_text(const std::filesystem::path& path);
+
+/// That a file cannot be read or written, for the system's reason.
+Fault file_fault(FaultKind kind, const std::filesystem::path& path, std::errc reason);
+
+} // namespace femoop
