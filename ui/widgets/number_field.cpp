@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/widgets/wrapped_text.h"
+
 namespace ui {
 
 namespace {
@@ -106,7 +108,7 @@ NumberFieldEvent NumberFields::show_editor(unsigned id, float width)
     if (has_reason) ImGui::PopStyleColor();
     const bool is_left = ImGui::IsItemDeactivated();
     const bool is_given_up = is_left && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-    if (has_reason) ImGui::TextWrapped("%s", reason_.c_str());
+    if (has_reason) wrapped_text(reason_);
     if (!is_confirmed && !is_left) return {};
 
     typing_ = 0;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ui/widgets/wrapped_text.h"
+
 namespace ui {
 
 void begin_body()
@@ -100,11 +102,7 @@ void begin_message_box(const std::vector<std::string>& lines)
     ImGui::Begin("###banner", nullptr, flags & ~ImGuiWindowFlags_NoBringToFrontOnFocus);
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
-    for (const std::string& line : lines) {
-        ImGui::PushTextWrapPos(width - 4.0F * em);
-        ImGui::TextUnformatted(line.c_str());
-        ImGui::PopTextWrapPos();
-    }
+    for (const std::string& line : lines) wrapped_text(line, width - 4.0F * em);
 }
 
 void end_message_box()

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/frame/window/number_row.h"
+#include "ui/widgets/wrapped_text.h"
 
 namespace frame {
 
@@ -166,7 +167,7 @@ void NamedSetLists::show_chosen(Desk& desk)
     const bool is_confirmed = ImGui::InputText("###set name", &name_, ImGuiInputTextFlags_EnterReturnsTrue);
     if (is_confirmed || ImGui::IsItemDeactivatedAfterEdit()) reason_ = rename(session, set, name_);
     if (!ImGui::IsItemActive() && !is_confirmed) name_ = name_of(session, set);
-    if (reason_) ImGui::TextWrapped("%s", tr(*reason_).c_str());
+    if (reason_) ui::wrapped_text(tr(*reason_));
     const bool selects = ImGui::Button((tr("Select who has it") + "###select users").c_str());
     ImGui::SameLine();
     const bool deletes = ImGui::Button((tr("Delete the name") + "###delete name").c_str());

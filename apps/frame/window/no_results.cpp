@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "apps/frame/session/predict_commands.h"
+#include "ui/widgets/wrapped_text.h"
 
 namespace frame {
 
@@ -10,7 +11,7 @@ bool explain_no_results(Desk& desk)
 {
     const auto reason = desk.session.why_no_results();
     if (!reason) return false;
-    ImGui::TextWrapped("%s", desk.session.view.tr(*reason).c_str());
+    ui::wrapped_text(desk.session.view.tr(*reason));
     offer_to_reveal(desk);
     return true;
 }

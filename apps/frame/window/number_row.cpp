@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ui/text/number_format.h"
+#include "ui/widgets/wrapped_text.h"
 
 namespace frame {
 
@@ -31,7 +32,7 @@ void Rows::name(const std::string& text) const
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::AlignTextToFramePadding();
-    ImGui::TextWrapped("%s", text.c_str());
+    ui::wrapped_text(text);
     ImGui::TableNextColumn();
     ImGui::SetNextItemWidth(-1.0F);
 }

@@ -5,6 +5,7 @@
 
 #include "apps/frame/document/section_command.h"
 #include "apps/frame/session/property_commands.h"
+#include "ui/widgets/wrapped_text.h"
 
 namespace frame {
 
@@ -67,7 +68,7 @@ void PropertySets::show_name(Desk& desk, const Part& part)
     if (is_confirmed || is_left) reason_ = rename(desk.session, part, name_);
     if (ImGui::IsItemActivated()) reason_.reset();
     if (!ImGui::IsItemActive() && !is_confirmed) name_ = name_of(desk.session.model(), part);
-    if (reason_) ImGui::TextWrapped("%s", tr(*reason_).c_str());
+    if (reason_) ui::wrapped_text(tr(*reason_));
 }
 
 void property_buttons(Desk& desk)

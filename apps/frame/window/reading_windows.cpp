@@ -6,6 +6,7 @@
 
 #include "apps/frame/window/no_results.h"
 #include "ui/widgets/shortcut_sheet.h"
+#include "ui/widgets/wrapped_text.h"
 
 namespace frame {
 
@@ -23,9 +24,7 @@ void description_window(Desk& desk, bool& is_open)
     if (desk.session.hidden) ImGui::SameLine();
     offer_to_reveal(desk);
     ImGui::BeginChild("words");
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(words.c_str());
-    ImGui::PopTextWrapPos();
+    ui::wrapped_text(words);
     ImGui::EndChild();
     ImGui::End();
 }

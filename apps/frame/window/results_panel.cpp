@@ -15,6 +15,7 @@
 #include "apps/frame/window/result_list.h"
 #include "femoop/result/components.h"
 #include "femoop/result/results.h"
+#include "ui/widgets/wrapped_text.h"
 
 namespace frame {
 
@@ -110,9 +111,8 @@ void show_equilibrium(const ShownCase& shown)
                       .c_str());
     }
     const ui::NumberFormat two_digits{.digits = 2, .mark = shown.units.format().mark};
-    ImGui::TextWrapped("%s", tr("Largest force out of balance: {residual} of the largest load",
-                                {{"residual", ui::number_text(equilibrium.residual, two_digits)}})
-                                 .c_str());
+    ui::wrapped_text(tr("Largest force out of balance: {residual} of the largest load",
+                        {{"residual", ui::number_text(equilibrium.residual, two_digits)}}));
 }
 
 } // namespace
@@ -124,7 +124,7 @@ void results_panel(Desk& desk)
     const auto& results = session.solution().results;
     if (explain_no_results(desk)) return;
     if (results->n_cases() == 0) {
-        ImGui::TextWrapped("%s", tr("The model has no load case.").c_str());
+        ui::wrapped_text(tr("The model has no load case."));
         return;
     }
     if (session.view.is_envelope) return envelope_panel(desk);
@@ -149,12 +149,12 @@ void problems_panel(Desk& desk)
     Session& session = desk.session;
     const ui::Catalogue& tr = session.view.tr;
     const Solution& solution = session.solution();
-    if (solution.faults.empty()) ImGui::TextWrapped("%s", tr("Nothing is wrong with the model.").c_str());
+    if (solution.faults.empty()) ui::wrapped_text(tr("Nothing is wrong with the model."));
     for (std::size_t i = 0; i < solution.faults.size(); ++i) {
         const Fault& fault = solution.faults[i];
         const bool is_error = severity(fault.kind) == Severity::Error;
         ImGui::TextUnformatted((is_error ? tr("Error") : tr("Warning")).c_str());
-        ImGui::TextWrapped("%s", sentence(fault, tr).c_str());
+        ui::wrapped_text(sentence(fault, tr));
         ImGui::Separator();
     }
     for (std::size_t i = 0; i < solution.mechanisms.size() && solution.mechanisms.size() > 1; ++i) {

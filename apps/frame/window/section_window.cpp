@@ -17,6 +17,7 @@
 #include "femoop/section/section_properties.h"
 #include "ui/paint/painter.h"
 #include "ui/text/number_format.h"
+#include "ui/widgets/wrapped_text.h"
 
 namespace frame {
 
@@ -186,7 +187,7 @@ void SectionWindow::show_name(Desk& desk)
         name_ = draft.section().id;
         reason_.reset();
     }
-    if (reason_) ImGui::TextWrapped("%s", tr(*reason_).c_str());
+    if (reason_) ui::wrapped_text(tr(*reason_));
 }
 
 void SectionWindow::show_shapes(Desk& desk, ui::ImGuiSession& gui)
