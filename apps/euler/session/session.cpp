@@ -37,6 +37,18 @@ Notice passing_notice(ui::Phrase sentence)
     return {.sentence = std::move(sentence), .seconds_left = seconds_to_read};
 }
 
+bool lives(const topology::Solid& solid, topology::Entity e)
+{
+    switch (e.kind) {
+    case topology::EntityKind::Vertex: return solid.has(topology::VertexId{e.index});
+    case topology::EntityKind::HalfEdge: return solid.has(topology::HalfEdgeId{e.index});
+    case topology::EntityKind::Edge: return solid.has(topology::EdgeId{e.index});
+    case topology::EntityKind::Loop: return solid.has(topology::LoopId{e.index});
+    case topology::EntityKind::Face: return solid.has(topology::FaceId{e.index});
+    }
+    return false;
+}
+
 Session::Session()
 {
     // From a corner, but so that no two corners of a cube are seen at one place.
@@ -119,6 +131,10 @@ void Session::look_at_place()
         stepper_.go_to(here);
     }
     after_ = snapshots(stepper_);
+    const auto is_there = [this](const Part& part) {
+        return part.subject < after_.size() && lives(after_[part.subject].solid, part.entity);
+    };
+    if (selection && !is_there(*selection)) selection.reset(); // a row that was taken back has gone
 }
 
 void Session::look_at_end()

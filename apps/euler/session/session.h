@@ -33,6 +33,8 @@ struct Snapshot {
     topology::Names names;
 };
 
+bool lives(const topology::Solid& solid, topology::Entity entity);
+
 /// How the topology is drawn.
 enum class ViewKind : std::uint8_t {
     Space,    ///< where the vertices are

@@ -9,24 +9,6 @@
 
 namespace euler {
 
-using topology::EntityKind;
-
-namespace {
-
-bool lives(const topology::Solid& solid, topology::Entity e)
-{
-    switch (e.kind) {
-    case EntityKind::Vertex: return solid.has(topology::VertexId{e.index});
-    case EntityKind::HalfEdge: return solid.has(topology::HalfEdgeId{e.index});
-    case EntityKind::Edge: return solid.has(topology::EdgeId{e.index});
-    case EntityKind::Loop: return solid.has(topology::LoopId{e.index});
-    case EntityKind::Face: return solid.has(topology::FaceId{e.index});
-    }
-    return false;
-}
-
-} // namespace
-
 void entity_panel(Session& session)
 {
     if (!session.selection || session.selection->subject >= session.after().size()) return;
