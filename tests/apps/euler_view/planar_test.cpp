@@ -72,16 +72,16 @@ TEST_CASE("In the plane no two edges of a random solid without handles cross, wh
     }
 }
 
-TEST_CASE("A polyhedron's edges are straight in the plane, and every face but the one outside is filled")
+TEST_CASE("A polyhedron's edges are straight in the plane, and the face outside is all around the others")
 {
     const Made cube(example("cube"));
     const Shapes shapes = in_plane(cube.subjects(), Part{0, cube.face("f4")});
     CHECK(n_crossings(shapes) == 0);
     for (const Shapes::Edge& edge : shapes.edges) CHECK(edge.line.size() == 2);
-    REQUIRE(shapes.pieces.size() == 5);
+    REQUIRE(shapes.pieces.size() == 6);
     for (const Shapes::Piece& piece : shapes.pieces) {
         CHECK_FALSE(piece.is_back);
-        CHECK(shapes.faces[piece.face].face != cube.face("f4"));
+        CHECK((piece.area.size() == 2) == (shapes.faces[piece.face].face == cube.face("f4")));
     }
 }
 

@@ -19,7 +19,8 @@ using topology::Solid;
 
 namespace {
 
-constexpr double pitch = 2.4;            // between the middles of shells, whose radius is 1
+constexpr double outside_radius = 1.25;
+constexpr double pitch = 2.7;            // between the middles of shells, whose radius is 1
 constexpr std::size_t most_edges = 6000; // that are drawn in the plane
 
 struct Disc {
@@ -50,7 +51,7 @@ public:
 
     void add_shell(FaceId outside, const Disc& disc)
     {
-        layout_.outside.insert(outside);
+        layout_.outside[outside] = rim(disc);
         std::vector<LoopId> loops;
         for (const LoopId l : solid_.loops(outside)) loops.push_back(l);
         add_parts(loops, disc);
@@ -60,6 +61,18 @@ public:
 
 private:
     static topology::Point flat(ui::Point p) { return {p.x, p.y, 0.0}; }
+
+    /// Far enough from the drawing for the outside's half-edges and its name.
+    static std::vector<topology::Point> rim(const Disc& disc)
+    {
+        constexpr int n = 72;
+        std::vector<topology::Point> circle;
+        for (int i = 0; i < n; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / n;
+            circle.push_back(flat(disc.at(outside_radius * ui::Point{std::cos(angle), std::sin(angle)})));
+        }
+        return circle;
+    }
 
     void add_parts(const std::vector<LoopId>& around, const Disc& disc)
     {
@@ -165,12 +178,10 @@ Drawn drawn(std::span<const Subject> subjects, const ui::Catalogue& tr, std::opt
 }
 
 /// All places of a layout that are seen.
-void add_places(std::vector<ui::World3>& places, const Solid& solid, const PlacedSolid::Layout& layout)
+void add_places(std::vector<ui::World3>& places, const PlacedSolid::Layout& layout)
 {
     const auto add = [&](const topology::Point& p) { places.push_back({p.x, p.y, p.z}); };
-    for (const topology::VertexId v : solid.vertices())
-        if (!layout.left_out.contains(solid.face(solid.half_edge(v)))) add(layout.vertices[v.index]);
-    for (const auto& [e, curve] : layout.curves) std::for_each(curve.begin(), curve.end(), add);
+    for (const auto& [f, rim] : layout.outside) std::for_each(rim.begin(), rim.end(), add);
 }
 
 } // namespace
@@ -194,10 +205,10 @@ Shapes planar_shapes(std::span<const Subject> subjects, const ui::OrbitCamera& c
 
 ui::OrbitCamera fitted_planar(std::span<const Subject> subjects, ui::Size sheet, std::optional<Part> outside)
 {
-    constexpr double margin = 60.0; // [px], for the outside's half-edges and for names
+    constexpr double margin = 24.0; // [px]
     const Drawn plane = drawn(subjects, {}, outside);
     std::vector<ui::World3> places;
-    for (std::size_t i = 0; i < subjects.size(); ++i) add_places(places, *subjects[i].solid, plane.layouts[i]);
+    for (const PlacedSolid::Layout& layout : plane.layouts) add_places(places, layout);
     ui::OrbitCamera camera;
     camera.look(ui::StandardView::Top);
     camera.fit(places, sheet, {margin, margin, margin, margin});

@@ -9,8 +9,8 @@
 
 namespace euler {
 
-/// The same topology drawn in the plane, as Schlegel drew polyhedra: one face of every shell is taken for the outside,
-/// the others lie within it and none crosses another. Positions count for nothing.
+/// The same topology drawn in the plane, as Schlegel drew polyhedra: one face of every shell is taken for the outside
+/// and fills a disc around the others, which lie within it; none crosses another. Positions count for nothing.
 ///
 /// A part that hangs on the rest by a ring alone is drawn inside the ring's face. Of a shell with handles no such
 /// drawing exists: a sentence says so.

@@ -157,13 +157,15 @@ FaceBodies::FaceBodies(const topology::Solid& solid, const HalfEdgePaths& paths)
     }
 }
 
-void FaceBodies::lay_flat(const std::set<FaceId>& outside)
+void FaceBodies::lay_flat(const Rims& outside)
 {
     for (FaceBody& body : bodies_) {
         body.normal = {0.0, 0.0, 1.0};
-        if (!outside.contains(body.face)) continue;
+        const auto around = outside.find(body.face);
+        if (around == outside.end()) continue;
         body.inner_radius = 0.0;
-        body.pieces.clear();
+        if (body.pieces.empty()) body.pieces.emplace_back();
+        body.pieces.front().insert(body.pieces.front().begin(), around->second);
     }
 }
 

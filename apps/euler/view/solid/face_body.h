@@ -2,7 +2,7 @@
 
 #include "apps/euler/view/solid/half_edge_paths.h"
 
-#include <set>
+#include <map>
 #include <vector>
 
 namespace euler {
@@ -22,6 +22,8 @@ struct FaceBody {
     std::vector<std::vector<std::vector<topology::Point>>> pieces{};
 };
 
+using Rims = std::map<topology::FaceId, std::vector<topology::Point>>; ///< counter-clockwise
+
 class FaceBodies {
 public:
     FaceBodies(const topology::Solid& solid, const HalfEdgePaths& paths);
@@ -32,8 +34,9 @@ public:
     /// Moves the faces of every shell apart. `how_far` 0 to 1.
     void explode(const topology::Solid& solid, double how_far, double extent);
 
-    /// Of a drawing in the plane of x and y: every face lies left of its half-edges, and those outside are all around.
-    void lay_flat(const std::set<topology::FaceId>& outside);
+    /// Of a drawing in the plane of x and y: every face lies left of its half-edges, and those outside are all around,
+    /// as far as their rims.
+    void lay_flat(const Rims& outside);
 
 private:
     std::vector<FaceBody> bodies_;

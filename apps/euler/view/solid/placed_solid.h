@@ -20,7 +20,7 @@ public:
     struct Layout {
         std::vector<topology::Point> vertices; ///< by index
         Curves curves;                         ///< of edges that are not straight
-        std::set<topology::FaceId> outside;    ///< which are all around, and not filled
+        Rims outside;                          ///< of the faces that are all around: how far they are filled
         std::set<topology::FaceId> left_out;   ///< which are not drawn at all
     };
     PlacedSolid(std::size_t place, const Subject& subject, const Sight& sight, Layout layout);
