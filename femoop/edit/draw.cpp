@@ -50,6 +50,14 @@ void cut_members_at(Model& model, NodeId node, double nearness)
     cut_members_at(model, node, nearness, [](MemberId) { return true; });
 }
 
+std::vector<bool> moved_members(const Model& model, const MovedParts& moved)
+{
+    std::vector<bool> is_moved;
+    is_moved.reserve(model.members.size());
+    for (std::size_t i = 0; i < model.members.size(); ++i) is_moved.push_back(moved.is_moved(model, MemberId(i)));
+    return is_moved;
+}
+
 NodeId place_node(Model& model, const Eigen::Vector3d& place, double nearness)
 {
     if (const std::optional<NodeId> there = node_at(model, place, nearness)) return *there;
@@ -108,10 +116,17 @@ std::optional<MemberId> member_between(const Model& model, NodeId a, NodeId b)
 
 NodeId place_node(Model& model, const Eigen::Vector3d& place) { return place_node(model, place, nearness_of(model)); }
 
-void cut_members_at(Model& model, NodeId node, const MovedParts& moved)
+// While the hand drags, this is done in every frame: what was moved is looked up once, and again after a cut.
+void cut_members_at_nodes(Model& model, const MovedParts& moved)
 {
-    if (moved.is_moved(model, node)) return cut_members_at(model, node, nearness_of(model));
-    cut_members_at(model, node, nearness_of(model), [&](MemberId member) { return moved.is_moved(model, member); });
+    const double nearness = nearness_of(model);
+    std::vector<bool> is_moved;
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        if (is_moved.size() != model.members.size()) is_moved = moved_members(model, moved);
+        const NodeId node(i);
+        if (moved.is_moved(model, node)) cut_members_at(model, node, nearness);
+        else cut_members_at(model, node, nearness, [&](MemberId member) { return is_moved[member.index]; });
+    }
 }
 
 std::vector<MemberId> draw_member(Model& model, const Eigen::Vector3d& start, const Eigen::Vector3d& end,

@@ -11,8 +11,8 @@ namespace femoop {
 /// (femoop/edit/split.h).
 NodeId place_node(Model& model, const Eigen::Vector3d& place);
 
-/// Cuts every member that passes the node without ending there, where the node or the member was moved or made.
-void cut_members_at(Model& model, NodeId node, const MovedParts& moved);
+/// Cuts every member that passes a node without ending there, where the node or the member was moved or made.
+void cut_members_at_nodes(Model& model, const MovedParts& moved);
 
 /// Draws a straight line of members, each made like `pattern` (its name and nodes aside), from one place to another:
 ///

@@ -125,7 +125,7 @@ void weld(Model& model, const Model& before, const Welding& welding)
     if (welding.crossings == Crossings::Cut)
         for (const Eigen::Vector3d& place : new_crossings(model, moved, welding.n_copies)) place_node(model, place);
     weld_nodes(model, moved);
-    for (std::size_t i = 0; i < model.nodes.size(); ++i) cut_members_at(model, NodeId(i), moved);
+    cut_members_at_nodes(model, moved);
     weld_members(model, moved);
 }
 
