@@ -164,7 +164,9 @@ bool Application::take_typing(ui::Key key)
     if (desk_.hand.typed().empty()) return false;
     if (key == ui::Key::Backspace) desk_.hand.rub_out();
     if (key == ui::Key::Enter) {
-        if (const auto change = desk_.hand.enter(work_of(desk_.session))) desk_.session.change(*change);
+        // Where no model can have a node, what was begun is given up with it.
+        const auto change = desk_.hand.enter(work_of(desk_.session));
+        if (change && !desk_.session.change_soundly(*change)) desk_.hand.tool().escape();
         if (!desk_.hand.typed().empty()) explain(desk_.hand.why_not_enter(work_of(desk_.session)));
     }
     return key == ui::Key::Backspace || key == ui::Key::Enter;

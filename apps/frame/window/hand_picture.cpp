@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "apps/frame/tools/grid.h"
 #include "apps/frame/view/sketch/scene.h"
 #include "apps/frame/window/aim.h"
 #include "ui/text/number_format.h"
@@ -30,9 +31,9 @@ public:
         const auto most = place_in_plane(projection_, {painter_.size().width, 0.0});
         if (!least || !most || !projection_.is_plane()) return;
         const ui::Color ink = ui::with_opacity(theme_[Role::FaintLabel].text, 0.4);
-        for (double x = std::ceil(least->x() / step) * step; x <= most->x(); x += step)
-            for (double y = std::ceil(least->y() / step) * step; y <= most->y(); y += step)
-                painter_.rectangle(dot(at({x, y})), ink);
+        const std::vector<double> rows = multiples_between(least->y(), most->y(), step);
+        for (const double x : multiples_between(least->x(), most->x(), step))
+            for (const double y : rows) painter_.rectangle(dot(at({x, y})), ink);
     }
 
     void glyph(const Snap& snap)

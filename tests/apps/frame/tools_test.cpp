@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "apps/frame/document/drawing.h"
 #include "apps/frame/document/number.h"
 #include "apps/frame/tools/dimension_tool.h"
+#include "apps/frame/tools/grid.h"
 #include "apps/frame/tools/hand.h"
 #include "apps/frame/tools/member_tool.h"
 #include "apps/frame/tools/node_tool.h"
@@ -135,6 +137,14 @@ TEST_SUITE("frame tools")
         CHECK(frame::round_grid(7.0) == doctest::Approx(10.0));
         CHECK(frame::round_grid(1.0) == doctest::Approx(1.0));
         CHECK(frame::round_grid(0.0011) == doctest::Approx(0.002));
+    }
+
+    TEST_CASE("The grid is counted, and ends where a place has no digits left for it")
+    {
+        CHECK(frame::multiples_between(-1.2, 2.6, 0.5) ==
+              std::vector<double>{-1.0, -0.5, 0.0, 0.5, 1.0, 1.5, 2.0, 2.5});
+        CHECK(frame::multiples_between(1e30 - 3.0, 1e30 + 3.0, 0.5).empty());
+        CHECK(frame::multiples_between(0.0, std::numeric_limits<double>::infinity(), 0.5).empty());
     }
 
     TEST_CASE("A place is typed as coordinates, as a step, as length and angle, or as a length")
