@@ -20,8 +20,6 @@ namespace cli {
 
 namespace {
 
-constexpr std::size_t n_stations = 21;
-
 class Convert : public Subcommand {
 public:
     std::string_view name() const override { return "convert"; }
@@ -109,7 +107,8 @@ ExitStatus Convert::to_csv(const femoop::Model& model, Console& console) const
 {
     const auto solved = solve_model(model, display_name(in_, console.tr()), {}, console);
     if (const auto* status = std::get_if<ExitStatus>(&solved)) return *status;
-    deliver(femoop::long_csv(model, std::get<Solved>(solved).results, all_cases(model), n_stations), console);
+    deliver(femoop::long_csv(model, std::get<Solved>(solved).results, all_cases(model), femoop::usual_n_stations),
+            console);
     return ExitStatus::Done;
 }
 

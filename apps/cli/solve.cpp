@@ -49,7 +49,7 @@ private:
 struct Selection {
     std::vector<CaseId> cases;
     bool is_envelope = false;
-    std::size_t n_stations = 21;
+    std::size_t n_stations = femoop::usual_n_stations;
 };
 
 class Solve : public Subcommand {
@@ -72,7 +72,7 @@ private:
     void write_csv(const Model& model, const Results& results, const Selection& selection,
                    const Console& console) const;
 
-    std::string file_, case_ = "all", stations_ = "21", solver_ = "automatic";
+    std::string file_, case_ = "all", stations_ = std::to_string(femoop::usual_n_stations), solver_ = "automatic";
     std::optional<std::string> csv_folder_, traced_member_;
     bool is_json_ = false, is_timed_ = false, is_described_ = false;
 };

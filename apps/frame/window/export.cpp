@@ -71,13 +71,12 @@ private:
     {
         if (const auto reason = session_.why_no_results()) return reason;
         const auto& results = session_.solution().results;
-        constexpr std::size_t n_stations = 11;
         if (session_.view.is_envelope)
             return text(long_envelope_csv(session_.model(), *results, envelope_cases(session_.model(), session_.view),
-                                          n_stations));
+                                          femoop::usual_n_stations));
         std::vector<femoop::CaseId> cases;
         for (std::size_t i = 0; i < results->n_cases(); ++i) cases.emplace_back(i);
-        return text(long_csv(session_.model(), *results, cases, n_stations));
+        return text(long_csv(session_.model(), *results, cases, femoop::usual_n_stations));
     }
 
     std::optional<ui::Phrase> text(const std::string& content) const

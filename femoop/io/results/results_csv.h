@@ -9,6 +9,9 @@
 
 namespace femoop {
 
+/// Evenly spaced places along each member in files of results, where nobody asks for another number of them.
+inline constexpr std::size_t usual_n_stations = 21;
+
 /// A table as comma-separated values (RFC 4180): the first line names the columns with their units, "ux [m]";
 /// decimal points; numbers are the shortest that read back as the same double.
 struct CsvFile {
