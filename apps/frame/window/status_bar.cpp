@@ -3,8 +3,10 @@
 #include <imgui.h>
 
 #include <string>
+#include <vector>
 
 #include "femoop/result/structure_words.h"
+#include "ui/text/shortened.h"
 #include "ui/widgets/panel.h"
 
 namespace frame {
@@ -23,23 +25,46 @@ std::string degree_text(const femoop::Indeterminacy& degree, const ui::Catalogue
                {"internal", summand(degree.internal)}});
 }
 
+// Who walks through views sees here which one it is: in the picture the words would cover what it shows.
+std::vector<std::string> parts_of(const Session& session)
+{
+    constexpr std::size_t most_letters = 40;
+    const ui::Catalogue& tr = session.view.tr;
+    const std::vector<NamedView>& views = session.document().companion.views;
+    std::vector<std::string> parts;
+    if (session.shown_view && *session.shown_view < views.size())
+        parts.push_back(ui::shortened(views[*session.shown_view].name, most_letters));
+    parts.push_back(femoop::size_words(session.model(), tr));
+    const auto& results = session.solution().results;
+    parts.push_back(results ? degree_text(results->indeterminacy(), tr) : tr("not solved"));
+    return parts;
+}
+
+float width_of(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
+
+/// The first parts, as many as there is room for.
+std::string first_of(const std::vector<std::string>& parts, float room)
+{
+    std::string text;
+    for (const std::string& part : parts) {
+        const std::string longer = text.empty() ? part : text + "   ·   " + part;
+        if (!text.empty() && width_of(longer) > room) break;
+        text = longer;
+    }
+    return text;
+}
+
 } // namespace
 
 void status_bar(const Session& session)
 {
     ui::begin_status_bar();
-    const ui::Catalogue& tr = session.view.tr;
-    std::string text = femoop::size_words(session.model(), tr);
-    if (const auto& results = session.solution().results) {
-        text += "   ·   " + degree_text(results->indeterminacy(), tr);
-    } else {
-        text += "   ·   " + tr("not solved");
-    }
-    ImGui::TextUnformatted(text.c_str());
     const ui::DisplayUnits units = session.units();
     const std::string right = units.unit(ui::Measure::Force).name + ", " + units.unit(ui::Measure::Length).name + ", " +
                               units.unit(ui::Measure::Displacement).name;
-    ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::CalcTextSize(right.c_str()).x - ImGui::GetFontSize());
+    const float at = ImGui::GetWindowWidth() - width_of(right) - ImGui::GetFontSize();
+    ImGui::TextUnformatted(first_of(parts_of(session), at - 2.0F * ImGui::GetFontSize()).c_str());
+    ImGui::SameLine(at);
     ImGui::TextDisabled("%s", right.c_str());
     ui::end_status_bar();
 }
