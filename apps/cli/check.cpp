@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "apps/cli/model_input.h"
+#include "apps/frame/document/companion/companion_file.h"
+#include "femoop/io/file_text.h"
 #include "femoop/io/json/json_writer.h"
 
 namespace cli {
@@ -19,6 +21,18 @@ std::size_t number_of(const std::vector<femoop::Fault>& faults, Severity severit
     return static_cast<std::size_t>(std::count_if(faults.begin(), faults.end(), [&](const femoop::Fault& fault) {
         return femoop::severity(fault.kind) == severity;
     }));
+}
+
+/// Everything wrong with a file: with a view file as it stands beside its model, else with a model.
+std::vector<femoop::Fault> faults_of(const std::string& file, const ui::Catalogue& tr)
+{
+    const auto beside = frame::model_of_companion(file);
+    if (!beside) return examine(file, tr).faults;
+    femoop::FileText model = femoop::file_text(*beside);
+    if (model.fault) return {*std::move(model.fault)};
+    femoop::FileText views = femoop::file_text(file);
+    if (views.fault) return {*std::move(views.fault)};
+    return frame::read_companion(views.text, femoop::examine_model(model.text).model).faults;
 }
 
 /// What `check` says of a file that can be used.
@@ -47,14 +61,15 @@ HelpText Check::help(const ui::Catalogue& tr) const
         tr("read a model file and report everything that is wrong with it"),
         tr("Reports all errors and warnings of each file at once, with the place, what was found, what is wanted and a "
            "remedy. Nothing is solved, so a mechanism is not noticed (solve does). Warnings, such as a section that no "
-           "member uses or members that cross without a node, leave the status 0."),
+           "member uses or members that cross without a node, leave the status 0. A view file (portal.view.json) is "
+           "checked beside its model (portal.json), which must be there."),
         {{"cremona check examples/portal.json", tr("One file.")},
          {"cremona check homework/*.json", tr("A class's files: the status is 2 if any has an error.")}}};
 }
 
 void Check::declare(CLI::App& app, const ui::Catalogue& tr)
 {
-    app.add_option("FILE", files_, tr("model files; - is standard input"))->option_text(" ");
+    app.add_option("FILE", files_, tr("model files and view files; - is standard input"))->option_text(" ");
     app.add_flag("--json", is_json_, tr("print the sound files and their warnings as JSON"));
 }
 
@@ -78,13 +93,13 @@ ExitStatus Check::run(Console& console)
     ExitStatus status = ExitStatus::Done;
     std::vector<SoundFile> sound;
     for (const std::string& file : files_) {
-        const femoop::ModelReading reading = examine(file, tr);
+        const std::vector<femoop::Fault> faults = faults_of(file, tr);
         const std::string shown = display_name(file, tr);
-        console.report(shown, reading.faults);
-        if (reading.is_sound()) sound.push_back({shown, reading.faults});
+        console.report(shown, faults);
+        const std::size_t errors = number_of(faults, Severity::Error);
+        const std::size_t warnings = number_of(faults, Severity::Warning);
+        if (errors == 0) sound.push_back({shown, faults});
         else status = ExitStatus::BadInput;
-        const std::size_t errors = number_of(reading.faults, Severity::Error);
-        const std::size_t warnings = number_of(reading.faults, Severity::Warning);
         if (errors > 0)
             console.message(shown + ": " +
                             tr("errors: {errors}, warnings: {warnings}",

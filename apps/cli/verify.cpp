@@ -10,6 +10,7 @@
 
 #include "apps/cli/analysis_run.h"
 #include "apps/cli/model_input.h"
+#include "apps/frame/document/companion/companion_file.h"
 #include "femoop/io/json/json_writer.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/result/verify.h"
@@ -82,7 +83,8 @@ HelpText Verify::help(const ui::Catalogue& tr) const
         tr("Solves each file and compares the entries of its \"expected\" list: a displacement, a reaction, a section "
            "force or an extreme, with a value and a tolerance. A check passes when the result is within max(atol, "
            "rtol |value|) of the value. One line a check, then a count. Checks of analyses that are not built yet are "
-           "named and skipped, never passed. A homework sheet with expected results is a test this way."),
+           "named and skipped, never passed; so are view files. A homework sheet with expected results is a test this "
+           "way."),
         {{"cremona verify tests/cases/members/BM-001.json", tr("Every check of one file.")},
          {"cremona verify --quiet tests/cases/members/*.json",
           tr("Failed checks alone, then the count of all files.")}}};
@@ -163,6 +165,11 @@ ExitStatus Verify::run(Console& console)
     ExitStatus status = ExitStatus::Done;
     bool is_any_checked = false;
     for (const std::string& file : files_) {
+        if (frame::model_of_companion(file)) {
+            console.message(file + ": " + console.tr()("skipped: {reason}", {{"reason", console.tr()("a view file")}}));
+            is_any_checked = true;
+            continue;
+        }
         files.push_back(verify_file(file, console));
         status = worse(status, files.back().status);
         is_any_checked = is_any_checked || worse(files.back().status, ExitStatus::No) == ExitStatus::No;

@@ -25,16 +25,22 @@ fs::path expanded(const std::string& typed)
 
 } // namespace
 
-void PathDialog::open(Purpose purpose, const fs::path& start, std::string extension)
+void PathDialog::open(Purpose purpose, const fs::path& start, std::string extension, std::string left_out)
 {
     is_open_ = is_fresh_ = true;
     must_confirm_overwrite_ = false;
     purpose_ = purpose;
     extension_ = std::move(extension);
+    left_out_ = std::move(left_out);
     std::error_code error;
     start_ = fs::absolute(start.empty() ? fs::current_path(error) / "" : start, error);
     enter(start_.has_filename() ? start_.parent_path() : start_);
     typed_ = purpose == Purpose::Save ? start_.filename().string() : "";
+}
+
+bool PathDialog::is_listed(const fs::path& file) const
+{
+    return file.extension() == extension_ && (left_out_.empty() || !file.filename().string().ends_with(left_out_));
 }
 
 void PathDialog::enter(const fs::path& folder)
@@ -48,7 +54,7 @@ void PathDialog::enter(const fs::path& folder)
         std::error_code unknown;
         const bool is_folder = item->is_directory(unknown);
         const bool is_hidden = name.starts_with('.');
-        if (!is_hidden && (is_folder || item->path().extension() == extension_)) entries_.push_back({name, is_folder});
+        if (!is_hidden && (is_folder || is_listed(item->path()))) entries_.push_back({name, is_folder});
     }
     std::ranges::sort(entries_, [](const Entry& a, const Entry& b) {
         return a.is_folder != b.is_folder ? a.is_folder : a.name < b.name;

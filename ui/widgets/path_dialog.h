@@ -15,7 +15,8 @@ class PathDialog {
 public:
     enum class Purpose : std::uint8_t { Open, Save };
 
-    void open(Purpose purpose, const std::filesystem::path& start, std::string extension);
+    /// Lists the files with this extension, but for those whose names end in `left_out` where that is not empty.
+    void open(Purpose purpose, const std::filesystem::path& start, std::string extension, std::string left_out = {});
     bool is_open() const { return is_open_; }
     Purpose purpose() const { return purpose_; }
 
@@ -28,6 +29,7 @@ private:
         bool is_folder;
     };
 
+    bool is_listed(const std::filesystem::path& file) const;
     void enter(const std::filesystem::path& folder);
     std::optional<std::filesystem::path> confirm();
     bool show_list();
@@ -36,7 +38,7 @@ private:
     bool is_fresh_ = false;
     bool must_confirm_overwrite_ = false;
     Purpose purpose_ = Purpose::Open;
-    std::string extension_;
+    std::string extension_, left_out_;
     std::filesystem::path start_; ///< the path that the dialog began with: saving over it needs no question
     std::filesystem::path folder_;
     std::string typed_; ///< relative to the folder, or absolute

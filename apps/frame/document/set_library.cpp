@@ -1,8 +1,10 @@
 #include "apps/frame/document/set_library.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
+#include "femoop/edit/erase.h"
 #include "femoop/edit/naming.h"
 #include "femoop/model/check/check.h"
 
@@ -67,6 +69,39 @@ std::vector<NamedSet> sets_in(const Model& library)
         else sets.push_back({load_case.id, load_case.nodes.front().components});
     }
     return sets;
+}
+
+namespace {
+
+std::string entry(std::string_view list, std::size_t i) { return std::string(list) + '[' + std::to_string(i) + ']'; }
+
+bool is_named_load(const LoadCase& load_case)
+{
+    const bool is_one = load_case.nodes.size() + load_case.members.size() == 1;
+    return is_one && load_case.settlements.empty() && load_case.self_weight == 0.0;
+}
+
+bool is_end(const Model& library, NodeId node)
+{
+    return std::ranges::any_of(library.members, [&](const Member& m) { return std::ranges::count(m.nodes, node) > 0; });
+}
+
+} // namespace
+
+std::vector<std::string> places_beyond_sets(const Model& library)
+{
+    std::vector<std::string> places;
+    for (std::size_t i = 0; i < library.materials.size(); ++i)
+        if (!is_used(library, MaterialId(i))) places.push_back(entry("materials", i));
+    for (std::size_t i = 0; i < library.sections.size(); ++i)
+        if (!is_used(library, SectionId(i))) places.push_back(entry("sections", i));
+    for (std::size_t i = 0; i < library.nodes.size(); ++i)
+        if (!library.nodes[i].support && !is_end(library, NodeId(i))) places.push_back(entry("nodes", i));
+    for (std::size_t i = 0; i < library.load_cases.size(); ++i)
+        if (!is_named_load(library.load_cases[i])) places.push_back(entry("load_cases", i));
+    if (!library.combinations.empty()) places.emplace_back("combinations");
+    if (!library.expected.empty()) places.emplace_back("expected");
+    return places;
 }
 
 bool is_usable(const NamedSet& set, const Model& model)

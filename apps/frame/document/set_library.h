@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "apps/frame/document/named_sets.h"
@@ -13,6 +14,9 @@ femoop::Model library_of(const std::vector<NamedSet>& sets, const femoop::Model&
 
 /// The named sets of such a model; a node without support and a load case with several loads are none.
 std::vector<NamedSet> sets_in(const femoop::Model& library);
+
+/// The places in such a model of what is no named set and bears none: `sets_in` loses it.
+std::vector<std::string> places_beyond_sets(const femoop::Model& library);
 
 /// Whether a model of this analysis takes the support or load.
 bool is_usable(const NamedSet& set, const femoop::Model& model);

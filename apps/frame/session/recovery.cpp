@@ -58,7 +58,7 @@ std::optional<fs::path> original_of(const fs::path& draft)
     return text.empty() ? std::nullopt : std::optional<fs::path>(text);
 }
 
-bool is_draft(const fs::path& path) { return path.extension() == ".json" && !is_companion_path(path); }
+bool is_draft(const fs::path& path) { return path.extension() == ".json" && !model_of_companion(path); }
 
 fs::file_time_type age(const Leftover& leftover)
 {

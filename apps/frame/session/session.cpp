@@ -244,54 +244,59 @@ void Session::refuse(const std::filesystem::path& path, const Notice& reason)
     notice->sentence = {sentence, {{"file", path.filename().string()}}};
 }
 
+namespace {
+
+// Judged beside the model that it was written for, so before another takes that one's place.
+bool is_companion_sound(const std::filesystem::path& model_file)
+{
+    std::error_code unknown;
+    if (!std::filesystem::exists(companion_path(model_file), unknown)) return true;
+    return read_companion_of(model_file, femoop::examine_model_file(model_file).model).faults.empty();
+}
+
+femoop::Fault unwritable(const std::filesystem::path& path, const std::error_code& error)
+{
+    return {femoop::FaultKind::FileUnwritable, {path.string(), error.message()}};
+}
+
+} // namespace
+
 bool Session::save(const std::filesystem::path& path)
 {
     settle();
+    const ui::Phrase::Argument file{"file", path.filename().string()};
+    if (model_of_companion(path)) {
+        notice = Notice{{translatable("{file} is the name of a view file; choose another for the model"), {file}}, {}};
+        return false;
+    }
+    const bool was_sound = is_companion_sound(path);
     try {
         femoop::write_model_file(model(), path);
     } catch (const femoop::ModelError& error) {
-        notice = Notice{{translatable("{file} was not saved"), {{"file", path.filename().string()}}}, error.faults()};
+        notice = Notice{{translatable("{file} was not saved"), {file}}, error.faults()};
         return false;
     }
     path_ = path;
     notice.reset();
-    if (!save_companion()) return false;
+    const std::filesystem::path beside = companion_path(path), aside = free_old_path(beside);
+    std::error_code error;
+    if (!was_sound) std::filesystem::rename(beside, aside, error); // before another takes its place
+    if (error) tell_of_companion(translatable("{file} was not saved"), {unwritable(aside, error)});
+    if (error || !save_companion()) return false;
+    if (!was_sound)
+        notice = Notice{{translatable("{file} was not understood; it is kept as {old}"),
+                         {{"file", beside.filename().string()}, {"old", aside.filename().string()}}},
+                        {}};
     saved_ = document();
     is_dirty_ = false;
     return true;
 }
 
-namespace {
-
-// Lines between nodes that are not there were told when the file was opened.
-bool is_companion_sound(const std::filesystem::path& model_file)
-{
-    const CompanionReading reading = read_companion_of(model_file, {});
-    return std::ranges::all_of(reading.faults, [](const femoop::Fault& fault) {
-        return fault.kind == femoop::FaultKind::NoSuchNode || fault.kind == femoop::FaultKind::NoSuchNodeNear;
-    });
-}
-
-} // namespace
-
-// What is there and has faults is put aside before another takes its place.
 bool Session::save_companion()
 {
-    const std::filesystem::path path = companion_path(*path_);
-    const bool has_faults = !is_companion_sound(*path_);
-    std::error_code error;
-    if (has_faults) std::filesystem::rename(path, old_companion_path(*path_), error);
-    if (!error) error = save_companion_of(*path_, document());
-    if (error) {
-        tell_of_companion(translatable("{file} was not saved"),
-                          {{femoop::FaultKind::FileUnwritable, {path.string(), error.message()}}});
-        return false;
-    }
-    if (has_faults)
-        notice = Notice{{translatable("{file} was not understood; it is kept as {old}"),
-                         {{"file", path.filename().string()}, {"old", old_companion_path(*path_).filename().string()}}},
-                        {}};
-    return true;
+    const std::error_code error = save_companion_of(*path_, document());
+    if (error) tell_of_companion(translatable("{file} was not saved"), {unwritable(companion_path(*path_), error)});
+    return !error;
 }
 
 std::string Session::file_name() const { return path_ ? path_->filename().string() : view.tr("Untitled"); }

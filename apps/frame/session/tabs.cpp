@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "apps/frame/document/companion/companion_file.h"
 #include "apps/frame/session/edit_commands.h"
 
 namespace frame {
@@ -106,8 +107,21 @@ void close_tab(Desk& desk)
 
 void new_document(Desk& desk) { add_tab(desk, Session{Document{}}); }
 
-bool open_file(Desk& desk, const std::filesystem::path& path, Session::Purpose purpose)
+namespace {
+
+// Who points at a view file means the model that it stands beside, which brings it along.
+std::filesystem::path model_meant(const std::filesystem::path& path)
 {
+    std::error_code unknown;
+    const auto model = model_of_companion(path);
+    return model && std::filesystem::exists(*model, unknown) ? *model : path;
+}
+
+} // namespace
+
+bool open_file(Desk& desk, const std::filesystem::path& chosen, Session::Purpose purpose)
+{
+    const std::filesystem::path path = model_meant(chosen);
     for (std::size_t i = 0; i < n_tabs(desk); ++i) {
         const auto& open = tab(desk, i).path();
         if (!open || !is_same_file(*open, path)) continue;

@@ -109,7 +109,10 @@ void show_view(Session& session, std::size_t place)
     session.view.camera.reset();
     session.look_at = view.region;
     session.shown_view = place;
-    session.notice = passing_notice({"{name}", {{"name", view.name}}});
+    if (view.load_case && !session.model().find_case(*view.load_case))
+        session.notice = passing_notice(
+            {translatable("{name}: the model has no load case or combination {case} any more; another is shown"),
+             {{"name", view.name}, {"case", *view.load_case}}});
 }
 
 std::optional<Phrase> rename_view(Session& session, std::size_t place, const std::string& name)

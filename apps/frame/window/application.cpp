@@ -187,7 +187,7 @@ std::filesystem::path export_name(const Session& session)
 void Application::ask_for_path(ui::PathDialog::Purpose purpose, const std::filesystem::path& start)
 {
     is_exporting_ = false;
-    path_dialog_.open(purpose, start, ".json");
+    path_dialog_.open(purpose, start, ".json", ".view.json");
 }
 
 void Application::take_requests()
@@ -205,7 +205,9 @@ void Application::take_requests()
         case Request::CopyPicture:
             explain(copy_picture().value_or(ui::Phrase(translatable("the picture was copied"))));
             break;
-        case Request::ImportDialog: import_dialog_.open(ui::PathDialog::Purpose::Open, start, ".json"); break;
+        case Request::ImportDialog:
+            import_dialog_.open(ui::PathDialog::Purpose::Open, start, ".json", ".view.json");
+            break;
         case Request::Description: shows_description_ = !shows_description_; break;
         case Request::RecentList: kept_files_.ask_for_recent(); break;
         case Request::CloseTab: questions_.ask_to_close(); break;

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -19,6 +20,8 @@ std::string with(const std::string& from, const std::string& to)
     std::string model = cantilever();
     return model.replace(model.find(from), from.size(), to);
 }
+
+void write(const std::string& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
 } // namespace
 
@@ -92,6 +95,32 @@ TEST_CASE("Of several files each is reported, and one error makes the status 2")
     CHECK(run.status == 2);
     CHECK(run.out == good + ": no errors, warnings: 0\n");
     CHECK(has(run.err, bad + ": error: "));
+}
+
+TEST_CASE("A folder's view files are checked beside their models, and verify passes over them")
+{
+    const Folder folder;
+    const std::string model = folder.path("beam.json"), views = folder.path("beam.view.json");
+    write(model, cantilever());
+    write(views, R"({"cremona_view": 1, "views": [{"name": "a", "show": "M", "case": "P"}]})");
+    CHECK(cremona({"check", model, views}).out ==
+          model + ": no errors, warnings: 0\n" + views + ": no errors, warnings: 0\n");
+    const Run verified = cremona({"verify", model, views});
+    CHECK(verified.status == 0);
+    CHECK(has(verified.err, views + ": skipped: a view file"));
+    write(views, R"({"cremona_view": 1, "views": [{"name": "a", "show": "M", "case": "Q"}]})");
+    const Run checked = cremona({"check", model, views});
+    CHECK(checked.status == 2);
+    CHECK(has(checked.err, views + ": error: views[0].case: no load case or combination \"Q\""));
+}
+
+TEST_CASE("A view file alone cannot be checked: its model is asked for")
+{
+    const Folder folder;
+    write(folder.path("beam.view.json"), R"({"cremona_view": 1})");
+    const Run run = cremona({"check", folder.path("beam.view.json")});
+    CHECK(run.status == 2);
+    CHECK(has(run.err, "cannot read " + folder.path("beam.json") + ": No such file or directory"));
 }
 
 TEST_SUITE_END();

@@ -9,6 +9,7 @@
 #include "apps/frame/document/document.h"
 #include "apps/frame/session/recovery.h"
 #include "apps/frame/session/session.h"
+#include "apps/frame/session/view_commands.h"
 #include "femoop/io/model_file.h"
 #include "tests/folder.h"
 
@@ -129,6 +130,52 @@ TEST_SUITE("frame session")
               R"(dimensions[0].offset: found a text "1 m", wanted a number; write it like 1.5)");
         CHECK(with("7") == R"(dimensions[0]: found a number, wanted an object; write it like {"...": ...})");
         CHECK(fault_of("{") != "");
+        CHECK(fault_of("") == "file: \"cremona_view\" is missing; add it");
+    }
+
+    TEST_CASE("What a view cannot mean is said with its place, and the view is left out")
+    {
+        const auto with = [](const std::string& more) {
+            const CompanionReading reading = read_companion(
+                R"({"cremona_view": 1, "views": [{"name": "a", )" + more + "}]}", portal());
+            CHECK(reading.companion.views.size() == (reading.faults.empty() ? 1 : 0));
+            return reading.faults.empty() ? "" : femoop::message(reading.faults.front());
+        };
+        CHECK(with(R"("show": "loads, m", "case": "G")") == "");
+        CHECK(with(R"("show": "loads", "case": "Live")") ==
+              R"(views[0].case: no load case or combination "Live"; add it or name another)");
+        CHECK(with(R"("show": "M", "diagrams": -2)") == "views[0]: diagrams is -2; give a value greater than 0");
+        CHECK(with(R"("show": "M", "region": [1, 2, 0])") ==
+              "views[0].region: height is 0; give a value greater than 0");
+        CHECK(with(R"("show": "M", "region": [1, 2])") ==
+              "views[0].region: found a list of 2, wanted 3 lengths in m; give one per coordinate");
+        CHECK(with(R"("show": "M", "region": [1, "2", 3])") ==
+              R"(views[0].region[1]: found a text "2", wanted a number; write it like 1.5)");
+    }
+
+    TEST_CASE("What is wrong in the sets is said with its place in the view file")
+    {
+        const auto with = [](const std::string& sets) {
+            return fault_of(R"({"cremona_view": 1, "sets": )" + sets + "}");
+        };
+        const std::string head = R"({"cremona": 1, "analysis": "frame2d", "units": {"length": "m", "force": "kN"}, )";
+        const std::string lost = ": found something else, wanted the support of a node, or a load case of one load; "
+                                 "write it like \"support\": \"fixed\"";
+        CHECK(with("{}") == R"(sets: "cremona" is missing; add it)");
+        CHECK(with(head + R"("nodes": [{"id": "b", "at": [0, 0], "support": "fxed"}], "members": []})")
+                  .starts_with(R"(sets.nodes[0].support: "fxed" is none of)"));
+        CHECK(with(head + R"("nodes": [{"id": "b", "at": [0, 0], "support": "fixed"}], "members": []})") == "");
+        CHECK(with(head + R"("nodes": [{"id": "b", "at": [0, 0]}], "members": []})") == "sets.nodes[0]" + lost);
+        CHECK(with(head + R"("materials": [{"id": "s", "E": 1}], "nodes": [], "members": []})") ==
+              "sets.materials[0]" + lost);
+        const std::string bearer =
+            R"("materials": [{"id": "s", "E": 1, "density": 1}], "sections": [{"id": "c", "A": 1, "Iz": 1}],
+            "nodes": [{"id": "b", "at": [0, 0]}, {"id": "e", "at": [9, 0]}],
+            "members": [{"id": "be", "nodes": ["b", "e"], "material": "s", "section": "c"}], "load_cases": [{"id": "w", )";
+        const std::string load = R"({"node": "b", "fx": 1})";
+        CHECK(with(head + bearer + R"("nodes": [)" + load + "]}]}") == "");
+        CHECK(with(head + bearer + R"("nodes": [)" + load + ", " + load + "]}]}") == "sets.load_cases[0]" + lost);
+        CHECK(with(head + bearer + R"("self_weight": 1, "nodes": [)" + load + "]}]}") == "sets.load_cases[0]" + lost);
     }
 
     TEST_CASE("A document is saved with its companion, and opens with it; without one there is no file")
@@ -165,6 +212,72 @@ TEST_SUITE("frame session")
         CHECK(!session.notice);
     }
 
+    TEST_CASE("A view file with one bad entry is kept when the document is saved, each time under a name of its own")
+    {
+        const Folder folder;
+        const fs::path path = saved_in(folder), beside = folder.path() / "portal.view.json";
+        for (const std::string aside : {"portal.view.json.old", "portal.view.json.old2"}) {
+            const std::string text =
+                R"({"cremona_view": 1, "dimensions": [{"nodes": ["A", "Z"], "direction": "vertical",
+                "offset": 1}], "views": [{"name": ")" +
+                aside + R"(", "show": "M"}]})";
+            write(beside, text);
+            Session session{Document{}};
+            REQUIRE(session.open(path));
+            REQUIRE(session.save(path));
+            REQUIRE(session.notice);
+            CHECK(ui::Catalogue()(session.notice->sentence) ==
+                  "portal.view.json was not understood; it is kept as " + aside);
+            CHECK(text_of(folder.path() / aside) == text);
+        }
+    }
+
+    TEST_CASE("A view file is judged beside the model that it was written for")
+    {
+        const Folder folder;
+        const fs::path path = saved_in(folder);
+        Session session{Document{}};
+        REQUIRE(session.open(path));
+        session.change({"Rename", [](Document& document) { document.model.nodes[3].id = "foot"; }});
+        REQUIRE(session.save(path));
+        CHECK(!session.notice);
+        CHECK(session.document().companion.dimensions[0].nodes[1] == "foot");
+    }
+
+    TEST_CASE("No two models share a view file, and none is written over one")
+    {
+        const Folder folder;
+        const fs::path path = saved_in(folder);
+        Session session(frame::starting_document());
+        for (const char* name : {"portal", "portal.txt"}) {
+            REQUIRE(session.save(folder.path() / name));
+            CHECK(!session.notice);
+        }
+        CHECK(text_of(folder.path() / "portal.view.json") == write_companion(example, portal()));
+        for (const char* name : {"portal.view.json", "portal.view"}) {
+            CHECK(!session.save(folder.path() / name));
+            CHECK(session.notice);
+        }
+        CHECK(text_of(folder.path() / "portal.view.json") == write_companion(example, portal()));
+        CHECK(frame::companion_path("a/q.txt") == "a/q.txt.view");
+        CHECK(frame::model_of_companion("a/q.txt.view") == "a/q.txt");
+        CHECK(frame::model_of_companion("a/q.view.json") == "a/q.json");
+        CHECK(!frame::model_of_companion("a/q.json"));
+    }
+
+    TEST_CASE("Through a link to the model its view file is found, and written")
+    {
+        const Folder folder;
+        const fs::path path = saved_in(folder), link = folder.path() / "link.json";
+        fs::create_symlink(path, link);
+        Session session{Document{}};
+        REQUIRE(session.open(link));
+        CHECK(session.document().companion == example);
+        session.change({"Wipe out", [](Document& document) { document.companion = {}; }});
+        REQUIRE(session.save(link));
+        CHECK(!fs::exists(folder.path() / "portal.view.json"));
+    }
+
     TEST_CASE("A line to a node that the model does not have is told and left out, the others stay")
     {
         const Folder folder;
@@ -182,11 +295,7 @@ TEST_SUITE("frame session")
     TEST_CASE("A companion that cannot be written is told, and the document stays one with changes")
     {
         const Folder folder;
-        const fs::path path = saved_in(folder);
-        fs::remove(folder.path() / "portal.view.json");
-        fs::create_directory(folder.path() / "portal.view.json.old");
-        fs::create_directory(folder.path() / "portal.view.json");
-        write(folder.path() / "portal.view.json.old" / "a", "");
+        const fs::path path = folder.path() / (std::string(240, 'p') + ".json"); // a longer name is too long
         Session session(frame::starting_document());
         session.change({"Draw", [](Document& document) { document.companion = example; }});
         CHECK(!session.save(path));
@@ -210,6 +319,42 @@ TEST_SUITE("frame session")
         CHECK(session.document() == document);
         frame::Recovery::discard(leftovers[0]);
         CHECK(fs::is_empty(folder.path()));
+    }
+
+    TEST_CASE("A view follows its load case or combination to a new name, and undo takes it back")
+    {
+        Session session(frame::starting_document());
+        session.change({"Keep", [](Document& document) {
+                            document.model.combinations.push_back({.id = "ULS", .terms = {{femoop::CaseId(0), 1.35}}});
+                            document.companion.views = {{.name = "a", .show = "M", .load_case = "G"},
+                                                        {.name = "b", .show = "M", .load_case = "ULS"},
+                                                        {.name = "c", .show = "M", .load_case = std::nullopt}};
+                        }});
+        session.change({"Rename", [](Document& document) { document.model.load_cases[0].id = "Dead"; }});
+        session.change({"Rename", [](Document& document) { document.model.combinations[0].id = "Q"; }});
+        const auto case_of = [&](std::size_t i) { return session.document().companion.views[i].load_case; };
+        CHECK(case_of(0) == "Dead");
+        CHECK(case_of(1) == "Q");
+        CHECK(!case_of(2));
+        session.undo();
+        CHECK(case_of(1) == "ULS");
+        session.undo();
+        CHECK(case_of(0) == "G");
+    }
+
+    TEST_CASE("A view whose load case is gone says so when it is shown")
+    {
+        Session session(frame::starting_document());
+        session.change({"Keep", [](Document& document) {
+                            document.model.combinations.push_back({.id = "ULS", .terms = {{femoop::CaseId(0), 1.35}}});
+                            document.companion.views = {{.name = "a", .show = "M", .load_case = "ULS"}};
+                        }});
+        session.change({"Delete", [](Document& document) { document.model.combinations.clear(); }});
+        CHECK(session.document().companion.views[0].load_case == "ULS");
+        frame::show_view(session, 0);
+        REQUIRE(session.notice);
+        CHECK(ui::Catalogue()(session.notice->sentence) ==
+              "a: the model has no load case or combination ULS any more; another is shown");
     }
 
     TEST_CASE("Undo brings a dimension line back with its node, and forgets one that was drawn")

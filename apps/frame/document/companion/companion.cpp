@@ -45,6 +45,17 @@ private:
     const Model& after_;
 };
 
+/// The id that a load case or combination has now. One that is gone keeps its name: another may have it again.
+std::string case_now(const std::string& id, const Model& before, const Model& after)
+{
+    const auto was = before.find_case(id);
+    const bool is_same_list = before.load_cases.size() == after.load_cases.size() &&
+                              before.combinations.size() == after.combinations.size();
+    if (!was || !is_same_list || after.find_case(id)) return id;
+    const std::string now = after.case_name(*was);
+    return before.find_case(now) ? id : now;
+}
+
 } // namespace
 
 void follow(Companion& companion, const Model& before, const Model& after)
@@ -59,6 +70,8 @@ void follow(Companion& companion, const Model& before, const Model& after)
         dimension.nodes = std::move(found);
     }
     std::erase_if(companion.dimensions, [](const DimensionLine& dimension) { return dimension.nodes.size() < 2; });
+    for (NamedView& view : companion.views)
+        if (view.load_case) view.load_case = case_now(*view.load_case, before, after);
 }
 
 } // namespace frame

@@ -2,30 +2,33 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
 #include "apps/frame/document/document.h"
 #include "apps/frame/document/set_library.h"
+#include "femoop/io/file_text.h"
 #include "femoop/io/json/json_document.h"
 #include "femoop/io/json/json_writer.h"
 #include "femoop/io/model_file.h"
 #include "femoop/io/reader/value_reader.h"
 #include "femoop/io/whole_file.h"
 #include "femoop/model/check/suggestion.h"
+#include "femoop/model/fault/translator.h"
 #include "femoop/model/quantity/in_units.h"
+#include "femoop/model/quantity/number_text.h"
+#include "femoop/model/quantity/units.h"
 
 namespace frame {
 
 using namespace femoop;
 using namespace std::string_view_literals;
+namespace fs = std::filesystem;
 
 namespace {
 
 constexpr double format = 1.0;
-constexpr std::string_view ending = ".view.json";
+constexpr std::string_view ending = ".view.json";      // in place of .json
+constexpr std::string_view ending_of_others = ".view"; // behind a name that ends otherwise
 constexpr Keys<4> file_keys{{"cremona_view", "dimensions", "sets", "views"}, 1};
 constexpr Keys<7> view_keys{{"name", "show", "case", "diagrams", "loads", "displacements", "region"}, 2};
 constexpr Keys<3> dimension_keys{{"nodes", "direction", "offset"}, 3};
@@ -35,7 +38,9 @@ class CompanionReader {
 public:
     CompanionReader(const JsonReading& json, const Model& model) : model_(model)
     {
-        for (const Fault& fault : json.faults) reader_.add(fault);
+        for (const Fault& fault : json.faults)
+            reader_.add(fault.kind == FaultKind::FileEmpty ? Fault{FaultKind::MissingKey, {"file", "cremona_view"}}
+                                                           : fault);
         if (json.document) read(json.document->root());
     }
 
@@ -75,37 +80,69 @@ private:
                        .loads = positive(loads, place).value_or(1.0),
                        .displacements = positive(displacements, place),
                        .region = std::nullopt};
-        if (region.is_present()) view.region = read_region(region, place);
+        if (reader_.is_list(region, place)) view.region = read_region(region, place.key("region"));
+        if (view.load_case && !model_.find_case(*view.load_case))
+            no_such(*view.load_case, case_names(), {FaultKind::NoSuchCase, FaultKind::NoSuchCaseNear},
+                    place.key("case"));
         if (value.is(JsonKind::Object) && reader_.n_troubles() == before) companion_.views.push_back(std::move(view));
+    }
+
+    std::vector<std::string_view> case_names() const
+    {
+        std::vector<std::string_view> names;
+        for (std::size_t i = 0; i < model_.n_cases(); ++i) names.push_back(model_.case_name(CaseId(i)));
+        return names;
     }
 
     std::optional<double> positive(JsonValue value, const Place& place)
     {
         const std::optional<double> number = reader_.number(value, place);
-        if (number && !(*number > 0.0)) reader_.wrong_type(value, {"a number above 0", "1.5"}, place);
+        if (number && !(*number > 0.0))
+            reader_.add({FaultKind::NotPositive, {place.text(), std::string(value.key()), number_text(*number)}});
         return number;
     }
 
     // Centre and height: [x, y, height].
-    std::optional<Region> read_region(JsonValue value, const Place& place)
+    std::optional<Region> read_region(JsonValue list, const Place& place)
     {
         std::vector<double> numbers;
-        for (const JsonValue entry : value)
-            if (entry.is(JsonKind::Number)) numbers.push_back(entry.number());
-        const bool is_region = value.is(JsonKind::Array) && value.size() == 3 && numbers.size() == 3 &&
-                               numbers.back() > 0.0;
-        if (is_region) return Region{.centre = {numbers[0], numbers[1]}, .height = numbers[2]};
-        reader_.wrong_type(value, {"a list of x, y and a height above 0", "[3, 2, 5]"}, place);
-        return std::nullopt;
+        for (const JsonValue entry : list) {
+            const auto number = reader_.number(entry, place.entry(numbers.size()));
+            if (!number) return std::nullopt;
+            numbers.push_back(*number);
+        }
+        if (numbers.size() != 3) {
+            const std::string unit = unit_text(dimension::length, model_.units);
+            reader_.add({FaultKind::WrongCoordinateCount, {place.text(), std::to_string(numbers.size()), "3", unit}});
+            return std::nullopt;
+        }
+        if (!(numbers[2] > 0.0))
+            reader_.add({FaultKind::NotPositive, {place.text(), "height", number_text(numbers[2])}});
+        return Region{.centre = {numbers[0], numbers[1]}, .height = numbers[2]};
     }
 
     // They have the form of a model, which is read as such, and counted in the units of this one.
     void add_sets(JsonValue value)
     {
         ModelReading library = examine_model(compact_json(value));
-        if (library.is_sound()) companion_.sets = sets_in(in_units(library.model, model_.units));
-        for (Fault& fault : library.faults)
-            if (severity(fault.kind) == Severity::Error) reader_.add(std::move(fault));
+        for (const Fault& fault : library.faults)
+            if (severity(fault.kind) == Severity::Error) reader_.add(inside_sets(fault));
+        if (!library.is_sound()) return;
+        for (const std::string& place : places_beyond_sets(library.model))
+            reader_.add({FaultKind::WrongType,
+                         {"sets." + place, std::string(translatable("something else")),
+                          std::string(translatable("the support of a node, or a load case of one load")),
+                          R"("support": "fixed")"}});
+        companion_.sets = sets_in(in_units(library.model, model_.units));
+    }
+
+    // A fault of the model that they form has its place in that model.
+    static Fault inside_sets(Fault fault)
+    {
+        if (fault.kind == FaultKind::UnknownFormat || fault.arguments.empty()) return fault; // they begin with no place
+        std::string& place = fault.arguments.front();
+        place = place == "file" ? "sets" : "sets." + place;
+        return fault;
     }
 
     // One with a fault is left out.
@@ -132,20 +169,31 @@ private:
             const Place own_place = here.entry(i++);
             const auto name = reader_.text(entry, own_place);
             if (!name) continue;
-            if (!model_.find_node(*name)) no_such_node(*name, own_place);
+            if (!model_.find_node(*name))
+                no_such(*name, node_names(), {FaultKind::NoSuchNode, FaultKind::NoSuchNodeNear}, own_place);
             if (std::ranges::find(names, *name) != names.end())
                 reader_.add({FaultKind::SameNodeTwice, {own_place.text(), *name}});
             names.push_back(*name);
         }
     }
 
-    void no_such_node(const std::string& name, const Place& place)
+    std::vector<std::string_view> node_names() const
     {
-        std::vector<std::string_view> known;
-        for (const Node& node : model_.nodes) known.push_back(node.id);
+        std::vector<std::string_view> names;
+        for (const Node& node : model_.nodes) names.push_back(node.id);
+        return names;
+    }
+
+    /// What an unknown name is, without and with a suggestion.
+    struct Missing {
+        FaultKind plain, with_near;
+    };
+    void no_such(const std::string& name, const std::vector<std::string_view>& known, const Missing& kinds,
+                 const Place& place)
+    {
         auto near = nearest(name, known);
-        if (near) reader_.add({FaultKind::NoSuchNodeNear, {place.text(), name, std::move(*near)}});
-        else reader_.add({FaultKind::NoSuchNode, {place.text(), name}});
+        if (near) reader_.add({kinds.with_near, {place.text(), name, std::move(*near)}});
+        else reader_.add({kinds.plain, {place.text(), name}});
     }
 
     const Model& model_;
@@ -178,39 +226,45 @@ void write(JsonWriter& json, const NamedView& view)
 
 } // namespace
 
-std::filesystem::path companion_path(std::filesystem::path model_file) { return model_file.replace_extension(ending); }
-
-std::filesystem::path old_companion_path(const std::filesystem::path& model_file)
+fs::path companion_path(const fs::path& model_file)
 {
-    return companion_path(model_file) += ".old";
+    std::error_code error;
+    fs::path path = fs::is_symlink(model_file, error) ? fs::weakly_canonical(model_file, error) : model_file;
+    if (path.extension() == ".json") return path.replace_extension(ending);
+    return path += ending_of_others;
 }
 
-bool is_companion_path(const std::filesystem::path& path) { return path.filename().string().ends_with(ending); }
+std::optional<fs::path> model_of_companion(const fs::path& path)
+{
+    const std::string text = path.string();
+    if (text.ends_with(ending)) return text.substr(0, text.size() - ending.size()) + ".json";
+    if (text.ends_with(ending_of_others)) return text.substr(0, text.size() - ending_of_others.size());
+    return std::nullopt;
+}
+
+fs::path free_old_path(const fs::path& companion)
+{
+    std::error_code unknown;
+    for (int i = 1;; ++i) {
+        fs::path path = companion;
+        path += i == 1 ? ".old" : ".old" + std::to_string(i);
+        if (!fs::exists(fs::symlink_status(path, unknown))) return path;
+    }
+}
 
 CompanionReading read_companion(std::string_view text, const Model& model)
 {
     return CompanionReader(parse_json(text), model).take();
 }
 
-namespace {
-
-CompanionReading unreadable(const std::filesystem::path& path, int reason)
+CompanionReading read_companion_of(const fs::path& model_file, const Model& model)
 {
-    return {{}, {{FaultKind::FileUnreadable, {path.string(), std::generic_category().message(reason)}}}};
-}
-
-} // namespace
-
-CompanionReading read_companion_of(const std::filesystem::path& model_file, const Model& model)
-{
-    const std::filesystem::path path = companion_path(model_file);
+    const fs::path path = companion_path(model_file);
     std::error_code unknown;
-    if (!std::filesystem::exists(path, unknown) && !unknown) return {};
-    if (std::filesystem::is_directory(path, unknown)) return unreadable(path, EISDIR);
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return unreadable(path, errno);
-    return read_companion(std::string{std::istreambuf_iterator<char>(file), {}}, model);
+    if (!fs::exists(path, unknown) && !unknown) return {};
+    FileText file = file_text(path);
+    if (file.fault) return {{}, {*std::move(file.fault)}};
+    return read_companion(file.text, model);
 }
 
 std::string write_companion(const Companion& companion, const Model& model)
@@ -235,13 +289,13 @@ std::string write_companion(const Companion& companion, const Model& model)
     return json.take();
 }
 
-std::error_code save_companion_of(const std::filesystem::path& model_file, const Document& document)
+std::error_code save_companion_of(const fs::path& model_file, const Document& document)
 {
     const Companion& companion = document.companion;
-    const std::filesystem::path path = companion_path(model_file);
+    const fs::path path = companion_path(model_file);
     if (!companion.is_empty()) return write_whole_file(path, write_companion(companion, document.model));
     std::error_code error;
-    std::filesystem::remove(path, error);
+    fs::remove(path, error);
     return error;
 }
 

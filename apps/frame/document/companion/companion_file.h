@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -13,12 +14,14 @@ namespace frame {
 
 struct Document;
 
-/// The companion file beside a model file: portal.json has portal.view.json. Format 1, one UTF-8 JSON object; the
-/// contract is courseware/reference/view-file.md.
-std::filesystem::path companion_path(std::filesystem::path model_file);
-bool is_companion_path(const std::filesystem::path& path);
-/// Where one with faults is put aside: portal.view.json.old
-std::filesystem::path old_companion_path(const std::filesystem::path& model_file);
+/// The companion file beside a model file: portal.json has portal.view.json, portal.txt has portal.txt.view, so that no
+/// two models share one; a link to a model has that of the model. Format 1, one UTF-8 JSON object; the contract is
+/// courseware/reference/view-file.md.
+std::filesystem::path companion_path(const std::filesystem::path& model_file);
+/// The model file beside which a companion file of this name stands; nothing where it is no such name.
+std::optional<std::filesystem::path> model_of_companion(const std::filesystem::path& path);
+/// Where one with faults is put aside: portal.view.json.old, or the next such name that is free, portal.view.json.old2.
+std::filesystem::path free_old_path(const std::filesystem::path& companion);
 
 /// What could be understood of a companion's text, and what could not, each fault with its place.
 struct CompanionReading {
