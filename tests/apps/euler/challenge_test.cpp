@@ -36,7 +36,8 @@ TEST_SUITE("challenges")
                 const ReachChallenge challenge = reach_challenge(seed, level);
                 CAPTURE(english(challenge.task));
                 CHECK(is_said(challenge.task));
-                Stepper way(topology::construction_script({.name = "s1", .solid = challenge.target, .journal = {}, .names = {}}));
+                Stepper way(topology::construction_script(
+                    {.name = "s1", .solid = challenge.target, .journal = {}, .names = {}}));
                 const ReachState end = judged(challenge, way);
                 CHECK(end.is_won);
                 CHECK(end.n_operators == challenge.most_operators);
