@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "apps/euler/session/challenge/challenge_commands.h"
 #include "apps/euler/session/gallery_commands.h"
 #include "apps/euler/session/look_commands.h"
 #include "apps/euler/session/operator_commands.h"
@@ -97,6 +98,7 @@ CommandTable command_table()
     CommandTable table;
     add_file_commands(table);
     add_gallery_commands(table);
+    add_challenge_commands(table);
     add_step_commands(table);
     add_operator_commands(table);
     add_look_commands(table);

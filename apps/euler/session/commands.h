@@ -32,7 +32,7 @@ enum class Request : std::uint8_t {
 };
 
 /// What the panel at the left shows.
-enum class Topic : std::uint8_t { Script, Operators, Gallery };
+enum class Topic : std::uint8_t { Script, Operators, Gallery, Challenges };
 
 /// The structure whose tables are seen below.
 enum class Structure : std::uint8_t { HalfEdges, WingedEdges };
@@ -47,6 +47,7 @@ struct Desk {
     Topic topic = Topic::Script;
     Structure structure = Structure::HalfEdges;
     topology::TableKind table = topology::TableKind::HalfEdges; ///< that is seen below
+    std::uint32_t next_challenge = 1;                           ///< what the next one is drawn from
     bool has_panels = true;
     bool has_tables = true;
     double export_scale = 2.0; ///< pixels of a PNG for a logical one

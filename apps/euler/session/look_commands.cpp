@@ -133,6 +133,7 @@ constexpr std::array topic_entries{
     TopicEntry{Topic::Script, "panel.script", translatable("Script")},
     TopicEntry{Topic::Operators, "panel.operators", translatable("Operators")},
     TopicEntry{Topic::Gallery, "panel.gallery", translatable("Gallery")},
+    TopicEntry{Topic::Challenges, "panel.challenges", translatable("Challenges")},
 };
 
 constexpr std::array table_entries{

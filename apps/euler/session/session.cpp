@@ -9,6 +9,7 @@
 #include "apps/euler/document/drawing/drawn_line.h"
 #include "apps/euler/session/argument_pick.h"
 #include "femoop/io/whole_file.h"
+#include "topology/script/script_writer.h"
 #include "ui/text/catalogue.h"
 
 namespace euler {
@@ -59,6 +60,8 @@ Session::Session()
 
 void Session::restart(Stepper lesson)
 {
+    earned_ = points();
+    game_.reset();
     stepper_ = std::move(lesson);
     saved_ = stepper_.script();
     path_.reset();
@@ -135,6 +138,7 @@ void Session::look_at_place()
         return part.subject < after_.size() && lives(after_[part.subject].solid, part.entity);
     };
     if (selection && !is_there(*selection)) selection.reset(); // a row that was taken back has gone
+    if (is_exhibiting()) exhibit();
 }
 
 void Session::look_at_end()
@@ -365,7 +369,61 @@ std::optional<ui::Phrase> Session::apply(std::string_view line)
     look_at_end();
     look_at_place();
     if (place() == here + 1) motion_ = Motion{.is_back = false};
+    if (game_) game_->judge(stepper_);
     return std::nullopt;
+}
+
+void Session::play(Game game)
+{
+    restart(Stepper());
+    game_ = std::move(game);
+    side_ = Side::Before;
+    exhibit();
+}
+
+void Session::show_side(Side side)
+{
+    side_ = side;
+    exhibit();
+}
+
+bool Session::is_exhibiting() const
+{
+    return game_ && place() == 0 && !std::holds_alternative<ReachChallenge>(game_->task());
+}
+
+// Solids that no script of the user's has made, so that its steps tell nothing of them.
+void Session::exhibit()
+{
+    if (auto* const broken = std::get_if<BrokenPointer>(&game_->task())) {
+        after_ = at_end_ = {Snapshot{"s1", broken->sound, {}}};
+    } else if (auto* const which = std::get_if<WhichOperator>(&game_->task())) {
+        Stepper lesson = which->lesson;
+        lesson.go_to(which->after);
+        std::vector<Snapshot> end = snapshots(lesson);
+        lesson.go_to(which->before);
+        after_ = at_end_ = snapshots(lesson);
+        at_end_.insert(at_end_.end(), end.begin(), end.end()); // both fit into the picture
+        if (side_ == Side::After) after_ = std::move(end);
+    }
+    selection.reset();
+    ++generation_;
+}
+
+std::optional<ui::Phrase> Session::answer(std::string_view words)
+{
+    if (!game_) return translatable("no challenge is on");
+    return game_->answer(words);
+}
+
+void Session::give_up_challenge()
+{
+    game_->give_up();
+    const auto* const reach = std::get_if<ReachChallenge>(&game_->task());
+    if (reach == nullptr) return;
+    Game over = *game_;
+    show(Stepper(topology::construction_script({.name = "s1", .solid = reach->target, .journal = {}, .names = {}})));
+    game_ = std::move(over);
 }
 
 } // namespace euler

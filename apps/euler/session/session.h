@@ -9,6 +9,7 @@
 
 #include "apps/euler/document/palette/draft.h"
 #include "apps/euler/document/stepper.h"
+#include "apps/euler/session/challenge/game.h"
 #include "apps/euler/view/look.h"
 #include "apps/euler/view/subject.h"
 #include "ui/canvas/orbit_camera.h"
@@ -41,6 +42,9 @@ enum class ViewKind : std::uint8_t {
     Plane,    ///< as a map in the plane, one face outside all others
     Polygons, ///< each loop a polygon, edges told by colour: the plane model
 };
+
+/// One of the two pictures of "Which operator was applied?"
+enum class Side : std::uint8_t { Before, After };
 
 /// What is open and how it is looked at: the app without its window.
 class Session {
@@ -111,6 +115,18 @@ public:
     bool is_drawing() const { return is_drawing_; }
     void draw_or_look(); ///< begins to draw lines, or ends it
 
+    /// Begins a challenge in place of the lesson. It ends with the next lesson that is opened.
+    void play(Game game);
+    const std::optional<Game>& game() const { return game_; }
+    std::string& typed_answer() { return game_->typed; }      ///< \pre there is a challenge, likewise below
+    void give_hint() { game_->give_hint(stepper_); }          ///< \pre there is one
+    std::optional<ui::Phrase> answer(std::string_view words); ///< \returns why it is no answer
+    void give_up_challenge();                                 ///< shows one way to a solid that was to be reached
+    void show_side(Side side);                                ///< \pre two pictures are compared
+    Side side() const { return side_; }
+    bool is_exhibiting() const; ///< a challenge shows solids that no script has made
+    int points() const { return earned_ + (game_ ? game_->points() : 0); } ///< of all challenges so far
+
     std::optional<Part> selection, hover;
     Look look;
     ViewKind view() const { return view_; }
@@ -130,10 +146,14 @@ private:
     void look_at_end();
     void restart(Stepper lesson);
     void fill_in_suggestions();
+    void exhibit();
     void preview_draft();
 
     ViewKind view_ = ViewKind::Space;
     bool is_drawing_ = false;
+    std::optional<Game> game_;
+    Side side_ = Side::Before;
+    int earned_ = 0; ///< points of challenges that have gone
     Stepper stepper_;
     std::string saved_;
     std::optional<std::filesystem::path> path_;

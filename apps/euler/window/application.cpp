@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "apps/euler/window/challenges_panel.h"
 #include "apps/euler/window/describe.h"
 #include "apps/euler/window/entity_panel.h"
 #include "apps/euler/window/gallery_panel.h"
@@ -221,6 +222,7 @@ void Application::show_left(float width)
     case Topic::Script: script_panel(desk_); break;
     case Topic::Operators: operators_.show(desk_, commands_); break;
     case Topic::Gallery: gallery_panel(desk_, commands_); break;
+    case Topic::Challenges: challenges_panel(desk_, commands_); break;
     }
     ui::end_panel();
 }

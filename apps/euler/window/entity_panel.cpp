@@ -9,9 +9,20 @@
 
 namespace euler {
 
+namespace {
+
+bool is_to_be_mended(const Session& session)
+{
+    return session.game() && !session.game()->is_over() &&
+           std::holds_alternative<BrokenPointer>(session.game()->task());
+}
+
+} // namespace
+
 void entity_panel(Session& session)
 {
     if (!session.selection || session.selection->subject >= session.after().size()) return;
+    if (is_to_be_mended(session)) return; // its pointers would tell which is wrong
     const Part part = *session.selection;
     const topology::Solid& solid = session.after()[part.subject].solid;
     if (!lives(solid, part.entity)) return;

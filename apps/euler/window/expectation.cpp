@@ -53,6 +53,17 @@ std::string asked(const Session& session)
     return asks ? std::string(session.draft()->next().prompt) : "nothing";
 }
 
+std::string verdict(const Session& session)
+{
+    return session.game() && session.game()->verdict() ? ui::Catalogue()(*session.game()->verdict()) : "nothing";
+}
+
+std::string hint(const Session& session)
+{
+    const bool has_one = session.game() && !session.game()->hints().empty();
+    return has_one ? ui::Catalogue()(session.game()->hints().back()) : "nothing";
+}
+
 /// One word that stands for something of the app.
 struct Fact {
     std::string_view name;
@@ -67,6 +78,9 @@ constexpr std::array facts{
          [](const Session& s) { return std::string(std::ranges::all_of(s.after(), is_sound) ? "yes" : "no"); }},
     Fact{"selection", selected},
     Fact{"asked", asked},
+    Fact{"verdict", verdict},
+    Fact{"hint", hint},
+    Fact{"points", [](const Session& s) { return std::to_string(s.points()); }},
     Fact{"notice",
          [](const Session& s) { return s.notice ? ui::Catalogue()(s.notice->sentence) : std::string("nothing"); }},
     Fact{"file", [](const Session& s) { return s.file_name(); }},

@@ -18,6 +18,7 @@ namespace euler {
 ///     valid yes                 every link of every solid is sound
 ///     selection face f1         or `nothing`
 ///     asked the new face's name what the operator asks for next; `nothing` where none does
+///     verdict Right: it was MEV.   hint look among the loops   points 3   of a challenge
 ///     notice nothing     file cube.eul     changed no
 ///
 /// \returns what was found instead and what was wanted

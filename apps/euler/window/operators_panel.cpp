@@ -4,6 +4,7 @@
 #include <imgui_stdlib.h>
 
 #include "apps/euler/session/operator_commands.h"
+#include "apps/euler/window/command_button.h"
 #include "topology/text/words.h"
 
 namespace euler {
@@ -34,18 +35,6 @@ void operator_button(Desk& desk, const CommandTable& commands, const OperatorFor
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(desk.session.tr()(form.meaning).c_str());
     ImGui::PopTextWrapPos();
-}
-
-void command_button(Desk& desk, const CommandTable& commands, std::string_view id)
-{
-    const auto& command = *commands.find(id);
-    const auto reason = why_not(command, desk);
-    ImGui::BeginDisabled(reason.has_value());
-    const bool is_clicked = ImGui::Button((label(command, desk, desk.session.tr()) + "###" + std::string(id)).c_str());
-    ImGui::EndDisabled();
-    if (reason && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-        ImGui::SetTooltip("%s", desk.session.tr()(*reason).c_str());
-    if (is_clicked) run(command, desk);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <random>
 
 #include "apps/euler/window/application.h"
 #include "apps/euler/window/describe.h"
@@ -45,6 +46,16 @@ ui::MakeApp app_with(const Session& session)
     };
 }
 
+// By hand the challenges are others each time; scenarios and pictures are always the same.
+ui::MakeApp app_to_play_with(const Session& session)
+{
+    return [session](ui::Context& context, const ui::Fonts& fonts) {
+        auto app = std::make_unique<Application>(context, fonts, session);
+        app->desk().next_challenge = std::random_device{}();
+        return app;
+    };
+}
+
 int complain(const std::string& sentence)
 {
     std::cerr << "euler: " << sentence << '\n';
@@ -69,7 +80,7 @@ int run(const Options& options)
     if (!ui::Window::has_display())
         return complain(
             session.tr()("there is no display to open a window on; --screenshot OUT.png draws without one"));
-    ui::show_in_window(options, app_with(session));
+    ui::show_in_window(options, app_to_play_with(session));
     return Done;
 }
 

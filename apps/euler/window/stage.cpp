@@ -72,6 +72,7 @@ std::optional<std::string> OffscreenStage::run_command(std::string_view id, std:
     if (id == "file.export" && !argument.empty()) return in_english(application_.export_as(argument));
     if (id == "step.go_to") return go_to(desk.session, argument);
     if (id == "step.apply") return in_english(desk.session.apply(argument));
+    if (id == "challenge.answer") return in_english(desk.session.answer(argument));
     if (id == "operator.choose") return in_english(desk.session.choose_typed(argument));
     return ui::run_by_name(application_.commands(), id, desk);
 }

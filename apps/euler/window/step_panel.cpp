@@ -117,6 +117,7 @@ void show_inverse(const StepReport& step, const ui::Catalogue& tr)
 
 void before_the_first(const Session& session)
 {
+    if (session.is_exhibiting()) return; // no script has made what is seen
     const ui::Catalogue& tr = session.tr();
     if (const std::string heading = tr(session.stepper().heading()); !heading.empty()) return wrapped(heading);
     faint(session.n_steps() == 0 ? tr("The script is empty. MVFS makes the first vertex, with a face and a shell.")

@@ -55,9 +55,9 @@ public:
             for (std::size_t i = 0; i <= n_cells; ++i) ImGui::TableNextColumn();
         } else {
             const bool is_selected = row->entity && session_.selection == Part{solid_, *row->entity};
-            number({row->label, row->number, row->entity, false}, row->mark, is_selected, -1);
+            number(*row, {row->label, row->number, row->entity, false}, is_selected, -1);
             for (std::size_t i = 0; i < std::min(row->cells.size(), n_cells); ++i)
-                number(row->cells[i], row->mark, is_selected, static_cast<int>(i));
+                number(*row, row->cells[i], is_selected, static_cast<int>(i));
         }
         ImGui::PopID();
     }
@@ -70,8 +70,17 @@ private:
         return ImGui::GetColorU32(ImGuiCol_Text);
     }
 
+    // It leads to its entity; where a pointer is to be mended it begins the answer too.
+    void take(const TableRow& row, const TableCell& cell)
+    {
+        session_.selection = Part{solid_, *cell.link};
+        if (session_.game() && std::holds_alternative<BrokenPointer>(session_.game()->task()))
+            session_.typed_answer() = std::string(row.label) + " " + std::to_string(row.number) + " " +
+                                      std::string(cell.label) + " ";
+    }
+
     // A number that leads somewhere.
-    void number(const TableCell& cell, RowMark mark, bool is_selected, int id)
+    void number(const TableRow& row, const TableCell& cell, bool is_selected, int id)
     {
         ImGui::TableNextColumn();
         if (is_selected) ImGui::TableSetBgColor(ImGuiTableBgTarget_CellBg, ImGui::GetColorU32(ImGuiCol_Header));
@@ -80,9 +89,9 @@ private:
             ImGui::TableSetBgColor(ImGuiTableBgTarget_CellBg, packed(lit));
         }
         const std::string text = std::to_string(cell.number) + "###" + std::to_string(id);
-        ImGui::PushStyleColor(ImGuiCol_Text, ink(mark));
+        ImGui::PushStyleColor(ImGuiCol_Text, ink(row.mark));
         if (cell.link) {
-            if (ImGui::Selectable(text.c_str())) session_.selection = Part{solid_, *cell.link};
+            if (ImGui::Selectable(text.c_str())) take(row, cell);
             if (ImGui::IsItemHovered()) session_.hover = Part{solid_, *cell.link};
         } else {
             ImGui::Text("%zu", cell.number);
@@ -109,6 +118,10 @@ void TablesPanel::follow(const Session& session)
     const StepReport* const step = session.report();
     tables_ = step == nullptr ? topology::ComparedTables() : step_tables(session.stepper(), session.step());
     solid_ = step == nullptr ? 0 : step->solid;
+    const bool is_broken = session.game() && std::holds_alternative<BrokenPointer>(session.game()->task());
+    broken_ = is_broken && step == nullptr
+                  ? topology::entity_tables(std::get<BrokenPointer>(session.game()->task()).broken)
+                  : topology::EntityTables();
     winged_ = step == nullptr ? topology::WingedTables() : topology::winged_tables(session.after()[solid_].solid);
     is_new_ = true;
 }
@@ -196,6 +209,7 @@ void bring_into_sight(std::span<const RowPair> pairs)
 
 void TablesPanel::show_table(Session& session, TableKind kind)
 {
+    if (!broken_[kind].empty()) return show_broken(session, kind);
     const std::vector<RowPair> pairs = paired(tables_.before[kind], tables_.after[kind]);
     if (pairs.empty()) return ImGui::TextDisabled("%s", session.tr()("Nothing is done yet.").c_str());
     const TableRow& like = pairs.front().after != nullptr ? *pairs.front().after : *pairs.front().before;
@@ -210,6 +224,11 @@ void TablesPanel::show_table(Session& session, TableKind kind)
     });
     if (std::exchange(is_new_, false)) bring_into_sight(pairs);
     ImGui::EndTable();
+}
+
+void TablesPanel::show_broken(Session& session, TableKind kind) const
+{
+    winged_table(session, broken_[kind], {"broken", 0.0F});
 }
 
 // The same solid as edges that carry all the links: edges, vertices and faces beside one another.

@@ -26,11 +26,13 @@ private:
         const char* id;
         float width;
     };
+    void show_broken(Session& session, topology::TableKind kind) const;
     void show_winged(Session& session);
     void winged_table(Session& session, const std::vector<topology::TableRow>& rows, const TablePlace& place) const;
 
     topology::ComparedTables tables_;
     topology::WingedTables winged_;
+    topology::EntityTables broken_; ///< of a structure with a wrong pointer, alone; no rows where none is to be mended
     std::size_t solid_ = 0;
     std::uint64_t generation_ = 0; ///< that the tables belong to
     bool is_new_ = false;          ///< the first row that the step changed is to be brought into sight

@@ -117,6 +117,24 @@ TEST_SUITE("challenges")
         CHECK_FALSE(link_of(topology::TableKind::Vertices, "N"));
     }
 
+    TEST_CASE("A cell as it is typed mends what was bent, and what is no cell is told")
+    {
+        for (std::uint32_t seed = 1; seed <= 50; ++seed) {
+            CAPTURE(seed);
+            const BrokenPointer broken = broken_pointer(seed);
+            CAPTURE(way_back(broken));
+            const auto set = link_typed(broken, way_back(broken));
+            REQUIRE(std::holds_alternative<topology::BentLink>(set));
+            CHECK(is_mended(broken, std::get<topology::BentLink>(set)));
+        }
+        for (const char* wrong : {"H 3 N", "F 1 LOUT 1", "V 1 N 2", "H 999 N 1", "H 1 N 999"}) {
+            CAPTURE(wrong);
+            const auto set = link_typed(broken_pointer(1), wrong);
+            REQUIRE(std::holds_alternative<ui::Phrase>(set));
+            CHECK(is_said(std::get<ui::Phrase>(set)));
+        }
+    }
+
     TEST_CASE("A hint and a miss cost a point each, and no score is below nothing")
     {
         CHECK(Score{}.points() == 3);

@@ -105,6 +105,20 @@ TEST_SUITE("palette")
         CHECK(draft.chosen().size() == 2);
     }
 
+    TEST_CASE("A place that is too short says which coordinate is missing")
+    {
+        const Stepper lesson("mvfs s1 f1 v1 0 0 0\n");
+        Draft move(Verb::Move);
+        CHECK_FALSE(move.choose(lesson.runner(), std::get<Choice>(typed(lesson.runner(), move, "s1"))));
+        CHECK_FALSE(move.choose(lesson.runner(), std::get<Choice>(typed(lesson.runner(), move, "v1"))));
+        const auto said = [&](const char* text) {
+            return ui::Catalogue()(std::get<ui::Phrase>(typed(lesson.runner(), move, text)));
+        };
+        CHECK(said("1 0") == "z is missing: write x y z");
+        CHECK(said("") == "x is missing: write x y z");
+        CHECK(said("1 0 0 2") == "\"2\" is no finite number");
+    }
+
     TEST_CASE("What is typed is read as a script has it")
     {
         const Stepper lesson(plate);

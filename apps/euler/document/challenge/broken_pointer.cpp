@@ -1,5 +1,6 @@
 #include "apps/euler/document/challenge/broken_pointer.h"
 
+#include <algorithm>
 #include <array>
 #include <random>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "apps/euler/document/gallery/gallery.h"
 #include "apps/euler/document/stepper.h"
 #include "topology/halfedge/check/validate.h"
+#include "topology/text/words.h"
 #include "ui/text/catalogue.h"
 
 namespace euler {
@@ -71,6 +73,32 @@ std::string_view table_hint(TableKind table)
     }
 }
 
+using Rows = std::vector<topology::TableRow>;
+
+const topology::TableRow* find_row(const Rows& rows, std::string_view number)
+{
+    const auto found = std::find_if(rows.begin(), rows.end(), [&](const topology::TableRow& row) {
+        return row.entity && std::to_string(row.number) == number;
+    });
+    return found == rows.end() ? nullptr : &*found;
+}
+
+const ShownLink* find_link(std::string_view row, std::string_view label)
+{
+    const auto letter = [](TableKind table) -> std::string_view {
+        switch (table) {
+        case TableKind::Vertices: return "V";
+        case TableKind::HalfEdges: return "H";
+        case TableKind::Edges: return "E";
+        default: return "L";
+        }
+    };
+    const auto* const found = std::find_if(shown.begin(), shown.end(), [&](const ShownLink& link) {
+        return letter(link.table) == row && link.label == label;
+    });
+    return found == shown.end() ? nullptr : found;
+}
+
 } // namespace
 
 BrokenPointer broken_pointer(std::uint32_t seed)
@@ -102,6 +130,35 @@ std::optional<LinkKind> link_of(TableKind table, std::string_view label)
     for (const ShownLink& link : shown)
         if (link.table == table && link.label == label) return link.link;
     return std::nullopt;
+}
+
+std::variant<BentLink, Phrase> link_typed(const BrokenPointer& broken, std::string_view text)
+{
+    const std::vector<std::string_view> words = topology::words(text);
+    if (words.size() != 4) return Phrase(translatable("write a row, a column and a number: H 3 N 4"));
+    const ShownLink* const link = find_link(words[0], words[2]);
+    if (link == nullptr) return Phrase(translatable("no pointer stands in that column: those of V, H, E and L do"));
+    const topology::EntityTables tables = entity_tables(broken.broken);
+    const auto missing = [](std::string_view number) {
+        return Phrase(translatable("no row has the number {number}"), {{"number", std::string(number)}});
+    };
+    const topology::TableRow* const row = find_row(tables[link->table], words[1]);
+    if (row == nullptr) return missing(words[1]);
+    const topology::TableRow* const to = find_row(tables[link->to], words[3]);
+    if (to == nullptr) return missing(words[3]);
+    return BentLink{.kind = link->link, .row = row->entity->index, .to = to->entity->index};
+}
+
+std::string way_back(const BrokenPointer& broken)
+{
+    const topology::EntityTables tables = entity_tables(broken.sound);
+    for (const topology::TableRow& row : tables[broken.table])
+        for (const topology::TableCell& cell : row.cells)
+            if (row.entity && row.entity->index == broken.bent.row &&
+                link_of(broken.table, cell.label) == broken.bent.kind)
+                return std::string(row.label) + " " + std::to_string(row.number) + " " + std::string(cell.label) + " " +
+                       std::to_string(cell.number);
+    return "";
 }
 
 } // namespace euler

@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <variant>
 
 #include "topology/halfedge/check/broken_solid.h"
 #include "topology/tables/entity_tables.h"
@@ -27,5 +29,11 @@ bool is_mended(const BrokenPointer& broken, const topology::BentLink& set);
 /// The link that a cell of a table shows, by the table and the cell's label; none of a list's N and P, which no link is
 /// behind, and of what the tables find out by themselves.
 std::optional<topology::LinkKind> link_of(topology::TableKind table, std::string_view label);
+
+/// What a cell should hold, as it is typed: "H 3 N 4" sets the N of half-edge 3 to 4. \returns the link, or why it is
+/// none
+std::variant<topology::BentLink, ui::Phrase> link_typed(const BrokenPointer& broken, std::string_view words);
+/// What one types to undo what was done.
+std::string way_back(const BrokenPointer& broken);
 
 } // namespace euler

@@ -4,6 +4,7 @@
 #include "topology/script/corner.h"
 #include "topology/script/script_fault.h"
 #include "topology/text/words.h"
+#include "ui/text/catalogue.h"
 
 namespace euler {
 
@@ -12,12 +13,15 @@ namespace {
 using topology::HalfEdgeId;
 using topology::Named;
 using topology::ScriptFault;
+using ui::translatable;
 using Words = std::vector<std::string_view>;
 
 topology::Point point(const Words& words)
 {
+    if (words.size() > 3) throw error(ScriptFault::BadNumber, {std::string(words[3])});
+    constexpr const char* names[3] = {"x", "y", "z"};
+    if (words.size() < 3) throw topology::LineError(translatable("{0} is missing: write x y z"), {names[words.size()]});
     double coordinates[3] = {};
-    if (words.size() != 3) throw error(ScriptFault::BadNumber, {words.empty() ? "" : std::string(words.back())});
     for (std::size_t i = 0; i < 3; ++i) {
         const auto value = topology::finite_number(words[i]);
         if (!value) throw error(ScriptFault::BadNumber, {std::string(words[i])});

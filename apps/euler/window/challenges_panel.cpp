@@ -1,0 +1,106 @@
+#include "apps/euler/window/challenges_panel.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <string>
+
+#include "apps/euler/session/challenge/challenge_commands.h"
+#include "apps/euler/window/command_button.h"
+
+namespace euler {
+
+namespace {
+
+void wrapped(const std::string& text)
+{
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+}
+
+void take(Session& session, std::string_view words)
+{
+    if (auto reason = session.answer(words)) session.notice = passing_notice(std::move(*reason));
+}
+
+void side_button(Session& session, Side side, const std::string& title)
+{
+    if (ImGui::RadioButton(title.c_str(), session.side() == side)) session.show_side(side);
+}
+
+// Two pictures and four names.
+void show_which(Session& session, const WhichOperator& which)
+{
+    const ui::Catalogue tr = session.tr();
+    side_button(session, Side::Before, tr("the first picture") + "###side before");
+    side_button(session, Side::After, tr("the second picture") + "###side after");
+    ImGui::Spacing();
+    ImGui::BeginDisabled(session.game()->is_over());
+    for (std::size_t i = 0; i < which.choices.size(); ++i) {
+        if (i % 2 == 1) ImGui::SameLine();
+        const std::string title = which.choices[i] + "###choice " + std::to_string(i);
+        if (ImGui::Button(title.c_str(), {6.0F * ImGui::GetFontSize(), 0.0F})) take(session, which.choices[i]);
+    }
+    ImGui::EndDisabled();
+}
+
+// A click on a cell of the tables begins the answer.
+void show_pointer(Session& session)
+{
+    const ui::Catalogue& tr = session.tr();
+    wrapped(tr("Click the wrong cell below and type what it should be, as H 3 N 4."));
+    ImGui::BeginDisabled(session.game()->is_over());
+    ImGui::SetNextItemWidth(-1.0F);
+    const bool is_entered = ImGui::InputText("###answer", &session.typed_answer(),
+                                             ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool is_clicked = ImGui::Button((tr("Set the pointer") + "###set pointer").c_str());
+    ImGui::EndDisabled();
+    if (is_entered || is_clicked) take(session, session.typed_answer());
+}
+
+void show_reach(const Session& session, const ReachChallenge& reach)
+{
+    const ReachState state = judged(reach, session.stepper());
+    wrapped(session.tr()("{n} of {most} operators are used.",
+                         {{"n", std::to_string(state.n_operators)}, {"most", std::to_string(reach.most_operators)}}));
+}
+
+void show_task(Session& session)
+{
+    const Game::Task& task = session.game()->task();
+    if (const auto* const which = std::get_if<WhichOperator>(&task)) show_which(session, *which);
+    else if (const auto* const reach = std::get_if<ReachChallenge>(&task)) show_reach(session, *reach);
+    else show_pointer(session);
+}
+
+void show_game(Desk& desk, const CommandTable& commands)
+{
+    Session& session = desk.session;
+    const ui::Catalogue tr = session.tr(); // a command may change the language
+    wrapped(tr(session.game()->question()));
+    ImGui::Spacing();
+    show_task(session);
+    ImGui::Spacing();
+    for (const ui::Phrase& hint : session.game()->hints()) wrapped(tr("Hint: {hint}", {{"hint", tr(hint)}}));
+    if (session.game()->verdict()) wrapped(tr(*session.game()->verdict()));
+    if (session.game()->is_over())
+        wrapped(tr("{n} of {most} points",
+                   {{"n", std::to_string(session.game()->points())}, {"most", std::to_string(Score::most)}}));
+    command_button(desk, commands, "challenge.hint");
+    command_button(desk, commands, "challenge.give_up");
+    ImGui::Separator();
+}
+
+} // namespace
+
+void challenges_panel(Desk& desk, const CommandTable& commands)
+{
+    if (desk.session.game()) show_game(desk, commands);
+    for (const std::string_view id : challenge_command_ids()) command_button(desk, commands, id);
+    ImGui::Spacing();
+    ImGui::TextDisabled("%s",
+                        desk.session.tr()("Points so far: {n}", {{"n", std::to_string(desk.session.points())}}).c_str());
+}
+
+} // namespace euler

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "apps/euler/session/commands.h"
+
+namespace euler {
+
+/// The challenge that is on, with its answers, hints and verdict; below it the buttons that begin another.
+void challenges_panel(Desk& desk, const CommandTable& commands);
+
+} // namespace euler
