@@ -231,7 +231,7 @@ void Application::show_right(float width)
 {
     ui::begin_panel("###right", width);
     step_panel(session(), gui_);
-    entity_panel(desk_.session);
+    entity_panel(desk_.session, gui_, fonts_);
     ui::end_panel();
 }
 
