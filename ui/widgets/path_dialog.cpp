@@ -105,7 +105,7 @@ std::optional<fs::path> PathDialog::show(const Catalogue& tr)
 {
     if (!is_open_) return std::nullopt;
     const bool is_opening = purpose_ == Purpose::Open;
-    const std::string title = (is_opening ? tr("Open a model") : tr("Save the model as")) + "###path dialog";
+    const std::string title = (is_opening ? tr("Open a file") : tr("Save as")) + "###path dialog";
     if (is_fresh_) ImGui::OpenPopup("###path dialog");
     const ImVec2 middle = ImGui::GetMainViewport()->GetCenter();
     ImGui::SetNextWindowPos(middle, ImGuiCond_Appearing, {0.5F, 0.5F});
