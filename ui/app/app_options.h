@@ -10,7 +10,7 @@
 #include "ui/paint/theme.h"
 #include "ui/text/catalogue.h"
 
-namespace CLI {
+namespace CLI { // NOLINT(readability-identifier-naming): the library's own name
 class App;
 }
 

@@ -91,6 +91,8 @@ bool Session::open(const std::filesystem::path& path)
     };
     std::error_code none;
     if (std::filesystem::is_directory(path, none)) return refuse(translatable("it is a folder"));
+    const bool has_end = std::filesystem::is_regular_file(path, none) || !std::filesystem::exists(path, none);
+    if (!has_end) return refuse(translatable("it is no regular file"));
     std::ifstream file(path, std::ios::binary);
     if (!file) return refuse(translatable("it cannot be read"));
     try {

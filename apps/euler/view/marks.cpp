@@ -34,13 +34,13 @@ MarkTable::MarkTable(const topology::Solid& solid, const Marks& marks)
     rows(EntityKind::Edge).resize(solid.edges().n_rows());
     rows(EntityKind::HalfEdge).resize(solid.half_edges().n_rows());
     rows(EntityKind::Vertex).resize(solid.vertices().n_rows());
-    set(marks.created, created);
-    set(marks.changed, changed);
-    set(marks.killed, killed);
-    set(marks.preview, preview);
-    set(marks.selected, selected);
-    if (marks.legal) set(*marks.legal, legal);
-    if (marks.hovered) set({*marks.hovered}, hovered);
+    set(marks.created, Created);
+    set(marks.changed, Changed);
+    set(marks.killed, Killed);
+    set(marks.preview, Preview);
+    set(marks.selected, Selected);
+    if (marks.legal) set(*marks.legal, Legal);
+    if (marks.hovered) set({*marks.hovered}, Hovered);
 }
 
 void MarkTable::set(const std::vector<topology::Entity>& entities, Flag flag)

@@ -35,15 +35,15 @@ class MarkTable {
 public:
     MarkTable(const topology::Solid& solid, const Marks& marks);
 
-    bool is_created(topology::Entity e) const { return has(e, created); }
-    bool is_changed(topology::Entity e) const { return has(e, changed); }
-    bool is_killed(topology::Entity e) const { return has(e, killed); }
-    bool is_preview(topology::Entity e) const { return has(e, preview); }
-    bool is_selected(topology::Entity e) const { return has(e, selected); }
-    bool is_hovered(topology::Entity e) const { return has(e, hovered); }
-    bool is_legal(topology::Entity e) const { return has(e, legal); }
+    bool is_created(topology::Entity e) const { return has(e, Created); }
+    bool is_changed(topology::Entity e) const { return has(e, Changed); }
+    bool is_killed(topology::Entity e) const { return has(e, Killed); }
+    bool is_preview(topology::Entity e) const { return has(e, Preview); }
+    bool is_selected(topology::Entity e) const { return has(e, Selected); }
+    bool is_hovered(topology::Entity e) const { return has(e, Hovered); }
+    bool is_legal(topology::Entity e) const { return has(e, Legal); }
     /// A pick is asked, and this is none that the operator takes.
-    bool is_illegal(topology::Entity e) const { return is_asked_ && !has(e, legal); }
+    bool is_illegal(topology::Entity e) const { return is_asked_ && !has(e, Legal); }
     bool is_marked(topology::Entity e) const { return flags(e) != 0; }
     bool is_empty() const { return is_empty_; }
 
@@ -52,13 +52,13 @@ public:
 
 private:
     enum Flag : std::uint8_t {
-        created = 1,
-        changed = 2,
-        killed = 4,
-        preview = 8,
-        selected = 16,
-        legal = 32,
-        hovered = 64,
+        Created = 1,
+        Changed = 2,
+        Killed = 4,
+        Preview = 8,
+        Selected = 16,
+        Legal = 32,
+        Hovered = 64,
     };
     void set(const std::vector<topology::Entity>& entities, Flag flag);
     std::uint8_t flags(topology::Entity e) const

@@ -14,6 +14,7 @@
 #include "apps/euler/window/step_panel.h"
 #include "ui/context/image_clipboard.h"
 #include "ui/context/write_picture.h"
+#include "ui/text/shortened.h"
 #include "ui/widgets/panel.h"
 #include "ui/widgets/shortcut_sheet.h"
 #include "ui/widgets/unsaved_question.h"
@@ -269,7 +270,7 @@ void Application::show_notice()
 void Application::show_status_bar()
 {
     ui::begin_status_bar();
-    ImGui::TextUnformatted(status_text(session()).c_str());
+    ImGui::TextUnformatted(ui::shortened(status_text(session()), 400).c_str());
     ui::end_status_bar();
 }
 

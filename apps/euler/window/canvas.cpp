@@ -15,6 +15,7 @@
 #include "apps/euler/view/polygons/plane_model.h"
 #include "apps/euler/view/shapes/outline.h"
 #include "apps/euler/view/solid/solid_shapes.h"
+#include "ui/widgets/wrapped_text.h"
 
 namespace euler {
 
@@ -204,9 +205,7 @@ void Canvas::tell(const Session& session) const
     if (const auto reason = session.why_not_pick(*session.hover)) words += "\n" + session.tr()(*reason);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.5F * ImGui::GetFontSize(), 0.3F * ImGui::GetFontSize()});
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(24.0F * ImGui::GetFontSize());
-    ImGui::TextUnformatted(words.c_str());
-    ImGui::PopTextWrapPos();
+    ui::wrapped_text(words, 24.0F * ImGui::GetFontSize());
     ImGui::EndTooltip();
     ImGui::PopStyleVar();
 }
@@ -287,7 +286,8 @@ void Canvas::paint(const Session& session)
     shapes_ = shapes_of(session, subjects);
     ui::Painter painter(sheet_, fonts_);
     draw(painter, shapes_, subjects, session.look);
-    if (shapes_.vertices.empty() && !session.is_drawing()) draw_invitation(painter, session.look);
+    const bool is_empty = std::ranges::all_of(subjects, [](const Subject& s) { return s.solid->is_empty(); });
+    if (is_empty && !session.is_drawing()) draw_invitation(painter, session.look);
     if (session.is_drawing()) paint_drawing(session, painter);
     picture_ = painter.picture();
 }

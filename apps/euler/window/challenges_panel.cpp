@@ -7,17 +7,11 @@
 
 #include "apps/euler/session/challenge/challenge_commands.h"
 #include "apps/euler/window/command_button.h"
+#include "ui/widgets/wrapped_text.h"
 
 namespace euler {
 
 namespace {
-
-void wrapped(const std::string& text)
-{
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-}
 
 void take(Session& session, std::string_view words)
 {
@@ -49,7 +43,7 @@ void show_which(Session& session, const WhichOperator& which)
 void show_pointer(Session& session)
 {
     const ui::Catalogue& tr = session.tr();
-    wrapped(tr("Click the wrong cell below and type what it should be, as H 3 N 4."));
+    ui::wrapped_text(tr("Click the wrong cell below and type what it should be, as H 3 N 4."));
     ImGui::BeginDisabled(session.game()->is_over());
     ImGui::SetNextItemWidth(-1.0F);
     const bool is_entered = ImGui::InputText("###answer", &session.typed_answer(),
@@ -62,8 +56,9 @@ void show_pointer(Session& session)
 void show_reach(const Session& session, const ReachChallenge& reach)
 {
     const ReachState state = judged(reach, session.stepper());
-    wrapped(session.tr()("{n} of {most} operators are used.",
-                         {{"n", std::to_string(state.n_operators)}, {"most", std::to_string(reach.most_operators)}}));
+    ui::wrapped_text(
+        session.tr()("{n} of {most} operators are used.",
+                     {{"n", std::to_string(state.n_operators)}, {"most", std::to_string(reach.most_operators)}}));
 }
 
 void show_task(Session& session)
@@ -78,15 +73,15 @@ void show_game(Desk& desk, const CommandTable& commands)
 {
     Session& session = desk.session;
     const ui::Catalogue tr = session.tr(); // a command may change the language
-    wrapped(tr(session.game()->question()));
+    ui::wrapped_text(tr(session.game()->question()));
     ImGui::Spacing();
     show_task(session);
     ImGui::Spacing();
-    for (const ui::Phrase& hint : session.game()->hints()) wrapped(tr("Hint: {hint}", {{"hint", tr(hint)}}));
-    if (session.game()->verdict()) wrapped(tr(*session.game()->verdict()));
+    for (const ui::Phrase& hint : session.game()->hints()) ui::wrapped_text(tr("Hint: {hint}", {{"hint", tr(hint)}}));
+    if (session.game()->verdict()) ui::wrapped_text(tr(*session.game()->verdict()));
     if (session.game()->is_over())
-        wrapped(tr("{n} of {most} points",
-                   {{"n", std::to_string(session.game()->points())}, {"most", std::to_string(Score::most)}}));
+        ui::wrapped_text(tr("{n} of {most} points",
+                            {{"n", std::to_string(session.game()->points())}, {"most", std::to_string(Score::most)}}));
     command_button(desk, commands, "challenge.hint");
     command_button(desk, commands, "challenge.give_up");
     ImGui::Separator();
@@ -99,8 +94,8 @@ void challenges_panel(Desk& desk, const CommandTable& commands)
     if (desk.session.game()) show_game(desk, commands);
     for (const std::string_view id : challenge_command_ids()) command_button(desk, commands, id);
     ImGui::Spacing();
-    ImGui::TextDisabled("%s",
-                        desk.session.tr()("Points so far: {n}", {{"n", std::to_string(desk.session.points())}}).c_str());
+    ImGui::TextDisabled(
+        "%s", desk.session.tr()("Points so far: {n}", {{"n", std::to_string(desk.session.points())}}).c_str());
 }
 
 } // namespace euler

@@ -4,6 +4,7 @@
 
 #include "apps/euler/window/step_panel.h"
 #include "topology/halfedge/check/validate.h"
+#include "ui/widgets/wrapped_text.h"
 
 namespace euler {
 
@@ -66,9 +67,7 @@ void description_window(const Session& session, bool& is_open)
     const std::string words = in_words(session);
     if (ImGui::Button((tr("Copy") + "###copy").c_str())) ImGui::SetClipboardText(words.c_str());
     ImGui::BeginChild("words");
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(words.c_str());
-    ImGui::PopTextWrapPos();
+    ui::wrapped_text(words);
     ImGui::EndChild();
     ImGui::End();
 }

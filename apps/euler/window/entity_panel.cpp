@@ -7,10 +7,14 @@
 #include "apps/euler/view/pointers/pointer_drawing.h"
 #include "apps/euler/window/canvas.h"
 #include "topology/tables/pointer_graph.h"
+#include "ui/text/shortened.h"
+#include "ui/widgets/wrapped_text.h"
 
 namespace euler {
 
 namespace {
+
+constexpr std::size_t most_letters = 200; // of a row
 
 bool is_to_be_mended(const Session& session)
 {
@@ -54,7 +58,7 @@ void entity_panel(Session& session, ui::ImGuiSession& gui, const ui::Fonts& font
     const topology::Solid& solid = session.after()[part.subject].solid;
     if (!lives(solid, part.entity)) return;
     ImGui::Separator();
-    ImGui::TextUnformatted(describe(session, part).c_str());
+    ui::wrapped_text(describe(session, part));
     pointer_picture(session, part, gui, fonts);
     if (!ImGui::BeginTable("pointers", 2, ImGuiTableFlags_RowBg)) return;
     ImGui::TableSetupColumn("link", ImGuiTableColumnFlags_WidthFixed, 7.0F * ImGui::GetFontSize());
@@ -65,7 +69,9 @@ void entity_panel(Session& session, ui::ImGuiSession& gui, const ui::Fonts& font
         ImGui::TextDisabled("%s", std::string(pointer.label).c_str());
         ImGui::TableNextColumn();
         const Part to{part.subject, pointer.to};
-        if (ImGui::Selectable((describe(session, to) + "###" + std::to_string(row++)).c_str())) session.selection = to;
+        if (ImGui::Selectable(
+                (ui::shortened(describe(session, to), most_letters) + "###" + std::to_string(row++)).c_str()))
+            session.selection = to;
         if (ImGui::IsItemHovered()) session.hover = to;
     }
     ImGui::EndTable();

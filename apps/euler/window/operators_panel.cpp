@@ -6,6 +6,7 @@
 #include "apps/euler/session/operator_commands.h"
 #include "apps/euler/window/command_button.h"
 #include "topology/text/words.h"
+#include "ui/widgets/wrapped_text.h"
 
 namespace euler {
 
@@ -65,15 +66,12 @@ void OperatorsPanel::show_draft(Desk& desk, const CommandTable& commands)
     ImGui::SameLine();
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextDisabled("%s", tr(draft.form().meaning).c_str());
-    for (std::size_t i = 0; i < draft.chosen().size(); ++i)
-        ImGui::TextUnformatted(
-            (tr(draft.form().arguments()[i].prompt) + ": " + text_of(session, draft.chosen()[i])).c_str());
     ImGui::PopTextWrapPos();
+    for (std::size_t i = 0; i < draft.chosen().size(); ++i)
+        ui::wrapped_text(tr(draft.form().arguments()[i].prompt) + ": " + text_of(session, draft.chosen()[i]));
     ImGui::Separator();
     if (draft.is_complete()) {
-        ImGui::PushTextWrapPos(0.0F);
-        ImGui::TextUnformatted(draft.line(session.stepper().runner()).c_str());
-        ImGui::PopTextWrapPos();
+        ui::wrapped_text(draft.line(session.stepper().runner()));
     } else {
         ask(session);
     }
@@ -116,7 +114,7 @@ void OperatorsPanel::ask(Session& session)
     if (is_entered) reason_ = session.choose_typed(typed_);
     if (is_entered && reason_) ImGui::SetKeyboardFocusHere(-1);
     if (is_entered && !reason_) typed_.clear();
-    if (reason_) ImGui::TextUnformatted(tr(*reason_).c_str());
+    if (reason_) ui::wrapped_text(tr(*reason_));
     ImGui::PopTextWrapPos();
 }
 

@@ -5,10 +5,13 @@
 #include <string>
 
 #include "apps/euler/window/step_panel.h"
+#include "ui/text/shortened.h"
 
 namespace euler {
 
 namespace {
+
+constexpr std::size_t most_letters = 200; // of a row
 
 // The line before the first step.
 void beginning(Session& session)
@@ -20,7 +23,8 @@ void beginning(Session& session)
 void line(Session& session, std::size_t i)
 {
     const StepReport& step = session.stepper().report(i);
-    const std::string name = std::to_string(i) + "  " + code(step) + "###step " + std::to_string(i);
+    const std::string name = std::to_string(i) + "  " + ui::shortened(code(step), most_letters) + "###step " +
+                             std::to_string(i);
     const bool is_undone = i > session.place();
     if (is_undone) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     const bool is_clicked = ImGui::Selectable(name.c_str(), i == session.place());

@@ -6,6 +6,8 @@
 #include <array>
 #include <string>
 
+#include "ui/widgets/wrapped_text.h"
+
 namespace euler {
 
 using topology::EulerCounts;
@@ -33,17 +35,10 @@ std::string with_sign(long difference)
     return (difference > 0 ? "+" : "−") + std::to_string(std::abs(difference));
 }
 
-void wrapped(const std::string& text)
-{
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-}
-
 void faint(const std::string& text)
 {
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-    wrapped(text);
+    ui::wrapped_text(text);
     ImGui::PopStyleColor();
 }
 
@@ -95,8 +90,8 @@ void count_table(const StepReport& step, const ui::ImGuiSession& gui, const ui::
 
 void show_formula(const EulerCounts& counts)
 {
-    wrapped("V − E + F − (L − F) − 2 (S − G)");
-    wrapped("= " + formula_text(counts));
+    ui::wrapped_text("V − E + F − (L − F) − 2 (S − G)");
+    ui::wrapped_text("= " + formula_text(counts));
 }
 
 const OperatorForm* form_of(const StepReport& step)
@@ -110,16 +105,16 @@ const OperatorForm* form_of(const StepReport& step)
 void show_inverse(const StepReport& step, const ui::Catalogue& tr)
 {
     faint(tr("Taken back by {operator}:", {{"operator", step.inverse_name}}));
-    for (std::size_t i = 0; i < std::min<std::size_t>(step.inverse.size(), 4); ++i) wrapped(step.inverse[i]);
+    for (std::size_t i = 0; i < std::min<std::size_t>(step.inverse.size(), 4); ++i) ui::wrapped_text(step.inverse[i]);
     if (step.inverse.size() > 4)
-        wrapped(tr("… and {count} more", {{"count", std::to_string(step.inverse.size() - 4)}}));
+        ui::wrapped_text(tr("… and {count} more", {{"count", std::to_string(step.inverse.size() - 4)}}));
 }
 
 void before_the_first(const Session& session)
 {
     if (session.is_exhibiting()) return; // no script has made what is seen
     const ui::Catalogue& tr = session.tr();
-    if (const std::string heading = tr(session.stepper().heading()); !heading.empty()) return wrapped(heading);
+    if (const std::string heading = tr(session.stepper().heading()); !heading.empty()) return ui::wrapped_text(heading);
     faint(session.n_steps() == 0 ? tr("The script is empty. MVFS makes the first vertex, with a face and a shell.")
                                  : tr("Nothing is done yet."));
 }
@@ -169,9 +164,9 @@ void step_panel(const Session& session, const ui::ImGuiSession& gui)
         ImGui::SameLine();
         faint(tr(form->meaning));
     }
-    wrapped(code(*step));
+    ui::wrapped_text(code(*step));
     ImGui::Spacing();
-    wrapped(tr(step->meaning));
+    ui::wrapped_text(tr(step->meaning));
     if (const std::string why = tr(step->explanation); !why.empty()) faint(why);
     ImGui::Spacing();
     count_table(*step, gui, tr);

@@ -90,10 +90,12 @@ void Canvas::follow_structure(const Desk& desk)
                            options.prediction != nullptr,
                            desk.hand.kind() != ToolKind::Select || has_diagrams(session)};
     const bool must_rest = is_working_ || session.history().is_dragging();
-    const bool is_fitted = fitted_for_ == wanted && (must_rest || is_all_in_sight());
+    const bool can_rest = fitted_for_ && fitted_for_->session == session_ && fitted_for_->sheet == sheet_;
+    const bool is_resting = must_rest && can_rest;
+    const bool is_fitted = is_resting || (fitted_for_ == wanted && is_all_in_sight());
     is_just_fitted_ = !options.camera && !is_fitted;
     if (!options.camera && is_fitted) options.camera = plan_.camera;
-    if (!session.view.camera) fitted_for_ = wanted;
+    if (!session.view.camera && !is_resting) fitted_for_ = wanted;
     plan_ = subject(desk, options).plan(sheet_, fonts_);
 }
 

@@ -75,6 +75,18 @@ TEST_CASE("A screenshot, a description and a scenario need no screen, and a brok
     CHECK(run(options) == 2);
     options.files = {folder.path("missing.eul")};
     CHECK(run(options) == 2);
+    options.files = {"/dev/zero"}; // it has no end
+    CHECK(run(options) == 2);
+}
+
+TEST_CASE("Comments and names of any length are drawn")
+{
+    const Folder folder;
+    std::string comments;
+    for (int i = 0; i < 6000; ++i) comments += "# ab cd ef gh\n";
+    const std::string name = "v" + std::string(60'000, 'x');
+    const fs::path file = folder.write("long.eul", comments + "mvfs s1 f1 " + name + " 0 0 0\n");
+    CHECK(played("command file.open " + file.string() + "\nclick vertex " + name + "\nwait 0.1\n") == "");
 }
 
 TEST_CASE("Every scenario of the stepper begins with its claim and is played to its end")
