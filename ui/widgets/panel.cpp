@@ -42,13 +42,59 @@ void end_panel()
     ImGui::PopStyleVar();
 }
 
-std::optional<float> splitter(const char* id, float width, float sign, float height)
+namespace {
+
+// A bar beside a panel, dragged to give it another width [ems]; `sign` is 1 where the panel is at its left, else -1.
+void splitter(const char* id, float& width, float shown, float sign, float height)
 {
     const float em = ImGui::GetFontSize();
     ImGui::InvisibleButton(id, {splitter_ems * em, height});
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    if (!ImGui::IsItemActive()) return std::nullopt;
-    return std::clamp(width + sign * ImGui::GetIO().MouseDelta.x / em, 8.0F, 40.0F);
+    if (ImGui::IsItemActive()) width = std::clamp(shown / em + sign * ImGui::GetIO().MouseDelta.x / em, 8.0F, 40.0F);
+}
+
+} // namespace
+
+void SidePanels::show(const std::function<void(float)>& left, const std::function<void(float)>& right,
+                      const std::function<void()>& picture)
+{
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float em = ImGui::GetFontSize();
+    const float bar = splitter_ems * em;
+    const Sides shown{std::min(ems_.left * em, most_.left * room.x), std::min(ems_.right * em, most_.right * room.x)};
+    left(shown.left);
+    ImGui::SameLine();
+    splitter("###left splitter", ems_.left, shown.left, 1.0F, room.y);
+    ImGui::SameLine(room.x - shown.right - bar);
+    splitter("###right splitter", ems_.right, shown.right, -1.0F, room.y);
+    ImGui::SameLine();
+    right(shown.right);
+    ImGui::SameLine(shown.left + bar);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, 0U);
+    ImGui::BeginChild("###canvas", {room.x - shown.left - shown.right - 2.0F * bar, room.y});
+    picture();
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+}
+
+void show_below(float height, const std::function<void()>& content)
+{
+    const ImVec2 corner = ImGui::GetCursorPos();
+    ImGui::SetCursorPos({corner.x, corner.y + ImGui::GetContentRegionAvail().y - height});
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
+    ImGui::BeginChild("###below", {0.0F, height});
+    content();
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+    ImGui::SetCursorPos(corner);
+}
+
+void menu_bar_title(const std::string& name)
+{
+    const float at = ImGui::GetWindowWidth() - ImGui::CalcTextSize(name.c_str()).x - 2.0F * ImGui::GetFontSize();
+    if (at <= ImGui::GetCursorPosX()) return; // the menus come first
+    ImGui::SameLine(at);
+    ImGui::TextDisabled("%s", name.c_str());
 }
 
 bool TabRow::show(const std::string& title, bool is_chosen)

@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include <optional>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,9 +22,28 @@ void end_body();
 void begin_panel(const char* id, float width);
 void end_panel();
 
-/// A bar beside a panel, dragged to give it another width [ems]. \param sign 1: the panel is at its left; -1: right
-std::optional<float> splitter(const char* id, float width, float sign, float height);
-inline constexpr float splitter_ems = 0.35F; ///< thickness
+inline constexpr float splitter_ems = 0.35F; ///< thickness of a bar that is dragged
+
+/// A panel on either side of the picture; the bars between them are dragged to give the panels other widths.
+class SidePanels {
+public:
+    struct Sides {
+        float left, right;
+    };
+    /// \param ems  widths that are asked for   \param most  shares of the window's width that they never exceed
+    SidePanels(Sides ems, Sides most) : ems_(ems), most_(most) {}
+
+    /// `left` and `right` show a panel of a width [px]. Both are laid out before the picture, so that it shows what
+    /// they changed.
+    void show(const std::function<void(float)>& left, const std::function<void(float)>& right,
+              const std::function<void()>& picture);
+
+private:
+    Sides ems_, most_;
+};
+
+/// What lies below the picture, `height` pixels high; laid out before the picture, which shows what it changed.
+void show_below(float height, const std::function<void()>& content);
 
 /// One tab beside the other, in a further row where there is no room: a word is never cut.
 class TabRow {
@@ -34,6 +53,9 @@ public:
 private:
     bool is_first_ = true;
 };
+
+/// The document's name at the right of the menu bar, where the menus leave room for it.
+void menu_bar_title(const std::string& name);
 
 /// The line at the window's foot.
 void begin_status_bar();

@@ -23,11 +23,7 @@ namespace euler {
 
 using ui::translatable;
 
-namespace {
-
-constexpr float most_left = 0.25F, most_right = 0.32F; // of the window's width
-
-} // namespace
+namespace {} // namespace
 
 Application::Application(ui::Context& context, const ui::Fonts& fonts, Session session)
     : desk_{.session = std::move(session)},
@@ -151,11 +147,7 @@ void Application::show_menu_bar()
     if (!ImGui::BeginMainMenuBar()) return;
     ui::show_menus(commands_, desk_, session().tr());
     const std::string name = (session().is_dirty() ? "* " : "") + session().file_name();
-    const float at = ImGui::GetWindowWidth() - ImGui::CalcTextSize(name.c_str()).x - 2.0F * ImGui::GetFontSize();
-    if (at > ImGui::GetCursorPosX()) { // the menus come first
-        ImGui::SameLine(at);
-        ImGui::TextDisabled("%s", name.c_str());
-    }
+    ui::menu_bar_title(name);
     ImGui::EndMainMenuBar();
 }
 
@@ -164,50 +156,18 @@ void Application::show_body()
     ui::begin_body();
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float below = desk_.has_tables ? std::min(tables_height_ * ImGui::GetFontSize(), 0.4F * room.y) : 0.0F;
-    if (below > 0.0F) show_tables(below);
+    if (below > 0.0F) ui::show_below(below, [this] { tables_.show(desk_); });
     ImGui::PushStyleColor(ImGuiCol_ChildBg, 0U); // the picture is drawn on the theme's own background
     ImGui::BeginChild("###above", {0.0F, room.y - below});
     ImGui::PopStyleColor();
-    if (desk_.has_panels) show_panels_and_canvas();
-    else show_canvas();
+    const auto left = [this](float width) { show_left(width); };
+    const auto right = [this](float width) { show_right(width); };
+    const auto picture = [this] { show_canvas(); };
+    if (desk_.has_panels) sides_.show(left, right, picture);
+    else picture();
     ImGui::EndChild();
     ui::end_body();
     show_status_bar();
-}
-
-// Laid out before the canvas is drawn, so that the canvas shows what it changed.
-void Application::show_tables(float height)
-{
-    const ImVec2 corner = ImGui::GetCursorPos();
-    ImGui::SetCursorPos({corner.x, corner.y + ImGui::GetContentRegionAvail().y - height});
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
-    ImGui::BeginChild("###below", {0.0F, height});
-    tables_.show(desk_);
-    ImGui::EndChild();
-    ImGui::PopStyleColor();
-    ImGui::SetCursorPos(corner);
-}
-
-void Application::show_panels_and_canvas()
-{
-    const ImVec2 room = ImGui::GetContentRegionAvail();
-    const float em = ImGui::GetFontSize();
-    const float bar = ui::splitter_ems * em;
-    const float left = std::min(left_width_ * em, most_left * room.x);
-    const float right = std::min(right_width_ * em, most_right * room.x);
-    show_left(left);
-    ImGui::SameLine();
-    if (const auto wider = ui::splitter("###left splitter", left / em, 1.0F, room.y)) left_width_ = *wider;
-    ImGui::SameLine(room.x - right - bar);
-    if (const auto wider = ui::splitter("###right splitter", right / em, -1.0F, room.y)) right_width_ = *wider;
-    ImGui::SameLine();
-    show_right(right);
-    ImGui::SameLine(left + bar);
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, 0U);
-    ImGui::BeginChild("###canvas", {room.x - left - right - 2.0F * bar, room.y});
-    show_canvas();
-    ImGui::EndChild();
-    ImGui::PopStyleColor();
 }
 
 void Application::show_left(float width)

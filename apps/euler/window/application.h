@@ -12,6 +12,7 @@
 #include "ui/context/context.h"
 #include "ui/context/imgui_session.h"
 #include "ui/widgets/command_menu.h"
+#include "ui/widgets/panel.h"
 #include "ui/widgets/path_dialog.h"
 
 namespace euler {
@@ -47,11 +48,9 @@ private:
     void copy_picture();
     void show_menu_bar();
     void show_body();
-    void show_panels_and_canvas();
     void show_left(float width);
     void show_right(float width);
     void show_canvas();
-    void show_tables(float height);
     void show_notice();
     void show_status_bar();
     void show_dialogs();
@@ -68,8 +67,7 @@ private:
     ui::CommandPalette palette_;
     ui::PathDialog path_dialog_;
     ui::ThemeName theme_;
-    float left_width_ = 17.0F; ///< of the panel that was asked for [ems]
-    float right_width_ = 23.0F;
+    ui::SidePanels sides_{{17.0F, 23.0F}, {0.25F, 0.32F}};
     float tables_height_ = 15.0F;
     bool shows_shortcuts_ = false;
     bool shows_description_ = false;

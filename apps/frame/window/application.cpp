@@ -32,8 +32,6 @@ namespace {
 constexpr double seconds_per_swing = 2.4;
 constexpr double full_swing = 0.25 * seconds_per_swing; // a still picture shows the full displacement
 
-constexpr float most_left = 0.25F, most_right = 0.30F; // of the window's width
-
 } // namespace
 
 Application::Application(ui::Context& context, const ui::Fonts& fonts, Session session)
@@ -229,11 +227,7 @@ void Application::show_menu_bar()
     if (!ImGui::BeginMainMenuBar()) return;
     ui::show_menus(commands_, desk_, desk_.session.view.tr);
     const std::string name = (desk_.session.is_dirty() ? "* " : "") + desk_.session.file_name();
-    const float at = ImGui::GetWindowWidth() - ImGui::CalcTextSize(name.c_str()).x - 2.0F * ImGui::GetFontSize();
-    if (at > ImGui::GetCursorPosX()) { // the menus come first
-        ImGui::SameLine(at);
-        ImGui::TextDisabled("%s", name.c_str());
-    }
+    ui::menu_bar_title(name);
     ImGui::EndMainMenuBar();
 }
 
@@ -242,52 +236,18 @@ void Application::show_body()
     ui::begin_body();
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float below = tables_.height(desk_, room.y);
-    if (below > 0.0F) show_tables(below);
+    if (below > 0.0F) ui::show_below(below, [this] { tables_.show(desk_, gui_, fonts_); });
     ImGui::PushStyleColor(ImGuiCol_ChildBg, 0U); // the picture is drawn on the theme's own background
     ImGui::BeginChild("###above", {0.0F, room.y - below});
     ImGui::PopStyleColor();
-    if (desk_.has_panels) show_panels_and_canvas();
-    else show_canvas();
+    const auto left = [this](float width) { show_left(width); };
+    const auto right = [this](float width) { show_right(width); };
+    const auto picture = [this] { show_canvas(); };
+    if (desk_.has_panels) sides_.show(left, right, picture);
+    else picture();
     ImGui::EndChild();
     ui::end_body();
     status_bar(desk_.session);
-}
-
-// Laid out before the canvas is drawn, so that the canvas shows what it changed.
-void Application::show_tables(float height)
-{
-    const ImVec2 corner = ImGui::GetCursorPos();
-    const ImVec2 room = ImGui::GetContentRegionAvail();
-    ImGui::SetCursorPos({corner.x, corner.y + room.y - height});
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
-    ImGui::BeginChild("###below", {0.0F, height});
-    tables_.show(desk_, gui_, fonts_);
-    ImGui::EndChild();
-    ImGui::PopStyleColor();
-    ImGui::SetCursorPos(corner);
-}
-
-void Application::show_panels_and_canvas()
-{
-    const ImVec2 room = ImGui::GetContentRegionAvail();
-    const float em = ImGui::GetFontSize();
-    const float bar = ui::splitter_ems * em;
-    const float left = std::min(left_width_ * em, most_left * room.x);
-    const float right = std::min(right_width_ * em, most_right * room.x);
-    // The right panel is laid out before the canvas is drawn, so that the canvas shows what it changed.
-    show_left(left);
-    ImGui::SameLine();
-    if (const auto wider = ui::splitter("###left splitter", left / em, 1.0F, room.y)) left_width_ = *wider;
-    ImGui::SameLine(room.x - right - bar);
-    if (const auto wider = ui::splitter("###right splitter", right / em, -1.0F, room.y)) right_width_ = *wider;
-    ImGui::SameLine();
-    show_right(right);
-    ImGui::SameLine(left + bar);
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, 0U);
-    ImGui::BeginChild("###canvas", {room.x - left - right - 2.0F * bar, room.y});
-    show_canvas();
-    ImGui::EndChild();
-    ImGui::PopStyleColor();
 }
 
 void Application::show_left(float width)

@@ -21,6 +21,7 @@
 #include "ui/paint/text_measure.h"
 #include "ui/widgets/command_menu.h"
 #include "ui/widgets/number_field.h"
+#include "ui/widgets/panel.h"
 #include "ui/widgets/path_dialog.h"
 
 namespace frame {
@@ -62,12 +63,10 @@ private:
     void ask_for_path(ui::PathDialog::Purpose purpose, const std::filesystem::path& start);
     void show_menu_bar();
     void show_body();
-    void show_panels_and_canvas();
     void show_left(float width);
     void show_right(float width);
     void show_tabs();
     void show_canvas();
-    void show_tables(float height);
     void show_dialogs();
     bool is_swinging() const; ///< the deformed shape or a mechanism
     void animate(double seconds);
@@ -91,8 +90,7 @@ private:
     Questions questions_;
     KeptFiles kept_files_{std::nullopt};
     ui::ThemeName theme_;
-    float left_width_ = 16.5F; ///< of the panel that was asked for [ems]
-    float right_width_ = 24.0F;
+    ui::SidePanels sides_{{16.5F, 24.0F}, {0.25F, 0.30F}};
     double time_; ///< of the animation since the middle of a swing [s]
     bool shows_shortcuts_ = false;
     bool shows_description_ = false;
