@@ -23,8 +23,6 @@ namespace euler {
 
 using ui::translatable;
 
-namespace {} // namespace
-
 Application::Application(ui::Context& context, const ui::Fonts& fonts, Session session)
     : desk_{.session = std::move(session)},
       commands_(command_table()),
