@@ -56,8 +56,9 @@ private:
 ///                                 Edge
 ///
 /// Only EulerOperator changes it; readers of files assemble one. Its shells and their genus are not stored: shells.h
-/// finds them. Positions are data that vertices carry. Source   M. Mantyla, An Introduction to Solid Modeling, chapters
-/// 9 to 11
+/// finds them. Positions are data that vertices carry.
+///
+/// Source   [Mantyla1988, ch. 9 to 11]
 class Solid {
 public:
     bool is_empty() const { return t_.faces.n_living() == 0; }

@@ -12,8 +12,9 @@ namespace topology {
 /// Found by inversion, a copy being reduced to nothing: (1) MEKR of every ring, (2) KEF of every edge between two
 /// faces, (3) KEV of every edge between two vertices, which leaves each shell one vertex, one face and two closed edges
 /// a handle; (4) for each handle KEMR, MFKRH and KEF; (5) KVFS. The inverses in the opposite order make the solid. With
-/// R = L - F rings there are S MVFS, V - S MEV, F - S + G MEF, G KFMRH, and R - G more KEMR than MEKR. Source   M.
-/// Mantyla, An Introduction to Solid Modeling, chapter 9: the completeness of the operators
+/// R = L - F rings there are S MVFS, V - S MEV, F - S + G MEF, G KFMRH, and R - G more KEMR than MEKR.
+///
+/// Source   [Mantyla1988, ch. 9], the completeness of the operators
 struct Construction {
     Solid solid;
     Journal journal;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "topology/modeling/mass_properties.h"
+#include "topology/modeling/plane_sides.h"
 
 namespace topology {
 
@@ -28,7 +29,9 @@ bool is_inside(const Solid& solid, LoopId l, const Point& p, const Vector& direc
 
 class Cut {
 public:
-    Cut(EulerOperator& op, const Plane& plane) : op_(op), solid_(op.solid()), plane_(plane) {}
+    Cut(EulerOperator& op, const Plane& plane, PlaneSides sides)
+        : op_(op), solid_(op.solid()), plane_(plane), sides_(std::move(sides))
+    {}
 
     Split take()
     {
@@ -37,7 +40,9 @@ public:
         for (const FaceId f : solid_.faces()) faces.push_back(f);
         for (const FaceId f : faces) cut_face(f);
         for (const VertexId v : on_plane_)
-            if (is_on(v) && !is_done(v)) open_cycle(v);
+            if (!is_done(v)) open_cycle(v);
+        take_away_null_edges();
+        take_away_slits();
         nest(done_.above, -1.0);
         nest(done_.below, 1.0);
         return done_;
@@ -52,16 +57,36 @@ private:
         first_on_ = static_cast<std::uint32_t>(solid_.vertices().n_rows());
         for (const EdgeId e : edges) {
             const HalfEdgeId h = solid_.plus(e);
-            const Point &p = solid_.point(solid_.start(h)), &q = solid_.point(solid_.end(h));
-            const double a = plane_.height(p), b = plane_.height(q);
-            if ((a > 0.0) != (b > 0.0)) on_plane_.push_back(op_.semv(h, p + a / (a - b) * (q - p)).vertex);
+            const VertexId v = solid_.start(h), w = solid_.end(h);
+            if (sides_.counts_as_above(v) == sides_.counts_as_above(w)) continue;
+            slope_.push_back(slope(v, w));
+            on_plane_.push_back(op_.semv(h, crossing(v, w)).vertex);
         }
         is_done_.resize(on_plane_.size());
     }
     bool is_on(VertexId v) const { return v.index >= first_on_ && v.index < first_on_ + on_plane_.size(); }
     std::vector<bool>::reference done(VertexId v) { return is_done_[v.index - first_on_]; }
     bool is_done(VertexId v) const { return is_done_[v.index - first_on_]; }
-    bool is_above(VertexId v) const { return !is_on(v) && plane_.height(solid_.point(v)) > 0.0; }
+    bool is_above(VertexId v) const { return !is_on(v) && sides_.counts_as_above(v); }
+
+    /// Where the edge between two vertices crosses: exactly at the one that lies on the plane; midway if both do.
+    Point crossing(VertexId v, VertexId w) const
+    {
+        const Point &p = solid_.point(v), &q = solid_.point(w);
+        const double a = sides_.height_of(v), b = sides_.height_of(w);
+        if (a == 0.0 && b == 0.0) return p + 0.5 * (q - p);
+        if (a == 0.0) return p;
+        if (b == 0.0) return q;
+        return p + a / (a - b) * (q - p);
+    }
+    /// Which way the crossing goes where one of the two lies on the plane, and the plane goes off to the other's side.
+    Vector slope(VertexId v, VertexId w) const
+    {
+        const double a = std::abs(sides_.height_of(v)), b = std::abs(sides_.height_of(w));
+        if ((a == 0.0) == (b == 0.0)) return {};
+        const Vector along = solid_.point(w) - solid_.point(v);
+        return a == 0.0 ? 1.0 / b * along : -1.0 / a * along;
+    }
 
     /// The corners where a face meets the plane lie on one line; between the first and second, the third and fourth ...
     /// of them the line is inside the face.
@@ -73,7 +98,10 @@ private:
                 if (is_on(solid_.start(h))) corners.push_back(h);
         if (corners.empty()) return;
         const Vector normal = area_vector(solid_, f), along = cross(normal, plane_.normal);
-        const auto place = [&](HalfEdgeId h) { return dot(along, solid_.point(solid_.start(h)) - plane_.origin); };
+        const auto place = [&](HalfEdgeId h) {
+            const VertexId v = solid_.start(h);
+            return std::pair(dot(along, solid_.point(v) - plane_.origin), dot(along, slope_[v.index - first_on_]));
+        };
         std::sort(corners.begin(), corners.end(), [&](HalfEdgeId a, HalfEdgeId b) { return place(a) < place(b); });
         std::vector<FaceId> pieces{f};
         for (std::size_t i = 0; i + 1 < corners.size(); i += 2) join(corners[i], corners[i + 1], pieces);
@@ -101,10 +129,20 @@ private:
         for (const LoopId l : solid_.loops(f))
             if (!solid_.is_outer(l)) rings.push_back(l);
         for (const LoopId ring : rings) {
-            const Point& p = solid_.point(solid_.start(solid_.half_edge(ring)));
+            const Point& p = farthest(ring);
             for (const FaceId g : pieces)
                 if (g != solid_.face(ring) && is_inside(solid_, solid_.outer(g), p, normal)) op_.ringmv(ring, g);
         }
+    }
+
+    /// The corner farthest from the plane: others may lie on a cut, and so on the edge of two pieces.
+    const Point& farthest(LoopId l) const
+    {
+        HalfEdgeId best = solid_.half_edge(l);
+        const auto distance = [&](HalfEdgeId h) { return std::abs(plane_.height(solid_.point(solid_.start(h)))); };
+        for (const HalfEdgeId h : solid_.chain(l))
+            if (distance(h) > distance(best)) best = h;
+        return solid_.point(solid_.start(best));
     }
 
     HalfEdgeId upward(VertexId v) const
@@ -123,16 +161,52 @@ private:
             up.push_back(upward(w));
         }
         std::vector<HalfEdgeId> down; // from each vertex's copy above to itself: edges of no length
-        for (const HalfEdgeId h : up) down.push_back(op_.mev(h, solid_.turn(h), solid_.point(solid_.start(h))).plus);
+        for (const HalfEdgeId h : up) {
+            const NewEdge edge = op_.mev(h, solid_.turn(h), solid_.point(solid_.start(h)));
+            down.push_back(edge.plus);
+            copies_.push_back(edge.vertex);
+        }
         for (std::size_t i = 0; i < up.size(); ++i) op_.mef(down[i], up[(i + 1) % up.size()]);
         for (std::size_t i = 1; i < down.size(); ++i) op_.kef(down[i]);
         done_.above.push_back(solid_.face(down.front()));
         done_.below.push_back(op_.mfkrh(op_.kemr(down.front())));
     }
 
+    /// Edges of no length, where the cut passed a vertex: what it made there falls into that vertex.
+    void take_away_null_edges()
+    {
+        for (const std::vector<VertexId>* made : {&on_plane_, &copies_})
+            for (const VertexId v : *made)
+                for (const HalfEdgeId h : solid_.fan(v))
+                    if (solid_.end(h) != v && solid_.point(solid_.end(h)) == solid_.point(v)) {
+                        op_.kev(h);
+                        break;
+                    }
+    }
+
+    /// Faces of one or two edges, and edges that nothing goes on from: they have no area.
+    void take_away_slits()
+    {
+        std::vector<FaceId> faces;
+        for (const FaceId f : solid_.faces()) faces.push_back(f);
+        for (bool is_changed = true; is_changed;) {
+            is_changed = false;
+            for (const FaceId f : faces) is_changed |= solid_.has(f) && take_away_slit(f);
+        }
+    }
+    bool take_away_slit(FaceId f)
+    {
+        const HalfEdgeId h = solid_.half_edge(solid_.outer(f)), next = solid_.next(h);
+        const bool is_narrow = solid_.next(next) == h;
+        if (!is_narrow || solid_.face(solid_.loop(solid_.mate(h))) == f) return false;
+        op_.kef(solid_.mate(h));
+        return true;
+    }
+
     /// A cut that runs the other way about lies in another one's face, as a ring.
     void nest(std::vector<FaceId>& lids, double outward)
     {
+        std::erase_if(lids, [&](FaceId f) { return !solid_.has(f); });
         std::vector<FaceId> outer, holes;
         for (const FaceId f : lids)
             (outward * dot(area_vector(solid_, f), plane_.normal) > 0.0 ? outer : holes).push_back(f);
@@ -158,8 +232,11 @@ private:
     EulerOperator& op_;
     const Solid& solid_;
     Plane plane_;
+    PlaneSides sides_;
     std::uint32_t first_on_ = 0; // vertices from this index on were made on the plane
     std::vector<VertexId> on_plane_;
+    std::vector<Vector> slope_;    // parallel to on_plane_
+    std::vector<VertexId> copies_; // of those, in the parts above
     std::vector<bool> is_done_;
     Split done_;
 };
@@ -168,15 +245,15 @@ private:
 
 std::optional<Refusal> why_not_split(const EulerOperator& op, const Plane& plane)
 {
-    for (const VertexId v : op.solid().vertices())
-        if (plane.height(op.solid().point(v)) == 0.0) return Refusal{.kind = RefusalKind::OnPlane, .entities = {v}};
-    return std::nullopt;
+    const auto torn = sides_of(op.solid(), plane).torn;
+    return torn ? std::optional(Refusal{.kind = RefusalKind::OnPlane, .entities = {*torn}}) : std::nullopt;
 }
 
 Split split(EulerOperator& op, const Plane& plane)
 {
-    if (const auto refusal = why_not_split(op, plane)) throw EulerError(*refusal);
-    return Cut(op, plane).take();
+    PlaneSides sides = sides_of(op.solid(), plane);
+    if (sides.torn) throw EulerError({.kind = RefusalKind::OnPlane, .entities = {*sides.torn}});
+    return Cut(op, plane, std::move(sides)).take();
 }
 
 } // namespace topology

@@ -2,18 +2,10 @@
 
 #include <vector>
 
-#include "topology/geometry/vector.h"
+#include "topology/geometry/plane.h"
 #include "topology/halfedge/operators/euler_operator.h"
 
 namespace topology {
-
-/// The points p with normal . (p - origin) = 0; above is where the normal points.
-struct Plane {
-    Point origin;
-    Vector normal{0.0, 0.0, 1.0};
-
-    double height(const Point& p) const { return dot(normal, p - origin); } ///< times the normal's length
-};
 
 /// The faces that close the parts at the plane.
 struct Split {
@@ -25,9 +17,10 @@ struct Split {
 ///
 /// SEMV where edges cross the plane, MEF or MEKR along each face's cut; then around each closed cut MEV and MEF make a
 /// band of no width, KEF and KEMR make one face of it, and MFKRH opens that into two. Where one cut lies inside
-/// another, KFMRH makes it a ring of that one's face. Assumes  planar faces, right side out; no vertex lies on the
-/// plane (move the plane a little) Source   the idea of null edges: M. Mantyla, An Introduction to Solid Modeling,
-/// chapter 14
+/// another, KFMRH makes it a ring of that one's face. A vertex on the plane is cut as if it lay a hair's breadth
+/// beside it (plane_sides.h); KEV and KEF then take away edges of no length and faces of no width.
+/// Assumes  planar faces, right side out; refused where faces in the plane meet at a vertex from both sides
+/// Source   the idea of null edges: [Mantyla1988, ch. 14]
 Split split(EulerOperator& op, const Plane& plane);
 std::optional<Refusal> why_not_split(const EulerOperator& op, const Plane& plane);
 

@@ -34,7 +34,7 @@ struct Sweep {
 /// Each corner grows a strut (MEV), two struts after each other are joined (MEF). The outer loop comes first, then the
 /// rings, oldest first, each from its own half-edge onward. A lone vertex grows a strut alone.
 /// Survive  f, as the moved face, and its rings; every old vertex and edge
-/// Source   M. Mantyla, An Introduction to Solid Modeling, program 12.3
+/// Source   [Mantyla1988, program 12.3]
 Sweep sweep(EulerOperator& op, FaceId f, const Vector& by);
 
 /// The same with any motion: the images of the face's vertices are where `image` puts them.

@@ -12,11 +12,13 @@ namespace {
 std::vector<VertexId> path(const Named& in, std::string_view word)
 {
     std::vector<VertexId> vertices;
-    while (true) {
-        const auto mark = word.find('>');
-        vertices.push_back(find_vertex(in, word.substr(0, mark)));
+    for (std::string_view rest = word;;) {
+        const auto mark = rest.find('>');
+        const std::string_view name = rest.substr(0, mark);
+        if (name.empty()) throw error(ScriptFault::BadCorner, {std::string(word)});
+        vertices.push_back(find_vertex(in, name));
         if (mark == std::string_view::npos) return vertices;
-        word.remove_prefix(mark + 1);
+        rest.remove_prefix(mark + 1);
     }
 }
 
@@ -31,27 +33,61 @@ bool follows(const Solid& solid, HalfEdgeId h, const std::vector<VertexId>& vert
     return true;
 }
 
-std::vector<HalfEdgeId> that_fit(const Solid& solid, std::optional<FaceId> f, const std::vector<VertexId>& vertices)
+/// All that start at the path's first vertex, in the order of its fan, and fit; no more than `most` of them.
+std::vector<HalfEdgeId> in_fan(const Solid& solid, std::optional<FaceId> f, const std::vector<VertexId>& vertices,
+                               std::size_t most)
 {
     std::vector<HalfEdgeId> found;
-    for (const HalfEdgeId h : solid.fan(vertices.front()))
+    for (const HalfEdgeId h : solid.fan(vertices.front())) {
+        if (found.size() == most) break;
         if ((!f || solid.face(h) == *f) && follows(solid, h, vertices)) found.push_back(h);
+    }
     return found;
 }
 
-std::string listed(const Named& in, const std::vector<HalfEdgeId>& halves)
+/// Whether the path has one half-edge that fits, and which. Where many edges meet at its first vertex few may meet at
+/// the second, so it is looked for from both in turn.
+std::optional<HalfEdgeId> only_one(const Solid& solid, std::optional<FaceId> f, const std::vector<VertexId>& vertices)
 {
-    constexpr std::size_t most = 8;
-    std::string text;
-    for (std::size_t i = 0; i < halves.size() && i < most; ++i)
-        text += (i == 0 ? "" : ", ") + in.names.of(halves[i], in.solid);
-    return halves.size() > most ? text + ", ..." : text;
+    const auto fits = [&](HalfEdgeId h) {
+        return solid.start(h) == vertices[0] && (!f || solid.face(h) == *f) && follows(solid, h, vertices);
+    };
+    const auto near = solid.fan(vertices[0]), far = solid.fan(vertices[vertices.size() > 1 ? 1 : 0]);
+    std::vector<HalfEdgeId> from_near, from_far;
+    auto a = near.begin();
+    auto b = far.begin();
+    for (; a != near.end() && b != far.end(); ++a, ++b) {
+        if (fits(*a)) from_near.push_back(*a);
+        if (const HalfEdgeId h = vertices.size() > 1 ? solid.prev(*b) : *b; fits(h)) from_far.push_back(h);
+        if (from_near.size() > 1 || from_far.size() > 1) return std::nullopt;
+    }
+    const std::vector<HalfEdgeId>& all = a == near.end() ? from_near : from_far;
+    return all.size() == 1 ? std::optional(all.front()) : std::nullopt;
 }
 
-HalfEdgeId the_one(const Named& in, const std::string& word, const std::vector<HalfEdgeId>& halves)
+constexpr std::size_t most_listed = 8;
+
+std::string listed(const Named& in, const std::vector<HalfEdgeId>& halves)
 {
-    if (halves.size() > 1) throw error(ScriptFault::Ambiguous, {word, listed(in, halves)});
-    return halves.front();
+    std::string text;
+    for (std::size_t i = 0; i < halves.size() && i < most_listed; ++i)
+        text += (i == 0 ? "" : ", ") + in.names.of(halves[i], in.solid);
+    return halves.size() > most_listed ? text + ", ..." : text;
+}
+
+/// Nothing where none fits. \throws LineError where several do
+std::optional<HalfEdgeId> the_one(const Named& in, std::optional<FaceId> f, const std::vector<VertexId>& vertices,
+                                  std::string_view word)
+{
+    if (const auto h = only_one(in.solid, f, vertices)) return h;
+    const std::vector<HalfEdgeId> halves = in_fan(in.solid, f, vertices, most_listed + 1);
+    if (halves.empty()) return std::nullopt;
+    throw error(ScriptFault::Ambiguous, {std::string(word), listed(in, halves)});
+}
+
+bool is_any(const Solid& solid, std::optional<FaceId> f, const std::vector<VertexId>& vertices)
+{
+    return !in_fan(solid, f, vertices, 1).empty();
 }
 
 HalfEdgeId in_face(const Named& in, std::optional<FaceId> f, HalfEdgeId h, std::string_view word)
@@ -91,11 +127,20 @@ HalfEdgeId find_corner(const Named& in, FaceId f, std::string_view word)
 {
     if (const auto h = find_numbered(in, word)) return in_face(in, f, *h, word);
     const std::vector<VertexId> vertices = path(in, word);
-    const std::vector<HalfEdgeId> halves = that_fit(in.solid, f, vertices);
-    if (!halves.empty()) return the_one(in, std::string(word), halves);
-    const bool is_vertex_there = !that_fit(in.solid, f, {vertices.front()}).empty();
-    if (is_vertex_there) throw error(ScriptFault::NoCornerInFace, {std::string(word), in.names.faces.of(f)});
+    if (const auto h = the_one(in, f, vertices, word)) return *h;
+    if (is_any(in.solid, f, {vertices.front()}))
+        throw error(ScriptFault::NoCornerInFace, {std::string(word), in.names.faces.of(f)});
     throw error(ScriptFault::NotInFace, {in.names.vertices.of(vertices.front()), in.names.faces.of(f)});
+}
+
+HalfEdgeId find_half_edge(const Named& in, std::string_view word)
+{
+    if (const auto h = find_numbered(in, word)) return *h;
+    const std::vector<VertexId> vertices = path(in, word);
+    if (const auto h = the_one(in, std::nullopt, vertices, word)) return *h;
+    if (vertices.size() > 2) throw error(ScriptFault::NoHalfEdge, {std::string(word), std::string(in.name)});
+    const NameList<VertexId>& names = in.names.vertices;
+    throw error(ScriptFault::NoEdgeBetween, {names.of(vertices[0]), names.of(vertices[1])});
 }
 
 HalfEdgeId find_half_edge(const Named& in, std::optional<FaceId> f, std::string_view from, std::string_view to)
@@ -107,9 +152,8 @@ HalfEdgeId find_half_edge(const Named& in, std::optional<FaceId> f, std::string_
     }
     const std::vector<VertexId> vertices{start, find_vertex(in, to)};
     const std::string word = std::string(from) + ">" + std::string(to);
-    const std::vector<HalfEdgeId> halves = that_fit(in.solid, f, vertices);
-    if (!halves.empty()) return the_one(in, word, halves);
-    if (f && !that_fit(in.solid, std::nullopt, vertices).empty())
+    if (const auto h = the_one(in, f, vertices, word)) return *h;
+    if (f && is_any(in.solid, std::nullopt, vertices))
         throw error(ScriptFault::NoCornerInFace, {word, in.names.faces.of(*f)});
     throw error(ScriptFault::NoEdgeBetween, {std::string(from), std::string(to)});
 }
@@ -120,7 +164,7 @@ std::string corner_word(const Named& in, HalfEdgeId h)
     std::vector<VertexId> vertices{solid.start(h)};
     std::string word = in.names.vertices.of(vertices.front());
     for (HalfEdgeId step = h; vertices.size() <= 3; step = solid.next(step)) {
-        if (that_fit(solid, solid.face(h), vertices).size() == 1) return word;
+        if (only_one(solid, solid.face(h), vertices)) return word;
         vertices.push_back(solid.end(step));
         word += ">" + in.names.vertices.of(vertices.back());
     }
@@ -129,7 +173,7 @@ std::string corner_word(const Named& in, HalfEdgeId h)
 
 std::string end_word(const Named& in, HalfEdgeId h, std::optional<FaceId> f)
 {
-    const bool is_alone = that_fit(in.solid, f, {in.solid.start(h), in.solid.end(h)}).size() == 1;
+    const bool is_alone = only_one(in.solid, f, {in.solid.start(h), in.solid.end(h)}).has_value();
     return is_alone ? in.names.vertices.of(in.solid.end(h)) : "%" + std::to_string(h.index + 1);
 }
 

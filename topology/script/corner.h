@@ -25,6 +25,9 @@ std::optional<HalfEdgeId> find_numbered(const Named& in, std::string_view word);
 /// next, "%7" by its number. \throws LineError if none fits, or several, which it lists
 HalfEdgeId find_corner(const Named& in, FaceId f, std::string_view word);
 
+/// The same in any face. \throws LineError
+HalfEdgeId find_half_edge(const Named& in, std::string_view word);
+
 /// The half-edge from one vertex to another, in face f where one is given; `to` may be the half-edge's number instead.
 /// \throws LineError as find_corner does
 HalfEdgeId find_half_edge(const Named& in, std::optional<FaceId> f, std::string_view from, std::string_view to);

@@ -8,6 +8,36 @@ namespace topology {
 
 namespace {
 
+/// A strut that is held just before a corner while a line is run that could not tell the two sides of the corner's
+/// vertex apart without it: where all edges are to be split off, or all of a loop by a closed edge.
+class HeldStrut {
+public:
+    /// \param taken  a name that the line in between makes
+    HeldStrut(const NamedSolid& in, HalfEdgeId corner, const std::string& taken) : corner_(corner)
+    {
+        const Wording before(in.named());
+        const VertexId v = in.solid.start(corner);
+        std::string tip = in.names.vertices.unused(in.names.vertices.of(v) + "'", in.solid);
+        if (tip == taken) tip = in.names.vertices.unused(tip + "'", in.solid);
+        made_ = "mev " + in.name + before.face_of(corner) + before.corner(corner) + " " + tip +
+                before.point(in.solid.point(v));
+        killed_ = "kev " + in.name + before.vertex(v) + " " + tip;
+        runner_.add({.name = in.name, .solid = in.solid, .journal = {}, .names = in.names});
+        runner_.run_line(made_);
+    }
+
+    Wording say() const { return Wording(with().named()); }
+    HalfEdgeId half() const { return with().solid.mate(with().solid.prev(corner_)); } ///< that starts at the vertex
+    std::vector<std::string> around(const std::string& line) const { return {made_, line, killed_}; }
+
+private:
+    const NamedSolid& with() const { return runner_.solids().front(); }
+
+    ScriptRunner runner_;
+    HalfEdgeId corner_;
+    std::string made_, killed_;
+};
+
 /// Says the inverse of a journal's last step. What the step killed is still read from the rows of the dead.
 class Inverse {
 public:
@@ -65,13 +95,13 @@ private:
     std::vector<std::string> vertex_unkilled() const
     {
         const HalfEdgeId plus = step_.first(), minus = step_.second();
-        const VertexId w = t_.start(plus), v = t_.start(minus);
+        const VertexId w = t_.start(plus);
         if (in_.solid.has(minus)) return {strut(minus, w, t_.vertices[w].point)}; // v is lone now
         const HalfEdgeId from = t_.next(minus), to = t_.next(plus);
         if (from == to) return {strut(from, w, t_.vertices[w].point)};
         if (in_.solid.has(to)) return {"split " + in_.name + say_.split(from, to) + with_point(w)};
-        return {strut(from, w, t_.vertices[v].point),
-                "move " + in_.name + say_.vertex(v) + say_.point(t_.vertices[w].point)};
+        const HeldStrut held(in_, from, in_.names.vertices.of(w));
+        return held.around("split " + in_.name + held.say().split(from, held.half()) + with_point(w));
     }
     std::string strut(HalfEdgeId corner, VertexId made, const Point& point) const
     {
@@ -104,7 +134,7 @@ private:
         std::vector<std::string> lines;
         if (was_ring)
             lines.push_back("mfkrh " + in_.name + say_.face(f) + say_.corner(t_.faces[dead].outer) + say_.face(dead));
-        lines.push_back(split_face(f) + made);
+        for (std::string& line : split_face(f, made)) lines.push_back(std::move(line));
         if (was_ring) lines.push_back("kfmrh " + in_.name + say_.face(dead) + made);
         for (LoopId l = t_.loops[dead_loop].next; l != dead_loop; l = t_.loops[l].next) {
             if (l != t_.faces[dead].outer)
@@ -113,14 +143,19 @@ private:
         }
         return lines;
     }
-    std::string split_face(FaceId f) const
+    std::vector<std::string> split_face(FaceId f, const std::string& made) const
     {
         const HalfEdgeId h = step_.first(), mate = step_.second();
         const bool is_lone = in_.solid.has(mate);
         const HalfEdgeId to = is_lone ? mate : t_.next(h), from = is_lone ? mate : t_.next(mate);
         const bool is_closed_from = from == mate, is_closed_to = to == h; // the edge alone was one of the two loops
-        return "mef " + in_.name + say_.face(f) + say_.corner(is_closed_from && !is_lone ? to : from) +
-               say_.corner(is_closed_to ? from : to);
+        if (is_closed_to && !is_closed_from) {                            // in the face that stays
+            const HeldStrut held(in_, from, "");
+            return held.around("mef " + in_.name + say_.face(f) + held.say().corner(from) +
+                               held.say().corner(held.half()) + made);
+        }
+        return {"mef " + in_.name + say_.face(f) + say_.corner(is_closed_from && !is_lone ? to : from) +
+                say_.corner(is_closed_to ? from : to) + made};
     }
 
     const NamedSolid& in_;

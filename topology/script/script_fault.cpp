@@ -18,6 +18,8 @@ std::string_view pattern(ScriptFault fault)
     case ScriptFault::NoHalfEdge: return "there is no half-edge {0} in {1}";
     case ScriptFault::NotInFace: return "{0} is not in face {1}";
     case ScriptFault::NoCornerInFace: return "there is no half-edge {0} in face {1}";
+    case ScriptFault::BadCorner:
+        return "{0} is no corner: a name is missing beside >; write v1, v1>v2, v1>v2>v3 or a number %7";
     case ScriptFault::NoEdgeBetween: return "there is no edge between {0} and {1}";
     case ScriptFault::Ambiguous: return "{0} fits several half-edges: {1}; name one of them by its number";
     case ScriptFault::WrongStart: return "{0} does not start at {1}";

@@ -24,6 +24,7 @@ enum class ScriptFault : std::uint8_t {
     NoHalfEdge,     ///< {0}, {1} solid
     NotInFace,      ///< {0} vertex, {1} face
     NoCornerInFace, ///< {0} corner, {1} face
+    BadCorner,      ///< {0}
     NoEdgeBetween,  ///< {0}, {1} vertices
     Ambiguous,      ///< {0}, {1} the half-edges that fit
     WrongStart,     ///< {0} half-edge, {1} vertex
@@ -33,7 +34,7 @@ enum class ScriptFault : std::uint8_t {
     NothingToUndo,  ///< {0} steps there are, {1} wanted
     NothingToRedo,  ///< {0} steps there are, {1} wanted
 };
-inline constexpr int n_script_faults = 21;
+inline constexpr int n_script_faults = 22;
 
 std::string_view pattern(ScriptFault fault); ///< English, with places {0} {1} {2}
 

@@ -22,13 +22,36 @@ namespace topology {
 ///
 /// The edge runs as its plus half does, so fL is the face of that half. What it cannot say: a ring, and a lone vertex.
 /// A face's row has one eI for each loop here, which the structure has not.
-/// Source   L. F. Martha and A. M. A. Pereira, Geometric and Solid Modeling, lecture, planar subdivision
-struct WingedTables {
-    std::vector<TableRow> vertices, faces, edges;
-};
-
+/// Source   [MarthaPereira], planar subdivision
+///
 /// `outside`, which the face around a planar subdivision may be, has number 0, the others then count from 1 without it.
-WingedTables winged_tables(const Solid& solid, std::optional<FaceId> outside = std::nullopt);
+/// Rows are made when they are asked for.
+class WingedTables {
+public:
+    WingedTables() = default; ///< of no solid: no rows
+    /// The solid must outlive the tables.
+    explicit WingedTables(const Solid& solid, std::optional<FaceId> outside = std::nullopt);
+
+    std::size_t n_vertices() const { return vertices_.size(); }
+    std::size_t n_faces() const { return faces_.size(); }
+    std::size_t n_edges() const { return edges_.size(); }
+    TableRow vertex(std::size_t row) const; ///< \pre row < n_vertices(), likewise of the others
+    TableRow face(std::size_t row) const;
+    TableRow edge(std::size_t row) const;
+    std::size_t most_loops() const { return most_loops_; } ///< of a face
+
+private:
+    std::size_t number(FaceId f) const;
+    TableCell face_cell(std::string_view label, HalfEdgeId h) const;
+    TableCell edge_cell(std::string_view label, HalfEdgeId h) const;
+
+    const Solid* solid_ = nullptr;
+    std::optional<FaceId> outside_;
+    std::vector<VertexId> vertices_;
+    std::vector<FaceId> faces_;
+    std::vector<EdgeId> edges_;
+    std::size_t most_loops_ = 0;
+};
 
 /// As three tables under their headings, vertices with their places.
 std::string winged_text(const Solid& solid, std::optional<FaceId> outside = std::nullopt);

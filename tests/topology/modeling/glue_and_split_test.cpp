@@ -8,10 +8,12 @@
 #include "topology/halfedge/check/shells.h"
 #include "topology/halfedge/check/validate.h"
 #include "topology/modeling/glue.h"
+#include "topology/modeling/lamina.h"
 #include "topology/modeling/mass_properties.h"
 #include "topology/modeling/primitives.h"
 #include "topology/modeling/shell_and_hole.h"
 #include "topology/modeling/split.h"
+#include "topology/modeling/sweep.h"
 
 using namespace topology;
 
@@ -169,14 +171,98 @@ TEST_SUITE("split")
         }
     }
 
-    TEST_CASE("A vertex on the plane is refused by name")
+    TEST_CASE("A cube is cut along its diagonal plane into two prisms, across a corner into a tetrahedron and the rest")
+    {
+        Solid halves, corner;
+        EulerOperator on_halves(halves), on_corner(corner);
+        add_block(on_halves, {0, 0, 0}, {2, 2, 2});
+        split(on_halves, {.origin = {0, 0, 7}, .normal = {1, -1, 0}});
+        validate(halves);
+        CHECK(euler_counts(halves) == EulerCounts{.V = 12, .E = 18, .F = 10, .L = 10, .S = 2, .G = 0});
+        for (const Shell& shell : shells(halves))
+            CHECK(mass_properties(halves, shell.faces).volume == doctest::Approx(4.0));
+        add_block(on_corner, {0, 0, 0}, {2, 2, 2});
+        split(on_corner, {.origin = {2, 0, 0}, .normal = {1, 1, 1}});
+        validate(corner);
+        CHECK(euler_counts(corner) == EulerCounts{.V = 4 + 7, .E = 6 + 12, .F = 4 + 7, .L = 4 + 7, .S = 2, .G = 0});
+        CHECK(mass_properties(corner, shells(corner).back().faces).volume +
+                  mass_properties(corner, shells(corner).front().faces).volume ==
+              doctest::Approx(8.0));
+    }
+
+    TEST_CASE("A plane that only touches a solid, at a vertex or a face, changes nothing")
     {
         Solid solid;
         EulerOperator op(solid);
         add_block(op, {0, 0, 0}, {2, 3, 5});
         const Solid before = solid;
-        CHECK_THROWS_WITH_AS(split(op, {.origin = {0, 0, 5}}), "v5 lies on the plane; move the plane a little",
+        for (const Plane& plane :
+             {Plane{{0, 0, 5}}, Plane{{0, 0, 0}}, Plane{{0, 0, 5}, {0, 0, -1}}, Plane{{2, 3, 5}, {1, 1, 1}},
+              Plane{{2, 3, 5}, {-1, -1, -1}}, Plane{{2, 3, 0}, {1, 1, 0}}, Plane{{2, 3, 0}, {-1, -1, 0}}}) {
+            const Split made = split(op, plane);
+            CHECK(made.above.empty());
+            CHECK(made.below.empty());
+            CHECK(solid == before);
+        }
+    }
+
+    TEST_CASE("At the height of a step the part that stands on it is cut off")
+    {
+        for (const double turned : {1.0, -1.0}) {
+            Solid solid;
+            EulerOperator op(solid);
+            const Lamina profile = lamina(op, {{0, 0, 0}, {0, 0, 2}, {1, 0, 2}, {1, 0, 1}, {2, 0, 1}, {2, 0, 0}});
+            sweep(op, profile.front, {0, 3, 0});
+            REQUIRE(mass_properties(solid).volume == doctest::Approx(9.0));
+            const Split made = split(op, {.origin = {0, 0, 1}, .normal = {0, 0, turned}});
+            validate(solid);
+            CHECK(shells(solid).size() == 2);
+            for (const Shell& shell : shells(solid)) {
+                const double volume = mass_properties(solid, shell.faces).volume;
+                CHECK((std::abs(volume - 3.0) < 1e-12 || std::abs(volume - 6.0) < 1e-12));
+            }
+            REQUIRE(made.above.size() == 1);
+            CHECK(area_vector(solid, made.above.front()).z == doctest::Approx(-3.0 * turned));
+        }
+    }
+
+    TEST_CASE("Planes through any three vertices cut blocks with holes and voids, tori and spheres soundly")
+    {
+        std::mt19937 random(7);
+        Solid torus, sphere;
+        EulerOperator on_torus(torus), on_sphere(sphere);
+        add_torus(on_torus, {.radius = 2.0, .tube = 0.7}, 11, 7);
+        add_sphere(on_sphere, 1.5, 8, 6);
+        for (const Solid& solid : {block_with_hole(), torus, sphere}) {
+            const auto any_vertex = [&] {
+                std::uniform_int_distribution<std::uint32_t> any(
+                    0, static_cast<std::uint32_t>(solid.vertices().n_rows()) - 1);
+                VertexId v{any(random)};
+                while (!solid.has(v)) v = VertexId{any(random)};
+                return solid.point(v);
+            };
+            for (int i = 0; i < 200; ++i) {
+                CAPTURE(i);
+                const Point p = any_vertex();
+                const Plane plane{.origin = p, .normal = cross(any_vertex() - p, any_vertex() - p)};
+                Solid copy = solid;
+                const EulerOperator op(copy);
+                if (length(plane.normal) > 1e-9 && !why_not_split(op, plane)) check_split(solid, plane);
+            }
+        }
+    }
+
+    TEST_CASE("A vertex whose faces in the plane bound parts on both sides is refused by its name")
+    {
+        Solid solid;
+        EulerOperator op(solid);
+        lamina(op, {{0, 0, 1}, {3, 0, 1}, {0, 2, 1}});
+        const Solid before = solid;
+        CHECK_THROWS_WITH_AS(split(op, {.origin = {0, 0, 1}}),
+                             "at v2 faces in the plane meet whose parts lie on both sides of it; move the plane a "
+                             "little",
                              EulerError);
         CHECK(solid == before);
+        CHECK(!why_not_split(op, {.origin = {0, 0, 2}}));
     }
 }

@@ -15,18 +15,21 @@ TEST_SUITE("compared tables")
         const NewEdge edge = op.mev(op.mvfs({0, 0, 0}).half_edge, {1, 0, 0});
         Solid after = before;
         EulerOperator(after).mev(edge.plus, {2, 0, 0});
-        const ComparedTables both = compared(entity_tables(before), entity_tables(after));
+        const ComparedTables both{EntityRows(before), EntityRows(after)};
+        const auto new_row = [&](TableKind kind, std::size_t i) { return *both(kind, i).after; };
 
-        const auto& halves = both.after[TableKind::HalfEdges];
-        CHECK(halves[2].mark == RowMark::Created);
-        CHECK(halves[0].mark == RowMark::Changed);
-        CHECK(line_text(halves[0]) == "H = 1 (V = 1, E = 1, L = 1) N = 3 P = 2");
-        CHECK(halves[0].cells[3].is_changed);
-        CHECK_FALSE(halves[0].cells[4].is_changed);
-        CHECK(both.before[TableKind::HalfEdges][0].cells[3].is_changed);
-        CHECK(both.after[TableKind::Loops][0].mark == RowMark::Same);
-        CHECK(both.after[TableKind::Vertices][0].mark == RowMark::Same);
-        CHECK(both.after[TableKind::Vertices][1].cells[2].is_changed); // P = 3
+        const TableRow first = new_row(TableKind::HalfEdges, 0);
+        CHECK(new_row(TableKind::HalfEdges, 2).mark == RowMark::Created);
+        CHECK(first.mark == RowMark::Changed);
+        CHECK(line_text(first) == "H = 1 (V = 1, E = 1, L = 1) N = 3 P = 2");
+        CHECK(first.cells[3].is_changed);
+        CHECK_FALSE(first.cells[4].is_changed);
+        CHECK(both(TableKind::HalfEdges, 0).before->cells[3].is_changed);
+        CHECK(new_row(TableKind::Loops, 0).mark == RowMark::Same);
+        CHECK(new_row(TableKind::Vertices, 0).mark == RowMark::Same);
+        CHECK(new_row(TableKind::Vertices, 1).cells[2].is_changed); // P = 3
+        CHECK_FALSE(both.first_changed(TableKind::Loops));
+        CHECK(both.first_changed(TableKind::Vertices) == 1);
     }
 
     TEST_CASE("What an operator kills is marked in the table before it, and its inverse swaps the marks")
@@ -36,12 +39,12 @@ TEST_SUITE("compared tables")
         const NewEdge edge = op.mev(op.mvfs({0, 0, 0}).half_edge, {1, 0, 0});
         Solid without = with;
         EulerOperator(without).kev(edge.plus);
-        const ComparedTables kill = compared(entity_tables(with), entity_tables(without));
-        const ComparedTables make = compared(entity_tables(without), entity_tables(with));
-        CHECK(kill.before[TableKind::Vertices][1].mark == RowMark::Killed);
-        CHECK(make.after[TableKind::Vertices][1].mark == RowMark::Created);
-        CHECK(kill.after[TableKind::Edges][0].number == 0); // the row that says that there is none
-        CHECK(kill.after[TableKind::Edges][0].mark == RowMark::Created);
+        const ComparedTables kill{EntityRows(with), EntityRows(without)};
+        const ComparedTables make{EntityRows(without), EntityRows(with)};
+        CHECK(kill(TableKind::Vertices, 1).before->mark == RowMark::Killed);
+        CHECK(make(TableKind::Vertices, 1).after->mark == RowMark::Created);
+        CHECK(kill(TableKind::Edges, 0).after->number == 0); // the row that says that there is none
+        CHECK(kill(TableKind::Edges, 0).after->mark == RowMark::Created);
     }
 
     TEST_CASE("Every link of a cell leads to the entity of its number")

@@ -110,12 +110,12 @@ TEST_SUITE("winged edge")
         const HalfEdgeId a = op.mev(first.half_edge, {4, 0, 0}).plus, b = op.mev(a, {0, 4, 0}).plus;
         op.mef(first.half_edge, b);
         op.mvr(first.face, {1, 1, 0});
-        const WingedTables tables = winged_tables(solid);
-        CHECK(tables.vertices.back().cells.front().number == 0);
-        CHECK_FALSE(tables.vertices.back().cells.front().link);
-        CHECK(tables.faces.front().cells.size() == 2);
-        CHECK(tables.faces.front().cells.back().number == 0);
-        CHECK(tables.edges.front().cells.size() == 8);
-        CHECK(*tables.edges.front().cells.front().link == Entity(solid.start(solid.plus(EdgeId{0}))));
+        const WingedTables tables(solid);
+        CHECK(tables.vertex(tables.n_vertices() - 1).cells.front().number == 0);
+        CHECK_FALSE(tables.vertex(tables.n_vertices() - 1).cells.front().link);
+        CHECK(tables.face(0).cells.size() == 2);
+        CHECK(tables.face(0).cells.back().number == 0);
+        CHECK(tables.edge(0).cells.size() == 8);
+        CHECK(*tables.edge(0).cells.front().link == Entity(solid.start(solid.plus(EdgeId{0}))));
     }
 }

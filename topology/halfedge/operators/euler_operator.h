@@ -47,7 +47,7 @@ struct Bridge {
 /// half-edge names a corner: the place in its loop just before it, at the vertex where it starts. Cost     the
 /// half-edges that change their vertex or loop; no operator looks at the whole solid, but RINGMV, which
 ///          searches outward from both faces until they meet
-/// Source   M. Mantyla, An Introduction to Solid Modeling, chapters 9 and 11
+/// Source   [Mantyla1988, ch. 9 and 11]
 class EulerOperator {
 public:
     explicit EulerOperator(Solid& solid) : solid_(&solid) {}

@@ -41,7 +41,8 @@ std::string_view pattern(RefusalKind kind)
                "vertex";
     case RefusalKind::NoShellAndHole:
         return "with the ring {0} and the faces {1} and {2} the shells and the handles do not change by one each";
-    case RefusalKind::OnPlane: return "{0} lies on the plane; move the plane a little";
+    case RefusalKind::OnPlane:
+        return "at {0} faces in the plane meet whose parts lie on both sides of it; move the plane a little";
     }
     return "";
 }
