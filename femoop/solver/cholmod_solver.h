@@ -10,7 +10,7 @@ bool has_cholmod();
 
 /// SuiteSparse's supernodal L L': dense blocks through the BLAS, for large systems. Its supernodal module is GPL, so it
 /// is optional and shows in no public header; nothing where the library is built without it.
-/// Source  Y. Chen, T. Davis, W. Hager, S. Rajamanickam, "Algorithm 887: CHOLMOD", ACM Trans. Math. Softw. 35 (2008) 22
+/// Source  [ChenDavis2008]
 std::unique_ptr<SymmetricSolver> make_cholmod_solver();
 
 } // namespace femoop

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "femoop/solver/cholmod_solver.h"
+#include "femoop/solver/index.h"
 #include "femoop/solver/ordering.h"
 
 namespace femoop {
@@ -12,14 +12,9 @@ namespace femoop {
 namespace {
 
 // Measured: courseware/decisions/0009-the-profile-decides.md
-constexpr std::size_t largest_profile = 50000;   // unknowns: of more the profile is not looked at
-constexpr double most_work_beside_cholmod = 2e7; // within the profile, where CHOLMOD is there
-constexpr double most_work_beside_ldlt = 1e9;    // where it is not
-constexpr double wide = 150.0;                   // mean height of the profile: dissection beats minimum degree
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-bool suits_profile(double work) { return work <= (has_cholmod() ? most_work_beside_cholmod : most_work_beside_ldlt); }
+constexpr std::size_t largest_profile = 50000; // unknowns: of more the profile is not looked at
+constexpr double most_work = 2e7;              // within the profile
+constexpr double wide = 150.0;                 // mean height of the profile: dissection beats minimum degree
 
 } // namespace
 
@@ -44,14 +39,12 @@ double profile_work(const BlockGraph& graph, const BlockAdjacency& adjacency, co
 EliminationPlan plan_elimination(SolverKind wanted, const BlockGraph& graph, const BlockAdjacency& adjacency)
 {
     const std::size_t n = graph.n_unknowns();
-    const SolverKind sparse = wanted != SolverKind::Automatic ? wanted
-                              : has_cholmod()                 ? SolverKind::Cholmod
-                                                              : SolverKind::Ldlt;
+    const SolverKind sparse = wanted == SolverKind::Automatic ? SolverKind::Multifrontal : wanted;
     bool is_wide = true;
     if (wanted == SolverKind::Skyline || n <= largest_profile) {
         std::vector<std::int32_t> narrow = elimination_order(adjacency, Ordering::CuthillMcKee);
         const double work = profile_work(graph, adjacency, narrow);
-        if (wanted == SolverKind::Skyline || (wanted == SolverKind::Automatic && suits_profile(work)))
+        if (wanted == SolverKind::Skyline || (wanted == SolverKind::Automatic && work <= most_work))
             return {.solver = SolverKind::Skyline, .order = std::move(narrow)};
         is_wide = work > wide * wide * static_cast<double>(n);
     }

@@ -7,14 +7,14 @@
 #include <limits>
 #include <optional>
 
+#include "femoop/solver/index.h"
+
 namespace femoop {
 
 namespace {
 
 constexpr std::size_t smallest_part = 4; // such few blocks are eliminated as they come
 constexpr double slanted = 0.97;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// The mean distance of neighbours along each axis, of those that differ in it: bays and storeys count alike.
 Eigen::Vector3d mean_steps(const BlockAdjacency& adjacency, std::span<const Eigen::Vector3d> positions)

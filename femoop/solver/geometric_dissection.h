@@ -23,7 +23,7 @@ struct Dissection {
 ///        that pieces o \ o o o o o o      are lozenges, and a lozenge has twice the nodes of a square with the same
 ///        perimeter.
 ///
-/// Source  A. George, "Nested dissection of a regular finite element mesh", SIAM J. Numer. Anal. 10 (1973) 345
+/// Source  [George1973]
 /// \pre a position for every block
 Dissection geometric_dissection(const BlockAdjacency& adjacency, std::span<const Eigen::Vector3d> positions);
 

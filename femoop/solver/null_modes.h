@@ -32,15 +32,14 @@ struct NullModes {
 ///           quotients of K itself; then elimination with pivoting separates the motions
 /// Time      grows with the square of the number of motions; `most` of them end the search, which is not complete then
 /// Accuracy  eigenvalues below `zero_tolerance` count as zero; those of a free motion come out near 1e-16
-/// Source    B. Parlett, The Symmetric Eigenvalue Problem, 1998, ch. 14
+/// Source    [Parlett1998, ch. 14]
 NullModes null_modes(const SparseMatrix& K, double zero_tolerance = 1e-14,
                      Eigen::Index most = std::numeric_limits<Eigen::Index>::max() - 1);
 
 /// Estimate of the condition number in the 1-norm of K scaled to a unit diagonal, from a few solves; seldom less than a
 /// third of the true number, never more.
 /// \pre `solver` holds the factorization of K.
-/// Source  N. Higham, "FORTRAN codes for estimating the one-norm of a real or complex matrix, with applications to
-///         condition estimation", ACM Trans. Math. Softw. 14 (1988) 381
+/// Source  [Higham1988]
 double condition_estimate(const SymmetricSolver& solver, const SparseMatrix& K);
 
 } // namespace femoop

@@ -8,15 +8,15 @@
 #include <utility>
 
 #include "femoop/solver/cholmod_ordering.h"
+#include "femoop/solver/elimination_tree.h"
 #include "femoop/solver/geometric_dissection.h"
+#include "femoop/solver/index.h"
 
 namespace femoop {
 
 namespace {
 
 constexpr std::int32_t none = -1;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Breadth-first levels from a block: appends the blocks reached to `queue` (fewest neighbours first among those that
 /// one block discovers) and returns where the last level starts.
@@ -124,36 +124,29 @@ std::vector<std::int32_t> postordered(const std::vector<std::int32_t>& order, co
 
 } // namespace
 
+namespace {
+
+/// The neighbours of a place in an order, as places.
+auto places_beside(const BlockAdjacency& adjacency, const std::vector<std::int32_t>& order)
+{
+    return [&adjacency, &order, position = inverse(order)](std::int32_t k, const auto& visit) {
+        for (const std::int32_t neighbour : adjacency.of(order[at(k)])) visit(position[at(neighbour)]);
+    };
+}
+
+} // namespace
+
 std::vector<std::int32_t> elimination_tree(const BlockAdjacency& adjacency, const std::vector<std::int32_t>& order)
 {
-    const std::vector<std::int32_t> position = inverse(order);
-    std::vector<std::int32_t> parent(order.size(), none);
-    std::vector<std::int32_t> ancestor(order.size(), none);
-    for (std::size_t k = 0; k < order.size(); ++k)
-        for (const std::int32_t neighbour : adjacency.of(order[k]))
-            for (std::int32_t i = position[at(neighbour)]; i != none && i < static_cast<std::int32_t>(k);) {
-                const std::int32_t next = ancestor[at(i)];
-                ancestor[at(i)] = static_cast<std::int32_t>(k); // shortens the path for those who come later
-                if (next == none) parent[at(i)] = static_cast<std::int32_t>(k);
-                i = next;
-            }
-    return parent;
+    return grown_tree(order.size(), places_beside(adjacency, order));
 }
 
 double elimination_cost(const BlockAdjacency& adjacency, const std::vector<std::int32_t>& order)
 {
-    const std::vector<std::int32_t> position = inverse(order);
-    const std::vector<std::int32_t> parent = elimination_tree(adjacency, order);
+    const auto neighbours = places_beside(adjacency, order);
     std::vector<std::int32_t> count(order.size(), 1);
-    std::vector<std::int32_t> seen_in_row(order.size(), none);
-    for (std::int32_t k = 0; k < static_cast<std::int32_t>(order.size()); ++k) {
-        seen_in_row[at(k)] = k;
-        for (const std::int32_t neighbour : adjacency.of(order[at(k)])) // row k of L: paths up the tree to k
-            for (std::int32_t i = position[at(neighbour)]; i < k && seen_in_row[at(i)] != k; i = parent[at(i)]) {
-                ++count[at(i)];
-                seen_in_row[at(i)] = k;
-            }
-    }
+    visit_factor(grown_tree(order.size(), neighbours), neighbours,
+                 [&](std::int32_t, std::int32_t i) { ++count[at(i)]; });
     const auto add_square = [](double sum, std::int32_t c) { return sum + static_cast<double>(c) * c; };
     return std::accumulate(count.begin(), count.end(), 0.0, add_square);
 }

@@ -18,12 +18,12 @@ enum class Ordering : std::uint8_t {
 
 /// The blocks in the order of elimination; for MinimumDegree and NestedDissection a postorder of the elimination tree,
 /// so that columns of one supernode are neighbours. `positions` of the blocks may be empty.
-/// Source  A. George and J. Liu, Computer Solution of Large Sparse Positive Definite Systems, 1981, ch. 4 and 5
+/// Source  [GeorgeLiu1981, ch. 4 and 5]
 std::vector<std::int32_t> elimination_order(const BlockAdjacency& adjacency, Ordering ordering,
                                             std::span<const Eigen::Vector3d> positions = {});
 
 /// The elimination tree of the blocks eliminated as numbered by `order`: the parent of each position, or -1.
-/// Source  J. Liu, "The role of elimination trees in sparse factorization", SIAM J. Matrix Anal. Appl. 11 (1990) 134
+/// Source  [Liu1990]
 std::vector<std::int32_t> elimination_tree(const BlockAdjacency& adjacency, const std::vector<std::int32_t>& order);
 
 /// What elimination in this order costs, in multiplications of one block with another: the sum of squares of the

@@ -16,7 +16,7 @@ namespace femoop {
 ///       x . x
 ///           x x
 ///
-/// Source  K.-J. Bathe, Finite Element Procedures, 1996, section 8.2.3
+/// Source  [Bathe1996, sec. 8.2.3]
 class SkylineSolver final : public SymmetricSolver {
 public:
     std::size_t factor_nonzeros() const override { return entries_.size() + d_.size(); }

@@ -12,7 +12,8 @@ struct Named {
     SolverKind kind;
     std::string_view name;
 };
-constexpr std::array<Named, 4> named{{{SolverKind::Automatic, "automatic"},
+constexpr std::array<Named, 5> named{{{SolverKind::Automatic, "automatic"},
+                                      {SolverKind::Multifrontal, "multifrontal"},
                                       {SolverKind::Skyline, "skyline"},
                                       {SolverKind::Ldlt, "ldlt"},
                                       {SolverKind::Cholmod, "cholmod"}}};

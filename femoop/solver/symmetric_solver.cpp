@@ -7,6 +7,7 @@
 #include "femoop/solver/cholmod_solver.h"
 #include "femoop/solver/elimination_plan.h"
 #include "femoop/solver/ldlt_solver.h"
+#include "femoop/solver/multifrontal/multifrontal_solver.h"
 #include "femoop/solver/skyline_solver.h"
 
 namespace femoop {
@@ -35,6 +36,13 @@ bool Pivots::note(std::int32_t equation, double pivot, double diagonal)
         weakest = equation;
     }
     return is_positive_definite;
+}
+
+void Pivots::take(const Pivots& later)
+{
+    if (!is_positive_definite || later.weakest == SystemPattern::none) return;
+    const bool is_weaker = weakest == SystemPattern::none || later.smallest_ratio < smallest_ratio;
+    if (is_weaker || !later.is_positive_definite) *this = later;
 }
 
 void SymmetricSolver::analyse(const SystemPattern& pattern)
@@ -89,6 +97,7 @@ std::unique_ptr<SymmetricSolver> make_solver(SolverKind kind)
 {
     std::unique_ptr<SymmetricSolver> solver;
     if (kind == SolverKind::Skyline) solver = std::make_unique<SkylineSolver>();
+    if (kind == SolverKind::Multifrontal) solver = std::make_unique<MultifrontalSolver>();
     if (kind == SolverKind::Ldlt) solver = std::make_unique<LdltSolver>();
     if (kind == SolverKind::Cholmod) solver = make_cholmod_solver();
     if (!solver) throw std::invalid_argument("make_solver: there is no solver \"" + std::string(name(kind)) + '"');

@@ -23,6 +23,8 @@ struct Pivots {
 
     /// Takes note of a pivot; false if it is not positive, and elimination must stop.
     bool note(std::int32_t equation, double pivot, double diagonal);
+    /// Takes note of what was eliminated after this, independent of it.
+    void take(const Pivots& later);
 };
 
 /// Solves K x = b for a symmetric positive definite sparse K, in three steps that can be repeated from any of them:

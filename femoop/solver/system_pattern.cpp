@@ -6,14 +6,9 @@
 #include <utility>
 
 #include "femoop/solver/elimination_plan.h"
+#include "femoop/solver/index.h"
 
 namespace femoop {
-
-namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-} // namespace
 
 SystemPattern::SystemPattern(const BlockGraph& graph)
     : block_sizes_(graph.block_sizes), clique_start_(graph.clique_start), clique_blocks_(graph.clique_blocks)

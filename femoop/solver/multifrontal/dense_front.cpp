@@ -1,0 +1,23 @@
+#include "femoop/solver/multifrontal/dense_front.h"
+
+#include "femoop/solver/multifrontal/dense_kernel.h"
+
+namespace femoop {
+
+const TileWorkers one_by_one{nullptr, [](void*, std::int32_t n, void (*work)(void*, std::int32_t), void* context) {
+                                 for (std::int32_t tile = 0; tile < n; ++tile) work(context, tile);
+                             }};
+
+const DenseKernel& dense_kernel()
+{
+    static const DenseKernel kernel = [] {
+#ifdef FEMOOP_HAS_AVX2_KERNEL
+        if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+            return DenseKernel{.eliminate = &avx2::eliminate, .name = "avx2"};
+#endif
+        return DenseKernel{.eliminate = &baseline::eliminate, .name = "baseline"};
+    }();
+    return kernel;
+}
+
+} // namespace femoop

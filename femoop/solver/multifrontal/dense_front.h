@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace femoop {
+
+/// The dense matrix of a front, by columns, lower triangle: the columns of L that it becomes, and what is left.
+///
+///      n_pivots  n_updated
+///     [ pivots |         ]   `panel` [n_rows x n_pivots], n_rows high
+///     [ below  | updated ]   `update` [n_updated x n_updated], n_updated high
+struct DenseFront {
+    double* panel;
+    double* update;
+    std::int32_t n_pivots;
+    std::int32_t n_rows;
+};
+
+/// Numbers that the elimination of a front needs beside it.
+inline std::size_t workspace_size(std::int32_t n_pivots, std::int32_t n_rows)
+{
+    return static_cast<std::size_t>(n_pivots) * static_cast<std::size_t>(n_rows);
+}
+
+/// Whoever works through the tiles of a large front: work(context, tile) for all of them, in any order or at a time.
+struct TileWorkers {
+    void* self;
+    void (*for_each)(void* self, std::int32_t n_tiles, void (*work)(void* context, std::int32_t tile), void* context);
+};
+
+/// One tile after the other, in the thread that calls.
+extern const TileWorkers one_by_one;
+
+/// Dense elimination, made for one kind of processor. The same numbers come out bit for bit whoever does the tiles.
+struct DenseKernel {
+    /// Eliminates the pivots: the panel becomes the columns of L, whose diagonal of ones gives its place to D, where
+    /// K = L D L'; update -= below pivots^-1 below'. Returns how many pivots it eliminated: fewer than all if one was
+    /// zero or not finite. That one stands on the diagonal, and nothing after it is worth anything.
+    std::int32_t (*eliminate)(const DenseFront& front, double* workspace, const TileWorkers& workers);
+    std::string_view name; ///< "avx2" or "baseline"
+};
+
+/// The fastest that this processor can run.
+const DenseKernel& dense_kernel();
+
+} // namespace femoop

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "femoop/solver/multifrontal/dense_front.h"
+
+// What is compiled for one kind of processor each; see dense_kernel.cpp.
+namespace femoop::baseline {
+std::int32_t eliminate(const DenseFront& front, double* workspace, const TileWorkers& workers);
+}
+namespace femoop::avx2 {
+std::int32_t eliminate(const DenseFront& front, double* workspace, const TileWorkers& workers);
+}

@@ -1,0 +1,245 @@
+#include "femoop/solver/multifrontal/front_factorization.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "femoop/solver/index.h"
+#include "femoop/solver/multifrontal/dense_front.h"
+#include "femoop/solver/multifrontal/schedule.h"
+
+namespace femoop {
+
+namespace {
+
+using Front = FrontTree::Front;
+using Numbers = std::unique_ptr<double[]>;
+
+constexpr std::int32_t none = FrontTree::none;
+constexpr std::int32_t columns_at_once = 128; // of a large front that a member of the team assembles
+
+std::size_t update_size(const Front& front) { return at(front.n_updated()) * at(front.n_updated()); }
+
+/// Memory that is taken and given back in the order of a stack.
+class Stack {
+public:
+    explicit Stack(std::size_t size) : numbers_(std::make_unique_for_overwrite<double[]>(size)) {}
+    double* push(std::size_t n) { return numbers_.get() + std::exchange(top_, top_ + n); }
+    double* pop(std::size_t n) { return numbers_.get() + (top_ -= n); }
+
+private:
+    Numbers numbers_;
+    std::size_t top_ = 0;
+};
+
+/// Update matrices of a subtree wait for their parents on two stacks, by depth: a front takes its place on one while
+/// its children's matrices lie on top of the other.
+class Depths {
+public:
+    explicit Depths(const std::vector<Front>& fronts) : is_odd_(fronts.size(), false)
+    {
+        for (std::size_t f = fronts.size(); f-- > 0;)
+            if (fronts[f].parent != none) is_odd_[f] = !is_odd_[at(fronts[f].parent)];
+    }
+    std::size_t side(std::int32_t front) const { return is_odd_[at(front)] ? 1 : 0; }
+
+private:
+    std::vector<bool> is_odd_;
+};
+
+/// What a member of the team works with.
+struct Bench {
+    std::array<Stack, 2> stacks;
+    Numbers workspace;
+    std::vector<std::int32_t> place; ///< of an equation in the present front
+};
+
+class Factorization {
+public:
+    Factorization(const FrontTree& tree, const SparseMatrix& K, double* entries, Team& team)
+        : tree_(tree),
+          fronts_(tree.fronts()),
+          K_(K),
+          entries_(entries),
+          team_(team),
+          schedule_(tree, team.size()),
+          depths_(fronts_),
+          handed_up_(fronts_.size())
+    {}
+
+    Pivots run()
+    {
+        std::vector<Bench> benches = make_benches();
+        std::vector<Pivots> pivots(schedule_.tasks.size());
+        team_.for_each(static_cast<std::int32_t>(pivots.size()), [&](std::int32_t task, int member) {
+            pivots[at(task)] = eliminate_task(schedule_.tasks[at(task)], benches[at(member)]);
+        });
+        Pivots all;
+        for (const Pivots& of_task : pivots) all.take(of_task);
+        for (std::size_t i = 0; i < schedule_.top.size() && all.is_positive_definite; ++i)
+            eliminate_top(schedule_.top[i], benches.front(), all);
+        return all;
+    }
+
+private:
+    bool waits_in_task(const Front& front, const Schedule::Task& task) const
+    {
+        return front.parent != none && task.contains(front.parent);
+    }
+
+    /// Numbers that any task holds at a time on either stack.
+    std::array<std::size_t, 2> stack_sizes() const
+    {
+        std::array<std::size_t, 2> most{0, 0};
+        for (const Schedule::Task& task : schedule_.tasks) {
+            std::array<std::size_t, 2> held{0, 0};
+            for (std::int32_t f = task.first; f < task.end; ++f) {
+                const std::size_t side = depths_.side(f);
+                if (waits_in_task(fronts_[at(f)], task)) held[side] += update_size(fronts_[at(f)]);
+                most[side] = std::max(most[side], held[side]);
+                for (std::int32_t c = fronts_[at(f)].first_child; c != none; c = fronts_[at(c)].next_sibling)
+                    held[1 - side] -= update_size(fronts_[at(c)]);
+            }
+        }
+        return most;
+    }
+
+    /// One for each member of the team, with room for every task.
+    std::vector<Bench> make_benches() const
+    {
+        const std::array<std::size_t, 2> most = stack_sizes();
+        std::size_t workspace = 0;
+        for (const Front& front : fronts_)
+            workspace = std::max(workspace, workspace_size(front.n_pivots, front.n_rows));
+        std::vector<Bench> benches;
+        for (int member = 0; member < team_.size(); ++member)
+            benches.push_back({.stacks = {Stack(most[0]), Stack(most[1])},
+                               .workspace = std::make_unique_for_overwrite<double[]>(workspace),
+                               .place = std::vector<std::int32_t>(tree_.n_equations())});
+        return benches;
+    }
+
+    DenseFront dense(const Front& front, double* update) const
+    {
+        return {.panel = entries_ + front.first_entry,
+                .update = update,
+                .n_pivots = front.n_pivots,
+                .n_rows = front.n_rows};
+    }
+
+    double* hand_up(std::int32_t f)
+    {
+        handed_up_[at(f)] = std::make_unique_for_overwrite<double[]>(update_size(fronts_[at(f)]));
+        return handed_up_[at(f)].get();
+    }
+
+    Pivots eliminate_task(const Schedule::Task& task, Bench& bench)
+    {
+        Pivots pivots;
+        for (std::int32_t f = task.first; f < task.end && pivots.is_positive_definite; ++f) {
+            const Front& front = fronts_[at(f)];
+            const std::size_t side = depths_.side(f);
+            const DenseFront here = dense(
+                front, waits_in_task(front, task) ? bench.stacks[side].push(update_size(front)) : hand_up(f));
+            find_places(front, bench);
+            add_columns(here, front, 0, front.n_rows, bench.place);
+            for (std::int32_t c = front.first_child; c != none; c = fronts_[at(c)].next_sibling)
+                add_child(here, c, bench.stacks[1 - side].pop(update_size(fronts_[at(c)])), 0, front.n_rows);
+            note(here, front, kernel_.eliminate(here, bench.workspace.get(), one_by_one), pivots);
+        }
+        return pivots;
+    }
+
+    /// A large front: all work on it together.
+    void eliminate_top(std::int32_t f, Bench& bench, Pivots& pivots)
+    {
+        const Front& front = fronts_[at(f)];
+        const DenseFront here = dense(front, hand_up(f));
+        find_places(front, bench);
+        team_.for_each((front.n_rows + columns_at_once - 1) / columns_at_once, [&](std::int32_t part, int) {
+            const std::int32_t begin = part * columns_at_once, end = std::min(front.n_rows, begin + columns_at_once);
+            add_columns(here, front, begin, end, bench.place);
+            for (std::int32_t c = front.first_child; c != none; c = fronts_[at(c)].next_sibling)
+                add_child(here, c, handed_up_[at(c)].get(), begin, end);
+        });
+        for (std::int32_t c = front.first_child; c != none; c = fronts_[at(c)].next_sibling) handed_up_[at(c)].reset();
+        const TileWorkers together{
+            &team_, [](void* team, std::int32_t n, void (*work)(void*, std::int32_t), void* context) {
+                static_cast<Team*>(team)->for_each(n, [&](std::int32_t tile, int) { work(context, tile); });
+            }};
+        note(here, front, kernel_.eliminate(here, bench.workspace.get(), together), pivots);
+    }
+
+    void find_places(const Front& front, Bench& bench) const
+    {
+        const std::span<const std::int32_t> rows = tree_.rows(front);
+        for (std::size_t i = 0; i < rows.size(); ++i) bench.place[at(rows[i])] = static_cast<std::int32_t>(i);
+    }
+
+    /// Column j of a front's lower triangle, to be indexed with its rows.
+    static double* column(const DenseFront& front, std::int32_t j)
+    {
+        const std::int32_t u = j - front.n_pivots;
+        return u < 0 ? front.panel + at(j) * at(front.n_rows)
+                     : front.update + at(u) * at(front.n_rows - front.n_pivots) - front.n_pivots;
+    }
+
+    /// Of K, in the columns begin .. end - 1 of the front, which were undefined.
+    void add_columns(const DenseFront& here, const Front& front, std::int32_t begin, std::int32_t end,
+                     const std::vector<std::int32_t>& place) const
+    {
+        const std::span<const std::int32_t> rows = tree_.rows(front);
+        for (std::int32_t j = begin; j < end; ++j) {
+            double* const entries = column(here, j);
+            std::fill(entries + j, entries + front.n_rows, 0.0);
+            if (j >= front.n_pivots) continue;
+            const std::int32_t equation = rows[at(j)];
+            for (std::int32_t k = K_.outerIndexPtr()[equation]; k < K_.outerIndexPtr()[equation + 1]; ++k)
+                entries[place[at(K_.innerIndexPtr()[k])]] += K_.valuePtr()[k];
+        }
+    }
+
+    /// A child's update matrix, where it falls into the columns begin .. end - 1 of its parent.
+    void add_child(const DenseFront& here, std::int32_t c, const double* update, std::int32_t begin,
+                   std::int32_t end) const
+    {
+        const std::span<const std::int32_t> places = tree_.places_in_parent(fronts_[at(c)]);
+        const std::size_t n = places.size();
+        const auto from = static_cast<std::size_t>(std::ranges::lower_bound(places, begin) - places.begin());
+        for (std::size_t j = from; j < n && places[j] < end; ++j) {
+            double* const entries = column(here, places[j]);
+            const double* const given = update + j * n;
+            for (std::size_t i = j; i < n; ++i) entries[places[i]] += given[i];
+        }
+    }
+
+    void note(const DenseFront& here, const Front& front, std::int32_t done, Pivots& pivots) const
+    {
+        const std::span<const std::int32_t> rows = tree_.rows(front);
+        for (std::int32_t i = 0; i < std::min(done + 1, front.n_pivots); ++i) {
+            const double diagonal = K_.valuePtr()[K_.outerIndexPtr()[rows[at(i)]]];
+            if (!pivots.note(rows[at(i)], column(here, i)[i], diagonal)) return;
+        }
+    }
+
+    const FrontTree& tree_;
+    const std::vector<Front>& fronts_;
+    const SparseMatrix& K_;
+    double* entries_;
+    Team& team_;
+    const Schedule schedule_;
+    const Depths depths_;
+    const DenseKernel& kernel_ = dense_kernel();
+    std::vector<Numbers> handed_up_; ///< update matrices that are in no stack
+};
+
+} // namespace
+
+Pivots factorize_fronts(const FrontTree& tree, const SparseMatrix& K, double* entries, Team& team)
+{
+    return Factorization(tree, K, entries, team).run();
+}
+
+} // namespace femoop

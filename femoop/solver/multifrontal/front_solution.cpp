@@ -1,0 +1,107 @@
+#include "femoop/solver/multifrontal/front_solution.h"
+
+#include <vector>
+
+#include "femoop/solver/index.h"
+#include "femoop/solver/multifrontal/schedule.h"
+
+namespace femoop {
+
+namespace {
+
+using Front = FrontTree::Front;
+constexpr std::int32_t none = FrontTree::none;
+
+class Solution {
+public:
+    Solution(const FrontTree& tree, const double* entries, Eigen::MatrixXd& X)
+        : tree_(tree),
+          fronts_(tree.fronts()),
+          entries_(entries),
+          X_(X),
+          carried_(tree.n_rows() * static_cast<std::size_t>(X.cols()))
+    {}
+
+    void run(Team& team)
+    {
+        const Schedule schedule(tree_, team.size());
+        const auto n_tasks = static_cast<std::int32_t>(schedule.tasks.size());
+        team.for_each(n_tasks, [&](std::int32_t task, int) {
+            for (std::int32_t f = schedule.tasks[at(task)].first; f < schedule.tasks[at(task)].end; ++f) go_up(f);
+        });
+        for (const std::int32_t f : schedule.top) go_up(f);
+        for (std::size_t i = schedule.top.size(); i-- > 0;) go_down(schedule.top[i]);
+        team.for_each(n_tasks, [&](std::int32_t task, int) {
+            for (std::int32_t f = schedule.tasks[at(task)].end; f-- > schedule.tasks[at(task)].first;) go_down(f);
+        });
+    }
+
+private:
+    using Block = Eigen::Map<Eigen::MatrixXd>;
+
+    /// A right-hand side for the rows of a front: of its pivots, and what it hands to its parent.
+    Block block(const Front& front)
+    {
+        return {carried_.data() + front.first_row * static_cast<std::size_t>(X_.cols()), front.n_rows, X_.cols()};
+    }
+    Eigen::Map<const Eigen::MatrixXd> columns(const Front& front) const
+    {
+        return {entries_ + front.first_entry, front.n_rows, front.n_pivots};
+    }
+
+    void go_up(std::int32_t f)
+    {
+        const Front& front = fronts_[at(f)];
+        const std::span<const std::int32_t> rows = tree_.rows(front);
+        Block b = block(front);
+        for (Eigen::Index c = 0; c < b.cols(); ++c)
+            for (std::int32_t i = 0; i < front.n_pivots; ++i) b(i, c) = X_(rows[at(i)], c);
+        b.bottomRows(front.n_updated()).setZero();
+        for (std::int32_t child = front.first_child; child != none; child = fronts_[at(child)].next_sibling)
+            add(fronts_[at(child)], b);
+        const auto L = columns(front);
+        auto pivots = b.topRows(front.n_pivots);
+        L.topRows(front.n_pivots).triangularView<Eigen::UnitLower>().solveInPlace(pivots);
+        b.bottomRows(front.n_updated()).noalias() -= L.bottomRows(front.n_updated()) * pivots;
+        for (std::int32_t i = 0; i < front.n_pivots; ++i)
+            for (Eigen::Index c = 0; c < b.cols(); ++c) X_(rows[at(i)], c) = pivots(i, c) / L(i, i);
+    }
+    void add(const Front& child, Block& b)
+    {
+        const std::span<const std::int32_t> places = tree_.places_in_parent(child);
+        const Block from = block(child);
+        for (Eigen::Index c = 0; c < b.cols(); ++c)
+            for (std::int32_t i = 0; i < child.n_updated(); ++i) b(places[at(i)], c) += from(child.n_pivots + i, c);
+    }
+
+    void go_down(std::int32_t f)
+    {
+        const Front& front = fronts_[at(f)];
+        const std::span<const std::int32_t> rows = tree_.rows(front);
+        Block x = block(front);
+        for (Eigen::Index c = 0; c < x.cols(); ++c)
+            for (std::size_t i = 0; i < rows.size(); ++i) x(static_cast<Eigen::Index>(i), c) = X_(rows[i], c);
+        const auto L = columns(front);
+        auto pivots = x.topRows(front.n_pivots);
+        pivots.noalias() -= L.bottomRows(front.n_updated()).transpose() * x.bottomRows(front.n_updated());
+        L.topRows(front.n_pivots).triangularView<Eigen::UnitLower>().transpose().solveInPlace(pivots);
+        for (Eigen::Index c = 0; c < x.cols(); ++c)
+            for (std::int32_t i = 0; i < front.n_pivots; ++i) X_(rows[at(i)], c) = pivots(i, c);
+    }
+
+    const FrontTree& tree_;
+    const std::vector<Front>& fronts_;
+    const double* entries_;
+    Eigen::MatrixXd& X_;
+    std::vector<double> carried_; ///< the blocks of all fronts
+};
+
+} // namespace
+
+Eigen::MatrixXd solve_fronts(const FrontTree& tree, const double* entries, Eigen::MatrixXd B, Team& team)
+{
+    Solution(tree, entries, B).run(team);
+    return B;
+}
+
+} // namespace femoop

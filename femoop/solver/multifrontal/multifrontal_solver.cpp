@@ -1,0 +1,41 @@
+#include "femoop/solver/multifrontal/multifrontal_solver.h"
+
+#include <utility>
+
+#include "femoop/solver/multifrontal/front_factorization.h"
+#include "femoop/solver/multifrontal/front_solution.h"
+#include "femoop/solver/multifrontal/team.h"
+
+namespace femoop {
+
+namespace {
+
+constexpr double worth_threads = 1e7; // multiplications, of which a team takes some to assemble
+
+} // namespace
+
+MultifrontalSolver::MultifrontalSolver() : n_threads_(Team::natural_size()) {}
+
+MultifrontalSolver::MultifrontalSolver(int n_threads) : n_threads_(n_threads) {}
+
+int MultifrontalSolver::team_for(double n_operations) const { return n_operations < worth_threads ? 1 : n_threads_; }
+
+void MultifrontalSolver::analyse_ordered(Pattern pattern)
+{
+    tree_ = FrontTree({.column_start = pattern.column_start, .rows = pattern.rows});
+    entries_ = std::make_unique_for_overwrite<double[]>(tree_.n_entries());
+}
+
+Pivots MultifrontalSolver::factorize_ordered(const SparseMatrix& K)
+{
+    Team team(team_for(tree_.n_operations()));
+    return factorize_fronts(tree_, K, entries_.get(), team);
+}
+
+Eigen::MatrixXd MultifrontalSolver::solve_ordered(Eigen::MatrixXd B) const
+{
+    Team team(team_for(2.0 * static_cast<double>(tree_.n_entries()) * static_cast<double>(B.cols())));
+    return solve_fronts(tree_, entries_.get(), std::move(B), team);
+}
+
+} // namespace femoop

@@ -1,0 +1,289 @@
+#include "femoop/solver/multifrontal/multifrontal_solver.h"
+
+#include <doctest/doctest.h>
+
+#include <Eigen/Dense>
+#include <array>
+#include <atomic>
+#include <functional>
+#include <limits>
+#include <random>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "femoop/solver/multifrontal/dense_front.h"
+#include "femoop/solver/multifrontal/schedule.h"
+#include "femoop/solver/multifrontal/team.h"
+
+using namespace femoop;
+
+namespace {
+
+BlockGraph blocks_of(std::int32_t n, std::int32_t size)
+{
+    BlockGraph graph;
+    graph.block_sizes.assign(at(n), size);
+    return graph;
+}
+
+BlockGraph chain(std::int32_t n, std::int32_t size)
+{
+    BlockGraph graph = blocks_of(n, size);
+    for (std::int32_t i = 1; i < n; ++i) graph.add_clique(std::array{i - 1, i});
+    return graph;
+}
+
+BlockGraph grid(std::int32_t side, std::int32_t size)
+{
+    BlockGraph graph = blocks_of(side * side, size);
+    for (std::int32_t y = 0; y < side; ++y)
+        for (std::int32_t x = 0; x < side; ++x) {
+            const std::int32_t here = y * side + x;
+            graph.positions.emplace_back(x, y, 0.0);
+            if (x > 0) graph.add_clique(std::array{here - 1, here});
+            if (y > 0) graph.add_clique(std::array{here - side, here});
+        }
+    return graph;
+}
+
+/// Every block joined to the first one alone.
+BlockGraph star(std::int32_t n, std::int32_t size)
+{
+    BlockGraph graph = blocks_of(n, size);
+    for (std::int32_t i = 1; i < n; ++i) graph.add_clique(std::array{0, i});
+    return graph;
+}
+
+/// Chains of three, and blocks that nothing is joined to.
+BlockGraph parts(std::int32_t n, std::int32_t size)
+{
+    BlockGraph graph = blocks_of(n, size);
+    for (std::int32_t i = 1; i < n; ++i)
+        if (i % 4 > 1) graph.add_clique(std::array{i - 1, i});
+    return graph;
+}
+
+/// A chain in which some blocks are joined to all others.
+BlockGraph chain_with_dense_rows(std::int32_t n, std::int32_t size)
+{
+    BlockGraph graph = chain(n, size);
+    for (const std::int32_t hub : {n / 3, n - 1})
+        for (std::int32_t i = 0; i < n; ++i)
+            if (i != hub) graph.add_clique(std::array{hub, i});
+    return graph;
+}
+
+BlockGraph whole(std::int32_t n, std::int32_t size)
+{
+    BlockGraph graph = blocks_of(n, size);
+    for (std::int32_t i = 0; i < n; ++i)
+        for (std::int32_t j = 0; j < i; ++j) graph.add_clique(std::array{j, i});
+    return graph;
+}
+
+struct System {
+    SystemPattern pattern;
+    SparseMatrix K;
+
+    System(const BlockGraph& graph, Ordering ordering, unsigned seed) : pattern(graph, ordering), K(pattern.matrix())
+    {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+        for (std::size_t c = 0; c < graph.n_cliques(); ++c) {
+            std::vector<std::int32_t> equations;
+            for (const std::int32_t block : graph.clique(c))
+                for (std::int32_t i = 0; i < graph.block_sizes[at(block)]; ++i)
+                    equations.push_back(pattern.first_equation(at(block)) + i);
+            const auto n = static_cast<Eigen::Index>(equations.size());
+            const Eigen::MatrixXd B = Eigen::MatrixXd::NullaryExpr(n, n, [&] { return uniform(random); });
+            pattern.add(K, c, equations, Eigen::MatrixXd(B * B.transpose()));
+        }
+        for (std::int32_t i = 0; i < K.cols(); ++i) pattern.add_to_diagonal(K, i, 0.5);
+    }
+
+    Eigen::MatrixXd load(Eigen::Index columns) const
+    {
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+        return Eigen::MatrixXd::NullaryExpr(K.rows(), columns, [&] { return uniform(random); });
+    }
+
+    Eigen::MatrixXd solution(MultifrontalSolver& solver, const Eigen::MatrixXd& B) const
+    {
+        solver.analyse(pattern);
+        REQUIRE(solver.factorize(K).is_positive_definite);
+        return solver.solve(B);
+    }
+};
+
+double residual(const SparseMatrix& K, const Eigen::MatrixXd& X, const Eigen::MatrixXd& B)
+{
+    return (K.selfadjointView<Eigen::Lower>() * X - B).cwiseAbs().maxCoeff();
+}
+
+using MakeGraph = BlockGraph (*)(std::int32_t n, std::int32_t block_size);
+
+constexpr std::array orderings{Ordering::CuthillMcKee, Ordering::MinimumDegree, Ordering::NestedDissection};
+
+} // namespace
+
+TEST_CASE("Fronts solve chains and grids and stars and what falls apart and dense rows in every order")
+{
+    struct Kind {
+        const char* name;
+        MakeGraph make;
+        std::int32_t n;
+    };
+    for (const Kind& kind :
+         {Kind{"chain", &chain, 50}, Kind{"grid", &grid, 9}, Kind{"star", &star, 40}, Kind{"parts", &parts, 30},
+          Kind{"dense rows", &chain_with_dense_rows, 40}, Kind{"whole", &whole, 10}, Kind{"one block", &chain, 1}})
+        for (const Ordering ordering : orderings)
+            for (std::int32_t size = 1; size <= 6; ++size) {
+                CAPTURE(kind.name);
+                CAPTURE(static_cast<int>(ordering));
+                CAPTURE(size);
+                const System system(kind.make(kind.n, size), ordering, 17);
+                const Eigen::MatrixXd B = system.load(4);
+                MultifrontalSolver solver;
+                CHECK(residual(system.K, system.solution(solver, B), B) <= 1e-9);
+            }
+}
+
+TEST_CASE("Large fronts that several threads share solve what they should")
+{
+    const System system(whole(130, 5), Ordering::MinimumDegree, 5); // 650 unknowns in one front
+    const Eigen::MatrixXd B = system.load(2);
+    MultifrontalSolver solver(2);
+    CHECK(residual(system.K, system.solution(solver, B), B) <= 1e-7);
+}
+
+TEST_CASE("One thread or eight: the same numbers to the last bit")
+{
+    const System system(grid(60, 3), Ordering::NestedDissection, 29); // worth a team
+    const Eigen::MatrixXd B = system.load(3);
+    MultifrontalSolver alone(1);
+    const Eigen::MatrixXd expected = system.solution(alone, B);
+    CHECK(residual(system.K, expected, B) <= 1e-8);
+    for (int n_threads = 2; n_threads <= 8; ++n_threads) {
+        CAPTURE(n_threads);
+        MultifrontalSolver together(n_threads);
+        CHECK(system.solution(together, B) == expected);
+    }
+}
+
+TEST_CASE("Whatever the threads the same pivot is told to be the weakest")
+{
+    System system(grid(60, 3), Ordering::NestedDissection, 29);
+    const std::int32_t soft = 5000;
+    system.K.valuePtr()[system.K.outerIndexPtr()[soft]] *= 1e-3; // no longer positive definite
+    MultifrontalSolver alone(1);
+    alone.analyse(system.pattern);
+    const Pivots expected = alone.factorize(system.K);
+    CHECK_FALSE(expected.is_positive_definite);
+    MultifrontalSolver together(2);
+    together.analyse(system.pattern);
+    const Pivots pivots = together.factorize(system.K);
+    CHECK(pivots.weakest == expected.weakest);
+    CHECK(pivots.smallest_ratio == expected.smallest_ratio);
+}
+
+TEST_CASE("Every equation is eliminated once, and what a front leaves is part of its parent")
+{
+    const System system(grid(20, 3), Ordering::NestedDissection, 1);
+    const FrontTree tree({.column_start = system.pattern.column_start(), .rows = system.pattern.rows()});
+    std::set<std::int32_t> eliminated;
+    for (std::size_t f = 0; f < tree.fronts().size(); ++f) {
+        const FrontTree::Front& front = tree.fronts()[f];
+        const auto rows = tree.rows(front);
+        for (std::int32_t i = 0; i < front.n_pivots; ++i) CHECK(eliminated.insert(rows[at(i)]).second);
+        if (front.parent == FrontTree::none) {
+            CHECK(front.n_updated() == 0);
+            continue;
+        }
+        CHECK(at(front.parent) > f);
+        const auto above = tree.rows(tree.fronts()[at(front.parent)]);
+        for (std::int32_t i = 0; i < front.n_updated(); ++i)
+            CHECK(above[at(tree.places_in_parent(front)[at(i)])] == rows[at(front.n_pivots + i)]);
+    }
+    CHECK(eliminated.size() == tree.n_equations());
+}
+
+TEST_CASE("A schedule has every front once, and no task waits for another")
+{
+    const System system(grid(40, 3), Ordering::NestedDissection, 1);
+    const FrontTree tree({.column_start = system.pattern.column_start(), .rows = system.pattern.rows()});
+    const Schedule schedule(tree, 4);
+    CHECK(schedule.tasks.size() >= 8);
+    std::vector<int> task_of(tree.fronts().size(), -1); // -1: at the top
+    for (std::size_t t = 0; t < schedule.tasks.size(); ++t)
+        for (std::int32_t f = schedule.tasks[t].first; f < schedule.tasks[t].end; ++f) {
+            CHECK(task_of[at(f)] == -1);
+            task_of[at(f)] = static_cast<int>(t);
+        }
+    for (const std::int32_t f : schedule.top) CHECK(task_of[at(f)] == -1);
+    for (std::size_t f = 0; f < task_of.size(); ++f)
+        if (const std::int32_t parent = tree.fronts()[f].parent; task_of[f] != -1 && parent != FrontTree::none) {
+            const bool parent_is_at_home = task_of[at(parent)] == task_of[f] || task_of[at(parent)] == -1;
+            CHECK(parent_is_at_home);
+        }
+    CHECK(Schedule(tree, 1).tasks.size() == 1);
+}
+
+TEST_CASE("A team does every item once and hands on what an item throws")
+{
+    for (const int size : {1, 2, 8}) {
+        CAPTURE(size);
+        Team team(size);
+        for (int round = 0; round < 200; ++round) {
+            std::vector<std::atomic<int>> done(37);
+            team.for_each(37, [&](std::int32_t item, int) { ++done[at(item)]; });
+            for (const std::atomic<int>& n : done) CHECK(n == 1);
+        }
+        const auto fails = [](std::int32_t item, int) {
+            if (item == 5) throw std::runtime_error("item 5");
+        };
+        CHECK_THROWS_WITH(team.for_each(20, fails), "item 5");
+        int n = 0;
+        team.for_each(1, [&](std::int32_t, int) { ++n; });
+        CHECK(n == 1);
+    }
+}
+
+TEST_CASE("A front's elimination leaves the Schur complement and L D L'")
+{
+    for (const std::int32_t n : {1, 7, 24, 25, 96, 97, 230})
+        for (const std::int32_t m : {0, 1, 50, 192, 400}) {
+            CAPTURE(n);
+            CAPTURE(m);
+            const Eigen::Index size = n + m;
+            std::srand(4);
+            const Eigen::MatrixXd R = Eigen::MatrixXd::Random(size, size);
+            Eigen::MatrixXd K = R + R.transpose();
+            for (Eigen::Index i = 0; i < size; ++i) K(i, i) += (i % 3 == 0 ? -2.0 : 2.0) * static_cast<double>(size);
+            Eigen::MatrixXd panel = K.leftCols(n), update = K.bottomRightCorner(m, m);
+            std::vector<double> workspace(workspace_size(n, n + m));
+            const DenseFront front{panel.data(), update.data(), n, n + m};
+            CHECK(dense_kernel().eliminate(front, workspace.data(), one_by_one) == n);
+            Eigen::MatrixXd schur = K.bottomRightCorner(m, m);
+            if (m > 0)
+                schur -= K.bottomLeftCorner(m, n) *
+                         K.topLeftCorner(n, n).partialPivLu().solve(Eigen::MatrixXd(K.topRightCorner(n, m)));
+            const double scale = K.cwiseAbs().maxCoeff();
+            for (Eigen::Index j = 0; j < m; ++j)
+                CHECK((update.col(j).tail(m - j) - schur.col(j).tail(m - j)).cwiseAbs().maxCoeff() <= 1e-12 * scale);
+            const Eigen::MatrixXd L = panel.topRows(n).triangularView<Eigen::UnitLower>();
+            const Eigen::MatrixXd D = panel.topRows(n).diagonal().asDiagonal();
+            CHECK((L * D * L.transpose() - K.topLeftCorner(n, n)).cwiseAbs().maxCoeff() <= 1e-12 * scale);
+        }
+}
+
+TEST_CASE("Elimination of a front stops at a pivot that is zero or no number")
+{
+    for (const double bad : {0.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+        Eigen::Matrix3d panel = Eigen::Vector3d(2.0, bad, 1.0).asDiagonal();
+        std::vector<double> workspace(workspace_size(3, 3));
+        CHECK(dense_kernel().eliminate({panel.data(), nullptr, 3, 3}, workspace.data(), one_by_one) == 1);
+    }
+}
