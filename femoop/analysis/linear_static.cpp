@@ -159,6 +159,7 @@ private:
         const double condition = system_.condition();
         if (condition < poor_condition) return;
         const NullModes free = system_.free_motions(zero_eigenvalue, most_modes);
+        if (free.is_singular() && !unheld_parts(model, *structure).empty()) refuse(model, free.modes);
         warn(model, condition, free.is_singular() ? free.modes.col(0) : free.softest);
     }
 

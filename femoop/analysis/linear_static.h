@@ -26,7 +26,7 @@ struct AnalysisStatistics {
     std::size_t dofs = 0;
     std::size_t nonzeros = 0; ///< of the lower triangle of K
     std::size_t factor_nonzeros = 0;
-    std::string solver; ///< "ldlt", "cholmod"
+    std::string solver; ///< as `--solver` takes it
 };
 
 /// Linear static analysis: K u = f for every load case with one factorization, combinations by superposition.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -6,6 +7,8 @@
 namespace femoop {
 
 namespace {
+
+constexpr double round_off = 1e-14; // of the larger of two temperatures whose mean is 0
 
 double length_at(const Position& position, double L)
 {
@@ -105,7 +108,9 @@ private:
         const MemberProperties& p = structure_.properties_of(member_);
         const double difference = load.top - load.bottom;
         const double gradient = difference == 0.0 ? 0.0 : difference / p.depth;
-        add_strain(p.alpha * (load.bottom + gradient * p.centroid), -p.alpha * gradient);
+        const double largest = std::max(std::abs(load.top.value()), std::abs(load.bottom.value()));
+        const double mean = load.bottom + gradient * p.centroid;
+        add_strain(std::abs(mean) > round_off * largest ? p.alpha * mean : 0.0, -p.alpha * gradient);
     }
 
     void add(const Misfit& load) { add_strain(load.elongation / frame_.length, 0.0); }

@@ -22,13 +22,15 @@ public:
             if (!origins_.back().former) ++n_new;
         }
         copy_size_ = std::max<std::size_t>(n_new / n_copies, 1);
+        for (std::size_t i = 0; i < lines_.size(); ++i) likes_.push_back(origins_[like_of(model, i)]);
     }
 
     std::optional<Eigen::Vector3d> between(std::size_t i, std::size_t j) const
     {
         if (!boxes_[i].intersects(boxes_[j])) return std::nullopt; // of most pairs, and told soon
         const std::optional<Eigen::Vector3d> place = crossing(lines_[i], lines_[j], nearness_);
-        return place && !is_on_purpose(origins_[i], origins_[j]) ? place : std::nullopt;
+        const bool is_new = place && !is_on_purpose(origins_[i], origins_[j]) && !is_on_purpose(likes_[i], likes_[j]);
+        return is_new ? place : std::nullopt;
     }
 
 private:
@@ -41,6 +43,26 @@ private:
     {
         const Eigen::Vector3d margin = Eigen::Vector3d::Constant(nearness_), end = line.at(line.length);
         return {line.start.cwiseMin(end) - margin, line.start.cwiseMax(end) + margin};
+    }
+
+    /// The member that stayed where this one has come to lie, and will be one with it; itself where there is none.
+    std::size_t like_of(const Model& model, std::size_t i) const
+    {
+        if (!moved_.is_moved(model, MemberId(i))) return i;
+        for (std::size_t j = 0; j < lines_.size(); ++j)
+            if (are_alike(i, j) && !moved_.is_moved(model, MemberId(j))) return j;
+        return i;
+    }
+
+    bool are_alike(std::size_t i, std::size_t j) const
+    {
+        const MemberLine &a = lines_[i], &b = lines_[j];
+        const auto are_near = [this](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+            return (p - q).squaredNorm() <= nearness_ * nearness_;
+        };
+        const Eigen::Vector3d end = a.at(a.length), other_end = b.at(b.length);
+        return (are_near(a.start, b.start) && are_near(end, other_end)) ||
+               (are_near(a.start, other_end) && are_near(end, b.start));
     }
 
     bool is_on_purpose(const Origin& a, const Origin& b) const
@@ -56,7 +78,7 @@ private:
     double nearness_;
     std::vector<MemberLine> lines_;
     std::vector<Eigen::AlignedBox3d> boxes_;
-    std::vector<Origin> origins_;
+    std::vector<Origin> origins_, likes_; ///< its own, and that of what it has come to lie on
     std::size_t copy_size_ = 1;
 };
 

@@ -66,6 +66,28 @@ void place_support(Support& support, const Placement& placement)
     }
 }
 
+Dof with_axes_swapped(Dof dof)
+{
+    switch (dof) {
+    case Dof::ux: return Dof::uy;
+    case Dof::uy: return Dof::ux;
+    case Dof::rx: return Dof::ry;
+    case Dof::ry: return Dof::rx;
+    default: return dof;
+    }
+}
+
+/// One that holds along the global axes alone can turn by quarters only; else it stays as it is.
+void place_support_along_axes(Support& support, const Placement& placement)
+{
+    if (std::abs(std::abs(std::remainder(turn_of(placement), 180.0)) - 90.0) > 1e-9) return;
+    DofSet fixed;
+    for (const Dof dof : all_dofs)
+        if (support.fixed.contains(dof)) fixed.insert(with_axes_swapped(dof));
+    support.fixed = fixed;
+    for (Spring& spring : support.springs) spring.dof = with_axes_swapped(spring.dof);
+}
+
 /// Keeps a place on a member that has been stretched to a length.
 void keep_on(Position& place, double stretch, double length)
 {
@@ -75,14 +97,15 @@ void keep_on(Position& place, double stretch, double length)
     if (x != at->value()) *at = x;
 }
 
-/// In a plane model the mirror turns the member's y' and z' over.
-void mirror(MemberLoad& load)
+/// In a plane model the mirror turns the member's y' and z' over; in a grillage, whose y' points up, it turns torques.
+void mirror(MemberLoad& load, AnalysisKind analysis)
 {
-    change_values(load, [](Dof dof, Quantity& value, LoadAxes axes) {
-        const bool is_across = dof == Dof::uy || dof == Dof::rz;
-        if (is_across && axes == LoadAxes::Local) value = -value.value();
+    const bool is_turned_over = is_plane(analysis);
+    const DofSet turned = is_turned_over ? DofSet{Dof::uy, Dof::rz} : DofSet{Dof::rx};
+    change_values(load, [&](Dof dof, Quantity& value, LoadAxes axes) {
+        if (turned.contains(dof) && axes == LoadAxes::Local) value = -value.value();
     });
-    swap_faces(load);
+    if (is_turned_over) swap_faces(load);
 }
 
 /// Which nodes are placed, and which members go with them as a whole.
@@ -121,9 +144,10 @@ private:
         for (const Member& member : model_.members)
             for (const NodeId node : member.nodes)
                 if (!goes_along(member)) goes_along_whole[node.index] = false;
+        const auto place = is_plane(model_.analysis) ? place_support : place_support_along_axes;
         for (std::size_t i = 0; i < model_.nodes.size(); ++i)
             if (is_placed_[i] && goes_along_whole[i] && model_.nodes[i].support)
-                place_support(*model_.nodes[i].support, placement_);
+                place(*model_.nodes[i].support, placement_);
     }
 
     void fit(MemberLoad& load, double old_length) const
@@ -134,7 +158,8 @@ private:
         const bool is_scaled = goes_along(member) && std::abs(scale_of(placement_) - 1.0) > 1e-12;
         const double stretch = is_scaled && old_length > 0.0 ? length / old_length : 1.0;
         change_places(load, [&](Position& place) { keep_on(place, stretch, length); });
-        if (goes_along(member) && mirrors(placement_) && is_plane(model_.analysis)) mirror(load);
+        const bool is_mirrored = mirrors(placement_) && !is_3d(model_.analysis);
+        if (goes_along(member) && is_mirrored) mirror(load, model_.analysis);
     }
 
     Model& model_;

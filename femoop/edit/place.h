@@ -18,7 +18,8 @@ Placement mirrored(const Eigen::Vector3d& on_line, const Eigen::Vector3d& and_on
 Placement scaled(const Eigen::Vector3d& about, double factor); ///< \pre factor > 0
 
 /// Moves nodes of a structure, and what goes with them:
-///   - a support on a slope turns with the structure where all members of its node do;
+///   - a support turns with the structure where all members of its node do; in grillages and in space, where it can
+///     hold along the global axes alone, by quarter turns, and stays as it is where they are others;
 ///   - where both ends of a member move alike, its offsets turn along; a mirrored one keeps its loads' side, so local
 ///     components across it change sign;
 ///   - a load at a length along a member stays at its share of a member that a scaling made longer, else at its

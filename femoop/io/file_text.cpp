@@ -23,6 +23,7 @@ std::string reason_text(std::errc reason)
     case std::errc::is_a_directory: return std::string(translatable("Is a directory"));
     case std::errc::file_too_large: return std::string(translatable("File too large"));
     case std::errc::no_space_on_device: return std::string(translatable("No space left on device"));
+    case std::errc::io_error: return std::string(translatable("Input/output error"));
     case std::errc::read_only_file_system: return std::string(translatable("Read-only file system"));
     default: return std::make_error_code(reason).message();
     }
@@ -52,7 +53,11 @@ FileText file_text(const fs::path& path)
     const auto reason = static_cast<std::errc>(errno);
     if (!file) return refused(path, reason);
     if (fs::file_size(path, unknown) > most_bytes && !unknown) return refused(path, std::errc::file_too_large);
-    return {{std::istreambuf_iterator<char>(file), {}}, std::nullopt};
+    try {
+        return {{std::istreambuf_iterator<char>(file), {}}, std::nullopt};
+    } catch (const std::ios_base::failure&) {
+        return refused(path, std::errc::io_error);
+    }
 }
 
 } // namespace femoop

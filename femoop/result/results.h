@@ -20,7 +20,7 @@ using NodeVector = std::array<double, n_dofs>;
 /// How many more forces there are than equations of equilibrium to find them.
 ///
 /// total = external + internal; 0 is statically determinate. Springs and settlements count as supports.
-/// Source  [Kassimali, Structural Analysis, ch. 3] for `external` (reactions less the equations of the whole),
+/// Source  [Kassimali, ch. 3] for `external` (reactions less the equations of the whole),
 ///         `total` from the rank of the equilibrium equations of all nodes.
 struct Indeterminacy {
     int external = 0;

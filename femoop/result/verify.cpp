@@ -7,6 +7,7 @@
 #include <string_view>
 #include <variant>
 
+#include "femoop/io/cross/cross_check.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/result/components.h"
 
@@ -155,7 +156,9 @@ std::vector<CheckOutcome> verify(const Model& model, const std::optional<Results
     std::vector<CheckOutcome> outcomes;
     for (const Expected& check : model.expected)
         outcomes.push_back(verify_one(model, results ? &*results : nullptr, check, tr));
+    for (CheckOutcome& outcome : cross::check_block(model, tr)) outcomes.push_back(std::move(outcome));
     for (const ExtraBlock& block : model.extra) {
+        if (block.key == "cross") continue;
         CheckOutcome outcome;
         outcome.what = fill(tr("block \"{0}\""), {block.key});
         outcome.skipped = SkipReason::SheetNotBuilt;

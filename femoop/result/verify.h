@@ -16,7 +16,7 @@ enum class Verdict : std::uint8_t { Passed, Failed, Skipped };
 /// Why a check was not made.
 enum class SkipReason : std::uint8_t {
     AnalysisNotBuilt, ///< P-delta, buckling, modal and plastic analysis
-    SheetNotBuilt,    ///< a `cross`, `influence` or `train` block of the file
+    SheetNotBuilt,    ///< an `influence` or `train` block of the file, or a sheet with several sways
 };
 
 /// What became of one expected result.
@@ -39,11 +39,13 @@ CheckCounts count(const std::vector<CheckOutcome>& outcomes);
 /// True if a check of the model needs the linear analysis, so that `verify` wants its results.
 bool needs_linear_analysis(const Model& model);
 
-/// Compares every `expected` entry of the model with its results, in file order, then names the blocks of the file
-/// (`cross`, `influence`, `train`) that nothing compares yet. A check passes when
-/// abs(result - value) <= max(atol, rtol abs(value)), with rtol 1e-6 and atol 0 where the file is silent.
+/// Compares every `expected` entry of the model with its results, in file order, then works the sheet of its `cross`
+/// block (femoop/io/cross/cross_check.h), and names the blocks (`influence`, `train`) that nothing compares yet. A
+/// check passes when abs(result - value) <= max(atol, rtol abs(value)), with rtol 1e-6 and atol 0 where the file is
+/// silent.
 ///
 /// At a jump the + side is read unless the check says `"side": "-"`; at the member's end there is only the - side.
+/// \throws ModelError, MechanismError where the sheet of a `cross` block cannot be worked
 /// \pre `check(model)` finds no error; `results` are the model's own, or nothing if no check needs them
 std::vector<CheckOutcome> verify(const Model& model, const std::optional<Results>& results,
                                  const Translator& tr = english);

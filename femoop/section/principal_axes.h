@@ -12,7 +12,7 @@ namespace femoop {
 ///           o------ z'
 ///
 /// Units   second moments in those of the properties, the angle in rad, in (-pi/2, pi/2]; 0 where both are equal
-/// Source  Gere & Timoshenko, Mechanics of Materials, principal axes and principal moments of inertia
+/// Source  [GereTimoshenko], principal axes and principal moments of inertia
 struct PrincipalAxes {
     double I1 = 0.0, I2 = 0.0; ///< I1 >= I2
     double angle = 0.0;

@@ -44,7 +44,7 @@ struct Profile {
 
 /// The profile of that name, or nullptr. Case and blanks do not matter, x may be written as a multiplication sign,
 /// and EN 10365's own "HE 300 A" finds HEA300.
-/// Source  EN 10365:2017 (IPE, HEA, HEB, HEM, UPN); AISC Shapes Database v16.0 (W)
+/// Source  [EN10365] (IPE, HEA, HEB, HEM, UPN), [AiscShapes16] (W)
 const Profile* find_profile(std::string_view name);
 
 std::span<const Profile> profiles();                     ///< every profile, family by family

@@ -46,8 +46,8 @@ struct SectionProperties {
 /// J         box: Bredt, 4 Am^2 / (integral of ds/t) on the mid-line; i t l c: sum l t^3 / 3 over their rectangles
 /// Shear     rectangle 5A/6, circle 9A/10, tube A/2; box 2 h t and 2 b t; i t c: web h tw for y', flanges
 ///           5/6 sum bf tf for z'; l: 5/6 of each leg, h t for y' and b t for z'
-/// Source    Timoshenko & Goodier, Theory of Elasticity, 3rd ed., section 109 (rectangle), 112 (rolled sections),
-///           116 (thin tubes); Gere & Timoshenko, Mechanics of Materials, form factors for shear
+/// Source    [TimoshenkoGoodier1970], section 109 (rectangle), 112 (rolled sections),
+///           116 (thin tubes); [GereTimoshenko], form factors for shear
 /// Lesson    courseware/reference/sections.md
 /// \pre      `why_not(shape)` (femoop/section/shape.h) has nothing to say.
 /// \throws   std::invalid_argument with that reason.

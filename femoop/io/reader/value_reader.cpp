@@ -132,11 +132,16 @@ std::optional<std::size_t> ValueReader::choice(JsonValue value, const std::vecto
     if (!typed) return std::nullopt;
     const auto found = std::find(choices.begin(), choices.end(), *typed);
     if (found != choices.end()) return static_cast<std::size_t>(found - choices.begin());
-    std::vector<std::string> details{text_of(place, value), *typed, joined(choices)};
-    const auto near = nearest(*typed, choices);
+    unknown_choice(text_of(place, value), *typed, choices);
+    return std::nullopt;
+}
+
+void ValueReader::unknown_choice(std::string place, std::string found, const std::vector<std::string_view>& choices)
+{
+    const auto near = nearest(found, choices);
+    std::vector<std::string> details{std::move(place), std::move(found), joined(choices)};
     if (near) details.push_back(*near);
     add({near ? FaultKind::UnknownChoiceNear : FaultKind::UnknownChoice, std::move(details)});
-    return std::nullopt;
 }
 
 } // namespace femoop

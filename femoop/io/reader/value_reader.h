@@ -67,6 +67,9 @@ public:
     std::optional<std::size_t> choice(JsonValue value, const std::vector<std::string_view>& choices,
                                       const Place& place);
 
+    /// A fault: what was found at the place is none of the choices.
+    void unknown_choice(std::string place, std::string found, const std::vector<std::string_view>& choices);
+
     bool is_object(JsonValue value, const Place& place); ///< and a fault if it is present but not an object
     bool is_list(JsonValue value, const Place& place);
 

@@ -78,6 +78,8 @@ bool is_computed(FaultKind kind, std::size_t argument)
 {
     switch (kind) {
     case FaultKind::NearlySingular: return argument == 0;
+    case FaultKind::CrossJointFree: return argument == 1;
+    case FaultKind::CrossSteps: return argument == 1 || argument == 3;
     case FaultKind::MechanismMoveOblique:
     case FaultKind::MechanismTurn:
     case FaultKind::HugeDisplacement: return argument == 1;

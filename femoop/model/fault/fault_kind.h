@@ -175,6 +175,20 @@ enum class FaultKind : std::uint8_t {
     MisfitOfGrillage,
     CombinationCircle,
 
+    // what the hand methods cannot do
+    CrossNeedsPlaneFrame,  ///< {0} analysis
+    CrossRigidMember,      ///< {0} member
+    CrossSkewOffset,       ///< {0} member
+    CrossAxialSpring,      ///< {0} member
+    CrossTooLarge,         ///< {0} how many nodes, {1} the most
+    CrossWithoutCase,      ///< no load case
+    CrossJointFree,        ///< {0} node, {1} its moment
+    CrossNoSuchJoint,      ///< {0} what was found, {1} the joints that can be balanced
+    CrossSteps,            ///< {0} steps, {1} unbalance that is left, {2} its joint, {3} tolerance
+    CrossSwayUndetermined, ///< no case: sways that nothing resists
+    CrossNoSuchEnd,        ///< {0} place, {1} what was found, {2} the ends
+    CrossSheetTooLong,     ///< {0} place, {1} how many rows, {2} how many the sheet has
+
     // what is expected of it
     ExpectedWithoutCase,
     ExpectedKeyMissing,

@@ -296,6 +296,34 @@ std::string_view pattern(FaultKind kind)
         return "{0}: a misfit works along the member, which a grillage cannot feel; take the load away";
     case FaultKind::CombinationCircle: return "{0}: names itself: {1}; break the circle";
 
+    case FaultKind::CrossNeedsPlaneFrame:
+        return "moment distribution works on continuous beams and plane frames, not on a {0}; make the model a frame2d";
+    case FaultKind::CrossRigidMember:
+        return "member {0} is rigid, and moment distribution has no stiffness factor for it; give it a section, or "
+               "join "
+               "its nodes";
+    case FaultKind::CrossSkewOffset:
+        return "member {0} has an offset across its axis, which couples its axial force with the moments at its joint; "
+               "take the offset away or let it lie along the member";
+    case FaultKind::CrossAxialSpring:
+        return "member {0} has a spring along its axis, and moment distribution takes members as axially rigid; take "
+               "the spring away";
+    case FaultKind::CrossTooLarge:
+        return "the structure has {0} nodes, and a sheet of moment distribution is made for {1} at most; use solve";
+    case FaultKind::CrossWithoutCase: return "the model has no load case to distribute; add one to load_cases";
+    case FaultKind::CrossJointFree:
+        return "joint {0} has no stiffness against rotation, so nothing takes its moment {1}; join a member rigidly to "
+               "it, hold its rotation, or take the moment away";
+    case FaultKind::CrossNoSuchJoint: return "{0} is no joint that can be balanced; choose from {1}";
+    case FaultKind::CrossSteps:
+        return "after {0} steps joint {2} still has an unbalance of {1}, more than the tolerance {3}; give a larger "
+               "tolerance, more digits, or an order with every joint";
+    case FaultKind::CrossSwayUndetermined:
+        return "the sways of the structure are resisted by nothing, so that their equations have no solution; add a "
+               "brace or a support";
+    case FaultKind::CrossNoSuchEnd: return "{0}: there is no member end \"{1}\"; choose from {2}";
+    case FaultKind::CrossSheetTooLong: return "{0}: found {1} rows, and the sheet has {2}; give as many";
+
     case FaultKind::ExpectedWithoutCase:
         return "{0}: which case? the file has {1} load cases and combinations; add \"case\"";
     case FaultKind::ExpectedKeyMissing: return "{0}: a check of a {1} needs \"{2}\"; add it";

@@ -7,7 +7,7 @@ namespace femoop {
 
 /// An unevaluated sum hi + lo with |lo| <= ulp(hi) / 2: about 106 bits, enough to round a unit conversion once.
 ///
-/// Source  [Dekker 1971], error-free product by fused multiply-add
+/// Source  [Dekker1971], error-free product by fused multiply-add
 struct DoubleDouble {
     double hi = 0.0;
     double lo = 0.0;

@@ -111,6 +111,18 @@ TEST_SUITE("constraints")
         }
     }
 
+    TEST_CASE("Heat that only bends lengthens no inextensible member, whatever its depth is rounded to")
+    {
+        Model model = portal();
+        for (Member& member : model.members) member.inextensible = true;
+        for (int i = 0; i < 50; ++i) {
+            model.sections[0].h = 0.2 + 0.3 * i / 49.0;
+            model.load_cases[0].members = {{.member = MemberId(1), .load = TemperatureLoad{10.0, -10.0}}};
+            for (const std::size_t top : {1U, 2U}) model.nodes[top].support = Support{.kind = SupportKind::Pin};
+            CHECK_NOTHROW(analyse(model));
+        }
+    }
+
     TEST_CASE("A free inextensible member takes its temperature as a change of length")
     {
         Model model = portal();

@@ -149,6 +149,30 @@ TEST_SUITE("mechanisms")
         CHECK(causes(model).empty());
     }
 
+    TEST_CASE("A frame of 70 bays and storeys on rollers is refused, however many roundings its elimination took")
+    {
+        constexpr std::size_t n = 70;
+        Model model = frame({}, {});
+        for (std::size_t y = 0; y <= n; ++y)
+            for (std::size_t x = 0; x <= n; ++x) {
+                model.add(Node{.id = std::to_string(x) + "_" + std::to_string(y),
+                               .at = {6.0 * static_cast<double>(x), 3.0 * static_cast<double>(y), 0.0}});
+                if (y == 0) hold(model, x, SupportKind::Roller);
+            }
+        const auto join = [&](std::size_t a, std::size_t b) {
+            model.add(Member{.id = model.nodes[a].id + "-" + model.nodes[b].id,
+                             .nodes = {NodeId(a), NodeId(b)},
+                             .material = MaterialId(0),
+                             .section = SectionId(0)});
+        };
+        for (std::size_t here = n + 1; here < (n + 1) * (n + 1); ++here) {
+            join(here - n - 1, here);
+            if (here % (n + 1) > 0) join(here - 1, here);
+        }
+        for (const SolverKind solver : {SolverKind::Skyline, SolverKind::Multifrontal})
+            CHECK_THROWS_AS(analyse(model, {.solver = solver}), MechanismError);
+    }
+
     TEST_CASE("No two motions of a free body in space read the same")
     {
         for (const double z : {0.0, 1.0, -2.5}) {

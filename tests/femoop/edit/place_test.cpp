@@ -26,6 +26,27 @@ Model propped()
     return model;
 }
 
+/// Two beams at a right angle, clamped at one end and held in part at the other, under a load and a torque.
+Model grillage()
+{
+    Model model;
+    model.analysis = AnalysisKind::Grillage;
+    model.add(Material{.id = "concrete", .E = 30e6});
+    model.add(Section{.id = "s", .Iz = 2e-3, .J = 1.5e-3});
+    const NodeId a = model.add(Node{.id = "A", .at = {0, 0}, .support = Support{.kind = SupportKind::Fixed}});
+    const NodeId b = model.add(Node{.id = "B", .at = {4, 0}});
+    const NodeId c = model.add(
+        Node{.id = "C", .at = {4, 3}, .support = Support{.fixed = {Dof::uz, Dof::rx}, .springs = {{Dof::ry, 700.0}}}});
+    const auto beam = [&](const char* id, NodeId from, NodeId to) {
+        return model.add(Member{.id = id, .nodes = {from, to}, .material = MaterialId(0), .section = SectionId(0)});
+    };
+    const MemberId ab = beam("AB", a, b);
+    beam("BC", b, c);
+    const PointLoad point{.at = Quantity(1.5), .components = {{Dof::uy, -20}, {Dof::rx, 8}}, .axes = LoadAxes::Local};
+    model.add(LoadCase{.id = "P", .members = {{ab, point}}});
+    return model;
+}
+
 const std::vector<NodeId> both{NodeId(0), NodeId(1)};
 
 double moment_at_wall(const Model& model) { return analyse(model).at("P").curve(MemberId(0)).forces(0.0).Mz; }
@@ -70,6 +91,29 @@ TEST_SUITE("edit: placing")
             const bool is_mirrored = placement.linear().determinant() < 0.0;
             CHECK(std::get<PointLoad>(loads.members[0].load).components[0].value == (is_mirrored ? 30.0 : -30.0));
         }
+    }
+
+    TEST_CASE("A grillage turns with supports that can turn, and stays one that can be solved")
+    {
+        const auto deflection = [](const Model& model) {
+            return analyse(model).at("P").displacement(NodeId(1))[index(Dof::uz)];
+        };
+        const auto twist = [](const Model& model) { return analyse(model).at("P").curve(MemberId(0)).forces(0.0).T; };
+        Model model = grillage();
+        const double uz = deflection(model), T = twist(model);
+        const std::vector<NodeId> all{NodeId(0), NodeId(1), NodeId(2)};
+        constexpr double quarter = 0.5 * std::numbers::pi;
+        place_nodes(model, all, turned({1, 2, 0}, quarter));
+        CHECK(model.nodes[2].support->fixed == DofSet{Dof::uz, Dof::ry});
+        CHECK(model.nodes[2].support->springs[0].dof == Dof::rx);
+        CHECK(deflection(model) == doctest::Approx(uz));
+        place_nodes(model, all, mirrored({0, 0, 0}, {0, 3, 0}));
+        CHECK(deflection(model) == doctest::Approx(uz));
+        CHECK(twist(model) == doctest::Approx(-T));
+        model.nodes[2].support = model.nodes[0].support; // clamped: alike in every direction
+        const double clamped = deflection(model);
+        place_nodes(model, all, turned({1, 2, 0}, 0.3));
+        CHECK(deflection(model) == doctest::Approx(clamped));
     }
 
     TEST_CASE("Scaling keeps a load at its share of the member")

@@ -156,6 +156,24 @@ TEST_SUITE("edit: welding")
         CHECK(over.members.size() == 10);
     }
 
+    TEST_CASE("What lands on a diagonal of an X bracing becomes one with it and cuts nothing")
+    {
+        Model model = with_nodes({{0, 0}, {4, 3}, {0, 3}, {4, 0}, {9, 0}, {13, 3}});
+        model.add(between("AB", 0, 1));
+        model.add(between("CD", 2, 3));
+        model.add(between("EF", 4, 5));
+        const Model before = model;
+        Model mirrored = model;
+        copy_parts(mirrored, {.members = {MemberId(0), MemberId(1)}},
+                   femoop::mirrored(Eigen::Vector3d(2, 0, 0), Eigen::Vector3d(2, 1, 0)));
+        weld(mirrored, before);
+        CHECK(mirrored == model);
+        place_nodes(model, std::vector{NodeId(4), NodeId(5)}, moved_by({-9, 0, 0}));
+        weld(model, before);
+        CHECK(model.members.size() == 2);
+        CHECK(model.nodes.size() == 4);
+    }
+
     TEST_CASE("A sound model stays bit for bit")
     {
         Model model = with_nodes({{0, 0}, {6, 0}, {2, 4}});

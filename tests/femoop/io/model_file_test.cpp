@@ -151,6 +151,14 @@ TEST_CASE("What has no end is not read: a device, or a pipe that nobody writes t
     }
 }
 
+TEST_CASE("A file that is there and cannot be read through is told as such")
+{
+    const std::string memory = "/proc/self/mem"; // its beginning is nobody's
+    if (!std::filesystem::exists(memory)) return;
+    CHECK(examine_model_file(memory).faults ==
+          std::vector{Fault{FaultKind::FileUnreadable, {memory, "Input/output error"}}});
+}
+
 TEST_CASE("A file longer than a gigabyte is refused before it is read")
 {
     const Folder folder;

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "femoop/methods/cross/distribution.h"
+
+namespace femoop::cross {
+
+/// Values by the labels of member ends, as a file lists them.
+using Labelled = std::vector<std::pair<std::string, double>>;
+
+/// The `cross` block of a model file: how a sheet is worked, and what it should come to.
+struct Block {
+    struct Row {
+        std::string step; ///< FEM, BAL, CO, TOTAL
+        Labelled values;
+    };
+    /// A sheet of a structure that sways: with its prop, or the sway alone.
+    struct Stage {
+        std::optional<double> reaction; ///< of the prop; nothing: the sway alone
+        Labelled fixed_end;
+        std::vector<Row> sheet;
+    };
+    std::optional<std::string> load_case, order;
+    std::optional<std::size_t> balances;
+    std::optional<double> tolerance;
+    int digits = 0;
+    bool is_modified = false;
+    std::vector<std::pair<std::string, Labelled>> factors; ///< joint by joint
+    Labelled fixed_end;
+    std::vector<Row> sheet;
+    double sheet_atol = 1e-6;
+    Labelled last; ///< `final`
+    double rtol = 1e-6;
+    std::vector<Stage> stages;
+};
+
+/// Nothing if the model has no such block. \throws ModelError with every place that cannot be read
+std::optional<Block> block_of(const Model& model);
+
+/// Joints named in order: "largest", "left-to-right", "all-at-once" or names of joints. \throws ModelError
+void set_order(Procedure& procedure, const std::string& order, const Model& model, const Problem& problem);
+
+/// The case, the far ends and the procedure that a block asks for; without a block the first case and the defaults.
+CaseId case_of(const Model& model, const std::optional<Block>& block);
+FarEnds far_ends_of(const Model& model, CaseId load_case, const Block& block);
+Procedure procedure_of(const Model& model, const Problem& problem, const Block& block);
+
+/// Values for every end of a problem; ends that the file leaves out are absent. \throws ModelError (CrossNoSuchEnd)
+std::vector<std::pair<EndId, double>> by_end(const Problem& problem, const Labelled& values, const std::string& place);
+
+} // namespace femoop::cross

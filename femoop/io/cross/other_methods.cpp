@@ -1,0 +1,155 @@
+#include "femoop/io/cross/other_methods.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "femoop/io/json/json_writer.h"
+#include "femoop/io/results/text_table.h"
+#include "femoop/model/fault/fault.h"
+#include "femoop/model/quantity/number_text.h"
+
+namespace femoop::cross {
+
+namespace {
+
+constexpr double round_off = 1e-12; // of the largest moment
+
+/// Names of the unknowns: joints that turn, then props that move.
+std::vector<std::string> unknowns(const Model& model, const Problem& problem)
+{
+    std::vector<std::string> names;
+    for (const Joint& joint : problem.joints) names.push_back("th_" + model[joint.node].id);
+    for (const Sway& sway : problem.sways) names.push_back("d_" + model[sway.prop].id);
+    return names;
+}
+
+/// Numbers below round-off of the largest are 0.
+std::vector<double> cleaned(std::vector<double> values, double largest)
+{
+    for (double& value : values)
+        if (std::abs(value) <= round_off * largest) value = 0.0;
+    return values;
+}
+
+double largest_of(const std::vector<double>& values)
+{
+    double largest = 0.0;
+    for (const double value : values) largest = std::max(largest, std::abs(value));
+    return largest;
+}
+
+std::string heading(const Model& model, const Problem& problem, const std::string& what, const Translator& tr)
+{
+    const std::string one = quantity_text(1.0, dimension::moment, model.units);
+    return fill(tr("{0}, case {1}: moments on the member ends in {2}, counter-clockwise positive"),
+                {what, model.case_name(problem.load_case), one.substr(one.find(' ') + 1)}) +
+           "\n\n";
+}
+
+void add_row(TextTable& table, const std::string& name, const std::vector<double>& values, std::size_t kind = 0)
+{
+    std::vector<TextTable::Cell> cells{name};
+    cells.insert(cells.end(), values.begin(), values.end());
+    table.add_row(std::move(cells), kind);
+}
+
+std::vector<std::string> headers(const std::string& first, const Problem& problem)
+{
+    std::vector<std::string> all{first};
+    for (const End& end : problem.ends) all.push_back(end.label);
+    return all;
+}
+
+void write_ends(JsonWriter& json, const char* key, const Problem& problem, const std::vector<double>& values)
+{
+    json.key(key).begin_object();
+    for (std::size_t e = 0; e < values.size(); ++e) json.member(problem.ends[e].label, values[e]);
+    json.end();
+}
+
+std::vector<double> listed_of(const Eigen::VectorXd& values) { return {values.begin(), values.end()}; }
+
+void write_list(JsonWriter& json, const std::vector<double>& values)
+{
+    json.begin_array();
+    for (const double value : values) json.value(value);
+    json.end();
+}
+
+} // namespace
+
+std::string kani_text(const Model& model, const Problem& problem, const Kani& kani, const Translator& tr)
+{
+    const double largest = largest_of(kani.moments);
+    TextTable table(headers(tr("cycle"), problem));
+    add_row(table, "mu", kani.rotation_factor, 1);
+    add_row(table, tr("FEM"), cleaned(problem.loading.fixed_end, largest));
+    for (std::size_t i = 0; i < kani.cycles.size(); ++i)
+        add_row(table, std::to_string(i + 1), cleaned(kani.cycles[i].rotation_contribution, largest));
+    if (!problem.sways.empty() && !kani.cycles.empty())
+        add_row(table, "M\"", cleaned(kani.cycles.back().sway_contribution, largest));
+    add_row(table, tr("TOTAL"), cleaned(kani.moments, largest));
+    return heading(model, problem, tr("Kani's method"), tr) + table.text(0, decimal_mark(tr)) +
+           tr("TOTAL = FEM + 2 M' + M' of the far end + M\" of the sways") + "\n";
+}
+
+std::string kani_json(const Model& model, const Problem& problem, const Kani& kani)
+{
+    const double largest = largest_of(kani.moments);
+    JsonWriter json;
+    json.begin_object(JsonWriter::Layout::Block).member("method", "kani");
+    json.member("case", model.case_name(problem.load_case));
+    write_ends(json, "rotation_factors", problem, kani.rotation_factor);
+    write_ends(json, "fixed_end_moments", problem, cleaned(problem.loading.fixed_end, largest));
+    json.key("cycles").begin_array(JsonWriter::Layout::Block);
+    for (const KaniCycle& cycle : kani.cycles) {
+        json.begin_object();
+        write_ends(json, "rotation", problem, cleaned(cycle.rotation_contribution, largest));
+        if (!problem.sways.empty()) write_ends(json, "sway", problem, cleaned(cycle.sway_contribution, largest));
+        json.end();
+    }
+    json.end();
+    write_ends(json, "total", problem, cleaned(kani.moments, largest));
+    json.end();
+    return json.take();
+}
+
+std::string equations_text(const Model& model, const Problem& problem, const SlopeDeflection& equations,
+                           const Translator& tr)
+{
+    const std::vector<std::string> names = unknowns(model, problem);
+    std::vector<std::string> head{""};
+    head.insert(head.end(), names.begin(), names.end());
+    head.insert(head.end(), {tr("right-hand side"), tr("solution")});
+    TextTable table(std::move(head));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        std::vector<double> values = listed_of(equations.A.row(row));
+        values.insert(values.end(), {equations.b[row] + 0.0, equations.x[row] + 0.0});
+        add_row(table, names[i], values, i);
+    }
+    TextTable moments(headers("", problem));
+    add_row(moments, tr("TOTAL"), cleaned(equations.moments, largest_of(equations.moments)));
+    return heading(model, problem, tr("Slope-deflection equations"), tr) + table.text(0, decimal_mark(tr)) + "\n" +
+           moments.text(0, decimal_mark(tr));
+}
+
+std::string equations_json(const Model& model, const Problem& problem, const SlopeDeflection& equations)
+{
+    JsonWriter json;
+    json.begin_object(JsonWriter::Layout::Block).member("method", "slope-deflection");
+    json.member("case", model.case_name(problem.load_case)).key("unknowns").begin_array();
+    for (const std::string& name : unknowns(model, problem)) json.value(name);
+    json.end().key("matrix").begin_array(JsonWriter::Layout::Block);
+    for (Eigen::Index i = 0; i < equations.x.size(); ++i) write_list(json, listed_of(equations.A.row(i)));
+    json.end().key("right_hand_side");
+    write_list(json, listed_of(equations.b));
+    json.key("solution");
+    write_list(json, listed_of(equations.x));
+    write_ends(json, "total", problem, cleaned(equations.moments, largest_of(equations.moments)));
+    json.end();
+    return json.take();
+}
+
+} // namespace femoop::cross

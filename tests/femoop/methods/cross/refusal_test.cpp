@@ -1,0 +1,69 @@
+// What moment distribution cannot do is refused by name, before anything is distributed.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "femoop/methods/cross/problem.h"
+#include "femoop/model/fault/fault.h"
+#include "femoop/model/fault/fault_kind.h"
+#include "tests/femoop/methods/cross/frames.h"
+
+using namespace femoop;
+using namespace femoop::cross;
+
+namespace {
+
+Model two_spans()
+{
+    FrameMaker made;
+    made.node("A", 0, 0, fixed).node("B", 4, 0, roller).node("C", 9, 0, fixed).member("A", "B").member("B", "C");
+    made.uniform("AB", -12);
+    return made.model;
+}
+
+/// The only fault that the method finds in a model.
+FaultKind fault_of(const Model& model)
+{
+    try {
+        problem_of(model, CaseId(0));
+    } catch (const ModelError& error) {
+        REQUIRE(error.faults().size() == 1);
+        return error.faults().front().kind;
+    }
+    FAIL("nothing was found");
+    return {};
+}
+
+} // namespace
+
+TEST_CASE("Moment distribution refuses other structures than plane frames")
+{
+    FrameMaker made;
+    made.model.analysis = AnalysisKind::Truss2d;
+    made.node("A", 0, 0, pin).node("B", 4, 0, roller).node("C", 2, 3);
+    made.member("A", "B").member("B", "C").member("C", "A");
+    CHECK(fault_of(made.model) == FaultKind::CrossNeedsPlaneFrame);
+}
+
+TEST_CASE("Moment distribution refuses members that have no stiffness factor")
+{
+    Model rigid = two_spans(), skew = two_spans(), sprung = two_spans();
+    rigid.members[1].rigid = true;
+    skew.members[1].start.offset = {0.0, 0.3};
+    sprung.members[1].end.springs.push_back({.dof = Dof::ux, .stiffness = 500.0});
+    CHECK(fault_of(rigid) == FaultKind::CrossRigidMember);
+    CHECK(fault_of(skew) == FaultKind::CrossSkewOffset);
+    CHECK(fault_of(sprung) == FaultKind::CrossAxialSpring);
+}
+
+TEST_CASE("Moment distribution refuses models without a load case and models beyond its size")
+{
+    Model idle = two_spans();
+    idle.load_cases.clear();
+    CHECK(fault_of(idle) == FaultKind::CrossWithoutCase);
+    FrameMaker made;
+    for (std::size_t i = 0; i <= most_nodes; ++i)
+        made.node("n" + std::to_string(i), 3.0 * static_cast<double>(i), 0, i == 0 ? fixed : roller);
+    for (std::size_t i = 0; i < most_nodes; ++i) made.member("n" + std::to_string(i), "n" + std::to_string(i + 1));
+    CHECK(fault_of(made.model) == FaultKind::CrossTooLarge);
+}
