@@ -127,4 +127,17 @@ void parse(CLI::App& app, int argc, const char* const* argv)
     }
 }
 
+void parse_one_file(const ProgramWords& words, AppOptions& options, int argc, const char* const* argv,
+                    const std::function<void(CLI::App&)>& add)
+{
+    CLI::App app(words.purpose, words.name);
+    app.set_version_flag("--version", words.name + " " + words.version);
+    add_app_options(app, options, words.options);
+    if (add) add(app);
+    parse(app, argc, argv);
+    if (options.files.size() > 1)
+        throw OptionsEnd::mistake(words.name + ": found " + std::to_string(options.files.size()) +
+                                  " files, wanted one");
+}
+
 } // namespace ui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -50,6 +51,18 @@ struct OptionWords {
 void add_app_options(CLI::App& app, AppOptions& options, const OptionWords& words);
 /// \throws OptionsEnd
 void parse(CLI::App& app, int argc, const char* const* argv);
+
+/// What the program of an app of one document says of itself.
+struct ProgramWords {
+    std::string name;    ///< "mohr"
+    std::string version; ///< "0.1.0"
+    std::string purpose; ///< "Shows Mohr's circle at work: ..."
+    OptionWords options;
+};
+/// Reads the command line of an app of one document. \param add  options of its own
+/// \throws OptionsEnd, also of a second file
+void parse_one_file(const ProgramWords& words, AppOptions& options, int argc, const char* const* argv,
+                    const std::function<void(CLI::App&)>& add = {});
 
 /// The value of an option that names one of a list. \throws OptionsEnd where there is none
 template <class Value> struct NamedOption {

@@ -73,11 +73,15 @@ Complaint compared(std::string_view what, const std::string& found, const std::s
     return std::string(what) + ": found " + found + ", wanted " + wanted;
 }
 
+std::pair<std::string_view, std::string_view> first_word(std::string_view words)
+{
+    const std::size_t blank = std::min(words.find(' '), words.size());
+    return {words.substr(0, blank), words.substr(std::min(blank + 1, words.size()))};
+}
+
 std::optional<Complaint> common_complaint(std::string_view expectation, const std::optional<Picture>& picture)
 {
-    const std::size_t blank = std::min(expectation.find(' '), expectation.size());
-    const std::string_view what = expectation.substr(0, blank);
-    const std::string_view rest = expectation.substr(std::min(blank + 1, expectation.size()));
+    const auto [what, rest] = first_word(expectation);
     if (what == "drawn") return drawn(picture, rest);
     if (what == "written") return written(rest);
     if (what == "not") return not_there(picture, rest);

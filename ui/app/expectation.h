@@ -3,8 +3,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "ui/paint/picture.h"
+#include "ui/text/catalogue.h"
 
 namespace ui {
 
@@ -13,6 +16,9 @@ using Complaint = std::optional<std::string>;
 
 Complaint compared(std::string_view what, const std::string& found, const std::string& wanted);
 
+/// The first word and what follows the blank after it.
+std::pair<std::string_view, std::string_view> first_word(std::string_view words);
+
 /// The expectations of every app:
 ///
 ///     drawn "58.52"     not drawn "58.52"          a whole string of the picture
@@ -20,5 +26,46 @@ Complaint compared(std::string_view what, const std::string& found, const std::s
 ///
 /// \returns nothing for words that are none of these, else the complaint
 std::optional<Complaint> common_complaint(std::string_view expectation, const std::optional<Picture>& picture);
+
+/// A word that stands for something of an app: "step" for how many turns are done.
+template <class Session> struct Fact {
+    std::string_view name;
+    std::string (*found)(const Session&);
+};
+
+inline std::string yes_or_no(bool is) { return is ? "yes" : "no"; }
+
+/// The facts of an app of one document: `own` and
+///
+///     notice nothing     file cube.eul     changed no
+///
+/// \param own  "wanted one of" these \param more  further words that the app itself understands
+template <class Session> class Facts {
+public:
+    Facts(std::vector<Fact<Session>> own, std::string more) : facts_(std::move(own)), more_(std::move(more))
+    {
+        facts_.push_back({"notice", [](const Session& s) {
+                              return s.notice ? Catalogue()(s.notice->sentence) : std::string("nothing");
+                          }});
+        facts_.push_back({"file", [](const Session& s) { return s.file_name(); }});
+        facts_.push_back({"changed", [](const Session& s) { return yes_or_no(s.is_dirty()); }});
+    }
+
+    /// \param expectation  "step 3"
+    Complaint complaint(std::string_view expectation, const Session& session) const
+    {
+        const auto [what, rest] = first_word(expectation);
+        std::string names = "drawn, not drawn, written, not written" + more_;
+        for (const Fact<Session>& fact : facts_) {
+            if (fact.name == what) return compared(what, fact.found(session), std::string(rest));
+            names += ", " + std::string(fact.name);
+        }
+        return "expect: found \"" + std::string(what) + "\", wanted one of " + names;
+    }
+
+private:
+    std::vector<Fact<Session>> facts_;
+    std::string more_;
+};
 
 } // namespace ui

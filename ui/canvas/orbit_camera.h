@@ -59,6 +59,8 @@ public:
     World3 up() const;
     World3 toward_eye() const;
 
+    friend bool operator==(const OrbitCamera&, const OrbitCamera&) = default;
+
 private:
     World2 on_plane(World3 p) const;
 

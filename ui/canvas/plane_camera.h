@@ -28,8 +28,8 @@ struct Margins {
 ///     sheet.y = origin.y - scale * world.y        y is up in the world, down on the sheet
 class PlaneCamera {
 public:
-    static constexpr double smallest_scale = 1e-9;
-    static constexpr double largest_scale = 1e12;
+    static constexpr double smallest_scale = 1e-100;
+    static constexpr double largest_scale = 1e100;
 
     PlaneCamera() = default;
     /// The scale is taken to the nearer end of its range.

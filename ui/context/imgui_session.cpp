@@ -16,9 +16,12 @@ namespace {
 
 constexpr float line_of_em = 1.164F; // Dear ImGui gives type by the height of a line, ascender to descender
 
-/// Characters that widgets can show: European letters, Greek, punctuation, arrows, mathematics and shapes.
-constexpr ImWchar glyph_ranges[] = {0x0020, 0x017F, 0x0370, 0x03FF, 0x2010, 0x2027, 0x2030, 0x205E, 0x2070, 0x209F,
-                                    0x2190, 0x21FF, 0x2200, 0x22FF, 0x25A0, 0x25FF, 0x2713, 0x2718, 0};
+/// Characters that widgets can show: European letters, Greek, punctuation, arrows, mathematics and shapes, and the sign
+/// for all others.
+constexpr ImWchar glyph_ranges[] = {0x0020, 0x024F, 0x02B0, 0x02DF, 0x0370, 0x03FF, 0x0400, 0x052F, 0x1E00,
+                                    0x1EFF, 0x2010, 0x2027, 0x2030, 0x205E, 0x2070, 0x209F, 0x20A0, 0x20BF,
+                                    0x2100, 0x214F, 0x2190, 0x21FF, 0x2200, 0x23FF, 0x25A0, 0x25FF, 0x2713,
+                                    0x2718, 0x27C0, 0x27EF, 0xFFFD, 0xFFFD, 0};
 
 ImVec4 vec(Color c)
 {

@@ -26,6 +26,20 @@ template <class Session> void show_command(const Command<Session>& command, Sess
         ImGui::SetTooltip("%s", tr(*reason).c_str());
 }
 
+/// A button for a command, under its label; grey, with the reason under the pointer, where it cannot run.
+template <class Desk> void command_button(Desk& desk, const CommandTable<Desk>& commands, std::string_view id)
+{
+    const auto& command = *commands.find(id);
+    const Catalogue tr = desk.tr(); // a command may change the language
+    const auto reason = why_not(command, desk);
+    ImGui::BeginDisabled(reason.has_value());
+    const bool is_clicked = ImGui::Button((label(command, desk, tr) + "###" + std::string(id)).c_str());
+    ImGui::EndDisabled();
+    if (reason && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        ImGui::SetTooltip("%s", tr(*reason).c_str());
+    if (is_clicked) run(command, desk);
+}
+
 /// The menus of a table, in the order of their first commands. \pre within a menu bar
 template <class Session> void show_menus(const CommandTable<Session>& table, Session& session, const Catalogue& tr)
 {

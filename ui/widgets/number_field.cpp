@@ -103,7 +103,7 @@ NumberFieldEvent NumberFields::show_editor(unsigned id, float width)
     if (has_reason) ImGui::PushStyleColor(ImGuiCol_FrameBg, ImVec4(0.85F, 0.25F, 0.15F, 0.25F));
     ImGui::PushID(n_openings_); // an editor of its own: Dear ImGui would undo what was typed into the one before
     const bool is_confirmed = ImGui::InputText(
-        "text", &text_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+        "###text", &text_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     ImGui::PopID();
     if (has_reason) ImGui::PopStyleColor();
     const bool is_left = ImGui::IsItemDeactivated();

@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/widgets/modal_turn.h"
+
 namespace ui {
 
 bool SideWindow::begin(bool is_open, const char* id, const std::string& title)
 {
     light_up(is_open);
     if (!is_open) return false;
+    if (!has_turn(id)) return false;
     if (!ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
     const ImGuiViewport& viewport = *ImGui::GetMainViewport();
     const float width = std::min(24.0F * ImGui::GetFontSize(), 0.3F * viewport.WorkSize.x);

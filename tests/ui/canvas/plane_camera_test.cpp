@@ -2,12 +2,24 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <limits>
 #include <random>
 
 using doctest::Approx;
 
 TEST_SUITE_BEGIN("cameras");
+
+TEST_CASE("A model of any size is fitted, far smaller than an atom and far larger than a galaxy")
+{
+    for (const double size : {1e-60, 1e-11, 1.0, 1e12, 1e60}) {
+        CAPTURE(size);
+        ui::PlaneCamera camera;
+        const std::array<ui::World2, 2> ends{{{0.0, 0.0}, {size, size}}};
+        camera.fit(ends, {800.0, 600.0}); // margins of 40
+        CHECK(camera.to_sheet(ends[1]).x - camera.to_sheet(ends[0]).x == doctest::Approx(520.0));
+    }
+}
 
 TEST_CASE("y is up in the world and down on the sheet")
 {

@@ -36,6 +36,18 @@ TEST_CASE("A press and a release over a button click it, at every scale")
     }
 }
 
+TEST_CASE("A sign that the font lacks is no question mark in a panel")
+{
+    if (!has_renderer()) return;
+    Stage stage(1.0);
+    stage.frame({}, [] {
+        const ImFont& font = *ImGui::GetFont();
+        CHECK(font.FindGlyph(0x4E2D)->Codepoint == 0xFFFD); // a Chinese one
+        CHECK(font.FindGlyphNoFallback(0x2300) != nullptr); // a diameter
+        CHECK(font.FindGlyph('?')->Codepoint == '?');
+    });
+}
+
 TEST_CASE("Typed letters and a key that goes down and up in one frame reach a text field")
 {
     if (!has_renderer()) return;

@@ -1,0 +1,121 @@
+#include "ui/app/kept_files.h"
+
+#include <imgui.h>
+
+#include <string>
+
+#include "ui/widgets/modal_turn.h"
+
+namespace ui {
+
+KeptFiles::KeptFiles(const std::optional<DraftFolder>& folder)
+{
+    if (!folder) return;
+    autosave_.emplace(*folder);
+    recent_.emplace(folder->path / "recent", folder->write);
+    leftovers_ = autosave_->new_leftovers();
+}
+
+std::optional<Phrase> KeptFiles::keep(const std::function<std::vector<Unsaved>()>& unsaved, double seconds)
+{
+    return autosave_ ? autosave_->tick(unsaved, seconds) : std::nullopt;
+}
+
+void KeptFiles::note(const std::optional<std::filesystem::path>& file)
+{
+    if (!recent_ || !file || *file == noted_) return;
+    noted_ = *file;
+    recent_->add(*file);
+}
+
+// Who starts the program again right after it was killed must not miss the draft that the dying one still holds; later
+// nobody is interrupted.
+void KeptFiles::look_for_leftovers(double seconds)
+{
+    constexpr double patience = 60.0, interval = 2.0; // s
+    age_ += seconds;
+    if (!autosave_ || age_ > patience || age_ - looked_at_ < interval) return;
+    looked_at_ = age_;
+    const std::vector<Leftover> found = autosave_->new_leftovers();
+    leftovers_.insert(leftovers_.end(), found.begin(), found.end());
+}
+
+void KeptFiles::end()
+{
+    if (autosave_) autosave_->forget_all();
+    autosave_.reset(); // else the frame that ends the program would begin again
+}
+
+bool KeptFiles::take(Request request)
+{
+    asks_for_recent_ |= request == Request::RecentList;
+    return request == Request::RecentList;
+}
+
+namespace {
+
+// A window over all others in the middle of the screen; it must be ended where it is open.
+bool begin_modal(const std::string& heading, const char* id)
+{
+    if (!has_turn(id)) return false;
+    ImGui::OpenPopup(id);
+    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
+    return ImGui::BeginPopupModal((heading + id).c_str(), nullptr, ImGuiWindowFlags_AlwaysAutoResize);
+}
+
+// The name first, since a long folder may end beyond the window.
+std::string name_and_folder(const std::filesystem::path& path)
+{
+    return path.filename().string() + "   –   " + path.parent_path().string();
+}
+
+bool is_escaped() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)); }
+
+} // namespace
+
+std::optional<std::filesystem::path> KeptFiles::chosen_file(const Catalogue& tr)
+{
+    if (!begin_modal(tr("The last files"), "###recent")) return std::nullopt;
+    const bool is_empty = !recent_ || recent_->paths().empty();
+    if (is_empty) ImGui::TextUnformatted(tr("No file was opened or saved yet.").c_str());
+    std::optional<std::filesystem::path> chosen;
+    for (std::size_t i = 0; !is_empty && i < recent_->paths().size(); ++i) {
+        const std::filesystem::path& path = recent_->paths()[i];
+        if (ImGui::Selectable((name_and_folder(path) + "###" + std::to_string(i)).c_str())) chosen = path;
+    }
+    ImGui::Spacing();
+    asks_for_recent_ = !(ImGui::Button((tr("Cancel") + "###cancel").c_str()) || is_escaped() || chosen);
+    if (!asks_for_recent_) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+    return chosen;
+}
+
+std::optional<Leftover> KeptFiles::chosen_leftover(const Catalogue& tr)
+{
+    if (!begin_modal(tr("Unsaved work was found"), "###leftovers")) return std::nullopt;
+    ImGui::TextUnformatted(tr("The program ended before this was saved.").c_str());
+    std::optional<Leftover> opened, deleted;
+    for (std::size_t i = 0; i < leftovers_.size(); ++i) {
+        const Leftover& leftover = leftovers_[i];
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::Button((tr("Open") + "###open").c_str())) opened = leftover;
+        ImGui::SameLine();
+        if (ImGui::Button((tr("Delete") + "###delete").c_str())) deleted = leftover;
+        ImGui::SameLine();
+        ImGui::TextUnformatted((leftover.original ? name_and_folder(*leftover.original) : tr("Untitled")).c_str());
+        ImGui::PopID();
+    }
+    if (deleted)
+        if (const auto draft = Draft::taken_over(autosave_->folder(), *deleted)) draft->forget();
+    std::erase_if(leftovers_, [&](const Leftover& leftover) {
+        return (opened && leftover.draft == opened->draft) || (deleted && leftover.draft == deleted->draft);
+    });
+    ImGui::Spacing();
+    const bool later = ImGui::Button((tr("Later") + "###later").c_str()) || is_escaped();
+    if (later) leftovers_.clear();
+    if (leftovers_.empty() || opened) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+    return opened;
+}
+
+} // namespace ui

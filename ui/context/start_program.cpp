@@ -1,0 +1,94 @@
+#include "ui/context/start_program.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <spawn.h>
+#include <string>
+#include <sys/wait.h>
+#include <system_error>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+#include "ui/text/catalogue.h"
+
+namespace ui {
+
+namespace {
+
+struct Closing {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, Closing>;
+
+/// A file without a name that holds the text; null where the system gives none.
+File nameless_file(const std::string& text)
+{
+    File file(std::tmpfile());
+    if (!file || std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() || std::fflush(file.get()) != 0)
+        return nullptr;
+    std::rewind(file.get());
+    return file;
+}
+
+/// A session of its own, so that it outlives the terminal of this program; reads from the file.
+class Surroundings {
+public:
+    explicit Surroundings(int input)
+    {
+        posix_spawnattr_init(&attributes);
+        posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID);
+        posix_spawn_file_actions_init(&actions);
+        posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+        if (input != STDIN_FILENO) posix_spawn_file_actions_addclose(&actions, input);
+    }
+    ~Surroundings()
+    {
+        posix_spawn_file_actions_destroy(&actions);
+        posix_spawnattr_destroy(&attributes);
+    }
+    Surroundings(const Surroundings&) = delete;
+    Surroundings& operator=(const Surroundings&) = delete;
+
+    posix_spawnattr_t attributes{};
+    posix_spawn_file_actions_t actions{};
+};
+
+Phrase not_started(const std::string& program, int error)
+{
+    return {translatable("{program} was not started: {reason}"),
+            {{"program", program}, {"reason", std::generic_category().message(error)}}};
+}
+
+} // namespace
+
+std::filesystem::path folder_of_programs()
+{
+    std::error_code ignored;
+    return std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
+}
+
+std::optional<Phrase> start_program(const Handover& handover, const std::filesystem::path& folder)
+{
+    const std::filesystem::path program = folder / handover.program;
+    if (access(program.c_str(), X_OK) != 0)
+        return Phrase(translatable("the program {program} is not in {folder}, where this one is; install it there"),
+                      {{"program", handover.program}, {"folder", folder.string()}});
+    const File document = nameless_file(handover.document);
+    if (!document) return not_started(handover.program, errno);
+    std::vector<std::string> words{program.string(), "-"};
+    words.insert(words.end(), handover.options.begin(), handover.options.end());
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    const Surroundings surroundings(fileno(document.get()));
+    pid_t child = 0;
+    const int error = posix_spawn(&child, program.c_str(), &surroundings.actions, &surroundings.attributes,
+                                  arguments.data(), environ);
+    if (error != 0) return not_started(handover.program, error);
+    std::thread([child] { waitpid(child, nullptr, 0); }).detach(); // else it stays in the table when it has ended
+    return std::nullopt;
+}
+
+} // namespace ui

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace ui {
+
+/// What the user asks the window of every app for, since a session has none: a dialog, a list, the end.
+enum class Request : std::uint8_t {
+    OpenDialog,
+    RecentList,
+    SaveDialog,
+    ExportDialog,
+    CopyPicture,
+    Description,
+    Palette,
+    ShortcutList,
+    Fit,
+    ZoomIn,
+    ZoomOut,
+    Quit
+};
+
+/// What the desk of every app has beside its session. An app's own desk is derived from it; its `session` knows
+/// `path()` and `save(path)`, and the desk itself
+///
+///     ui::ThemeName& theme();                   const ui::Catalogue& tr() const;
+///     ui::ThemeName theme() const;              void set_language(ui::Language);
+///     void give_room_to_the_picture(bool);      hides all panels, or shows them
+///     void open(path);                          a file, once nothing is lost by it
+///     void tell(const ui::Phrase&);             shows a sentence
+///     std::vector<ui::Unsaved> unsaved() const;                         what a crash would cost
+///     bool can_recover() const;                                         nothing is in the way of
+///     std::optional<std::uint64_t> recover(const ui::Leftover&);        opening what a crash has left; its document
+struct Desk {
+    std::vector<Request> asked{}; ///< the window takes them once a frame
+    bool has_panels = true;
+    double export_scale = 2.0; ///< pixels of a PNG for a logical one
+};
+
+/// A command that asks the window for something.
+inline std::function<void(Desk&)> asks(Request request)
+{
+    return [request](Desk& desk) { desk.asked.push_back(request); };
+}
+
+} // namespace ui

@@ -1,0 +1,101 @@
+#include "ui/files/autosave.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "ui/text/catalogue.h"
+
+namespace ui {
+
+Unsaved unsaved_text(std::string text, const std::optional<std::filesystem::path>& original, WriteWhole write)
+{
+    return {.state = std::hash<std::string>()(text), .original = original, .copy = [text = std::move(text), write] {
+                return [text, write](const std::filesystem::path& draft) { return write(draft, text); };
+            }};
+}
+
+std::optional<Phrase> Autosave::tick(const std::function<std::vector<Unsaved>()>& unsaved, double seconds)
+{
+    std::optional<Phrase> told = collect();
+    waited_ += seconds;
+    if (waited_ < interval) return told;
+    waited_ = 0.0;
+    const std::vector<Unsaved> documents = unsaved();
+    for (const Unsaved& document : documents) keep(document);
+    forget_all_but(documents);
+    return told;
+}
+
+void Autosave::keep(const Unsaved& document)
+{
+    Kept& kept = kept_[document.document];
+    if (kept.is_writing() || kept.state == document.state) return;
+    if (!kept.draft) kept.draft = std::make_unique<Draft>(folder_);
+    kept.state = document.state;
+    const auto write = [draft = kept.draft.get(), copy = document.copy(), original = document.original] {
+        return draft->keep(copy, original);
+    };
+    kept.writing = std::async(std::launch::async, write);
+}
+
+std::optional<Phrase> Autosave::collect()
+{
+    std::optional<Phrase> sentence;
+    for (auto& [document, kept] : kept_) {
+        if (!kept.is_writing()) continue;
+        if (kept.writing.wait_for(std::chrono::seconds(0)) != std::future_status::ready) continue;
+        if (auto told = this->told(kept, kept.writing.get())) sentence = std::move(told);
+    }
+    return sentence;
+}
+
+// A full disk or a folder that is not writable must not hinder the work, and the next tick tries again.
+std::optional<Phrase> Autosave::told(Kept& kept, const std::error_code& hindrance)
+{
+    if (hindrance) kept.state.reset();
+    const bool was_told = std::ranges::any_of(kept_, [](const auto& entry) { return entry.second.is_hindered; });
+    kept.is_hindered = static_cast<bool>(hindrance);
+    if (!hindrance || was_told) return std::nullopt;
+    return Phrase(translatable("what is not saved cannot be kept for the case of a crash: {folder}: {reason}; save "
+                               "often"),
+                  {{"folder", folder_.path.string()}, {"reason", hindrance.message()}});
+}
+
+void Autosave::forget_all_but(const std::vector<Unsaved>& documents)
+{
+    std::erase_if(kept_, [&](auto& entry) {
+        const bool is_over = std::ranges::find(documents, entry.first, &Unsaved::document) == documents.end();
+        if (!is_over || entry.second.is_writing()) return false;
+        entry.second.draft->forget();
+        return true;
+    });
+}
+
+std::vector<Leftover> Autosave::new_leftovers()
+{
+    std::vector<Leftover> found = leftovers(folder_);
+    std::erase_if(found, [&](const Leftover& leftover) { return !told_.insert(leftover.draft).second; });
+    return found;
+}
+
+void Autosave::adopt(std::uint64_t document, std::unique_ptr<Draft> leftover)
+{
+    wait();
+    if (const auto former = kept_.find(document); former != kept_.end()) former->second.draft->forget();
+    kept_[document] = {.draft = std::move(leftover)};
+}
+
+void Autosave::wait() const
+{
+    for (const auto& [document, kept] : kept_)
+        if (kept.is_writing()) kept.writing.wait();
+}
+
+void Autosave::forget_all()
+{
+    wait();
+    for (auto& [document, kept] : kept_) kept.draft->forget();
+    kept_.clear();
+}
+
+} // namespace ui

@@ -1,0 +1,160 @@
+#include "ui/files/draft.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <iterator>
+
+namespace ui {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::error_code last_error() { return {errno, std::generic_category()}; }
+
+/// Beside 7-0.json: 7-0.json.lock, 7-0.json.path
+fs::path beside(fs::path draft, const char* extension) { return draft += extension; }
+
+/// A descriptor that holds the lock of a draft, or -1 if another program holds it.
+int take_lock(const fs::path& draft)
+{
+    const int descriptor = open(beside(draft, ".lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
+    if (descriptor < 0 || flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+    close(descriptor);
+    errno = EWOULDBLOCK;
+    return -1;
+}
+
+bool is_in_use(const fs::path& draft)
+{
+    const int lock = take_lock(draft);
+    if (lock >= 0) close(lock);
+    return lock < 0;
+}
+
+/// The draft, what stands beside it, and what was written of it when the program was killed.
+void remove_all_of(const fs::path& draft)
+{
+    const std::string stem = draft.stem().string() + ".";
+    std::error_code ignored;
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry : fs::directory_iterator(draft.parent_path(), ignored)) {
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with(stem) || name.starts_with("." + stem)) files.push_back(entry.path());
+    }
+    for (const fs::path& file : files) fs::remove(file, ignored);
+}
+
+std::optional<fs::path> original_of(const fs::path& draft)
+{
+    std::ifstream file(beside(draft, ".path"), std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    return text.empty() ? std::nullopt : std::optional<fs::path>(text);
+}
+
+/// 7-0.json, but not 7-0.view.json
+bool is_draft(const fs::path& path, const std::string& extension)
+{
+    return path.extension() == extension && path.stem().extension().empty();
+}
+
+fs::file_time_type age(const Leftover& leftover)
+{
+    std::error_code ignored;
+    return fs::last_write_time(leftover.draft, ignored);
+}
+
+} // namespace
+
+std::optional<DraftFolder> draft_folder(std::string_view app, std::string extension, WriteWhole write)
+{
+    const auto set = [](const char* name) {
+        const char* const value = std::getenv(name);
+        return value != nullptr && *value == '/' ? std::optional<fs::path>(value) : std::nullopt;
+    };
+    std::optional<fs::path> state = set("XDG_STATE_HOME");
+    if (const auto home = set("HOME"); home && !state) state = *home / ".local" / "state";
+    if (!state) return std::nullopt;
+    return DraftFolder{*state / "cremona" / app, std::move(extension), write};
+}
+
+std::vector<Leftover> leftovers(const DraftFolder& folder)
+{
+    std::vector<Leftover> found;
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder.path, error))
+        if (is_draft(entry.path(), folder.extension) && !is_in_use(entry.path()))
+            found.push_back({entry.path(), original_of(entry.path())});
+    std::ranges::sort(found, std::ranges::greater(), age);
+    return found;
+}
+
+std::unique_ptr<Draft> Draft::taken_over(DraftFolder folder, const Leftover& leftover)
+{
+    auto draft = std::make_unique<Draft>(std::move(folder));
+    draft->lock_ = take_lock(leftover.draft);
+    if (draft->lock_ < 0) return nullptr;
+    draft->path_ = leftover.draft;
+    std::error_code error;
+    if (fs::exists(leftover.draft, error)) return draft;
+    draft->forget();
+    return nullptr;
+}
+
+Draft::~Draft()
+{
+    if (lock_ >= 0) close(lock_);
+}
+
+std::error_code Draft::lock()
+{
+    std::error_code error;
+    fs::create_directories(folder_.path, error);
+    if (error) return error;
+    // A name that no other document has, in this program or another.
+    for (int i = 0; lock_ < 0; ++i) {
+        const std::string name = std::to_string(getpid()) + "-" + std::to_string(i) + folder_.extension;
+        const fs::path draft = folder_.path / name;
+        if (fs::exists(draft, error)) continue;
+        lock_ = take_lock(draft);
+        if (lock_ < 0 && errno != EWOULDBLOCK) return last_error();
+        if (lock_ >= 0) path_ = draft;
+    }
+    return {};
+}
+
+std::error_code Draft::keep(const WriteDocument& write, const std::optional<fs::path>& original)
+{
+    if (path_.empty())
+        if (const std::error_code error = lock()) return error;
+    if (const std::error_code error = keep_path(original)) return error;
+    return write(path_);
+}
+
+std::error_code Draft::keep_path(const std::optional<fs::path>& original) const
+{
+    const fs::path file = beside(path_, ".path");
+    std::error_code error;
+    const fs::path whole = original ? fs::absolute(*original, error) : fs::path();
+    if (error) return error;
+    if (original) return folder_.write(file, whole.string());
+    fs::remove(file, error);
+    return error;
+}
+
+void Draft::forget()
+{
+    if (path_.empty()) return;
+    remove_all_of(path_);
+    close(std::exchange(lock_, -1));
+    path_.clear();
+}
+
+} // namespace ui

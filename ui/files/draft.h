@@ -1,0 +1,66 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "ui/files/write_whole.h"
+
+namespace ui {
+
+/// Where the programs of an app keep drafts of their documents.
+struct DraftFolder {
+    std::filesystem::path path;
+    std::string extension; ///< of the app's documents: ".json"
+    WriteWhole write;
+};
+
+/// Where this person's programs keep such things: $XDG_STATE_HOME/cremona/APP, else ~/.local/state/cremona/APP.
+/// Nothing where neither is known.
+std::optional<DraftFolder> draft_folder(std::string_view app, std::string extension, WriteWhole write);
+
+/// Unsaved work that a program left behind when it was killed.
+struct Leftover {
+    std::filesystem::path draft;                   ///< a file of the app's kind
+    std::optional<std::filesystem::path> original; ///< the file that was being edited
+};
+std::vector<Leftover> leftovers(const DraftFolder& folder); ///< the newest first
+
+/// Writes a document as it stood when this was made. What stands beside it has its name with another ending:
+/// 7-0.view.json beside 7-0.json. \returns what hindered it
+using WriteDocument = std::function<std::error_code(const std::filesystem::path& draft)>;
+
+/// Keeps a copy of a document that is not saved yet, so that no crash costs it. Each document of each program that runs
+/// has a draft of its own, whose lock the system lifts when the program ends in whatever way; a draft without a lock is
+/// a leftover.
+class Draft {
+public:
+    /// The folder is made with the first draft.
+    explicit Draft(DraftFolder folder) : folder_(std::move(folder)) {}
+    /// A leftover becomes the draft of this program. \returns null where another one was faster
+    static std::unique_ptr<Draft> taken_over(DraftFolder folder, const Leftover& leftover);
+    Draft(const Draft&) = delete;
+    Draft& operator=(const Draft&) = delete;
+    ~Draft(); ///< the lock goes, the draft stays
+
+    /// Writes it, whole or not at all. \returns what hindered it
+    std::error_code keep(const WriteDocument& write, const std::optional<std::filesystem::path>& original);
+    /// The document is saved or given up: no draft is needed.
+    void forget();
+
+private:
+    std::error_code lock();
+    std::error_code keep_path(const std::optional<std::filesystem::path>& original) const;
+
+    DraftFolder folder_;
+    std::filesystem::path path_; ///< empty until the lock is held
+    int lock_ = -1;
+};
+
+} // namespace ui

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ui/paint/style.h"
+#include "ui/paint/text_measure.h"
+
+namespace ui {
+
+/// A text broken between words into lines of at most `width` logical pixels; a longer word has a line of its own.
+std::vector<std::string> wrapped_lines(const Fonts& fonts, std::string_view text, const TextStyle& style, double width);
+
+} // namespace ui
