@@ -27,7 +27,7 @@ std::vector<Entity> without(const std::set<Entity>& list, const std::set<Entity>
 
 } // namespace
 
-std::string deltas(const StepReport& step)
+std::string deltas(const StepSummary& step)
 {
     const topology::EulerCounts &a = step.before, &b = step.after;
     return step.name + ":" + difference(a.V, b.V) + difference(a.E, b.E) + difference(a.F, b.F) + difference(a.L, b.L) +

@@ -10,13 +10,17 @@
 
 namespace euler {
 
-/// What there is to say of one step of a lesson.
-struct StepReport {
-    std::string line;                      ///< as the script has it, with the comment at its end
-    std::string name;                      ///< of the operator: "MEV", or "SWEEP", which is many
-    std::size_t solid = 0;                 ///< its place in the runner's solids()
+/// One step of a lesson, in short: what stands in a list of all steps.
+struct StepSummary {
+    std::string line;                    ///< as the script has it, with the comment at its end
+    std::string name;                    ///< of the operator: "MEV", or "SWEEP", which is many
+    std::size_t solid = 0;               ///< its place in the runner's solids()
+    topology::EulerCounts before, after; ///< of that solid; all 0 before its first step
+};
+
+/// All that there is to say of one step.
+struct StepReport : StepSummary {
     std::vector<topology::Change> changes; ///< one for each operator
-    topology::EulerCounts before, after;   ///< of that solid; all 0 before its first step
     std::string inverse_name;              ///< "KEV"; of a sweep, and where one is not enough, "KEF, KEV"
     std::vector<std::string> inverse;      ///< the lines that would take the step back: "kev s1 v1 v2"
     ui::Phrase meaning;                    ///< what the line did, in a sentence
@@ -24,7 +28,7 @@ struct StepReport {
 };
 
 /// The six differences in the order of the formula, V E F L S G: "MEF: 0 +1 +1 +1 0 0".
-std::string deltas(const StepReport& step);
+std::string deltas(const StepSummary& step);
 
 /// What all of a step's operators did, taken together: what came and went within the step is not told.
 topology::Change together(const std::vector<topology::Change>& changes);

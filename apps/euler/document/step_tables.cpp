@@ -4,22 +4,18 @@ namespace euler {
 
 namespace {
 
-topology::EntityTables tables(const topology::ScriptRunner& runner, std::size_t solid)
+topology::EntityRows rows(std::span<const Snapshot> solids, std::size_t solid)
 {
-    if (!runner.solids()[solid].is_alive()) return {};
-    return entity_tables(runner.solids()[solid].solid, place_among_living(runner, solid));
+    if (solid >= solids.size() || !solids[solid].is_alive()) return {};
+    return topology::EntityRows(*solids[solid].solid, topology::place_among_living(solids, solid));
 }
 
 } // namespace
 
-topology::ComparedTables step_tables(const Stepper& lesson, std::size_t step)
+topology::ComparedTables step_tables(std::span<const Snapshot> before, std::span<const Snapshot> after,
+                                     std::size_t solid)
 {
-    const std::size_t solid = lesson.report(step).solid;
-    Stepper there = lesson;
-    there.go_to(step);
-    topology::EntityTables after = tables(there.runner(), solid);
-    there.go_to(step - 1);
-    return compared(tables(there.runner(), solid), std::move(after));
+    return {rows(before, solid), rows(after, solid)};
 }
 
 } // namespace euler

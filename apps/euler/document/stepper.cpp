@@ -54,7 +54,7 @@ std::string names_of(const std::vector<std::string>& lines)
 }
 
 /// Shells and genus are counted again only after an operator that may join or part what others leave connected.
-EulerCounts counts_after(const topology::Solid& solid, const EulerCounts& before, OperatorKind kind)
+EulerCounts counted_after(const topology::Solid& solid, const EulerCounts& before, OperatorKind kind)
 {
     if (kind == OperatorKind::KFMRH || kind == OperatorKind::MFKRH) return topology::euler_counts(solid);
     const topology::Counts n = solid.counts();
@@ -89,36 +89,78 @@ Stepper::Stepper(std::string_view script)
 /// A step takes the place of those that were undone.
 LineKind Stepper::run(std::string_view line)
 {
-    Recorder recorder;
-    const LineKind kind = runner_.run_line(line, &recorder);
+    const LineKind kind = runner_.run_line(line);
     if (kind != LineKind::Operator) return kind;
-    steps_.resize(place() - 1);
-    StepReport report = described(line, std::move(recorder.changes));
-    report.explanation = std::string_view(comment(above_, line));
-    steps_.push_back(std::make_shared<const TextStep>(TextStep{std::exchange(above_, ""), std::move(report)}));
+    forget_undone();
+    steps_.push_back(entry(line));
+    steps_of_[steps_.back()->solid].push_back(steps_.size());
     return kind;
 }
 
-StepReport Stepper::described(std::string_view line, std::vector<Change> changes) const
+void Stepper::forget_undone()
+{
+    for (; steps_.size() >= place(); steps_.pop_back()) steps_of_[steps_.back()->solid].pop_back();
+    steps_of_.resize(runner_.solids().size());
+}
+
+/// Of the line that was just run.
+std::shared_ptr<const Stepper::Entry> Stepper::entry(std::string_view line)
 {
     const topology::ScriptRunner::Done& done = runner_[place() - 1];
     const topology::NamedSolid& in = runner_.solids()[done.solid];
-    StepReport report{.line = std::string(line), .solid = done.solid};
-    report.name = operator_name(line, changes.front().kind);
-    report.before = counts_before(done.solid);
-    report.after = counts_after(in.solid, report.before, changes.front().kind);
-    report.meaning = meaning(line, report.before, report.after);
-    report.inverse = inverse_lines(in, done.n_operators);
+    const std::vector<std::size_t>& before = steps_of_[done.solid];
+    Entry made{.line_at = above_.size(), .solid = done.solid, .previous = before.empty() ? 0 : before.back()};
+    made.text = std::exchange(above_, "").append(line);
+    made.text.shrink_to_fit();
+    made.kind = in.journal[in.journal.n_done() - done.n_operators].kind;
+    made.after = counted_after(in.solid, counts_after(made.previous), made.kind);
+    return std::make_shared<const Entry>(std::move(made));
+}
+
+EulerCounts Stepper::counts_after(std::size_t step) const
+{
+    return step == 0 ? EulerCounts{} : steps_[step - 1]->after;
+}
+
+StepSummary Stepper::summary(std::size_t i) const
+{
+    const Entry& step = *steps_[i - 1];
+    return {.line = std::string(step.line()),
+            .name = operator_name(step.line(), step.kind),
+            .solid = step.solid,
+            .before = counts_after(step.previous),
+            .after = step.after};
+}
+
+StepReport Stepper::report(std::size_t i) const
+{
+    if (i != place()) {
+        Stepper there = *this;
+        there.go_to(i);
+        return there.report(i);
+    }
+    StepReport report{summary(i)};
+    report.changes = changes();
+    report.inverse = inverse_lines(runner_.solids()[report.solid], n_operators(i));
     report.inverse_name = names_of(report.inverse);
-    report.changes = std::move(changes);
+    report.meaning = meaning(report.line, report.before, report.after);
+    report.explanation = std::string_view(comment(steps_[i - 1]->above(), report.line));
     return report;
 }
 
-EulerCounts Stepper::counts_before(std::size_t solid) const
+/// One operator is read off the tables that it left; of several each was followed by others, so they are done again.
+std::vector<Change> Stepper::changes() const
 {
-    for (auto step = steps_.rbegin(); step != steps_.rend(); ++step)
-        if ((*step)->report.solid == solid) return (*step)->report.after;
-    return {};
+    const topology::ScriptRunner::Done& done = runner_[place() - 1];
+    const topology::NamedSolid& in = runner_.solids()[done.solid];
+    if (done.n_operators == 1) return {change(in.solid.tables(), in.journal[in.journal.n_done() - 1])};
+    topology::NamedSolid again{.name = in.name, .solid = in.solid, .journal = in.journal, .names = {}};
+    topology::EulerOperator op(again.solid, again.journal);
+    for (std::size_t n = 0; n < done.n_operators; ++n) op.undo();
+    Recorder recorder;
+    op.observe(recorder);
+    for (std::size_t n = 0; n < done.n_operators; ++n) op.redo();
+    return std::move(recorder.changes);
 }
 
 void Stepper::go_to(std::size_t place)
@@ -142,11 +184,27 @@ std::optional<ui::Phrase> Stepper::apply(std::string_view line)
     return std::nullopt;
 }
 
-std::string Stepper::script() const
+std::string Stepper::script() const { return whole().text(); }
+
+Stepper::Script Stepper::whole() const
+{
+    Script script;
+    script.steps_ = steps_;
+    script.after_ = above_;
+    return script;
+}
+
+std::string Stepper::Script::text() const
 {
     std::string text;
-    for (const auto& step : steps_) text += step->above + step->report.line + "\n";
-    return text + above_;
+    for (const auto& step : steps_) text.append(step->text) += '\n';
+    return text + after_;
+}
+
+bool Stepper::Script::operator==(const Script& other) const
+{
+    const auto is_same = [](const auto& a, const auto& b) { return a == b || a->text == b->text; };
+    return after_ == other.after_ && std::ranges::equal(steps_, other.steps_, is_same);
 }
 
 } // namespace euler

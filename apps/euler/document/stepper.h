@@ -33,26 +33,55 @@ public:
     std::optional<ui::Phrase> apply(std::string_view line);
 
     const topology::ScriptRunner& runner() const { return runner_; }
-    const StepReport& report(std::size_t i) const { return steps_[i - 1]->report; } ///< \pre 1 <= i <= n_steps()
+    StepSummary summary(std::size_t i) const; ///< \pre 1 <= i <= n_steps(), likewise of the next
+    /// Read off the solid as the step left it: at once at the place, on a copy that goes there elsewhere.
+    StepReport report(std::size_t i) const;
+    std::size_t n_operators(std::size_t i) const { return runner_[i - 1].n_operators; } ///< of step i
 
+    class Script;
     /// What is saved: every step with its comments, those beyond the place too.
-    std::string script() const;
+    Script whole() const;
+    std::string script() const; ///< its text
     /// The comment that the script begins with, up to its first empty line; "" if it begins otherwise.
     const ui::Phrase& heading() const { return heading_; }
 
 private:
-    struct TextStep {
-        std::string above; ///< comments and empty lines before the line, as they stand in the text
-        StepReport report;
+    /// What is kept of a step; all else is found again where it is asked for, so that a million steps have room.
+    struct Entry {
+        std::string text;         ///< the line, after the comments and empty lines above it
+        std::size_t line_at = 0;  ///< where the line begins
+        std::size_t solid = 0;    ///< its place in the runner's solids()
+        std::size_t previous = 0; ///< the last step before on the same solid; 0 for none
+        topology::OperatorKind kind = topology::OperatorKind::MVFS; ///< of its first operator
+        topology::EulerCounts after;
+
+        std::string_view line() const { return std::string_view(text).substr(line_at); }
+        std::string_view above() const { return std::string_view(text).substr(0, line_at); }
     };
     topology::LineKind run(std::string_view line);
-    StepReport described(std::string_view line, std::vector<topology::Change> changes) const;
-    topology::EulerCounts counts_before(std::size_t solid) const;
+    void forget_undone();
+    std::shared_ptr<const Entry> entry(std::string_view line);
+    topology::EulerCounts counts_after(std::size_t step) const; ///< all 0 of step 0
+    std::vector<topology::Change> changes() const;              ///< of the step at the place
 
     topology::ScriptRunner runner_;
-    std::vector<std::shared_ptr<const TextStep>> steps_; ///< never changed, so that copies share them
+    std::vector<std::shared_ptr<const Entry>> steps_; ///< never changed, so that copies share them
+    std::vector<std::vector<std::size_t>> steps_of_;  ///< by solid: which steps are its, in order
     std::string above_; ///< of the step that is read next; in the end, what follows the last step
     ui::Phrase heading_;
+};
+
+/// The text of a lesson as it stood. It has the steps in common with the lesson, which never changes them, so that it
+/// is cheap to take also of a million steps.
+class Stepper::Script {
+public:
+    std::string text() const;
+    bool operator==(const Script& other) const;
+
+private:
+    friend class Stepper;
+    std::vector<std::shared_ptr<const Entry>> steps_;
+    std::string after_; ///< the last step
 };
 
 /// The sentence of a line that cannot be run, without its place in the text.

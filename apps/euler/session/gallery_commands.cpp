@@ -34,7 +34,7 @@ void add_gallery_commands(CommandTable& table)
                    .menu = translatable("Gallery"),
                    .label = items[i].title,
                    .run = [script = items[i].script](Desk& desk) {
-                       leave_lesson(desk, [script](Desk& left) {
+                       desk.leave_document([script](Desk& left) {
                            left.session.show(Stepper(script));
                            left.topic = Topic::Script;
                        });

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "ui/desk/standard_commands.h"
+
 namespace euler {
 
 using topology::EntityKind;
@@ -11,7 +13,7 @@ using ui::translatable;
 
 namespace {
 
-constexpr std::string_view view_menu = translatable("View");
+using ui::standard::view_menu;
 constexpr std::string_view show_menu = translatable("Show");
 
 struct KindEntry {
@@ -31,9 +33,6 @@ struct DirectionEntry {
     Key key;
 };
 constexpr std::array directions{
-    DirectionEntry{Request::Fit, "view.fit", translatable("Show everything"), Key::F},
-    DirectionEntry{Request::ZoomIn, "view.zoom_in", translatable("Zoom in"), Key::Plus},
-    DirectionEntry{Request::ZoomOut, "view.zoom_out", translatable("Zoom out"), Key::Minus},
     DirectionEntry{Request::LookIsometric, "view.isometric", translatable("From a corner"), Key::Digit7},
     DirectionEntry{Request::LookFront, "view.front", translatable("From the front"), Key::Digit8},
     DirectionEntry{Request::LookSide, "view.side", translatable("From the side"), Key::Digit9},
@@ -49,6 +48,7 @@ void add_views(CommandTable& table)
                    .shortcuts = {{entry.key, {}}},
                    .run = [kind = entry.kind](Desk& desk) { desk.session.show_as(kind); },
                    .is_on = [kind = entry.kind](const Desk& desk) { return desk.session.view() == kind; }});
+    ui::standard::add_zoom(table, translatable("Show everything"), {{Key::F, {}}});
     for (const DirectionEntry& entry : directions)
         table.add({.id = entry.id,
                    .menu = view_menu,
@@ -87,13 +87,7 @@ void flip(std::set<EntityKind>& kinds_named, EntityKind kind)
 
 void add_show(CommandTable& table)
 {
-    for (const LookEntry& entry : looks)
-        table.add({.id = entry.id,
-                   .menu = show_menu,
-                   .label = entry.label,
-                   .shortcuts = {{entry.key, ui::shift}},
-                   .run = [item = entry.item](Desk& desk) { desk.session.look.*item = !(desk.session.look.*item); },
-                   .is_on = [item = entry.item](const Desk& desk) { return desk.session.look.*item; }});
+    ui::standard::add_look_switches(table, show_menu, looks);
     for (const NameEntry& entry : names)
         table.add({.id = entry.id,
                    .menu = show_menu,
@@ -107,26 +101,6 @@ void add_show(CommandTable& table)
                .shortcuts = {{Key::X, ui::shift}},
                .run = [](Desk& desk) { desk.session.look.explosion = desk.session.look.explosion > 0.0 ? 0.0 : 0.5; },
                .is_on = [](const Desk& desk) { return desk.session.look.explosion > 0.0; }});
-}
-
-struct ThemeEntry {
-    ui::ThemeName theme;
-    std::string_view id, label;
-};
-constexpr std::array themes{
-    ThemeEntry{ui::ThemeName::Light, "view.theme.light", translatable("Light theme")},
-    ThemeEntry{ui::ThemeName::Dark, "view.theme.dark", translatable("Dark theme")},
-    ThemeEntry{ui::ThemeName::Print, "view.theme.print", translatable("Print theme")},
-    ThemeEntry{ui::ThemeName::Projector, "view.theme.projector", translatable("Projector theme")},
-};
-
-// Large type and the whole window for the picture, and back.
-void project(Desk& desk)
-{
-    ui::ThemeName& theme = desk.session.look.theme;
-    const bool is_projecting = theme == ui::ThemeName::Projector;
-    theme = is_projecting ? ui::ThemeName::Light : ui::ThemeName::Projector;
-    desk.has_panels = desk.has_tables = is_projecting;
 }
 
 constexpr std::array topic_entries{
@@ -147,28 +121,14 @@ constexpr std::array table_entries{
 
 void add_panels(CommandTable& table)
 {
-    table.add({.id = "view.panels",
-               .menu = view_menu,
-               .label = translatable("Panels"),
-               .shortcuts = {{Key::P, {}}},
-               .run = [](Desk& desk) { desk.has_panels = !desk.has_panels; },
-               .is_on = [](const Desk& desk) { return desk.has_panels; }});
+    ui::standard::add_panels(table);
     table.add({.id = "view.tables",
                .menu = view_menu,
                .label = translatable("Tables"),
                .shortcuts = {{Key::T, {}}},
                .run = [](Desk& desk) { desk.has_tables = !desk.has_tables; },
                .is_on = [](const Desk& desk) { return desk.has_tables; }});
-    for (const TopicEntry& entry : topic_entries)
-        table.add({.id = entry.id,
-                   .menu = view_menu,
-                   .label = entry.label,
-                   .run =
-                       [topic = entry.topic](Desk& desk) {
-                           desk.topic = topic;
-                           desk.has_panels = true;
-                       },
-                   .is_on = [topic = entry.topic](const Desk& desk) { return desk.topic == topic; }});
+    ui::standard::add_topics(table, topic_entries);
     for (const TableEntry& entry : table_entries)
         table.add(
             {.id = entry.id,
@@ -193,28 +153,6 @@ void add_panels(CommandTable& table)
                .is_on = [](const Desk& desk) { return desk.structure == Structure::WingedEdges; }});
 }
 
-void add_themes_and_languages(CommandTable& table)
-{
-    table.add({.id = "view.project",
-               .menu = view_menu,
-               .label = translatable("For the projector"),
-               .shortcuts = {{Key::F5, {}}},
-               .run = project,
-               .is_on = [](const Desk& desk) { return desk.session.look.theme == ui::ThemeName::Projector; }});
-    for (const ThemeEntry& entry : themes)
-        table.add({.id = entry.id,
-                   .menu = view_menu,
-                   .label = entry.label,
-                   .run = [name = entry.theme](Desk& desk) { desk.session.look.theme = name; },
-                   .is_on = [name = entry.theme](const Desk& desk) { return desk.session.look.theme == name; }});
-    for (const ui::Language language : ui::all_languages)
-        table.add({.id = language == ui::Language::English ? "view.language.en" : "view.language.pt",
-                   .menu = translatable("Language"),
-                   .label = ui::native_name(language),
-                   .run = [language](Desk& desk) { desk.session.look.tr = ui::Catalogue(language); },
-                   .is_on = [language](const Desk& desk) { return desk.session.tr().language() == language; }});
-}
-
 } // namespace
 
 void add_look_commands(CommandTable& table)
@@ -226,7 +164,10 @@ void add_look_commands(CommandTable& table)
 void add_panel_commands(CommandTable& table)
 {
     add_panels(table);
-    add_themes_and_languages(table);
+    ui::standard::add_projector(table);
+    ui::standard::add_themes(table);
+    ui::standard::add_export_scales(table);
+    ui::standard::add_languages(table);
 }
 
 std::span<const TopicEntry> topics() { return topic_entries; }

@@ -9,7 +9,6 @@
 #include "apps/euler/document/drawing/drawn_line.h"
 #include "apps/euler/session/argument_pick.h"
 #include "femoop/io/whole_file.h"
-#include "topology/script/script_writer.h"
 #include "ui/text/catalogue.h"
 
 namespace euler {
@@ -19,13 +18,6 @@ using ui::translatable;
 namespace {
 
 constexpr double seconds_per_step = 0.9, seconds_between_steps = 0.6;
-
-std::vector<Snapshot> snapshots(const Stepper& stepper)
-{
-    std::vector<Snapshot> copies;
-    for (const topology::NamedSolid& in : stepper.runner().solids()) copies.push_back({in.name, in.solid, in.names});
-    return copies;
-}
 
 // Slow at both ends, as a hand moves.
 double eased(double t) { return t * t * (3.0 - 2.0 * t); }
@@ -63,7 +55,8 @@ void Session::restart(Stepper lesson)
     earned_ = points();
     game_.reset();
     stepper_ = std::move(lesson);
-    saved_ = stepper_.script();
+    saved_ = stepper_.whole();
+    ++n_changes_;
     path_.reset();
     is_dirty_ = is_playing = false;
     selection.reset();
@@ -107,8 +100,8 @@ bool Session::open(const std::filesystem::path& path)
 
 bool Session::save(const std::filesystem::path& path)
 {
-    const std::string script = stepper_.script();
-    if (const std::error_code error = femoop::write_whole_file(path, script)) {
+    const Stepper::Script script = stepper_.whole();
+    if (const std::error_code error = femoop::write_whole_file(path, script.text())) {
         notice = Notice{{translatable("{file} was not written: {reason}"),
                          {{"file", path.filename().string()}, {"reason", error.message()}}}};
         return false;
@@ -118,6 +111,24 @@ bool Session::save(const std::filesystem::path& path)
     is_dirty_ = false;
     notice = passing_notice({translatable("{file} was written"), {{"file", path.filename().string()}}});
     return true;
+}
+
+bool Session::recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original)
+{
+    if (!open(draft)) return false;
+    path_ = original;
+    saved_.reset();
+    is_dirty_ = true;
+    return true;
+}
+
+ui::Unsaved Session::unsaved() const
+{
+    return {.state = n_changes_, .original = path_, .copy = [this] {
+                return [script = stepper_.whole()](const std::filesystem::path& draft) {
+                    return femoop::write_whole_file(draft, script.text());
+                };
+            }};
 }
 
 std::string Session::file_name() const { return path_ ? path_->filename().string() : tr()("Untitled"); }
@@ -130,14 +141,16 @@ void Session::look_at_place()
     ++generation_;
     const std::size_t here = place();
     before_.clear();
+    report_.reset();
+    after_ = snapshots(stepper_, at_end_);
     if (here > 0) {
+        report_ = stepper_.report(here);
         stepper_.go_to(here - 1);
-        before_ = snapshots(stepper_);
+        before_ = retaken(stepper_, report_->solid, after_);
         stepper_.go_to(here);
     }
-    after_ = snapshots(stepper_);
     const auto is_there = [this](const Part& part) {
-        return part.subject < after_.size() && lives(after_[part.subject].solid, part.entity);
+        return part.subject < after_.size() && lives(*after_[part.subject].solid, part.entity);
     };
     if (selection && !is_there(*selection)) selection.reset(); // a row that was taken back has gone
     if (is_exhibiting()) exhibit();
@@ -151,8 +164,15 @@ void Session::look_at_end()
     stepper_.go_to(here);
 }
 
+// What it told of one place may be wrong of another.
+void Session::forget_passing_notice()
+{
+    if (notice && notice->seconds_left) notice.reset();
+}
+
 void Session::go_to(std::size_t place)
 {
+    forget_passing_notice();
     stepper_.go_to(place);
     look_at_place();
 }
@@ -166,6 +186,7 @@ void Session::step_forward()
 void Session::step_back()
 {
     if (motion_) look_at_place();
+    forget_passing_notice();
     give_up();
     stepper_.go_to(place() - 1);
     ++generation_;
@@ -220,8 +241,6 @@ void Session::show_as(ViewKind kind)
     is_fitted = true;
 }
 
-const StepReport* Session::report() const { return step() == 0 ? nullptr : &stepper_.report(step()); }
-
 const std::vector<Snapshot>& Session::shown() const
 {
     if (!preview_.empty()) return preview_;
@@ -230,15 +249,26 @@ const std::vector<Snapshot>& Session::shown() const
     return shows_before ? before_ : after_;
 }
 
+double Session::progress() const
+{
+    const double done = eased(motion_->done);
+    return motion_->is_back ? 1.0 - done : done;
+}
+
+std::optional<Session::Way> Session::way() const
+{
+    if (!motion_ || report() == nullptr || !preview_.empty()) return std::nullopt;
+    if (&shown() == &before_) return Way{after_, 1.0 - progress()};
+    return Way{before_, progress()};
+}
+
 std::vector<Subject> Session::subjects() const
 {
     std::vector<Subject> subjects;
-    for (const Snapshot& snapshot : shown()) subjects.push_back({&snapshot.solid, &snapshot.names, {}});
+    for (const Snapshot& snapshot : shown()) subjects.push_back({snapshot.solid.get(), snapshot.names.get(), {}});
     const StepReport* const step = report();
     if (step != nullptr && step->solid < subjects.size() && preview_.empty()) {
-        const double done = motion_ ? eased(motion_->done) : 1.0;
-        subjects[step->solid].marks = marks_of(together(step->changes),
-                                               motion_ && motion_->is_back ? 1.0 - done : done);
+        subjects[step->solid].marks = marks_of(together(step->changes), motion_ ? progress() : 1.0);
     }
     const auto mark = [&](const std::optional<Part>& part) -> Marks* {
         return part && part->subject < subjects.size() ? &subjects[part->subject].marks : nullptr;
@@ -280,7 +310,7 @@ void Session::preview_draft()
     if (!draft_ || !draft_->is_complete()) return;
     const std::optional<Stepper> would_be = preview(stepper_, *draft_);
     if (!would_be) return;
-    const StepReport& step = would_be->report(would_be->place());
+    const StepReport step = would_be->report(would_be->place());
     preview_ = snapshots(*would_be);
     preview_solid_ = step.solid;
     const topology::Change change = together(step.changes);
@@ -309,7 +339,7 @@ std::optional<ui::Phrase> Session::why_not_pick(const Part& part) const
     const auto solid = draft_->solid(stepper_.runner());
     if (!solid || !is_pointed_at(draft_->next().kind)) return std::nullopt;
     if (*solid != part.subject) return ui::Phrase(translatable("this belongs to another solid"));
-    const topology::Entity wanted = as_argument(after_[part.subject].solid, draft_->next().kind, part.entity, legal_);
+    const topology::Entity wanted = as_argument(*after_[part.subject].solid, draft_->next().kind, part.entity, legal_);
     return draft_->why_not(stepper_.runner(), wanted);
 }
 
@@ -331,7 +361,7 @@ void Session::pick(const Part& part)
         notice = passing_notice(std::move(*reason));
         return;
     }
-    choose(as_argument(after_[part.subject].solid, draft_->next().kind, part.entity, legal_));
+    choose(as_argument(*after_[part.subject].solid, draft_->next().kind, part.entity, legal_));
 }
 
 void Session::take_back_choice()
@@ -367,7 +397,9 @@ std::optional<ui::Phrase> Session::apply(std::string_view line)
     is_playing = false;
     const std::size_t here = place();
     if (auto reason = stepper_.apply(line)) return reason;
-    is_dirty_ = stepper_.script() != saved_;
+    forget_passing_notice();
+    is_dirty_ = stepper_.whole() != saved_;
+    ++n_changes_;
     look_at_end();
     look_at_place();
     if (place() == here + 1) motion_ = Motion{.is_back = false};
@@ -398,7 +430,8 @@ bool Session::is_exhibiting() const
 void Session::exhibit()
 {
     if (auto* const broken = std::get_if<BrokenPointer>(&game_->task())) {
-        after_ = at_end_ = {Snapshot{"s1", broken->sound, {}}};
+        after_ = at_end_ = {Snapshot{"s1", std::make_shared<const topology::Solid>(broken->sound),
+                                     std::make_shared<const topology::Names>()}};
     } else if (auto* const which = std::get_if<WhichOperator>(&game_->task())) {
         Stepper lesson = which->lesson;
         lesson.go_to(which->after);
@@ -424,7 +457,7 @@ void Session::give_up_challenge()
     const auto* const reach = std::get_if<ReachChallenge>(&game_->task());
     if (reach == nullptr) return;
     Game over = *game_;
-    show(Stepper(topology::construction_script({.name = "s1", .solid = reach->target, .journal = {}, .names = {}})));
+    show(Stepper(reach->way));
     game_ = std::move(over);
 }
 

@@ -5,15 +5,18 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/euler/document/palette/draft.h"
+#include "apps/euler/document/snapshot.h"
 #include "apps/euler/document/stepper.h"
 #include "apps/euler/session/challenge/game.h"
 #include "apps/euler/view/look.h"
 #include "apps/euler/view/subject.h"
 #include "ui/canvas/orbit_camera.h"
 #include "ui/canvas/plane_camera.h"
+#include "ui/files/autosave.h"
 #include "ui/text/phrase.h"
 
 namespace euler {
@@ -26,13 +29,6 @@ struct Notice {
 
 /// A notice that needs no answer: it goes when it has been read.
 Notice passing_notice(ui::Phrase sentence);
-
-/// One of the solids of a lesson, as it was at some place.
-struct Snapshot {
-    std::string name;
-    topology::Solid solid;
-    topology::Names names;
-};
 
 bool lives(const topology::Solid& solid, topology::Entity entity);
 
@@ -63,6 +59,9 @@ public:
     void show(Stepper lesson);
     /// Writes to the path, whole or not at all; false, with a notice, if that fails.
     bool save(const std::filesystem::path& path);
+    /// Opens a draft of a file's script, or of one that has no file yet, as one that is not saved.
+    bool recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original);
+    ui::Unsaved unsaved() const;
     const std::optional<std::filesystem::path>& path() const { return path_; }
     bool is_dirty() const { return is_dirty_; } ///< has steps that are not saved
     std::string file_name() const;              ///< "cube.eul", or the word for a script without a file
@@ -81,17 +80,27 @@ public:
 
     /// The step that is looked at: the one done last, or the one that is being taken back. 0 before the first.
     std::size_t step() const { return place() + (motion_ && motion_->is_back ? 1 : 0); }
-    const StepReport* report() const; ///< of that step; null before the first
+    const StepReport* report() const { return report_ ? &*report_ : nullptr; } ///< of that step; null before the first
     /// Counts what was looked at: what is derived from one place is stale when it has grown.
     std::uint64_t generation() const { return generation_; }
     /// The solids before and after that step, in the order of the runner's.
     const std::vector<Snapshot>& before() const { return before_; }
     const std::vector<Snapshot>& after() const { return after_; }
+    /// Where the lesson stands, also while a step is seen being taken back.
+    const std::vector<Snapshot>& present() const { return motion_ && motion_->is_back ? before_ : after_; }
     const std::vector<Snapshot>& at_end() const { return at_end_; } ///< of the lesson
     /// What the picture shows: the solids, the step on its way, what is selected, what an operator asks for.
     std::vector<Subject> subjects() const;
     /// Those of `subjects`.
     const std::vector<Snapshot>& shown() const;
+
+    /// A step on its way: the solids at its other end, and how much of the way those that are shown have before them or
+    /// behind them: 1 where they are at home.
+    struct Way {
+        const std::vector<Snapshot>& other;
+        double share;
+    };
+    std::optional<Way> way() const;
 
     /// Begins to ask for an operator's arguments.
     void begin(Verb verb);
@@ -135,6 +144,7 @@ public:
     ui::PlaneCamera polygon_eye;  ///< on the plane model
     bool is_fitted = true;        ///< the camera shows everything, until it is moved by hand
     std::optional<Notice> notice;
+    void tell(ui::Phrase sentence) { notice = passing_notice(std::move(sentence)); }
     const ui::Catalogue& tr() const { return look.tr; }
 
 private:
@@ -142,6 +152,8 @@ private:
         bool is_back;
         double done = 0.0; ///< 0 to 1
     };
+    double progress() const; ///< of the step on its way, 0 to 1 \pre there is one
+    void forget_passing_notice();
     void look_at_place();
     void look_at_end();
     void restart(Stepper lesson);
@@ -155,10 +167,12 @@ private:
     Side side_ = Side::Before;
     int earned_ = 0; ///< points of challenges that have gone
     Stepper stepper_;
-    std::string saved_;
+    std::optional<Stepper::Script> saved_; ///< none of what a crash has left
     std::optional<std::filesystem::path> path_;
     bool is_dirty_ = false;
+    std::uint64_t n_changes_ = 0; ///< of the script
     std::vector<Snapshot> before_, after_, at_end_;
+    std::optional<StepReport> report_;
     std::optional<Motion> motion_;
     std::uint64_t generation_ = 0;
     double rest_ = 0.0; ///< since the last step, while playing [s]

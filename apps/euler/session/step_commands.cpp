@@ -39,7 +39,7 @@ Phrase forward_label(const Desk& desk)
 {
     const Session& session = desk.session;
     if (session.place() == session.n_steps()) return translatable("Forward");
-    return {translatable("Forward by {operator}"), {{"operator", session.stepper().report(session.place() + 1).name}}};
+    return {translatable("Forward by {operator}"), {{"operator", session.stepper().summary(session.place() + 1).name}}};
 }
 
 void play_or_rest(Desk& desk)

@@ -23,6 +23,8 @@ struct Marks {
         legal; ///< what may be picked; all else is grey. None: no pick is asked
     std::optional<topology::Entity> hovered;
     double progress = 1.0; ///< of the step, 0 to 1
+
+    friend bool operator==(const Marks&, const Marks&) = default;
 };
 
 /// What an operator did, as marks.

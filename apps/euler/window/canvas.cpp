@@ -6,12 +6,12 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "apps/euler/view/draw/draw.h"
 #include "apps/euler/view/pick.h"
-#include "apps/euler/view/planar/planar_shapes.h"
 #include "apps/euler/view/polygons/plane_model.h"
 #include "apps/euler/view/shapes/outline.h"
 #include "apps/euler/view/solid/solid_shapes.h"
@@ -35,6 +35,16 @@ template <class Change> void move(Session& session, const Change& change)
     case ViewKind::Plane: return change(session.map_eye);
     case ViewKind::Polygons: return change(session.polygon_eye);
     }
+}
+
+PlaneStep plane_step(const Session& session)
+{
+    PlaneStep step;
+    const auto way = session.way();
+    if (!way) return step;
+    step.share = way->share;
+    for (const Snapshot& in : way->other) step.other.push_back({in.solid.get(), in.names.get(), {}});
+    return step;
 }
 
 // What the pointer may mean now.
@@ -98,10 +108,14 @@ void draw_invitation(ui::Painter& painter, const Look& look)
     const ui::Theme theme = look.full_theme();
     ui::TextStyle style = theme.text(ui::Role::FaintLabel);
     style.size = theme.type().large;
+    const std::array<std::string, 2> lines{
+        look.tr("Choose an example in the gallery, or begin with the operator MVFS."),
+        look.tr("Ctrl+O opens a script, Ctrl+K finds a command.")};
+    const double room = 0.94 * painter.sheet().width();
+    for (const std::string& line : lines) style.size *= std::min(1.0, room / painter.measure(line, style).width);
     const ui::Point middle = 0.5 * painter.sheet().max;
-    painter.text(middle, look.tr("Choose an example in the gallery, or begin with the operator MVFS."), style);
-    painter.text(middle + ui::Point{0.0, 1.6 * style.size}, look.tr("Ctrl+O opens a script, Ctrl+K finds a command."),
-                 style);
+    painter.text(middle, lines[0], style);
+    painter.text(middle + ui::Point{0.0, 1.6 * style.size}, lines[1], style);
 }
 
 } // namespace
@@ -109,32 +123,108 @@ void draw_invitation(ui::Painter& painter, const Look& look)
 std::string describe(const Session& session, const Part& part)
 {
     const Snapshot& in = session.shown()[part.subject];
-    return session.tr()(kind_name(part.entity.kind), {{"name", in.names.of(part.entity, in.solid)}});
+    return session.tr()(kind_name(part.entity.kind), {{"name", in.names->of(part.entity, *in.solid)}});
 }
 
-Shapes Canvas::shapes_of(const Session& session, std::span<const Subject> subjects) const
+Canvas::Solids Canvas::solids_of(std::span<const Snapshot> snapshots)
+{
+    Solids solids;
+    for (const Snapshot& snapshot : snapshots) solids.push_back(snapshot.solid);
+    return solids;
+}
+
+Canvas::Sight Canvas::sight_of(const Session& session, std::span<const Subject> subjects)
+{
+    Sight sight{.solids = solids_of(session.shown()),
+                .progress = {},
+                .generation = session.generation(),
+                .view = session.view(),
+                .eye = session.eye,
+                .map_eye = session.map_eye,
+                .polygon_eye = session.polygon_eye,
+                .explosion = session.look.explosion,
+                .size = session.look.size,
+                .has_faces = session.look.faces,
+                .theme = session.look.theme,
+                .language = session.tr().language()};
+    for (const Subject& subject : subjects) sight.progress.push_back(subject.marks.progress);
+    return sight;
+}
+
+Canvas::Painting Canvas::painting_of(const Session& session, std::span<const Subject> subjects) const
+{
+    Painting painting{.sight = *seen_,
+                      .marks = {},
+                      .names = session.look.names,
+                      .has_hatching = session.look.hatching,
+                      .has_half_edges = session.look.half_edges,
+                      .sheet = sheet_};
+    for (const Subject& subject : subjects) painting.marks.push_back(subject.marks);
+    return painting;
+}
+
+// What stands where is found again when something moved; a solid of thousands of faces takes a while.
+void Canvas::follow_shapes(const Session& session, std::span<const Subject> subjects)
+{
+    Sight sight = sight_of(session, subjects);
+    if (seen_ == sight) return;
+    shapes_ = shapes_of(session, subjects);
+    seen_ = std::move(sight);
+}
+
+Shapes Canvas::shapes_of(const Session& session, std::span<const Subject> subjects)
 {
     switch (session.view()) {
-    case ViewKind::Plane: return planar_shapes(subjects, session.map_eye, session.look);
-    case ViewKind::Polygons: return plane_model(subjects, session.polygon_eye, session.look);
+    case ViewKind::Plane: return map_of(session, subjects).shapes(subjects, session.map_eye, session.look);
+    case ViewKind::Polygons: return plane_model(subjects, session.polygon_eye, session.look, plane_step(session));
     case ViewKind::Space: break;
     }
     return solid_shapes(subjects, session.eye, session.look);
 }
 
-// For the whole lesson and for what is seen now, so that the picture rests from step to step.
-void Canvas::fit(Session& session) const
+const PlanarMap& Canvas::map_of(const Session& session, std::span<const Subject> subjects)
 {
-    std::vector<Subject> all = session.subjects();
-    for (const Snapshot& snapshot : session.at_end()) all.push_back({&snapshot.solid, &snapshot.names, {}});
-    session.eye = fitted(session.eye, all, session.look, sheet_);
-    const std::vector<Subject> now = session.subjects();
-    session.map_eye = fitted_planar(now, sheet_);
-    session.polygon_eye = fitted_plane_model(now, sheet_);
+    Solids solids = solids_of(session.shown());
+    if (mapped_ != solids) map_ = PlanarMap(subjects);
+    mapped_ = std::move(solids);
+    return map_;
+}
+
+Canvas::Fitting Canvas::fitting_of(const Session& session) const
+{
+    return {.now = solids_of(session.shown()),
+            .at_end = solids_of(session.at_end()),
+            .sheet = sheet_,
+            .view = session.view(),
+            .explosion = session.look.explosion,
+            .way = session.view() == ViewKind::Polygons ? plane_step(session).share : 1.0,
+            .eye = session.eye,
+            .map_eye = session.map_eye,
+            .polygon_eye = session.polygon_eye};
+}
+
+void Canvas::fit(Session& session)
+{
+    if (fitted_ == fitting_of(session)) return;
+    fit_view(session);
+    fitted_ = fitting_of(session);
+}
+
+// In space for the whole lesson and for what is seen now, so that the picture rests from step to step.
+void Canvas::fit_view(Session& session)
+{
+    std::vector<Subject> subjects = session.subjects();
+    if (session.view() == ViewKind::Plane) session.map_eye = map_of(session, subjects).fitted(sheet_);
+    if (session.view() == ViewKind::Polygons)
+        session.polygon_eye = fitted_plane_model(subjects, sheet_, plane_step(session));
+    if (session.view() != ViewKind::Space) return;
+    for (const Snapshot& snapshot : session.at_end())
+        subjects.push_back({snapshot.solid.get(), snapshot.names.get(), {}});
+    session.eye = fitted(session.eye, subjects, session.look, sheet_);
 }
 
 // Around what is drawn already; from then on the picture rests under the hand.
-void Canvas::give_room_to_draw(Session& session) const
+void Canvas::give_room_to_draw(Session& session)
 {
     constexpr std::array<ui::World3, 2> sheet_of_paper{{{-1.0, -1.0, 0.0}, {9.0, 7.0, 0.0}}};
     if (shapes_.vertices.empty()) session.eye.fit(sheet_of_paper, sheet_);
@@ -184,7 +274,8 @@ void Canvas::follow(Session& session, ui::Point at)
     if (is_dragging_) return;
     if (session.is_drawing()) return draw_line(session, at);
     const std::vector<Subject> subjects = session.subjects();
-    const auto under = under_pointer(session, shapes_of(session, subjects), subjects, at);
+    follow_shapes(session, subjects);
+    const auto under = under_pointer(session, shapes_, subjects, at);
     if (under) session.hover = under;
     if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && ImGui::IsItemDeactivated()) click(session, under);
     if (!under && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) session.is_fitted = true;
@@ -229,7 +320,7 @@ topology::Point Canvas::place(const Session& session, ui::Point at) const
 {
     constexpr double near = 10.0; // px
     for (const Shapes::Vertex& vertex : shapes_.vertices)
-        if (ui::distance(vertex.at, at) < near) return session.shown()[vertex.subject].solid.point(vertex.vertex);
+        if (ui::distance(vertex.at, at) < near) return session.shown()[vertex.subject].solid->point(vertex.vertex);
     const ui::World3 p = session.eye.to_world(at, 0.0);
     const double step = grid(session.eye.scale());
     return {step * std::round(p.x / step), step * std::round(p.y / step), 0.0};
@@ -283,7 +374,10 @@ void Canvas::move_camera(Session& session, ui::Point at)
 void Canvas::paint(const Session& session)
 {
     const std::vector<Subject> subjects = session.subjects();
-    shapes_ = shapes_of(session, subjects);
+    follow_shapes(session, subjects);
+    Painting painting = painting_of(session, subjects);
+    if (painted_ == painting && !session.is_drawing()) return;
+    painted_ = session.is_drawing() ? std::nullopt : std::optional(std::move(painting));
     ui::Painter painter(sheet_, fonts_);
     draw(painter, shapes_, subjects, session.look);
     const bool is_empty = std::ranges::all_of(subjects, [](const Subject& s) { return s.solid->is_empty(); });
@@ -292,14 +386,15 @@ void Canvas::paint(const Session& session)
     picture_ = painter.picture();
 }
 
-ui::Picture Canvas::picture_of(const Session& session) const
+ui::Picture Canvas::picture_of(const Session& session)
 {
     std::vector<Subject> subjects = session.subjects();
     for (Subject& subject : subjects) {
         subject.marks.hovered.reset();
         subject.marks.selected.clear();
     }
-    return euler::picture(shapes_of(session, subjects), subjects, session.look, sheet_, fonts_);
+    follow_shapes(session, subjects);
+    return euler::picture(shapes_, subjects, session.look, sheet_, fonts_);
 }
 
 namespace {

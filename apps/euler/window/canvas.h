@@ -1,10 +1,15 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "apps/euler/session/commands.h"
+#include "apps/euler/view/planar/planar_shapes.h"
 #include "apps/euler/view/shapes/shapes.h"
 #include "topology/geometry/point.h"
 #include "ui/context/imgui_session.h"
@@ -31,7 +36,7 @@ public:
     /// Where a place in space lies.
     ui::Point in_window(const Session& session, const topology::Point& place) const;
     /// The solids as they are seen now, without what the pointer does.
-    ui::Picture picture_of(const Session& session) const;
+    ui::Picture picture_of(const Session& session);
     /// The picture that was drawn last, for golden texts.
     const std::optional<ui::Picture>& picture() const { return picture_; }
 
@@ -43,15 +48,66 @@ private:
     void draw_line(Session& session, ui::Point at);
     topology::Point place(const Session& session, ui::Point at) const;
     void paint_drawing(const Session& session, ui::Painter& painter) const;
-    void fit(Session& session) const;
-    void give_room_to_draw(Session& session) const;
-    Shapes shapes_of(const Session& session, std::span<const Subject> subjects) const;
+    void fit(Session& session);
+    void give_room_to_draw(Session& session);
+    void fit_view(Session& session);
+    Shapes shapes_of(const Session& session, std::span<const Subject> subjects);
+    const PlanarMap& map_of(const Session& session, std::span<const Subject> subjects);
+    void follow_shapes(const Session& session, std::span<const Subject> subjects);
     void paint(const Session& session);
+
+    using Solids = std::vector<std::shared_ptr<const topology::Solid>>;
+    static Solids solids_of(std::span<const Snapshot> snapshots);
+    /// All that the places of what is seen depend on.
+    struct Sight {
+        Solids solids;
+        std::vector<double> progress; ///< of the step, by solid
+        std::uint64_t generation = 0;
+        ViewKind view{};
+        ui::OrbitCamera eye, map_eye;
+        ui::PlaneCamera polygon_eye;
+        double explosion = 0.0, size = 0.0;
+        bool has_faces = false;
+        ui::ThemeName theme{};
+        ui::Language language{};
+
+        friend bool operator==(const Sight&, const Sight&) = default;
+    };
+    /// All that the picture depends on.
+    struct Painting {
+        Sight sight;
+        std::vector<Marks> marks; ///< by solid
+        std::set<topology::EntityKind> names;
+        bool has_hatching = false, has_half_edges = false;
+        ui::Size sheet{};
+
+        friend bool operator==(const Painting&, const Painting&) = default;
+    };
+    Painting painting_of(const Session& session, std::span<const Subject> subjects) const;
+    static Sight sight_of(const Session& session, std::span<const Subject> subjects);
+    /// All that the fitted camera depends on, and the camera.
+    struct Fitting {
+        Solids now, at_end;
+        ui::Size sheet{};
+        ViewKind view{};
+        double explosion = 0.0;
+        double way = 1.0; ///< of a step
+        ui::OrbitCamera eye, map_eye;
+        ui::PlaneCamera polygon_eye;
+
+        friend bool operator==(const Fitting&, const Fitting&) = default;
+    };
+    Fitting fitting_of(const Session& session) const;
 
     const ui::Fonts& fonts_;
     ui::Size sheet_{};
-    ui::Point corner_{}; ///< of the sheet in the window [logical pixels]
-    Shapes shapes_;      ///< drawn last
+    ui::Point corner_{};              ///< of the sheet in the window [logical pixels]
+    Shapes shapes_;                   ///< drawn last
+    std::optional<Sight> seen_;       ///< that the shapes belong to
+    std::optional<Painting> painted_; ///< that the picture shows; none of one that is drawn on
+    std::optional<Fitting> fitted_;   ///< last
+    PlanarMap map_;                   ///< drawn last
+    Solids mapped_;                   ///< that the map belongs to
     std::optional<ui::Picture> picture_;
     bool is_dragging_ = false;
     std::optional<topology::Point> line_start_{}, line_end_{}; ///< of a line that is being drawn

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "apps/euler/session/challenge/challenge_commands.h"
-#include "apps/euler/window/command_button.h"
+#include "ui/widgets/command_menu.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace euler {
@@ -82,8 +82,8 @@ void show_game(Desk& desk, const CommandTable& commands)
     if (session.game()->is_over())
         ui::wrapped_text(tr("{n} of {most} points",
                             {{"n", std::to_string(session.game()->points())}, {"most", std::to_string(Score::most)}}));
-    command_button(desk, commands, "challenge.hint");
-    command_button(desk, commands, "challenge.give_up");
+    ui::command_button(desk, commands, "challenge.hint");
+    ui::command_button(desk, commands, "challenge.give_up");
     ImGui::Separator();
 }
 
@@ -92,7 +92,7 @@ void show_game(Desk& desk, const CommandTable& commands)
 void challenges_panel(Desk& desk, const CommandTable& commands)
 {
     if (desk.session.game()) show_game(desk, commands);
-    for (const std::string_view id : challenge_command_ids()) command_button(desk, commands, id);
+    for (const std::string_view id : challenge_command_ids()) ui::command_button(desk, commands, id);
     ImGui::Spacing();
     ImGui::TextDisabled(
         "%s", desk.session.tr()("Points so far: {n}", {{"n", std::to_string(desk.session.points())}}).c_str());

@@ -1,10 +1,7 @@
 #include "apps/euler/window/describe.h"
 
-#include <imgui.h>
-
 #include "apps/euler/window/step_panel.h"
 #include "topology/halfedge/check/validate.h"
-#include "ui/widgets/wrapped_text.h"
 
 namespace euler {
 
@@ -13,16 +10,16 @@ namespace {
 ui::Phrase sentence(const topology::Breach& breach, const Snapshot& in)
 {
     return {topology::pattern(breach.invariant),
-            {{"0", in.names.of(breach.entities[0], in.solid)}, {"1", in.names.of(breach.entities[1], in.solid)}}};
+            {{"0", in.names->of(breach.entities[0], *in.solid)}, {"1", in.names->of(breach.entities[1], *in.solid)}}};
 }
 
 std::string solid_words(const Snapshot& in, const ui::Catalogue& tr)
 {
-    const topology::EulerCounts n = topology::euler_counts(in.solid);
+    const topology::EulerCounts n = topology::euler_counts(*in.solid);
     const auto s = [](std::size_t count) { return std::to_string(count); };
     std::string words = in.name + ": V = " + s(n.V) + ", E = " + s(n.E) + ", F = " + s(n.F) + ", L = " + s(n.L) +
                         ", S = " + s(n.S) + ", G = " + s(n.G) + "\n    " + formula_text(n) + "\n    ";
-    const auto breach = topology::why_not_valid(in.solid);
+    const auto breach = topology::why_not_valid(*in.solid);
     return words + (breach ? tr(sentence(*breach, in)) : tr("every link is sound")) + '\n';
 }
 
@@ -34,11 +31,11 @@ std::string in_words(const Session& session)
     const std::string place = std::to_string(session.place()), count = std::to_string(session.n_steps());
     std::string words = tr("step {place} of {count}", {{"place", place}, {"count", count}}) + '\n';
     for (std::size_t i = 1; i <= session.place(); ++i) {
-        const StepReport& step = session.stepper().report(i);
+        const StepSummary step = session.stepper().summary(i);
         words += std::to_string(i) + ". " + step.line + "    " + deltas(step) + '\n';
     }
-    for (const Snapshot& in : session.after())
-        if (!in.solid.is_empty()) words += solid_words(in, tr);
+    for (const Snapshot& in : session.present())
+        if (in.is_alive()) words += solid_words(in, tr);
     return words;
 }
 
@@ -46,30 +43,14 @@ std::string status_text(const Session& session)
 {
     const ui::Catalogue& tr = session.tr();
     std::string text;
-    for (const Snapshot& in : session.after()) {
-        if (in.solid.is_empty()) continue;
-        const topology::Counts n = in.solid.counts();
+    for (const Snapshot& in : session.present()) {
+        if (!in.is_alive()) continue;
+        const topology::Counts n = in.solid->counts();
         const auto s = [](std::size_t count) { return std::to_string(count); };
         text += (text.empty() ? "" : "   ·   ") + in.name + ": V = " + s(n.vertices) + ", E = " + s(n.edges) +
                 ", F = " + s(n.faces) + ", L = " + s(n.loops);
     }
     return text.empty() ? tr("no solid") : text;
-}
-
-void description_window(const Session& session, bool& is_open)
-{
-    const float em = ImGui::GetFontSize();
-    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
-    ImGui::SetNextWindowSize({46.0F * em, 32.0F * em}, ImGuiCond_Appearing);
-    const ui::Catalogue& tr = session.tr();
-    ImGui::Begin((tr("Script and solids in words") + "###description").c_str(), &is_open,
-                 ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse);
-    const std::string words = in_words(session);
-    if (ImGui::Button((tr("Copy") + "###copy").c_str())) ImGui::SetClipboardText(words.c_str());
-    ImGui::BeginChild("words");
-    ui::wrapped_text(words);
-    ImGui::EndChild();
-    ImGui::End();
 }
 
 } // namespace euler

@@ -10,7 +10,5 @@ namespace euler {
 std::string in_words(const Session& session);
 /// The line at the window's foot.
 std::string status_text(const Session& session);
-/// The words in a window, until it is closed.
-void description_window(const Session& session, bool& is_open);
 
 } // namespace euler

@@ -31,9 +31,9 @@ void pointer_picture(Session& session, const Part& part, ui::ImGuiSession& gui, 
     if (room.x < 8.0F) return;
     const Snapshot& in = session.after()[part.subject];
     const ui::Size sheet{static_cast<double>(room.x / scale), static_cast<double>(room.y / scale)};
-    topology::PointerGraph graph = topology::pointer_graph(in.solid, part.entity);
-    graph.pointers = topology::pointers(in.solid, part.entity); // those of the others would crowd so small a sheet
-    const PointerDrawing drawing(graph, {&in.solid, &in.names, {}}, session.look, sheet, fonts);
+    topology::PointerGraph graph = topology::pointer_graph(*in.solid, part.entity);
+    graph.pointers = topology::pointers(*in.solid, part.entity); // those of the others would crowd so small a sheet
+    const PointerDrawing drawing(graph, {in.solid.get(), in.names.get(), {}}, session.look, sheet, fonts);
     ui::Painter painter(sheet, fonts);
     drawing.draw(painter);
     gui.show(painter.picture(), *ImGui::GetWindowDrawList(),
@@ -55,7 +55,7 @@ void entity_panel(Session& session, ui::ImGuiSession& gui, const ui::Fonts& font
     if (!session.selection || session.selection->subject >= session.after().size()) return;
     if (is_to_be_mended(session)) return; // its pointers would tell which is wrong
     const Part part = *session.selection;
-    const topology::Solid& solid = session.after()[part.subject].solid;
+    const topology::Solid& solid = *session.after()[part.subject].solid;
     if (!lives(solid, part.entity)) return;
     ImGui::Separator();
     ui::wrapped_text(describe(session, part));

@@ -13,8 +13,8 @@ namespace {
 std::string counts(const Session& session)
 {
     topology::EulerCounts sum;
-    for (const Snapshot& in : session.after()) {
-        const topology::EulerCounts n = topology::euler_counts(in.solid);
+    for (const Snapshot& in : session.present()) {
+        const topology::EulerCounts n = topology::euler_counts(*in.solid);
         sum = {
             .V = sum.V + n.V, .E = sum.E + n.E, .F = sum.F + n.F, .L = sum.L + n.L, .S = sum.S + n.S, .G = sum.G + n.G};
     }
@@ -36,7 +36,7 @@ std::string differences(const Session& session)
     return text.substr(std::min(text.find(": ") + 2, text.size()));
 }
 
-bool is_sound(const Snapshot& in) { return !topology::why_not_valid(in.solid); }
+bool is_sound(const Snapshot& in) { return !topology::why_not_valid(*in.solid); }
 
 std::string selected(const Session& session)
 {
@@ -44,7 +44,7 @@ std::string selected(const Session& session)
     const Snapshot& in = session.after()[session.selection->subject];
     const topology::Entity entity = session.selection->entity;
     constexpr std::array kinds{"face ", "loop ", "edge ", "half-edge ", "vertex "};
-    return kinds[static_cast<std::size_t>(entity.kind)] + in.names.of(entity, in.solid);
+    return kinds[static_cast<std::size_t>(entity.kind)] + in.names->of(entity, *in.solid);
 }
 
 std::string asked(const Session& session)
@@ -64,34 +64,23 @@ std::string hint(const Session& session)
     return has_one ? ui::Catalogue()(session.game()->hints().back()) : "nothing";
 }
 
-/// One word that stands for something of the app.
-struct Fact {
-    std::string_view name;
-    std::string (*found)(const Session&);
-};
-constexpr std::array facts{
-    Fact{"counts", counts},
-    Fact{"place", place},
-    Fact{"step", [](const Session& s) { return s.report() == nullptr ? "nothing" : s.report()->name; }},
-    Fact{"deltas", differences},
-    Fact{"valid",
-         [](const Session& s) { return std::string(std::ranges::all_of(s.after(), is_sound) ? "yes" : "no"); }},
-    Fact{"selection", selected},
-    Fact{"asked", asked},
-    Fact{"verdict", verdict},
-    Fact{"hint", hint},
-    Fact{"points", [](const Session& s) { return std::to_string(s.points()); }},
-    Fact{"notice",
-         [](const Session& s) { return s.notice ? ui::Catalogue()(s.notice->sentence) : std::string("nothing"); }},
-    Fact{"file", [](const Session& s) { return s.file_name(); }},
-    Fact{"changed", [](const Session& s) { return std::string(s.is_dirty() ? "yes" : "no"); }},
-};
-
-std::string names_of_facts()
+const ui::Facts<Session>& facts()
 {
-    std::string names = "drawn, not drawn, written, not written";
-    for (const Fact& fact : facts) names += ", " + std::string(fact.name);
-    return names;
+    static const ui::Facts<Session> all(
+        {
+            {"counts", counts},
+            {"place", place},
+            {"step", [](const Session& s) { return s.report() == nullptr ? "nothing" : s.report()->name; }},
+            {"deltas", differences},
+            {"valid", [](const Session& s) { return ui::yes_or_no(std::ranges::all_of(s.present(), is_sound)); }},
+            {"selection", selected},
+            {"asked", asked},
+            {"verdict", verdict},
+            {"hint", hint},
+            {"points", [](const Session& s) { return std::to_string(s.points()); }},
+        },
+        "");
+    return all;
 }
 
 } // namespace
@@ -99,12 +88,7 @@ std::string names_of_facts()
 std::optional<std::string> why_not(std::string_view expectation, const Application& application)
 {
     if (const auto complaint = ui::common_complaint(expectation, application.canvas().picture())) return *complaint;
-    const std::size_t blank = std::min(expectation.find(' '), expectation.size());
-    const std::string_view what = expectation.substr(0, blank);
-    const std::string_view rest = expectation.substr(std::min(blank + 1, expectation.size()));
-    const auto fact = std::ranges::find(facts, what, &Fact::name);
-    if (fact != facts.end()) return ui::compared(what, fact->found(application.session()), std::string(rest));
-    return "expect: found \"" + std::string(what) + "\", wanted one of " + names_of_facts();
+    return facts().complaint(expectation, application.session());
 }
 
 } // namespace euler

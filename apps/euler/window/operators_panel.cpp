@@ -4,8 +4,8 @@
 #include <imgui_stdlib.h>
 
 #include "apps/euler/session/operator_commands.h"
-#include "apps/euler/window/command_button.h"
 #include "topology/text/words.h"
+#include "ui/widgets/command_menu.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace euler {
@@ -77,9 +77,9 @@ void OperatorsPanel::show_draft(Desk& desk, const CommandTable& commands)
     }
     if (!session.draft()) return;
     ImGui::Spacing();
-    command_button(desk, commands, "operator.accept");
-    command_button(desk, commands, "operator.take_back");
-    command_button(desk, commands, "operator.cancel");
+    ui::command_button(desk, commands, "operator.accept");
+    ui::command_button(desk, commands, "operator.take_back");
+    ui::command_button(desk, commands, "operator.cancel");
 }
 
 // What is likely typed stands there already.

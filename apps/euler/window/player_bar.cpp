@@ -66,10 +66,15 @@ void scrub_bar(Session& session, float width)
 {
     int place = static_cast<int>(session.place());
     const auto n = static_cast<int>(session.n_steps());
-    const std::string words = session.tr()("step {place} of {count}",
-                                           {{"place", std::to_string(place)}, {"count", std::to_string(n)}});
-    ImGui::SetNextItemWidth(
-        std::max(1.0F, width - ImGui::CalcTextSize(words.c_str()).x - ImGui::GetStyle().ItemSpacing.x));
+    const auto room_beside = [&](const std::string& words) {
+        return width - ImGui::CalcTextSize(words.c_str()).x - ImGui::GetStyle().ItemSpacing.x;
+    };
+    const std::string number = std::to_string(place), count = std::to_string(n);
+    std::string words = session.tr()("step {place} of {count}", {{"place", number}, {"count", count}});
+    const float least = 5.0F * ImGui::GetFontSize(); // in which a hand finds its place
+    if (room_beside(words) < least) words = number + " / " + count;
+    if (room_beside(words) < least) words = number;
+    ImGui::SetNextItemWidth(std::max(1.0F, room_beside(words)));
     ImGui::BeginDisabled(n == 0);
     if (ImGui::SliderInt("###scrub", &place, 0, n, "", ImGuiSliderFlags_NoInput)) {
         session.is_playing = false;

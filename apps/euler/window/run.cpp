@@ -4,11 +4,12 @@
 #include <iostream>
 #include <memory>
 #include <random>
+#include <utility>
 
 #include "apps/euler/window/application.h"
 #include "apps/euler/window/describe.h"
 #include "apps/euler/window/stage.h"
-#include "ui/app/headless.h"
+#include "femoop/io/whole_file.h"
 #include "ui/app/window_loop.h"
 #include "ui/context/window.h"
 
@@ -29,29 +30,22 @@ Session begin(const Options& options)
     return session;
 }
 
-int play_scenario(const Options& options, const Session& session)
+// Of one app, which takes the session over: a lesson of a million steps has no room to be copied.
+ui::MakeApp app_with(Session& session)
 {
-    const ui::Fonts fonts;
-    return ui::play_scenario(options, "euler", session.tr(), [&](const ui::Playing& playing) {
-        Application application(playing.context, fonts, session);
-        OffscreenStage stage(playing.context, application, playing.keep);
-        ui::play(playing.script, playing.context, application, stage, playing.film);
-    });
-}
-
-ui::MakeApp app_with(const Session& session)
-{
-    return [session](ui::Context& context, const ui::Fonts& fonts) {
-        return std::make_unique<Application>(context, fonts, session);
+    return [&session](ui::Context& context, const ui::Fonts& fonts) {
+        return std::make_unique<Application>(context, fonts, std::move(session));
     };
 }
 
-// By hand the challenges are others each time; scenarios and pictures are always the same.
-ui::MakeApp app_to_play_with(const Session& session)
+// By hand the challenges are others each time, and files and unsaved work are remembered from one time to the next;
+// scenarios and pictures are always the same.
+ui::MakeApp app_to_play_with(Session& session)
 {
-    return [session](ui::Context& context, const ui::Fonts& fonts) {
-        auto app = std::make_unique<Application>(context, fonts, session);
+    return [&session](ui::Context& context, const ui::Fonts& fonts) {
+        auto app = std::make_unique<Application>(context, fonts, std::move(session));
         app->desk().next_challenge = std::random_device{}();
+        if (const auto kept = ui::draft_folder("euler", ".eul", femoop::write_whole_file)) app->remember_in(*kept);
         return app;
     };
 }
@@ -66,13 +60,13 @@ int complain(const std::string& sentence)
 
 int run(const Options& options)
 {
-    const Session session = begin(options);
+    Session session = begin(options);
     if (options.is_headless() && session.notice) return complain(session.tr()(session.notice->sentence));
     if (options.describe) {
         std::cout << in_words(session);
         return Done;
     }
-    if (options.play) return play_scenario(options, session);
+    if (options.play) return ui::play_through<Application, OffscreenStage>(options, "euler", session, session.tr());
     if (options.screenshot) {
         ui::take_screenshot(options, app_with(session));
         return Done;

@@ -54,35 +54,29 @@ ui::Stage::Sought OffscreenStage::find(std::string_view place)
 {
     if (const auto pixel = ui::pixel_place(place)) return *pixel;
     if (const auto point = point_in(place)) {
-        const ui::Point at = application_.canvas().in_window(application_.session(), *point);
+        const ui::Point at = application().canvas().in_window(application().session(), *point);
         return ui::PointerPlace{at.x, at.y};
     }
-    const auto part = named_part(application_.session().shown(), place);
+    const auto part = named_part(application().session().shown(), place);
     if (!part) return any_place;
-    const auto at = application_.canvas().in_window(*part);
+    const auto at = application().canvas().in_window(*part);
     if (!at) return "one that is seen";
     return ui::PointerPlace{at->x, at->y};
 }
 
 std::optional<std::string> OffscreenStage::run_command(std::string_view id, std::string_view argument)
 {
-    Desk& desk = application_.desk();
+    Desk& desk = application().desk();
     if (id == "file.open" && !argument.empty()) return told(desk.session, desk.session.open(argument));
     if (id == "file.save" && !argument.empty()) return told(desk.session, desk.session.save(argument));
-    if (id == "file.export" && !argument.empty()) return in_english(application_.export_as(argument));
+    if (id == "file.export" && !argument.empty()) return in_english(application().export_as(argument));
     if (id == "step.go_to") return go_to(desk.session, argument);
     if (id == "step.apply") return in_english(desk.session.apply(argument));
     if (id == "challenge.answer") return in_english(desk.session.answer(argument));
     if (id == "operator.choose") return in_english(desk.session.choose_typed(argument));
-    return ui::run_by_name(application_.commands(), id, desk);
+    return ui::run_by_name(application().commands(), id, desk);
 }
 
-std::optional<std::string> OffscreenStage::take_picture(std::string_view name)
-{
-    keep_(name, context_.pixels());
-    return std::nullopt;
-}
-
-std::optional<std::string> OffscreenStage::expect(std::string_view words) { return why_not(words, application_); }
+std::optional<std::string> OffscreenStage::expect(std::string_view words) { return why_not(words, application()); }
 
 } // namespace euler

@@ -72,13 +72,11 @@ void count_table(const StepReport& step, const ui::ImGuiSession& gui, const ui::
         change[i] = with_sign(static_cast<long>(is) - static_cast<long>(was));
         after[i] = std::to_string(is);
     }
-    constexpr ImGuiTableFlags flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg |
-                                      ImGuiTableFlags_BordersInnerV;
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoHostExtendX |
+                                      ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV;
     if (!ImGui::BeginTable("counts", 1 + static_cast<int>(counts_shown.size()), flags)) return;
-    const float em = ImGui::GetFontSize();
-    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 5.0F * em);
-    for (const CountEntry& entry : counts_shown)
-        ImGui::TableSetupColumn(entry.letter, ImGuiTableColumnFlags_WidthFixed, 2.4F * em);
+    ImGui::TableSetupColumn(""); // all as wide as what stands in them
+    for (const CountEntry& entry : counts_shown) ImGui::TableSetupColumn(entry.letter);
     headings(tr);
     count_row(tr("before"), before);
     ImGui::PushFont(gui.bold());
@@ -121,7 +119,7 @@ void before_the_first(const Session& session)
 
 } // namespace
 
-std::string code(const StepReport& step)
+std::string code(const StepSummary& step)
 {
     const std::string line = step.line.substr(0, step.line.find(" #"));
     return line.substr(0, line.find_last_not_of(' ') + 1);

@@ -13,7 +13,7 @@ void step_panel(const Session& session, const ui::ImGuiSession& gui);
 void step_caption(const Session& session, const ui::ImGuiSession& gui);
 
 /// The step's line without its comment.
-std::string code(const StepReport& step);
+std::string code(const StepSummary& step);
 
 /// The formula with the numbers of these counts: "8 − 12 + 6 − (6 − 6) − 2 (1 − 0) = 0".
 std::string formula_text(const topology::EulerCounts& counts);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <functional>
-#include <span>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -23,35 +23,15 @@ namespace {
 
 ImU32 packed(ui::Color color) { return IM_COL32(color.r, color.g, color.b, color.a); }
 
-/// An entity's row before and after a step.
-struct RowPair {
-    const TableRow* before = nullptr;
-    const TableRow* after = nullptr;
-};
-
-// In the order of the numbers, which both are in.
-std::vector<RowPair> paired(const std::vector<TableRow>& before, const std::vector<TableRow>& after)
-{
-    std::vector<RowPair> pairs;
-    for (auto a = before.begin(), b = after.begin(); a != before.end() || b != after.end();) {
-        const bool takes_a = b == after.end() || (a != before.end() && a->number <= b->number);
-        const bool takes_b = a == before.end() || (b != after.end() && b->number <= a->number);
-        pairs.push_back({takes_a ? &*a : nullptr, takes_b ? &*b : nullptr});
-        if (takes_a) ++a;
-        if (takes_b) ++b;
-    }
-    return pairs;
-}
-
 /// Writes the rows of one table.
 class RowWriter {
 public:
     RowWriter(Session& session, std::size_t solid) : session_(session), solid_(solid), theme_(session.look.theme) {}
 
-    void write(const TableRow* row, std::size_t n_cells, const char* side)
+    void write(const std::optional<TableRow>& row, std::size_t n_cells, const char* side)
     {
         ImGui::PushID(side);
-        if (row == nullptr) {
+        if (!row) {
             for (std::size_t i = 0; i <= n_cells; ++i) ImGui::TableNextColumn();
         } else {
             const bool is_selected = row->entity && session_.selection == Part{solid_, *row->entity};
@@ -104,25 +84,19 @@ private:
     ui::Theme theme_;
 };
 
-bool is_touched(const RowPair& pair)
-{
-    const auto touched = [](const TableRow* row) { return row != nullptr && row->mark != RowMark::Same; };
-    return touched(pair.before) || touched(pair.after);
-}
-
 } // namespace
 
 void TablesPanel::follow(const Session& session)
 {
     if (std::exchange(generation_, session.generation()) == session.generation()) return;
     const StepReport* const step = session.report();
-    tables_ = step == nullptr ? topology::ComparedTables() : step_tables(session.stepper(), session.step());
     solid_ = step == nullptr ? 0 : step->solid;
+    tables_ = step == nullptr ? topology::ComparedTables() : step_tables(session.before(), session.after(), solid_);
     const bool is_broken = session.game() && std::holds_alternative<BrokenPointer>(session.game()->task());
     broken_ = is_broken && step == nullptr
-                  ? topology::entity_tables(std::get<BrokenPointer>(session.game()->task()).broken)
-                  : topology::EntityTables();
-    winged_ = step == nullptr ? topology::WingedTables() : topology::winged_tables(session.after()[solid_].solid);
+                  ? topology::EntityRows(std::get<BrokenPointer>(session.game()->task()).broken)
+                  : topology::EntityRows();
+    winged_ = step == nullptr ? topology::WingedTables() : topology::WingedTables(*session.after()[solid_].solid);
     is_new_ = true;
 }
 
@@ -144,11 +118,9 @@ void TablesPanel::show(Desk& desk)
 // A dot tells which tables the step has changed.
 void TablesPanel::show_tabs(Desk& desk) const
 {
-    const auto is_same = [](const TableRow& row) { return row.mark == RowMark::Same; };
     ui::TabRow row;
     for (const TableEntry& entry : euler::tables()) {
-        const bool is_changed = !std::ranges::all_of(tables_.after[entry.table], is_same) ||
-                                !std::ranges::all_of(tables_.before[entry.table], is_same);
+        const bool is_changed = tables_.first_changed(entry.table).has_value();
         const std::string title = desk.session.tr()(entry.label) + (is_changed ? " •" : "");
         const bool is_chosen = desk.structure == Structure::HalfEdges && entry.table == desk.table;
         if (!row.show(title + "###" + std::string(entry.id), is_chosen)) continue;
@@ -179,88 +151,91 @@ namespace {
 constexpr ImGuiTableFlags table_look = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
                                        ImGuiTableFlags_SizingStretchSame;
 
-// A solid may have a hundred thousand rows; those in sight are written.
-void write_rows(std::span<const RowPair> pairs, const std::function<void(const RowPair&)>& write)
+// A solid may have a million rows; those in sight are written.
+void write_rows(std::size_t n_rows, const std::function<void(std::size_t)>& write)
 {
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(pairs.size()));
+    clipper.Begin(static_cast<int>(n_rows));
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             ImGui::TableNextRow();
             ImGui::PushID(i);
-            write(pairs[static_cast<std::size_t>(i)]);
+            write(static_cast<std::size_t>(i));
             ImGui::PopID();
         }
     }
 }
 
-// The first row that a step changed, with some before it.
-void bring_into_sight(std::span<const RowPair> pairs)
+// The row with some before it.
+void bring_into_sight(std::size_t row)
 {
-    const auto touched = std::ranges::find_if(pairs, is_touched);
-    if (touched == pairs.end()) return;
-    constexpr std::ptrdiff_t n_before = 2;
-    const std::ptrdiff_t row = std::max<std::ptrdiff_t>(0, touched - pairs.begin() - n_before);
+    constexpr std::size_t n_before = 2;
     const float height = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
-    ImGui::SetScrollY(height * static_cast<float>(row));
+    ImGui::SetScrollY(height * static_cast<float>(row - std::min(row, n_before)));
 }
 
 } // namespace
 
 void TablesPanel::show_table(Session& session, TableKind kind)
 {
-    if (!broken_[kind].empty()) return show_broken(session, kind);
-    const std::vector<RowPair> pairs = paired(tables_.before[kind], tables_.after[kind]);
-    if (pairs.empty()) return ImGui::TextDisabled("%s", session.tr()("Nothing is done yet.").c_str());
-    const TableRow& like = pairs.front().after != nullptr ? *pairs.front().after : *pairs.front().before;
+    if (broken_.size(kind) != 0) return show_broken(session, kind);
+    const std::size_t n_rows = tables_.size(kind);
+    if (n_rows == 0) return ImGui::TextDisabled("%s", session.tr()("Nothing is done yet.").c_str());
+    const topology::ComparedRow first = tables_(kind, 0);
+    const TableRow& like = first.after ? *first.after : *first.before;
     const std::size_t n_cells = like.cells.size();
     if (!ImGui::BeginTable("rows", 2 * (1 + static_cast<int>(n_cells)), table_look)) return;
     ImGui::TableSetupScrollFreeze(0, 1);
     headings(session, like);
     RowWriter writer(session, solid_);
-    write_rows(pairs, [&](const RowPair& pair) {
-        writer.write(pair.before, n_cells, "before");
-        writer.write(pair.after, n_cells, "after");
+    write_rows(n_rows, [&](std::size_t row) {
+        const topology::ComparedRow both = tables_(kind, row);
+        writer.write(both.before, n_cells, "before");
+        writer.write(both.after, n_cells, "after");
     });
-    if (std::exchange(is_new_, false)) bring_into_sight(pairs);
+    if (const auto row = tables_.first_changed(kind); std::exchange(is_new_, false) && row) bring_into_sight(*row);
     ImGui::EndTable();
 }
 
 void TablesPanel::show_broken(Session& session, TableKind kind) const
 {
-    winged_table(session, broken_[kind], {"broken", 0.0F});
+    const auto row = [&](std::size_t i) { return broken_(kind, i); };
+    lone_table(session, broken_.size(kind), row(0).cells.size(), row, {"broken", 0.0F});
 }
 
 // The same solid as edges that carry all the links: edges, vertices and faces beside one another.
 void TablesPanel::show_winged(Session& session)
 {
+    constexpr std::size_t n_of_edge = 8, n_of_vertex = 1, most_of_face = 12; // a face has a cell for each of its loops
     const float room = ImGui::GetContentRegionAvail().x;
     const float gap = ImGui::GetStyle().ItemSpacing.x;
-    winged_table(session, winged_.edges, {"winged edges", 0.66F * room - gap});
+    const std::size_t n_of_face = std::min(winged_.most_loops(), most_of_face);
+    lone_table(session, winged_.n_edges(), n_of_edge, [&](std::size_t i) { return winged_.edge(i); },
+               {"winged edges", 0.66F * room - gap});
     ImGui::SameLine();
-    winged_table(session, winged_.vertices, {"winged vertices", 0.14F * room - gap});
+    lone_table(session, winged_.n_vertices(), n_of_vertex, [&](std::size_t i) { return winged_.vertex(i); },
+               {"winged vertices", 0.14F * room - gap});
     ImGui::SameLine();
-    winged_table(session, winged_.faces, {"winged faces", 0.2F * room - gap});
+    lone_table(session, winged_.n_faces(), n_of_face, [&](std::size_t i) { return winged_.face(i); },
+               {"winged faces", 0.2F * room - gap});
 }
 
-void TablesPanel::winged_table(Session& session, const std::vector<TableRow>& rows, const TablePlace& place) const
+void TablesPanel::lone_table(Session& session, std::size_t n_rows, std::size_t n_cells, const MakeRow& row,
+                             const TablePlace& place) const
 {
-    std::size_t n_cells = 0; // a face has a cell for each of its loops
-    for (const TableRow& row : rows) n_cells = std::max(n_cells, row.cells.size());
-    constexpr std::size_t most_cells = 12;
-    n_cells = std::min(n_cells, most_cells);
-    if (n_cells == 0 || !ImGui::BeginTable(place.id, 1 + static_cast<int>(n_cells), table_look, {place.width, 0.0F}))
+    if (n_rows == 0 || !ImGui::BeginTable(place.id, 1 + static_cast<int>(n_cells), table_look, {place.width, 0.0F}))
         return ImGui::Dummy({place.width, 1.0F});
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     ImGui::TableNextColumn();
-    ImGui::TextDisabled("%s", std::string(rows.front().label).c_str());
-    for (const TableCell& cell : rows.front().cells) {
+    const TableRow first = row(0);
+    ImGui::TextDisabled("%s", std::string(first.label).c_str());
+    for (const TableCell& cell : first.cells) {
         ImGui::TableNextColumn();
         ImGui::TextDisabled("%s", std::string(cell.label).c_str());
     }
     RowWriter writer(session, solid_);
-    write_rows(paired({}, rows), [&](const RowPair& pair) { writer.write(pair.after, n_cells, "row"); });
+    write_rows(n_rows, [&](std::size_t i) { writer.write(row(i), n_cells, "row"); });
     ImGui::EndTable();
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <functional>
 
 #include "apps/euler/session/commands.h"
 #include "topology/tables/compared_tables.h"
@@ -28,11 +28,14 @@ private:
     };
     void show_broken(Session& session, topology::TableKind kind) const;
     void show_winged(Session& session);
-    void winged_table(Session& session, const std::vector<topology::TableRow>& rows, const TablePlace& place) const;
+    using MakeRow = std::function<topology::TableRow(std::size_t)>;
+    /// \pre n_cells > 0 where there are rows
+    void lone_table(Session& session, std::size_t n_rows, std::size_t n_cells, const MakeRow& row,
+                    const TablePlace& place) const;
 
     topology::ComparedTables tables_;
     topology::WingedTables winged_;
-    topology::EntityTables broken_; ///< of a structure with a wrong pointer, alone; no rows where none is to be mended
+    topology::EntityRows broken_; ///< of a structure with a wrong pointer, alone; no rows where none is to be mended
     std::size_t solid_ = 0;
     std::uint64_t generation_ = 0; ///< that the tables belong to
     bool is_new_ = false;          ///< the first row that the step changed is to be brought into sight

@@ -9,7 +9,6 @@
 #include "apps/euler/document/challenge/score.h"
 #include "apps/euler/document/challenge/which_operator.h"
 #include "topology/halfedge/check/validate.h"
-#include "topology/script/script_writer.h"
 #include "topology/tables/table_text.h"
 #include "ui/text/catalogue.h"
 
@@ -36,8 +35,7 @@ TEST_SUITE("challenges")
                 const ReachChallenge challenge = reach_challenge(seed, level);
                 CAPTURE(english(challenge.task));
                 CHECK(is_said(challenge.task));
-                Stepper way(topology::construction_script(
-                    {.name = "s1", .solid = challenge.target, .journal = {}, .names = {}}));
+                Stepper way(challenge.way);
                 const ReachState end = judged(challenge, way);
                 CHECK(end.is_won);
                 CHECK(end.n_operators == challenge.most_operators);
@@ -48,6 +46,25 @@ TEST_SUITE("challenges")
                     CHECK(is_said(state.hint));
                 }
             }
+    }
+
+    TEST_CASE("A lone vertex takes one operator of its own")
+    {
+        std::set<std::string> tasks;
+        for (std::uint32_t seed = 1; seed <= 40; ++seed) tasks.insert(english(reach_challenge(seed, Level::Easy).task));
+        CHECK(tasks.contains("Make a lamina of 6 corners with a lone vertex in its front with at most 8 operators."));
+        CHECK(tasks.contains("Make a lamina of 6 corners with at most 7 operators."));
+    }
+
+    TEST_CASE("SEMV is asked for too, and never beside MEV")
+    {
+        std::set<std::string> answers;
+        for (std::uint32_t seed = 1; seed <= 60; ++seed) {
+            const WhichOperator asked = which_operator(seed);
+            answers.insert(asked.choices[asked.answer]);
+        }
+        CHECK(answers.contains("SEMV"));
+        CHECK(answers.contains("JEKV"));
     }
 
     TEST_CASE("A detour reaches the solid but does not win, and places do not matter")

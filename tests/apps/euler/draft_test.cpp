@@ -129,6 +129,9 @@ TEST_SUITE("palette")
         CHECK(std::get<Choice>(read("%5")) == Choice(Entity(topology::HalfEdgeId{4})));
         CHECK(std::get<Choice>(read("f1 v3")) == Choice(Entity(corner(lesson, "f1", "v3"))));
         CHECK(ui::Catalogue()(std::get<ui::Phrase>(read("v2>w"))) == "there is no edge between v2 and w");
+        CHECK(ui::Catalogue()(std::get<ui::Phrase>(read("v2>"))) ==
+              "v2> is no corner: a name is missing beside >; write v1, v1>v2, v1>v2>v3 or a number %7");
+        CHECK(ui::Catalogue()(std::get<ui::Phrase>(read("v2>v3>v2"))) == "there is no half-edge v2>v3>v2 in s1");
         CHECK(ui::Catalogue()(std::get<ui::Phrase>(read("v1"))).starts_with("v1 fits several half-edges: "));
         CHECK(ui::Catalogue()(std::get<ui::Phrase>(read("%70"))) == "there is no half-edge %70 in s1");
         Draft move(Verb::Move);

@@ -4,8 +4,13 @@
 #include "tests/topology/halfedge/random_walk.h"
 #include "topology/halfedge/check/shells.h"
 
+#include "topology/modeling/primitives.h"
+#include "topology/script/script_runner.h"
+
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <map>
 
 using namespace euler;
@@ -21,7 +26,8 @@ const topology::Names no_names;
 
 Shapes in_plane(const std::vector<Subject>& subjects, std::optional<Part> outside = std::nullopt)
 {
-    return planar_shapes(subjects, fitted_planar(subjects, sheet, outside), {}, outside);
+    const PlanarMap map(subjects, outside);
+    return map.shapes(subjects, map.fitted(sheet), {});
 }
 
 bool cross_inside(ui::Point a, ui::Point b, ui::Point c, ui::Point d)
@@ -70,6 +76,23 @@ TEST_CASE("In the plane no two edges of a random solid without handles cross, wh
         CHECK(shapes.sentences.empty());
         CHECK(n_crossings(shapes) == 0);
     }
+}
+
+TEST_CASE("A face of thousands of sides lies in the plane at once, with room about it, and nothing crosses")
+{
+    constexpr int n = 2000;
+    topology::NamedSolid made;
+    topology::EulerOperator op(made.solid, made.journal);
+    topology::add_prism(op, n, 1.0, 1.0);
+    const auto begin = std::chrono::steady_clock::now();
+    const Shapes shapes = in_plane({{&made.solid, &made.names}});
+    CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(5)); // 0.1 s where nobody else is at work
+    double least = 1e9;
+    for (const Shapes::Edge& edge : shapes.edges) {
+        REQUIRE(edge.line.size() == 2);
+        least = std::min(least, ui::distance(edge.line.front(), edge.line.back()));
+    }
+    CHECK(least > 0.5); // [px]
 }
 
 TEST_CASE("A polyhedron's edges are straight in the plane, and the face outside is all around the others")
@@ -124,6 +147,53 @@ TEST_CASE("Random solids of every genus have a plane model on the sheet, without
         for (const Shapes::Arrow& arrow : shapes.arrows)
             for (const ui::Point p : arrow.line) CHECK(ui::is_finite(p));
     }
+}
+
+TEST_CASE("A step of the plane model begins where every side stood before it and ends where it stands after it")
+{
+    ui::PlaneCamera camera;
+    for (std::uint32_t seed = 1; seed <= 60; ++seed) {
+        RandomWalk walk(seed);
+        for (std::uint32_t i = 0; i < 12 + seed % 20; ++i) walk.step(1.5);
+        const topology::Solid before = walk.solid;
+        walk.step(1.0);
+        const std::vector<Subject> drawn{{&walk.solid, &no_names}}, other{{&before, &no_names}};
+        const Shapes old = plane_model(other, camera, {}), now = plane_model(drawn, camera, {});
+        const Shapes start = plane_model(drawn, camera, {}, {other, 0.0}),
+                     end = plane_model(drawn, camera, {}, {other, 1.0});
+        CAPTURE(seed);
+        std::map<topology::HalfEdgeId, ui::Point> stood;
+        for (std::size_t i = 0; i < old.arrows.size(); ++i) stood[old.arrows[i].half_edge] = old.vertices[i].at;
+        for (std::size_t i = 0; i < start.arrows.size(); ++i) {
+            const auto found = stood.find(start.arrows[i].half_edge);
+            if (found != stood.end()) CHECK(ui::distance(start.vertices[i].at, found->second) < 1e-9);
+            CHECK(ui::distance(end.vertices[i].at, now.vertices[i].at) < 1e-9);
+            for (const ui::Point p : start.arrows[i].line) CHECK(ui::is_finite(p));
+        }
+    }
+}
+
+TEST_CASE("In the plane model MEF draws a chord before the polygon parts")
+{
+    topology::ScriptRunner runner;
+    for (const char* line : {"mvfs s f a 0 0 0", "mev s f a b 1 0 0", "mev s f b c 1 1 0", "mev s f c d 0 1 0"})
+        runner.run_line(line);
+    const topology::Solid before = runner.solids().front().solid;
+    runner.run_line("mef s f a d g");
+    const topology::Solid& after = runner.solids().front().solid;
+    const std::vector<Subject> drawn{{&after, &no_names}}, other{{&before, &no_names}};
+    const Shapes start = plane_model(drawn, {}, {}, {other, 0.0});
+    const topology::EdgeId made{3};
+    std::vector<ui::Point> ends;
+    for (const Shapes::Edge& edge : start.edges)
+        if (edge.edge == made) {
+            ends.push_back(edge.line.front());
+            ends.push_back(edge.line.back());
+        }
+    REQUIRE(ends.size() == 4); // both sides of it, one against the other
+    CHECK(ui::distance(ends[0], ends[3]) < 1e-9);
+    CHECK(ui::distance(ends[1], ends[2]) < 1e-9);
+    CHECK(ui::distance(ends[0], ends[1]) > 50.0);
 }
 
 TEST_SUITE_END();

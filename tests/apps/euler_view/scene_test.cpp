@@ -47,7 +47,8 @@ void check_in_space(const std::string& name, const std::vector<Subject>& subject
 void check_planar(const std::string& name, const std::vector<Subject>& subjects, const Look& look = {},
                   std::optional<Part> outside = std::nullopt)
 {
-    check(name, planar_shapes(subjects, fitted_planar(subjects, sheet, outside), look, outside), subjects, look);
+    const PlanarMap map(subjects, outside);
+    check(name, map.shapes(subjects, map.fitted(sheet), look), subjects, look);
 }
 
 void check_polygons(const std::string& name, const std::vector<Subject>& subjects, const Look& look = {})

@@ -8,6 +8,7 @@
 #include "topology/modeling/lamina.h"
 #include "topology/modeling/primitives.h"
 #include "topology/modeling/revolve.h"
+#include "topology/script/script_writer.h"
 #include "ui/text/catalogue.h"
 
 namespace euler {
@@ -23,12 +24,13 @@ using ui::translatable;
 struct Target {
     Phrase name;
     Solid solid;
+    topology::Journal journal; ///< of how it was made
 };
 
 template <class Make> Target target(const Phrase& name, const Make& make)
 {
-    Target made{name, {}};
-    EulerOperator op(made.solid);
+    Target made{name, {}, {}};
+    EulerOperator op(made.solid, made.journal);
     make(op);
     return made;
 }
@@ -97,6 +99,20 @@ Phrase difference(const EulerCounts& now, const EulerCounts& wanted)
     return translatable("the counts agree, but not the structure: compare how many edges each face has");
 }
 
+struct Way {
+    std::string script;
+    std::size_t n_operators;
+};
+
+/// As it was made, or by inversion: the one knows MVR, the other needs no detour.
+Way shortest_way(const Target& made)
+{
+    const std::size_t n_made = made.journal.n_done(), n_inverted = construction(made.solid).journal.n_done();
+    const topology::NamedSolid solid{.name = "s1", .solid = made.solid, .journal = made.journal, .names = {}};
+    if (n_made < n_inverted) return {journal_script(solid), n_made};
+    return {construction_script(solid), n_inverted};
+}
+
 } // namespace
 
 ReachChallenge reach_challenge(std::uint32_t seed, Level level)
@@ -105,16 +121,19 @@ ReachChallenge reach_challenge(std::uint32_t seed, Level level)
     const auto kind = static_cast<std::uint32_t>(random());
     const int n = 3 + static_cast<int>(random() % 4);
     Target made = level == Level::Easy ? easy(kind, n) : level == Level::Middle ? middle(kind, n) : hard(kind, n);
-    const std::size_t n_needed = construction(made.solid).journal.n_done();
+    Way way = shortest_way(made);
     Phrase task(translatable("Make {what} with at most {n} operators."),
-                {{"what", std::move(made.name)}, {"n", std::to_string(n_needed)}});
-    return {.task = std::move(task), .target = std::move(made.solid), .most_operators = n_needed};
+                {{"what", std::move(made.name)}, {"n", std::to_string(way.n_operators)}});
+    return {.task = std::move(task),
+            .target = std::move(made.solid),
+            .way = std::move(way.script),
+            .most_operators = way.n_operators};
 }
 
 ReachState judged(const ReachChallenge& challenge, const Stepper& attempt)
 {
     ReachState state;
-    for (std::size_t i = 1; i <= attempt.place(); ++i) state.n_operators += attempt.report(i).changes.size();
+    for (std::size_t i = 1; i <= attempt.place(); ++i) state.n_operators += attempt.n_operators(i);
     const auto& solids = attempt.runner().solids();
     const auto made = std::find_if(solids.begin(), solids.end(), [](const auto& solid) { return solid.is_alive(); });
     if (made == solids.end()) {

@@ -14,7 +14,8 @@ enum class Level : std::uint8_t { Easy, Middle, Hard };
 struct ReachChallenge {
     ui::Phrase task;
     topology::Solid target;
-    std::size_t most_operators = 0; ///< the fewest that are needed
+    std::string way;                ///< a script that reaches it with the fewest operators that are known
+    std::size_t most_operators = 0; ///< of that script
 };
 ReachChallenge reach_challenge(std::uint32_t seed, Level level);
 

@@ -34,16 +34,7 @@ topology::Point point(const Words& words)
 HalfEdgeId half_edge(const Named& in, const Words& words)
 {
     if (words.size() == 2) return find_corner(in, find_face(in, words[0]), words[1]);
-    const std::string_view word = words.front();
-    if (const std::size_t mark = word.find('>'); mark != std::string_view::npos)
-        return find_half_edge(in, std::nullopt, word.substr(0, mark), word.substr(mark + 1));
-    if (const auto h = find_numbered(in, word)) return *h;
-    const topology::VertexId v = find_vertex(in, word);
-    const HalfEdgeId h = in.solid.half_edge(v);
-    std::string fit;
-    for (const HalfEdgeId each : in.solid.fan(v)) fit += (fit.empty() ? "" : ", ") + in.names.of(each, in.solid);
-    if (in.solid.turn(h) != h) throw error(ScriptFault::Ambiguous, {std::string(word), fit});
-    return h;
+    return find_half_edge(in, words.front());
 }
 
 Choice read(const topology::ScriptRunner& runner, const Draft& draft, const Words& words)

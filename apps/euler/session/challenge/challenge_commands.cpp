@@ -54,7 +54,7 @@ void begin(Desk& desk, const Entry& entry)
 void give_up(Desk& desk)
 {
     if (std::holds_alternative<ReachChallenge>(desk.session.game()->task()))
-        leave_lesson(desk, [](Desk& left) { left.session.give_up_challenge(); });
+        desk.leave_document([](Desk& left) { left.session.give_up_challenge(); });
     else desk.session.give_up_challenge();
 }
 
@@ -66,7 +66,7 @@ void add_challenge_commands(CommandTable& table)
 {
     for (const Entry& entry : entries)
         table.add({.id = entry.id, .menu = menu, .label = entry.label, .run = [&entry](Desk& desk) {
-                       leave_lesson(desk, [&entry](Desk& left) { begin(left, entry); });
+                       desk.leave_document([&entry](Desk& left) { begin(left, entry); });
                    }});
     table.add({.id = "challenge.hint",
                .menu = menu,

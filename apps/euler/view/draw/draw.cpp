@@ -7,6 +7,7 @@
 #include "apps/euler/view/shapes/outline.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace euler {
@@ -20,7 +21,8 @@ constexpr double hatch_spacing = 8.0;                                           
 constexpr double pale = 0.6;                   // share of a bent face's colour, which only hints where it is
 constexpr double least_hatched = 300.0;        // [px^2] of a piece's box
 constexpr double crowded = 40.0;               // [px] of a typical edge, below which there is less of everything
-constexpr std::size_t many_edges = 1500;       // of which the hidden ones are left out where it is crowded
+constexpr double crowded_of_many = 80.0;       // likewise, of a solid of thousands of edges
+constexpr double half_thinned = 0.5;           // from where on hidden edges are left out where it is crowded
 constexpr double least_hatched_there = 1500.0; // [px^2]
 
 /// Shapes by the number of pieces that they are painted after, taken from there turn by turn.
@@ -51,7 +53,8 @@ public:
           palette_(palette),
           look_(look),
           symbol_(palette.theme().symbol_scale()),
-          is_crowded_(typical_edge(shapes) < crowded * symbol_)
+          thinning_(thinning(shapes.edges.size())),
+          is_crowded_(typical_edge(shapes) < symbol_ * std::lerp(crowded, crowded_of_many, thinning_))
     {}
 
     void draw()
@@ -99,7 +102,7 @@ private:
         const Part part{edge.subject, edge.edge};
         ui::Stroke stroke = palette_.edge(part, edge.is_hidden, edge.series);
         if (is_crowded_ && !palette_.marks(edge.subject).is_marked(part.entity)) {
-            if (edge.is_hidden && shapes_.edges.size() > many_edges) return;
+            if (edge.is_hidden && thinning_ > half_thinned) return;
             make_slim(stroke);
         }
         draw_line(part, edge.line, stroke);
@@ -148,6 +151,7 @@ private:
     const Palette& palette_;
     const Look& look_;
     double symbol_;
+    double thinning_;
     bool is_crowded_;
 };
 

@@ -12,8 +12,9 @@ namespace euler {
 /// were made of.
 ///
 /// Where things get tiny there is less of them: no hatching on small faces, no dots on crowded vertices, no hidden
-/// edges of thousands, no names where there is no room. A solid of 2 000 faces takes about 15 ms a frame, most of it
-/// the renderer's (tests/bench/euler_view_bench.cpp). Names never cover one another.
+/// edges of thousands, no names where there is no room. From a hundred edges on there is less and less of it, so that a
+/// frame takes about 15 ms whatever the solid, most of it the renderer's (tests/bench/euler_view_bench.cpp). Names
+/// never cover one another.
 void draw(ui::Painter& painter, const Shapes& shapes, std::span<const Subject> subjects, const Look& look);
 
 /// The same as a picture of its own.

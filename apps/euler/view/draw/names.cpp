@@ -5,6 +5,7 @@
 #include "ui/paint/label_placement.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <string>
@@ -17,11 +18,12 @@ using topology::EntityKind;
 
 namespace {
 
-constexpr std::size_t most_names = 300;
-constexpr std::size_t most_pieces = 600; // for which places inside are looked for
-constexpr double least_edge = 30.0;      // [px] of an edge that has room for its name, typically and by itself
-constexpr double roomy_edge = 80.0;      // [px] typically, where hidden things are named too
-constexpr double least_room = 9.0;       // [px] about the middle of a face that has room for its name
+constexpr double most_names = 240.0, most_of_many = 40.0; // of a solid of thousands of edges
+constexpr std::size_t most_pieces = 600;                  // for which places inside are looked for
+constexpr double least_edge = 30.0;  // [px] of an edge that has room for its name, typically and by itself
+constexpr double roomy_edge = 80.0;  // [px] typically, where hidden things are named too
+constexpr double beside_side = 16.0; // [px] from a polygon's side to what is inside its half-edges
+constexpr double least_room = 9.0;   // [px] about the middle of a face that has room for its name
 
 /// A name that wants to be written.
 struct Request {
@@ -52,7 +54,8 @@ public:
         add_obstacles();
         std::stable_sort(requests_.begin(), requests_.end(),
                          [](const Request& a, const Request& b) { return a.label.priority > b.label.priority; });
-        if (requests_.size() > most_names) requests_.resize(most_names);
+        const double most = std::lerp(most_names, most_of_many, thinning(shapes_.edges.size()));
+        requests_.resize(std::min(requests_.size(), static_cast<std::size_t>(most)));
         std::vector<ui::Label> labels;
         for (const Request& request : requests_) labels.push_back(request.label);
         const ui::LabelPlacement placement = placer_.place(labels);
@@ -114,7 +117,18 @@ private:
         if (found == places_.end()) return;
         const NamePlaces& places = found->second;
         if (places.room < least_room * symbol_ && !is_marked(part)) return;
-        ask(part, places.all.front(), places.all, face.is_back, {.clearance = 4.0, .priority = 30.0});
+        ask(part, places.all.front(), places.all, face.is_back,
+            {.clearance = 4.0, .priority = 30.0, .room = room_in_polygon(part, places)});
+    }
+
+    /// Between the half-edges of a polygon, whose sides tell by their colours which of them are one edge. Where there
+    /// are rings there is room beside them.
+    double room_in_polygon(const Part& face, const NamePlaces& places) const
+    {
+        const topology::Solid& solid = palette_.solid(face.subject);
+        const auto loops = solid.loops(topology::FaceId{face.entity.index});
+        if (!shapes_.is_repeated || ++loops.begin() != loops.end()) return 0.0;
+        return 2.0 * std::max(least_room * symbol_, places.room - beside_side * symbol_);
     }
 
     void ask(const Shapes::Edge& edge)
@@ -142,13 +156,14 @@ private:
     struct Manner {
         double clearance;
         double priority;
+        double room = 0.0; ///< [px] of width, in which it is written smaller where it must; 0: any
     };
     void ask(const Part& part, ui::Point target, std::vector<ui::Point> wishes, bool is_hidden, const Manner& manner)
     {
         if (!is_first(part) && !shapes_.is_repeated) return;
         if (is_hidden && typical_ < roomy_edge * symbol_ && !is_marked(part)) return;
         const std::string text = entity_name(subjects_[part.subject], part.entity);
-        const ui::TextStyle style = palette_.name(part, is_hidden);
+        const ui::TextStyle style = fitting(palette_.name(part, is_hidden), text, manner.room);
         const bool is_area = part.entity.kind == EntityKind::Face; // named inside, or not at all
         const double reach = is_area ? 0.0
                                      : std::clamp(0.4 * typical_, 18.0, shapes_.is_repeated ? 18.0 : 34.0) * symbol_;
@@ -161,6 +176,14 @@ private:
                               .clearance = manner.clearance * symbol_,
                               .reach = reach},
                              is_area});
+    }
+
+    ui::TextStyle fitting(ui::TextStyle style, const std::string& text, double room) const
+    {
+        constexpr double smallest = 0.7; // that can still be read
+        const double width = ui::label_size(painter_.fonts(), text, style).width;
+        if (room > 0.0 && width > room) style.size *= std::max(smallest, room / width);
+        return style;
     }
 
     bool is_marked(const Part& part) const { return palette_.marks(part.subject).is_marked(part.entity); }

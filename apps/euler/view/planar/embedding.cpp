@@ -72,6 +72,15 @@ bool is_well_drawn(const std::vector<ui::Point>& polygon)
     return area > least_area;
 }
 
+/// Of the spring that an edge is: stiffer beside a face of many sides, or their corners, each pulled along the outline
+/// by the two beside it and inward by one, would all stand close to it.
+double stiffness(std::size_t n_sides)
+{
+    constexpr double few = 12.0;
+    const double times = static_cast<double>(n_sides) / few;
+    return std::max(1.0, times * times);
+}
+
 /// Straight edges between vertices in the middle of their neighbours, if that draws every face well.
 std::optional<Embedding> straight(const Solid& solid, const Connected& part)
 {
@@ -83,8 +92,14 @@ std::optional<Embedding> straight(const Solid& solid, const Connected& part)
     for (std::size_t i = 0; i < outline.size(); ++i) node[outline[i]] = net.add_held(on_circle(i, outline.size()));
     for (const VertexId v : part.vertices)
         if (!node.contains(v)) node[v] = net.add_node();
-    for (const EdgeId e : part.edges)
-        net.add_spring(node[solid.start(solid.plus(e))], node[solid.start(solid.minus(e))]);
+    std::unordered_map<LoopId, std::size_t> n_sides;
+    for (const LoopId l : part.loops) n_sides[l] = corners(solid, l).size();
+    n_sides[part.loops.front()] = 0; // its own edges are held
+    for (const EdgeId e : part.edges) {
+        const HalfEdgeId plus = solid.plus(e), minus = solid.minus(e);
+        const std::size_t most = std::max(n_sides[solid.loop(plus)], n_sides[solid.loop(minus)]);
+        net.add_spring(node[solid.start(plus)], node[solid.start(minus)], stiffness(most));
+    }
     const std::vector<ui::Point> at = at_rest(net);
     Embedding drawn;
     for (const VertexId v : part.vertices) drawn.vertices[v] = at[node[v]];

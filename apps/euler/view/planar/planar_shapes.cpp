@@ -16,6 +16,7 @@ using topology::FaceId;
 using topology::HalfEdgeId;
 using topology::LoopId;
 using topology::Solid;
+using ui::translatable;
 
 namespace {
 
@@ -135,46 +136,16 @@ FaceId outside_of(const Solid& solid, const topology::Shell& shell, std::optiona
                              [&](FaceId a, FaceId b) { return n_half_edges(solid, a) < n_half_edges(solid, b); });
 }
 
-std::optional<std::string> why_not_planar(const topology::Shell& shell, const ui::Catalogue& tr)
+std::optional<ui::Phrase> why_not_planar(const topology::Shell& shell)
 {
     if (shell.genus > 0)
-        return tr(
-            "A shell has genus {genus}: it cannot be drawn in the plane without crossings. Its plane model shows it.",
-            {{"genus", std::to_string(shell.genus)}});
+        return ui::Phrase(translatable("A shell has genus {genus}: it cannot be drawn in the plane without crossings. "
+                                       "Its plane model shows it."),
+                          {{"genus", std::to_string(shell.genus)}});
     if (shell.counts.edges > most_edges)
-        return tr("A shell has {count} edges: too many to be drawn in the plane.",
-                  {{"count", std::to_string(shell.counts.edges)}});
+        return ui::Phrase(translatable("A shell has {count} edges: too many to be drawn in the plane."),
+                          {{"count", std::to_string(shell.counts.edges)}});
     return std::nullopt;
-}
-
-/// Where everything is drawn, and why some things are not.
-struct Drawn {
-    std::vector<PlacedSolid::Layout> layouts; ///< by subject
-    std::vector<std::string> sentences;
-};
-
-/// All shells of all subjects, side by side.
-Drawn drawn(std::span<const Subject> subjects, const ui::Catalogue& tr, std::optional<Part> outside)
-{
-    Drawn result;
-    double x = 0.0;
-    for (std::size_t i = 0; i < subjects.size(); ++i) {
-        const Solid& solid = *subjects[i].solid;
-        PlanarLayout layout(solid);
-        const bool is_here = outside && outside->subject == i && outside->entity.kind == topology::EntityKind::Face;
-        const std::optional<FaceId> wanted = is_here ? std::optional(FaceId{outside->entity.index}) : std::nullopt;
-        for (const topology::Shell& shell : topology::shells(solid)) {
-            if (const auto reason = why_not_planar(shell, tr)) {
-                layout.leave_out(shell);
-                result.sentences.push_back(*reason);
-                continue;
-            }
-            layout.add_shell(outside_of(solid, shell, wanted), {{x, 0.0}, 1.0});
-            x += pitch;
-        }
-        result.layouts.push_back(layout.take());
-    }
-    return result;
 }
 
 /// All places of a layout that are seen.
@@ -186,29 +157,48 @@ void add_places(std::vector<ui::World3>& places, const PlacedSolid::Layout& layo
 
 } // namespace
 
-Shapes planar_shapes(std::span<const Subject> subjects, const ui::OrbitCamera& camera, const Look& look,
-                     std::optional<Part> outside)
+/// All shells of all subjects, side by side.
+PlanarMap::PlanarMap(std::span<const Subject> subjects, std::optional<Part> outside)
+{
+    double x = 0.0;
+    for (std::size_t i = 0; i < subjects.size(); ++i) {
+        const Solid& solid = *subjects[i].solid;
+        PlanarLayout layout(solid);
+        const bool is_here = outside && outside->subject == i && outside->entity.kind == topology::EntityKind::Face;
+        const std::optional<FaceId> wanted = is_here ? std::optional(FaceId{outside->entity.index}) : std::nullopt;
+        for (const topology::Shell& shell : topology::shells(solid)) {
+            if (auto reason = why_not_planar(shell)) {
+                layout.leave_out(shell);
+                sentences_.push_back(std::move(*reason));
+                continue;
+            }
+            layout.add_shell(outside_of(solid, shell, wanted), {{x, 0.0}, 1.0});
+            x += pitch;
+        }
+        layouts_.push_back(layout.take());
+    }
+}
+
+Shapes PlanarMap::shapes(std::span<const Subject> subjects, const ui::OrbitCamera& camera, const Look& look) const
 {
     ui::OrbitCamera from_above = camera;
     from_above.look(ui::StandardView::Top);
     const Sight sight(from_above);
-    Drawn plane = drawn(subjects, look.tr, outside);
     PlacedSolids placed;
     for (std::size_t i = 0; i < subjects.size(); ++i)
-        placed.push_back(std::make_unique<PlacedSolid>(i, subjects[i], sight, std::move(plane.layouts[i])));
+        placed.push_back(std::make_unique<PlacedSolid>(i, subjects[i], sight, layouts_[i]));
     Look flat = look;
     flat.explosion = 0.0;
     Shapes shapes = shapes_of(placed, sight, flat);
-    shapes.sentences = std::move(plane.sentences);
+    for (const ui::Phrase& sentence : sentences_) shapes.sentences.push_back(look.tr(sentence));
     return shapes;
 }
 
-ui::OrbitCamera fitted_planar(std::span<const Subject> subjects, ui::Size sheet, std::optional<Part> outside)
+ui::OrbitCamera PlanarMap::fitted(ui::Size sheet) const
 {
     constexpr double margin = 24.0; // [px]
-    const Drawn plane = drawn(subjects, {}, outside);
     std::vector<ui::World3> places;
-    for (const PlacedSolid::Layout& layout : plane.layouts) add_places(places, layout);
+    for (const PlacedSolid::Layout& layout : layouts_) add_places(places, layout);
     ui::OrbitCamera camera;
     camera.look(ui::StandardView::Top);
     camera.fit(places, sheet, {margin, margin, margin, margin});

@@ -2,10 +2,13 @@
 
 #include "apps/euler/view/look.h"
 #include "apps/euler/view/shapes/shapes.h"
+#include "apps/euler/view/solid/placed_solid.h"
 #include "ui/canvas/orbit_camera.h"
+#include "ui/text/phrase.h"
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace euler {
 
@@ -14,14 +17,21 @@ namespace euler {
 ///
 /// A part that hangs on the rest by a ring alone is drawn inside the ring's face. Of a shell with handles no such
 /// drawing exists: a sentence says so.
-///
-/// `outside` is the face to be taken for its shell; else the one with the most half-edges. The camera looks from above;
-/// only how it pans and zooms counts.
-Shapes planar_shapes(std::span<const Subject> subjects, const ui::OrbitCamera& camera, const Look& look,
-                     std::optional<Part> outside = std::nullopt);
+class PlanarMap {
+public:
+    PlanarMap() = default;
+    /// `outside` is the face to be taken for its shell; else the one with the most half-edges.
+    explicit PlanarMap(std::span<const Subject> subjects, std::optional<Part> outside = std::nullopt);
 
-/// The camera that shows the whole drawing.
-ui::OrbitCamera fitted_planar(std::span<const Subject> subjects, ui::Size sheet,
-                              std::optional<Part> outside = std::nullopt);
+    /// The subjects are those of the map, with any marks. The camera looks from above; only how it pans and zooms
+    /// counts.
+    Shapes shapes(std::span<const Subject> subjects, const ui::OrbitCamera& camera, const Look& look) const;
+    /// The camera that shows the whole drawing.
+    ui::OrbitCamera fitted(ui::Size sheet) const;
+
+private:
+    std::vector<PlacedSolid::Layout> layouts_; ///< by subject
+    std::vector<ui::Phrase> sentences_;        ///< why some are not drawn
+};
 
 } // namespace euler

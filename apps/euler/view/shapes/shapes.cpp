@@ -5,6 +5,12 @@
 
 namespace euler {
 
+double thinning(std::size_t n_edges)
+{
+    constexpr double few = 100.0, many = 600.0;
+    return std::clamp((static_cast<double>(n_edges) - few) / (many - few), 0.0, 1.0);
+}
+
 double typical_edge(const Shapes& shapes)
 {
     std::vector<double> lengths;

@@ -60,6 +60,10 @@ struct Shapes {
     std::vector<std::string> sentences{}; ///< what this kind of picture cannot show, in words
 };
 
+/// How much is left out because there are so many edges: 0 of a solid that can be read edge by edge, 1 of thousands,
+/// growing evenly between, so that a frame takes about as long whatever the solid.
+double thinning(std::size_t n_edges);
+
 /// The length of an edge on the sheet [px], of half of them at least; infinite where there is none.
 double typical_edge(const Shapes& shapes);
 

@@ -1,5 +1,7 @@
 #include "apps/euler/view/solid/arrow_line.h"
 
+#include "apps/euler/view/shapes/shapes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -14,14 +16,13 @@ using topology::Vector;
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double beside_edge = 11.0; // [px]
-constexpr double around_lone = 18.0; // [px]
-constexpr double inside = 1.6;       // times as far from the edge, of a face that is seen from inside
-constexpr double shortest = 18.0;    // [px] of a line with a head
-constexpr std::size_t many = 2000;   // half-edges, of which only the long ones have arrows
-constexpr double shortest_of_many = 60.0;
-constexpr double gap = 3.0;         // [px] to the neighbour's line
-constexpr double least_slant = 0.3; // sine between an edge and its face's normal
+constexpr double beside_edge = 11.0;      // [px]
+constexpr double around_lone = 18.0;      // [px]
+constexpr double inside = 1.6;            // times as far from the edge, of a face that is seen from inside
+constexpr double shortest = 18.0;         // [px] of a line with a head
+constexpr double shortest_of_many = 60.0; // likewise, of a solid of thousands of edges
+constexpr double gap = 3.0;               // [px] to the neighbour's line
+constexpr double least_slant = 0.3;       // sine between an edge and its face's normal
 
 Vector unit(const Vector& v)
 {
@@ -30,6 +31,16 @@ Vector unit(const Vector& v)
 }
 
 } // namespace
+
+ArrowLines::ArrowLines(const topology::Solid& solid, const HalfEdgePaths& paths, const FaceBodies& bodies,
+                       const Sight& sight, double symbol_scale)
+    : solid_(solid),
+      paths_(paths),
+      bodies_(bodies),
+      sight_(sight),
+      symbol_scale_(symbol_scale),
+      shortest_(std::lerp(shortest, shortest_of_many, thinning(solid.edges().n_living())))
+{}
 
 double ArrowLines::offset(FaceId f) const
 {
@@ -97,8 +108,7 @@ std::vector<Point> ArrowLines::operator()(HalfEdgeId h) const
     if (!solid_.edge(h)) return circle(paths_.start(h));
     if (paths_.is_curved(h)) return curved(paths_(h));
     const double on_sheet = ui::distance(sight_.to_sheet(paths_.start(h)), sight_.to_sheet(paths_.end(h)));
-    const double least = solid_.half_edges().n_living() > many ? shortest_of_many : shortest;
-    return on_sheet < least * symbol_scale_ ? std::vector<Point>{} : straight(h);
+    return on_sheet < shortest_ * symbol_scale_ ? std::vector<Point>{} : straight(h);
 }
 
 void keep_share(std::vector<Point>& line, double share)

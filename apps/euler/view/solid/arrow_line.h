@@ -15,9 +15,7 @@ namespace euler {
 class ArrowLines {
 public:
     ArrowLines(const topology::Solid& solid, const HalfEdgePaths& paths, const FaceBodies& bodies, const Sight& sight,
-               double symbol_scale)
-        : solid_(solid), paths_(paths), bodies_(bodies), sight_(sight), symbol_scale_(symbol_scale)
-    {}
+               double symbol_scale);
 
     /// From tail to head; empty where there is no room for an arrow, less soon in a solid of thousands.
     std::vector<topology::Point> operator()(topology::HalfEdgeId h) const;
@@ -38,6 +36,7 @@ private:
     const FaceBodies& bodies_;
     const Sight& sight_;
     double symbol_scale_;
+    double shortest_; ///< [px] of an edge that has arrows
 };
 
 /// Keeps the first part of a line, of `share` of its length.

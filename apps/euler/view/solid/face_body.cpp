@@ -37,20 +37,21 @@ double perimeter(const Rim& rim)
 }
 
 /// Without the stretches that run forth and back along a strut.
-Rim without_struts(Rim rim)
+Rim without_struts(const Rim& rim)
 {
-    for (std::size_t i = 0; rim.size() >= 3 && i < rim.size();) {
-        const std::size_t n = rim.size(), before = (i + n - 1) % n, after = (i + 1) % n;
-        if (!(rim[before] == rim[after])) {
-            ++i;
-            continue;
-        }
-        const auto at = [&](std::size_t k) { return rim.begin() + static_cast<std::ptrdiff_t>(k); };
-        rim.erase(at(std::max(i, after)));
-        rim.erase(at(std::min(i, after)));
-        i = 0;
+    Rim kept;
+    for (const Point& p : rim) {
+        const bool comes_back = kept.size() >= 2 && kept[kept.size() - 2] == p;
+        if (comes_back) kept.pop_back();
+        else kept.push_back(p);
     }
-    return rim.size() >= 3 ? rim : Rim{};
+    auto first = kept.begin(), end = kept.end(); // a strut may have been begun anywhere on its way
+    while (end - first >= 3 && (*(end - 2) == *first || *(end - 1) == *(first + 1))) {
+        const bool turns_at_end = *(end - 2) == *first;
+        if (turns_at_end) --end;
+        first += turns_at_end ? 1 : 2;
+    }
+    return end - first >= 3 ? Rim(first, end) : Rim{};
 }
 
 Rim rim_of(const topology::Solid& solid, topology::LoopId loop, const HalfEdgePaths& paths)

@@ -129,10 +129,44 @@ std::vector<std::size_t> back_to_front(std::span<const SeenPiece> pieces)
     return order;
 }
 
-bool is_covered(std::span<const SeenPiece> pieces, ui::Point at, double nearness)
+namespace {
+
+constexpr std::size_t n_cells = 24; // of a map, along each side
+
+std::size_t cell_of(double at, double min, double max)
+{
+    if (!(max > min)) return 0;
+    const double place = std::floor(static_cast<double>(n_cells) * (at - min) / (max - min));
+    return static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(n_cells - 1)));
+}
+
+} // namespace
+
+CoverMap::CoverMap(std::span<const SeenPiece> pieces) : pieces_(pieces), cells_(n_cells * n_cells)
+{
+    if (pieces.empty()) return;
+    bounds_ = pieces.front().bounds;
+    for (const SeenPiece& piece : pieces) bounds_ = ui::united(bounds_, piece.bounds);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const Cell first = cell(pieces[i].bounds.min), last = cell(pieces[i].bounds.max);
+        for (std::size_t row = first.row; row <= last.row; ++row)
+            for (std::size_t column = first.column; column <= last.column; ++column)
+                cells_[row * n_cells + column].push_back(i);
+    }
+}
+
+CoverMap::Cell CoverMap::cell(ui::Point p) const
+{
+    return {cell_of(p.x, bounds_.min.x, bounds_.max.x), cell_of(p.y, bounds_.min.y, bounds_.max.y)};
+}
+
+bool CoverMap::is_covered(ui::Point at, double nearness) const
 {
     constexpr double clearly = 0.5; // [px]
-    return std::any_of(pieces.begin(), pieces.end(), [&](const SeenPiece& piece) {
+    const Cell here = cell(at);
+    const std::vector<std::size_t>& near = cells_[here.row * n_cells + here.column];
+    return std::any_of(near.begin(), near.end(), [&](std::size_t i) {
+        const SeenPiece& piece = pieces_[i];
         return piece.plane && piece.bounds.contains(at) && (*piece.plane)(at) > nearness + clearly &&
                is_inside(piece.area, at);
     });

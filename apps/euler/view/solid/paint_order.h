@@ -39,7 +39,24 @@ struct SeenPiece {
 std::vector<std::size_t> back_to_front(std::span<const SeenPiece> pieces);
 inline constexpr std::size_t most_compared = 500;
 
-/// Whether a place in space is behind a piece, that is, farther from the eye than some piece that covers it.
-bool is_covered(std::span<const SeenPiece> pieces, ui::Point at, double nearness);
+/// Tells whether a place in space is behind a piece, that is, farther from the eye than some piece that covers it.
+///
+/// The sheet is divided into cells, each of which knows the pieces that reach into it. \pre the pieces outlive it
+class CoverMap {
+public:
+    explicit CoverMap(std::span<const SeenPiece> pieces);
+
+    bool is_covered(ui::Point at, double nearness) const;
+
+private:
+    struct Cell {
+        std::size_t column, row;
+    };
+    Cell cell(ui::Point p) const; ///< the nearest one of a point beside the map
+
+    std::span<const SeenPiece> pieces_;
+    ui::Box bounds_{};
+    std::vector<std::vector<std::size_t>> cells_; ///< row by row: which pieces reach into each
+};
 
 } // namespace euler

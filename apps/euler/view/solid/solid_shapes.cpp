@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace euler {
 
@@ -40,6 +41,7 @@ public:
     {
         for (const auto& solid : solids_) add_faces(*solid);
         put_in_order();
+        if (seen_.size() <= most_compared) cover_.emplace(seen_);
         for (const auto& solid : solids_) {
             add_edges(*solid);
             add_arrows(*solid);
@@ -110,17 +112,28 @@ private:
     bool is_behind(const Point& p, bool are_faces_back) const
     {
         if (!look_.faces) return false;
-        if (seen_.size() > most_compared) return are_faces_back;
-        return is_covered(seen_, sight_.to_sheet(p), sight_.scale() * sight_.nearness(p));
+        if (!cover_) return are_faces_back;
+        return cover_->is_covered(sight_.to_sheet(p), sight_.scale() * sight_.nearness(p));
     }
 
     bool is_back(const PlacedSolid& of, FaceId f) const { return dot(of.bodies[f].normal, sight_.toward_eye()) < 0.0; }
+
+    /// Of very many parts that are too small to be told apart only some are there.
+    bool is_dropped(const PlacedSolid& of, topology::Entity part, VertexId a, VertexId b) const
+    {
+        constexpr std::size_t most = 50'000;
+        constexpr double smallest = 2.0; // [px]
+        const std::size_t one_in = 1 + of.solid.edges().n_living() / most;
+        return one_in > 1 && part.index % one_in != 0 && !of.marks.is_marked(part) &&
+               ui::distance(sight_.to_sheet(of.stations[a]), sight_.to_sheet(of.stations[b])) < smallest;
+    }
 
     void add_edges(const PlacedSolid& of)
     {
         const bool is_exploded = look_.explosion > 0.0;
         for (const EdgeId e : of.solid.edges()) {
             if (of.is_left_out(of.solid.face(of.solid.plus(e)))) continue;
+            if (is_dropped(of, e, of.solid.start(of.solid.plus(e)), of.solid.start(of.solid.minus(e)))) continue;
             add_edge(of, e, of.solid.plus(e), is_exploded);
             if (is_exploded && of.solid.face(of.solid.plus(e)) != of.solid.face(of.solid.minus(e)))
                 add_edge(of, e, of.solid.minus(e), is_exploded);
@@ -178,9 +191,11 @@ private:
     void add_vertices(const PlacedSolid& of)
     {
         for (const VertexId v : of.solid.vertices()) {
-            if (of.is_left_out(of.solid.face(of.solid.half_edge(v)))) continue;
+            const HalfEdgeId h = of.solid.half_edge(v);
+            if (of.is_left_out(of.solid.face(h))) continue;
+            if (of.solid.edge(h) && is_dropped(of, v, v, of.solid.end(h))) continue;
             std::vector<FaceId> faces;
-            for (const HalfEdgeId h : of.solid.fan(v)) faces.push_back(of.solid.face(h));
+            for (const HalfEdgeId leaving : of.solid.fan(v)) faces.push_back(of.solid.face(leaving));
             if (look_.explosion <= 0.0) {
                 add_vertex(of, v, faces);
                 continue;
@@ -211,6 +226,7 @@ private:
     /// By solid and face: how many pieces are painted when it is done; 0 without area.
     std::vector<std::vector<std::size_t>> last_piece_;
     std::vector<SeenPiece> seen_;
+    std::optional<CoverMap> cover_;    ///< none where there are too many pieces
     std::vector<std::size_t> face_of_; ///< by piece, in `shapes_.faces`
     Shapes shapes_;
 };
@@ -228,17 +244,31 @@ Shapes solid_shapes(std::span<const Subject> subjects, const ui::OrbitCamera& ca
     return shapes_of(placed_in_space(subjects, sight, look.explosion), sight, look);
 }
 
+namespace {
+
+/// Every vertex, in an exploded view once for each of its faces.
+std::vector<ui::World3> places_of(std::span<const Subject> subjects, const ui::OrbitCamera& camera, const Look& look)
+{
+    std::vector<ui::World3> places;
+    const auto add = [&](const Point& p) { places.push_back({p.x, p.y, p.z}); };
+    if (look.explosion <= 0.0) {
+        for (const Subject& subject : subjects)
+            for (const VertexId v : subject.solid->vertices()) add(subject.solid->point(v));
+        return places;
+    }
+    for (const auto& placed : placed_in_space(subjects, Sight(camera), look.explosion))
+        for (const VertexId v : placed->solid.vertices())
+            for (const HalfEdgeId h : placed->solid.fan(v))
+                add(placed->solid.point(v) + placed->bodies[placed->solid.face(h)].shift);
+    return places;
+}
+
+} // namespace
+
 ui::OrbitCamera fitted(ui::OrbitCamera camera, std::span<const Subject> subjects, const Look& look, ui::Size sheet)
 {
     constexpr double margin = 70.0; // [px], for names and for closed edges
-    std::vector<ui::World3> places;
-    for (const auto& placed : placed_in_space(subjects, Sight(camera), look.explosion))
-        for (const VertexId v : placed->solid.vertices())
-            for (const HalfEdgeId h : placed->solid.fan(v)) {
-                const Point p = placed->solid.point(v) + placed->bodies[placed->solid.face(h)].shift;
-                places.push_back({p.x, p.y, p.z});
-            }
-    camera.fit(places, sheet, {margin, margin, margin, margin});
+    camera.fit(places_of(subjects, camera, look), sheet, {margin, margin, margin, margin});
     return camera;
 }
 
