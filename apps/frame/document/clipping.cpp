@@ -15,6 +15,7 @@
 #include "femoop/model/check/check.h"
 #include "femoop/model/member_ends.h"
 #include "femoop/model/quantity/in_units.h"
+#include "femoop/model/quantity/quantity_parser.h"
 #include "ui/text/catalogue.h"
 
 namespace frame {
@@ -101,17 +102,28 @@ std::vector<Part> bearers_of(const Model& model, const std::vector<Part>& loads)
     return bearers;
 }
 
+/// Those that measure between nodes of the model alone.
+std::vector<DimensionLine> lines_between(const Model& model, const std::vector<DimensionLine>& lines)
+{
+    std::vector<DimensionLine> between;
+    const auto is_node = [&](const std::string& name) { return model.find_node(name).has_value(); };
+    std::ranges::copy_if(lines, std::back_inserter(between),
+                         [&](const DimensionLine& line) { return std::ranges::all_of(line.nodes, is_node); });
+    return between;
+}
+
 } // namespace
 
 bool can_be_clipped(const Part& part) { return is_structural(part) || is_load(part); }
 
-std::optional<Clipping> clipping_of(const Model& model, std::span<const Part> parts)
+std::optional<Clipping> clipping_of(const Document& document, std::span<const Part> parts)
 {
+    const Model& model = document.model;
     std::vector<Part> structure, loads;
     std::ranges::copy_if(parts, std::back_inserter(structure), is_structural);
     std::ranges::copy_if(parts, std::back_inserter(loads), is_load);
     if (structure.empty() && loads.empty()) return std::nullopt;
-    Clipping clipping{without_words(model), Clipping::Holds::Structure};
+    Clipping clipping{.model = without_words(model)};
     if (structure.empty()) {
         clipping.holds = Clipping::Holds::Loads;
         structure = bearers_of(model, loads);
@@ -123,7 +135,9 @@ std::optional<Clipping> clipping_of(const Model& model, std::span<const Part> pa
     const std::vector<NodeId> nodes = nodes_of(model, structure);
     keep_structure(clipping.model, nodes, members);
     const bool is_whole = nodes.size() == model.nodes.size() && members.size() == model.members.size();
-    if (clipping.holds == Clipping::Holds::Loads || !is_whole) keep_loaded_cases(clipping.model);
+    const bool holds_structure = clipping.holds == Clipping::Holds::Structure;
+    if (!holds_structure || !is_whole) keep_loaded_cases(clipping.model);
+    if (holds_structure) clipping.dimensions = lines_between(clipping.model, document.companion.dimensions);
     return clipping;
 }
 
@@ -169,6 +183,20 @@ Vector2d grip_of(const Clipping& clipping, const femoop::Units& units)
     return grip_in(femoop::in_units(clipping.model, units));
 }
 
+namespace {
+
+void paste_dimensions(Document& document, const Clipping& clipping, const std::vector<NodeId>& nodes)
+{
+    for (DimensionLine line : clipping.dimensions) {
+        for (std::string& name : line.nodes) name = document.model[nodes.at(clipping.model.find_node(name)->index)].id;
+        line.offset = femoop::converted(line.offset, femoop::dimension::length, clipping.model.units,
+                                        document.model.units);
+        document.companion.dimensions.push_back(std::move(line));
+    }
+}
+
+} // namespace
+
 void paste(Document& document, const Clipping& clipping, const Vector2d& place)
 {
     Model& model = document.model;
@@ -179,7 +207,8 @@ void paste(Document& document, const Clipping& clipping, const Vector2d& place)
         if (there != model.load_cases.end()) load_case.self_weight = there->self_weight;
     }
     const Vector2d shift = place - grip_of(clipping, model.units);
-    femoop::insert(model, copied, femoop::moved_by({shift.x(), shift.y(), 0.0}));
+    const femoop::Parts added = femoop::insert(model, copied, femoop::moved_by({shift.x(), shift.y(), 0.0}));
+    paste_dimensions(document, clipping, added.nodes);
 }
 
 namespace {

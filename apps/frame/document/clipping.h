@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "apps/frame/document/document.h"
 #include "apps/frame/document/part.h"
@@ -13,12 +14,13 @@
 namespace frame {
 
 /// What was copied out of a document, to be put into it or another one: nodes and members with their supports, loads,
-/// materials and sections, and where they are all of the structure all load cases and combinations too; or loads alone,
-/// whose bearers then come along only to carry them.
+/// materials and sections and the dimension lines between them, and where they are all of the structure all load cases
+/// and combinations too; or loads alone, whose bearers then come along only to carry them.
 struct Clipping {
     enum class Holds : std::uint8_t { Structure, Loads };
 
     femoop::Model model;
+    std::vector<DimensionLine> dimensions{}; ///< between nodes of the model
     Holds holds = Holds::Structure;
 };
 
@@ -26,7 +28,7 @@ struct Clipping {
 bool can_be_clipped(const Part& part);
 
 /// Nothing where none of the parts can be copied. A member takes its nodes along, a load alone nothing else.
-std::optional<Clipping> clipping_of(const femoop::Model& model, std::span<const Part> parts);
+std::optional<Clipping> clipping_of(const Document& document, std::span<const Part> parts);
 
 /// Why the clipping cannot go into the model, where these parts are selected; nothing where it can.
 std::optional<ui::Phrase> why_not_paste(const femoop::Model& model, std::span<const Part> selected,

@@ -54,7 +54,7 @@ public:
           manner_{display_units(model, options.view), options.view.tr}
     {}
 
-    Report write()
+    ui::Report write()
     {
         heading(1, model_.title.empty() ? tr_("Structure without a title") : model_.title);
         if (!model_.notes.empty()) text(model_.notes);
@@ -70,8 +70,8 @@ public:
     }
 
 private:
-    void heading(int level, std::string words) { report_.blocks.push_back(ReportHeading{level, std::move(words)}); }
-    void text(std::string words) { report_.blocks.push_back(ReportText{std::move(words)}); }
+    void heading(int level, std::string words) { report_.blocks.push_back(ui::ReportHeading{level, std::move(words)}); }
+    void text(std::string words) { report_.blocks.push_back(ui::ReportText{std::move(words)}); }
 
     // Columns in which nothing stands are left out, and tables in which nothing but names would be left.
     static std::vector<std::size_t> used_columns(const Table& table)
@@ -100,7 +100,7 @@ private:
 
     void part_of(const Table& table, const std::vector<std::size_t>& columns)
     {
-        ReportTable block;
+        ui::ReportTable block;
         for (const std::size_t i : columns)
             block.columns.push_back({table.headings[i].label, table.headings[i].is_number});
         for (const Row& row : table.rows) {
@@ -115,7 +115,7 @@ private:
     {
         ui::Painter painter(figure_size(model_), fonts_);
         draw(painter);
-        report_.blocks.push_back(ReportFigure{painter.picture(), std::move(caption)});
+        report_.blocks.push_back(ui::ReportFigure{painter.picture(), std::move(caption)});
     }
     ViewOptions view(ShowSet show, CaseId load_case = {}) const
     {
@@ -299,12 +299,13 @@ private:
     const ui::Fonts& fonts_;
     const ui::Catalogue& tr_;
     Manner manner_;
-    Report report_;
+    ui::Report report_;
 };
 
 } // namespace
 
-Report make_report(const Model& model, const Solution& solution, const ReportOptions& options, const ui::Fonts& fonts)
+ui::Report make_report(const Model& model, const Solution& solution, const ReportOptions& options,
+                       const ui::Fonts& fonts)
 {
     return ReportWriter(model, solution, options, fonts).write();
 }

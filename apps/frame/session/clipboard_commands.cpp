@@ -31,7 +31,7 @@ Reason why_not_copy(const Desk& desk)
 void copy_selection(Desk& desk)
 {
     desk.clipboard = std::make_shared<const Clipping>(
-        *clipping_of(desk.session.model(), desk.session.selection.parts()));
+        *clipping_of(desk.session.document(), desk.session.selection.parts()));
 }
 
 void cut_selection(Desk& desk)

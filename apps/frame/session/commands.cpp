@@ -1,12 +1,14 @@
 #include "apps/frame/session/commands.h"
 
 #include "apps/frame/session/edit_commands.h"
+#include "apps/frame/session/other_programs.h"
 #include "apps/frame/session/predict_commands.h"
 #include "apps/frame/session/property_commands.h"
 #include "apps/frame/session/set_commands.h"
 #include "apps/frame/session/table_commands.h"
 #include "apps/frame/session/tabs.h"
 #include "apps/frame/session/view_commands.h"
+#include "ui/desk/standard_commands.h"
 
 #include <array>
 #include <utility>
@@ -23,67 +25,37 @@ namespace {
 
 using Reason = std::optional<Phrase>;
 
-constexpr std::string_view file_menu = translatable("File");
 constexpr std::string_view show_menu = translatable("Show");
-constexpr std::string_view view_menu = translatable("View");
-constexpr std::string_view help_menu = translatable("Help");
+using ui::standard::file_menu;
+using ui::standard::view_menu;
 
-// A command that asks the window for something.
+// A command that asks this app's window for something.
 std::function<void(Desk&)> asks(Request request)
 {
     return [request](Desk& desk) { desk.requests.push_back(request); };
 }
 
-void add_file_commands(CommandTable& table)
+void add_document_commands(CommandTable& table)
 {
-    table.add({.id = "file.new",
-               .menu = file_menu,
-               .label = translatable("New"),
-               .shortcuts = {{Key::N, ui::ctrl}},
-               .run = new_document});
-    table.add({.id = "file.open",
-               .menu = file_menu,
-               .label = translatable("Open…"),
-               .shortcuts = {{Key::O, ui::ctrl}},
-               .run = asks(Request::OpenDialog)});
-    table.add({.id = "file.recent",
-               .menu = file_menu,
-               .label = translatable("Open one of the last files…"),
-               .shortcuts = {{Key::O, ui::ctrl_shift}},
-               .run = asks(Request::RecentList)});
-    table.add({.id = "file.save",
-               .menu = file_menu,
-               .label = translatable("Save"),
-               .shortcuts = {{Key::S, ui::ctrl}},
-               .run = [](Desk& desk) {
-                   if (desk.session.path()) desk.session.save(*desk.session.path());
-                   else desk.requests.push_back(Request::SaveDialog);
-               }});
-    table.add({.id = "file.save_as",
-               .menu = file_menu,
-               .label = translatable("Save as…"),
-               .shortcuts = {{Key::S, ui::ctrl_shift}},
-               .run = asks(Request::SaveDialog)});
-    table.add({.id = "file.export",
-               .menu = file_menu,
-               .label = translatable("Export picture, results or report…"),
-               .shortcuts = {{Key::E, ui::ctrl_shift}},
-               .run = asks(Request::ExportDialog)});
+    ui::standard::add_new<Desk>(table, new_document);
+    ui::standard::add_open<Desk>(table, ui::asks(ui::Request::OpenDialog));
+    ui::standard::add_recent(table);
+    ui::standard::add_save(table);
+}
+
+void add_export_commands(CommandTable& table)
+{
+    ui::standard::add_export(table, translatable("Export picture, results or report…"));
     table.add({.id = "file.report_matrices",
                .menu = file_menu,
                .label = translatable("Matrices in the report"),
                .run = [](Desk& desk) { desk.session.reports_matrices = !desk.session.reports_matrices; },
                .is_on = [](const Desk& desk) { return desk.session.reports_matrices; }});
-    table.add({.id = "file.copy_picture",
-               .menu = file_menu,
-               .label = translatable("Copy picture"),
-               .shortcuts = {{Key::C, ui::ctrl_shift}},
-               .run = asks(Request::CopyPicture)});
-    table.add({.id = "file.describe",
-               .menu = file_menu,
-               .label = translatable("Model and results in words"),
-               .shortcuts = {{Key::D, ui::ctrl_shift}},
-               .run = asks(Request::Description)});
+    ui::standard::add_copy_and_describe(table, translatable("Model and results in words"));
+}
+
+void add_tab_commands(CommandTable& table)
+{
     table.add({.id = "file.close",
                .menu = file_menu,
                .label = translatable("Close"),
@@ -98,11 +70,7 @@ void add_file_commands(CommandTable& table)
                    if (n_tabs(desk) > 1) return std::nullopt;
                    return translatable("no other document is open");
                }});
-    table.add({.id = "file.quit",
-               .menu = file_menu,
-               .label = translatable("Quit"),
-               .shortcuts = {{Key::Q, ui::ctrl}},
-               .run = asks(Request::Quit)});
+    ui::standard::add_quit<Desk>(table, ui::asks(ui::Request::Quit));
 }
 
 struct Toggle {
@@ -157,15 +125,6 @@ void keep_or_drop_ghost(Session& session)
     else ghost = std::make_shared<const Ghost>(Ghost{session.model(), *session.solution().results});
 }
 
-// Large type and the whole window for the picture, and back.
-void project(Desk& desk)
-{
-    ui::ThemeName& theme = desk.session.view.theme;
-    const bool is_projecting = theme == ui::ThemeName::Projector;
-    theme = is_projecting ? ui::ThemeName::Light : ui::ThemeName::Projector;
-    desk.has_panels = is_projecting;
-}
-
 Reason needs_cases(const Desk& desk)
 {
     if (desk.session.model().n_cases() > 1) return std::nullopt;
@@ -174,21 +133,7 @@ Reason needs_cases(const Desk& desk)
 
 void add_camera_commands(CommandTable& table)
 {
-    table.add({.id = "view.fit",
-               .menu = view_menu,
-               .label = translatable("Show the whole model"),
-               .shortcuts = {{Key::F, {}}, {Key::Home, {}}},
-               .run = asks(Request::Fit)});
-    table.add({.id = "view.zoom_in",
-               .menu = view_menu,
-               .label = translatable("Zoom in"),
-               .shortcuts = {{Key::Plus, {}}, {Key::Plus, ui::shift}, {Key::Plus, ui::ctrl}},
-               .run = asks(Request::ZoomIn)});
-    table.add({.id = "view.zoom_out",
-               .menu = view_menu,
-               .label = translatable("Zoom out"),
-               .shortcuts = {{Key::Minus, {}}, {Key::Minus, ui::ctrl}},
-               .run = asks(Request::ZoomOut)});
+    ui::standard::add_zoom(table, translatable("Show the whole model"), {{Key::F, {}}, {Key::Home, {}}});
     table.add({.id = "view.animate",
                .menu = view_menu,
                .label = translatable("Animate"),
@@ -223,12 +168,7 @@ void add_camera_commands(CommandTable& table)
                    return translatable("the model has no results");
                },
                .is_on = [](const Desk& desk) { return desk.session.view.ghost != nullptr; }});
-    table.add({.id = "view.project",
-               .menu = view_menu,
-               .label = translatable("For the projector"),
-               .shortcuts = {{Key::F5, {}}},
-               .run = project,
-               .is_on = [](const Desk& desk) { return desk.session.view.theme == ui::ThemeName::Projector; }});
+    ui::standard::add_projector(table);
     table.add({.id = "view.moment_side",
                .menu = view_menu,
                .label = translatable("Moments on the tension side"),
@@ -249,35 +189,9 @@ constexpr std::array topic_entries{
 
 void add_panel_commands(CommandTable& table)
 {
-    table.add({.id = "view.panels",
-               .menu = view_menu,
-               .label = translatable("Panels"),
-               .shortcuts = {{Key::P, {}}},
-               .run = [](Desk& desk) { desk.has_panels = !desk.has_panels; },
-               .is_on = [](const Desk& desk) { return desk.has_panels; }});
-    for (const TopicEntry& entry : topic_entries) {
-        table.add({.id = entry.id,
-                   .menu = view_menu,
-                   .label = entry.label,
-                   .run =
-                       [topic = entry.topic](Desk& desk) {
-                           desk.topic = topic;
-                           desk.has_panels = true;
-                       },
-                   .is_on = [topic = entry.topic](const Desk& desk) { return desk.topic == topic; }});
-    }
+    ui::standard::add_panels(table);
+    ui::standard::add_topics(table, topic_entries);
 }
-
-struct ThemeEntry {
-    ui::ThemeName theme;
-    std::string_view id, label;
-};
-constexpr std::array themes{
-    ThemeEntry{ui::ThemeName::Light, "view.theme.light", translatable("Light theme")},
-    ThemeEntry{ui::ThemeName::Dark, "view.theme.dark", translatable("Dark theme")},
-    ThemeEntry{ui::ThemeName::Print, "view.theme.print", translatable("Print theme")},
-    ThemeEntry{ui::ThemeName::Projector, "view.theme.projector", translatable("Projector theme")},
-};
 
 struct UnitEntry {
     ui::UnitSystem system;
@@ -303,26 +217,9 @@ constexpr std::array digits_entries{
     DigitsEntry{8, "view.digits.8", translatable("8 digits")},
 };
 
-struct ScaleEntry {
-    double scale;
-    std::string_view id, label;
-};
-constexpr std::array scales{
-    ScaleEntry{1.0, "file.export_scale.1", translatable("Export PNG at 1×")},
-    ScaleEntry{2.0, "file.export_scale.2", translatable("Export PNG at 2×")},
-    ScaleEntry{3.0, "file.export_scale.3", translatable("Export PNG at 3×")},
-    ScaleEntry{4.0, "file.export_scale.4", translatable("Export PNG at 4×")},
-};
-
 void add_look_commands(CommandTable& table)
 {
-    for (const ThemeEntry& entry : themes) {
-        table.add({.id = entry.id,
-                   .menu = view_menu,
-                   .label = entry.label,
-                   .run = [name = entry.theme](Desk& desk) { desk.session.view.theme = name; },
-                   .is_on = [name = entry.theme](const Desk& desk) { return desk.session.view.theme == name; }});
-    }
+    ui::standard::add_themes(table);
     for (const UnitEntry& entry : unit_entries) {
         table.add(
             {.id = entry.id,
@@ -339,42 +236,8 @@ void add_look_commands(CommandTable& table)
                    .is_on = [digits = entry.digits](
                                 const Desk& desk) { return desk.session.view.numbers.digits == digits; }});
     }
-    for (const ScaleEntry& entry : scales) {
-        table.add({.id = entry.id,
-                   .menu = view_menu,
-                   .label = entry.label,
-                   .run = [scale = entry.scale](Desk& desk) { desk.export_scale = scale; },
-                   .is_on = [scale = entry.scale](const Desk& desk) { return desk.export_scale == scale; }});
-    }
-    const auto speaks = [](ui::Language language) {
-        return [language](const Desk& desk) { return desk.session.view.tr.language() == language; };
-    };
-    const auto learn = [](ui::Language language) {
-        return [language](Desk& desk) { desk.session.set_language(language); };
-    };
-    using enum ui::Language;
-    constexpr std::string_view menu = translatable("Language");
-    table.add(
-        {.id = "view.language.en", .menu = menu, .label = "English", .run = learn(English), .is_on = speaks(English)});
-    table.add({.id = "view.language.pt",
-               .menu = menu,
-               .label = "Português (Brasil)",
-               .run = learn(Portuguese),
-               .is_on = speaks(Portuguese)});
-}
-
-void add_help_commands(CommandTable& table)
-{
-    table.add({.id = "help.palette",
-               .menu = help_menu,
-               .label = translatable("Find a command…"),
-               .shortcuts = {{Key::K, ui::ctrl}, {Key::F3, {}}},
-               .run = asks(Request::Palette)});
-    table.add({.id = "help.shortcuts",
-               .menu = help_menu,
-               .label = translatable("Keys"),
-               .shortcuts = {{Key::F1, {}}},
-               .run = asks(Request::ShortcutList)});
+    ui::standard::add_export_scales(table);
+    ui::standard::add_languages(table);
 }
 
 } // namespace
@@ -382,7 +245,10 @@ void add_help_commands(CommandTable& table)
 CommandTable command_table()
 {
     CommandTable table;
-    add_file_commands(table);
+    add_document_commands(table);
+    add_export_commands(table);
+    add_method_commands(table);
+    add_tab_commands(table);
     add_edit_commands(table);
     add_property_commands(table);
     add_set_commands(table);
@@ -394,7 +260,7 @@ CommandTable command_table()
     add_panel_commands(table);
     add_table_commands(table);
     add_look_commands(table);
-    add_help_commands(table);
+    ui::standard::add_help(table);
     return table;
 }
 

@@ -1,7 +1,12 @@
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "apps/frame/session/bottom_view.h"
 #include "apps/frame/session/section_draft.h"
@@ -10,36 +15,33 @@
 #include "apps/frame/session/typical_draft.h"
 #include "apps/frame/tools/hand.h"
 #include "ui/command/command_table.h"
+#include "ui/desk/desk.h"
+#include "ui/desk/handover.h"
+#include "ui/files/autosave.h"
 
 namespace frame {
 
-/// What the user asks the window for, since the session has none: a dialog, a list, the end.
-enum class Request : std::uint8_t {
-    OpenDialog,
-    SaveDialog,
-    ExportDialog,
-    CopyPicture,
-    ImportDialog,
-    RecentList,
-    Description,
-    KeepView,
-    ViewList,
-    CloseTab,
-    ExportTable,
-    Palette,
-    ShortcutList,
-    Fit,
-    ZoomIn,
-    ZoomOut,
-    Quit
-};
+/// What the user asks this app's window for, beside what every app's is asked for.
+enum class Request : std::uint8_t { ImportDialog, KeepView, ViewList, CloseTab, ExportTable };
 
 /// What the panel at the right shows.
 enum class Topic : std::uint8_t { Properties, Results, Problems, History };
 
 /// A session, the panels around its picture, and what its commands ask the window for. The window takes the requests
 /// once a frame.
-struct Desk {
+struct Desk : ui::Desk {
+    explicit Desk(Session first) : session(std::move(first)) {}
+    ui::ThemeName& theme() { return session.view.theme; }
+    ui::ThemeName theme() const { return session.view.theme; }
+    const ui::Catalogue& tr() const { return session.view.tr; }
+    void set_language(ui::Language language) { session.set_language(language); }
+    void give_room_to_the_picture(bool all) { has_panels = !all; }
+    void open(const std::filesystem::path& path);
+    void tell(const ui::Phrase& sentence) { session.notice = Notice{sentence, {}}; }
+    std::vector<ui::Unsaved> unsaved() const;
+    bool can_recover() const { return !session.history().is_dragging(); }
+    std::optional<std::uint64_t> recover(const ui::Leftover& leftover); ///< in a tab of its own
+
     Session session;
     Hand hand{};
     std::vector<Session> shelf{};                ///< the other tabs in their order (tabs.h)
@@ -49,10 +51,9 @@ struct Desk {
     TypicalDraft typical{};
     SectionDraft section{};
     std::vector<Request> requests{};
+    std::vector<ui::Handover> handed{}; ///< documents for other programs; the window takes them once a frame
     Topic topic = Topic::Properties;
-    bool has_panels = true;
     BottomView bottom{};
-    double export_scale = 2.0; ///< pixels of a PNG for a logical one
 };
 
 using CommandTable = ui::CommandTable<Desk>;

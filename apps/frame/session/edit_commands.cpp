@@ -215,10 +215,10 @@ void begin_transform(Desk& desk, Transform::Kind kind)
     change_transform(desk);
 }
 
-void change_transform(Desk& desk)
+std::optional<ui::Phrase> change_transform(Desk& desk)
 {
     Session& session = desk.session;
-    session.change(desk.transform->change(session.history().settled().model));
+    return session.change(desk.transform->change(session.history().settled().model));
 }
 
 void accept_transform(Desk& desk)

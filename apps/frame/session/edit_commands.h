@@ -10,7 +10,8 @@ void add_edit_commands(CommandTable& table);
 
 /// Begins, ends or gives up a transformation of the selection by numbers.
 void begin_transform(Desk& desk, Transform::Kind kind);
-void change_transform(Desk& desk); ///< its numbers are others now
+/// Its numbers are others now. Where these cannot be, what was before is still shown, and why is returned.
+std::optional<ui::Phrase> change_transform(Desk& desk);
 void accept_transform(Desk& desk);
 void cancel_transform(Desk& desk);
 

@@ -7,6 +7,7 @@
 #include "apps/frame/document/companion/companion_file.h"
 #include "apps/frame/document/loss.h"
 #include "apps/frame/document/number.h"
+#include "apps/frame/document/reach.h"
 #include "apps/frame/session/transform.h"
 #include "apps/frame/view/results/envelope_cases.h"
 #include "femoop/io/model_file.h"
@@ -77,6 +78,7 @@ void Session::refresh()
 bool Session::change_soundly(const Change& wanted)
 {
     Outcome outcome = outcome_of(wanted);
+    if (refuse(outcome)) return false;
     std::vector<femoop::Fault> faults = femoop::check(outcome.document.model);
     std::erase_if(faults, [&](const femoop::Fault& fault) {
         const bool is_error = femoop::severity(fault.kind) == femoop::Severity::Error;
@@ -87,7 +89,18 @@ bool Session::change_soundly(const Change& wanted)
     return faults.empty();
 }
 
-void Session::change(const Change& change) { take(change, outcome_of(change)); }
+std::optional<ui::Phrase> Session::change(const Change& change)
+{
+    Outcome outcome = outcome_of(change);
+    if (!refuse(outcome)) take(change, std::move(outcome));
+    return outcome.objection;
+}
+
+bool Session::refuse(const Outcome& outcome)
+{
+    if (outcome.objection) notice = passing_notice(*outcome.objection);
+    return outcome.objection.has_value();
+}
 
 // What a gesture joins in passing comes apart again, so all of it starts from what was before the gesture.
 Session::Outcome Session::outcome_of(const Change& change) const
@@ -105,6 +118,7 @@ Session::Outcome Session::outcome_of(const Change& change) const
     }
     outcome.companions.prediction.follow(from.model, next.model);
     if (!next.companion.is_empty()) frame::follow(next.companion, from.model, next.model);
+    outcome.objection = why_not_in_reach(from.model, next.model);
     return outcome;
 }
 

@@ -50,9 +50,11 @@ public:
     /// Tells the sessions of one program apart.
     std::uint64_t number() const { return number_; }
 
-    /// Carries it out, or throws what its command throws and changes nothing.
-    void change(const Change& change);
-    /// Carries it out where the model gets no error by it that it had not; else nothing, and `notice` says why.
+    /// Carries it out, or throws what its command throws and changes nothing. Where it takes a node too far off
+    /// (document/reach.h) nothing is changed, `notice` says why, and so does what is returned.
+    std::optional<ui::Phrase> change(const Change& change);
+    /// Carries it out where the model gets no error by it that it had not and no node goes too far off; else nothing,
+    /// and `notice` says why.
     bool change_soundly(const Change& change);
     void settle();
     void cancel();
@@ -115,8 +117,10 @@ private:
     struct Outcome {
         Document document;
         Companions companions;
+        std::optional<ui::Phrase> objection{}; ///< why it is not to be taken
     };
     Outcome outcome_of(const Change& change) const;
+    bool refuse(const Outcome& outcome); ///< and says why; false where nothing is against it
     void take(const Change& change, Outcome outcome);
     void refresh();
     void tell_loss(const femoop::Model& before, const femoop::Model& after);

@@ -117,15 +117,22 @@ std::filesystem::path model_meant(const std::filesystem::path& path)
     return model && std::filesystem::exists(*model, unknown) ? *model : path;
 }
 
+std::optional<std::size_t> tab_of(const Desk& desk, const std::filesystem::path& file)
+{
+    for (std::size_t i = 0; i < n_tabs(desk); ++i) {
+        const auto& open = tab(desk, i).path();
+        if (open && is_same_file(*open, file)) return i;
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 bool open_file(Desk& desk, const std::filesystem::path& chosen, Session::Purpose purpose)
 {
     const std::filesystem::path path = model_meant(chosen);
-    for (std::size_t i = 0; i < n_tabs(desk); ++i) {
-        const auto& open = tab(desk, i).path();
-        if (!open || !is_same_file(*open, path)) continue;
-        show_tab(desk, i);
+    if (const auto place = tab_of(desk, path)) {
+        show_tab(desk, *place);
         return true;
     }
     Session session{Document{}};
@@ -135,6 +142,16 @@ bool open_file(Desk& desk, const std::filesystem::path& chosen, Session::Purpose
     }
     add_tab(desk, std::move(session));
     return true;
+}
+
+bool save_as(Desk& desk, const std::filesystem::path& path)
+{
+    const auto place = tab_of(desk, path);
+    if (!place || *place == desk.tab) return desk.session.save(path);
+    desk.session.notice = Notice{{ui::translatable("{file} is open in another tab; close it or choose another name"),
+                                  {{"file", path.filename().string()}}},
+                                 {}};
+    return false;
 }
 
 } // namespace frame

@@ -22,5 +22,7 @@ void new_document(Desk& desk);
 /// Shows the file's document, in a tab of its own, or in the one where it is open already. Where it has an error the
 /// open document stays as it is and its `notice` says why; false then.
 bool open_file(Desk& desk, const std::filesystem::path& path, Session::Purpose purpose = Session::Purpose::Work);
+/// Saves under this name (Session::save), unless it is that of the file of another tab; false, with a notice, then.
+bool save_as(Desk& desk, const std::filesystem::path& path);
 
 } // namespace frame

@@ -1,6 +1,7 @@
 #include "apps/frame/session/typical_draft.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "femoop/model/quantity/quantity_parser.h"
 #include "ui/text/number_format.h"
@@ -46,8 +47,8 @@ void TypicalDraft::set(Session& session, std::size_t place, double value)
 
 void TypicalDraft::set_distance(Session& session, double metres)
 {
-    distance_ = metres;
-    show(session);
+    const double before = std::exchange(distance_, metres);
+    if (show(session)) distance_ = before;
 }
 
 void TypicalDraft::set_setting(Session& session, Setting setting)
@@ -69,7 +70,7 @@ void TypicalDraft::cancel(Session& session)
     is_open_ = false;
 }
 
-void TypicalDraft::show(Session& session)
+std::optional<ui::Phrase> TypicalDraft::show(Session& session)
 {
     const femoop::Model made = structure().model(numbers());
     const femoop::Model& there = session.history().settled().model; // until the change
@@ -80,11 +81,12 @@ void TypicalDraft::show(Session& session)
         if (setting() == Setting::Beside) insert_beside(document, made, {gap, session.view.load_case});
         else put_in_place(document, made);
     };
-    session.change(
+    auto objection = session.change(
         {{translatable("Insert: {structure}"), {{"structure", ui::Phrase(structure().label)}}}, command, Step::Drag});
     session.view.scaled_by.reset(); // another structure has another scale
     session.view.show = show_before_;
     if (is_truss != was_truss) exchange_forces(session.view.show, is_truss);
+    return objection;
 }
 
 std::optional<std::string> TypicalDraft::obey(Session& session, std::string_view verb, std::string_view argument)

@@ -42,7 +42,8 @@ public:
     std::optional<std::string> obey(Session& session, std::string_view verb, std::string_view argument);
 
 private:
-    void show(Session& session);
+    /// \returns why it cannot be shown with these numbers
+    std::optional<ui::Phrase> show(Session& session);
     std::optional<std::string> choose_named(Session& session, std::string_view id);
     std::optional<std::string> set_named(Session& session, std::string_view argument);
 

@@ -5,6 +5,7 @@
 
 #include "apps/frame/document/naming.h"
 #include "apps/frame/view/kept_view.h"
+#include "apps/frame/view/results/envelope_cases.h"
 
 namespace frame {
 
@@ -42,6 +43,15 @@ void walk(Session& session, Way way)
 {
     if (views(session).empty()) walk_cases(session, way);
     else walk_views(session, way);
+}
+
+// The cases of the envelope; none where it is of all.
+std::vector<std::string> chosen_cases(const Session& session)
+{
+    const femoop::Model& model = session.model();
+    std::vector<std::string> names;
+    for (const femoop::CaseId id : envelope_cases(model, session.view)) names.push_back(model.case_name(id));
+    return names.size() == model.n_cases() ? std::vector<std::string>{} : names;
 }
 
 std::optional<Phrase> why_not_walk(const Desk& desk)
@@ -82,13 +92,13 @@ void keep_view(Session& session, const std::optional<Region>& region)
 {
     const ViewOptions& now = session.view;
     NamedView view{.name = fresh_name(views(session), &NamedView::name, now.tr("View 1")),
-                   .show = words_of(now.show),
+                   .show = now.show,
                    .diagrams = now.diagram_factor,
                    .loads = now.load_factor,
                    .displacements = now.deformation_scale,
                    .region = region};
-    if (!now.is_envelope && now.load_case.index < session.model().n_cases())
-        view.load_case = session.model().case_name(now.load_case);
+    if (now.is_envelope) view.envelope = chosen_cases(session);
+    else if (now.load_case.index < session.model().n_cases()) view.load_case = session.model().case_name(now.load_case);
     const std::string name = view.name;
     change(session, translatable("Keep view: {name}"), name, [&](auto& list) { list.push_back(std::move(view)); });
     session.shown_view = views(session).size() - 1;
@@ -96,23 +106,35 @@ void keep_view(Session& session, const std::optional<Region>& region)
         {translatable("Kept as {name}; PageDown and PageUp walk through the views"), {{"name", name}}});
 }
 
+namespace {
+
+void tell_lost_case(Session& session, const NamedView& view)
+{
+    const auto is_lost = [&](const std::string& id) { return !session.model().find_case(id); };
+    const auto tell = [&](std::string_view sentence, const std::string& id) {
+        session.notice = passing_notice({sentence, {{"name", view.name}, {"case", id}}});
+    };
+    const auto lost = std::ranges::find_if(view.envelope, is_lost);
+    if (lost != view.envelope.end())
+        tell(translatable("{name}: the model has no load case or combination {case} any more; the envelope is without "
+                          "it"),
+             *lost);
+    if (view.load_case && is_lost(*view.load_case))
+        tell(translatable("{name}: the model has no load case or combination {case} any more; another is shown"),
+             *view.load_case);
+}
+
+} // namespace
+
 void show_view(Session& session, std::size_t place)
 {
     const NamedView& view = views(session).at(place);
-    try {
-        look_as(session.view, view, session.model());
-    } catch (const ShowError& error) {
-        session.notice = passing_notice({"{what}", {{"what", error.what()}}});
-        return;
-    }
+    look_as(session.view, view, session.model());
     session.hidden.reset();
     session.view.camera.reset();
     session.look_at = view.region;
     session.shown_view = place;
-    if (view.load_case && !session.model().find_case(*view.load_case))
-        session.notice = passing_notice(
-            {translatable("{name}: the model has no load case or combination {case} any more; another is shown"),
-             {{"name", view.name}, {"case", *view.load_case}}});
+    tell_lost_case(session, view);
 }
 
 std::optional<Phrase> rename_view(Session& session, std::size_t place, const std::string& name)

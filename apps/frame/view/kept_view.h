@@ -5,9 +5,9 @@
 
 namespace frame {
 
-/// Looks at the model as the view that was kept: what is shown, of which case, how large. Where the model lacks the
-/// view's load case the one that is shown stays. The region is left to who knows the sheet: `camera_on`.
-/// \throws ShowError for words that this program does not know, the options as they were
+/// Looks at the model as the view that was kept: what is shown, of which case or an envelope of which, how large. Where
+/// the model lacks the view's load case the one that is shown stays. The region is left to who knows the sheet:
+/// `camera_on`.
 void look_as(ViewOptions& options, const NamedView& view, const femoop::Model& model);
 
 /// The camera that shows the region as high as a panel.

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "apps/frame/document/companion/show.h"
 #include "apps/frame/document/cut.h"
 #include "apps/frame/view/geometry/projection.h"
 #include "apps/frame/view/geometry/structure_shape.h"
-#include "apps/frame/view/show.h"
 #include "ui/paint/geometry.h"
 
 #include <optional>

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "apps/frame/document/companion/dimension.h"
+#include "apps/frame/document/companion/show.h"
 #include "apps/frame/document/moment_side.h"
 #include "apps/frame/document/part.h"
 #include "apps/frame/view/geometry/projection.h"
-#include "apps/frame/view/show.h"
 #include "femoop/analysis/mechanism.h"
 #include "femoop/model/ids.h"
 #include "femoop/model/model.h"

@@ -12,10 +12,10 @@
 #include "apps/frame/session/view_commands.h"
 #include "apps/frame/session/work.h"
 #include "apps/frame/window/banner.h"
+#include "apps/frame/window/description_window.h"
 #include "apps/frame/window/document_tabs.h"
 #include "apps/frame/window/export.h"
 #include "apps/frame/window/properties_panel.h"
-#include "apps/frame/window/reading_windows.h"
 #include "apps/frame/window/results_panel.h"
 #include "apps/frame/window/show_panel.h"
 #include "apps/frame/window/status_bar.h"
@@ -35,7 +35,7 @@ constexpr double full_swing = 0.25 * seconds_per_swing; // a still picture shows
 } // namespace
 
 Application::Application(ui::Context& context, const ui::Fonts& fonts, Session session)
-    : desk_{std::move(session)},
+    : desk_(std::move(session)),
       commands_(command_table()),
       gui_(context, fonts, ui::Theme(desk_.session.view.theme)),
       context_(context),
@@ -67,7 +67,7 @@ std::string Application::window_title() const
 
 void Application::ask_to_quit() { questions_.ask_to_quit(); }
 
-void Application::remember_in(const std::filesystem::path& folder) { kept_files_ = KeptFiles(folder); }
+void Application::remember_in(const ui::DraftFolder& folder) { kept_files_ = ui::KeptFiles(folder); }
 
 void Application::animate(double seconds)
 {
@@ -114,10 +114,7 @@ void Application::take_files(const std::vector<std::string>& files)
 void Application::explain(const ui::Phrase& reason) { desk_.session.notice = passing_notice(reason); }
 
 // What Escape is for first: to put away what lies over the picture.
-bool Application::put_away_a_window()
-{
-    return std::exchange(shows_shortcuts_, false) || std::exchange(shows_description_, false) || view_list_.close();
-}
+bool Application::put_away_a_window() { return overlays_.put_away() || view_list_.close(); }
 
 namespace {
 
@@ -132,8 +129,8 @@ bool writes(ui::Key key)
 void Application::take_keys(const ui::Input& all)
 {
     const bool is_popup_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-    const bool is_blocked = palette_.is_open() || path_dialog_.is_open() || questions_.is_open() ||
-                            kept_files_.is_open() || tables_.is_asking() || is_popup_open;
+    const bool is_blocked = overlays_.takes_keys() || questions_.is_open() || kept_files_.is_open() ||
+                            tables_.is_asking() || is_popup_open;
     if (is_blocked) return;
     const ui::Input input = tables_.take(desk_, all);
     const bool types = ImGui::GetIO().WantTextInput || fields_.is_typing();
@@ -170,56 +167,57 @@ bool Application::take_typing(ui::Key key)
     return key == ui::Key::Backspace || key == ui::Key::Enter;
 }
 
-namespace {
-
-// Beside the model's own file, under its name.
-std::filesystem::path export_name(const Session& session)
-{
-    std::filesystem::path path = session.path().value_or("picture.json");
-    return path.replace_extension(".png");
-}
-
-} // namespace
-
-// An export that was given up before is forgotten.
-void Application::ask_for_path(ui::PathDialog::Purpose purpose, const std::filesystem::path& start)
-{
-    is_exporting_ = false;
-    path_dialog_.open(purpose, start, ".json", ".view.json");
-}
-
 void Application::take_requests()
 {
+    for (const ui::Request request : std::exchange(desk_.asked, {})) take(request);
+    for (const Request request : std::exchange(desk_.requests, {})) take(request);
+    for (ui::Handover& handover : std::exchange(desk_.handed, {})) hand_over(std::move(handover));
+}
+
+void Application::take(ui::Request request)
+{
+    using enum ui::Request;
     Session& session = desk_.session;
-    for (const Request request : std::exchange(desk_.requests, {})) {
-        const std::filesystem::path start = session.path().value_or("");
-        switch (request) {
-        case Request::OpenDialog: ask_for_path(ui::PathDialog::Purpose::Open, start); break;
-        case Request::SaveDialog: ask_for_path(ui::PathDialog::Purpose::Save, start); break;
-        case Request::ExportDialog:
-            is_exporting_ = true;
-            path_dialog_.open(ui::PathDialog::Purpose::Save, export_name(session), ".png");
-            break;
-        case Request::CopyPicture:
-            explain(copy_picture().value_or(ui::Phrase(translatable("the picture was copied"))));
-            break;
-        case Request::ImportDialog:
-            import_dialog_.open(ui::PathDialog::Purpose::Open, start, ".json", ".view.json");
-            break;
-        case Request::Description: shows_description_ = !shows_description_; break;
-        case Request::RecentList: kept_files_.ask_for_recent(); break;
-        case Request::CloseTab: questions_.ask_to_close(); break;
-        case Request::ExportTable: tables_.ask_for_file(desk_); break;
-        case Request::Palette: palette_.open(); break;
-        case Request::KeepView: keep_view(session, canvas_.region(session)); break;
-        case Request::ViewList: view_list_.toggle(); break;
-        case Request::ShortcutList: shows_shortcuts_ = !shows_shortcuts_; break;
-        case Request::Fit: canvas_.fit(session); break;
-        case Request::ZoomIn: canvas_.zoom(session, 1.25); break;
-        case Request::ZoomOut: canvas_.zoom(session, 0.8); break;
-        case Request::Quit: ask_to_quit(); break;
-        }
+    if (overlays_.take(request, session.path()) || kept_files_.take(request)) return;
+    if (request == CopyPicture) explain(copy_picture().value_or(ui::Phrase(translatable("the picture was copied"))));
+    if (request == Fit) canvas_.fit(session);
+    if (request == ZoomIn) canvas_.zoom(session, 1.25);
+    if (request == ZoomOut) canvas_.zoom(session, 0.8);
+    if (request == Quit) ask_to_quit();
+}
+
+void Application::take(Request request)
+{
+    Session& session = desk_.session;
+    switch (request) {
+    case Request::ImportDialog:
+        import_dialog_.open(ui::PathDialog::Purpose::Open, session.path().value_or(""), ".json", ".view.json");
+        break;
+    case Request::CloseTab: questions_.ask_to_close(); break;
+    case Request::ExportTable: tables_.ask_for_file(desk_); break;
+    case Request::KeepView: keep_view(session, canvas_.region(session)); break;
+    case Request::ViewList: view_list_.toggle(); break;
     }
+}
+
+void Application::take(const ui::ChosenFile& file)
+{
+    using enum ui::ChosenFile::Purpose;
+    switch (file.purpose) {
+    case Open: open_file(desk_, file.path); break;
+    case Save: save_as(desk_, file.path); break;
+    case Export: export_as(file.path); break;
+    }
+}
+
+// The other program speaks and looks as this one does.
+void Application::hand_over(ui::Handover handover)
+{
+    const ViewOptions& view = desk_.session.view;
+    handover.options = {"--lang", std::string(code(view.tr.language())), "--theme", std::string(text(view.theme))};
+    handed_ = std::move(handover);
+    if (!start_program_) return;
+    if (const auto reason = start_program_(*handed_)) desk_.session.notice = Notice{*reason, {}};
 }
 
 void Application::show_menu_bar()
@@ -309,19 +307,14 @@ void Application::show_dialogs()
 {
     Session& session = desk_.session;
     const ui::Catalogue tr = session.view.tr; // a command may change the language
-    if (const auto path = path_dialog_.show(tr)) {
-        if (std::exchange(is_exporting_, false)) export_as(*path);
-        else if (path_dialog_.purpose() == ui::PathDialog::Purpose::Open) open_file(desk_, *path);
-        else session.save(*path);
-    }
+    if (const auto file = overlays_.show_dialog(tr)) take(*file);
     if (const auto path = import_dialog_.show(tr)) import_properties(session, *path);
-    palette_.show(commands_, desk_, tr);
+    overlays_.show_palette_and_keys(commands_, desk_);
     typical_window_.show(desk_, gui_, fields_);
     section_window_.show(desk_, gui_, fields_);
-    shortcut_window(desk_, commands_, shows_shortcuts_);
     view_list_.show(desk_);
     tables_.show_dialog(desk_);
-    description_window(desk_, shows_description_);
+    if (overlays_.shows_description()) description_window(desk_, overlays_.shows_description());
     kept_files_.show(desk_);
     if (!questions_.show(desk_)) return;
     kept_files_.end();

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "apps/frame/session/commands.h"
 #include "apps/frame/window/canvas.h"
-#include "apps/frame/window/kept_files.h"
 #include "apps/frame/window/property_sets.h"
 #include "apps/frame/window/questions.h"
 #include "apps/frame/window/section_window.h"
@@ -15,11 +15,12 @@
 #include "apps/frame/window/typical_window.h"
 #include "apps/frame/window/view_list.h"
 #include "ui/app/app.h"
+#include "ui/app/kept_files.h"
+#include "ui/app/overlays.h"
 #include "ui/context/context.h"
 #include "ui/context/imgui_session.h"
 #include "ui/context/input.h"
 #include "ui/paint/text_measure.h"
-#include "ui/widgets/command_menu.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/panel.h"
 #include "ui/widgets/path_dialog.h"
@@ -45,7 +46,12 @@ public:
     bool wants_to_quit() const override { return wants_to_quit_; }
     void ask_to_quit() override;
     /// From now on the last files and drafts of unsaved work are kept there. Offers what was left behind.
-    void remember_in(const std::filesystem::path& folder);
+    void remember_in(const ui::DraftFolder& folder);
+    /// Starts another program of the suite. \returns why it cannot
+    using StartProgram = std::function<std::optional<ui::Phrase>(const ui::Handover&)>;
+    void start_programs_by(StartProgram start) { start_program_ = std::move(start); }
+    /// What another program was given last.
+    const std::optional<ui::Handover>& handed() const { return handed_; }
     /// Writes the picture, the results or a report to a file (export.h), and tells how it went. \returns why it cannot
     std::optional<ui::Phrase> export_as(const std::filesystem::path& path);
     std::optional<ui::Phrase> copy_picture(); ///< to the system's clipboard. \returns why it cannot
@@ -60,7 +66,10 @@ private:
     void explain(const ui::Phrase& reason);
     void take_files(const std::vector<std::string>& files);
     void take_requests();
-    void ask_for_path(ui::PathDialog::Purpose purpose, const std::filesystem::path& start);
+    void take(ui::Request request);
+    void take(Request request);
+    void take(const ui::ChosenFile& file);
+    void hand_over(ui::Handover handover);
     void show_menu_bar();
     void show_body();
     void show_left(float width);
@@ -85,16 +94,14 @@ private:
     PropertySets property_sets_;
     ui::PathDialog import_dialog_;
     ui::NumberFields fields_;
-    ui::CommandPalette palette_;
-    ui::PathDialog path_dialog_;
+    ui::Overlays overlays_{{.extension = ".json", .left_out = ".view.json", .picture_extension = ".png"}};
     Questions questions_;
-    KeptFiles kept_files_{std::nullopt};
+    ui::KeptFiles kept_files_{std::nullopt};
     ui::ThemeName theme_;
     ui::SidePanels sides_{{16.5F, 24.0F}, {0.25F, 0.30F}};
-    double time_; ///< of the animation since the middle of a swing [s]
-    bool shows_shortcuts_ = false;
-    bool shows_description_ = false;
-    bool is_exporting_ = false; ///< what the path dialog is open for
+    double time_;                ///< of the animation since the middle of a swing [s]
+    StartProgram start_program_; ///< none: nothing is started, as in a scenario
+    std::optional<ui::Handover> handed_;
     bool wants_to_quit_ = false;
 };
 

@@ -126,6 +126,7 @@ constexpr std::array facts{
          }},
     Fact{"file", [](const Application& a) { return a.session().file_name(); }},
     Fact{"tabs", [](const Application& a) { return std::to_string(n_tabs(a.desk())); }},
+    Fact{"started", [](const Application& a) { return a.handed() ? a.handed()->program : std::string("nothing"); }},
     Fact{"changed", [](const Application& a) { return std::string(a.session().is_dirty() ? "yes" : "no"); }},
 };
 

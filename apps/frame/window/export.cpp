@@ -6,13 +6,14 @@
 #include <string>
 #include <system_error>
 
-#include "apps/frame/report/html.h"
-#include "apps/frame/report/pages.h"
+#include "apps/frame/report/report.h"
 #include "apps/frame/view/results/envelope_cases.h"
 #include "femoop/io/results/results_csv.h"
 #include "femoop/io/whole_file.h"
 #include "ui/context/write_picture.h"
 #include "ui/paint/surface/pdf.h"
+#include "ui/report/html.h"
+#include "ui/report/pages.h"
 
 namespace frame {
 
@@ -43,10 +44,10 @@ public:
     std::optional<ui::Phrase> write(const ui::Picture& picture, double png_scale)
     {
         const std::string name = in_small_letters(path_.filename().string());
-        if (name.ends_with(".report.pdf")) write_pdf(path_, report_pages(report(), fonts_), fonts_, pdf_look());
+        if (name.ends_with(".report.pdf")) write_pdf(path_, ui::report_pages(report(), fonts_), fonts_, pdf_look());
         else if (name.ends_with(".pdf") || name.ends_with(".svg") || name.ends_with(".png"))
             return write_picture(path_, picture, fonts_, picture_look(session_, png_scale));
-        else if (name.ends_with(".html")) return text(report_html(report(), fonts_));
+        else if (name.ends_with(".html")) return text(ui::report_html(report(), fonts_));
         else if (name.ends_with(".txt")) return text(session_.in_words());
         else if (name.ends_with(".csv")) return results();
         else
@@ -58,7 +59,7 @@ public:
 
 private:
     ui::PdfLook pdf_look() const { return {.background = ui::rgb(0xFFFFFF), .title = session_.model().title}; }
-    Report report() const
+    ui::Report report() const
     {
         ViewOptions view = session_.view;
         view.dimensions = session_.document().companion.dimensions;

@@ -56,21 +56,21 @@ std::string reason(const femoop::Fault& fault, const ui::Catalogue& tr)
     return text;
 }
 
-void change(Session& session, const SharedNumber& number,
-            const std::function<void(Document&, const NumberId&)>& command, Step step)
+std::optional<ui::Phrase> change(Session& session, const SharedNumber& number,
+                                 const std::function<void(Document&, const NumberId&)>& command, Step step)
 {
     std::vector<Part> parts;
     for (const NumberId& id : number.ids) parts.push_back(id.part);
-    session.change({change_label(session.model(), number.of_first.label, parts),
-                    [&](Document& document) {
-                        for (const NumberId& id : number.ids) command(document, id);
-                    },
-                    step});
+    return session.change({change_label(session.model(), number.of_first.label, parts),
+                           [&](Document& document) {
+                               for (const NumberId& id : number.ids) command(document, id);
+                           },
+                           step});
 }
 
-void set(Session& session, const SharedNumber& number, const femoop::Quantity& value, Step step)
+std::optional<ui::Phrase> set(Session& session, const SharedNumber& number, const femoop::Quantity& value, Step step)
 {
-    change(
+    return change(
         session, number, [&](Document& document, const NumberId& id) { set_number(document, id, value); }, step);
 }
 
@@ -88,7 +88,8 @@ void take_text(Desk& desk, ui::NumberFields& fields, const SharedNumber& number,
         fields.reject(event, reason(*fault, session.view.tr));
         return;
     }
-    set(session, number, std::get<femoop::Quantity>(typed), Step::Click);
+    if (const auto objection = set(session, number, std::get<femoop::Quantity>(typed), Step::Click))
+        fields.reject(event, session.view.tr(*objection));
 }
 
 void take_drag(Desk& desk, const SharedNumber& number, double shown)

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "apps/frame/view/show.h"
+#include "apps/frame/document/companion/show.h"
 #include "ui/app/app_options.h"
 #include "ui/text/display_units.h"
 

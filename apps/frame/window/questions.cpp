@@ -47,7 +47,7 @@ void Questions::ask(Desk& desk)
     const bool wants_to_save = answer == ui::UnsavedAnswer::Save;
     const bool needs_a_name = wants_to_save && !desk.session.path();
     const bool is_hindered = wants_to_save && !needs_a_name && !desk.session.save(*desk.session.path());
-    if (needs_a_name) desk.requests.push_back(Request::SaveDialog);
+    if (needs_a_name) desk.asked.push_back(ui::Request::SaveDialog);
     if (needs_a_name || is_hindered || answer == ui::UnsavedAnswer::Cancel) purpose_ = Purpose::None;
     if (answer != ui::UnsavedAnswer::GiveUp) return;
     close_tab(desk);

@@ -3,14 +3,14 @@
 #include <iostream>
 #include <memory>
 
-#include "apps/frame/session/recovery.h"
 #include "apps/frame/session/session.h"
 #include "apps/frame/view/results/mechanism_picture.h"
 #include "apps/frame/window/application.h"
 #include "apps/frame/window/stage.h"
+#include "femoop/io/whole_file.h"
 #include "femoop/result/describe.h"
-#include "ui/app/headless.h"
 #include "ui/app/window_loop.h"
+#include "ui/context/start_program.h"
 #include "ui/context/window.h"
 
 namespace frame {
@@ -57,19 +57,6 @@ bool choose_case(Session& session, const Options& options)
     return false;
 }
 
-// Plays the scenario of the options through the real app.
-int play_scenario(const Options& options, const Session& session)
-{
-    const ui::Fonts fonts;
-    return ui::play_scenario(options, "frame", session.view.tr, [&](const ui::Playing& playing) {
-        Application application(playing.context, fonts, session);
-        const auto keep = [&](std::string_view name, const ui::Pixels& pixels, Application&) {
-            playing.keep(name, pixels);
-        };
-        play(playing.script, playing.context, application, keep, playing.film);
-    });
-}
-
 ui::MakeApp app_with(const Session& session)
 {
     return [session](ui::Context& context, const ui::Fonts& fonts) {
@@ -82,7 +69,9 @@ ui::MakeApp remembering_app_with(const Session& session)
 {
     return [session](ui::Context& context, const ui::Fonts& fonts) {
         auto application = std::make_unique<Application>(context, fonts, session);
-        if (const auto folder = state_folder()) application->remember_in(*folder);
+        application->start_programs_by([](const ui::Handover& handover) { return ui::start_program(handover); });
+        if (const auto folder = ui::draft_folder("frame", ".json", femoop::write_whole_file))
+            application->remember_in(*folder);
         return application;
     };
 }
@@ -101,7 +90,7 @@ int run(const Options& options)
         std::cout << femoop::describe(session.model(), session.solution().results, session.view.tr);
         return Done;
     }
-    if (options.play) return play_scenario(options, session);
+    if (options.play) return ui::play_through<Application, OffscreenStage>(options, "frame", session, session.view.tr);
     if (options.screenshot) {
         ui::take_screenshot(options, app_with(session));
         return Done;

@@ -8,6 +8,7 @@
 #include "apps/frame/session/tabs.h"
 #include "apps/frame/view/geometry/structure_shape.h"
 #include "apps/frame/window/expectation.h"
+#include "femoop/io/whole_file.h"
 #include "ui/scenario/words.h"
 
 namespace frame {
@@ -28,8 +29,8 @@ template <class Part> std::string names(const std::vector<Part>& parts)
 
 ui::Stage::Sought OffscreenStage::find(std::string_view place)
 {
-    const femoop::Model& model = application_.session().model();
-    const Canvas& canvas = application_.canvas();
+    const femoop::Model& model = application().session().model();
+    const Canvas& canvas = application().canvas();
     if (const auto pixel = ui::pixel_place(place)) return *pixel;
     const std::vector<std::string> words = ui::words_of(place);
     std::optional<ui::Point> at;
@@ -50,44 +51,40 @@ ui::Stage::Sought OffscreenStage::find(std::string_view place)
 
 std::optional<std::string> OffscreenStage::run_command(std::string_view id, std::string_view argument)
 {
-    Desk& desk = application_.desk();
+    Desk& desk = application().desk();
     const ui::Catalogue english;
     if (id == "file.open" && !argument.empty()) {
         if (!open_file(desk, argument)) return english(desk.session.notice->sentence);
         return std::nullopt;
     }
     if (id == "file.save" && !argument.empty()) {
-        if (!desk.session.save(argument)) return english(desk.session.notice->sentence);
+        if (!save_as(desk, argument)) return english(desk.session.notice->sentence);
         return std::nullopt;
     }
     if (id == "file.export_table" && !argument.empty()) {
-        const auto reason = application_.tables().export_to(desk, argument);
+        const auto reason = application().tables().export_to(desk, argument);
         return reason ? std::optional(english(*reason)) : std::nullopt;
     }
     if (constexpr std::string_view prefix = "template."; id.starts_with(prefix))
         return desk.typical.obey(desk.session, id.substr(prefix.size()), argument);
     if (id == "file.export" && !argument.empty()) {
-        const auto reason = application_.export_as(argument);
+        const auto reason = application().export_as(argument);
         return reason ? std::optional(english(*reason)) : std::nullopt;
     }
+    if (id.starts_with("methods.") && !argument.empty()) return keep_handed(desk, id, argument);
     if (constexpr std::string_view prefix = "section."; id.starts_with(prefix))
         return desk.section.obey(desk.session, id.substr(prefix.size()), argument);
-    return ui::run_by_name(application_.commands(), id, desk);
+    return ui::run_by_name(application().commands(), id, desk);
 }
 
-std::optional<std::string> OffscreenStage::take_picture(std::string_view name)
+std::optional<std::string> OffscreenStage::keep_handed(Desk& desk, std::string_view id, std::string_view path)
 {
-    keep_(name, context_.pixels(), application_);
-    return std::nullopt;
+    if (auto reason = ui::run_by_name(application().commands(), id, desk)) return reason;
+    if (desk.handed.empty()) return ui::Catalogue()(desk.session.notice->sentence);
+    const std::error_code error = femoop::write_whole_file(path, desk.handed.back().document);
+    return error ? std::optional(error.message()) : std::nullopt;
 }
 
-std::optional<std::string> OffscreenStage::expect(std::string_view words) { return why_not(words, application_); }
-
-void play(std::string_view script, ui::Offscreen& context, Application& application,
-          const OffscreenStage::KeepPicture& keep, const ui::Film& film)
-{
-    OffscreenStage stage(context, application, keep);
-    ui::play(script, context, application, stage, film);
-}
+std::optional<std::string> OffscreenStage::expect(std::string_view words) { return why_not(words, application()); }
 
 } // namespace frame

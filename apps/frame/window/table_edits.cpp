@@ -80,8 +80,10 @@ bool TablesPanel::fill(Desk& desk, const GridEdit& edit)
         return false;
     }
     if (result.document == session.document()) return true;
-    session.change({change_label(kind_), [&](Document& document) { document = std::move(result.document); }});
-    return true;
+    const auto objection = session.change(
+        {change_label(kind_), [&](Document& document) { document = std::move(result.document); }});
+    if (objection) message_ = session.view.tr(*objection);
+    return !objection;
 }
 
 // A new row is kept until it has all that it needs.

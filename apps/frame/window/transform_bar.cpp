@@ -84,7 +84,8 @@ void transform_bar(Desk& desk, ui::NumberFields& fields)
 {
     const ui::Catalogue tr = desk.session.view.tr;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.5F * ImGui::GetFontSize(), 0.0F});
-    if (TransformBar(desk, fields).show()) change_transform(desk);
+    const Transform before = *desk.transform;
+    if (TransformBar(desk, fields).show() && change_transform(desk)) desk.transform = before;
     const bool is_accepted = ImGui::Button((tr("Accept") + "###accept").c_str());
     ImGui::SameLine();
     const bool is_given_up = ImGui::Button((tr("Cancel") + "###cancel").c_str());

@@ -153,7 +153,7 @@ void TypicalWindow::show(Desk& desk, ui::ImGuiSession& gui, ui::NumberFields& fi
     ImGui::Separator();
     show_buttons(desk, fields);
     window_.end(draft.is_open());
-    if (generation_ != desk.session.generation()) desk.requests.push_back(Request::Fit);
+    if (generation_ != desk.session.generation()) desk.asked.push_back(ui::Request::Fit);
     generation_ = desk.session.generation();
 }
 

@@ -45,7 +45,7 @@ TEST_SUITE("frame document: clipboard")
     TEST_CASE("A member is copied with its nodes, loads, material and section, and nothing else")
     {
         const femoop::Model model = model_of("portal.json");
-        const auto clipping = clipping_of(model, std::vector<Part>{BC});
+        const auto clipping = clipping_of(Document{model}, std::vector<Part>{BC});
         REQUIRE(clipping);
         CHECK(clipping->holds == Clipping::Holds::Structure);
         CHECK(clipping->model.members.size() == 1);
@@ -60,7 +60,7 @@ TEST_SUITE("frame document: clipboard")
     {
         Document document{model_of("portal.json")};
         const femoop::Model before = document.model;
-        paste(document, *clipping_of(before, std::vector<Part>{BC}), {20.0, 1.0});
+        paste(document, *clipping_of(Document{before}, std::vector<Part>{BC}), {20.0, 1.0});
         CHECK(document.model.members.size() == before.members.size() + 1);
         CHECK(document.model.materials == before.materials);
         CHECK(document.model.sections == before.sections);
@@ -83,7 +83,7 @@ TEST_SUITE("frame document: clipboard")
         const Selection whole = everything(model);
         Document document;
         document.model.units = model.units;
-        paste(document, *clipping_of(model, whole.parts()), {0.0, 0.0});
+        paste(document, *clipping_of(Document{model}, whole.parts()), {0.0, 0.0});
         CHECK(document.model.load_cases == model.load_cases);
         CHECK(document.model.combinations == model.combinations);
     }
@@ -114,7 +114,7 @@ TEST_SUITE("frame document: clipboard")
         const femoop::Model model = model_of("portal.json");
         const Selection all = everything(model);
         Document empty;
-        paste(empty, *clipping_of(model, all.parts()), {0.0, 0.0});
+        paste(empty, *clipping_of(Document{model}, all.parts()), {0.0, 0.0});
         CHECK(empty.model.nodes.size() == model.nodes.size());
         const Solution solution = solve(empty), original = solve(Document{model});
         REQUIRE(solution.results);
@@ -129,9 +129,50 @@ TEST_SUITE("frame document: clipboard")
         Document inches;
         inches.model.units.length = femoop::LengthUnit::in;
         inches.model.units.force = femoop::ForceUnit::lbf;
-        paste(inches, *clipping_of(model_of("portal.json"), std::vector<Part>{BC}), {100.0, 0.0});
+        paste(inches, *clipping_of(Document{model_of("portal.json")}, std::vector<Part>{BC}), {100.0, 0.0});
         CHECK(inches.model.nodes[0].at[0] == doctest::Approx(100.0));
         CHECK(inches.model.nodes[1].at[0] == doctest::Approx(100.0 + 8.0 / 0.0254));
+    }
+
+    TEST_CASE("Dimension lines go with the nodes that they measure, in the units of where they come to")
+    {
+        Document portal{model_of("portal.json")};
+        portal.companion.dimensions = {
+            {.nodes = {"B", "C"}, .direction = DimensionDirection::Horizontal, .offset = 1.5},
+            {.nodes = {"A", "B"}, .direction = DimensionDirection::Vertical, .offset = 0.75}};
+        const Clipping beam = *clipping_of(portal, std::vector<Part>{BC});
+        REQUIRE(beam.dimensions.size() == 1);
+        Document inches;
+        inches.model.units.length = femoop::LengthUnit::in;
+        paste(inches, beam, {100.0, 0.0});
+        paste(inches, beam, {100.0, 900.0});
+        REQUIRE(inches.companion.dimensions.size() == 2);
+        const DimensionLine& second = inches.companion.dimensions[1];
+        CHECK(second.nodes == std::vector{inches.model.nodes[2].id, inches.model.nodes[3].id});
+        CHECK(second.direction == DimensionDirection::Horizontal);
+        CHECK(second.offset == doctest::Approx(1.5 / 0.0254));
+    }
+
+    TEST_CASE("Cut and pasted at the old place a dimension line is there once, and undo brings each state back")
+    {
+        Desk desk = desk_with("portal.json");
+        const DimensionLine span{.nodes = {"B", "C"}, .direction = DimensionDirection::Horizontal, .offset = 1.5};
+        desk.session.change({"Draw", [&](Document& document) { document.companion.dimensions = {span}; }});
+        const auto lines = [&] { return desk.session.document().companion.dimensions; };
+        for (const Selection& what : {everything(desk.session.model()), Selection(Part(BC))}) {
+            desk.session.selection = what;
+            CHECK(!run(desk, "edit.cut"));
+            const std::size_t n_left = desk.session.model().nodes.empty() ? 0 : 1;
+            CHECK(lines().size() == n_left);
+            CHECK(!run(desk, "edit.paste"));
+            desk.hand.type("@0,0");
+            desk.session.change(*desk.hand.enter(work_of(desk.session)));
+            CHECK(lines() == std::vector{span});
+            CHECK(!run(desk, "edit.undo"));
+            CHECK(lines().size() == n_left);
+            CHECK(!run(desk, "edit.undo"));
+            CHECK(lines() == std::vector{span});
+        }
     }
 
     TEST_CASE("Loads that are copied alone go onto the members that are selected, in the load case of their name")
@@ -140,7 +181,7 @@ TEST_SUITE("frame document: clipboard")
         const femoop::Model before = document.model;
         const std::vector<Part> loads = loads_on(before, BC);
         REQUIRE(!loads.empty());
-        const auto clipping = clipping_of(before, std::vector<Part>{loads.front()});
+        const auto clipping = clipping_of(Document{before}, std::vector<Part>{loads.front()});
         REQUIRE(clipping);
         CHECK(clipping->holds == Clipping::Holds::Loads);
         CHECK(why_not_paste(before, {}, *clipping));

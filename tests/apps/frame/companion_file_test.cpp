@@ -7,10 +7,10 @@
 #include "apps/frame/document/companion/companion_file.h"
 #include "apps/frame/document/dimensioning.h"
 #include "apps/frame/document/document.h"
-#include "apps/frame/session/recovery.h"
-#include "apps/frame/session/session.h"
+#include "apps/frame/session/commands.h"
 #include "apps/frame/session/view_commands.h"
 #include "femoop/io/model_file.h"
+#include "femoop/io/whole_file.h"
 #include "tests/folder.h"
 
 namespace fs = std::filesystem;
@@ -144,6 +144,14 @@ TEST_SUITE("frame session")
         CHECK(with(R"("show": "loads, m", "case": "G")") == "");
         CHECK(with(R"("show": "loads", "case": "Live")") ==
               R"(views[0].case: no load case or combination "Live"; add it or name another)");
+        CHECK(with(R"("show": "loads,momnet,M")") ==
+              R"(views[0].show: "momnet" is none of loads, reactions, N, V, M, T, Vy, Vz, My, Mz, deformed, values, )"
+              R"(steps, nodes, members, dimensions, drawn, axes, legend, labels; choose one of them)");
+        CHECK(with(R"("show": "M", "envelope": ["G"])") == "");
+        CHECK(with(R"("show": "M", "envelope": ["G", "Live"])") ==
+              R"(views[0].envelope[1]: no load case or combination "Live"; add it or name another)");
+        CHECK(with(R"("show": "M", "envelope": [1])") ==
+              R"(views[0].envelope[0]: found a number, wanted a text; write it like "...")");
         CHECK(with(R"("show": "M", "diagrams": -2)") == "views[0]: diagrams is -2; give a value greater than 0");
         CHECK(with(R"("show": "M", "region": [1, 2, 0])") ==
               "views[0].region: height is 0; give a value greater than 0");
@@ -151,6 +159,18 @@ TEST_SUITE("frame session")
               "views[0].region: found a list of 2, wanted 3 lengths in m; give one per coordinate");
         CHECK(with(R"("show": "M", "region": [1, "2", 3])") ==
               R"(views[0].region[1]: found a text "2", wanted a number; write it like 1.5)");
+    }
+
+    TEST_CASE("Two views of one name are told and the later one is left out")
+    {
+        const CompanionReading reading = read_companion(R"({"cremona_view": 1, "views": [{"name": "a", "show": "N"},
+            {"name": "b", "show": "M"}, {"name": "a", "show": "V"}]})",
+                                                        portal());
+        REQUIRE(reading.faults.size() == 1);
+        CHECK(femoop::message(reading.faults.front()) ==
+              "views[2].name: the id is taken by views[0] already; choose another");
+        REQUIRE(reading.companion.views.size() == 2);
+        CHECK(reading.companion.views[0].show == frame::ShowSet{frame::Show::N});
     }
 
     TEST_CASE("What is wrong in the sets is said with its place in the view file")
@@ -308,34 +328,40 @@ TEST_SUITE("frame session")
         const Folder folder;
         Document document = frame::starting_document();
         document.companion = example;
+        frame::Desk desk{Session{frame::starting_document()}};
+        desk.session.change({"Draw", [&](Document& to) { to = document; }});
+        const ui::DraftFolder drafts{folder.path(), ".json", femoop::write_whole_file};
         {
-            frame::Recovery recovery(folder.path());
-            REQUIRE(!recovery.keep(document, std::nullopt));
+            ui::Draft draft(drafts);
+            REQUIRE(!draft.keep(desk.unsaved().at(0).copy(), std::nullopt));
         }
-        const auto leftovers = frame::Recovery(folder.path()).leftovers();
+        const auto leftovers = ui::leftovers(drafts);
         REQUIRE(leftovers.size() == 1);
         Session session{Document{}};
         REQUIRE(session.recover(leftovers[0].draft, std::nullopt));
         CHECK(session.document() == document);
-        frame::Recovery::discard(leftovers[0]);
+        ui::Draft::taken_over(drafts, leftovers[0])->forget();
         CHECK(fs::is_empty(folder.path()));
     }
 
     TEST_CASE("A view follows its load case or combination to a new name, and undo takes it back")
     {
         Session session(frame::starting_document());
-        session.change({"Keep", [](Document& document) {
-                            document.model.combinations.push_back({.id = "ULS", .terms = {{femoop::CaseId(0), 1.35}}});
-                            document.companion.views = {{.name = "a", .show = "M", .load_case = "G"},
-                                                        {.name = "b", .show = "M", .load_case = "ULS"},
-                                                        {.name = "c", .show = "M", .load_case = std::nullopt}};
-                        }});
+        session.change(
+            {"Keep", [](Document& document) {
+                 document.model.combinations.push_back({.id = "ULS", .terms = {{femoop::CaseId(0), 1.35}}});
+                 document.companion.views = {
+                     {.name = "a", .show = {frame::Show::M}, .load_case = "G"},
+                     {.name = "b", .show = {frame::Show::M}, .load_case = "ULS"},
+                     {.name = "c", .show = {frame::Show::M}, .load_case = std::nullopt, .envelope = {"G", "ULS"}}};
+             }});
         session.change({"Rename", [](Document& document) { document.model.load_cases[0].id = "Dead"; }});
         session.change({"Rename", [](Document& document) { document.model.combinations[0].id = "Q"; }});
         const auto case_of = [&](std::size_t i) { return session.document().companion.views[i].load_case; };
         CHECK(case_of(0) == "Dead");
         CHECK(case_of(1) == "Q");
         CHECK(!case_of(2));
+        CHECK(session.document().companion.views[2].envelope == std::vector<std::string>{"Dead", "Q"});
         session.undo();
         CHECK(case_of(1) == "ULS");
         session.undo();
@@ -347,7 +373,7 @@ TEST_SUITE("frame session")
         Session session(frame::starting_document());
         session.change({"Keep", [](Document& document) {
                             document.model.combinations.push_back({.id = "ULS", .terms = {{femoop::CaseId(0), 1.35}}});
-                            document.companion.views = {{.name = "a", .show = "M", .load_case = "ULS"}};
+                            document.companion.views = {{.name = "a", .show = {frame::Show::M}, .load_case = "ULS"}};
                         }});
         session.change({"Delete", [](Document& document) { document.model.combinations.clear(); }});
         CHECK(session.document().companion.views[0].load_case == "ULS");
@@ -355,6 +381,29 @@ TEST_SUITE("frame session")
         REQUIRE(session.notice);
         CHECK(ui::Catalogue()(session.notice->sentence) ==
               "a: the model has no load case or combination ULS any more; another is shown");
+    }
+
+    TEST_CASE("A view of an envelope keeps which cases that is of, and brings them back")
+    {
+        Session session(frame::starting_document());
+        session.change({"Cases", [](Document& document) {
+                            for (const char* id : {"Q", "W"}) document.model.load_cases.push_back({.id = id});
+                        }});
+        session.view.is_envelope = true;
+        frame::keep_view(session, std::nullopt);
+        CHECK(session.document().companion.views[0].envelope.empty()); // of all
+        session.view.left_out = {"Q"};
+        frame::keep_view(session, std::nullopt);
+        CHECK(session.document().companion.views[1].envelope == std::vector<std::string>{"G", "W"});
+        frame::show_view(session, 0);
+        CHECK(session.view.left_out.empty());
+        frame::show_view(session, 1);
+        CHECK(session.view.left_out == std::set<std::string>{"Q"});
+        session.change({"Delete", [](Document& document) { document.model.load_cases.pop_back(); }});
+        frame::show_view(session, 1);
+        REQUIRE(session.notice);
+        CHECK(ui::Catalogue()(session.notice->sentence) ==
+              "View 2: the model has no load case or combination W any more; the envelope is without it");
     }
 
     TEST_CASE("Undo brings a dimension line back with its node, and forgets one that was drawn")

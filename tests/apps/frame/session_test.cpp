@@ -1,16 +1,17 @@
 #include <doctest/doctest.h>
 
+#include <fstream>
 #include <string>
 #include <string_view>
 
 #include "apps/frame/document/command.h"
 #include "apps/frame/document/drawing.h"
 #include "apps/frame/document/loading.h"
-#include "apps/frame/session/autosave.h"
 #include "apps/frame/session/edit_commands.h"
 #include "apps/frame/session/tabs.h"
 #include "femoop/edit/naming.h"
 #include "femoop/io/model_file.h"
+#include "femoop/io/whole_file.h"
 #include "tests/folder.h"
 
 using namespace frame;
@@ -59,6 +60,25 @@ TEST_SUITE("frame session")
         CHECK(desk.session.model().nodes.empty());
         REQUIRE(open_file(desk, examples + "gerber_beam.json"));
         CHECK(names(desk) == "portal.json *gerber_beam.json truss.json ");
+    }
+
+    TEST_CASE("A document is saved over its own file and not over that of another tab")
+    {
+        const Folder folder;
+        const std::filesystem::path path = folder.path() / "portal.json";
+        std::filesystem::copy_file(examples + "portal.json", path);
+        Desk desk{Session{Document{}}};
+        REQUIRE(open_file(desk, path));
+        touch(desk);
+        CHECK(save_as(desk, path));
+        new_document(desk);
+        touch(desk);
+        CHECK(!save_as(desk, path));
+        REQUIRE(desk.session.notice);
+        CHECK(ui::Catalogue()(desk.session.notice->sentence) ==
+              "portal.json is open in another tab; close it or choose another name");
+        CHECK(femoop::read_model_file(path).nodes.size() == 4);
+        CHECK(save_as(desk, folder.path() / "other.json"));
     }
 
     TEST_CASE("Every order of showing and closing tabs keeps their order and their documents")
@@ -156,40 +176,25 @@ TEST_SUITE("frame session")
     {
         const Folder folder;
         Desk desk = desk_with("portal.json");
-        Autosave autosave(folder.path() / "state");
+        ui::Autosave autosave({folder.path() / "state", ".json", femoop::write_whole_file});
         const auto n_drafts = [&] {
+            autosave.tick([&] { return desk.unsaved(); }, ui::Autosave::interval);
+            autosave.wait();
+            autosave.tick([&] { return desk.unsaved(); }, ui::Autosave::interval);
             std::size_t n = 0;
-            for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "state"))
+            std::error_code none;
+            for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "state", none))
                 n += entry.path().extension() == ".json" ? 1U : 0U;
             return n;
         };
-        autosave.tick(desk, Autosave::interval);
-        CHECK(!std::filesystem::exists(folder.path() / "state"));
+        CHECK(n_drafts() == 0);
         touch(desk);
-        autosave.tick(desk, Autosave::interval);
         CHECK(n_drafts() == 1);
-        CHECK(autosave.new_leftovers().empty()); // it is in use
         REQUIRE(desk.session.save(folder.path() / "saved.json"));
-        autosave.tick(desk, Autosave::interval);
         CHECK(n_drafts() == 0);
         desk.session.undo();
         new_document(desk);
-        autosave.tick(desk, Autosave::interval);
         CHECK(n_drafts() == 1); // of the tab on the shelf
-    }
-
-    TEST_CASE("A draft that is still held when another program starts is told as soon as it is free, and once only")
-    {
-        const Folder folder;
-        auto dying = std::make_optional<Recovery>(folder.path());
-        REQUIRE_FALSE(dying->keep(starting_document(), "/tmp/lesson.json"));
-        Autosave next(folder.path());
-        CHECK(next.new_leftovers().empty());
-        dying.reset(); // the lock goes with its program, the draft stays
-        const std::vector<Leftover> found = next.new_leftovers();
-        REQUIRE(found.size() == 1);
-        CHECK(found.front().original == std::filesystem::path("/tmp/lesson.json"));
-        CHECK(next.new_leftovers().empty());
     }
 
     TEST_CASE("What a program left behind opens as a document that is not saved, under its own name")
@@ -200,11 +205,29 @@ TEST_SUITE("frame session")
         const std::filesystem::path draft = folder.path() / "1-0.json";
         femoop::write_model_file(document.model, draft);
         Desk desk{Session{Document{}}};
-        REQUIRE(open_leftover(desk, {draft, folder.path() / "lesson.json"}));
+        const auto number = desk.recover({draft, folder.path() / "lesson.json"});
+        REQUIRE(number == desk.session.number());
         CHECK(desk.session.file_name() == "lesson.json");
         CHECK(desk.session.is_dirty());
         CHECK(desk.session.document() == document);
-        CHECK(!std::filesystem::exists(draft));
+    }
+
+    TEST_CASE("Work that was kept survives, and is the same bit for bit")
+    {
+        const Folder folder;
+        const ui::DraftFolder drafts{folder.path() / "state", ".json", femoop::write_whole_file};
+        Desk desk = desk_with("portal.json");
+        desk.session.change({"Move", [](Document& document) { document.model.nodes[1].at[0] = 0.1 + 0.2; }});
+        {
+            ui::Draft draft(drafts);
+            REQUIRE_FALSE(draft.keep(desk.unsaved().at(0).copy(), desk.session.path()));
+        }
+        const auto found = ui::leftovers(drafts);
+        REQUIRE(found.size() == 1);
+        Desk next{Session{Document{}}};
+        REQUIRE(next.recover(found[0]));
+        CHECK(next.session.document() == desk.session.document());
+        CHECK(next.session.path() == desk.session.path());
     }
 
     TEST_CASE("A transformation shows at once what it does, and is one step when it is accepted, none when it is not")
@@ -230,6 +253,54 @@ TEST_SUITE("frame session")
         CHECK(desk.session.history().n_states() == 2);
         run(desk, "edit.undo");
         CHECK(desk.session.document() == before);
+    }
+
+    TEST_CASE("A node is not taken so far off that others could not be told apart, by whatever numbers")
+    {
+        Desk desk = desk_with("portal.json"); // its shortest member is 4.5 m long
+        const Document before = desk.session.document();
+        const auto moved_to = [&](double x) {
+            return desk.session.change({"Move", [x](Document& document) { document.model.nodes[2].at[0] = x; }});
+        };
+        REQUIRE(moved_to(-1e100));
+        CHECK(ui::Catalogue()(*moved_to(-1e100)) ==
+              "nothing was changed: node C would lie 1e100 m off, where nodes beside each other are one; stay within "
+              "100000 m, and check the unit");
+        CHECK(moved_to(-100001.0));
+        CHECK(desk.session.document() == before);
+        CHECK(!desk.session.history().can_undo());
+        CHECK(!moved_to(-99999.0));
+        CHECK(desk.session.model().members.size() == before.model.members.size());
+    }
+
+    TEST_CASE("Where a file has a node very far off it may stay and come nearer, while others move")
+    {
+        Document document = starting_document();
+        document.model.nodes[3].at[0] = 1e9;
+        Session session(document);
+        const auto moved = [&](std::size_t node, double x) {
+            return session.change({"Move", [=](Document& next) { next.model.nodes[node].at[0] = x; }});
+        };
+        CHECK(!moved(0, -2.0));
+        CHECK(!moved(3, 0.9e9));
+        CHECK(moved(3, 1e9));
+    }
+
+    TEST_CASE("A transformation with numbers that lead too far keeps what was shown before")
+    {
+        Desk desk = desk_with("portal.json");
+        run(desk, "edit.select_all");
+        run(desk, "edit.move");
+        const Document shown = desk.session.document();
+        for (const double far : {1e7, 1e100, 1e300}) {
+            desk.transform->x = far;
+            CHECK(change_transform(desk));
+            CHECK(desk.session.document() == shown);
+        }
+        run(desk, "edit.deselect");
+        run(desk, "edit.scale");
+        desk.transform->factor = 1e9;
+        CHECK(change_transform(desk));
     }
 
     TEST_CASE("What was mirrored and joined is selected, and its members have the names of their nodes")

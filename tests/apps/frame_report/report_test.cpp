@@ -7,34 +7,35 @@
 #include <optional>
 #include <string>
 
-#include "apps/frame/report/html.h"
-#include "apps/frame/report/pages.h"
+#include "apps/frame/report/report.h"
 #include "femoop/io/model_file.h"
 #include "tests/folder.h"
 #include "ui/paint/surface/golden_text.h"
+#include "ui/report/html.h"
+#include "ui/report/pages.h"
 
 using namespace frame;
 
 namespace {
 
-Report report_of(const std::string& file, ReportOptions options = {})
+ui::Report report_of(const std::string& file, ReportOptions options = {})
 {
     const Document document{femoop::read_model_file(CREMONA_SOURCE_DIR "/" + file)};
     return make_report(document.model, solve(document), options, ui::Fonts());
 }
 
-template <class Block> std::vector<Block> all(const Report& report)
+template <class Block> std::vector<Block> all(const ui::Report& report)
 {
     std::vector<Block> found;
-    for (const ReportBlock& block : report.blocks)
+    for (const ui::ReportBlock& block : report.blocks)
         if (const auto* const one = std::get_if<Block>(&block)) found.push_back(*one);
     return found;
 }
 
 /// Its rows say "name 0", "name 1" and so on.
-ReportTable table_of(const std::string& name, int n_rows)
+ui::ReportTable table_of(const std::string& name, int n_rows)
 {
-    ReportTable table{{{"Row", false}}, {}};
+    ui::ReportTable table{{{"Row", false}}, {}};
     for (int i = 0; i < n_rows; ++i) table.rows.push_back({name + " " + std::to_string(i)});
     return table;
 }
@@ -49,15 +50,15 @@ std::optional<std::size_t> page_of(const std::vector<ui::PdfPage>& pages, const 
 }
 
 /// The first table whose first column has this heading.
-ReportTable table_with(const Report& report, const std::string& heading)
+ui::ReportTable table_with(const ui::Report& report, const std::string& heading)
 {
-    for (const ReportTable& table : all<ReportTable>(report))
+    for (const ui::ReportTable& table : all<ui::ReportTable>(report))
         if (table.columns.front().heading == heading) return table;
     return {};
 }
 
 /// The cells under the heading that begins like this; none where the table has no such column.
-std::vector<std::string> column_of(const ReportTable& table, const std::string& heading)
+std::vector<std::string> column_of(const ui::ReportTable& table, const std::string& heading)
 {
     std::vector<std::string> cells;
     for (std::size_t i = 0; i < table.columns.size(); ++i)
@@ -66,9 +67,9 @@ std::vector<std::string> column_of(const ReportTable& table, const std::string& 
     return cells;
 }
 
-bool says(const Report& report, const std::string& words)
+bool says(const ui::Report& report, const std::string& words)
 {
-    const std::string html = report_html(report, ui::Fonts());
+    const std::string html = ui::report_html(report, ui::Fonts());
     return html.find(words) != std::string::npos;
 }
 
@@ -78,9 +79,9 @@ TEST_SUITE("frame report")
 {
     TEST_CASE("A report has the data, the figures and the results of every case, and the check of equilibrium")
     {
-        const Report report = report_of("examples/portal.json");
+        const ui::Report report = report_of("examples/portal.json");
         // The structure, for each of 3 cases and 2 combinations: loads, N, V, M, deformed shape; bands of N, V, M.
-        CHECK(all<ReportFigure>(report).size() == 1 + 5 * 5 + 3);
+        CHECK(all<ui::ReportFigure>(report).size() == 1 + 5 * 5 + 3);
         CHECK(says(report, "58.52")); // M in the middle of BC under G
         CHECK(says(report, "Envelope of all cases"));
         CHECK(says(report, "Largest force out of balance"));
@@ -91,8 +92,8 @@ TEST_SUITE("frame report")
     {
         Document document{femoop::read_model_file(CREMONA_SOURCE_DIR "/examples/portal.json")};
         document.model.sections[1].Iz = femoop::Quantity(4.2e-4); // of IPE 400, whose table has 23130 cm^4
-        const Report report = make_report(document.model, solve(document), {}, ui::Fonts());
-        const ReportTable sections = table_with(report, "Section");
+        const ui::Report report = make_report(document.model, solve(document), {}, ui::Fonts());
+        const ui::ReportTable sections = table_with(report, "Section");
         // EN 10365, HEB 240 and IPE 400, in cm
         CHECK(column_of(sections, "A ") == std::vector<std::string>{"106", "84.5"});
         CHECK(column_of(sections, "Iz ") == std::vector<std::string>{"11260", "42000"});
@@ -108,8 +109,8 @@ TEST_SUITE("frame report")
         document.model.sections[0].shape->b = 0.3;
         document.model.sections[0].shape->h = 0.5;
         document.model.members[0].theory = femoop::BeamTheory::Timoshenko;
-        const Report report = make_report(document.model, solve(document), {}, ui::Fonts());
-        const ReportTable sections = table_with(report, "Section");
+        const ui::Report report = make_report(document.model, solve(document), {}, ui::Fonts());
+        const ui::ReportTable sections = table_with(report, "Section");
         CHECK(column_of(sections, "Asy ") == std::vector<std::string>{"1250"}); // 5/6 b h
         CHECK(column_of(sections, "Asz ").empty());
     }
@@ -118,7 +119,7 @@ TEST_SUITE("frame report")
     {
         Document document{femoop::read_model_file(CREMONA_SOURCE_DIR "/examples/portal.json")};
         document.model.sections[0].profile = "HEB 241";
-        const Report report = make_report(document.model, solve(document), {}, ui::Fonts());
+        const ui::Report report = make_report(document.model, solve(document), {}, ui::Fonts());
         CHECK(column_of(table_with(report, "Section"), "A ").at(0).empty());
         CHECK(says(report, "HEB 241"));
     }
@@ -127,8 +128,8 @@ TEST_SUITE("frame report")
     {
         Document document{femoop::read_model_file(CREMONA_SOURCE_DIR "/examples/portal.json")};
         document.model.title = "<script>alert(\"A & B\")</script>";
-        const Report report = make_report(document.model, solve(document), {}, ui::Fonts());
-        const std::string html = report_html(report, ui::Fonts());
+        const ui::Report report = make_report(document.model, solve(document), {}, ui::Fonts());
+        const std::string html = ui::report_html(report, ui::Fonts());
         CHECK(html.find("<script>") == std::string::npos);
         CHECK(html.find("&lt;script&gt;alert(&quot;A &amp; B&quot;)") != std::string::npos);
         for (const char* link : {"src=", "href=\"http", "@import"}) CHECK(html.find(link) == std::string::npos);
@@ -136,15 +137,15 @@ TEST_SUITE("frame report")
 
     TEST_CASE("A model that cannot be solved is reported with the reason")
     {
-        const Report report = report_of("examples/mechanism.json");
+        const ui::Report report = report_of("examples/mechanism.json");
         CHECK(says(report, "Not solved"));
         CHECK(says(report, "sway"));
     }
 
     TEST_CASE("A report about the data has the loads of every case and no result, and says so")
     {
-        const Report report = report_of("examples/portal.json", {.about = ReportAbout::Data});
-        CHECK(all<ReportFigure>(report).size() == 1 + 5);
+        const ui::Report report = report_of("examples/portal.json", {.about = ReportAbout::Data});
+        CHECK(all<ui::ReportFigure>(report).size() == 1 + 5);
         CHECK(says(report, "12 kN/m"));
         CHECK(!says(report, "58.52"));
         CHECK(!says(report, "54.27"));
@@ -156,7 +157,7 @@ TEST_SUITE("frame report")
         ReportOptions options;
         options.view.tr = ui::Catalogue(ui::Language::Portuguese);
         options.view.numbers.mark = ui::DecimalMark::Comma;
-        const Report report = report_of("examples/portal.json", options);
+        const ui::Report report = report_of("examples/portal.json", options);
         CHECK(report.language == "pt-BR");
         CHECK(says(report, "58,52"));
         CHECK(says(report, "Equilíbrio"));
@@ -172,13 +173,13 @@ TEST_SUITE("frame report")
 
     TEST_CASE("A long table goes on with its headings on the next page, and nothing stands outside the paper")
     {
-        Report report;
-        ReportTable table{{{"Node", false}, {"x [m]", true}}, {}};
+        ui::Report report;
+        ui::ReportTable table{{{"Node", false}, {"x [m]", true}}, {}};
         for (int i = 0; i < 200; ++i) table.rows.push_back({"N" + std::to_string(i), std::to_string(i)});
-        report.blocks.emplace_back(ReportHeading{2, "Nodes"});
+        report.blocks.emplace_back(ui::ReportHeading{2, "Nodes"});
         report.blocks.emplace_back(table);
         const ui::Fonts fonts;
-        const std::vector<ui::PdfPage> pages = report_pages(report, fonts);
+        const std::vector<ui::PdfPage> pages = ui::report_pages(report, fonts);
         CHECK(pages.size() >= 3);
         for (const ui::PdfPage& page : pages) {
             for (const ui::PlacedPicture& placed : page.pictures) {
@@ -192,14 +193,14 @@ TEST_SUITE("frame report")
 
     TEST_CASE("A table too wide for the paper goes on below itself in type that can be read, its rows named again")
     {
-        Report report;
-        ReportTable table{{{"Node", false}}, {{"N1"}}};
+        ui::Report report;
+        ui::ReportTable table{{{"Node", false}}, {{"N1"}}};
         for (int i = 0; i < 30; ++i) {
             table.columns.push_back({"column " + std::to_string(i), true});
             table.rows[0].push_back("value " + std::to_string(i));
         }
         report.blocks.emplace_back(table);
-        const std::vector<ui::PdfPage> pages = report_pages(report, ui::Fonts());
+        const std::vector<ui::PdfPage> pages = ui::report_pages(report, ui::Fonts());
         REQUIRE(pages.size() == 1);
         const std::string words = ui::golden_text(pages[0].pictures.back().picture);
         CHECK(words.find("\"value 29\"") != std::string::npos);
@@ -218,14 +219,14 @@ TEST_SUITE("frame report")
         const ui::Fonts fonts;
         for (int n_before = 30; n_before < 75; ++n_before) { // rows, so that the heading comes anywhere on the page
             CAPTURE(n_before);
-            Report report;
+            ui::Report report;
             report.blocks.emplace_back(table_of("before", n_before));
-            report.blocks.emplace_back(ReportHeading{2, "Chapter"});
-            report.blocks.emplace_back(ReportHeading{3, "Part"});
+            report.blocks.emplace_back(ui::ReportHeading{2, "Chapter"});
+            report.blocks.emplace_back(ui::ReportHeading{3, "Part"});
             report.blocks.emplace_back(table_of("short", 5));
-            report.blocks.emplace_back(ReportHeading{3, "Long part"});
+            report.blocks.emplace_back(ui::ReportHeading{3, "Long part"});
             report.blocks.emplace_back(table_of("long", 40));
-            const std::vector<ui::PdfPage> pages = report_pages(report, fonts);
+            const std::vector<ui::PdfPage> pages = ui::report_pages(report, fonts);
             const std::optional<std::size_t> page = page_of(pages, "Chapter");
             for (const char* words : {"Part", "short 0", "short 4"}) CHECK(page_of(pages, words) == page);
             for (const char* words : {"long 0", "long 2"}) CHECK(page_of(pages, words) == page_of(pages, "Long part"));
@@ -234,10 +235,10 @@ TEST_SUITE("frame report")
 
     TEST_CASE("Every page of a report tells its number, how many there are, and of which report it is")
     {
-        Report report;
+        ui::Report report;
         report.title = "Portal frame";
         report.blocks.emplace_back(table_of("row", 180));
-        const std::vector<ui::PdfPage> pages = report_pages(report, ui::Fonts());
+        const std::vector<ui::PdfPage> pages = ui::report_pages(report, ui::Fonts());
         REQUIRE(pages.size() == 3);
         CHECK(page_of(pages, "1 / 3") == 0);
         CHECK(page_of(pages, "3 / 3") == 2);
@@ -248,7 +249,7 @@ TEST_SUITE("frame report")
     {
         Document document{femoop::read_model_file(CREMONA_SOURCE_DIR "/examples/bent_cantilever.json")};
         CHECK(says(make_report(document.model, solve(document), {}, ui::Fonts()), "space frame, 3 nodes, 2 members"));
-        const Report truss = report_of("examples/truss.json");
+        const ui::Report truss = report_of("examples/truss.json");
         CHECK(says(truss, "plane truss, "));
         CHECK(!says(truss, "truss2d"));
         ReportOptions portuguese;
@@ -260,7 +261,7 @@ TEST_SUITE("frame report")
     {
         const Folder folder;
         const ui::Fonts fonts;
-        const auto pages = report_pages(report_of("examples/portal.json"), fonts);
+        const auto pages = ui::report_pages(report_of("examples/portal.json"), fonts);
         ui::write_pdf(folder.path() / "report.pdf", pages, fonts, {.background = ui::rgb(0xFFFFFF), .title = "Portal"});
         std::ifstream file(folder.path() / "report.pdf", std::ios::binary);
         const std::string content{std::istreambuf_iterator<char>(file), {}};

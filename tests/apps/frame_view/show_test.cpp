@@ -1,9 +1,9 @@
 // What `--show` understands, and how a sheet is divided.
 #include <doctest/doctest.h>
 
+#include "apps/frame/document/companion/show.h"
 #include "apps/frame/view/sheet/panels.h"
 #include "apps/frame/view/sheet/subject.h"
-#include "apps/frame/view/show.h"
 #include "femoop/analysis/linear_static.h"
 #include "tests/apps/frame_view/view_model.h"
 

@@ -55,7 +55,8 @@ TEST_SUITE("frame window: interruptions")
                                        folder +
                                        "examples/truss.json\"\nkey Enter\nwait 0.1\n"
                                        "expect notice nothing\nexpect file truss.json\n";
-            CHECK_NOTHROW(play(script, context, application, [](auto, const auto&, auto&) {}));
+            OffscreenStage stage(application, context, [](auto, const auto&) {});
+            CHECK_NOTHROW(ui::play(script, context, application, stage, {}));
         });
     }
 

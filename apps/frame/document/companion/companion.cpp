@@ -67,11 +67,15 @@ void follow(Companion& companion, const Model& before, const Model& after)
             const auto now = follower(name);
             if (now && std::ranges::find(found, *now) == found.end()) found.push_back(*now);
         }
+        if (found == dimension.nodes) continue;
         dimension.nodes = std::move(found);
+        if (std::ranges::count(companion.dimensions, dimension) > 1) dimension.nodes.clear(); // what it lies on stays
     }
     std::erase_if(companion.dimensions, [](const DimensionLine& dimension) { return dimension.nodes.size() < 2; });
-    for (NamedView& view : companion.views)
+    for (NamedView& view : companion.views) {
         if (view.load_case) view.load_case = case_now(*view.load_case, before, after);
+        for (std::string& id : view.envelope) id = case_now(id, before, after);
+    }
 }
 
 } // namespace frame

@@ -21,8 +21,8 @@ struct Companion {
 
 /// Goes on from one state of a model to the next. A node that has another name at its old place in the list was
 /// renamed; one that is gone is the one that now lies where it lay, as after a merge; where there is none it is taken
-/// out, and with it a dimension line that has less than two left. A view follows the load case or combination that it
-/// shows to a new name.
+/// out, and with it a dimension line that has less than two left or that has become the same as another. A view follows
+/// the load cases and combinations that it shows to their new names.
 void follow(Companion& companion, const femoop::Model& before, const femoop::Model& after);
 
 } // namespace frame

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 
 #include "apps/frame/document/document.h"
@@ -30,7 +31,7 @@ constexpr double format = 1.0;
 constexpr std::string_view ending = ".view.json";      // in place of .json
 constexpr std::string_view ending_of_others = ".view"; // behind a name that ends otherwise
 constexpr Keys<4> file_keys{{"cremona_view", "dimensions", "sets", "views"}, 1};
-constexpr Keys<7> view_keys{{"name", "show", "case", "diagrams", "loads", "displacements", "region"}, 2};
+constexpr Keys<8> view_keys{{"name", "show", "case", "envelope", "diagrams", "loads", "displacements", "region"}, 2};
 constexpr Keys<3> dimension_keys{{"nodes", "direction", "offset"}, 3};
 constexpr std::array directions{"aligned"sv, "horizontal"sv, "vertical"sv}; // as DimensionDirection has them
 
@@ -71,20 +72,56 @@ private:
     void add_view(JsonValue value, const Place& place)
     {
         const std::size_t before = reader_.n_troubles();
-        const auto [name, show, load_case, diagrams, loads, displacements, region] = reader_.fields(value, view_keys,
-                                                                                                    place);
-        NamedView view{.name = reader_.text(name, place).value_or(""),
-                       .show = reader_.text(show, place).value_or(""),
+        const auto [name, show, load_case, envelope, diagrams, loads, displacements,
+                    region] = reader_.fields(value, view_keys, place);
+        NamedView view{.name = read_name(name, place),
+                       .show = read_show(show, place),
                        .load_case = reader_.text(load_case, place),
                        .diagrams = positive(diagrams, place).value_or(1.0),
                        .loads = positive(loads, place).value_or(1.0),
                        .displacements = positive(displacements, place),
                        .region = std::nullopt};
         if (reader_.is_list(region, place)) view.region = read_region(region, place.key("region"));
-        if (view.load_case && !model_.find_case(*view.load_case))
-            no_such(*view.load_case, case_names(), {FaultKind::NoSuchCase, FaultKind::NoSuchCaseNear},
-                    place.key("case"));
+        if (view.load_case) require_case(*view.load_case, place.key("case"));
+        if (reader_.is_list(envelope, place)) view.envelope = read_cases(envelope, place.key("envelope"));
         if (value.is(JsonKind::Object) && reader_.n_troubles() == before) companion_.views.push_back(std::move(view));
+    }
+
+    // By its name one is asked for, so each has its own.
+    std::string read_name(JsonValue value, const Place& place)
+    {
+        std::string name = reader_.text(value, place).value_or("");
+        const auto [first, is_first] = named_views_.try_emplace(name, place.text());
+        if (!is_first) reader_.add({FaultKind::RepeatedId, {place.text("name"), first->second}});
+        return name;
+    }
+
+    ShowSet read_show(JsonValue value, const Place& place)
+    {
+        try {
+            return parse_show(reader_.text(value, place).value_or(""));
+        } catch (const ShowError& error) {
+            std::vector<std::string_view> words;
+            for (const ShowWord& known : show_words()) words.push_back(known.word);
+            reader_.unknown_choice(place.text("show"), error.word(), words);
+            return {};
+        }
+    }
+
+    std::vector<std::string> read_cases(JsonValue list, const Place& place)
+    {
+        std::vector<std::string> ids;
+        for (std::size_t i = 0; const JsonValue entry : list) {
+            const Place own_place = place.entry(i++);
+            ids.push_back(reader_.text(entry, own_place).value_or(""));
+            if (entry.is(JsonKind::String)) require_case(ids.back(), own_place);
+        }
+        return ids;
+    }
+
+    void require_case(const std::string& id, const Place& place)
+    {
+        if (!model_.find_case(id)) no_such(id, case_names(), {FaultKind::NoSuchCase, FaultKind::NoSuchCaseNear}, place);
     }
 
     std::vector<std::string_view> case_names() const
@@ -199,6 +236,7 @@ private:
     const Model& model_;
     ValueReader reader_;
     Companion companion_;
+    std::map<std::string, std::string> named_views_; ///< names that were read, and their places
 };
 
 void write(JsonWriter& json, const DimensionLine& dimension)
@@ -212,8 +250,13 @@ void write(JsonWriter& json, const DimensionLine& dimension)
 
 void write(JsonWriter& json, const NamedView& view)
 {
-    json.begin_object().member("name", view.name).member("show", view.show);
+    json.begin_object().member("name", view.name).member("show", words_of(view.show));
     if (view.load_case) json.member("case", *view.load_case);
+    if (!view.envelope.empty()) {
+        json.key("envelope").begin_array();
+        for (const std::string& id : view.envelope) json.value(id);
+        json.end();
+    }
     if (view.diagrams != 1.0) json.member("diagrams", view.diagrams);
     if (view.loads != 1.0) json.member("loads", view.loads);
     if (view.displacements) json.member("displacements", *view.displacements);

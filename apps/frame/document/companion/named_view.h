@@ -3,6 +3,9 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include "apps/frame/document/companion/show.h"
 
 namespace frame {
 
@@ -17,8 +20,9 @@ struct Region {
 /// A way to look at the document, under a name: what a presenter walks through with PageDown and PageUp.
 struct NamedView {
     std::string name;
-    std::string show;                     ///< what is shown, in the words of `render --show`: "loads,M,legend"
-    std::optional<std::string> load_case; ///< its id; an envelope of the chosen cases when absent
+    ShowSet show;
+    std::optional<std::string> load_case; ///< its id; an envelope when absent
+    std::vector<std::string> envelope{};  ///< ids of the cases that it is of; of all when empty
     double diagrams = 1.0, loads = 1.0;   ///< factors on their sizes, > 0
     std::optional<double> displacements;  ///< factor on them; automatic when absent
     std::optional<Region> region;         ///< the whole model when absent

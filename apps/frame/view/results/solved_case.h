@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/frame/view/show.h"
+#include "apps/frame/document/companion/show.h"
 #include "femoop/result/results.h"
 
 #include <array>

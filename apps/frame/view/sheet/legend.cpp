@@ -2,6 +2,7 @@
 
 #include "apps/frame/view/loads/case_terms.h"
 #include "apps/frame/view/results/envelope_cases.h"
+#include "ui/paint/wrapped_lines.h"
 #include "ui/text/shortened.h"
 
 #include <algorithm>
@@ -143,7 +144,7 @@ constexpr double title_spacing = 1.45, line_spacing = 1.5; // of the type's size
 double head_height(const SheetHead& head, const ui::Theme& theme, const ui::Fonts& fonts, double width)
 {
     const auto height = [&](const std::string& text, const ui::TextStyle& style, double spacing) {
-        const auto n_lines = wrapped(fonts, text, style, width - 2.0 * border).size();
+        const auto n_lines = ui::wrapped_lines(fonts, text, style, width - 2.0 * border).size();
         return spacing * style.size * static_cast<double>(n_lines);
     };
     return 12.0 + height(head.title, title_style(theme), title_spacing) +
@@ -155,7 +156,8 @@ void draw_head(ui::Painter& painter, const SheetHead& head, const ui::Theme& the
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
     double y = 12.0;
     const auto write = [&](const std::string& text, const ui::TextStyle& style, double spacing) {
-        for (const std::string& line : wrapped(painter.fonts(), text, style, painter.size().width - 2.0 * border)) {
+        for (const std::string& line :
+             ui::wrapped_lines(painter.fonts(), text, style, painter.size().width - 2.0 * border)) {
             painter.text({border, y}, line, style);
             y += spacing * style.size;
         }
@@ -199,24 +201,6 @@ PanelHead structure_head(const Scene& scene)
     if (loads && reactions) return {.name = tr("Loads and reactions"), .note = {}};
     if (reactions) return {.name = tr("Reactions"), .note = {}};
     return {.name = loads ? tr("Loads") : tr("Structure"), .note = {}};
-}
-
-std::vector<std::string> wrapped(const ui::Fonts& fonts, std::string_view text, const ui::TextStyle& style,
-                                 double width)
-{
-    const auto word_end = [&](std::size_t from) {
-        return std::min(text.find(' ', text.find_first_not_of(' ', from)), text.size());
-    };
-    const auto fits = [&](std::string_view line) { return fonts.measure(line, style).width <= width; };
-    std::vector<std::string> lines;
-    while (text.find_first_not_of(' ') != std::string_view::npos) {
-        text.remove_prefix(text.find_first_not_of(' '));
-        std::size_t end = word_end(0);
-        while (end < text.size() && fits(text.substr(0, word_end(end)))) end = word_end(end);
-        lines.emplace_back(text.substr(0, end));
-        text.remove_prefix(end);
-    }
-    return lines;
 }
 
 } // namespace frame

@@ -25,8 +25,4 @@ PanelHead diagram_head(const Scene& scene, const std::vector<Diagram>& diagrams)
 PanelHead deformed_head(const Scene& scene, double scale);
 PanelHead structure_head(const Scene& scene);
 
-/// Sentences broken into lines of at most `width` logical pixels, at the foot of the sheet.
-std::vector<std::string> wrapped(const ui::Fonts& fonts, std::string_view text, const ui::TextStyle& style,
-                                 double width);
-
 } // namespace frame

@@ -1,6 +1,7 @@
 #include "apps/frame/view/sheet/panel_head.h"
 
 #include "apps/frame/view/sheet/legend.h"
+#include "ui/paint/wrapped_lines.h"
 
 #include <algorithm>
 
@@ -44,7 +45,7 @@ private:
     {
         ui::TextStyle style = theme_.text(head.role, ui::Anchor::Left);
         style.weight = ui::Weight::Bold;
-        write_lines(wrapped(fonts_, head.name, style, width_), style);
+        write_lines(ui::wrapped_lines(fonts_, head.name, style, width_), style);
     }
 
     void write_bar(const PanelHead& head)
@@ -61,7 +62,7 @@ private:
     {
         const ui::TextStyle style = small_text(theme_, ui::Role::FaintLabel);
         if (x_ + measure(head.note, style) <= width_) return write_lines({head.note}, style);
-        const std::vector<std::string> lines = wrapped(fonts_, head.note, style, width_);
+        const std::vector<std::string> lines = ui::wrapped_lines(fonts_, head.note, style, width_);
         if (line_ + 1 + lines.size() > most_lines || !fit(lines, style)) return;
         next_line();
         write_lines(lines, style);

@@ -16,6 +16,7 @@
 #include "apps/frame/view/structure/drawn_dimensions.h"
 #include "apps/frame/view/structure/members.h"
 #include "apps/frame/view/structure/supports.h"
+#include "ui/paint/wrapped_lines.h"
 
 #include <algorithm>
 #include <array>
@@ -485,7 +486,7 @@ std::vector<std::string> Subject::foot_lines(ui::Size sheet, const ui::Fonts& fo
     if (motion_) sentences.push_back(motion_sentence());
     if (assessment_) sentences = ScoreWords{model_, shape_, units_, options_.tr}.lines(*assessment_);
     for (const std::string& one : sentences) {
-        const std::vector<std::string> wrapped_one = wrapped(fonts, one, foot_style(), sheet.width - 32.0);
+        const std::vector<std::string> wrapped_one = ui::wrapped_lines(fonts, one, foot_style(), sheet.width - 32.0);
         lines.insert(lines.end(), wrapped_one.begin(), wrapped_one.end());
     }
     return lines;

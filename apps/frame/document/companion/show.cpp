@@ -1,4 +1,4 @@
-#include "apps/frame/view/show.h"
+#include "apps/frame/document/companion/show.h"
 
 #include "ui/text/catalogue.h"
 
@@ -64,12 +64,16 @@ ShowSet shown_by(std::string_view word)
     const auto known = std::find_if(words().begin(), words().end(),
                                     [&](const ShowWord& w) { return same_letters(w.word, word); });
     if (known != words().end()) return known->shows;
-    throw ShowError("--show: no \"" + std::string(word) + "\"; choose from " + all_words());
+    throw ShowError(std::string(word));
 }
 
 } // namespace
 
 std::span<const ShowWord> show_words() { return words(); }
+
+ShowError::ShowError(std::string word)
+    : std::runtime_error("--show: no \"" + word + "\"; choose from " + all_words()), word_(std::move(word))
+{}
 
 ShowSet parse_show(std::string_view list)
 {

@@ -83,7 +83,12 @@ std::span<const ShowWord> show_words();
 /// A list of things to show that has a word which is none of ours; the message lists those that there are.
 class ShowError : public std::runtime_error {
 public:
-    using std::runtime_error::runtime_error;
+    explicit ShowError(std::string word);
+
+    const std::string& word() const { return word_; } ///< that is none of ours
+
+private:
+    std::string word_;
 };
 
 /// Reads a list such as `loads,N,V,M,labels`, in upper or lower case; blanks around the words and empty words do not

@@ -1,0 +1,251 @@
+#include "apps/frame/session/other_programs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "apps/cross/document/file.h"
+#include "apps/cross/document/solution.h"
+#include "apps/mohr/document/file.h"
+#include "apps/mohr/document/section_text.h"
+#include "femoop/edit/excerpt.h"
+#include "femoop/edit/short_number.h"
+#include "femoop/io/model_file.h"
+#include "femoop/methods/mohr/section_stress.h"
+#include "femoop/model/quantity/number_text.h"
+#include "femoop/model/quantity/quantity_parser.h"
+#include "femoop/section/shape.h"
+#include "ui/desk/standard_commands.h"
+
+namespace frame {
+
+using femoop::MemberComponent;
+using femoop::MemberId;
+using ui::Phrase;
+using ui::translatable;
+
+namespace dimension = femoop::dimension;
+
+namespace {
+
+// ---- moment distribution
+
+std::vector<MemberId> chosen_members(const Session& session)
+{
+    std::vector<MemberId> members;
+    for (const Part& part : session.selection.parts())
+        if (const auto* const member = std::get_if<MemberId>(&part)) members.push_back(*member);
+    if (!members.empty()) return members;
+    for (std::size_t m = 0; m < session.model().members.size(); ++m) members.emplace_back(m);
+    return members;
+}
+
+femoop::Excerpt chosen_excerpt(const Session& session)
+{
+    const std::vector<MemberId> members = chosen_members(session);
+    if (members.size() == session.model().members.size()) return {.model = session.model(), .held = {}};
+    return excerpt_of(session.model(), members);
+}
+
+} // namespace
+
+Offer moment_distribution(const Session& session)
+{
+    const femoop::Model model = chosen_excerpt(session).model;
+    cross::Document document{.model = model};
+    document.method.load_case = session.view.load_case;
+    if (auto solution = cross::solve(document); !solution.faults.empty())
+        return Notice{translatable("moment distribution cannot do this"), std::move(solution.faults)};
+    document = cross::read_document(femoop::write_model(model)); // with the method that the file asks for
+    document.method.load_case = session.view.load_case;
+    return ui::Handover{.program = "cross", .document = cross::write_document(document)};
+}
+
+std::string held_nodes(const Session& session)
+{
+    const femoop::Excerpt excerpt = chosen_excerpt(session);
+    std::string names;
+    for (const femoop::NodeId node : excerpt.held) names += (names.empty() ? "" : ", ") + excerpt.model[node].id;
+    return names;
+}
+
+namespace {
+
+// ---- Mohr's circle
+
+/// Of the last of six significant digits.
+double unit_of(double value) { return std::pow(10.0, std::floor(std::log10(std::abs(value))) - 5.0); }
+
+/// Six significant digits; 0 for what is nothing but rounding beside the largest of its kind.
+std::string amount(double value, double largest, femoop::Dimension kind, const femoop::Units& units)
+{
+    if (!(std::abs(value) > 1e-10 * largest)) return femoop::quantity_text(0.0, kind, units);
+    const double unit = unit_of(value);
+    return femoop::quantity_text(femoop::short_number(std::round(value / unit) * unit, std::abs(value)), kind, units);
+}
+
+/// Of a fibre [mm]; the outermost is not rounded beyond the section's edge.
+std::string fibre_text(double y, const femoop::mohr::SectionFigure& figure)
+{
+    const double height = figure.top() - figure.bottom(), unit = unit_of(y);
+    const double near = std::round(y / unit) * unit;
+    const bool is_beyond = std::max(near - figure.top(), figure.bottom() - near) > 1e-9 * height;
+    return amount(is_beyond ? std::trunc(y / unit) * unit : near, height, dimension::length, mohr::newtons_and_mm);
+}
+
+/// As it was typed; in the units of Mohr's circle where it was a bare number.
+std::string text_of(const femoop::Quantity& quantity, femoop::Dimension kind, const femoop::Units& units)
+{
+    if (quantity.has_text()) return std::string(quantity.text());
+    const double value = femoop::converted(quantity.value(), kind, units, mohr::newtons_and_mm);
+    return femoop::quantity_text(value, kind, mohr::newtons_and_mm);
+}
+
+/// "IPE 300", "rectangle b=90mm h=210mm"; nothing for a section of numbers alone.
+std::optional<std::string> section_text(const femoop::Section& section, const femoop::Units& units)
+{
+    if (section.profile) return section.profile;
+    if (!section.shape) return std::nullopt;
+    std::string words(name(section.shape->kind));
+    for (const femoop::ShapeDimension& side : dimensions(section.shape->kind)) {
+        const auto& value = *section.shape.*side.value;
+        if (!value) continue;
+        const double mm = femoop::converted(value->value(), dimension::length, units, mohr::newtons_and_mm);
+        words += " " + std::string(side.key) + "=" + femoop::number_text(mm) + "mm";
+    }
+    return words;
+}
+
+/// Where the only selected member has its largest moment.
+std::optional<Cut> worst_cut(const Session& session)
+{
+    const auto part = session.selection.only();
+    const auto* const member = part ? std::get_if<MemberId>(&*part) : nullptr;
+    if (member == nullptr) return std::nullopt;
+    const femoop::Curve curve = (*session.solution().results)[session.view.load_case].curve(*member);
+    const femoop::Extremes extremes = curve.extremes(MemberComponent::Mz);
+    const bool is_sagging = std::abs(extremes.max.value) >= std::abs(extremes.min.value);
+    return Cut{*member, is_sagging ? extremes.max.x : extremes.min.x};
+}
+
+std::optional<Phrase> why_no_forces(const Session& session)
+{
+    using enum femoop::AnalysisKind;
+    if (const auto reason = session.why_no_results()) return reason;
+    if (session.view.is_envelope)
+        return Phrase(translatable("an envelope is no state of a section; choose a load case"));
+    if (session.model().analysis != Frame2d && session.model().analysis != Truss2d)
+        return Phrase(translatable("a section's circle is that of a plane frame or truss; here members bend in other "
+                                   "planes too"));
+    return std::nullopt;
+}
+
+mohr::Document section_document(const Session& session, const Cut& cut, const mohr::Document& begun,
+                                const femoop::mohr::SectionFigure& figure)
+{
+    const femoop::Units& units = session.model().units;
+    const femoop::CaseResult result = (*session.solution().results)[session.view.load_case];
+    const femoop::SectionForces f = result.curve(cut.member).forces(cut.x);
+    const femoop::Magnitudes largest = result.magnitudes();
+    const auto in_mohr = [&](double value, femoop::Dimension kind) {
+        return femoop::converted(value, kind, units, mohr::newtons_and_mm);
+    };
+    const double y = most_stressed(figure, {.N = in_mohr(f.N, dimension::force),
+                                            .V = in_mohr(f.Vy, dimension::force),
+                                            .M = in_mohr(f.Mz, dimension::moment)});
+    mohr::Document document = begun;
+    document.subject = mohr::Subject::Section;
+    document.state() = {amount(f.N, largest.force, dimension::force, units),
+                        amount(f.Vy, largest.force, dimension::force, units),
+                        amount(f.Mz, largest.moment, dimension::moment, units), fibre_text(y, figure)};
+    const femoop::Material& material = session.model()[*session.model()[cut.member].material];
+    document.elasticity[0] = text_of(material.E, dimension::stress, units);
+    document.elasticity[1] = femoop::number_text(material.poisson());
+    if (material.fy)
+        document.strengths[static_cast<std::size_t>(mohr::StrengthPlace::fy)] = text_of(*material.fy, dimension::stress,
+                                                                                        units);
+    return document;
+}
+
+} // namespace
+
+Offer circle_at_section(const Session& session)
+{
+    if (const auto reason = why_no_forces(session)) return passing_notice(*reason);
+    const std::optional<Cut> cut = session.pin ? session.pin : session.hover ? session.hover : worst_cut(session);
+    if (!cut || cut->member.index >= session.model().members.size())
+        return passing_notice(translatable("point at a section of a member, or select one member"));
+    const femoop::Member& member = session.model()[cut->member];
+    if (!member.section || !member.material)
+        return passing_notice({translatable("member {id} has no section: it is rigid"), {{"id", member.id}}});
+    const femoop::Section& section = session.model()[*member.section];
+    const auto words = section_text(section, session.model().units);
+    if (!words)
+        return passing_notice({translatable("section {name} is given by numbers alone, so its fibres are not known; "
+                                            "choose a profile or a shape"),
+                               {{"name", section.id}}});
+    const auto figure = mohr::section_figure(*words);
+    if (const auto* const reason = std::get_if<Phrase>(&figure)) return passing_notice(*reason);
+    mohr::Document document = mohr::textbook_state();
+    document.section = *words;
+    document = section_document(session, *cut, document, std::get<femoop::mohr::SectionFigure>(figure));
+    return ui::Handover{.program = "mohr", .document = mohr::file_text(document)};
+}
+
+namespace {
+
+void hand_over(Desk& desk, Offer offer, Notice told)
+{
+    if (auto* const refusal = std::get_if<Notice>(&offer)) {
+        desk.session.notice = std::move(*refusal);
+        return;
+    }
+    desk.handed.push_back(std::get<ui::Handover>(std::move(offer)));
+    desk.session.notice = std::move(told);
+}
+
+Notice told_of_distribution(const Session& session)
+{
+    const std::string held = held_nodes(session);
+    if (held.empty()) return passing_notice(translatable("the moments are distributed in a window of their own"));
+    return passing_notice({translatable("the moments are distributed in a window of their own; where members were left "
+                                        "out the nodes are held fixed: {nodes}"),
+                           {{"nodes", held}}});
+}
+
+std::optional<Phrase> why_no_circle(const Session& session)
+{
+    const Offer offer = circle_at_section(session);
+    const auto* const refusal = std::get_if<Notice>(&offer);
+    return refusal != nullptr ? std::optional(refusal->sentence) : std::nullopt;
+}
+
+} // namespace
+
+void add_method_commands(CommandTable& table)
+{
+    constexpr std::string_view menu = ui::standard::file_menu;
+    table.add(
+        {.id = "methods.distribution",
+         .menu = menu,
+         .label = translatable("Moment distribution of the selection"),
+         .run =
+             [](Desk& desk) { hand_over(desk, moment_distribution(desk.session), told_of_distribution(desk.session)); },
+         .why_not = [](const Desk& desk) -> std::optional<Phrase> {
+             if (!desk.session.model().members.empty()) return std::nullopt;
+             return Phrase(translatable("the model has no members"));
+         }});
+    table.add({.id = "methods.circle",
+               .menu = menu,
+               .label = translatable("Mohr's circle at this section"),
+               .run =
+                   [](Desk& desk) {
+                       hand_over(desk, circle_at_section(desk.session),
+                                 passing_notice(translatable("the circle is drawn in a window of its own")));
+                   },
+               .why_not = [](const Desk& desk) { return why_no_circle(desk.session); }});
+}
+
+} // namespace frame

@@ -1,0 +1,183 @@
+// What the other programs of the suite get: members for moment distribution, a section for Mohr's circle.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+#include <variant>
+
+#include "apps/cross/document/file.h"
+#include "apps/cross/document/solution.h"
+#include "apps/frame/session/other_programs.h"
+#include "apps/mohr/document/file.h"
+#include "apps/mohr/document/solution.h"
+
+using namespace frame;
+using femoop::Dof;
+using femoop::MemberId;
+using femoop::NodeId;
+
+namespace {
+
+constexpr double L = 4.0, l = 3.0, q = 12.0, b = 0.09, h = 0.21; // kN, m
+
+femoop::Section rectangle()
+{
+    femoop::Shape shape;
+    shape.b = b;
+    shape.h = h;
+    return {.id = "R", .shape = shape};
+}
+
+/// Its centroid is 267.307692 mm above its foot.
+femoop::Section tee()
+{
+    femoop::Shape shape;
+    shape.kind = femoop::ShapeKind::T;
+    shape.h = 0.4;
+    shape.bf = 0.3;
+    shape.tf = 0.05;
+    shape.tw = 0.05;
+    return {.id = "T", .shape = shape};
+}
+
+femoop::MemberLoad down_on(MemberId member)
+{
+    return {member, femoop::DistributedLoad{.values = {{.dof = Dof::uy, .start = -q, .end = {}}}}};
+}
+
+/// Two spans of which the first is fixed; the second case loads the second span alone.
+femoop::Model beam(const femoop::Section& section)
+{
+    femoop::Model model;
+    const auto steel = model.add(femoop::Material{.id = "steel", .E = 205e6, .fy = 250e3});
+    const auto of = model.add(section);
+    using enum femoop::SupportKind;
+    const NodeId A = model.add(femoop::Node{.id = "A", .at = {0, 0}, .support = femoop::Support{.kind = Fixed}});
+    const NodeId B = model.add(femoop::Node{.id = "B", .at = {L, 0}, .support = femoop::Support{.kind = Roller}});
+    const NodeId C = model.add(femoop::Node{.id = "C", .at = {L + l, 0}, .support = femoop::Support{.kind = Roller}});
+    const MemberId AB = model.add(femoop::Member{.id = "AB", .nodes = {A, B}, .material = steel, .section = of});
+    const MemberId BC = model.add(femoop::Member{.id = "BC", .nodes = {B, C}, .material = steel, .section = of});
+    model.add(femoop::LoadCase{.id = "first", .members = {down_on(AB)}});
+    model.add(femoop::LoadCase{.id = "second", .members = {down_on(BC)}});
+    return model;
+}
+
+Session session_with(femoop::Model model) { return Session(Document{.model = std::move(model), .companion = {}}); }
+
+ui::Handover handed(Offer offer)
+{
+    REQUIRE(std::holds_alternative<ui::Handover>(offer));
+    return std::get<ui::Handover>(std::move(offer));
+}
+
+std::string refused(Offer offer)
+{
+    REQUIRE(std::holds_alternative<Notice>(offer));
+    return ui::Catalogue()(std::get<Notice>(offer).sentence);
+}
+
+mohr::Solution circle_of(const Session& session)
+{
+    const ui::Handover handover = handed(circle_at_section(session));
+    CHECK(handover.program == "mohr");
+    auto read = mohr::read_file_text(handover.document);
+    REQUIRE(std::holds_alternative<mohr::Document>(read));
+    return mohr::solve(std::get<mohr::Document>(read));
+}
+
+} // namespace
+
+TEST_SUITE("frame session")
+{
+    TEST_CASE("With nothing selected the whole structure is handed to moment distribution in the case that is shown")
+    {
+        Session session = session_with(beam(rectangle()));
+        session.view.load_case = femoop::CaseId(1);
+        const ui::Handover handover = handed(moment_distribution(session));
+        CHECK(handover.program == "cross");
+        const cross::Document document = cross::read_document(handover.document);
+        CHECK(document.model.members.size() == 2);
+        CHECK(document.model.case_name(document.method.load_case) == "second");
+        CHECK(held_nodes(session).empty());
+    }
+
+    TEST_CASE("Selected members alone are handed over and fixed where they met others")
+    {
+        Session session = session_with(beam(rectangle()));
+        session.selection = Part(MemberId(0));
+        CHECK(held_nodes(session) == "B");
+        const cross::Document document = cross::read_document(handed(moment_distribution(session)).document);
+        REQUIRE(document.model.members.size() == 1);
+        const auto& model = document.model;
+        CHECK(model[*model.find_node("B")].support->kind == femoop::SupportKind::Fixed);
+        CHECK(cross::solve(document).task->problem.loading.fixed_end[0] == doctest::Approx(q * L * L / 12.0));
+    }
+
+    TEST_CASE("What moment distribution cannot do is told before it is started with the library's own reason")
+    {
+        femoop::Model truss = beam(rectangle());
+        truss.analysis = femoop::AnalysisKind::Truss2d;
+        truss.load_cases.clear();
+        truss.add(femoop::LoadCase{.id = "P"});
+        const Offer offer = moment_distribution(session_with(truss));
+        REQUIRE(std::holds_alternative<Notice>(offer));
+        CHECK(!std::get<Notice>(offer).faults.empty());
+    }
+
+    TEST_CASE("The selected member goes to Mohr's circle where its moment is largest at its hardest stressed fibre")
+    {
+        Session session = session_with(beam(rectangle()));
+        session.selection = Part(MemberId(0));
+        const double M = session.solution()
+                             .results->at("first")
+                             .curve(MemberId(0))
+                             .value(femoop::MemberComponent::Mz, 0.0); // at the wall
+        const double W = 1e9 * b * h * h / 6.0;
+        const mohr::Solution circle = circle_of(session);
+        CHECK(std::abs(circle.state.components.x) == doctest::Approx(1e6 * std::abs(M) / W).epsilon(1e-5));
+        CHECK(circle.state.components.xy == doctest::Approx(0.0));
+    }
+
+    TEST_CASE("A pinned reading is the section whose circle is drawn, N and V and M with their signs")
+    {
+        Session session = session_with(beam(rectangle()));
+        session.selection = Part(MemberId(1));
+        session.pin = Cut{MemberId(0), 0.25 * L};
+        const auto read = mohr::read_file_text(handed(circle_at_section(session)).document);
+        const auto& document = std::get<mohr::Document>(read);
+        const femoop::SectionForces f = session.solution().results->at("first").curve(MemberId(0)).forces(0.25 * L);
+        REQUIRE(document.subject == mohr::Subject::Section);
+        CHECK(document.section == "rectangle b=90mm h=210mm");
+        CHECK(document.state()[0] == "0 kN");
+        CHECK(std::stod(document.state()[1]) == doctest::Approx(f.Vy).epsilon(1e-5));
+        CHECK(std::stod(document.state()[2]) == doctest::Approx(f.Mz).epsilon(1e-5));
+        CHECK(document.elasticity[0] == "205000 N/mm^2");
+        CHECK(document.strengths[0] == "250 N/mm^2");
+    }
+
+    TEST_CASE("An outermost fibre stays within its section when its place is rounded")
+    {
+        Session session = session_with(beam(tee()));
+        session.selection = Part(MemberId(0));
+        const ui::Handover handover = handed(circle_at_section(session));
+        const auto read = mohr::read_file_text(handover.document);
+        REQUIRE(std::holds_alternative<mohr::Document>(read));
+        CHECK(std::get<mohr::Document>(read).state()[3] == "-267.307 mm");
+    }
+
+    TEST_CASE("A section of numbers alone has no fibres and nothing to point at is told")
+    {
+        Session session = session_with(beam({.id = "S", .A = 0.01, .Iz = 1e-4}));
+        CHECK(refused(circle_at_section(session)).find("select one member") != std::string::npos);
+        session.selection = Part(MemberId(0));
+        CHECK(refused(circle_at_section(session)).find("section S") != std::string::npos);
+    }
+
+    TEST_CASE("Results that are kept from the class are not told by a circle either")
+    {
+        Session session = session_with(beam(rectangle()));
+        session.selection = Part(MemberId(0));
+        session.hidden = session.view.show;
+        CHECK(refused(circle_at_section(session)).find("hidden") != std::string::npos);
+    }
+}
