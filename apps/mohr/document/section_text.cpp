@@ -1,0 +1,80 @@
+#include "apps/mohr/document/section_text.h"
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+
+#include "femoop/model/quantity/quantity_parser.h"
+#include "femoop/section/profile.h"
+#include "femoop/section/shape.h"
+#include "ui/text/catalogue.h"
+
+namespace mohr {
+
+using femoop::Shape;
+using ui::Phrase;
+using ui::translatable;
+
+namespace {
+
+Phrase unknown(std::string_view text)
+{
+    return {
+        translatable(
+            "there is no section \"{text}\"; write a profile, such as IPE 300, or a shape with its dimensions, such "
+            "as rectangle b=90mm h=210mm"),
+        {{"text", std::string(text)}}};
+}
+
+/// "b=90mm", or why not.
+std::optional<Phrase> take_dimension(Shape& shape, const std::string& word)
+{
+    const auto equals = word.find('=');
+    const std::string key = word.substr(0, equals), text = equals == std::string::npos ? "" : word.substr(equals + 1);
+    for (const femoop::ShapeDimension& dimension : femoop::shape_dimensions()) {
+        if (dimension.key != key) continue;
+        const bool is_bare = text.find_first_not_of("0123456789.e+-") == std::string::npos;
+        const auto value = femoop::parse_quantity(is_bare ? text + " mm" : text, femoop::dimension::length,
+                                                  newtons_and_mm);
+        if (!std::holds_alternative<double>(value))
+            return Phrase(translatable("\"{word}\" is no dimension; write it like h=210mm"), {{"word", word}});
+        shape.*dimension.value = std::get<double>(value);
+        return std::nullopt;
+    }
+    return Phrase(translatable("\"{word}\" is no dimension; write it like h=210mm"), {{"word", word}});
+}
+
+std::variant<femoop::mohr::SectionFigure, Phrase> figure_of(const Shape& shape)
+{
+    if (shape.kind == femoop::ShapeKind::L)
+        return Phrase(
+            translatable("a single angle bends out of its plane; choose a section that is symmetric about y′ or z′"));
+    if (const auto fault = femoop::why_not(shape))
+        return Phrase(translatable("the shape cannot be: {reason}"), {{"reason", femoop::message(*fault)}});
+    return femoop::mohr::SectionFigure(shape);
+}
+
+} // namespace
+
+std::variant<femoop::mohr::SectionFigure, Phrase> section_figure(std::string_view text)
+{
+    if (femoop::find_profile(text) != nullptr) {
+        femoop::Section section;
+        section.profile = std::string(text);
+        if (auto outline = femoop::outline(section, newtons_and_mm))
+            return femoop::mohr::SectionFigure(std::move(*outline));
+    }
+    std::istringstream words{std::string(text)};
+    std::string kind;
+    words >> kind;
+    const auto kinds = femoop::shape_kinds();
+    const auto found = std::ranges::find_if(kinds, [&](femoop::ShapeKind k) { return name(k) == kind; });
+    if (found == kinds.end()) return unknown(text);
+    Shape shape;
+    shape.kind = *found;
+    for (std::string word; words >> word;)
+        if (const auto reason = take_dimension(shape, word)) return *reason;
+    return figure_of(shape);
+}
+
+} // namespace mohr

@@ -1,0 +1,355 @@
+#include "apps/mohr/document/solution.h"
+
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <utility>
+#include <variant>
+
+#include "apps/mohr/document/section_text.h"
+#include "femoop/methods/mohr/space_construction.h"
+#include "femoop/methods/mohr/typed_components.h"
+#include "femoop/model/quantity/quantity_parser.h"
+#include "ui/text/catalogue.h"
+#include "ui/text/number_format.h"
+
+namespace mohr {
+
+namespace fm = femoop::mohr;
+using femoop::mohr::Components;
+using ui::Phrase;
+using ui::translatable;
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double micro = 1e-6; // what strains count in
+
+/// Collects what the document's numbers say, or the first fault.
+class Reader {
+public:
+    explicit Reader(const Document& document) : document_(document) {}
+
+    std::optional<Fault> fault;
+
+    Components read(std::size_t first, std::size_t count)
+    {
+        const std::span<const std::string> texts = std::span(document_.state()).subspan(first, count);
+        const auto parts = names(document_.subject).subspan(first, count);
+        const auto dimension = dimension_of(document_.subject, first);
+        const bool is_angle = dimension == femoop::dimension::angle;
+        return read(texts, parts, is_angle ? femoop::dimension::none : dimension, {Group::State, first});
+    }
+
+    Components read(std::span<const std::string> texts, std::span<const std::string_view> parts,
+                    femoop::Dimension dimension, NumberId first)
+    {
+        for (std::size_t i = 0; i < texts.size(); ++i) { // one by one, so that a fault names its number
+            const auto one = fm::parse_components(texts.subspan(i, 1), parts.subspan(i, 1), "", dimension);
+            if (const auto* bad = std::get_if<femoop::Fault>(&one)) refuse(*bad, {first.group, first.place + i});
+        }
+        const auto all = fm::parse_components(texts, parts, "", dimension);
+        if (const auto* components = std::get_if<Components>(&all)) return *components;
+        refuse(std::get<femoop::Fault>(all), first);
+        return {std::vector<double>(texts.size(), 0.0), ""};
+    }
+
+    /// A number of another group, counted in a unit.
+    double read_in(const std::string& text, const std::string& unit, femoop::Dimension dimension, NumberId number)
+    {
+        const std::array<std::string_view, 2> parts{"", ""};
+        const std::array<std::string, 2> texts{unit.empty() ? "0" : "1 " + unit, text};
+        const Components both = read(texts, parts, dimension, {number.group, number.place - 1});
+        return both.values.back();
+    }
+
+    void refuse(const femoop::Fault& bad, NumberId number)
+    {
+        if (fault) return;
+        Phrase reason(femoop::pattern(bad.kind));
+        for (std::size_t i = 0; i < bad.arguments.size(); ++i)
+            reason.arguments.emplace_back(std::to_string(i), bad.arguments[i]);
+        fault = Fault{std::move(reason), number};
+    }
+    void refuse(const Phrase& reason, NumberId number)
+    {
+        if (!fault) fault = Fault{reason, number};
+    }
+
+private:
+    const Document& document_;
+};
+
+fm::Kind kind_of(Subject subject)
+{
+    switch (subject) {
+    case Subject::PlaneStress:
+    case Subject::Section: return fm::Kind::PlaneStress;
+    case Subject::PlaneStrain: return fm::Kind::PlaneStrain;
+    case Subject::Strain:
+    case Subject::Rosette: return fm::Kind::Strain;
+    case Subject::Inertia: return fm::Kind::Inertia;
+    case Subject::SpaceStress: return fm::Kind::SpaceStress;
+    }
+    return fm::Kind::PlaneStress;
+}
+
+/// The states of the path, counted in the unit of the state.
+void read_path(const Document& document, Reader& reader, Solution& solution)
+{
+    if (!has_path(document.subject)) return;
+    constexpr std::array<std::string_view, 4> parts{"", "", "", ""};
+    for (const std::vector<std::string>& state : document.path()) {
+        std::vector<std::string> texts{solution.unit.empty() ? "0" : "1 " + solution.unit};
+        texts.insert(texts.end(), state.begin(), state.end());
+        if (texts.size() != parts.size())
+            return reader.refuse(translatable("a number of the state is missing"), {Group::State, 0});
+        const auto v = reader.read(texts, parts, dimension_of(document.subject, 0), {Group::State, 0}).values;
+        solution.path.push_back(fm::plane(fm::plane_state(kind_of(document.subject), v[1], v[2], v[3])));
+    }
+}
+
+void read_rosette(const Document&, Reader& reader, Solution& solution)
+{
+    const auto t = reader.read(0, 3).values, e = reader.read(3, 3).values;
+    solution.rosette = fm::Rosette{{t[0] * degree, t[1] * degree, t[2] * degree}, {e[0], e[1], e[2]}};
+    solution.state.kind = fm::Kind::Strain;
+    if (const auto same = why_not(*solution.rosette)) {
+        constexpr std::array<const char*, 3> gauges{"a", "b", "c"};
+        reader.refuse(Phrase(translatable("gauges {first} and {second} measure along one direction; turn one of them"),
+                             {{"first", gauges[same->first]}, {"second", gauges[same->second]}}),
+                      {Group::State, same->second});
+        return;
+    }
+    const fm::PlaneState found = fm::strain(*solution.rosette);
+    solution.state.components = {.x = found.x, .y = found.y, .xy = found.xy};
+}
+
+void read_section(const Document& document, Reader& reader, Solution& solution)
+{
+    auto figure = section_figure(document.section);
+    if (auto* reason = std::get_if<Phrase>(&figure)) return reader.refuse(*reason, {Group::Section, 0});
+    std::array<double, 4> v{};
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        const auto value = femoop::parse_quantity(document.state()[i], dimension_of(Subject::Section, i),
+                                                  newtons_and_mm);
+        if (const auto* fault = std::get_if<femoop::Fault>(&value)) return reader.refuse(*fault, {Group::State, i});
+        v[i] = std::get<double>(value);
+    }
+    const fm::SectionFigure& section = std::get<fm::SectionFigure>(figure);
+    const double rounding = 1e-9 * (section.top() - section.bottom());
+    if (!(v[3] >= section.bottom() - rounding && v[3] <= section.top() + rounding))
+        return reader.refuse({translatable("the fibre lies outside the section, which goes from {bottom} to {top} mm"),
+                              {{"bottom", ui::number_text(section.bottom())}, {"top", ui::number_text(section.top())}}},
+                             {Group::State, 3});
+    const fm::SectionForces forces{v[0], v[1], v[2]};
+    solution.section = SectionState{section, forces, fm::stress(section, forces, v[3]),
+                                    fm::distribution(section, forces, 61)};
+    const fm::PlaneState state = solution.section->fibre.state();
+    solution.state.components = {.x = state.x, .xy = state.xy};
+    solution.unit = "MPa";
+}
+
+void read_state(const Document& document, Reader& reader, Solution& solution)
+{
+    if (document.subject == Subject::Section) return read_section(document, reader, solution);
+    if (document.subject == Subject::Rosette) return read_rosette(document, reader, solution);
+    const Components given = reader.read(0, document.state().size());
+    const auto& v = given.values;
+    solution.unit = given.unit;
+    if (is_in_space(document.subject))
+        solution.state = {.kind = fm::Kind::SpaceStress, .components = {v[0], v[1], v[2], v[3], v[4], v[5]}};
+    else solution.state = fm::plane_state(kind_of(document.subject), v[0], v[1], v[2]);
+}
+
+void read_elasticity(const Document& document, Reader& reader, Solution& solution)
+{
+    const fm::Kind kind = solution.state.kind;
+    if (!fm::is_strain(kind) && kind != fm::Kind::PlaneStrain) return;
+    constexpr std::array<std::string_view, 1> E_name{"E"}, nu_name{"ν"};
+    const double nu = reader
+                          .read(std::span(document.elasticity).subspan(1, 1), nu_name, femoop::dimension::none,
+                                {Group::Elasticity, 1})
+                          .values.front();
+    if (!(nu > -1.0 && nu <= 0.5))
+        reader.refuse(translatable("Poisson's ratio must be greater than -1 and at most 0.5"), {Group::Elasticity, 1});
+    solution.state.nu = nu;
+    if (!fm::is_strain(kind)) return;
+    const Components E = reader.read(std::span(document.elasticity).subspan(0, 1), E_name, femoop::dimension::stress,
+                                     {Group::Elasticity, 0});
+    if (!(E.values.front() > 0.0))
+        reader.refuse(translatable("Young's modulus must be greater than 0"), {Group::Elasticity, 0});
+    // Stresses of a material are told in MPa where its modulus is in GPa.
+    const bool is_GPa = E.unit == "GPa";
+    solution.stress_unit = is_GPa ? "MPa" : E.unit;
+    solution.state.E = micro * (is_GPa ? 1e3 : 1.0) * E.values.front();
+}
+
+Phrase sentence(fm::StrengthFlaw flaw, std::string_view name)
+{
+    switch (flaw) {
+    case fm::StrengthFlaw::NotPositive:
+        return {translatable("{name} must be greater than 0"), {{"name", std::string(name)}}};
+    case fm::StrengthFlaw::AngleOutOfRange:
+        return {translatable("{name} must be at least 0 and less than 90 degrees"), {{"name", std::string(name)}}};
+    case fm::StrengthFlaw::AboveOne: break;
+    }
+    return {translatable("{name} must be at most 1"), {{"name", std::string(name)}}};
+}
+
+double fm::Strength::*member(StrengthPlace place)
+{
+    constexpr std::array members{&fm::Strength::fy,  &fm::Strength::ft,  &fm::Strength::fc, &fm::Strength::c,
+                                 &fm::Strength::phi, &fm::Strength::sci, &fm::Strength::m,  &fm::Strength::s};
+    return members[static_cast<std::size_t>(place)];
+}
+
+/// In the unit of the stresses.
+void read_strength(const Document& document, Reader& reader, Solution& solution)
+{
+    const bool has_stress = fm::is_stress(solution.state.kind) || solution.state.E;
+    if (!document.criterion || !has_stress) return;
+    const std::string unit = fm::is_stress(solution.state.kind) ? solution.unit : solution.stress_unit;
+    fm::Strength strength;
+    for (const StrengthPlace place : strengths_of(*document.criterion)) {
+        const bool is_plain = place == StrengthPlace::phi || place == StrengthPlace::m || place == StrengthPlace::s;
+        const std::string& text = document.strengths[static_cast<std::size_t>(place)];
+        const NumberId number{Group::Strength, static_cast<std::size_t>(place)};
+        const double value = reader.read_in(text, is_plain ? "" : unit,
+                                            is_plain ? femoop::dimension::none : femoop::dimension::stress, number);
+        strength.*member(place) = place == StrengthPlace::phi ? value * degree : value;
+    }
+    if (const auto bad = why_not(*document.criterion, strength))
+        for (const StrengthPlace place : strengths_of(*document.criterion))
+            if (member(place) == bad->value)
+                reader.refuse(sentence(bad->flaw, name(place)), {Group::Strength, static_cast<std::size_t>(place)});
+    solution.strength = strength;
+}
+
+Solution read(const Document& document, Reader& reader)
+{
+    Solution solution;
+    read_state(document, reader, solution);
+    read_path(document, reader, solution);
+    read_elasticity(document, reader, solution);
+    read_strength(document, reader, solution);
+    return solution;
+}
+
+void solve_plane(Solution& s)
+{
+    s.plane = fm::plane(s.state);
+    s.circle = fm::circle(s.plane);
+    s.principal = fm::principal(s.plane);
+    s.shear_angle = fm::largest_shear_angle(s.plane);
+    s.turned = fm::rotated(s.plane, s.angle);
+}
+
+void solve_space(Solution& s, const std::array<double, 3>& normal)
+{
+    s.space = fm::in_space(s.state);
+    if (!s.space) return;
+    s.space_principal = fm::principal(*s.space);
+    s.deviator = fm::deviator(s.space_principal);
+    s.invariants = fm::invariants(*s.space);
+    s.on_plane = fm::on_plane(*s.space, {normal[0], normal[1], normal[2]});
+    if (fm::is_strain(s.state.kind)) s.stress = fm::stress(s.state);
+}
+
+} // namespace
+
+std::optional<Fault> why_not(const Document& document)
+{
+    const bool has_all = document.state().size() == names(document.subject).size();
+    if (!has_all) return Fault{Phrase(translatable("a number of the state is missing"))};
+    const auto& n = document.normal;
+    if (!(std::hypot(n[0], n[1], n[2]) > 0.0) || !std::isfinite(std::hypot(n[0], n[1], n[2])))
+        return Fault{Phrase(translatable("the normal of the plane has no direction"))};
+    if (!std::isfinite(document.angle)) return Fault{Phrase(translatable("the angle of the plane is no number"))};
+    Reader reader(document);
+    read(document, reader);
+    return reader.fault;
+}
+
+Solution solve(const Document& document, fm::ShearRule rule)
+{
+    Reader reader(document);
+    Solution s = read(document, reader);
+    if (s.unit.empty() && fm::is_strain(s.state.kind)) s.unit = "10⁻⁶";
+    s.angle = document.angle * degree;
+    // The circle of second moments counts -Ixy downwards; in space the shear on a plane is a size.
+    s.rule = document.subject == Subject::Inertia ? fm::ShearRule::TensorDown
+             : is_in_space(document.subject)      ? fm::ShearRule::ClockwiseUp
+                                                  : rule;
+    solve_plane(s);
+    solve_space(s, document.normal);
+    if (!s.strength) return s;
+    s.safety = fm::safety(*document.criterion, *s.strength, s.stress ? fm::principal(*s.stress) : s.space_principal);
+    return s;
+}
+
+std::vector<fm::ConstructionStep> construction_of(const Document& document, const Solution& s)
+{
+    if (!is_in_space(document.subject)) return fm::construction(s.plane, s.angle);
+    const auto& n = document.normal;
+    return fm::construction(s.space_principal, {n[0], n[1], n[2]});
+}
+
+namespace {
+
+bool is_small(double value, double beside) { return std::abs(value) <= 1e-12 * std::abs(beside); }
+
+void add_plane_remarks(const Solution& s, std::vector<Phrase>& all)
+{
+    const auto& [first, second, angle] = s.principal;
+    const double largest = std::max(std::abs(first), std::abs(second));
+    if (largest == 0.0) all.emplace_back(translatable("Everything is 0: the circle is a point at the origin."));
+    else if (!angle)
+        all.emplace_back(translatable(
+            "The circle is a point: every direction is principal, no plane of this set has shear, and θp is "
+            "undefined."));
+    else if (is_small(s.circle.centre, largest))
+        all.emplace_back(translatable("Pure shear: the circle lies about the origin, and on the planes of largest "
+                                      "shear no normal component acts."));
+    else if (is_small(second, first) || is_small(first, second))
+        all.emplace_back(translatable("One principal value alone: the circle touches the shear axis."));
+}
+
+void add_space_remarks(const Solution& s, std::vector<Phrase>& all)
+{
+    const auto& v = s.space_principal.values;
+    const double largest = std::max(std::abs(v[0]), std::abs(v[2]));
+    if (largest == 0.0) all.emplace_back(translatable("Everything is 0: the circles are a point at the origin."));
+    else if (is_small(v[0] - v[2], largest))
+        all.emplace_back(
+            translatable("The three circles are a point: every direction is principal, and no plane has shear."));
+    else if (is_small(v[0] - v[1], largest) || is_small(v[1] - v[2], largest))
+        all.emplace_back(translatable(
+            "Two principal values are equal: two circles are one, the third is a point, and every direction "
+            "square to the single one is principal."));
+}
+
+void add_third_remark(const Solution& s, std::vector<Phrase>& all)
+{
+    const double absolute = fm::absolute_largest_shear(s.space_principal);
+    if (absolute <= s.circle.radius * (1.0 + 1e-9)) return;
+    all.emplace_back(translatable(
+        "The third principal value lies outside the circle of this plane, so the largest shear in space acts on "
+        "planes that are inclined to it."));
+}
+
+} // namespace
+
+std::vector<Phrase> remarks(const Document& document, const Solution& solution)
+{
+    std::vector<Phrase> all;
+    if (is_in_space(document.subject)) {
+        add_space_remarks(solution, all);
+        return all;
+    }
+    add_plane_remarks(solution, all);
+    if (solution.space) add_third_remark(solution, all);
+    return all;
+}
+
+} // namespace mohr

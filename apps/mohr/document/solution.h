@@ -1,0 +1,73 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/mohr/document/document.h"
+#include "femoop/methods/mohr/construction.h"
+#include "femoop/methods/mohr/criterion.h"
+#include "femoop/methods/mohr/loading_path.h"
+#include "femoop/methods/mohr/rosette.h"
+#include "femoop/methods/mohr/section_stress.h"
+#include "femoop/methods/mohr/state.h"
+#include "ui/text/phrase.h"
+
+namespace mohr {
+
+/// A reason why a document cannot be shown, with the number that is at fault.
+struct Fault {
+    ui::Phrase reason;
+    std::optional<NumberId> number{};
+};
+
+/// A section, what is carried by it, and the fibre whose state is shown. In N and mm.
+struct SectionState {
+    femoop::mohr::SectionFigure figure;
+    femoop::mohr::SectionForces forces;
+    femoop::mohr::FibreStress fibre;
+    std::vector<femoop::mohr::FibreStress> distribution;
+};
+
+/// Everything that follows from a document. All components count in `unit`, angles are radians.
+struct Solution {
+    femoop::mohr::State state;
+    std::string unit;        ///< "MPa", "cm^4"; "10⁻⁶" of strains
+    std::string stress_unit; ///< of stresses that follow from strains, of E
+    std::optional<femoop::mohr::Rosette> rosette{};
+    std::optional<SectionState> section{};
+
+    double angle = 0.0; ///< of the plane's normal from x
+    femoop::mohr::PlaneState plane, turned;
+    femoop::mohr::Circle circle;
+    femoop::mohr::PlanePrincipal principal;
+    std::optional<double> shear_angle{};
+    femoop::mohr::ShearRule rule{}; ///< in which way the shear is drawn
+
+    std::optional<femoop::mohr::SpaceState> space{}; ///< absent for second moments of area
+    femoop::mohr::SpacePrincipal space_principal;    ///< of `space`, likewise
+    femoop::mohr::Deviator deviator;
+    femoop::mohr::Invariants invariants;
+    femoop::mohr::OnPlane on_plane;                   ///< on the plane of the document's normal
+    std::optional<femoop::mohr::SpaceState> stress{}; ///< of a strain, with E and nu
+
+    femoop::mohr::LoadingPath path; ///< in `unit`
+
+    std::optional<femoop::mohr::Strength> strength{}; ///< of the criterion, in the unit of the stress
+    std::optional<femoop::mohr::Safety> safety{};
+};
+
+/// Why the document's numbers cannot be used; nothing if they can.
+std::optional<Fault> why_not(const Document& document);
+
+/// \pre `why_not` has nothing to say
+Solution solve(const Document& document, femoop::mohr::ShearRule rule = femoop::mohr::ShearRule::ClockwiseUp);
+
+/// The steps in which its circle, or its three circles, are drawn.
+std::vector<femoop::mohr::ConstructionStep> construction_of(const Document& document, const Solution& solution);
+
+/// A word on a state that is special: a point circle, one stress alone, pure shear; and on the third direction where
+/// the largest shear lies across the plane. Sentences, in order.
+std::vector<ui::Phrase> remarks(const Document& document, const Solution& solution);
+
+} // namespace mohr

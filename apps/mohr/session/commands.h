@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "apps/mohr/session/session.h"
+#include "ui/command/command_table.h"
+#include "ui/desk/document_desk.h"
+
+namespace mohr {
+
+/// What the panel at the left shows.
+enum class Topic : std::uint8_t { State, Construction, Exercises };
+
+/// A session and the panels around its picture.
+struct Desk : ui::DocumentDesk<Desk, Session> {
+    using DocumentDesk::DocumentDesk;
+    void give_room_to_the_picture(bool all) { has_panels = !all; }
+
+    Topic topic = Topic::State;
+    ExerciseTopic exercise_topic = ExerciseTopic::PlaneStress;
+    std::uint32_t next_exercise = 1; ///< what the next one is drawn from
+};
+
+using CommandTable = ui::CommandTable<Desk>;
+
+/// Everything that the app can do, by name.
+CommandTable command_table();
+
+struct TopicEntry {
+    Topic topic;
+    std::string_view id, label;
+};
+std::span<const TopicEntry> topics(); ///< in the order of their tabs
+struct SubjectEntry {
+    Subject subject;
+    std::string_view id, label;
+};
+std::span<const SubjectEntry> subjects();
+struct ExerciseTopicEntry {
+    ExerciseTopic topic;
+    std::string_view id, label;
+};
+std::span<const ExerciseTopicEntry> exercise_topics();
+struct CriterionEntry {
+    std::optional<femoop::mohr::Criterion> criterion;
+    std::string_view id, label;
+};
+std::span<const CriterionEntry> criteria();
+
+} // namespace mohr

@@ -1,0 +1,222 @@
+#include "apps/mohr/session/report.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "apps/mohr/session/commands.h"
+#include "apps/mohr/view/names.h"
+
+namespace mohr {
+
+namespace fm = femoop::mohr;
+
+namespace {
+
+constexpr double per_degree = 180.0 / std::numbers::pi;
+
+/// Builds the groups, in one language and one unit.
+class Teller {
+public:
+    explicit Teller(const Session& session)
+        : tr_(session.tr()),
+          look_(session.look),
+          document_(session.document()),
+          s_(session.solution()),
+          names_(names_of(document_.subject))
+    {}
+
+    std::vector<ResultGroup> groups()
+    {
+        if (is_in_space(document_.subject)) add_directions();
+        else add_circle();
+        add_plane();
+        if (s_.strength) add_failure();
+        if (s_.space) add_space();
+        if (s_.stress) add_stress();
+        return std::move(groups_);
+    }
+
+private:
+    struct Amount {
+        double value;
+        std::string unit;
+    };
+    Amount amount(double value, const std::string& unit) const { return {clean(value), unit}; }
+    Amount amount(double value) const { return amount(value, s_.unit); }
+    double clean(double value) const
+    {
+        const double largest = std::max(std::abs(s_.principal.first), std::abs(s_.principal.second));
+        return std::abs(value) < 1e-12 * largest ? 0.0 : value;
+    }
+    std::string degrees(std::optional<double> angle) const
+    {
+        return angle ? look_.number(*angle * per_degree) + "°" : tr_("undefined");
+    }
+    std::string vector(const Eigen::Vector3d& v) const
+    {
+        const auto part = [&](double p) { return look_.number(std::abs(p) < 1e-12 ? 0.0 : p); };
+        return "(" + part(v[0]) + "; " + part(v[1]) + "; " + part(v[2]) + ")";
+    }
+
+    void begin(const std::string& heading) { groups_.push_back({heading, {}}); }
+    void add(const std::string& name, const std::string& value) { groups_.back().lines.push_back({name, value}); }
+    void add(const std::string& name, const Amount& amount)
+    {
+        const std::string text = with_unit(look_.number(amount.value), amount.unit);
+        groups_.back().lines.push_back({name, text, amount.value, amount.unit});
+    }
+    void add_angle(const std::string& name, const std::optional<double>& angle)
+    {
+        add(name, degrees(angle));
+        if (!angle) return;
+        groups_.back().lines.back().number = *angle * per_degree;
+        groups_.back().lines.back().unit = "°";
+    }
+
+    void add_circle()
+    {
+        begin(tr_("Circle"));
+        add(tr_("centre"), amount(s_.circle.centre));
+        add(tr_("radius"), amount(s_.circle.radius));
+        add(names_.first, amount(s_.principal.first));
+        add(names_.second, amount(s_.principal.second));
+        add_angle("θp1", s_.principal.angle);
+        add_angle("θs", s_.shear_angle);
+        const fm::CirclePoint pole = fm::pole(s_.plane, s_.rule);
+        add(tr_("pole of planes"), "(" + look_.number(pole.normal) + "; " + look_.number(pole.shear) + ")");
+        const fm::CirclePoint other = fm::pole(s_.plane, s_.rule, fm::PoleOf::Normals);
+        add(tr_("pole of normals"), "(" + look_.number(other.normal) + "; " + look_.number(other.shear) + ")");
+    }
+
+    void add_directions()
+    {
+        begin(tr_("Principal values"));
+        const std::array<std::string, 3> values{names_.first, names_.second, names_.third};
+        for (int i = 0; i < 3; ++i)
+            add(values[static_cast<std::size_t>(i)], amount(s_.space_principal.values[static_cast<std::size_t>(i)]));
+        for (int i = 0; i < 3; ++i)
+            add(tr_("direction {n}", {{"n", std::to_string(i + 1)}}), vector(s_.space_principal.directions.col(i)));
+    }
+
+    void add_plane()
+    {
+        const bool is_space = is_in_space(document_.subject);
+        if (is_space) {
+            begin(tr_("On the plane"));
+            add("n", vector(s_.on_plane.normal));
+            add(tr_("traction"), vector(s_.on_plane.traction));
+            add(names_.normal, amount(s_.on_plane.normal_component));
+            add(names_.shear, amount(s_.on_plane.shear));
+            return;
+        }
+        begin(tr_("In axes turned by {angle}°", {{"angle", look_.number(document_.angle)}}));
+        const bool is_strain = fm::is_strain(s_.state.kind);
+        const bool is_inertia = document_.subject == Subject::Inertia;
+        add(names_.normal + "x′", amount(s_.turned.x));
+        add(names_.normal + "y′", amount(s_.turned.y));
+        add(std::string(is_strain    ? "γ"
+                        : is_inertia ? "I"
+                                     : "τ") +
+                "x′y′",
+            amount(fm::given_shear(s_.state.kind, s_.turned.xy)));
+    }
+
+    void add_space()
+    {
+        begin(tr_("In space"));
+        if (!is_in_space(document_.subject)) {
+            add(names_.normal + "z", amount(s_.space->z));
+            add(tr_("largest shear in the plane"), amount(s_.circle.radius));
+        }
+        add(tr_("largest shear in space"), amount(fm::absolute_largest_shear(s_.space_principal)));
+        add("I1", amount(s_.invariants.I1));
+        add("I2", amount(s_.invariants.I2, unit_power(s_.unit, 2)));
+        add("I3", amount(s_.invariants.I3, unit_power(s_.unit, 3)));
+        add("J2", amount(s_.deviator.J2, unit_power(s_.unit, 2)));
+        add("J3", amount(s_.deviator.J3, unit_power(s_.unit, 3)));
+        add(tr_("octahedral normal"), amount(s_.deviator.mean));
+        add(tr_("octahedral shear"), amount(s_.deviator.octahedral_shear));
+        add_angle(tr_("Lode angle"), s_.deviator.lode);
+        for (std::size_t i = 0; i < 3; ++i)
+            add(tr_("deviator, {n}", {{"n", std::to_string(i + 1)}}), amount(s_.deviator.values[i]));
+        if (fm::is_stress(s_.state.kind)) add("von Mises", amount(s_.deviator.equivalent));
+    }
+
+    void add_stress()
+    {
+        begin(tr_("Stresses by E and ν"));
+        add("σx", amount(s_.stress->x, s_.stress_unit));
+        add("σy", amount(s_.stress->y, s_.stress_unit));
+        add("τxy", amount(s_.stress->xy, s_.stress_unit));
+        const fm::SpacePrincipal p = fm::principal(*s_.stress);
+        for (std::size_t i = 0; i < 3; ++i) add("σ" + std::to_string(i + 1), amount(p.values[i], s_.stress_unit));
+    }
+
+    void add_failure()
+    {
+        for (const CriterionEntry& entry : criteria())
+            if (entry.criterion == document_.criterion) begin(tr_(entry.label));
+        if (!s_.safety->factor) return add(tr_("safety factor"), tr_("never fails this way"));
+        const double k = *s_.safety->factor;
+        add(tr_("safety factor"), Amount{k, ""});
+        add("", k < 1.0 ? tr_("it has failed") : tr_("it holds"));
+        const bool is_energy = document_.criterion == fm::Criterion::VonMises ||
+                               document_.criterion == fm::Criterion::DruckerPrager;
+        for (const Eigen::Vector3d& normal : s_.safety->planes)
+            add(is_energy ? tr_("an octahedral plane") : tr_("failing plane"), plane_words(normal));
+    }
+
+    /// By its angle from x where it is square to the plane of the state.
+    std::string plane_words(const Eigen::Vector3d& normal) const
+    {
+        const bool is_plane = !is_in_space(document_.subject) && std::abs(normal[2]) < 1e-9;
+        return is_plane ? "θ = " + degrees(fm::as_direction(std::atan2(normal[1], normal[0]))) : vector(normal);
+    }
+
+    const ui::Catalogue& tr_;
+    const Look& look_;
+    const Document& document_;
+    const Solution& s_;
+    Names names_;
+    std::vector<ResultGroup> groups_;
+};
+
+} // namespace
+
+std::vector<ResultGroup> result_groups(const Session& session) { return Teller(session).groups(); }
+
+std::string in_words(const Session& session)
+{
+    const ui::Catalogue& tr = session.tr();
+    std::string words;
+    for (const SubjectEntry& entry : subjects())
+        if (entry.subject == session.document().subject) words += tr(entry.label) + ":";
+    const auto parts = names(session.document().subject);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        words += (i == 0 ? " " : ", ") + std::string(parts[i]) + " = " + session.document().state()[i];
+    words += "\n";
+    if (session.is_concealing()) return words + "\n" + tr("The results are shown when the exercise is done.") + "\n";
+    for (const ResultGroup& group : result_groups(session)) {
+        words += "\n" + group.heading + "\n";
+        for (const ResultLine& line : group.lines)
+            words += "  " + line.name + (line.name.empty() ? "" : ": ") + line.value + "\n";
+    }
+    for (const ui::Phrase& remark : remarks(session.document(), session.solution())) words += "\n" + tr(remark) + "\n";
+    return words;
+}
+
+std::string status_text(const Session& session)
+{
+    const Solution& s = session.solution();
+    const Names names = names_of(session.document().subject);
+    const Look& look = session.look;
+    if (is_in_space(session.document().subject)) {
+        const auto& v = s.space_principal.values;
+        return names.first + " = " + look.number(v[0]) + "   ·   " + names.second + " = " + look.number(v[1]) +
+               "   ·   " + names.third + " = " + with_unit(look.number(v[2]), s.unit);
+    }
+    return names.first + " = " + look.number(s.principal.first) + "   ·   " + names.second + " = " +
+           with_unit(look.number(s.principal.second), s.unit) + "   ·   R = " + look.number(s.circle.radius);
+}
+
+} // namespace mohr

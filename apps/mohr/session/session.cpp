@@ -1,0 +1,316 @@
+#include "apps/mohr/session/session.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "apps/mohr/document/file.h"
+#include "femoop/io/whole_file.h"
+#include "femoop/model/quantity/number_text.h"
+#include "ui/text/number_format.h"
+
+namespace mohr {
+
+namespace fm = femoop::mohr;
+using ui::Phrase;
+using ui::translatable;
+
+namespace {
+
+constexpr double turning_speed = 30.0;  ///< degrees a second
+constexpr double stretch_seconds = 1.5; ///< of a stretch of the loading path
+constexpr std::uintmax_t most_bytes = 1'000'000;
+
+/// The whole text; nothing for what is no regular file of a sensible size.
+std::optional<std::string> text_of(const std::filesystem::path& path)
+{
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error) || std::filesystem::file_size(path, error) > most_bytes)
+        return std::nullopt;
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return std::nullopt;
+    return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+} // namespace
+
+Session::Session() : history_(textbook_state()), saved_(textbook_state())
+{
+    eye.look(0.6, 0.45);
+    solve_anew();
+}
+
+void Session::solve_anew()
+{
+    solution_ = solve(document(), look.rule);
+    if (!practice_) return;
+    const Document given = document_of(practice_->exercise());
+    if (document().subject != given.subject || document().state() != given.state() ||
+        document().elasticity != given.elasticity)
+        practice_.reset();
+}
+
+std::optional<Phrase> Session::apply(Edit edit, const Phrase& label)
+{
+    path_time_.reset(); // what is done by hand ends what moves by itself
+    if (edit.fault) return edit.fault->reason;
+    history_.apply(std::move(edit.document), label);
+    solve_anew();
+    return std::nullopt;
+}
+
+void Session::drag(Edit edit, const Phrase& label)
+{
+    if (edit.fault) return;
+    history_.drag(std::move(edit.document), label);
+    solve_anew();
+}
+
+void Session::settle()
+{
+    history_.settle();
+    grip_.reset();
+    solve_anew();
+}
+
+void Session::grip(Handle handle, const Drawn& drawn)
+{
+    is_playing = false;
+    path_time_.reset();
+    history_.settle();
+    grip_ = Grip{handle, document(), solution_, drawn, frame()};
+}
+
+void Session::drag_to(ui::Point at, bool is_fine) { drag(dragged(*grip_, at, is_fine), label_of(grip_->handle)); }
+
+void Session::undo()
+{
+    path_time_.reset();
+    history_.undo();
+    solve_anew();
+}
+
+void Session::redo()
+{
+    path_time_.reset();
+    history_.redo();
+    solve_anew();
+}
+
+std::optional<Phrase> Session::set_number(NumberId number, std::string_view text)
+{
+    return apply(with_number(document(), number, text), translatable("Change a number"));
+}
+
+std::optional<Phrase> Session::set_angle(double degrees)
+{
+    if (is_concealing()) return Phrase(translatable("an exercise keeps its plane until it is done"));
+    return apply(with_angle(document(), degrees), translatable("Turn the plane"));
+}
+
+std::optional<Phrase> Session::set_normal(const std::array<double, 3>& normal)
+{
+    if (is_concealing()) return Phrase(translatable("an exercise keeps its plane until it is done"));
+    return apply(with_normal(document(), normal), translatable("Turn the plane"));
+}
+
+std::optional<Phrase> Session::set_principal(double first, double second, double degrees)
+{
+    if (is_in_space(document().subject))
+        return Phrase(translatable("in space there are three principal values, and directions instead of an angle"));
+    return apply(with_principal(document(), first, second, degrees), translatable("Change the principal values"));
+}
+
+std::optional<Phrase> Session::set_principal(const std::array<double, 3>& values)
+{
+    fm::SpacePrincipal principal = solution_.space_principal;
+    principal.values = values;
+    return apply(with_space_principal(document(), principal), translatable("Change the principal values"));
+}
+
+std::optional<Phrase> Session::set_direction(int direction, const std::array<double, 3>& along)
+{
+    const Eigen::Vector3d v(along[0], along[1], along[2]);
+    if (!(v.stableNorm() > 0.0)) return Phrase(translatable("the direction is 0, 0, 0"));
+    return apply(with_space_principal(document(), fm::with_direction(solution_.space_principal, direction, v)),
+                 translatable("Turn the principal directions"));
+}
+
+void Session::set_gauges(const std::array<double, 3>& degrees)
+{
+    Document next = document();
+    for (std::size_t i = 0; i < 3; ++i) next.state()[i] = femoop::number_text(degrees[i]);
+    apply({std::move(next)}, translatable("Turn the gauges"));
+}
+
+void Session::set_subject(Subject subject)
+{
+    Document next = document();
+    next.subject = subject;
+    Edit edit{next, why_not(next)};
+    if (const auto reason = apply(std::move(edit), translatable("Change the kind of state"))) notice = Notice{*reason};
+}
+
+void Session::set_criterion(std::optional<fm::Criterion> criterion)
+{
+    Document next = document();
+    next.criterion = criterion;
+    Edit edit{next, why_not(next)};
+    if (const auto reason = apply(std::move(edit), translatable("Choose a criterion"))) notice = Notice{*reason};
+}
+
+void Session::set_rule(fm::ShearRule rule)
+{
+    look.rule = rule;
+    solve_anew();
+}
+
+void Session::begin_exercise(ExerciseTopic topic, Difficulty difficulty, std::uint32_t seed)
+{
+    practice_.reset();
+    is_playing = false;
+    const Exercise next = exercise(topic, difficulty, seed);
+    apply({document_of(next)}, translatable("Begin an exercise"));
+    practice_.emplace(next);
+}
+
+std::optional<Phrase> Session::answer(std::size_t place, std::string_view words)
+{
+    const auto number = ui::number_typed(words);
+    if (!practice_ || place >= practice_->answers().size()) return Phrase(translatable("there is no such question"));
+    if (!number) return Phrase(translatable("this is no number"));
+    practice_->answer(place, *number);
+    return std::nullopt;
+}
+
+void Session::give_up_exercise()
+{
+    if (practice_) practice_->give_up();
+}
+
+void Session::restart(Document document)
+{
+    saved_ = document;
+    history_ = ui::History<Document>(std::move(document));
+    is_playing = false;
+    path_time_.reset();
+    grip_.reset();
+    solve_anew();
+}
+
+void Session::begin_anew()
+{
+    path_.reset();
+    restart(textbook_state());
+}
+
+bool Session::open(const std::filesystem::path& path)
+{
+    const std::string name = path.filename().string();
+    const auto text = text_of(path);
+    if (!text) {
+        notice = Notice{Phrase(translatable("{file} cannot be read"), {{"file", name}})};
+        return false;
+    }
+    auto read = read_file_text(*text);
+    if (auto* reason = std::get_if<Phrase>(&read)) {
+        notice = Notice{Phrase(translatable("{file}: {reason}"), {{"file", name}, {"reason", std::move(*reason)}})};
+        return false;
+    }
+    path_ = path;
+    restart(std::get<Document>(std::move(read)));
+    return true;
+}
+
+bool Session::open_copy(const std::filesystem::path& path)
+{
+    if (!open(path)) return false;
+    path_.reset();
+    return true;
+}
+
+bool Session::save(const std::filesystem::path& path)
+{
+    history_.settle();
+    const std::string name = path.filename().string();
+    if (const std::error_code error = femoop::write_whole_file(path, file_text(document()))) {
+        notice = Notice{
+            Phrase(translatable("{file} cannot be written: {reason}"), {{"file", name}, {"reason", error.message()}})};
+        return false;
+    }
+    path_ = path;
+    saved_ = document();
+    notice = Notice{Phrase(translatable("{file} was written"), {{"file", name}})};
+    return true;
+}
+
+bool Session::recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original)
+{
+    if (!open(draft)) return false;
+    path_ = original;
+    saved_.reset();
+    return true;
+}
+
+ui::Unsaved Session::unsaved() const
+{
+    return ui::unsaved_text(file_text(document()), path_, femoop::write_whole_file);
+}
+
+std::string Session::file_name() const { return path_ ? path_->filename().string() : tr()(translatable("untitled")); }
+
+void Session::tick(double seconds)
+{
+    if (notice && (notice->seconds_left -= seconds) <= 0.0) notice.reset();
+    if (path_time_) follow_path(seconds);
+    if (!is_playing) return;
+    drag(with_angle(document(), document().angle + turning_speed * seconds), translatable("Turn the plane"));
+}
+
+std::size_t Session::n_steps() const { return construction_of(document(), solution_).size(); }
+
+void Session::show_construction(std::optional<std::size_t> step)
+{
+    step_ = step;
+    if (step_) step_ = std::clamp<std::size_t>(*step_, 1, n_steps());
+}
+
+void Session::record_path_state() { apply(with_path_state(document()), translatable("Add to the loading path")); }
+
+void Session::clear_path() { apply(without_path(document()), translatable("Clear the loading path")); }
+
+void Session::play_path()
+{
+    is_playing = false;
+    settle();
+    path_time_ = 0.0;
+}
+
+void Session::follow_path(double seconds)
+{
+    const auto n_stretches = static_cast<double>(std::max<std::size_t>(solution_.path.size(), 2) - 1);
+    *path_time_ = std::min(1.0, *path_time_ + seconds / (stretch_seconds * n_stretches));
+    const double largest = fitting_frame(document(), solution_).largest;
+    fm::PlaneState state = fm::state_on(solution_.path, *path_time_);
+    for (double* part : {&state.x, &state.y, &state.xy}) *part = rounded(*part, largest, 5);
+    drag(with_plane(document(), state), translatable("Go along the loading path"));
+    if (*path_time_ < 1.0) return;
+    path_time_.reset();
+    settle();
+}
+
+Frame Session::frame() const
+{
+    const bool is_construction = step_ || is_concealing();
+    return fitting_frame(document(), solution_, is_construction ? Content::Circles : Content::All);
+}
+
+Scene Session::scene() const
+{
+    const Frame frame = grip_ ? grip_->frame : this->frame();
+    if (is_concealing()) return {document(), solution_, look, frame, eye, practice_->steps_shown(), hover, true};
+    return {document(), solution_, look, frame, eye, step_, hover};
+}
+
+} // namespace mohr

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "apps/mohr/document/edit.h"
+#include "apps/mohr/session/hand.h"
+#include "apps/mohr/session/practice.h"
+#include "ui/files/autosave.h"
+#include "ui/history/history.h"
+
+namespace mohr {
+
+/// Something that the app tells its user: one sentence, gone when it has been read.
+struct Notice {
+    ui::Phrase sentence;
+    double seconds_left = 6.0;
+};
+
+/// What is open and how it is looked at: the app without its window.
+class Session {
+public:
+    Session();
+
+    const Document& document() const { return history_.current(); }
+    const Solution& solution() const { return solution_; }
+    const ui::History<Document>& history() const { return history_; }
+
+    /// A step, unless the edit has a fault. \returns why not
+    std::optional<ui::Phrase> apply(Edit edit, const ui::Phrase& label);
+    /// Goes on with a gesture; an edit with a fault is passed over.
+    void drag(Edit edit, const ui::Phrase& label);
+    void settle(); ///< ends it
+    /// A hand takes hold of what is drawn; then it drags it about, until `settle`.
+    void grip(Handle handle, const Drawn& drawn);
+    void drag_to(ui::Point at, bool is_fine); ///< \pre it has hold of something
+    const std::optional<Grip>& held() const { return grip_; }
+    void undo();
+    void redo();
+
+    std::optional<ui::Phrase> set_number(NumberId number, std::string_view text);
+    std::optional<ui::Phrase> set_angle(double degrees);
+    std::optional<ui::Phrase> set_normal(const std::array<double, 3>& normal);
+    std::optional<ui::Phrase> set_principal(double first, double second, double degrees);
+    /// In space: the principal values, or one direction (0, 1, 2), the others turning along.
+    std::optional<ui::Phrase> set_principal(const std::array<double, 3>& values);
+    std::optional<ui::Phrase> set_direction(int direction, const std::array<double, 3>& along);
+    void set_gauges(const std::array<double, 3>& degrees); ///< the directions of a rosette's
+    void set_subject(Subject subject);
+    void set_criterion(std::optional<femoop::mohr::Criterion> criterion);
+    /// Changes how the shear is drawn.
+    void set_rule(femoop::mohr::ShearRule rule);
+
+    /// Shows the exercise's state in place of the document, as one step; what would tell an answer is hidden until it
+    /// is finished. Another state ends it.
+    void begin_exercise(ExerciseTopic topic, Difficulty difficulty, std::uint32_t seed);
+    const std::optional<Practice>& practice() const { return practice_; }
+    /// \returns why the words are no answer
+    std::optional<ui::Phrase> answer(std::size_t place, std::string_view words);
+    void give_up_exercise();
+    void end_exercise() { practice_.reset(); }
+    bool is_concealing() const { return practice_ && !practice_->is_finished(); }
+
+    void begin_anew();
+    bool open(const std::filesystem::path& path);      ///< false, with a notice, where it cannot be read
+    bool open_copy(const std::filesystem::path& path); ///< the same as a document without a file
+    bool save(const std::filesystem::path& path);      ///< likewise
+    /// Opens a draft of a file's document, or of one that has no file yet, as one that is not saved.
+    bool recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original);
+    ui::Unsaved unsaved() const;
+    const std::optional<std::filesystem::path>& path() const { return path_; }
+    bool is_dirty() const { return !saved_ || document() != *saved_; }
+    std::string file_name() const;
+
+    /// Time goes by.
+    void tick(double seconds);
+    bool is_moving() const { return is_playing || path_time_ || notice.has_value(); }
+    bool is_playing = false; ///< the plane turns by itself
+
+    void record_path_state(); ///< the present state becomes the path's next one
+    void clear_path();
+    void play_path(); ///< the state goes along the path, from its beginning; one step of the history
+
+    /// The steps of the construction, where it is shown; the circle as a whole otherwise.
+    const std::optional<std::size_t>& step() const { return step_; }
+    std::size_t n_steps() const;                             ///< of the state's construction
+    void show_construction(std::optional<std::size_t> step); ///< from 1; taken into the range
+
+    Look look;
+    ui::OrbitCamera eye;
+    std::optional<Handle> hover;
+    std::optional<Notice> notice;
+    void tell(const ui::Phrase& sentence) { notice = Notice{sentence}; }
+    const ui::Catalogue& tr() const { return look.tr; }
+
+    Scene scene() const;
+
+private:
+    Frame frame() const; ///< of what is drawn now
+    void solve_anew();
+    void follow_path(double seconds);
+    void restart(Document document);
+
+    ui::History<Document> history_;
+    std::optional<Document> saved_; ///< none of what a crash has left
+    Solution solution_;
+    std::optional<std::size_t> step_;
+    std::optional<Practice> practice_;
+    std::optional<double> path_time_; ///< 0 to 1, while the path is played
+    std::optional<Grip> grip_;
+    std::optional<std::filesystem::path> path_;
+};
+
+} // namespace mohr

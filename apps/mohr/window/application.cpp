@@ -1,0 +1,62 @@
+#include "apps/mohr/window/application.h"
+
+#include <imgui.h>
+
+#include <utility>
+
+#include "apps/mohr/session/export.h"
+#include "apps/mohr/session/report.h"
+#include "apps/mohr/window/construction_panel.h"
+#include "apps/mohr/window/results_panel.h"
+#include "ui/widgets/wrapped_text.h"
+
+template class ui::DocumentApp<mohr::Desk>;
+
+namespace mohr {
+
+using ui::translatable;
+
+Application::Application(ui::Context& context, const ui::Fonts& fonts, Session session)
+    : DocumentApp(context, fonts, std::move(session), command_table(),
+                  {.name = translatable("Cremona: Mohr's circle"),
+                   .description = translatable("State in words"),
+                   .files = {.extension = ".mohr", .picture_extension = ".svg"},
+                   .sides = {{17.0F, 20.0F}, {0.25F, 0.3F}}}),
+      canvas_(fonts)
+{}
+
+void Application::show_left()
+{
+    ui::show_topics(desk(), topics());
+    switch (desk().topic) {
+    case Topic::State: state_panel_.show(desk(), commands()); break;
+    case Topic::Construction: construction_panel(desk(), commands(), gui()); break;
+    case Topic::Exercises: exercises_panel_.show(desk(), commands()); break;
+    }
+}
+
+void Application::show_right()
+{
+    if (session().is_concealing()) ui::wrapped_text(session().tr()("The results are shown when the exercise is done."));
+    else results_panel(session(), gui());
+}
+
+void Application::show_canvas()
+{
+    show_picture(0.0F, [this] { canvas_.show(desk().session, gui()); });
+}
+
+std::string Application::status() const
+{
+    return session().is_concealing() ? session().tr()("Exercise") : status_text(session());
+}
+
+std::string Application::words() const { return in_words(session()); }
+
+std::optional<ui::Phrase> Application::write(const std::filesystem::path& path)
+{
+    const auto results = export_results(session(), path);
+    return results ? results->reason : DocumentApp::write(path);
+}
+
+} // namespace mohr

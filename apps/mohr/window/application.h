@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "apps/mohr/session/commands.h"
+#include "apps/mohr/window/canvas.h"
+#include "apps/mohr/window/exercises_panel.h"
+#include "apps/mohr/window/state_panel.h"
+#include "ui/app/document_app.h"
+
+extern template class ui::DocumentApp<mohr::Desk>;
+
+namespace mohr {
+
+/// Mohr's circle on a context, on the screen or off it.
+class Application final : public ui::DocumentApp<Desk> {
+public:
+    /// \pre context and fonts outlive the application
+    Application(ui::Context& context, const ui::Fonts& fonts, Session session);
+
+    const Canvas& canvas() const { return canvas_; }
+
+private:
+    ui::Picture picture() override { return canvas_.picture_of(session()); }
+    /// The picture (.png, .svg or .pdf) or the results (.csv, .tex).
+    std::optional<ui::Phrase> write(const std::filesystem::path& path) override;
+    bool is_typing() const override { return state_panel_.is_typing() || exercises_panel_.is_typing(); }
+    void show_left() override;
+    void show_right() override;
+    void show_canvas() override;
+    std::string status() const override;
+    std::string words() const override;
+
+    Canvas canvas_;
+    StatePanel state_panel_;
+    ExercisesPanel exercises_panel_;
+};
+
+} // namespace mohr

@@ -1,0 +1,72 @@
+#include "apps/mohr/window/canvas.h"
+
+#include <imgui.h>
+
+namespace mohr {
+
+void Canvas::show(Session& session, ui::ImGuiSession& gui)
+{
+    const auto scale = static_cast<float>(gui.scale());
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    if (room.x < 8.0F || room.y < 8.0F) return;
+    corner_ = {static_cast<double>(corner.x / scale), static_cast<double>(corner.y / scale)};
+    sheet_ = {static_cast<double>(room.x / scale), static_cast<double>(room.y / scale)};
+    ImGui::InvisibleButton("canvas", room);
+    const ImGuiIO& io = ImGui::GetIO();
+    follow(session, {static_cast<double>((io.MousePos.x - corner.x) / scale),
+                     static_cast<double>((io.MousePos.y - corner.y) / scale)});
+    paint(session);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(corner, {corner.x + room.x, corner.y + room.y}, true);
+    gui.show(*picture_, list, {static_cast<double>(corner.x), static_cast<double>(corner.y)});
+    list.PopClipRect();
+}
+
+void Canvas::follow(Session& session, ui::Point at)
+{
+    if (!session.held()) {
+        const double reach = 14.0 * ui::Theme(session.look.theme).symbol_scale();
+        const bool can_drag = ImGui::IsItemHovered() && !session.is_concealing(); // an exercise keeps its state
+        session.hover = can_drag ? pick(drawn_, at, reach) : std::nullopt;
+        if (session.hover && ImGui::IsItemActivated()) session.grip(*session.hover, drawn_);
+        else if (ImGui::IsItemActive()) turn_eye(session);
+    } else if (ImGui::IsItemActive()) {
+        if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1.0F)) session.drag_to(at, ImGui::GetIO().KeyShift);
+    } else {
+        session.settle();
+    }
+    if (session.hover || session.held()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+}
+
+void Canvas::turn_eye(Session& session)
+{
+    if (!is_in_space(session.document().subject) || !ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1.0F)) return;
+    const ImVec2 delta = ImGui::GetIO().MouseDelta;
+    session.eye.orbit({static_cast<double>(delta.x), static_cast<double>(delta.y)}, {});
+}
+
+void Canvas::paint(const Session& session)
+{
+    ui::Painter painter(sheet_, fonts_);
+    drawn_ = draw(painter, session.scene());
+    picture_ = painter.picture();
+}
+
+ui::Picture Canvas::picture_of(const Session& session) const
+{
+    ui::Painter painter(sheet_, fonts_);
+    Scene scene = session.scene();
+    scene.hover.reset();
+    draw(painter, scene);
+    return painter.picture();
+}
+
+std::optional<ui::Point> Canvas::in_window(Handle handle) const
+{
+    for (const Place& place : drawn_.places)
+        if (place.handle == handle) return corner_ + place.at;
+    return std::nullopt;
+}
+
+} // namespace mohr

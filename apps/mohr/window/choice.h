@@ -1,0 +1,27 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+
+#include "apps/mohr/session/commands.h"
+
+namespace mohr {
+
+/// A list of commands of which one is on; choosing another runs it.
+template <class Entries, class Chosen>
+void choice(Desk& desk, const CommandTable& commands, const char* id, const Entries& entries, const Chosen& is_chosen)
+{
+    const ui::Catalogue tr = desk.tr();
+    std::string chosen;
+    for (const auto& entry : entries)
+        if (is_chosen(entry)) chosen = tr(entry.label);
+    ImGui::SetNextItemWidth(-1.0F);
+    if (!ImGui::BeginCombo(id, chosen.c_str())) return;
+    for (const auto& entry : entries)
+        if (ImGui::Selectable((tr(entry.label) + "###" + std::string(entry.id)).c_str(), is_chosen(entry)))
+            run(*commands.find(entry.id), desk);
+    ImGui::EndCombo();
+}
+
+} // namespace mohr

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "apps/mohr/session/commands.h"
+#include "ui/context/imgui_session.h"
+
+namespace mohr {
+
+/// The steps of the construction as sentences; a click on one goes there.
+void construction_panel(Desk& desk, const CommandTable& commands, ui::ImGuiSession& gui);
+
+} // namespace mohr

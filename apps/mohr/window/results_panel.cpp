@@ -1,0 +1,84 @@
+#include "apps/mohr/window/results_panel.h"
+
+#include <imgui.h>
+
+#include <cmath>
+#include <string>
+
+#include "apps/mohr/session/report.h"
+#include "apps/mohr/view/axis.h"
+#include "ui/widgets/wrapped_text.h"
+
+namespace mohr {
+
+namespace {
+
+/// Numbers in rows and columns between tall brackets.
+template <class Matrix>
+void show_matrix(const Session& session, const char* id, const std::string& title, const Matrix& matrix)
+{
+    const double largest = matrix.cwiseAbs().maxCoeff();
+    ImGui::TextUnformatted(title.c_str());
+    if (!ImGui::BeginTable(id, static_cast<int>(matrix.cols()),
+                           ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_BordersInnerV))
+        return;
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+        ImGui::TableNextRow();
+        for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
+            ImGui::TableNextColumn();
+            const double value = matrix(i, j);
+            const std::string text = session.look.number(std::abs(value) < 1e-12 * largest ? 0.0 : value);
+            const float shift = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+            if (shift > 0.0F) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + shift);
+            ImGui::TextUnformatted(text.c_str());
+        }
+    }
+    ImGui::EndTable();
+}
+
+void show_tensor(const Session& session, ui::ImGuiSession& gui)
+{
+    const Solution& s = session.solution();
+    const ui::Catalogue& tr = session.tr();
+    ImGui::PushFont(gui.bold());
+    ImGui::TextUnformatted(axis_title(tr("Tensor"), s.unit).c_str());
+    ImGui::PopFont();
+    if (is_in_space(session.document().subject)) {
+        show_matrix(session, "###tensor", tr("in x, y, z"), femoop::mohr::tensor(*s.space));
+        return;
+    }
+    show_matrix(session, "###tensor", tr("in x, y"), femoop::mohr::tensor(s.plane));
+    show_matrix(session, "###turned", tr("in x′, y′"), femoop::mohr::tensor(s.turned));
+}
+
+void show_group(const ResultGroup& group, ui::ImGuiSession& gui)
+{
+    ImGui::Spacing();
+    ImGui::Separator();
+    ImGui::PushFont(gui.bold());
+    ui::wrapped_text(group.heading);
+    ImGui::PopFont();
+    if (!ImGui::BeginTable(("###" + group.heading).c_str(), 2, ImGuiTableFlags_SizingStretchProp)) return;
+    for (const ResultLine& line : group.lines) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ui::wrapped_text(line.name);
+        ImGui::TableNextColumn();
+        ui::wrapped_text(line.value);
+    }
+    ImGui::EndTable();
+}
+
+} // namespace
+
+void results_panel(const Session& session, ui::ImGuiSession& gui)
+{
+    for (const ui::Phrase& remark : remarks(session.document(), session.solution())) {
+        ui::wrapped_text(session.tr()(remark));
+        ImGui::Separator();
+    }
+    show_tensor(session, gui);
+    for (const ResultGroup& group : result_groups(session)) show_group(group, gui);
+}
+
+} // namespace mohr

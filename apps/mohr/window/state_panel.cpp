@@ -1,0 +1,248 @@
+#include "apps/mohr/window/state_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include "apps/mohr/view/axis.h"
+#include "apps/mohr/view/names.h"
+#include "apps/mohr/window/choice.h"
+#include "femoop/model/quantity/number_text.h"
+#include "ui/text/arithmetic.h"
+#include "ui/widgets/command_menu.h"
+#include "ui/widgets/wrapped_text.h"
+
+namespace mohr {
+
+namespace fm = femoop::mohr;
+using Kind = ui::NumberFieldEvent::Kind;
+using ui::translatable;
+
+namespace {
+
+/// A value of which the document keeps no text: how it is shown, and what a new one does.
+struct ValueRow {
+    std::string label, id;
+    double value = 0.0;
+    std::function<Edit(double)> edit;
+    ui::Phrase step;
+};
+
+void heading(const std::string& words)
+{
+    ImGui::Spacing();
+    ImGui::Separator();
+    ImGui::TextUnformatted(words.c_str());
+}
+
+/// The row's name; the field follows in the same line.
+void begin_row(const std::string& label)
+{
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label.c_str());
+    ImGui::SameLine(6.5F * ImGui::GetFontSize());
+}
+
+std::string sentence(const ui::Phrase& reason, const ui::Catalogue& tr)
+{
+    std::string text = tr(reason);
+    return text.starts_with(": ") ? text.substr(2) : text; // the place, which the field itself shows
+}
+
+void value_row(Desk& desk, ui::NumberFields& fields, const ValueRow& row)
+{
+    Session& session = desk.session;
+    begin_row(row.label);
+    const ui::NumberFormat exact{15, session.look.format().mark};
+    const auto event = fields.show(row.id,
+                                   {session.look.number(row.value), ui::number_text(row.value, exact), row.value});
+    if (event.kind == Kind::Dragged) session.drag(row.edit(event.value), row.step);
+    if (event.kind == Kind::Settled) session.settle();
+    if (event.kind != Kind::Typed) return;
+    const auto number = ui::number_typed(event.text);
+    if (!number) fields.reject(event, session.tr()("this is no number"));
+    else if (const auto reason = session.apply(row.edit(*number), row.step))
+        fields.reject(event, sentence(*reason, session.tr()));
+}
+
+/// "(0.8; 0.6; 0)", "0.8 0.6 0"; nothing for what are no three numbers.
+std::optional<std::array<double, 3>> vector_typed(std::string text)
+{
+    std::ranges::replace_if(
+        text, [](char c) { return c == ';' || c == '(' || c == ')'; }, ' ');
+    std::istringstream words(text);
+    std::array<double, 3> vector{};
+    std::size_t n = 0;
+    for (std::string word; words >> word; ++n) {
+        if (word.ends_with(',')) word.pop_back();
+        const auto number = ui::number_typed(word);
+        if (!number || n == vector.size()) return std::nullopt;
+        vector[n] = *number;
+    }
+    return n == vector.size() ? std::optional(vector) : std::nullopt;
+}
+
+} // namespace
+
+void StatePanel::show(Desk& desk, const CommandTable& commands)
+{
+    show_kind(desk, commands);
+    show_numbers(desk);
+    if (desk.session.document().subject == Subject::Rosette)
+        for (const char* id : {"state.rosette_45", "state.rosette_60"}) ui::command_button(desk, commands, id);
+    const Subject subject = desk.session.document().subject;
+    if (is_in_space(subject) && !desk.session.is_concealing()) show_space_principal(desk);
+    else if (subject != Subject::Section && !desk.session.is_concealing()) show_principal(desk);
+    if (!desk.session.is_concealing()) show_plane(desk);
+    show_material(desk);
+    show_criterion(desk, commands);
+}
+
+void StatePanel::show_kind(Desk& desk, const CommandTable& commands)
+{
+    ImGui::TextUnformatted(desk.tr()("State").c_str());
+    const Subject now = desk.session.document().subject;
+    choice(desk, commands, "###subject", subjects(), [&](const SubjectEntry& entry) { return entry.subject == now; });
+}
+
+void StatePanel::number_row(Desk& desk, const std::string& label, NumberId number)
+{
+    Session& session = desk.session;
+    begin_row(label);
+    const std::string& text = text_of(session.document(), number);
+    const auto leading = number.group == Group::Section ? std::nullopt : ui::leading_number(text);
+    const std::string id = "###" + std::to_string(static_cast<int>(number.group)) + "." + std::to_string(number.place);
+    std::string shown = text;
+    if (session.tr().language() == ui::Language::Portuguese && number.group != Group::Section)
+        for (char& c : shown) c = c == '.' ? ',' : c;
+    const auto event = fields_.show(id, {shown, shown, leading ? std::optional(leading->value) : std::nullopt});
+    if (event.kind == Kind::Dragged && leading)
+        session.drag(with_number(session.document(), number, femoop::number_text(event.value)),
+                     translatable("Change a number"));
+    if (event.kind == Kind::Settled) session.settle();
+    if (event.kind != Kind::Typed) return;
+    if (const auto reason = session.set_number(number, event.text))
+        fields_.reject(event, sentence(*reason, session.tr()));
+}
+
+void StatePanel::show_numbers(Desk& desk)
+{
+    const Document& document = desk.session.document();
+    const auto parts = names(document.subject);
+    if (document.subject == Subject::Section) number_row(desk, desk.tr()("Section"), {Group::Section, 0});
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const std::string unit(bare_unit(document.subject, i));
+        const std::string label = std::string(parts[i]) + (unit.empty() ? "" : " [" + unit + "]");
+        number_row(desk, label, {Group::State, i});
+    }
+}
+
+void StatePanel::show_principal(Desk& desk)
+{
+    const Solution& s = desk.session.solution();
+    const Document& document = desk.session.document();
+    const Names names = names_of(document.subject);
+    heading(desk.tr()("By principal values"));
+    const double angle = s.principal.angle.value_or(0.0) * 180.0 / std::numbers::pi;
+    const ui::Phrase step = translatable("Change the principal values");
+    value_row(desk, fields_,
+              {axis_title(names.first, s.unit), "###first", s.principal.first,
+               [&](double v) { return with_principal(document, v, s.principal.second, angle); }, step});
+    value_row(desk, fields_,
+              {axis_title(names.second, s.unit), "###second", s.principal.second,
+               [&](double v) { return with_principal(document, s.principal.first, v, angle); }, step});
+    value_row(desk, fields_,
+              {"θp [°]", "###direction", angle,
+               [&](double v) { return with_principal(document, s.principal.first, s.principal.second, v); }, step});
+}
+
+void StatePanel::show_space_principal(Desk& desk)
+{
+    const Solution& s = desk.session.solution();
+    const Document& document = desk.session.document();
+    heading(desk.tr()("By principal values"));
+    for (std::size_t i = 0; i < 3; ++i)
+        value_row(desk, fields_,
+                  {axis_title("σ" + std::to_string(i + 1), s.unit), "###value" + std::to_string(i),
+                   s.space_principal.values[i],
+                   [&, i](double v) {
+                       fm::SpacePrincipal principal = s.space_principal;
+                       principal.values[i] = v;
+                       return with_space_principal(document, principal);
+                   },
+                   translatable("Change the principal values")});
+    for (int i = 0; i < 3; ++i) show_direction(desk, i);
+}
+
+void StatePanel::show_direction(Desk& desk, int direction)
+{
+    Session& session = desk.session;
+    const std::string n = std::to_string(direction + 1);
+    begin_row(session.tr()("direction {n}", {{"n", n}}));
+    const Eigen::Vector3d d = session.solution().space_principal.directions.col(direction);
+    const auto text = [&](int digits) {
+        std::string all;
+        for (const double part : d)
+            all += (all.empty() ? "" : "; ") +
+                   ui::number_text(std::abs(part) < 1e-12 ? 0.0 : part, {digits, session.look.format().mark});
+        return all;
+    };
+    const auto event = fields_.show("###along" + n, {text(3), text(12), std::nullopt});
+    if (event.kind != Kind::Typed) return;
+    const auto along = vector_typed(event.text);
+    if (!along) fields_.reject(event, session.tr()("write three numbers, such as 1; 0; 0"));
+    else if (const auto reason = session.set_direction(direction, *along))
+        fields_.reject(event, sentence(*reason, session.tr()));
+}
+
+void StatePanel::show_plane(Desk& desk)
+{
+    const Document& document = desk.session.document();
+    heading(desk.tr()("Plane"));
+    const ui::Phrase step = translatable("Turn the plane");
+    if (!is_in_space(document.subject))
+        return value_row(
+            desk, fields_,
+            {"θ [°]", "###angle", document.angle, [&](double v) { return with_angle(document, v); }, step});
+    for (std::size_t i = 0; i < 3; ++i)
+        value_row(desk, fields_,
+                  {std::string("n") + "xyz"[i], "###normal" + std::to_string(i), document.normal[i],
+                   [&, i](double v) {
+                       auto normal = document.normal;
+                       normal[i] = v;
+                       return with_normal(document, normal);
+                   },
+                   step});
+}
+
+void StatePanel::show_material(Desk& desk)
+{
+    const fm::Kind kind = desk.session.solution().state.kind;
+    if (!fm::is_strain(kind) && kind != fm::Kind::PlaneStrain) return;
+    heading(desk.tr()("Material"));
+    if (fm::is_strain(kind)) number_row(desk, "E", {Group::Elasticity, 0});
+    number_row(desk, "ν", {Group::Elasticity, 1});
+}
+
+void StatePanel::show_criterion(Desk& desk, const CommandTable& commands)
+{
+    if (desk.session.document().subject == Subject::Inertia) return;
+    heading(desk.tr()("Criterion"));
+    const auto now = desk.session.document().criterion;
+    choice(desk, commands, "###criterion", criteria(),
+           [&](const CriterionEntry& entry) { return entry.criterion == now; });
+    if (!now) return;
+    for (const StrengthPlace place : strengths_of(*now)) {
+        const std::string unit = place == StrengthPlace::phi ? " [°]" : "";
+        number_row(desk, std::string(name(place)) + unit, {Group::Strength, static_cast<std::size_t>(place)});
+    }
+}
+
+} // namespace mohr

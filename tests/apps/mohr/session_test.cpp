@@ -1,0 +1,15 @@
+#include <doctest/doctest.h>
+
+#include "apps/mohr/session/commands.h"
+#include "tests/apps/recovered.h"
+
+using namespace mohr;
+
+TEST_CASE("A state that a crash has cost opens as it was typed, as one that is not saved")
+{
+    const Folder folder;
+    Desk desk{Session()};
+    CHECK(desk.unsaved().empty());
+    desk.session.set_number({Group::State, 2}, "33,3 MPa");
+    CHECK(recovered(desk, folder, ".mohr").session.document() == desk.session.document());
+}
