@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/cross/document/play.h"
+#include "apps/cross/document/pupil.h"
+#include "femoop/methods/cross/distribution.h"
+#include "femoop/model/model.h"
+
+namespace cross {
+
+/// How the sheets of a structure are worked. Saved in the file's `cross` block.
+struct Method {
+    femoop::CaseId load_case;
+    femoop::cross::Order order = femoop::cross::Order::Largest;
+    std::vector<std::string> joints; ///< Order::Listed: names, again and again
+    std::optional<double> tolerance; ///< in the file's unit of moments; 0.001 of the largest fixed-end moment if absent
+    int digits = 0;                  ///< every number is rounded to so many significant ones; 0: exact
+    femoop::cross::FarEnds far_ends = femoop::cross::FarEnds::Modified;
+
+    friend bool operator==(const Method&, const Method&) = default;
+};
+
+/// What the app edits: a structure with its loads, how it is distributed, and how far the sheets are. Model, method and
+/// a pupil's exercise are saved; the sheets begin anew with the file.
+struct Document {
+    femoop::Model model;
+    Method method{};
+    /// One for every sheet: the loads with all props in place, then each sway. As many as were begun.
+    std::vector<Play> plays{};
+    /// The sheet that is worked on; past the last of them: all together.
+    std::size_t stage = 0;
+    /// A pupil fills the sheet: nothing of it is shown until it is right.
+    std::optional<Pupil> pupil{};
+
+    friend bool operator==(const Document&, const Document&) = default;
+};
+
+/// The same without what was worked: after the structure or the method changed, joints may be others.
+Document unworked(Document document);
+
+bool is_same_task(const Document& a, const Document& b); ///< of equal model, method and exercise
+
+} // namespace cross

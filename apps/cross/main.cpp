@@ -1,0 +1,16 @@
+#include <exception>
+#include <iostream>
+
+#include "apps/cross/window/options.h"
+#include "apps/cross/window/run.h"
+
+int main(int argc, char** argv)
+try {
+    return cross::run(cross::parse_options(argc, argv));
+} catch (const ui::OptionsEnd& end) {
+    (end.status == 0 ? std::cout : std::cerr) << end.what() << '\n';
+    return end.status;
+} catch (const std::exception& error) {
+    std::cerr << "cross: " << error.what() << '\n';
+    return 2;
+}

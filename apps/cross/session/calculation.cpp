@@ -1,0 +1,241 @@
+#include "apps/cross/session/calculation.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "apps/cross/session/report.h"
+#include "apps/cross/view/columns.h"
+#include "apps/cross/view/numbers.h"
+#include "apps/cross/view/sheet_picture.h"
+#include "apps/cross/view/structure_pictures.h"
+#include "femoop/analysis/linear_static.h"
+#include "femoop/methods/cross/fraction.h"
+
+namespace cross {
+
+namespace fc = femoop::cross;
+using ui::translatable;
+
+Document balanced_document(const Document& document, const Solution& solution)
+{
+    Document balanced = document;
+    const Task& task = *solution.task;
+    balanced.plays.resize(task.n_sheets());
+    for (std::size_t stage = 0; stage < task.n_sheets(); ++stage) {
+        if (solution.sheets[stage].is_balanced && !solution.sheets[stage].steps.empty()) continue;
+        const fc::Stage& own = stage == 0 ? task.all->held : task.all->sways[stage - 1];
+        balanced.plays[stage].restart();
+        for (const fc::Step& step : own.sheet.steps) balanced.plays[stage].take(step.joint);
+    }
+    balanced.stage = 0;
+    return balanced;
+}
+
+namespace {
+
+constexpr double width = 680.0; // of a figure [px]
+
+std::string_view order_words(fc::Order order)
+{
+    switch (order) {
+    case fc::Order::Largest: return translatable("the joint with the largest unbalance first");
+    case fc::Order::LeftToRight: return translatable("the joints from left to right, again and again");
+    case fc::Order::AllAtOnce: return translatable("all joints at once");
+    case fc::Order::Listed: return translatable("the joints in an order of one's own");
+    }
+    return "";
+}
+
+class CalculationWriter {
+public:
+    CalculationWriter(const Document& document, const Look& look, const ui::Fonts& fonts)
+        : document_(document), solution_(solve(document)), look_(look), fonts_(fonts), tr_(look_.tr)
+    {
+        look_.theme = ui::ThemeName::Print;
+        look_.size = 1.0;
+        look_.zoom = {};
+        report_.title = document.model.title.empty() ? tr_("Moment distribution") : document.model.title;
+        report_.language = tr_.language() == ui::Language::Portuguese ? "pt-BR" : "en";
+    }
+
+    ui::Report write()
+    {
+        heading(1, report_.title);
+        if (!document_.model.notes.empty()) text(document_.model.notes);
+        if (!solution_.task) {
+            heading(2, tr_("Not distributed"));
+            for (const femoop::Fault& fault : solution_.faults) text(fault_text(fault, tr_));
+            return std::move(report_);
+        }
+        if (solution_.task->all) {
+            document_ = balanced_document(document_, solution_);
+            work(solution_, document_);
+        }
+        write_problem();
+        write_factors();
+        if (solution_.task->all) write_results();
+        for (const femoop::Fault& fault : solution_.task->remarks) text(fault_text(fault, tr_));
+        return std::move(report_);
+    }
+
+private:
+    void heading(int level, std::string words) { report_.blocks.push_back(ui::ReportHeading{level, std::move(words)}); }
+    void text(std::string words) { report_.blocks.push_back(ui::ReportText{std::move(words)}); }
+
+    Scene scene(const femoop::Results* state = nullptr) const
+    {
+        return {document_, solution_, state, 1.0, std::nullopt, look_};
+    }
+
+    /// A table that is too broad for a page is cut; each part begins with the names of the rows.
+    void table(const TextTable& told)
+    {
+        constexpr std::size_t most = 10; // columns beside the names
+        for (const std::string& note : told.notes) text(note);
+        for (std::size_t begin = 1; begin < told.head.size(); begin += most) {
+            const std::size_t end = std::min(told.head.size(), begin + most);
+            ui::ReportTable part{.columns = {{told.head[0], false}}, .rows = {}};
+            for (std::size_t i = begin; i < end; ++i) part.columns.push_back({told.head[i], true});
+            for (const auto& row : told.rows) {
+                std::vector<std::string> cells{row[0]};
+                cells.insert(cells.end(), row.begin() + static_cast<std::ptrdiff_t>(begin),
+                             row.begin() + static_cast<std::ptrdiff_t>(end));
+                part.rows.push_back(std::move(cells));
+            }
+            report_.blocks.push_back(std::move(part));
+        }
+    }
+
+    template <class Draw> void figure(Part part, std::size_t n_lines, const Draw& draw)
+    {
+        const frame::StructureShape shape = frame::shape_of(document_.model);
+        const ui::Theme theme = look_.full_theme();
+        const ui::Size size{width, height_alone(part, shape, width, n_lines, theme)};
+        ui::Painter painter(size, fonts_);
+        draw(painter, panel_alone(part, shape, size, theme));
+        report_.blocks.push_back(ui::ReportFigure{painter.picture(), ""});
+    }
+
+    void write_problem()
+    {
+        heading(2, tr_("Structure and loads"));
+        figure(Part::Structure, 0,
+               [&](ui::Painter& painter, const Panel& panel) { draw_loaded(painter, panel, scene()); });
+        const Numbers numbers(document_, solution_, look_);
+        const Method& method = document_.method;
+        text(tr_("Load case {case}; {order}; tolerance {tolerance}.",
+                 {{"case", document_.model.case_name(method.load_case)},
+                  {"order", tr_(order_words(method.order))},
+                  {"tolerance", numbers.moment(solution_.sheets.front().tolerance) + " " + numbers.moment_unit()}}));
+        if (method.digits > 0)
+            text(tr_("Every number is rounded to {n} significant digits.", {{"n", std::to_string(method.digits)}}));
+        text(look_.signs == Signs::JointRotation ? tr_("Moments act on the member ends, counter-clockwise positive.")
+                                                 : tr_("Moments are positive where they stretch the lower side."));
+    }
+
+    void write_factors()
+    {
+        heading(2, tr_("Factors and fixed-end moments"));
+        const fc::Problem& problem = solution_.task->problem;
+        const Numbers numbers(document_, solution_, look_);
+        TextTable told{.notes = {},
+                       .head = {tr_("member end"), tr_("stiffness"), "", tr_("distribution factor"), "",
+                                tr_("carry-over"), "FEM [" + numbers.moment_unit() + "]"}};
+        for (std::size_t e = 0; e < problem.ends.size(); ++e) {
+            const fc::End& end = problem.ends[e];
+            const bool is_free = end.joint || end.is_hinged;
+            const auto fraction = fc::fraction_of(end.factor, 999);
+            told.rows.push_back({end.label, std::string(fc::formula(problem, fc::EndId(e))),
+                                 ui::number_text(end.stiffness, numbers.units().format()),
+                                 is_free ? numbers.factor(end.factor) : tr_("fixed"),
+                                 is_free && fraction ? fc::fraction_text(*fraction) : "",
+                                 numbers.factor(end.carry_over), numbers.moment(end, problem.loading.fixed_end[e])});
+        }
+        table(told);
+        text(tr_("Stiffnesses are moments per radian in the file's base units."));
+    }
+
+    void write_results()
+    {
+        for (std::size_t stage = 0; stage < solution_.sheets.size(); ++stage) write_sheet(stage);
+        if (!solution_.task->problem.sways.empty()) {
+            heading(2, tr_("Sways"));
+            table(table_of(scene(), Topic::Sways));
+        }
+        document_.stage = solution_.sheets.size(); // all together
+        heading(2, tr_("Final moments"));
+        table(table_of(scene(), Topic::Comparison));
+        write_diagrams();
+        write_other_methods();
+    }
+
+    void write_sheet(std::size_t stage)
+    {
+        document_.stage = stage;
+        const fc::Problem& problem = solution_.task->problem;
+        heading(2, stage == 0 ? tr_("Sheet of the loads")
+                              : tr_("Sheet of the sway at {node}",
+                                    {{"node", document_.model[problem.sways[stage - 1].prop].id}}));
+        std::size_t n_lines = 0;
+        for (const Column& column : columns_of(problem, solution_.sheets[stage]))
+            n_lines = std::max(n_lines, column.n_levels);
+        figure(Part::Sheet, n_lines,
+               [&](ui::Painter& painter, const Panel& panel) { draw_sheet(painter, panel, scene()); });
+        table(table_of(scene(), Topic::Sheet));
+        const TextTable history = table_of(scene(), Topic::Convergence);
+        for (const std::string& note : history.notes) text(note);
+    }
+
+    void write_diagrams()
+    {
+        const std::optional<femoop::Results> free = without_locks();
+        if (!free) return;
+        heading(2, tr_("Diagrams"));
+        const Scene balanced = scene(&*free);
+        for (const auto draw : {draw_moment_state, draw_shear_state, draw_deformed_state})
+            figure(Part::Moments, 0, [&](ui::Painter& painter, const Panel& panel) { draw(painter, panel, balanced); });
+    }
+
+    /// What the sheets tend to: the inextensible structure, its case as the last one.
+    std::optional<femoop::Results> without_locks() const
+    {
+        femoop::Model model = fc::inextensible_copy(document_.model);
+        const femoop::CaseId load_case = document_.method.load_case;
+        model.combinations.push_back({.id = "= " + model.case_name(load_case), .terms = {{load_case, 1.0}}});
+        try {
+            return femoop::analyse(model);
+        } catch (const femoop::ModelError&) {
+            return std::nullopt; // `remarks` say why
+        }
+    }
+
+    void write_other_methods()
+    {
+        if (solution_.task->kani) {
+            heading(2, tr_("Kani's method"));
+            table(table_of(scene(), Topic::Kani));
+        }
+        if (solution_.task->equations) {
+            heading(2, tr_("Slope-deflection equations"));
+            table(table_of(scene(), Topic::Equations));
+        }
+    }
+
+    Document document_;
+    Solution solution_;
+    Look look_;
+    const ui::Fonts& fonts_;
+    const ui::Catalogue& tr_;
+    ui::Report report_;
+};
+
+} // namespace
+
+ui::Report calculation(const Document& document, const Look& look, const ui::Fonts& fonts)
+{
+    return CalculationWriter(document, look, fonts).write();
+}
+
+} // namespace cross

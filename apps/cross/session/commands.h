@@ -1,0 +1,38 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "apps/cross/session/session.h"
+#include "ui/command/command_table.h"
+#include "ui/desk/document_desk.h"
+
+namespace cross {
+
+/// What the panel at the right shows.
+enum class Topic : std::uint8_t { Sheet, Comparison, Sways, Convergence, Kani, Equations, Exercises };
+
+/// A session and the panels around its picture.
+struct Desk : ui::DocumentDesk<Desk, Session> {
+    using DocumentDesk::DocumentDesk;
+    void give_room_to_the_picture(bool all) { has_panels = !all; }
+
+    Topic topic = Topic::Sheet;
+    std::size_t first_column = 1; ///< beside the names, of a table that is too broad to be shown whole
+    Seeded next_exercise{};       ///< what "New exercise" begins
+};
+
+using CommandTable = ui::CommandTable<Desk>;
+
+/// Everything that the app can do, by name.
+CommandTable command_table();
+
+struct TopicEntry {
+    Topic topic;
+    std::string_view id, label;
+};
+std::span<const TopicEntry> topics();
+
+} // namespace cross

@@ -1,0 +1,78 @@
+#include "apps/cross/session/exercise_report.h"
+
+#include "apps/cross/view/numbers.h"
+#include "apps/cross/view/pupil_words.h"
+
+namespace cross {
+
+namespace fc = femoop::cross;
+
+namespace {
+
+std::string text_in(const Session& session, std::size_t cell)
+{
+    const auto& written = session.document().pupil->written;
+    return cell < written.size() ? written[cell] : "";
+}
+
+std::string question_with_unit(const Session& session, fc::BlankId id)
+{
+    const Paper& paper = *session.paper();
+    const CellUnit unit = unit_of(paper, id, units_of(session.document().model, session.tr()));
+    const std::string words = session.tr()(question(paper, session.document().model, id));
+    return unit.name.empty() ? words : words + " [" + unit.name + "]";
+}
+
+} // namespace
+
+TextTable exercise_table(const Session& session)
+{
+    const Paper& paper = *session.paper();
+    const ui::Catalogue& tr = session.tr();
+    TextTable table{{exercise_name(session), score_words(session)}, {tr("cell"), tr("number"), tr("judgement")}, {}};
+    for (std::size_t i = 0; i < paper.form.blanks.size(); ++i) {
+        const fc::BlankId id(i);
+        if (!paper.is_written(id) && (!paper.is_told || paper.judgements[i].verdict == fc::Verdict::Open)) continue;
+        const std::string verdict = paper.is_told ? tr(verdict_words(paper.judgements[i])) : "";
+        table.rows.push_back({question_with_unit(session, id), text_in(session, i), verdict});
+    }
+    return table;
+}
+
+std::string exercise_in_words(const Session& session)
+{
+    const TextTable table = exercise_table(session);
+    std::string words;
+    for (const std::string& note : table.notes) words += note + "\n";
+    for (const auto& row : table.rows)
+        words += row[0] + ": " + row[1] + (row[2].empty() ? "" : "  (" + row[2] + ")") + "\n";
+    return words;
+}
+
+std::string score_words(const Session& session)
+{
+    const Paper& paper = *session.paper();
+    std::size_t n_good = 0, n_written = 0;
+    for (std::size_t i = 0; i < paper.form.blanks.size(); ++i) {
+        if (paper.form.blanks[i].may_stay_empty) continue;
+        n_good += paper.is_good(fc::BlankId(i)) ? 1 : 0;
+        n_written += paper.is_written(fc::BlankId(i)) ? 1 : 0;
+    }
+    const std::string all = std::to_string(paper.n_needed());
+    if (!paper.is_told)
+        return session.tr()("{n} of {all} cells filled", {{"n", std::to_string(n_written)}, {"all", all}});
+    return session.tr()("{n} of {all} cells right, {points} of them the first time and without being shown",
+                        {{"n", std::to_string(n_good)}, {"all", all}, {"points", std::to_string(session.points())}});
+}
+
+std::string exercise_name(const Session& session)
+{
+    const auto& seeded = session.document().pupil->seeded;
+    if (!seeded) return session.tr()("A structure of your own as an exercise");
+    return session.tr()("Exercise {level}.{seed}: {what}",
+                        {{"level", std::to_string(static_cast<int>(seeded->difficulty))},
+                         {"seed", std::to_string(seeded->seed)},
+                         {"what", session.tr()(words_of(seeded->difficulty))}});
+}
+
+} // namespace cross

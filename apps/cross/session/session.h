@@ -1,0 +1,136 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "apps/cross/document/document.h"
+#include "apps/cross/document/solution.h"
+#include "apps/cross/view/paper.h"
+#include "apps/cross/view/scene.h"
+#include "ui/files/autosave.h"
+#include "ui/history/history.h"
+#include "ui/text/phrase.h"
+
+namespace cross {
+
+/// Something that the app tells its user: one sentence, gone when it has been read.
+struct Notice {
+    ui::Phrase sentence;
+    double seconds_left = 6.0;
+};
+
+/// What is open, how far it is worked and how it is looked at: the app without its window.
+class Session {
+public:
+    Session();
+
+    const Document& document() const { return history_.current(); }
+    const Solution& solution() const { return solution_; }
+    const ui::History<Document>& history() const { return history_; }
+    const femoop::cross::Sheet* sheet() const { return solution_.sheet(document()); }
+    const Play* play() const; ///< of the sheet that is worked on; null where nothing was done, or all are together
+
+    /// Releases and balances a joint, or all joints at once. \returns why not
+    std::optional<ui::Phrase> balance(const Play::Turn& turn);
+    std::optional<ui::Phrase> step(); ///< on the way that was gone before, else whose turn it is by the method's order
+    std::optional<ui::Phrase> back();
+    void restart();
+    void jump(std::size_t n_turns);
+    std::optional<ui::Phrase> finish(); ///< until no unbalance is larger than the tolerance
+    void go_to_branch(std::size_t place);
+    std::optional<ui::Phrase> why_no_turn() const;
+    std::optional<ui::Phrase> why_no_step() const;
+
+    void set_method(const Method& method, const ui::Phrase& label);
+    void set_stage(std::size_t stage);
+    std::size_t n_stages() const; ///< sheets, and with sways all of them together
+    /// Changes the structure or its loads; while a hand drags, as one step.
+    void change(femoop::Model model, const ui::Phrase& label);
+    void drag(femoop::Model model, const ui::Phrase& label);
+    void settle();
+    void undo();
+    void redo();
+
+    // ---- a pupil fills the sheet (pupil.cpp)
+
+    void begin_exercise(const Seeded& seeded);
+    void begin_own_exercise(); ///< on the structure that is open
+    void end_exercise();
+    /// Null where no pupil fills the sheet.
+    const Paper* paper() const { return paper_ ? &*paper_ : nullptr; }
+    bool hides_results() const { return paper() != nullptr && !paper()->is_solved(); }
+    std::optional<ui::Phrase> why_no_paper() const;
+    std::optional<ui::Phrase> why_no_own_exercise() const;
+    std::optional<femoop::cross::BlankId> cell() const { return cell_; } ///< that is being filled
+    void go_to_cell(std::optional<femoop::cross::BlankId> cell);
+    /// The cell after this one, or before it; nothing at the end. \param only_open  one that is not good yet
+    std::optional<femoop::cross::BlankId> neighbour(int step, bool only_open) const;
+    /// \returns why not; "" leaves the cell empty
+    std::optional<ui::Phrase> write(femoop::cross::BlankId cell, const std::string& text);
+    void show_cell();                               ///< what belongs into the present one
+    void give_hint();                               ///< one more for the present cell
+    std::vector<femoop::cross::Hint> hints() const; ///< that were given for it
+    void start_over();
+    void judge_at_once(bool does);
+    void judge_now();
+    std::size_t paper_stage() const { return paper_stage_; }
+    void show_paper_stage(std::size_t stage);
+    std::size_t points() const; ///< cells that were right without help, the first time
+
+    void begin_anew();
+    bool open(const std::filesystem::path& path);      ///< false, with a notice, where it cannot be read
+    bool open_copy(const std::filesystem::path& path); ///< the same as a document without a file
+    bool save(const std::filesystem::path& path);      ///< likewise
+    /// Opens a draft of a file's document, or of one that has no file yet, as one that is not saved.
+    bool recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original);
+    ui::Unsaved unsaved() const;
+    const std::optional<std::filesystem::path>& path() const { return path_; }
+    bool is_dirty() const { return !saved_ || !is_same_task(document(), *saved_); }
+    std::string file_name() const;
+
+    void tick(double seconds); ///< time goes by
+    bool is_moving() const { return is_playing || phase_ < 1.0 || notice.has_value(); }
+    bool is_playing = false; ///< turn after turn by itself
+    double phase() const { return phase_; }
+
+    Look look;
+    std::optional<femoop::cross::JointId> hover;
+    std::optional<Notice> notice;
+    void tell(const ui::Phrase& sentence) { notice = Notice{sentence}; }
+    const ui::Catalogue& tr() const { return look.tr; }
+
+    Scene scene() const;
+
+private:
+    void solve_anew(Haste haste = Haste::None);
+    void work_anew(); ///< the sheets alone
+    void find_state();
+    void show_solved();          ///< of a sheet that is right
+    void judge_paper();          ///< after the document changed
+    void leave_unfit_exercise(); ///< of a file whose structure has no such sheet
+    void change_pupil(Pupil pupil, const ui::Phrase& label);
+    void note_mistakes();
+    void note_all_seen();
+    bool refuse_in_exercise(); ///< true, with a notice, while a pupil fills the sheet
+    void restart_with(Document document);
+    Document to_save() const;
+    template <class Change> void play_on(const Change& change, const ui::Phrase& label);
+    void take(const Play::Turn& turn);
+
+    ui::History<Document> history_;
+    std::optional<Document> saved_; ///< none of what a crash has left
+    Solution solution_;
+    std::optional<femoop::Results> state_;
+    std::shared_ptr<femoop::cross::StateAnalysis> states_; ///< of the solution's structure; null before the first
+    double phase_ = 1.0;
+    std::optional<Paper> paper_;
+    std::optional<femoop::cross::BlankId> cell_;
+    std::size_t paper_stage_ = 0;
+    std::vector<std::size_t> n_hints_; ///< of every cell
+    std::vector<bool> helped_;         ///< of every cell: undoing does not forget it
+    std::optional<std::filesystem::path> path_;
+};
+
+} // namespace cross

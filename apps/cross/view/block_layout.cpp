@@ -1,0 +1,159 @@
+#include "apps/cross/view/block_layout.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace cross {
+
+namespace {
+
+constexpr std::size_t last_resort = 3; // the fixed-end moment, what left, the last number
+
+/// Columns of one size, put beside their ends one after the other.
+class Trial {
+public:
+    enum class Side : std::uint8_t { Below, Above }; // of a beam, where both have room
+
+    Trial(const BlockRequest& request, double type, std::size_t n_lines, Side side, std::size_t n_rows = 1)
+        : request_(request), type_(type), down_(side == Side::Below ? 1.0 : -1.0), n_rows_(n_rows)
+    {
+        layout_ = {.boxes = {}, .type = type, .n_lines = n_lines};
+        const double lines = line_height * static_cast<double>(n_lines);
+        size_ = {request.width_of(type), type * (head_height + lines + total_height)};
+    }
+
+    /// Nothing as soon as one finds no room.
+    std::optional<BlockLayout> run_whole()
+    {
+        for (const EndPlace& place : request_.places)
+            if (!layout_.boxes.emplace_back(found(place))) return std::nullopt;
+        return std::move(layout_);
+    }
+
+    BlockLayout run()
+    {
+        for (const EndPlace& place : request_.places) layout_.boxes.push_back(found(place));
+        return std::move(layout_);
+    }
+
+private:
+    std::optional<ui::Box> found(const EndPlace& place) const
+    {
+        for (std::size_t row = 0; row < n_rows_; ++row)
+            if (const auto box = found_in(row, place)) return box;
+        return std::nullopt;
+    }
+
+    std::optional<ui::Box> found_in(std::size_t row, const EndPlace& place) const
+    {
+        const double most = std::max(0.0, 0.5 * place.length - 0.5 * extent(place.along));
+        for (const double shift : {0.0, 0.5, 1.0, 1.6, 2.4, 3.5, 5.0, 7.0}) {
+            if (shift > 0.0 && shift * type_ > most) break;
+            for (const ui::Point side : sides(place)) {
+                const double drop = static_cast<double>(row) * (extent(side) + 0.3 * type_);
+                const ui::Box box = at(place, side, shift * type_, drop);
+                if (is_free(box)) return box;
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// On the side of a beam that is tried first, outside a column; then on the other.
+    std::array<ui::Point, 2> sides(const EndPlace& place) const
+    {
+        const ui::Point normal = ui::left_normal(place.along);
+        const bool is_flat = std::abs(place.along.y) < 0.5;
+        const ui::Point wanted = is_flat ? ui::Point{0.0, down_} : place.joint - request_.middle;
+        return ui::dot(normal, wanted) >= -1e-6 ? std::array{normal, -normal} : std::array{-normal, normal};
+    }
+
+    double extent(ui::Point d) const { return std::abs(d.x) * size_.width + std::abs(d.y) * size_.height; }
+
+    ui::Box at(const EndPlace& place, ui::Point side, double shift, double drop) const
+    {
+        const double gap = 0.55 * type_;
+        const ui::Point middle = place.joint + (gap + shift + 0.5 * extent(place.along)) * place.along +
+                                 (gap + drop + 0.5 * extent(side)) * side;
+        return ui::box_at({middle.x - 0.5 * size_.width, middle.y - 0.5 * size_.height}, size_);
+    }
+
+    bool is_free(const ui::Box& box) const
+    {
+        const auto is_hit = [&](const ui::Box& other) { return other.overlaps(box); };
+        const auto is_taken = [&](const std::optional<ui::Box>& other) { return other && other->overlaps(box); };
+        return request_.room.contains(box) && std::ranges::none_of(request_.obstacles, is_hit) &&
+               std::ranges::none_of(layout_.boxes, is_taken);
+    }
+
+    const BlockRequest& request_;
+    double type_, down_;
+    std::size_t n_rows_;
+    ui::Size size_;
+    BlockLayout layout_;
+};
+
+auto n_left_out(const BlockLayout& layout)
+{
+    return std::ranges::count_if(layout.boxes, [](const auto& box) { return !box; });
+}
+
+} // namespace
+
+namespace {
+
+/// As large as they are whole, down to a size of type.
+std::optional<BlockLayout> whole(const BlockRequest& request, double least_type, std::size_t n_rows)
+{
+    for (double type = request.largest_type; type > least_type; type *= 0.9)
+        for (std::size_t n = request.most_lines; n >= request.fewest_lines; --n)
+            for (const Trial::Side side : {Trial::Side::Below, Trial::Side::Above})
+                if (auto layout = Trial(request, type, n, side, n_rows).run_whole()) return layout;
+    return std::nullopt;
+}
+
+BlockLayout laid_out_inside(const BlockRequest& request)
+{
+    constexpr double hardly_smaller = 0.85; // rather so than in several rows
+    if (request.n_rows > 1) {
+        if (auto layout = whole(request, hardly_smaller * request.largest_type, 1)) return *layout;
+        if (auto layout = whole(request, request.least_type, request.n_rows)) return *layout;
+    } else if (auto layout = whole(request, request.least_type, 1)) {
+        return *layout;
+    }
+    const double least = request.least_type;
+    BlockLayout below = Trial(request, least, last_resort, Trial::Side::Below).run();
+    BlockLayout above = Trial(request, least, last_resort, Trial::Side::Above).run();
+    return n_left_out(above) < n_left_out(below) ? above : below;
+}
+
+/// The places and obstacles that lie within the room.
+BlockRequest inside(const BlockRequest& request, std::vector<std::size_t>& kept)
+{
+    BlockRequest part = request;
+    part.places.clear();
+    for (std::size_t i = 0; i < request.places.size(); ++i) {
+        const ui::Point at = request.places[i].joint;
+        if (!request.room.contains(at)) continue;
+        part.places.push_back(request.places[i]);
+        kept.push_back(i);
+    }
+    std::erase_if(part.obstacles, [&](const ui::Box& box) { return !box.overlaps(request.room); });
+    return part;
+}
+
+} // namespace
+
+BlockLayout laid_out(const BlockRequest& request)
+{
+    std::vector<std::size_t> kept;
+    BlockLayout layout = laid_out_inside(inside(request, kept));
+    std::vector<std::optional<ui::Box>> boxes(request.places.size());
+    for (std::size_t i = 0; i < kept.size(); ++i) boxes[kept[i]] = layout.boxes[i];
+    layout.boxes = std::move(boxes);
+    layout.n_outside = request.places.size() - kept.size();
+    return layout;
+}
+
+} // namespace cross

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "femoop/methods/cross/problem.h"
+#include "ui/paint/geometry.h"
+
+namespace cross {
+
+/// One member end on the sheet, looking for room for its column of numbers.
+struct EndPlace {
+    femoop::cross::EndId end;
+    ui::Point joint;
+    ui::Point along;     ///< unit vector from the joint into the member
+    double length = 0.0; ///< of the member on the sheet
+};
+
+/// Where the columns stand.
+struct BlockLayout {
+    std::vector<std::optional<ui::Box>> boxes; ///< of every place; nothing where there was no room
+    double type = 13.0;                        ///< size of the numbers
+    std::size_t n_lines = 0;                   ///< between the box of the factor and the sum
+    std::size_t n_outside = 0;                 ///< of the places: beyond the room, where nothing is sought
+};
+
+struct BlockRequest {
+    std::vector<EndPlace> places;
+    std::vector<ui::Box> obstacles;
+    ui::Box room;
+    ui::Point middle;             ///< of the structure: columns keep to its outside
+    double largest_type = 13.0;   ///< of the numbers, where there is room
+    std::size_t most_lines = 16;  ///< between factor and sum
+    std::size_t fewest_lines = 4; ///< likewise: with fewer, type gets smaller instead
+    double least_type = 9.0;
+    std::size_t n_rows = 1; ///< of columns one below another, where those beside the members have no room
+    std::function<double(double)> width_of; ///< of a column at a size of type
+};
+
+inline constexpr double line_height = 1.32;  ///< of the size of type
+inline constexpr double head_height = 2.75;  ///< name and box of the factor
+inline constexpr double total_height = 1.55; ///< the sum
+
+/// As large and as long as they all find room beside their member ends; where even the smallest do not, the first ones
+/// get it.
+BlockLayout laid_out(const BlockRequest& request);
+
+} // namespace cross

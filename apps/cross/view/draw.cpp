@@ -1,0 +1,114 @@
+#include <algorithm>
+#include <array>
+
+#include "apps/cross/view/exercise_picture.h"
+#include "apps/cross/view/numbers.h"
+#include "apps/cross/view/scene.h"
+#include "apps/cross/view/sheet_picture.h"
+#include "apps/cross/view/structure_pictures.h"
+#include "ui/paint/wrapped_lines.h"
+
+namespace cross {
+
+namespace {
+
+void draw_faults(ui::Painter& painter, const Scene& scene)
+{
+    const ui::Theme theme = scene.look.full_theme();
+    const ui::TextStyle style = theme.text(ui::Role::Error, ui::Anchor::TopLeft);
+    ui::Point at{2.0 * style.size, 3.0 * style.size};
+    for (const femoop::Fault& fault : scene.solution.faults)
+        for (const std::string& line : ui::wrapped_lines(painter.fonts(), fault_text(fault, scene.look.tr), style,
+                                                         painter.size().width - 4.0 * style.size)) {
+            painter.text(at, line, style);
+            at.y += 1.5 * style.size;
+        }
+}
+
+} // namespace
+
+Drawn draw(ui::Painter& painter, const Scene& scene)
+{
+    Drawn drawn;
+    if (!scene.solution.task) {
+        draw_faults(painter, scene);
+        return drawn;
+    }
+    if (scene.paper != nullptr) return draw_exercise(painter, scene);
+    const ui::Theme theme = scene.look.full_theme();
+    const frame::StructureShape shape = frame::shape_of(scene.document.model);
+    const Panels panels = panels_for(shape, painter.size(), theme, scene.look.zoom);
+    draw_borders(painter, panels, theme);
+    drawn.loads = draw_loaded(painter, panels.structure, scene).loads;
+    drawn.corner = panels.structure.box.min;
+    drawn.camera = panels.structure.camera;
+    for (std::size_t n = 0; n < shape.nodes.size(); ++n)
+        drawn.nodes.push_back({femoop::NodeId(n), panels.structure.at(shape.nodes[n])});
+    draw_deformed_state(painter, panels.deformed, scene);
+    draw_moment_state(painter, panels.moments, scene);
+    draw_sheet(painter, panels.sheet, scene);
+    const auto& joints = scene.solution.task->problem.joints;
+    for (std::size_t j = 0; j < joints.size(); ++j)
+        for (const Part part : {Part::Structure, Part::Deformed, Part::Moments, Part::Sheet})
+            if (const ui::Point at = panels[part].at(shape[joints[j].node]); panels[part].box.contains(at))
+                drawn.joints.push_back({femoop::cross::JointId(j), part, at});
+    drawn.middle = middle_of(shape);
+    for (const Part part : {Part::Structure, Part::Deformed, Part::Moments, Part::Sheet})
+        drawn.views.push_back({panels[part].box, panels[part].camera, panels[part].stretch});
+    return drawn;
+}
+
+std::optional<Eigen::Vector2d> Drawn::place_at(ui::Point at) const
+{
+    const auto view = std::ranges::find_if(views, [&](const View& one) { return one.box.contains(at); });
+    if (view == views.end()) return std::nullopt;
+    const ui::World2 place = view->camera.to_world(at - view->box.min);
+    return Eigen::Vector2d(place.x, place.y / view->stretch);
+}
+
+std::optional<femoop::NodeId> pick_node(const Drawn& drawn, ui::Point at, double reach)
+{
+    std::optional<femoop::NodeId> found;
+    if (!drawn.is_in_structure(at)) return found;
+    double nearest = reach;
+    for (const NodeMark& mark : drawn.nodes) {
+        const double distance = ui::distance(mark.at, at);
+        if (distance >= nearest) continue;
+        nearest = distance;
+        found = mark.node;
+    }
+    return found;
+}
+
+const frame::LoadMark* pick_load(const Drawn& drawn, ui::Point at)
+{
+    const auto is_there = [&](const frame::LoadMark& mark) {
+        if (mark.area.empty()) return false;
+        ui::Box box{mark.area.front(), mark.area.front()};
+        for (const ui::Point& p : mark.area) box = ui::united(box, {p, p});
+        return box.grown(3.0).contains(at);
+    };
+    const auto found = std::ranges::find_if(drawn.loads, is_there);
+    return found == drawn.loads.end() ? nullptr : &*found;
+}
+
+std::optional<femoop::cross::BlankId> pick_cell(const Drawn& drawn, ui::Point at)
+{
+    const auto found = std::ranges::find_if(drawn.cells, [&](const CellMark& mark) { return mark.box.contains(at); });
+    return found == drawn.cells.end() ? std::nullopt : std::optional(found->cell);
+}
+
+std::optional<femoop::cross::JointId> pick(const Drawn& drawn, ui::Point at, double reach)
+{
+    std::optional<femoop::cross::JointId> found;
+    double nearest = reach;
+    for (const JointMark& mark : drawn.joints) {
+        const double distance = ui::distance(mark.at, at);
+        if (distance >= nearest) continue;
+        nearest = distance;
+        found = mark.joint;
+    }
+    return found;
+}
+
+} // namespace cross

@@ -1,0 +1,433 @@
+#include "apps/cross/view/exercise_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "apps/cross/view/blank_columns.h"
+#include "apps/cross/view/block_layout.h"
+#include "apps/cross/view/given.h"
+#include "apps/cross/view/numbers.h"
+#include "apps/cross/view/sheet_places.h"
+#include "apps/cross/view/structure_pictures.h"
+#include "apps/cross/view/verdict_mark.h"
+#include "apps/frame/view/structure/members.h"
+#include "apps/frame/view/structure/supports.h"
+#include "ui/paint/wrapped_lines.h"
+
+namespace cross {
+
+namespace fc = femoop::cross;
+using fc::Asked;
+
+namespace {
+
+constexpr double name_height = 1.15; // of the size of type
+constexpr double cell_height = 1.2;
+constexpr std::size_t lines_of_head_and_sum = 2; // that a block has besides those that it is asked for
+
+/// Writes the cells of one sheet into their boxes.
+class PaperWriter {
+public:
+    PaperWriter(ui::Painter& painter, const Panel& panel, const Scene& scene, Drawn& drawn)
+        : painter_(painter),
+          panel_(panel),
+          scene_(scene),
+          paper_(*scene.paper),
+          problem_(paper_.form.problem),
+          drawn_(drawn),
+          theme_(theme_in(panel, scene.look)),
+          shape_(frame::shape_of(scene.document.model)),
+          columns_(blank_columns(paper_, scene.paper_stage))
+    {
+        lay_out();
+    }
+
+    void draw()
+    {
+        const ui::LayerScope layer(painter_, ui::Layer::Labels);
+        mark_joint();
+        for (std::size_t e = 0; e < columns_.size(); ++e)
+            if (layout_.boxes[e] && !columns_[e].cells.empty()) draw_column(columns_[e], *layout_.boxes[e]);
+        if (scene_.paper_stage == paper_.n_sheets()) draw_superposition();
+        draw_legend();
+        for (const Ratio& ratio : ratios()) painter_.text(ratio.at, ratio.text, ratio_style());
+        draw_sways();
+    }
+
+    bool has_room() const
+    {
+        std::size_t n = 0;
+        for (const BlankColumn& column : columns_) n += column.cells.size();
+        if (scene_.paper_stage == paper_.n_sheets()) n += superposition_cells(paper_).size();
+        return drawn_.cells.size() >= n;
+    }
+
+private:
+    void lay_out()
+    {
+        BlockRequest request;
+        std::vector<std::size_t> with_cells;
+        for (std::size_t e = 0; e < columns_.size(); ++e) {
+            if (columns_[e].cells.empty()) continue;
+            request.places.push_back(place_of_end(panel_, shape_, problem_, fc::EndId(e), theme_));
+            with_cells.push_back(e);
+        }
+        request.room = panel_.box.grown(-0.3 * theme_.type().normal);
+        request.room.min.y += 1.8 * theme_.type().normal;
+        request.room.max.y -= legend_height();
+        if (scene_.paper_stage == paper_.n_sheets()) request.room.max.y -= 2.4 * theme_.type().normal;
+        request.obstacles = obstacles_in(panel_, shape_, scene_.document.model, theme_);
+        for (const Ratio& ratio : ratios()) request.obstacles.push_back(box_of(ratio));
+        request.largest_type = 1.1 * theme_.type().normal;
+        request.most_lines = n_lines() - std::min(n_lines(), lines_of_head_and_sum);
+        request.fewest_lines = request.most_lines;
+        request.least_type = 7.0;
+        request.n_rows = 3;
+        request.width_of = [this](double type) { return column_width(type); };
+        request.middle = middle_of(panel_, shape_);
+        BlockLayout found = laid_out(request);
+        layout_ = {.boxes = {}, .type = found.type, .n_lines = found.n_lines};
+        layout_.boxes.resize(columns_.size());
+        for (std::size_t i = 0; i < with_cells.size(); ++i) layout_.boxes[with_cells[i]] = found.boxes[i];
+    }
+
+    // ---- bending stiffnesses, where they differ
+
+    struct Ratio {
+        ui::Point at;
+        std::string text; ///< "2EI"
+    };
+
+    std::vector<Ratio> ratios() const
+    {
+        std::vector<Ratio> all;
+        bool do_differ = false;
+        for (std::size_t m = 0; m < problem_.members.size(); ++m) {
+            const fc::MemberAction& member = problem_.members[m];
+            if (member.EI_over_L <= 0.0 || member.is_overhang) continue;
+            const double ratio = member.EI_over_L * member.length / paper_.form.EI;
+            const bool is_one = std::abs(ratio - 1.0) < 1e-6;
+            do_differ = do_differ || !is_one;
+            all.push_back(
+                {beside(femoop::MemberId(m)), (is_one ? "" : ui::number_text(ratio, {3, decimal_mark()})) + "EI"});
+        }
+        return do_differ ? all : std::vector<Ratio>{};
+    }
+
+    ui::DecimalMark decimal_mark() const { return units_of(scene_.document.model, scene_.look.tr).format().mark; }
+
+    /// Beside the middle of a member: over a beam, right of a column.
+    ui::Point beside(femoop::MemberId id) const
+    {
+        const frame::MemberShape& member = shape_[id];
+        const ui::Point a = panel_.at(member.start_node), b = panel_.at(member.end_node);
+        const ui::Point d = ui::direction(b - a);
+        const bool is_upright = std::abs(d.y) > 0.7;
+        const double em = theme_.type().normal;
+        return 0.5 * (a + b) + (is_upright ? ui::Point{1.6 * em, 0.0} : ui::Point{0.0, -0.9 * em});
+    }
+
+    ui::TextStyle ratio_style() const { return theme_.text(ui::Role::Label, ui::Anchor::Center); }
+
+    ui::Box box_of(const Ratio& ratio) const
+    {
+        const double em = theme_.type().normal;
+        const double half = 0.5 * painter_.measure(ratio.text, ratio_style()).width;
+        return {ratio.at - ui::Point{half, 0.6 * em}, ratio.at + ui::Point{half, 0.6 * em}};
+    }
+
+    // ---- what the signs in the cells mean
+
+    ui::TextStyle legend_style() const
+    {
+        ui::TextStyle text = theme_.text(ui::Role::FaintLabel, ui::Anchor::TopLeft);
+        text.size = theme_.type().small;
+        return text;
+    }
+
+    std::string given() const
+    {
+        return given_words(scene_.document.model, scene_.document.method.load_case, scene_.look.tr);
+    }
+
+    std::vector<std::string> legend() const
+    {
+        const ui::Catalogue& tr = scene_.look.tr;
+        std::string words;
+        if (scene_.paper_stage == paper_.n_sheets())
+            words = tr("R: force of a prop in the loads' sheet (0) and in the sway's, x: how many times the sway is "
+                       "added, M: final moment");
+        else {
+            const std::string member = scene_.document.model[paper_.form.slenderest].id;
+            const std::string unit = units_of(scene_.document.model, tr).unit(ui::Measure::Length).name;
+            if (scene_.paper_stage == 0)
+                words = tr("k: stiffness in EI of {member} [1/{unit}], µ: distribution factor",
+                           {{"member", member}, {"unit", unit}}) +
+                        ", ";
+            words += tr("M: fixed-end moment, 1: balance of the first turn, →1: carried over by it, Σ: sum");
+        }
+        const double width = panel_.box.width() - 2.0 * legend_style().size;
+        auto lines = ui::wrapped_lines(painter_.fonts(), given(), legend_style(), width);
+        for (std::string& line : ui::wrapped_lines(painter_.fonts(), words, legend_style(), width))
+            lines.push_back(std::move(line));
+        return lines;
+    }
+
+    double legend_height() const { return (1.4 * static_cast<double>(legend().size()) + 0.6) * legend_style().size; }
+
+    void draw_legend()
+    {
+        const ui::TextStyle text = legend_style();
+        const double warning = has_room() ? 0.0 : 1.5 * text.size; // a line below
+        ui::Point at{panel_.box.min.x + text.size, panel_.box.max.y - legend_height() + 0.2 * text.size - warning};
+        for (const std::string& line : legend()) {
+            painter_.text(at, line, text);
+            at.y += 1.4 * text.size;
+        }
+    }
+
+    std::size_t n_lines() const
+    {
+        std::size_t most = lines_of_head_and_sum + 1;
+        for (const BlankColumn& column : columns_) most = std::max(most, column.n_lines);
+        return most;
+    }
+
+    double column_width(double type) const
+    {
+        const ui::TextStyle style{.size = type};
+        double widest = painter_.measure("−88.888", style).width;
+        for (const std::string& text : scene_.document.pupil->written)
+            if (text.size() < 12) widest = std::max(widest, painter_.measure(text, style).width);
+        return widest + 2.9 * type;
+    }
+
+    ui::TextStyle style(ui::Role role, ui::Anchor anchor) const
+    {
+        ui::TextStyle text = theme_.text(role, anchor);
+        text.size = layout_.type;
+        return text;
+    }
+
+    void draw_column(const BlankColumn& column, const ui::Box& box)
+    {
+        const double em = layout_.type;
+        ui::TextStyle name = style(ui::Role::Label, ui::Anchor::Center);
+        name.weight = ui::Weight::Bold;
+        painter_.text({0.5 * (box.min.x + box.max.x), box.min.y + 0.55 * em}, problem_[column.end].label, name);
+        for (const BlankCell& cell : column.cells) {
+            const double top = box.min.y + (name_height + line_height * static_cast<double>(cell.line)) * em;
+            const ui::Box place{{box.min.x + 0.05 * em, top}, {box.max.x - 0.05 * em, top + cell_height * em}};
+            if (place.max.y <= box.max.y + 0.2 * em) draw_cell(cell, place);
+        }
+    }
+
+    /// A frame round it, its label at the left, the number, and at the right what is said of it.
+    void draw_cell(const BlankCell& cell, const ui::Box& box)
+    {
+        drawn_.cells.push_back({cell.blank, box});
+        const double em = layout_.type;
+        const fc::Blank& blank = paper_.form[cell.blank];
+        const bool is_active = scene_.cell == cell.blank;
+        const auto verdict = paper_.is_told ? paper_.judgements[cell.blank.index].verdict : fc::Verdict::Open;
+        if (is_active) painter_.rectangle(box, theme_[ui::Role::Selection].fill);
+        ui::Stroke stroke = theme_.stroke(is_active ? ui::Role::Selection : ui::Role::GridAxis);
+        stroke.width = is_active ? 0.14 * em : 0.07 * em;
+        stroke.dash = {};
+        const auto outline = {box.min, {box.max.x, box.min.y}, box.max, ui::Point{box.min.x, box.max.y}};
+        painter_.polyline(outline, stroke, ui::PathEnds::Closed);
+        underline(blank.asked, box);
+        const double middle = 0.5 * (box.min.y + box.max.y);
+        ui::TextStyle label = style(ui::Role::FaintLabel, ui::Anchor::Left);
+        label.size *= 0.8;
+        painter_.text({box.min.x + 0.2 * em, middle}, cell.label, label);
+        ui::TextStyle number = style(role_of(verdict), ui::Anchor::Right);
+        painter_.text({box.max.x - 1.1 * em, middle}, shown(cell.blank), number);
+        draw_verdict(painter_, theme_, verdict, {box.max.x - 0.55 * em, middle}, em);
+    }
+
+    /// As on paper: a line under each balance, two over the sum, a frame round the factor.
+    void underline(Asked asked, const ui::Box& box)
+    {
+        ui::Stroke stroke = theme_.stroke(ui::Role::Label);
+        stroke.width = std::max(1.0, 0.08 * layout_.type);
+        stroke.dash = {};
+        const auto line = [&](double y) { painter_.line({box.min.x, y}, {box.max.x, y}, stroke); };
+        if (asked == Asked::Balance) line(box.max.y);
+        if (asked == Asked::Sum)
+            for (const double lift : {0.0, 0.16}) line(box.min.y - lift * layout_.type);
+        if (asked == Asked::Factor)
+            painter_.polyline({box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}, stroke,
+                              ui::PathEnds::Closed);
+    }
+
+    std::string shown(fc::BlankId id) const
+    {
+        const std::vector<std::string>& written = scene_.document.pupil->written;
+        if (id.index >= written.size()) return "";
+        const std::string& text = written[id.index];
+        const bool is_negative = !text.empty() && text.front() == '-';
+        return is_negative ? "−" + text.substr(1) : text;
+    }
+
+    /// A ring round the joint whose turn the cell belongs to.
+    void mark_joint()
+    {
+        if (!scene_.cell) return;
+        const fc::Blank& blank = paper_.form[*scene_.cell];
+        if (blank.asked != Asked::Balance && blank.asked != Asked::CarryOver) return;
+        const fc::Turn& turn = paper_.form.turns[blank.sheet][blank.step];
+        if (!turn || paper_.stage_of(*scene_.cell) != scene_.paper_stage) return;
+        ui::Stroke stroke = theme_.stroke(ui::Role::Selection);
+        stroke.width = 2.6 * theme_.symbol_scale();
+        stroke.dash = {};
+        painter_.circle(panel_.at(shape_[problem_[*turn].node]), 8.0 * theme_.symbol_scale(), stroke);
+    }
+
+    /// Which way the props of the sheet move, or push.
+    void draw_sways()
+    {
+        const std::size_t stage = scene_.paper_stage;
+        for (std::size_t k = 0; k < problem_.sways.size() && stage > 0; ++k)
+            if (stage == k + 1 || stage == paper_.n_sheets()) draw_arrow(problem_.sways[k]);
+    }
+
+    void draw_arrow(const fc::Sway& sway)
+    {
+        const double em = theme_.type().normal;
+        const ui::Point d{sway.direction.x(), -sway.direction.y()}, n = ui::left_normal(d);
+        const ui::Point start = panel_.at(shape_[sway.prop]) + 0.8 * em * d - 1.1 * em * ui::Point{0.0, 1.0};
+        const ui::Point tip = start + 3.0 * em * d;
+        ui::Stroke stroke = theme_.stroke(ui::Role::Deformed);
+        stroke.width = 0.16 * em;
+        stroke.dash = {};
+        painter_.line(start, tip - 0.5 * em * d, stroke);
+        painter_.polygon({tip, tip - 0.8 * em * d + 0.3 * em * n, tip - 0.8 * em * d - 0.3 * em * n}, stroke.color);
+    }
+
+    /// Forces of the props and how often the sways are added, in rows below.
+    void draw_superposition()
+    {
+        const double em = layout_.type, width = column_width(em) + 2.0 * em;
+        const std::string force = units_of(scene_.document.model, scene_.look.tr).unit(ui::Measure::Force).name;
+        const auto in_row = static_cast<std::size_t>(std::max(1.0, (panel_.box.width() - em) / (width + 0.6 * em)));
+        const double bottom = panel_.box.max.y - legend_height() - 1.6 * em;
+        std::vector<BlankCell> cells = superposition_cells(paper_);
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            const double x = panel_.box.min.x + em + static_cast<double>(i % in_row) * (width + 0.6 * em);
+            const double y = bottom - 1.5 * static_cast<double>(i / in_row) * em;
+            if (y < panel_.box.min.y) return;
+            if (paper_.form[cells[i].blank].asked == Asked::Holding) cells[i].label += " [" + force + "]";
+            draw_cell(cells[i], ui::box_at({x, y}, {width, cell_height * em}));
+        }
+    }
+
+    ui::Painter& painter_;
+    const Panel& panel_;
+    const Scene& scene_;
+    const Paper& paper_;
+    const fc::Problem& problem_;
+    Drawn& drawn_;
+    ui::Theme theme_;
+    frame::StructureShape shape_;
+    std::vector<BlankColumn> columns_;
+    BlockLayout layout_;
+};
+
+std::string title_of(const Scene& scene)
+{
+    const ui::Catalogue& tr = scene.look.tr;
+    const Numbers numbers(scene.document, scene.solution, scene.look);
+    const std::string unit = " [" + numbers.moment_unit() + "]";
+    const std::size_t stage = scene.paper_stage;
+    if (scene.paper->is_solved()) return tr("The sheet is right") + unit;
+    if (scene.paper->n_sheets() == 1) return tr("Fill the sheet") + unit;
+    if (stage == 0) return tr("Fill the sheet of the loads, sways propped") + unit;
+    if (stage == scene.paper->n_sheets()) return tr("Add the sheets") + unit;
+    const femoop::NodeId prop = scene.paper->form.problem.sways[stage - 1].prop;
+    return tr("Fill the sheet of the sway at {node}", {{"node", scene.document.model[prop].id}}) + unit;
+}
+
+void draw_cells(ui::Painter& painter, const Panel& panel, const Scene& scene, Drawn& drawn)
+{
+    const ui::Theme theme = theme_in(panel, scene.look);
+    draw_title(painter, panel, title_of(scene), theme);
+    draw_structure_in(painter, panel, scene, {}, [](const frame::Scene& in) {
+        frame::draw_members(in, frame::Presence::Subject);
+        {
+            const ui::LayerScope layer(in.sketch.painter(), ui::Layer::Symbols);
+            frame::draw_supports(in);
+        }
+        frame::draw_joints(in);
+    });
+    const ui::ClipScope clip(painter, panel.box);
+    PaperWriter writer(painter, panel, scene, drawn);
+    writer.draw();
+    if (!writer.has_room())
+        write_below(painter, panel, theme,
+                    scene.look.tr("some cells have no room here; Tab reaches them, and the panel has them"));
+}
+
+/// Lines below the sheet, in the usual size of type: the legend, and where sheets are added what belongs to no end.
+double lines_below(const Paper& paper) { return paper.n_sheets() > 1 ? 7.0 : 4.0; }
+
+/// Room for dimension lines on the left and below, since all lengths are needed.
+ui::PlaneCamera roomy_camera(const frame::StructureShape& shape, ui::Size size, double em)
+{
+    std::vector<ui::World2> nodes;
+    for (const Eigen::Vector3d& node : shape.nodes) nodes.push_back({node.x(), node.y()});
+    constexpr double most = 0.36; // of a small panel
+    const double left = std::min(9.0 * em, most * size.width), right = std::min(4.5 * em, most * size.width);
+    const double top = std::min(6.5 * em, most * size.height), bottom = std::min(6.0 * em, most * size.height);
+    ui::PlaneCamera camera;
+    camera.fit(nodes, size, {.left = left, .top = top, .right = right, .bottom = bottom});
+    return camera;
+}
+
+/// The sheet gets the room of the pictures that are not shown; the moments come next to the structure once it is right.
+Panels exercise_panels(const frame::StructureShape& shape, ui::Size size, const ui::Theme& theme, const Paper& paper)
+{
+    const double em = theme.type().normal, below = lines_below(paper) * em;
+    Panels panels = panels_for(shape, size, theme);
+    if (!panels.is_stacked)
+        panels = panels_for(shape, {size.width, std::max(0.5 * size.height, size.height - below)}, theme);
+    panels.sheet.box.max.y = size.height;
+    if (panels.is_stacked) {
+        const double top = panels.structure.box.max.y, height = paper.is_solved() ? panels.moments.box.height() : 0.0;
+        panels.moments.box = {{0.0, top}, {size.width, top + height}};
+        panels.sheet.box.min.y = top + height;
+        return panels;
+    }
+    const double left = panels.sheet.box.min.x, half = 0.5 * size.height;
+    panels.structure.box = {{0.0, 0.0}, {left, half}};
+    panels.moments.box = {{0.0, half}, {left, size.height}};
+    panels.structure.camera = panels.moments.camera = roomy_camera(shape, panels.structure.box.size(), em);
+    return panels;
+}
+
+} // namespace
+
+Drawn draw_exercise(ui::Painter& painter, const Scene& scene)
+{
+    Drawn drawn;
+    const bool is_solved = scene.paper->is_solved() && scene.state != nullptr;
+    const ui::Theme theme = scene.look.full_theme();
+    const frame::StructureShape shape = frame::shape_of(scene.document.model);
+    const Panels panels = exercise_panels(shape, painter.size(), theme, *scene.paper);
+    const ui::Box& first = panels.structure.box;
+    {
+        const ui::LayerScope layer(painter, ui::Layer::Grid);
+        const ui::Stroke stroke = theme.stroke(ui::Role::GridAxis);
+        painter.line({first.min.x, first.max.y}, first.max, stroke);
+        const ui::Box& sheet = panels.sheet.box;
+        if (panels.is_stacked && is_solved) painter.line(sheet.min, {sheet.max.x, sheet.min.y}, stroke);
+        if (!panels.is_stacked) painter.line(sheet.min, {sheet.min.x, sheet.max.y}, stroke);
+    }
+    draw_loaded(painter, panels.structure, scene);
+    if (is_solved) draw_moment_state(painter, panels.moments, scene);
+    draw_cells(painter, panels.sheet, scene, drawn);
+    return drawn;
+}
+
+} // namespace cross

@@ -1,0 +1,262 @@
+#include "apps/cross/view/panels.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "apps/cross/view/numbers.h"
+
+namespace cross {
+
+namespace {
+
+constexpr double slender = 0.12; // height of a beam's picture, of its length
+
+struct Extent {
+    ui::World2 low, high;
+    double width() const { return high.x - low.x; }
+    double height() const { return high.y - low.y; }
+};
+
+Extent extent_of(const frame::StructureShape& shape)
+{
+    if (shape.nodes.empty()) return {{0.0, 0.0}, {1.0, 0.0}};
+    Extent extent{{shape.nodes[0].x(), shape.nodes[0].y()}, {shape.nodes[0].x(), shape.nodes[0].y()}};
+    for (const Eigen::Vector3d& node : shape.nodes) {
+        extent.low = {std::min(extent.low.x, node.x()), std::min(extent.low.y, node.y())};
+        extent.high = {std::max(extent.high.x, node.x()), std::max(extent.high.y, node.y())};
+    }
+    return extent;
+}
+
+ui::PlaneCamera camera_over(const Extent& extent, ui::Size panel, ui::Margins margins)
+{
+    constexpr double most = 0.24; // of a small panel
+    ui::PlaneCamera camera;
+    for (double* const side : {&margins.left, &margins.right}) *side = std::min(*side, most * panel.width);
+    for (double* const side : {&margins.top, &margins.bottom}) *side = std::min(*side, most * panel.height);
+    camera.fit(std::array{extent.low, extent.high}, panel, margins);
+    return camera;
+}
+
+/// The beam at a height of the panel, over the whole width.
+ui::PlaneCamera beam_camera(const Extent& extent, ui::Size panel, double margin, double middle)
+{
+    const double scale = (panel.width - 2.0 * margin) / std::max(extent.width(), 1e-9);
+    const double y = 0.5 * (extent.low.y + extent.high.y);
+    return ui::PlaneCamera({margin - scale * extent.low.x, middle + scale * y}, scale);
+}
+
+/// The sheet needs room for its columns, so a low frame is drawn higher and a slender one broader.
+void draw_out(Panel& panel, Extent extent, const ui::Margins& margins)
+{
+    constexpr double least = 0.6, most = 1.7;
+    const double width = panel.box.width() - margins.left - margins.right;
+    const double height = panel.box.height() - margins.top - margins.bottom;
+    const double natural = width / std::max(extent.width(), 1e-9) * extent.height();
+    if (natural > 0.0) panel.stretch = std::clamp(height / natural, least, most);
+    extent.low.y *= panel.stretch;
+    extent.high.y *= panel.stretch;
+    panel.camera = camera_over(extent, panel.box.size(), margins);
+}
+
+Panels stacked(const Extent& extent, ui::Size sheet, const ui::Theme& theme)
+{
+    const double em = theme.type().normal, margin = std::min(4.6 * em, 0.1 * sheet.width);
+    const std::array shares{0.24, 0.16, 0.20};
+    Panels panels{.is_stacked = true};
+    double top = 0.0;
+    const auto next = [&](Panel& panel, double height, double middle) {
+        panel.box = ui::box_at({0.0, top}, {sheet.width, height});
+        panel.camera = beam_camera(extent, panel.box.size(), margin, middle);
+        top += height;
+    };
+    const double first = shares[0] * sheet.height; // dimension lines keep their size
+    next(panels.structure, first, std::max(0.45 * first, first - 6.4 * em));
+    next(panels.deformed, shares[1] * sheet.height, 0.56 * shares[1] * sheet.height);
+    next(panels.moments, shares[2] * sheet.height, 0.56 * shares[2] * sheet.height);
+    next(panels.sheet, sheet.height - top, 2.9 * em);
+    panels.structure.ems_high = 10.5;
+    panels.deformed.ems_high = 7.0;
+    panels.moments.ems_high = 9.0;
+    return panels;
+}
+
+Panels beside(const Extent& extent, ui::Size sheet, const ui::Theme& theme)
+{
+    const double em = theme.type().normal, left = 0.34 * sheet.width, height = sheet.height / 3.0;
+    Panels panels;
+    const ui::Margins tight{5.0 * em, 5.2 * em, 5.0 * em, 3.6 * em};
+    double top = 0.0;
+    for (Panel* const panel : {&panels.structure, &panels.deformed, &panels.moments}) {
+        panel->box = ui::box_at({0.0, top}, {left, height});
+        panel->camera = camera_over(extent, panel->box.size(), tight);
+        top += height;
+    }
+    panels.sheet.box = {{left, 0.0}, {sheet.width, sheet.height}};
+    panels.structure.ems_high = panels.deformed.ems_high = panels.moments.ems_high = 13.0;
+    draw_out(panels.sheet, extent, {6.5 * em, 9.0 * em, 6.5 * em, 4.0 * em});
+    return panels;
+}
+
+} // namespace
+
+const Panel& Panels::operator[](Part part) const
+{
+    switch (part) {
+    case Part::Structure: return structure;
+    case Part::Deformed: return deformed;
+    case Part::Moments: return moments;
+    case Part::Sheet: break;
+    }
+    return sheet;
+}
+
+namespace {
+
+bool is_flat(const Extent& extent) { return extent.height() <= slender * extent.width(); }
+
+} // namespace
+
+Panel panel_alone(Part part, const frame::StructureShape& shape, ui::Size sheet, const ui::Theme& theme)
+{
+    const Extent extent = extent_of(shape);
+    const double em = theme.type().normal;
+    const double foot = part == Part::Moments ? 7.0 * em : 3.6 * em; // arrows of reactions
+    Panel panel{.box = ui::box_at({0.0, 0.0}, sheet), .ems_high = 7.0};
+    if (is_flat(extent)) {
+        const double middle = part == Part::Sheet       ? 2.9 * em
+                              : part == Part::Structure ? sheet.height - 6.4 * em
+                                                        : 0.56 * sheet.height;
+        panel.camera = beam_camera(extent, sheet, std::min(4.6 * em, 0.1 * sheet.width), middle);
+    } else if (part == Part::Sheet) {
+        draw_out(panel, extent, {6.5 * em, 9.0 * em, 6.5 * em, 4.0 * em});
+    } else {
+        panel.camera = camera_over(extent, sheet, {7.0 * em, 5.2 * em, 7.0 * em, foot});
+    }
+    return panel;
+}
+
+double height_alone(Part part, const frame::StructureShape& shape, double width, std::size_t n_lines,
+                    const ui::Theme& theme)
+{
+    const Extent extent = extent_of(shape);
+    const double em = theme.type().normal;
+    if (!is_flat(extent)) {
+        const double natural = width * extent.height() / std::max(extent.width(), 1e-9);
+        return part == Part::Sheet ? std::clamp(1.3 * natural, 0.75 * width, 1.3 * width)
+                                   : std::clamp(0.8 * natural, 0.45 * width, 0.9 * width);
+    }
+    const double lines = static_cast<double>(std::clamp<std::size_t>(n_lines, 2, 16));
+    return part == Part::Sheet ? em * (10.0 + 1.4 * lines) : part == Part::Structure ? 15.0 * em : 11.0 * em;
+}
+
+Eigen::Vector2d middle_of(const frame::StructureShape& shape)
+{
+    const Extent extent = extent_of(shape);
+    return {0.5 * (extent.low.x + extent.high.x), 0.5 * (extent.low.y + extent.high.y)};
+}
+
+Zoom zoomed(const Zoom& zoom, Eigen::Vector2d own_middle, Eigen::Vector2d at, double factor)
+{
+    const double next = std::clamp(zoom.factor * factor, Zoom::least, Zoom::most);
+    const Eigen::Vector2d middle = zoom.middle.value_or(own_middle);
+    return {next, at + (middle - at) * (zoom.factor / next)};
+}
+
+Zoom moved(const Zoom& zoom, Eigen::Vector2d own_middle, Eigen::Vector2d by)
+{
+    return {zoom.factor, zoom.middle.value_or(own_middle) - by};
+}
+
+namespace {
+
+/// What was in the middle makes room for what the zoom looks at.
+void look_closer(Panel& panel, const Eigen::Vector2d& own, const Zoom& zoom)
+{
+    const ui::Point middle = panel.camera.to_sheet({own.x(), panel.stretch * own.y()});
+    const Eigen::Vector2d at = zoom.middle.value_or(own);
+    const double scale = zoom.factor * panel.camera.scale();
+    panel.is_zoomed = true;
+    panel.camera = ui::PlaneCamera({middle.x - scale * at.x(), middle.y + scale * panel.stretch * at.y()}, scale);
+}
+
+} // namespace
+
+Panels panels_for(const frame::StructureShape& shape, ui::Size sheet, const ui::Theme& theme, const Zoom& zoom)
+{
+    const Extent extent = extent_of(shape);
+    Panels panels = is_flat(extent) ? stacked(extent, sheet, theme) : beside(extent, sheet, theme);
+    Zoom look = zoom;
+    const Eigen::Vector2d own = middle_of(shape);
+    if (look.middle && panels.is_stacked) look.middle->y() = own.y();
+    for (Panel* const panel : {&panels.structure, &panels.deformed, &panels.moments, &panels.sheet})
+        if (look.factor != 1.0 || look.middle) look_closer(*panel, own, look);
+    return panels;
+}
+
+ui::Theme theme_in(const Panel& panel, const Look& look)
+{
+    constexpr double enough = 24.0, least_type = 11.0; // of the panel's width in ems
+    const ui::Theme theme = look.full_theme();
+    const double em = theme.type().normal, least = std::min(1.0, least_type / em);
+    const double room = std::min(panel.box.width() / enough, panel.box.height() / panel.ems_high);
+    return theme.scaled(std::clamp(room / em, least, 1.0));
+}
+
+void draw_borders(ui::Painter& painter, const Panels& panels, const ui::Theme& theme)
+{
+    const ui::LayerScope layer(painter, ui::Layer::Grid);
+    const ui::Stroke stroke = theme.stroke(ui::Role::GridAxis);
+    for (const Panel* const panel : {&panels.structure, &panels.deformed, &panels.moments}) {
+        if (!panels.is_stacked && panel == &panels.moments) break;
+        const double y = panel->box.max.y;
+        painter.line({panel->box.min.x, y}, {panel->box.max.x, y}, stroke);
+    }
+    if (panels.is_stacked) return;
+    const double x = panels.sheet.box.min.x;
+    painter.line({x, panels.sheet.box.min.y}, {x, panels.sheet.box.max.y}, stroke);
+}
+
+double draw_title(ui::Painter& painter, const Panel& panel, const std::string& title, const ui::Theme& theme)
+{
+    ui::TextStyle style = theme.text(ui::Role::FaintLabel, ui::Anchor::TopLeft);
+    style.weight = ui::Weight::Bold;
+    if (panel.is_zoomed) style.plate = theme.background(); // the structure may lie there
+    const double room = panel.box.width() - 1.2 * style.size;
+    style.size *= std::min(1.0, room / std::max(1.0, painter.measure(title, style).width));
+    const ui::LayerScope layer(painter, ui::Layer::Labels);
+    painter.text(panel.box.min + ui::Point{0.6 * style.size, 0.4 * style.size}, title, style);
+    return 1.9 * style.size;
+}
+
+frame::Grips draw_structure_in(ui::Painter& painter, const Panel& panel, const Scene& scene, const frame::ShowSet& show,
+                               const std::function<void(const frame::Scene&)>& marks)
+{
+    const ui::ClipScope clip(painter, panel.box);
+    const ui::Theme theme = theme_in(panel, scene.look);
+    femoop::Model model = scene.document.model;
+    for (femoop::Node& node : model.nodes)
+        if (panel.stretch != 1.0) node.at[1] = femoop::Quantity(panel.stretch * node.at[1].value());
+    const frame::StructureShape shape = frame::shape_of(model);
+    frame::ViewOptions options;
+    options.show = show;
+    options.load_case = scene.document.method.load_case;
+    options.theme = scene.look.theme;
+    options.tr = scene.look.tr;
+    const frame::Projection projection(panel.camera, panel.box.min);
+    const frame::Crowding crowding(shape, projection);
+    ui::Box room = panel.box.grown(-3.0);
+    room.min.y += 1.7 * theme.type().normal; // of the title
+    frame::Sketch sketch({.painter = &painter,
+                          .theme = &theme,
+                          .room = room,
+                          .symbol_factor = crowding.symbol_share(),
+                          .is_crowded = crowding.is_crowded()});
+    const ui::DisplayUnits units = units_of(scene.document.model, scene.look.tr);
+    marks({model, shape, projection, options, units, sketch, crowding});
+    sketch.write_captions();
+    return sketch.grips();
+}
+
+} // namespace cross

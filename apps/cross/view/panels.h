@@ -1,0 +1,55 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "apps/cross/view/scene.h"
+#include "apps/frame/view/sketch/scene.h"
+
+namespace cross {
+
+/// Where one of the four pictures stands, and how it looks at the structure.
+struct Panel {
+    ui::Box box;
+    ui::PlaneCamera camera; ///< within the box
+    double stretch = 1.0;   ///< of heights: a calculation's sketch need not be to scale
+    bool is_zoomed = false;
+    double ems_high = 1.0; ///< how many of the usual lines of type its marks need
+
+    ui::Point at(const Eigen::Vector3d& place) const
+    {
+        return box.min + camera.to_sheet({place.x(), stretch * place.y()});
+    }
+};
+
+struct Panels {
+    Panel structure, deformed, moments, sheet;
+    bool is_stacked = false; ///< below one another: a beam
+
+    const Panel& operator[](Part part) const;
+};
+
+/// A structure so much longer than high is drawn as a beam, each picture below the other, which zooms along its axis.
+Panels panels_for(const frame::StructureShape& shape, ui::Size sheet, const ui::Theme& theme, const Zoom& zoom = {});
+/// The middle of the structure's extent.
+Eigen::Vector2d middle_of(const frame::StructureShape& shape);
+
+/// One of the pictures alone on a sheet.
+Panel panel_alone(Part part, const frame::StructureShape& shape, ui::Size sheet, const ui::Theme& theme);
+/// How high such a sheet is to be: a beam is flat, and the calculation has so many lines of numbers.
+double height_alone(Part part, const frame::StructureShape& shape, double width, std::size_t n_lines,
+                    const ui::Theme& theme);
+
+/// Where a panel is small, type, lines and symbols are smaller, as far as they can still be read.
+ui::Theme theme_in(const Panel& panel, const Look& look);
+
+/// The lines between the pictures.
+void draw_borders(ui::Painter& painter, const Panels& panels, const ui::Theme& theme);
+/// What a picture shows, at its top left. \returns its height
+double draw_title(ui::Painter& painter, const Panel& panel, const std::string& title, const ui::Theme& theme);
+
+/// Draws marks of a structure in one panel through the frame app's own symbols. \returns what a hand can take hold of
+frame::Grips draw_structure_in(ui::Painter& painter, const Panel& panel, const Scene& scene, const frame::ShowSet& show,
+                               const std::function<void(const frame::Scene&)>& marks);
+
+} // namespace cross

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "apps/cross/document/solution.h"
+#include "apps/cross/view/look.h"
+#include "apps/cross/view/paper.h"
+#include "apps/frame/view/sketch/sketch.h"
+#include "ui/canvas/plane_camera.h"
+#include "ui/paint/painter.h"
+
+namespace cross {
+
+/// All that a picture is drawn from.
+struct Scene {
+    const Document& document;
+    const Solution& solution;
+    const femoop::Results* state = nullptr; ///< of the present locks; null where there is no task
+    double phase = 1.0;                     ///< how much of the last turn is done: 1 at rest
+    std::optional<femoop::cross::JointId> hover;
+    const Look& look;
+    const Paper* paper = nullptr;                 ///< that a pupil fills; null: the app works the sheet
+    std::optional<femoop::cross::BlankId> cell{}; ///< that is being filled
+    std::size_t paper_stage = 0;                  ///< the sheet of the paper that is seen
+};
+
+/// The four pictures.
+enum class Part : std::uint8_t { Structure, Deformed, Moments, Sheet };
+
+/// Where a joint stands in one of them.
+struct JointMark {
+    femoop::cross::JointId joint;
+    Part part;
+    ui::Point at;
+};
+
+/// A node in the picture of the structure.
+struct NodeMark {
+    femoop::NodeId node;
+    ui::Point at;
+};
+
+/// A cell of a pupil's sheet.
+struct CellMark {
+    femoop::cross::BlankId cell;
+    ui::Box box;
+};
+
+/// What a picture shows, for a hand.
+struct Drawn {
+    std::vector<CellMark> cells;
+    std::vector<JointMark> joints;
+    std::vector<NodeMark> nodes;
+    std::vector<frame::LoadMark> loads;
+    ui::Point corner;       ///< of the structure's picture
+    ui::PlaneCamera camera; ///< within it
+
+    /// One of the pictures, for a hand that zooms.
+    struct View {
+        ui::Box box;
+        ui::PlaneCamera camera;
+        double stretch = 1.0;
+    };
+    std::vector<View> views;                          ///< the structure's first
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero(); ///< of the structure
+
+    /// The place of the structure that is shown there; nothing beside the pictures.
+    std::optional<Eigen::Vector2d> place_at(ui::Point at) const;
+    bool is_in_structure(ui::Point at) const { return !views.empty() && views.front().box.contains(at); }
+    ui::Point on_sheet(ui::World2 place) const { return corner + camera.to_sheet(place); }
+    ui::World2 in_structure(ui::Point at) const { return camera.to_world(at - corner); }
+};
+
+/// Draws structure, deformed shape, moments and calculation sheet on the painter's whole sheet: below one another for
+/// a beam, so that everything stands below its support; beside one another for a frame. Where the structure cannot be
+/// distributed it says why.
+Drawn draw(ui::Painter& painter, const Scene& scene);
+
+/// The node of the structure's picture, the joint of any picture within reach of a place [logical pixels].
+std::optional<femoop::NodeId> pick_node(const Drawn& drawn, ui::Point at, double reach);
+std::optional<femoop::cross::JointId> pick(const Drawn& drawn, ui::Point at, double reach);
+/// The cell of a pupil's sheet that is there.
+std::optional<femoop::cross::BlankId> pick_cell(const Drawn& drawn, ui::Point at);
+/// The load whose arrows are there; null where there is none.
+const frame::LoadMark* pick_load(const Drawn& drawn, ui::Point at);
+
+} // namespace cross

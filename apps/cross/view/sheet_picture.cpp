@@ -1,0 +1,390 @@
+#include "apps/cross/view/sheet_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "apps/cross/view/block_layout.h"
+#include "apps/cross/view/columns.h"
+#include "apps/cross/view/numbers.h"
+#include "apps/cross/view/sheet_places.h"
+#include "apps/frame/view/sheet/legend.h"
+#include "apps/frame/view/structure/members.h"
+#include "apps/frame/view/structure/supports.h"
+
+namespace cross {
+
+namespace fc = femoop::cross;
+using fc::RowKind;
+
+namespace {
+
+constexpr double balances_until = 0.6; // of a turn's phase; then the carry-overs fly
+
+/// Writes one sheet into its boxes.
+class SheetWriter {
+public:
+    SheetWriter(ui::Painter& painter, const Panel& panel, const Scene& scene)
+        : painter_(painter),
+          panel_(panel),
+          scene_(scene),
+          problem_(scene.solution.task->problem),
+          sheet_(scene.solution.sheet(scene.document)),
+          theme_(theme_in(panel, scene.look)),
+          numbers_(scene.document, scene.solution, scene.look),
+          shape_(frame::shape_of(scene.document.model)),
+          moments_(present_moments(scene.document, scene.solution))
+    {
+        if (sheet_ != nullptr) columns_ = columns_of(problem_, *sheet_);
+        factors_ = fc::factors_of(problem_, scene.document.method.digits);
+        widest_ = widest();
+        lay_out();
+    }
+
+    void draw()
+    {
+        const ui::LayerScope layer(painter_, ui::Layer::Labels);
+        mark_joints();
+        for (std::size_t e = 0; e < problem_.ends.size(); ++e)
+            if (layout_.boxes[e]) draw_column(fc::EndId(e));
+        if (sheet_ != nullptr && !sheet_->steps.empty()) draw_flights();
+        draw_left_out();
+    }
+
+private:
+    // ---- where everything stands
+
+    ui::Point joint_place(femoop::NodeId node) const { return panel_.at(shape_[node]); }
+
+    void lay_out()
+    {
+        BlockRequest request;
+        for (std::size_t e = 0; e < problem_.ends.size(); ++e)
+            request.places.push_back(place_of_end(panel_, shape_, problem_, fc::EndId(e), theme_));
+        const auto is_balanced = [this](const EndPlace& place) { return problem_[place.end].joint.has_value(); };
+        std::stable_partition(request.places.begin(), request.places.end(), is_balanced); // joints have most to write
+        request.room = panel_.box.grown(-0.3 * theme_.type().normal);
+        request.room.min.y += 1.8 * theme_.type().normal;
+        request.obstacles = obstacles_in(panel_, shape_, scene_.document.model, theme_);
+        request.largest_type = 1.05 * theme_.type().normal;
+        request.most_lines = wanted_lines();
+        request.width_of = [this](double type) { return column_width(type); };
+        request.middle = middle_of(panel_, shape_);
+        layout_ = laid_out(request);
+        std::vector<std::optional<ui::Box>> by_end(problem_.ends.size());
+        for (std::size_t i = 0; i < request.places.size(); ++i) by_end[request.places[i].end.index] = layout_.boxes[i];
+        layout_.boxes = std::move(by_end);
+    }
+
+    /// So many that columns grow, and move, only now and then.
+    std::size_t wanted_lines() const
+    {
+        constexpr std::size_t at_once = 4, most = 16;
+        return std::clamp((n_levels() + at_once - 1) / at_once * at_once, at_once, most);
+    }
+
+    double column_width(double type) const { return type * (widest_ + 0.9); }
+
+    /// The broadest number of the sheet, in ems.
+    double widest() const
+    {
+        constexpr double em = 16.0;
+        double widest = 0.0;
+        const ui::TextStyle style{.size = em, .weight = ui::Weight::Bold};
+        const auto consider = [&](const std::string& text) {
+            widest = std::max(widest, painter_.measure(text, style).width / em);
+        };
+        for (std::size_t e = 0; e < problem_.ends.size(); ++e) {
+            consider(numbers_.moment(problem_.ends[e], -std::abs(problem_.loading.fixed_end[e])));
+            consider(numbers_.moment(problem_.ends[e], -std::abs(moments_[e])));
+            consider(numbers_.factor(factors_[e]));
+            if (sheet_ != nullptr) consider(numbers_.moment(problem_.ends[e], -std::abs(sheet_->start.moments[e])));
+        }
+        if (scene_.document.method.digits > 0) // small numbers have most decimals
+            for (const Column& column : columns_)
+                for (const Cell& cell : column.cells)
+                    consider(numbers_.moment(problem_[column.end], -std::abs(cell.value)));
+        return widest;
+    }
+
+    // ---- what stands there
+
+    ui::TextStyle style(ui::Role role, ui::Anchor anchor, ui::Weight weight = ui::Weight::Regular) const
+    {
+        ui::TextStyle text = theme_.text(role, anchor);
+        text.size = layout_.type;
+        text.weight = weight;
+        return text;
+    }
+
+    double line(double n) const { return n * line_height * layout_.type; }
+
+    /// The lines that the columns have used, of all; and how many of them the boxes show.
+    std::size_t n_levels() const
+    {
+        std::size_t most = 0;
+        for (const Column& column : columns_) most = std::max(most, column.n_levels);
+        return most;
+    }
+    std::size_t n_shown() const { return std::min(n_levels(), layout_.n_lines); }
+
+    /// First level below the fixed-end moments that is still there, for a joint's columns together.
+    std::size_t first_shown(const Column& column) const
+    {
+        const std::size_t room = layout_.n_lines;
+        std::size_t used = column.n_levels;
+        if (const auto joint = problem_[column.end].joint)
+            for (const fc::EndId end : problem_[*joint].ends) used = std::max(used, columns_[end.index].n_levels);
+        return used <= room ? 1 : used - (room - 2); // one line says that some are gone
+    }
+
+    /// Middle of the right end of a line.
+    ui::Point line_at(const ui::Box& box, double n) const
+    {
+        return {box.max.x - 0.4 * layout_.type, box.min.y + head_height * layout_.type + line(n + 0.5)};
+    }
+
+    ui::Point place_of(const Column& column, const Cell& cell) const
+    {
+        const ui::Box& box = *layout_.boxes[column.end.index];
+        if (cell.level == 0) return line_at(box, 0.0);
+        const std::size_t first = first_shown(column);
+        const double skipped = first > 1 ? 2.0 : 1.0;
+        return line_at(box, skipped + static_cast<double>(cell.level - first));
+    }
+
+    bool is_shown(const Column& column, const Cell& cell) const
+    {
+        return cell.level == 0 || cell.level >= first_shown(column);
+    }
+
+    bool is_last_turn(const Cell& cell) const { return cell.step > 0 && cell.step == sheet_->steps.size(); }
+
+    void draw_column(fc::EndId id)
+    {
+        const ui::Box& box = *layout_.boxes[id.index];
+        draw_head(id, box);
+        if (sheet_ != nullptr) draw_cells(columns_[id.index]);
+        draw_total(id, box);
+    }
+
+    void draw_head(fc::EndId id, const ui::Box& box)
+    {
+        const fc::End& end = problem_[id];
+        const double em = layout_.type, middle = 0.5 * (box.min.x + box.max.x);
+        ui::TextStyle name = style(ui::Role::FaintLabel, ui::Anchor::Center);
+        name.size *= 0.9;
+        painter_.text({middle, box.min.y + 0.55 * em}, end.label, name);
+        if (!end.joint) return;
+        const ui::Box frame{{box.min.x + 0.15 * em, box.min.y + 1.1 * em},
+                            {box.max.x - 0.05 * em, box.min.y + 2.55 * em}};
+        ui::Stroke stroke = theme_.stroke(ui::Role::Label);
+        stroke.width = std::max(1.0, 0.07 * em);
+        painter_.polyline({frame.min, {frame.max.x, frame.min.y}, frame.max, {frame.min.x, frame.max.y}}, stroke,
+                          ui::PathEnds::Closed);
+        painter_.text(frame.center(), numbers_.factor(factors_[id.index]), style(ui::Role::Label, ui::Anchor::Center));
+    }
+
+    void draw_cells(const Column& column)
+    {
+        if (first_shown(column) > 1)
+            painter_.text(line_at(*layout_.boxes[column.end.index], 1.0) - ui::Point{0.8 * layout_.type, 0.0}, "⋮",
+                          style(ui::Role::FaintLabel, ui::Anchor::Right));
+        for (const Cell& cell : column.cells) {
+            if (!is_shown(column, cell)) continue;
+            const ui::Point at = place_of(column, cell);
+            const bool is_flying = is_last_turn(cell) && scene_.phase < 1.0;
+            if (!is_flying) write(column, cell, at);
+            if (cell.kind == RowKind::Balance && !is_flying) underline(column, at);
+        }
+    }
+
+    void write(const Column& column, const Cell& cell, ui::Point at, std::optional<ui::Color> plate = {})
+    {
+        const bool is_last = is_last_turn(cell);
+        const ui::Role role = !is_last                        ? ui::Role::Label
+                              : cell.kind == RowKind::Balance ? ui::Role::Changed
+                                                              : ui::Role::Created;
+        const ui::Weight weight = is_last ? ui::Weight::Bold : ui::Weight::Regular;
+        ui::TextStyle text = style(role, ui::Anchor::Right, weight);
+        text.plate = plate;
+        painter_.text(at, numbers_.moment(problem_[column.end], cell.value), text);
+    }
+
+    void underline(const Column& column, ui::Point at)
+    {
+        const ui::Box& box = *layout_.boxes[column.end.index];
+        ui::Stroke stroke = theme_.stroke(ui::Role::Label);
+        stroke.width = std::max(0.8, 0.05 * layout_.type);
+        const double y = at.y + line(0.48);
+        painter_.line({box.min.x + 0.2 * layout_.type, y}, {box.max.x, y}, stroke);
+    }
+
+    void draw_total(fc::EndId id, const ui::Box& box)
+    {
+        const double n = sheet_ == nullptr ? 0.0 : static_cast<double>(n_shown());
+        const ui::Point at = line_at(box, n + 0.12);
+        ui::Stroke stroke = theme_.stroke(ui::Role::Label);
+        stroke.width = std::max(1.0, 0.06 * layout_.type);
+        for (const double lift : {0.56, 0.42}) {
+            const double y = at.y - line(lift);
+            painter_.line({box.min.x + 0.1 * layout_.type, y}, {box.max.x, y}, stroke);
+        }
+        painter_.text(at, numbers_.moment(problem_[id], total(id)),
+                      style(ui::Role::BendingMoment, ui::Anchor::Right, ui::Weight::Bold));
+    }
+
+    /// A number that still flies is not counted.
+    double total(fc::EndId id) const
+    {
+        double sum = moments_[id.index];
+        if (sheet_ == nullptr || scene_.phase >= 1.0) return sum;
+        for (const Cell& cell : columns_[id.index].cells)
+            if (is_last_turn(cell)) sum -= cell.value;
+        return sum;
+    }
+
+    /// A ring around the joint that was balanced last, and one around what the pointer is on.
+    void mark_joints()
+    {
+        const double r = 8.0 * theme_.symbol_scale();
+        const auto ring = [&](fc::JointId joint, ui::Role role) {
+            ui::Stroke stroke = theme_.stroke(role);
+            stroke.width = 2.6 * theme_.symbol_scale();
+            stroke.dash = {};
+            painter_.circle(joint_place(problem_[joint].node), r, stroke);
+        };
+        if (sheet_ != nullptr && !sheet_->steps.empty() && sheet_->steps.back().joint)
+            ring(*sheet_->steps.back().joint, ui::Role::Changed);
+        if (scene_.hover) ring(*scene_.hover, ui::Role::Hover);
+    }
+
+    // ---- the last turn
+
+    std::optional<ui::Point> cell_of_last_turn(fc::EndId end, RowKind kind) const
+    {
+        if (!layout_.boxes[end.index]) return std::nullopt;
+        const Column& column = columns_[end.index];
+        for (const Cell& cell : column.cells)
+            if (is_last_turn(cell) && cell.kind == kind) return place_of(column, cell);
+        return std::nullopt;
+    }
+
+    void draw_flights()
+    {
+        for (const Column& column : columns_) {
+            if (!layout_.boxes[column.end.index]) continue;
+            for (const Cell& cell : column.cells)
+                if (is_last_turn(cell)) draw_flight(column, cell);
+        }
+    }
+
+    void draw_flight(const Column& column, const Cell& cell)
+    {
+        const ui::Point to = place_of(column, cell);
+        const fc::End& end = problem_[column.end];
+        if (cell.kind == RowKind::Balance) {
+            fly(column, cell, joint_place(end.node), to, scene_.phase / balances_until);
+            return;
+        }
+        const auto from = end.far ? cell_of_last_turn(*end.far, RowKind::Balance) : std::nullopt;
+        if (!from) return fly(column, cell, to, to, 1.0);
+        const double share = (scene_.phase - balances_until) / (1.0 - balances_until);
+        if (share > 0.0) draw_arrow(*from, to, joint_place(end.node), std::min(1.0, share));
+        fly(column, cell, *from, to, share);
+    }
+
+    void fly(const Column& column, const Cell& cell, ui::Point from, ui::Point to, double share)
+    {
+        if (scene_.phase >= 1.0 || share <= 0.0) return;
+        write(column, cell, from + std::min(1.0, share) * (to - from), theme_.background());
+    }
+
+    /// From the balance to what it carries over, as far as it has come.
+    void draw_arrow(ui::Point from, ui::Point to, ui::Point joint, double share)
+    {
+        const ui::LayerScope layer(painter_, ui::Layer::Lines);
+        const double em = layout_.type, width = column_width(em);
+        // Along a column of the frame it runs down beside the numbers, away from the member.
+        const bool is_upright = std::abs(to.x - from.x) < 0.6 * width;
+        const bool leaves_right = is_upright ? from.x - 0.5 * width > joint.x : to.x > from.x;
+        const ui::Point right{0.5 * em, 0.0}, left{-width, 0.0};
+        const ui::Point a = from + (leaves_right ? right : left), b = to + (leaves_right == is_upright ? right : left);
+        const ui::Point tip = a + share * (b - a), d = ui::direction(b - a);
+        if (ui::distance(a, tip) < 1.2 * em) return;
+        ui::Stroke stroke = theme_.stroke(ui::Role::Created);
+        stroke.width = 0.09 * em;
+        painter_.line(a, tip - 0.5 * em * d, stroke);
+        const ui::Point n = ui::left_normal(d);
+        painter_.polygon({tip, tip - 0.75 * em * d + 0.28 * em * n, tip - 0.75 * em * d - 0.28 * em * n}, stroke.color);
+    }
+
+    void draw_left_out()
+    {
+        const auto n_missing = std::ranges::count_if(layout_.boxes, [](const auto& box) { return !box; });
+        const std::size_t n = static_cast<std::size_t>(n_missing) - layout_.n_outside;
+        if (n == 0) return;
+        write_below(
+            painter_, panel_, theme_,
+            scene_.look.tr("member ends without room for their columns: {count}; zoom in, or see the panel Table",
+                           {{"count", std::to_string(n)}}));
+    }
+
+    ui::Painter& painter_;
+    const Panel& panel_;
+    const Scene& scene_;
+    const fc::Problem& problem_;
+    const fc::Sheet* sheet_;
+    ui::Theme theme_;
+    Numbers numbers_;
+    frame::StructureShape shape_;
+    std::vector<double> moments_, factors_;
+    std::vector<Column> columns_;
+    double widest_ = 0.0; // number
+    BlockLayout layout_;  // its boxes by end
+};
+
+std::string stage_name(const Scene& scene)
+{
+    const ui::Catalogue& tr = scene.look.tr;
+    const fc::Problem& problem = scene.solution.task->problem;
+    const std::size_t stage = scene.document.stage;
+    if (problem.sways.empty()) return tr("Calculation sheet");
+    if (stage == 0) return tr("Sheet of the loads, sways propped");
+    if (stage > problem.sways.size()) return tr("All sheets together");
+    const femoop::NodeId prop = problem.sways[stage - 1].prop;
+    return tr("Sheet of the sway at {node}", {{"node", scene.document.model[prop].id}});
+}
+
+std::string title_of(const Scene& scene)
+{
+    const ui::Catalogue& tr = scene.look.tr;
+    const Numbers numbers(scene.document, scene.solution, scene.look);
+    std::string title = stage_name(scene) + " [" + numbers.moment_unit() + "]";
+    const fc::Sheet* const sheet = scene.solution.sheet(scene.document);
+    if (sheet == nullptr) return title;
+    if (sheet->steps.empty()) return title + tr(": every joint locked");
+    const auto joint = sheet->steps.back().joint;
+    const std::string step = std::to_string(sheet->steps.size());
+    if (!joint) return title + tr(": step {n}, all joints at once", {{"n", step}});
+    const std::string& name = scene.document.model[scene.solution.task->problem[*joint].node].id;
+    return title + tr(": step {n}, joint {joint}", {{"n", step}, {"joint", name}});
+}
+
+} // namespace
+
+void draw_sheet(ui::Painter& painter, const Panel& panel, const Scene& scene)
+{
+    draw_title(painter, panel, title_of(scene), theme_in(panel, scene.look));
+    draw_structure_in(painter, panel, scene, {}, [](const frame::Scene& in) {
+        frame::draw_members(in, frame::Presence::Subject);
+        {
+            const ui::LayerScope layer(in.sketch.painter(), ui::Layer::Symbols);
+            frame::draw_supports(in);
+        }
+        frame::draw_joints(in);
+    });
+    const ui::ClipScope clip(painter, panel.box);
+    SheetWriter(painter, panel, scene).draw();
+}
+
+} // namespace cross

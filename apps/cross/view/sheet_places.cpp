@@ -1,0 +1,69 @@
+#include "apps/cross/view/sheet_places.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cross {
+
+namespace {
+
+/// A chain of small boxes along a member.
+void cover(const Panel& panel, const frame::MemberShape& member, std::vector<ui::Box>& taken)
+{
+    const ui::Point a = panel.at(member.start_node), b = panel.at(member.end_node);
+    const int n = std::max(1, static_cast<int>(ui::distance(a, b) / 6.0));
+    const bool is_along_axis = std::abs(a.x - b.x) < 1.0 || std::abs(a.y - b.y) < 1.0;
+    for (int i = 0; i < (is_along_axis ? 1 : n); ++i) {
+        const ui::Point p = a + (static_cast<double>(i) / n) * (b - a);
+        const ui::Point q = is_along_axis ? b : a + (static_cast<double>(i + 1) / n) * (b - a);
+        taken.push_back(ui::united({p, p}, {q, q}).grown(2.0));
+    }
+}
+
+} // namespace
+
+EndPlace place_of_end(const Panel& panel, const frame::StructureShape& shape, const femoop::cross::Problem& problem,
+                      femoop::cross::EndId id, const ui::Theme& theme)
+{
+    const femoop::cross::End& end = problem[id];
+    const ui::Point joint = panel.at(shape[end.node]);
+    if (!end.member) return {id, joint, {0.0, 1.0}, 4.0 * theme.type().normal};
+    const frame::MemberShape& member = shape[*end.member];
+    const ui::Point a = panel.at(member.start_node), b = panel.at(member.end_node);
+    const ui::Point along = end.which == 0 ? ui::direction(b - a) : ui::direction(a - b);
+    return {id, joint, along, ui::distance(a, b)};
+}
+
+std::vector<ui::Box> obstacles_in(const Panel& panel, const frame::StructureShape& shape, const femoop::Model& model,
+                                  const ui::Theme& theme)
+{
+    std::vector<ui::Box> taken;
+    for (const frame::MemberShape& member : shape.members) cover(panel, member, taken);
+    const double reach = 15.0 * theme.symbol_scale();
+    for (std::size_t n = 0; n < shape.nodes.size(); ++n) {
+        const ui::Point at = panel.at(shape.nodes[n]);
+        const bool has_support = model.nodes[n].support.has_value();
+        const double below = has_support ? 2.0 * reach : 0.4 * reach, side = has_support ? 0.8 * reach : 0.4 * reach;
+        taken.push_back({at + ui::Point{-side, -0.4 * reach}, at + ui::Point{side, below}});
+    }
+    return taken;
+}
+
+ui::Point middle_of(const Panel& panel, const frame::StructureShape& shape)
+{
+    ui::Box around{panel.at(shape.nodes.front()), panel.at(shape.nodes.front())};
+    for (const auto& node : shape.nodes) around = ui::united(around, {panel.at(node), panel.at(node)});
+    return around.center();
+}
+
+void write_below(ui::Painter& painter, const Panel& panel, const ui::Theme& theme, const std::string& words)
+{
+    ui::TextStyle text = theme.text(ui::Role::Warning, ui::Anchor::BottomRight);
+    const double room = 0.96 * panel.box.width();
+    text.size = theme.type().small;
+    text.size *= std::min(1.0, room / painter.measure(words, text).width);
+    text.plate = theme.background();
+    painter.text(panel.box.max - ui::Point{0.5 * text.size, 0.5 * text.size}, words, text);
+}
+
+} // namespace cross

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/cross/view/block_layout.h"
+#include "apps/cross/view/panels.h"
+
+namespace cross {
+
+/// Where the columns of a sheet may stand on the structure's sketch.
+
+EndPlace place_of_end(const Panel& panel, const frame::StructureShape& shape, const femoop::cross::Problem& problem,
+                      femoop::cross::EndId end, const ui::Theme& theme);
+/// What they must leave free: members, joints, supports.
+std::vector<ui::Box> obstacles_in(const Panel& panel, const frame::StructureShape& shape, const femoop::Model& model,
+                                  const ui::Theme& theme);
+ui::Point middle_of(const Panel& panel, const frame::StructureShape& shape);
+
+/// A warning at the lower right of a panel.
+void write_below(ui::Painter& painter, const Panel& panel, const ui::Theme& theme, const std::string& words);
+
+} // namespace cross

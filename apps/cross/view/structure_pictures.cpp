@@ -1,0 +1,226 @@
+#include "apps/cross/view/structure_pictures.h"
+
+#include <cmath>
+
+#include "apps/cross/view/lock.h"
+#include "apps/cross/view/numbers.h"
+#include "apps/frame/view/loads/loads.h"
+#include "apps/frame/view/results/deformed.h"
+#include "apps/frame/view/results/diagram.h"
+#include "apps/frame/view/results/reactions.h"
+#include "apps/frame/view/sketch/symbols.h"
+#include "apps/frame/view/structure/dimensions.h"
+#include "apps/frame/view/structure/members.h"
+#include "apps/frame/view/structure/supports.h"
+#include "ui/paint/wrapped_lines.h"
+
+namespace cross {
+
+namespace fc = femoop::cross;
+using frame::Show;
+
+namespace {
+
+void draw_supports_and_joints(const frame::Scene& in)
+{
+    {
+        const ui::LayerScope layer(in.sketch.painter(), ui::Layer::Symbols);
+        frame::draw_supports(in);
+    }
+    frame::draw_joints(in);
+}
+
+/// Results of the present state, and those that set the scale: what the distribution comes to.
+struct Solved {
+    frame::SolvedCase present, scale;
+};
+
+std::optional<Solved> solved(const Scene& scene)
+{
+    if (scene.state == nullptr) return std::nullopt;
+    auto present = frame::solved_case(*scene.state, fc::state_case(*scene.state));
+    if (!present) return std::nullopt;
+    const std::optional<femoop::Results>& balanced = scene.solution.task->balanced;
+    auto scale = balanced && scene.document.stage == 0 ? frame::solved_case(*balanced, fc::state_case(*balanced))
+                                                       : std::nullopt;
+    frame::SolvedCase by = scale ? *scale : *present;
+    return Solved{std::move(*present), std::move(by)};
+}
+
+/// What locks of the sheet that is worked on do now.
+class Locked {
+public:
+    Locked(const Scene& scene, const frame::Scene& in, const frame::SolvedCase& present, double scale)
+        : scene_(scene), in_(in), present_(present), scale_(scale), numbers_(scene.document, scene.solution, scene.look)
+    {
+        for (const Eigen::Vector3d& node : in.shape.nodes) middle_ += node / static_cast<double>(in.shape.nodes.size());
+    }
+
+    void draw_all(const fc::Sheet& sheet)
+    {
+        const fc::Problem& problem = scene_.solution.task->problem;
+        for (std::size_t j = 0; j < problem.joints.size(); ++j) draw_one(sheet, problem, fc::JointId(j));
+        const std::vector<double> forces = held_by_props(scene_.document, scene_.solution);
+        for (std::size_t k = 0; k < problem.sways.size(); ++k) draw_prop(problem.sways[k], forces[k]);
+    }
+
+private:
+    ui::Point displaced(femoop::NodeId node) const
+    {
+        const femoop::NodeVector d = present_.result.displacement(node);
+        return in_.projection(in_.shape[node] + scale_ * Eigen::Vector3d(d[0], d[1], 0.0));
+    }
+
+    /// A strut to the ground along the direction in which the node would move, and the force in it.
+    void draw_prop(const fc::Sway& sway, double force)
+    {
+        const Eigen::Vector3d positive(sway.direction.x(), sway.direction.y(), 0.0);
+        const bool is_outward = positive.dot(in_.shape[sway.prop] - middle_) >= 0.0;
+        const Eigen::Vector3d along = is_outward ? positive : Eigen::Vector3d(-positive);
+        const Eigen::Vector3d across(-along.y(), along.x(), 0.0);
+        const frame::SymbolFrame frame{displaced(sway.prop), in_.projection.direction(along),
+                                       in_.projection.direction(across)};
+        const double reach = in_.sketch.px(24.0);
+        const ui::LayerScope layer(in_.sketch.painter(), ui::Layer::Symbols);
+        in_.sketch.line(frame.origin, frame(reach, 0.0), in_.sketch.stroke(ui::Role::Support));
+        for (const double end : {in_.sketch.px(3.0), reach})
+            in_.sketch.disc(frame(end, 0.0), in_.sketch.px(2.4), in_.sketch.stroke(ui::Role::Support).color);
+        const frame::SymbolFrame foot = frame.moved(reach, 0.0);
+        frame::draw_ground(in_.sketch, {foot.origin, foot.y, -foot.x}, in_.sketch.px(10.0));
+        in_.sketch.caption({.text = in_.text(force, ui::Measure::Force),
+                            .role = ui::Role::Reaction,
+                            .target = frame(reach, 0.0),
+                            .toward = frame.x,
+                            .gap = in_.sketch.px(8.0),
+                            .rank = frame::Rank::Largest});
+    }
+
+    void draw_one(const fc::Sheet& sheet, const fc::Problem& problem, fc::JointId id)
+    {
+        const fc::Joint& joint = problem[id];
+        const bool is_turning = scene_.phase < 1.0 && !sheet.steps.empty() &&
+                                (!sheet.steps.back().joint || sheet.steps.back().joint == id);
+        const bool is_open = is_turning || (joint.is_released_once && sheet.end.rotations[id.index] != 0.0);
+        const ui::Point at = displaced(joint.node) + ui::Point{0.0, -in_.sketch.px(17.0)};
+        draw(in_.sketch, Lock{at, !is_open});
+        if (!is_open) write_held(at, sheet.end.unbalance[id.index], sheet.tolerance);
+    }
+
+    void write_held(ui::Point at, double moment, double tolerance)
+    {
+        const bool is_done = std::abs(moment) <= tolerance;
+        in_.sketch.caption({.text = numbers_.moment(moment),
+                            .role = is_done ? ui::Role::FaintLabel : ui::Role::Reaction,
+                            .target = at,
+                            .toward = {1.0, -0.1},
+                            .gap = in_.sketch.px(9.0),
+                            .rank = frame::Rank::Largest,
+                            .weight = is_done ? ui::Weight::Regular : ui::Weight::Bold});
+    }
+
+    const Scene& scene_;
+    const frame::Scene& in_;
+    const frame::SolvedCase& present_;
+    double scale_;
+    Numbers numbers_;
+    Eigen::Vector3d middle_ = Eigen::Vector3d::Zero(); // props stand outside
+};
+
+/// Of a mechanism: why there is no deformed shape.
+void write_remark(ui::Painter& painter, const Panel& panel, const Scene& scene)
+{
+    if (scene.solution.task->remarks.empty()) return;
+    const ui::Theme theme = theme_in(panel, scene.look);
+    ui::TextStyle style = theme.text(ui::Role::Error, ui::Anchor::TopLeft);
+    style.plate = theme.background();
+    const ui::LayerScope layer(painter, ui::Layer::Overlay);
+    ui::Point at = panel.box.min + ui::Point{0.6 * style.size, 2.0 * style.size};
+    const std::string words = fault_text(scene.solution.task->remarks.front(), scene.look.tr);
+    for (const std::string& line :
+         ui::wrapped_lines(painter.fonts(), words, style, panel.box.width() - 1.2 * style.size)) {
+        painter.text(at, line, style);
+        at.y += 1.4 * style.size;
+    }
+}
+
+std::string bracketed(const std::string& words, const Scene& scene)
+{
+    return words + " [" + Numbers(scene.document, scene.solution, scene.look).moment_unit() + "]";
+}
+
+} // namespace
+
+frame::Grips draw_loaded(ui::Painter& painter, const Panel& panel, const Scene& scene)
+{
+    const ui::Theme theme = theme_in(panel, scene.look);
+    const ui::Catalogue& tr = scene.look.tr;
+    const std::string& name = scene.document.model.case_name(scene.document.method.load_case);
+    draw_title(painter, panel, tr("Structure and loads: {case}", {{"case", name}}), theme);
+    const frame::ShowSet show{Show::Loads, Show::Values, Show::NodeNames, Show::Dimensions};
+    return draw_structure_in(painter, panel, scene, show, [](const frame::Scene& in) {
+        frame::draw_members(in, frame::Presence::Subject);
+        draw_supports_and_joints(in);
+        frame::draw_loads(in);
+        frame::draw_names(in);
+        frame::draw_dimensions(in);
+    });
+}
+
+void draw_deformed_state(ui::Painter& painter, const Panel& panel, const Scene& scene)
+{
+    const ui::Catalogue& tr = scene.look.tr;
+    const fc::Sheet* const sheet = scene.solution.sheet(scene.document);
+    const std::string title = sheet != nullptr ? bracketed(tr("Deformed shape, locks and their moments"), scene)
+                                               : tr("Deformed shape, no joint locked");
+    draw_title(painter, panel, title, theme_in(panel, scene.look));
+    const std::optional<Solved> results = solved(scene);
+    draw_structure_in(painter, panel, scene, {Show::Deformed}, [&](const frame::Scene& in) {
+        frame::draw_members(in, frame::Presence::Behind);
+        if (results) {
+            const double scale = frame::deformation_scale(in, results->present, results->scale, panel.box.size());
+            frame::draw_deformed(in, results->present, scale);
+            if (sheet != nullptr) Locked(scene, in, results->present, scale).draw_all(*sheet);
+        }
+        draw_supports_and_joints(in);
+    });
+    if (!results) write_remark(painter, panel, scene);
+}
+
+namespace {
+
+/// One section force of the present state along the members.
+void draw_force_state(ui::Painter& painter, const Panel& panel, const Scene& scene, femoop::MemberComponent component)
+{
+    const bool is_shear = component == femoop::MemberComponent::Vy;
+    const std::optional<Solved> results = solved(scene);
+    draw_structure_in(painter, panel, scene, {is_shear ? Show::V : Show::M, Show::Values}, [&](const frame::Scene& in) {
+        frame::draw_members(in, frame::Presence::Subject);
+        if (results) {
+            const frame::Diagram diagram = frame::make_diagram(in, results->present, results->scale, component,
+                                                               panel.box.size());
+            frame::draw_diagram(in, results->present, diagram);
+        }
+        draw_supports_and_joints(in);
+        if (results && is_shear) frame::draw_reactions(in, results->present);
+    });
+}
+
+} // namespace
+
+void draw_moment_state(ui::Painter& painter, const Panel& panel, const Scene& scene)
+{
+    const ui::Catalogue& tr = scene.look.tr;
+    draw_title(painter, panel, bracketed(tr("Bending moments on the tension side"), scene),
+               theme_in(panel, scene.look));
+    draw_force_state(painter, panel, scene, femoop::MemberComponent::Mz);
+}
+
+void draw_shear_state(ui::Painter& painter, const Panel& panel, const Scene& scene)
+{
+    const ui::Catalogue& tr = scene.look.tr;
+    const std::string unit = units_of(scene.document.model, tr).unit(ui::Measure::Force).name;
+    draw_title(painter, panel, tr("Shear forces and reactions") + " [" + unit + "]", theme_in(panel, scene.look));
+    draw_force_state(painter, panel, scene, femoop::MemberComponent::Vy);
+}
+
+} // namespace cross

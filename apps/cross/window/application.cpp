@@ -1,0 +1,103 @@
+#include "apps/cross/window/application.h"
+
+#include <imgui.h>
+
+#include <exception>
+#include <utility>
+
+#include "apps/cross/session/calculation.h"
+#include "apps/cross/session/report.h"
+#include "apps/cross/window/player_bar.h"
+#include "apps/cross/window/results_panel.h"
+#include "femoop/io/whole_file.h"
+#include "ui/report/html.h"
+#include "ui/report/pages.h"
+
+template class ui::DocumentApp<cross::Desk>;
+
+namespace cross {
+
+using ui::translatable;
+
+Application::Application(ui::Context& context, const ui::Fonts& fonts, Session session)
+    : DocumentApp(context, fonts, std::move(session), command_table(),
+                  {.name = translatable("Cremona: moment distribution"),
+                   .description = translatable("Sheet in words"),
+                   .files = {.extension = ".json", .picture_extension = ".svg"},
+                   .sides = {{17.0F, 24.0F}, {0.22F, 0.28F}}}),
+      canvas_(fonts)
+{}
+
+void Application::show_left()
+{
+    if (session().paper() != nullptr) exercise_panel_.show_beginning(desk(), commands());
+    else method_panel_.show(desk(), commands());
+}
+
+void Application::show_right()
+{
+    if (!session().hides_results()) results_panel(desk(), commands());
+    const bool is_asked = desk().topic == Topic::Exercises;
+    if (session().paper() != nullptr && (session().hides_results() || is_asked))
+        exercise_panel_.show_paper(desk(), commands(), canvas_.cell_field(), is_drawn(session(), canvas_.drawn()));
+    else if (is_asked) exercise_panel_.show_beginning(desk(), commands());
+}
+
+void Application::show_canvas()
+{
+    const bool has_bar = session().paper() == nullptr; // a pupil has nothing to play
+    const float bar = has_bar ? ImGui::GetFrameHeight() + 0.8F * ImGui::GetFontSize() : 0.0F;
+    show_picture(bar, [this] { canvas_.show(desk().session, gui()); });
+    if (has_bar) ui::bar_below_picture(bar, [this] { player_bar(desk(), commands()); });
+}
+
+void Application::take(ui::Request request)
+{
+    if (request == ui::Request::Fit) desk().session.look.zoom = {};
+    if (request == ui::Request::ZoomIn) canvas_.zoom(desk().session, 1.25);
+    if (request == ui::Request::ZoomOut) canvas_.zoom(desk().session, 0.8);
+}
+
+std::string Application::status() const { return status_text(session()); }
+
+std::string Application::words() const { return in_words(session()); }
+
+std::optional<ui::Phrase> Application::write(const std::filesystem::path& path)
+{
+    const std::string kind = path.extension().string();
+    const bool is_report_on_paper = path.filename().string().ends_with(".report.pdf");
+    if (kind == ".html" || is_report_on_paper) {
+        if (session().hides_results()) return ui::Phrase(translatable("the exercise is not solved yet"));
+        return write_report(path);
+    }
+    if (kind != ".csv" && kind != ".tex") return DocumentApp::write(path);
+    if (!session().solution().task) return ui::Phrase(translatable("this structure cannot be distributed"));
+    const TextTable table = table_of(session(), desk().topic);
+    const std::string text = kind == ".csv" ? as_csv(table, session().tr().language()) : as_latex(table);
+    const std::error_code error = femoop::write_whole_file(path, text);
+    if (!error) return std::nullopt;
+    return ui::Phrase(translatable("{file} was not saved: {reason}"),
+                      {{"file", path.filename().string()}, {"reason", error.message()}});
+}
+
+std::optional<ui::Phrase> Application::write_report(const std::filesystem::path& path) const
+{
+    const auto not_saved = [&](const std::string& reason) {
+        return ui::Phrase(translatable("{file} was not saved: {reason}"),
+                          {{"file", path.filename().string()}, {"reason", reason}});
+    };
+    try {
+        const ui::Report report = calculation(session().document(), session().look, fonts());
+        if (path.extension() == ".html") {
+            const std::error_code error = femoop::write_whole_file(path, ui::report_html(report, fonts()));
+            return error ? std::optional(not_saved(error.message())) : std::nullopt;
+        }
+        ui::write_pdf(path, ui::report_pages(report, fonts()), fonts(),
+                      {.background = ui::rgb(0xFFFFFF), .title = report.title});
+        return std::nullopt;
+    } catch (const std::exception& error) {
+        return not_saved(error.what());
+    }
+}
+
+} // namespace cross

@@ -1,0 +1,151 @@
+#include "apps/cross/window/canvas.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "apps/cross/view/hint.h"
+#include "apps/cross/view/numbers.h"
+
+namespace cross {
+
+void Canvas::show(Session& session, ui::ImGuiSession& gui)
+{
+    const auto scale = static_cast<float>(gui.scale());
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    if (room.x < 8.0F || room.y < 8.0F) return;
+    corner_ = {static_cast<double>(corner.x / scale), static_cast<double>(corner.y / scale)};
+    sheet_ = {static_cast<double>(room.x / scale), static_cast<double>(room.y / scale)};
+    ImGui::InvisibleButton("canvas", room);
+    if (session.paper() != nullptr) ImGui::SetItemAllowOverlap(); // the field of a cell lies on it
+    const ImGuiIO& io = ImGui::GetIO();
+    follow(session, {static_cast<double>((io.MousePos.x - corner.x) / scale),
+                     static_cast<double>((io.MousePos.y - corner.y) / scale)});
+    ui::Painter painter(sheet_, fonts_);
+    drawn_ = draw(painter, session.scene());
+    draw_hint(painter, session);
+    picture_ = painter.picture();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(corner, {corner.x + room.x, corner.y + room.y}, true);
+    gui.show(*picture_, list, {static_cast<double>(corner.x), static_cast<double>(corner.y)});
+    list.PopClipRect();
+    cell_field_.show(session, drawn_, corner_, scale);
+}
+
+void Canvas::follow(Session& session, ui::Point at)
+{
+    if (session.paper() != nullptr) return follow_pupil(session, at);
+    const double reach = 26.0 * ui::Theme(session.look.theme).symbol_scale(); // a lock belongs to its joint
+    const bool is_over = ImGui::IsItemHovered();
+    session.hover = is_over ? pick(drawn_, at, reach) : std::nullopt;
+    pointer_ = is_over ? std::optional(at) : std::nullopt;
+    move_about(session, at);
+    const double scale = ui::Theme(session.look.theme).symbol_scale();
+    const Aim aim = is_over ? aim_at(session.document().model, drawn_, at, scale) : Aim{};
+    const bool can_pull = !std::holds_alternative<std::monostate>(aim);
+    if (session.hover || can_pull || hand_.is_holding()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    const auto* const node = std::get_if<NodeAim>(&aim);
+    const bool is_right = is_over && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+    if (node != nullptr && (is_right || (ImGui::IsItemActivated() && ImGui::GetIO().KeyShift)))
+        change_support(session, node->node);
+    else if (ImGui::IsItemActivated()) press(session, at);
+    else if (hand_.is_holding() && ImGui::IsItemActive()) hand_.pull(session, at);
+    else if (hand_.is_holding()) release(session);
+}
+
+void Canvas::zoom(Session& session, double factor)
+{
+    if (drawn_.views.empty()) return;
+    const auto at = pointer_ ? drawn_.place_at(*pointer_) : drawn_.place_at(drawn_.views.back().box.center());
+    if (at) session.look.zoom = zoomed(session.look.zoom, drawn_.middle, *at, factor);
+}
+
+/// The wheel zooms; the middle button, or the left one beside everything, moves the pictures along.
+void Canvas::move_about(Session& session, ui::Point at)
+{
+    const ImGuiIO& io = ImGui::GetIO();
+    if (pointer_ && io.MouseWheel != 0.0F) zoom(session, std::pow(1.2, static_cast<double>(io.MouseWheel)));
+    const bool is_left = ImGui::IsItemActive() && !hand_.is_holding() && (dragged_ || !session.hover);
+    const bool is_middle = (pointer_ || dragged_) && ImGui::IsMouseDown(ImGuiMouseButton_Middle);
+    if (!is_left && !is_middle) return dragged_.reset();
+    const auto from = dragged_ ? drawn_.place_at(*dragged_) : std::nullopt, to = drawn_.place_at(at);
+    if (from && to) session.look.zoom = moved(session.look.zoom, drawn_.middle, *to - *from);
+    if (to) dragged_ = at;
+}
+
+void Canvas::follow_pupil(Session& session, ui::Point at)
+{
+    session.hover.reset();
+    pointer_.reset();
+    dragged_.reset();
+    if (hand_.is_holding()) hand_.release(session);
+    const auto cell = ImGui::IsItemHovered() ? pick_cell(drawn_, at) : std::nullopt;
+    if (cell) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (ImGui::IsItemActivated()) session.go_to_cell(cell);
+}
+
+void Canvas::press(Session& session, ui::Point at)
+{
+    if (hand_.press(session, drawn_, at, ui::Theme(session.look.theme).symbol_scale()) || !session.hover) return;
+    session.is_playing = false;
+    if (const auto reason = session.balance(*session.hover)) session.notice = Notice{*reason};
+}
+
+void Canvas::release(Session& session)
+{
+    const auto node = hand_.release(session);
+    const auto& task = session.solution().task;
+    const auto joint = node && task ? task->problem.joint_at(*node) : std::nullopt;
+    if (!joint) return;
+    session.is_playing = false;
+    if (const auto reason = session.balance(*joint)) session.notice = Notice{*reason};
+}
+
+bool Canvas::is_over_structure(ui::Point beam) const
+{
+    constexpr double near = 80.0;
+    return pointer_ && std::abs(pointer_->y - beam.y) < near;
+}
+
+void Canvas::draw_hint(ui::Painter& painter, const Session& session) const
+{
+    if (!pointer_ || hand_.is_holding()) return;
+    const femoop::Model& model = session.document().model;
+    const double scale = ui::Theme(session.look.theme).symbol_scale();
+    const Aim aim = aim_at(model, drawn_, *pointer_, scale);
+    for (const Side side : {Side::Left, Side::Right})
+        if (const auto sign = sign_beyond(model, drawn_, side, scale); sign && is_over_structure(*sign))
+            draw(painter, Hint{.kind = Hint::Kind::Span, .at = *sign, .is_faint = true}, session.look);
+    if (const auto* const end = std::get_if<EndAim>(&aim))
+        draw(painter, Hint{Hint::Kind::Span, end->at, session.tr()("a span more")}, session.look);
+    const auto* const span = std::get_if<SpanAim>(&aim);
+    if (span == nullptr) return;
+    const ui::DisplayUnits units = units_of(model, session.tr());
+    const auto& nodes = model[span->member].nodes;
+    const double length = (place_of(model, nodes[1]) - place_of(model, nodes[0])).norm();
+    const std::string parts = units.text(span->x, ui::Measure::Length) + " | " +
+                              units.text(length - span->x, ui::Measure::Length);
+    draw(painter, Hint{Hint::Kind::Support, span->at, parts}, session.look);
+}
+
+ui::Picture Canvas::picture_of(const Session& session) const
+{
+    ui::Painter painter(sheet_, fonts_);
+    Scene scene = session.scene();
+    scene.hover.reset();
+    scene.cell.reset();
+    draw(painter, scene);
+    return painter.picture();
+}
+
+std::optional<ui::Point> Canvas::in_window(femoop::cross::JointId joint, Part part) const
+{
+    for (const JointMark& mark : drawn_.joints)
+        if (mark.joint == joint && mark.part == part) return corner_ + mark.at;
+    return std::nullopt;
+}
+
+} // namespace cross

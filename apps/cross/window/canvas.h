@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "apps/cross/session/structure_hand.h"
+#include "apps/cross/window/cell_field.h"
+#include "ui/context/imgui_session.h"
+#include "ui/paint/text_measure.h"
+
+namespace cross {
+
+/// The picture of a session, and what a hand does on it: a click on a joint balances it; in the
+/// picture of the structure a hand changes it (structure_hand.h); Shift and a click, or the right button, changes what
+/// holds a node. While a pupil fills the sheet a click chooses a cell.
+class Canvas {
+public:
+    explicit Canvas(const ui::Fonts& fonts) : fonts_(fonts) {}
+
+    /// \pre within a window of Dear ImGui's, which it fills
+    void show(Session& session, ui::ImGuiSession& gui);
+
+    /// About the pointer, else about the middle of the calculation sheet.
+    void zoom(Session& session, double factor);
+    CellField& cell_field() { return cell_field_; }
+    const std::optional<ui::Picture>& picture() const { return picture_; }
+    /// The picture without what the pointer marks.
+    ui::Picture picture_of(const Session& session) const;
+    /// Where a joint is in the window [logical pixels]; nothing where it is not drawn.
+    std::optional<ui::Point> in_window(femoop::cross::JointId joint, Part part) const;
+    const Drawn& drawn() const { return drawn_; }
+    ui::Point corner() const { return corner_; }
+
+private:
+    void follow(Session& session, ui::Point at);
+    void follow_pupil(Session& session, ui::Point at);
+    void press(Session& session, ui::Point at);
+    void release(Session& session);
+    void move_about(Session& session, ui::Point at);
+    bool is_over_structure(ui::Point beam) const;
+    void draw_hint(ui::Painter& painter, const Session& session) const;
+
+    const ui::Fonts& fonts_;
+    ui::Point corner_{};
+    ui::Size sheet_{900.0, 700.0};
+    Drawn drawn_;
+    StructureHand hand_;
+    std::optional<ui::Point> pointer_; ///< over the picture
+    std::optional<ui::Point> dragged_; ///< where the hand that moves the pictures was last
+    std::optional<ui::Picture> picture_;
+    CellField cell_field_;
+};
+
+} // namespace cross

@@ -1,0 +1,116 @@
+#include "apps/cross/window/cell_field.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace cross {
+
+namespace {
+
+std::string written_in(const Session& session, femoop::cross::BlankId cell)
+{
+    const auto& written = session.document().pupil->written;
+    return cell.index < written.size() ? written[cell.index] : "";
+}
+
+const CellMark* mark_of(const Session& session, const Drawn& drawn)
+{
+    const auto found = std::ranges::find_if(drawn.cells,
+                                            [&](const CellMark& mark) { return mark.cell == session.cell(); });
+    return found == drawn.cells.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+bool is_drawn(const Session& session, const Drawn& drawn) { return mark_of(session, drawn) != nullptr; }
+
+void CellField::show(Session& session, const Drawn& drawn, ui::Point corner, float scale)
+{
+    follow(session);
+    if (!cell_) return;
+    const CellMark* const mark = mark_of(session, drawn);
+    if (mark == nullptr) return;
+    const ui::Point middle = corner + mark->box.center();
+    const float width = std::max(static_cast<float>(mark->box.width()) * scale, 5.0F * ImGui::GetFontSize());
+    const ImVec2 padding(ImGui::GetStyle().FramePadding.x, 2.0F);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
+    const float height = ImGui::GetFrameHeight();
+    ImGui::SetCursorScreenPos(
+        {static_cast<float>(middle.x) * scale - 0.5F * width, static_cast<float>(middle.y) * scale - 0.5F * height});
+    ImGui::SetNextItemWidth(width);
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
+    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1.0F);
+    edit(session);
+    ImGui::PopStyleVar(2);
+    ImGui::PopStyleColor();
+}
+
+void CellField::show_here(Session& session)
+{
+    follow(session);
+    if (!cell_) return;
+    ImGui::SetNextItemWidth(-1.0F);
+    edit(session);
+}
+
+// Another cell was chosen, or what was written into this one changed, as by undo.
+void CellField::follow(Session& session)
+{
+    if (session.paper() == nullptr) {
+        cell_.reset();
+        return;
+    }
+    if (cell_ && cell_ != session.cell()) {
+        const auto next = session.cell();
+        if (!take(session, *std::exchange(cell_, std::nullopt))) return;
+        session.go_to_cell(next);
+    }
+    if (!session.cell()) return;
+    const std::string written = written_in(session, *session.cell());
+    if (cell_ == session.cell() && written == written_) return;
+    cell_ = session.cell();
+    text_ = written_ = written;
+    ++n_openings_;
+    is_fresh_ = true;
+}
+
+void CellField::edit(Session& session)
+{
+    if (is_fresh_) ImGui::SetKeyboardFocusHere();
+    ImGui::PushID(n_openings_); // an editor of its own for each cell
+    const bool is_entered = ImGui::InputText("###number", &text_,
+                                             ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    ImGui::PopID();
+    is_fresh_ = is_fresh_ && !ImGui::IsItemActive(); // it takes a frame or two to get the keyboard
+    const bool is_left = ImGui::IsItemDeactivated();
+    const bool is_tab = (ImGui::IsItemActive() || is_left) && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab));
+    if (!is_entered && !is_tab && !is_left) return;
+    if (is_left && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+        cell_.reset();
+        session.go_to_cell({});
+        return;
+    }
+    if (!take(session, *cell_)) return;
+    cell_.reset();
+    if (!is_entered && !is_tab) return session.go_to_cell({});
+    session.go_to_cell(session.neighbour(is_tab && ImGui::GetIO().KeyShift ? -1 : 1, false));
+}
+
+/// False, with a notice, where it is no number: the field stays.
+bool CellField::take(Session& session, femoop::cross::BlankId cell)
+{
+    if (text_ == written_) return true;
+    const auto reason = session.write(cell, text_);
+    if (!reason) return true;
+    session.notice = Notice{*reason};
+    session.go_to_cell(cell);
+    cell_ = cell;
+    ++n_openings_;
+    is_fresh_ = true;
+    return false;
+}
+
+} // namespace cross

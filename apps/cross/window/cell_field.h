@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "apps/cross/session/session.h"
+
+namespace cross {
+
+/// The field in which a pupil types the number of a cell, on the sheet itself: Enter and Tab go to the next cell,
+/// Shift+Tab to the one before, Esc leaves the cell as it was. What is no number stays in the field.
+class CellField {
+public:
+    /// \param corner  of the picture in the window, \param scale  physical pixels of a logical one
+    void show(Session& session, const Drawn& drawn, ui::Point corner, float scale);
+    /// For a cell that has no room on the sheet: where the cursor of Dear ImGui's is.
+    void show_here(Session& session);
+
+private:
+    void follow(Session& session);
+    void edit(Session& session);
+    bool take(Session& session, femoop::cross::BlankId cell);
+
+    std::optional<femoop::cross::BlankId> cell_;
+    std::string text_, written_;
+    int n_openings_ = 0;
+    bool is_fresh_ = false;
+};
+
+/// Whether the sheet shows the cell that is being filled.
+bool is_drawn(const Session& session, const Drawn& drawn);
+
+} // namespace cross

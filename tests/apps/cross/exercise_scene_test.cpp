@@ -1,0 +1,92 @@
+// Golden pictures of a pupil's sheet: empty, on the way with mistakes, solved; beams and frames.
+#include <doctest/doctest.h>
+
+#include "apps/cross/document/file.h"
+#include "apps/cross/view/numbers.h"
+#include "apps/cross/view/scene.h"
+#include "tests/golden/scene.h"
+
+using namespace cross;
+namespace fc = femoop::cross;
+
+TEST_SUITE_BEGIN("pictures");
+
+namespace {
+
+struct Shot {
+    std::size_t n_filled = 0; ///< cells with what belongs there
+    std::vector<std::pair<std::size_t, std::string>> written{};
+    std::size_t stage = 0;
+    std::optional<fc::BlankId> cell{};
+    Look look{};
+    ui::Size size{1000.0, 760.0};
+};
+
+Document exercise(fc::Difficulty difficulty, std::uint32_t seed)
+{
+    Document document{.model = fc::seeded_model(difficulty, seed)};
+    document.pupil = Pupil{.seeded = Seeded{difficulty, seed}};
+    return document;
+}
+
+void check(const std::string& name, Document document, const Shot& shot)
+{
+    const Solution solution = solve(document);
+    REQUIRE(solution.task);
+    std::optional<Paper> paper = paper_of(document);
+    REQUIRE(paper);
+    std::vector<std::string>& cells = document.pupil->written;
+    cells.resize(paper->form.blanks.size());
+    for (const auto& [at, text] : shot.written) cells[at] = text;
+    judge_anew(*paper, document);
+    const ui::DisplayUnits units = units_of(document.model, shot.look.tr);
+    for (std::size_t i = 0; i < std::min(shot.n_filled, cells.size()); ++i) {
+        if (!cells[i].empty() || paper->form.blanks[i].may_stay_empty) continue;
+        cells[i] = text_for(*paper, fc::BlankId(i), units);
+        judge_anew(*paper, document);
+    }
+    const femoop::Results* const state = paper->is_solved() && solution.task->balanced ? &*solution.task->balanced
+                                                                                       : nullptr;
+    const ui::Theme theme(shot.look.theme);
+    golden::check_scene(name, {.size = shot.size, .background = theme.background()}, [&](ui::Painter& painter) {
+        draw(painter, {document, solution, state, 1.0, {}, shot.look, &*paper, shot.cell, shot.stage});
+    });
+}
+
+} // namespace
+
+TEST_CASE("An empty sheet shows cells and loads and no number that answers")
+{
+    check("cross_exercise_empty", exercise(fc::Difficulty::PinnedEnd, 4), {.cell = fc::BlankId(0)});
+}
+
+TEST_CASE("Right and following and wrong cells are told apart without colours")
+{
+    Shot shot{.n_filled = 26, .written = {{1, "1,5"}, {9, "-36"}}};
+    check("cross_exercise_midway", exercise(fc::Difficulty::SeveralSpans, 2), shot);
+}
+
+TEST_CASE("A sheet that is right shows the moments")
+{
+    check("cross_exercise_solved", exercise(fc::Difficulty::Overhang, 3), {.n_filled = 500});
+}
+
+TEST_CASE("In Portuguese on the projector a frame's cells are read from the last row")
+{
+    Shot shot{.n_filled = 14, .written = {{3, "1/2"}}, .size = {1280.0, 960.0}};
+    shot.look.theme = ui::ThemeName::Projector;
+    shot.look.tr = ui::Catalogue(ui::Language::Portuguese);
+    check("cross_exercise_projector_pt", exercise(fc::Difficulty::Frame, 5), shot);
+}
+
+TEST_CASE("Sheets of a swaying frame are added below the last of them")
+{
+    check("cross_exercise_sway", exercise(fc::Difficulty::SwayFrame, 1), {.n_filled = 60, .stage = 2});
+}
+
+TEST_CASE("Printed a swaying frame's own sheet needs no colour")
+{
+    Shot shot{.n_filled = 40, .stage = 1};
+    shot.look.theme = ui::ThemeName::Print;
+    check("cross_exercise_print", exercise(fc::Difficulty::SwayFrame, 1), shot);
+}

@@ -1,0 +1,137 @@
+// Golden pictures of moment distribution: beams and frames, locked, on the way and balanced, themes and languages.
+#include <doctest/doctest.h>
+
+#include "apps/cross/document/file.h"
+#include "apps/cross/view/scene.h"
+#include "tests/golden/scene.h"
+
+using namespace cross;
+namespace fc = femoop::cross;
+
+TEST_SUITE_BEGIN("pictures");
+
+namespace {
+
+struct Shot {
+    std::size_t n_turns = 0;
+    std::size_t stage = 0;
+    double phase = 1.0;
+    Look look{};
+    ui::Size size{1000.0, 760.0};
+    std::optional<fc::JointId> hover{};
+};
+
+Document example(const std::string& name) { return read_document_file("examples/" + name + ".json"); }
+
+void check(const std::string& name, Document document, const Shot& shot)
+{
+    Solution solution = solve(document);
+    document.stage = shot.stage;
+    if (solution.task) document.plays.resize(solution.task->n_sheets());
+    for (std::size_t i = 0; i < shot.n_turns; ++i) {
+        document.plays[shot.stage].take(*next_turn(document, solution));
+        work(solution, document);
+    }
+    std::optional<femoop::Results> state;
+    if (solution.task)
+        state = fc::state_results(document.model, solution.task->problem,
+                                  present_locks(document, solution, shot.phase));
+    const ui::Theme theme(shot.look.theme);
+    golden::check_scene(name, {.size = shot.size, .background = theme.background()}, [&](ui::Painter& painter) {
+        draw(painter, {document, solution, state ? &*state : nullptr, shot.phase, shot.hover, shot.look});
+    });
+}
+
+Document portal(const char* load_case)
+{
+    Document document = example("portal");
+    document.method.load_case = *document.model.find_case(load_case);
+    return document;
+}
+
+} // namespace
+
+TEST_CASE("What lies under the pointer stays there while the pictures zoom and 200 times is the most")
+{
+    const Eigen::Vector2d own(10.0, 3.0), at(4.0, 2.0);
+    const Zoom twice = zoomed({}, own, at, 2.0);
+    const auto distance = [&](const Zoom& zoom) -> Eigen::Vector2d {
+        return zoom.factor * (at - zoom.middle.value_or(own));
+    };
+    CHECK(distance(twice).isApprox(distance({})));
+    CHECK(distance(zoomed(twice, own, at, 1e9)).isApprox(distance({})));
+    CHECK(zoomed(twice, own, at, 1e9).factor == Zoom::most);
+    CHECK(moved(twice, own, {1.0, 0.5}).middle->isApprox(*twice.middle - Eigen::Vector2d(1.0, 0.5)));
+}
+
+TEST_CASE("A locked beam has its fixed-end moments and a lock on every joint")
+{
+    check("cross_locked", starting_document(), {});
+}
+
+TEST_CASE("Each balance is underlined and the last turn stands out")
+{
+    check("cross_midway", starting_document(), {.n_turns = 3, .hover = fc::JointId(0)});
+}
+
+TEST_CASE("A joint half turned carries nothing over yet")
+{
+    check("cross_turning", starting_document(), {.n_turns = 2, .phase = 0.45});
+}
+
+TEST_CASE("Carry-overs fly along the members from near end to far end")
+{
+    check("cross_carrying", starting_document(), {.n_turns = 2, .phase = 0.85});
+}
+
+TEST_CASE("A balanced beam has lost its oldest rows where there was no room")
+{
+    check("cross_balanced", starting_document(), {.n_turns = 11, .size = {1000.0, 640.0}});
+}
+
+TEST_CASE("A portal's props hold it while the loads are distributed")
+{
+    check("cross_portal_loads", portal("W"), {.n_turns = 3});
+}
+
+TEST_CASE("A sway alone has fixed-end moments in the columns")
+{
+    check("cross_portal_sway", portal("W"), {.n_turns = 2, .stage = 1});
+}
+
+TEST_CASE("All sheets together have no locks") { check("cross_portal_together", portal("W"), {.stage = 2}); }
+
+TEST_CASE("In Portuguese on the projector the sheet is read from the last row")
+{
+    Look look;
+    look.theme = ui::ThemeName::Projector;
+    look.tr = ui::Catalogue(ui::Language::Portuguese);
+    check("cross_projector_pt", starting_document(), {.n_turns = 4, .look = look, .size = {1280.0, 960.0}});
+}
+
+TEST_CASE("Printed the sheet needs no colour")
+{
+    Look look;
+    look.theme = ui::ThemeName::Print;
+    check("cross_print", example("continuous_beam"), {.n_turns = 3, .look = look});
+}
+
+TEST_CASE("In fractions factors and moments are exact")
+{
+    Look look;
+    look.fractions = true;
+    check("cross_fractions", starting_document(), {.n_turns = 2, .look = look});
+}
+
+TEST_CASE("By the tension side both ends of a joint have one sign")
+{
+    Look look;
+    look.signs = Signs::TensionSide;
+    look.theme = ui::ThemeName::Dark;
+    check("cross_tension_side", starting_document(), {.n_turns = 5, .look = look});
+}
+
+TEST_CASE("What cannot be distributed is said in place of the pictures")
+{
+    check("cross_refused", example("grillage"), {});
+}

@@ -1,0 +1,40 @@
+#include <doctest/doctest.h>
+
+#include <fstream>
+
+#include "apps/cross/session/beam_edit.h"
+#include "apps/cross/session/commands.h"
+#include "tests/apps/recovered.h"
+
+using namespace cross;
+
+TEST_CASE("A beam that a crash has cost opens as it was drawn, as one that is not saved")
+{
+    const Folder folder;
+    Desk desk{Session()};
+    CHECK(desk.unsaved().empty());
+    desk.session.change(*with_span_added(desk.session.document().model), "Add a span");
+    CHECK(recovered(desk, folder, ".json").session.document().model == desk.session.document().model);
+}
+
+TEST_CASE("A draft that cannot be read leaves the open beam alone")
+{
+    const Folder folder;
+    std::ofstream(folder.path() / "1-0.json") << "{";
+    Desk desk{Session()};
+    const femoop::Model before = desk.session.document().model;
+    CHECK(!desk.recover({folder.path() / "1-0.json", {}}));
+    CHECK(desk.session.document().model == before);
+    CHECK(!desk.session.is_dirty());
+    CHECK(desk.session.notice);
+}
+
+TEST_CASE("Kani's method waits while a hand drags and is there once it lets go")
+{
+    Session session;
+    session.drag(*with_span_added(session.document().model), "Add a span");
+    CHECK(session.solution().task->comparison);
+    CHECK(!session.solution().task->kani);
+    session.settle();
+    CHECK(session.solution().task->kani);
+}
