@@ -13,8 +13,10 @@ using femoop::FaultKind;
 
 ExitStatus status_of(const std::vector<Fault>& faults)
 {
-    const bool is_structural = std::all_of(
-        faults.begin(), faults.end(), [](const Fault& fault) { return fault.kind == FaultKind::ConstraintConflict; });
+    const bool is_structural = std::all_of(faults.begin(), faults.end(), [](const Fault& fault) {
+        return fault.kind == FaultKind::ConstraintConflict || fault.kind == FaultKind::CrossJointFree ||
+               fault.kind == FaultKind::CrossSwayUndetermined;
+    });
     return is_structural ? ExitStatus::CannotSolve : ExitStatus::BadInput;
 }
 
@@ -42,13 +44,19 @@ std::variant<Solved, ExitStatus> solve_model(const femoop::Model& model, const s
         femoop::LinearStatic analysis(model, options);
         femoop::Results results = analysis.solve(model);
         return Solved{std::move(results), analysis.statistics()};
-    } catch (const femoop::MechanismError& error) {
-        report_mechanisms(error, file, console);
-        return ExitStatus::CannotSolve;
     } catch (const femoop::ModelError& error) {
-        console.report(file, error.faults());
-        return status_of(error.faults());
+        return report_unsolved(error, file, console);
     }
+}
+
+ExitStatus report_unsolved(const femoop::ModelError& error, const std::string& file, const Console& console)
+{
+    if (const auto* mechanism = dynamic_cast<const femoop::MechanismError*>(&error)) {
+        report_mechanisms(*mechanism, file, console);
+        return ExitStatus::CannotSolve;
+    }
+    console.report(file, error.faults());
+    return status_of(error.faults());
 }
 
 femoop::SolverKind solver_named(const std::string& name, const ui::Catalogue& tr)

@@ -28,11 +28,14 @@ std::variant<Solved, ExitStatus> solve_model(const femoop::Model& model, const s
 /// Says on stderr that the structure can move, and each of its motions in words.
 void report_mechanisms(const femoop::MechanismError& error, const std::string& file, const Console& console);
 
+/// Says on stderr why a model cannot be solved: its mechanisms in words, else its faults. \returns the status
+ExitStatus report_unsolved(const femoop::ModelError& error, const std::string& file, const Console& console);
+
 /// Constraints that contradict a settlement are the structure's fault (CannotSolve), all else is the file's.
 ExitStatus status_of(const std::vector<femoop::Fault>& faults);
 
-/// The solver of this name (automatic, skyline, ldlt, cholmod), of those that the program is built with. \throws
-/// UsageError
+/// The solver of this name (automatic, skyline, multifrontal, ldlt, cholmod), of those that the program is built with.
+/// \throws UsageError
 femoop::SolverKind solver_named(const std::string& name, const ui::Catalogue& tr);
 
 } // namespace cli

@@ -52,7 +52,7 @@ void Bench::declare(CLI::App& app, const ui::Catalogue& tr)
     app.add_option("--bays", bays_, tr("how many bays the frame has (default 19)"))->option_text("B");
     app.add_option("--storeys", storeys_, tr("how many storeys the frame has (default 50)"))->option_text("S");
     app.add_option("--solver", solver_,
-                   tr("who solves K u = f: automatic (the fastest, default), skyline, ldlt or cholmod"))
+                   tr("who solves K u = f: automatic (the fastest, default), skyline, multifrontal, ldlt or cholmod"))
         ->option_text("NAME");
     app.add_option("--n", n_, tr("how many quadrilaterals lie along each side of the grid (default 1000)"))
         ->option_text("N");

@@ -140,7 +140,7 @@ std::string tables(const ScriptRunner& runner)
     std::string text;
     for (std::size_t i = 0; i < runner.solids().size(); ++i)
         if (runner.solids()[i].is_alive())
-            text += topology::table_text(runner.solids()[i].solid, place_among_living(runner, i));
+            text += topology::table_text(runner.solids()[i].solid, topology::place_among_living(runner.solids(), i));
     return text;
 }
 
@@ -177,7 +177,7 @@ std::string Euler::run_on(ScriptRunner& runner, const ui::Catalogue& tr) const
     } catch (const topology::LineError& fault) {
         throw UsageError(display_name(script_, tr) + ": " + fault.sentence(tr));
     }
-    if (printed.empty()) printed = tables(runner);
+    if (has_tables_ && printed.empty()) printed = tables(runner); // no step was run: what it began with
     return printed;
 }
 

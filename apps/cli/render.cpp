@@ -175,11 +175,7 @@ void Render::look_at_view(PictureOrder& order, const frame::Companion& companion
         throw unknown_choice("--view", *view_, names, tr);
     }
     const frame::ViewOptions asked_for = order.view;
-    try {
-        frame::look_as(order.view, *kept, model);
-    } catch (const frame::ShowError& error) {
-        throw UsageError(error.what());
-    }
+    frame::look_as(order.view, *kept, model);
     order.region = kept->region;
     if (show_) order.view.show = asked_for.show;
     if (magnification_) order.view.deformation_scale = asked_for.deformation_scale;

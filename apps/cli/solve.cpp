@@ -116,7 +116,7 @@ void Solve::declare(CLI::App& app, const ui::Catalogue& tr)
                    tr("write the results as CSV files into this folder too; it is made if missing"))
         ->option_text("DIR");
     app.add_option("--solver", solver_,
-                   tr("who solves K u = f: automatic (the fastest, default), skyline, ldlt or cholmod"))
+                   tr("who solves K u = f: automatic (the fastest, default), skyline, multifrontal, ldlt or cholmod"))
         ->option_text("NAME");
     app.add_flag("--time", is_timed_, tr("print to stderr how long each phase took, and the size of the system"));
     app.add_option(

@@ -3,7 +3,9 @@
 #include "apps/cli/bench.h"
 #include "apps/cli/check.h"
 #include "apps/cli/convert.h"
+#include "apps/cli/cross.h"
 #include "apps/cli/euler.h"
+#include "apps/cli/mohr.h"
 #include "apps/cli/render.h"
 #include "apps/cli/solve.h"
 #include "apps/cli/verify.h"
@@ -18,7 +20,9 @@ std::vector<std::unique_ptr<Subcommand>> all_subcommands()
     all.push_back(check_command());
     all.push_back(render_command());
     all.push_back(convert_command());
+    all.push_back(cross_command());
     all.push_back(euler_command());
+    all.push_back(mohr_command());
     all.push_back(bench_command());
     return all;
 }

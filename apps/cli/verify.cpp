@@ -115,7 +115,11 @@ FileOutcome Verify::verify_file(const std::string& file, const Console& console)
         results = std::get<Solved>(solved).results;
         console.report(outcome.file, results->warnings());
     }
-    outcome.checks = is_json_ ? femoop::verify(*model, results) : femoop::verify(*model, results, console.tr());
+    try {
+        outcome.checks = is_json_ ? femoop::verify(*model, results) : femoop::verify(*model, results, console.tr());
+    } catch (const femoop::ModelError& error) {
+        outcome.status = report_unsolved(error, outcome.file, console);
+    }
     if (femoop::count(outcome.checks).failed > 0) outcome.status = ExitStatus::No;
     return outcome;
 }

@@ -108,6 +108,10 @@ TEST_CASE("A folder's view files are checked beside their models, and verify pas
     const Run verified = cremona({"verify", model, views});
     CHECK(verified.status == 0);
     CHECK(has(verified.err, views + ": skipped: a view file"));
+    write(views, R"({"cremona_view": 1, "views": [{"name": "a", "show": "momnet"}]})");
+    const Run misspelt = cremona({"check", views});
+    CHECK(misspelt.status == 2);
+    CHECK(has(misspelt.err, views + ": error: views[0].show: \"momnet\" is none of loads, reactions, N"));
     write(views, R"({"cremona_view": 1, "views": [{"name": "a", "show": "M", "case": "Q"}]})");
     const Run checked = cremona({"check", model, views});
     CHECK(checked.status == 2);

@@ -47,7 +47,8 @@ std::vector<Shown> shown_commands()
 TEST_CASE("Every command on the page of the command line runs, and prints what the page shows")
 {
     const Folder folder;
-    std::filesystem::create_directory_symlink(std::string(CREMONA_SOURCE_DIR) + "/examples", folder.path("examples"));
+    for (const std::string part : {"examples", "tests"})
+        std::filesystem::create_directory_symlink(std::string(CREMONA_SOURCE_DIR) + "/" + part, folder.path(part));
     const std::vector<Shown> all = shown_commands();
     REQUIRE(all.size() > 15);
     for (const Shown& shown : all) {
@@ -67,7 +68,7 @@ TEST_CASE("Every command on the page of the command line runs, and prints what t
 TEST_CASE("Every option of every command stands on the page")
 {
     const std::string text = page();
-    for (const char* command : {"solve", "verify", "check", "render", "convert", "euler", "bench"}) {
+    for (const char* command : {"solve", "verify", "check", "render", "convert", "cross", "euler", "mohr", "bench"}) {
         std::istringstream help(cli_test::cremona({command, "--help"}).out);
         for (std::string word; help >> word;) {
             if (!word.starts_with("--") || word.size() < 4) continue;

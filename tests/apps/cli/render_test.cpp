@@ -101,11 +101,16 @@ TEST_CASE("An envelope is drawn, and a view that the app has kept beside the mod
     CHECK(has(none.err, "no views are kept beside the model"));
     std::ofstream(folder.path("portal.view.json"))
         << R"({"cremona_view": 1, "views": [{"name": "Moments", "show": "M,legend"},)"
+        << R"({"name": "Two", "show": "M,legend", "envelope": ["G", "Q"]},)"
         << R"({"name": "Corner", "show": "loads,nodes", "case": "Q", "region": [0, 4.5, 2]}]})";
     CHECK(cremona({"render", copy, "-o", svg, "--view", "Moments"}).status == 0);
     CHECK(has(folder.read("a.svg"), "Envelope of all cases"));
     CHECK(cremona({"render", copy, "-o", svg, "--view", "Moments", "--case", "G"}).status == 0);
     CHECK(!has(folder.read("a.svg"), "Envelope of all cases"));
+    CHECK(cremona({"render", copy, "-o", svg, "--view", "Two"}).status == 0);
+    CHECK(has(folder.read("a.svg"), "Envelope of G, Q"));
+    CHECK(cremona({"render", copy, "-o", svg, "--view", "Two", "--case", "envelope"}).status == 0);
+    CHECK(has(folder.read("a.svg"), "Envelope of G, Q"));
     CHECK(cremona({"render", copy, "-o", svg, "--view", "Corner"}).status == 0);
     CHECK(!has(folder.read("a.svg"), ">D<")); // the foot of the other column is out of sight
     const Run wrong = cremona({"render", copy, "-o", svg, "--view", "corner"});

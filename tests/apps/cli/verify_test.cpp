@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -98,10 +100,50 @@ TEST_CASE("Checks of analyses that are not built are skipped and named, never pa
 
 TEST_CASE("A block that is not compared yet is skipped and named")
 {
+    const Run run = cremona({"verify", "tests/cases/influence/IL-001.json"});
+    CHECK(run.status == 0);
+    CHECK(has(run.out, "block \"influence\": skipped: this block is not compared yet\n"));
+    CHECK(has(run.out, " passed, 0 failed, 1 skipped\n"));
+}
+
+TEST_CASE("The sheet of a cross block is worked in its order and compared row by row")
+{
     const Run run = cremona({"verify", "tests/cases/cross/MD-001.json"});
     CHECK(run.status == 0);
-    CHECK(has(run.out, "block \"cross\": skipped: this block is not compared yet\n"));
-    CHECK(has(run.out, " passed, 0 failed, 1 skipped\n"));
+    CHECK(has(run.out, "cross: factors of C: CB = 0.4, expected 0.4 within 1e-06: passed\n"));
+    CHECK(has(run.out, "cross: row 13 TOTAL: "));
+    CHECK(has(run.out, "cross: final: CD = 281.5789474, expected 281.5789474 within 0.000282: passed\n"));
+    CHECK(run.out.ends_with("28 passed, 0 failed, 0 skipped\n"));
+}
+
+TEST_CASE("A wrong number anywhere in a cross block fails the row that it stands in")
+{
+    std::ifstream file("tests/cases/cross/MD-001.json");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const auto with = [&](const std::string& from, const std::string& to) {
+        std::string changed = text;
+        const auto at = changed.find(from, changed.find("\"cross\""));
+        REQUIRE(at != std::string::npos);
+        return cremona({"verify", "-", "--quiet"}, changed.replace(at, from.size(), to));
+    };
+    const auto fails = [&](const std::string& from, const std::string& to, const std::string& line) {
+        const Run run = with(from, to);
+        CAPTURE(from);
+        CHECK(run.status == 1);
+        CHECK_MESSAGE(has(run.out, line), run.out);
+    };
+    fails("\"CB\": 0.4", "\"CB\": 0.41", "cross: factors of C: CB = 0.4, expected 0.41");
+    fails("\"BC\": 240", "\"BC\": 241", "cross: fixed-end moments: BC = 240, expected 241");
+    fails("\"CD\": 36", "\"CD\": 36.5", "cross: row 4 BAL: CD = 36, expected 36.5");
+    fails("\"CB\": -281.5789474", "\"CB\": -281.6", "cross: final: CB = -281.5789474, expected -281.6");
+    const Run end = with("\"CD\": 36", "\"CX\": 36");
+    CHECK(end.status == 2);
+    CHECK(has(end.err, "there is no member end \"CX\"; choose from AB, BA, BC, CB, CD and DC"));
+    const Run joint = with("\"all-at-once\"", "\"B,A\"");
+    CHECK(joint.status == 2);
+    CHECK(has(joint.err, "\"A\" is no joint that can be balanced; choose from B and C"));
+    CHECK(with("\"balances\": 6", "\"balances\": 5").status == 2);
+    CHECK(with("\"balances\": 6", "\"balances\": 0.5").status == 2);
 }
 
 TEST_CASE("A file without checks is status 0")

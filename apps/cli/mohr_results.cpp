@@ -1,0 +1,259 @@
+#include "apps/cli/mohr_results.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "femoop/io/json/json_writer.h"
+#include "femoop/io/results/text_table.h"
+#include "femoop/model/quantity/number_text.h"
+
+namespace cli {
+
+namespace {
+
+using namespace femoop::mohr;
+using femoop::translatable;
+using List = std::vector<double>;
+using Results = std::vector<MohrResult>;
+
+double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
+
+MohrResult::Value degrees_or_null(const std::optional<double>& radians)
+{
+    if (!radians) return std::monostate{};
+    return degrees(*radians);
+}
+
+List list(const Eigen::Vector3d& v) { return {v[0] + 0.0, v[1] + 0.0, v[2] + 0.0}; }
+
+/// The components as they are given outside: gamma of a strain, Ixy of second moments.
+List given(Kind kind, const PlaneState& state) { return {state.x, state.y, given_shear(kind, state.xy)}; }
+
+void add_plane(Results& results, const MohrProblem& problem)
+{
+    const Kind kind = problem.state.kind;
+    const PlaneState state = plane(problem.state);
+    const auto [centre, radius] = circle(state);
+    const PlanePrincipal p = femoop::mohr::principal(state);
+    if (problem.rosette) results.push_back({"strain", given(kind, state)});
+    results.push_back({"center", centre});
+    results.push_back({"radius", radius});
+    results.push_back({"principal", List{p.first, p.second}});
+    results.push_back({"theta_p_deg", degrees_or_null(p.angle)});
+    const auto second = p.angle ? std::optional(as_direction(*p.angle + 0.5 * std::numbers::pi)) : std::nullopt;
+    results.push_back({"theta_p2_deg", degrees_or_null(second)});
+    results.push_back({"theta_s_deg", degrees_or_null(largest_shear_angle(state))});
+    results.push_back({"tau_max", radius});
+    if (is_strain(kind)) results.push_back({"gamma_max", 2.0 * radius});
+    // The shear's axis of second moments points down and counts -Ixy, so that axes and circle turn the same way.
+    const auto rule = kind == Kind::Inertia ? ShearRule::TensorDown : ShearRule::ClockwiseUp;
+    const CirclePoint at = pole(state, rule);
+    results.push_back({"pole", List{at.normal, at.shear}});
+    if (!problem.angle) return;
+    results.push_back({"rotated", given(kind, rotated(state, *problem.angle * std::numbers::pi / 180.0))});
+}
+
+void add_space(Results& results, const MohrProblem& problem, const SpaceState& state)
+{
+    const SpacePrincipal p = femoop::mohr::principal(state);
+    const Invariants i = invariants(state);
+    const Deviator d = deviator(p);
+    if (!is_plane(problem.state.kind)) {
+        results.push_back({"principal", List(p.values.begin(), p.values.end())});
+        results.push_back({"tau_max", absolute_largest_shear(p)});
+        std::vector<List> rows;
+        for (const Circle& c : circles(p)) rows.push_back({c.centre, c.radius});
+        results.push_back({"circles", rows});
+        constexpr std::array<std::string_view, 3> keys{"direction_1", "direction_2", "direction_3"};
+        constexpr std::array<std::string_view, 3> sizes{"direction_1_abs", "direction_2_abs", "direction_3_abs"};
+        for (int k = 0; k < 3; ++k) results.push_back({keys[k], list(p.directions.col(k))});
+        for (int k = 0; k < 3; ++k) results.push_back({sizes[k], list(p.directions.col(k).cwiseAbs())});
+    }
+    results.push_back({"tau_max_absolute", absolute_largest_shear(p)});
+    results.push_back({"invariants", List{i.I1 + 0.0, i.I2 + 0.0, i.I3 + 0.0}});
+    results.push_back({"deviatoric", List{d.values[0] + 0.0, d.values[1] + 0.0, d.values[2] + 0.0}});
+    results.push_back({"octahedral_normal", d.mean + 0.0});
+    results.push_back({"octahedral_shear", d.octahedral_shear});
+    results.push_back({"lode_deg", degrees_or_null(d.lode)});
+    if (is_stress(problem.state.kind)) results.push_back({"von_mises", d.equivalent});
+}
+
+void add_stress(Results& results, const MohrProblem& problem)
+{
+    const auto strain_stress = stress(problem.state);
+    if (!is_strain(problem.state.kind) || !strain_stress) return;
+    const double u = problem.reading_unit;
+    const SpaceState s = *strain_stress;
+    if (is_plane(problem.state.kind)) results.push_back({"stress", List{u * s.x, u * s.y, u * s.xy}});
+    else results.push_back({"stress", List{u * s.x, u * s.y, u * s.z, u * s.xy, u * s.yz, u * s.zx}});
+    List values;
+    for (const double value : femoop::mohr::principal(s).values) values.push_back(u * value);
+    results.push_back({"principal_stress", values});
+}
+
+void add_plane_through(Results& results, const MohrProblem& problem, const SpaceState& state)
+{
+    if (!problem.normal) return;
+    const OnPlane on = on_plane(state, *problem.normal);
+    results.push_back({"normal", list(on.normal)});
+    results.push_back({"traction", list(on.traction)});
+    results.push_back({"sigma_n", on.normal_component + 0.0});
+    results.push_back({"tau_n", on.shear});
+}
+
+/// How far the stress is from failure, in proportion, and the normals of the planes that fail.
+void add_safety(Results& results, const MohrProblem& problem)
+{
+    if (!problem.criterion) return;
+    const bool is_given = is_stress(problem.state.kind);
+    SpacePrincipal p = femoop::mohr::principal(is_given ? *in_space(problem.state) : *stress(problem.state));
+    if (!is_given)
+        for (double& value : p.values) value *= problem.reading_unit;
+    const Safety found = safety(*problem.criterion, problem.strength, p);
+    results.push_back({"safety_factor", found.factor ? MohrResult::Value(*found.factor) : std::monostate{}});
+    std::vector<List> normals;
+    for (const Eigen::Vector3d& normal : found.planes) normals.push_back(list(normal));
+    results.push_back({"failing_planes", normals});
+}
+
+/// How a result is called in a table, and its parts.
+struct Label {
+    std::string_view key, text;
+    std::string_view parts{};
+};
+
+constexpr std::array labels{
+    Label{"strain", translatable("strain from the gauges"), "ex ey gxy"},
+    Label{"center", translatable("centre of the circle")},
+    Label{"radius", translatable("radius of the circle")},
+    Label{"principal", translatable("principal value"), "1 2 3"},
+    Label{"theta_p_deg", translatable("from x to the first principal direction [deg]")},
+    Label{"theta_p2_deg", translatable("from x to the second principal direction [deg]")},
+    Label{"theta_s_deg", translatable("from x to the direction of largest shear [deg]")},
+    Label{"tau_max", translatable("largest shear")},
+    Label{"gamma_max", translatable("largest shear strain gamma")},
+    Label{"tau_max_absolute", translatable("largest shear in space")},
+    Label{"pole", translatable("pole"), "n s"},
+    Label{"rotated", translatable("in the turned axes"), "x' y' x'y'"},
+    Label{"direction_1", translatable("first principal direction"), "x y z"},
+    Label{"direction_2", translatable("second principal direction"), "x y z"},
+    Label{"direction_3", translatable("third principal direction"), "x y z"},
+    Label{"invariants", translatable("invariant"), "I1 I2 I3"},
+    Label{"deviatoric", translatable("principal deviator"), "1 2 3"},
+    Label{"octahedral_normal", translatable("octahedral normal component")},
+    Label{"octahedral_shear", translatable("octahedral shear")},
+    Label{"lode_deg", translatable("Lode angle [deg]")},
+    Label{"von_mises", translatable("von Mises stress")},
+    Label{"stress", translatable("stress"), "x y xy"},
+    Label{"principal_stress", translatable("principal stress"), "1 2 3"},
+    Label{"normal", translatable("unit normal of the plane"), "x y z"},
+    Label{"traction", translatable("traction on the plane"), "x y z"},
+    Label{"sigma_n", translatable("normal component on the plane")},
+    Label{"tau_n", translatable("shear on the plane")},
+    Label{"safety_factor", translatable("safety factor")},
+    Label{"failing_planes", translatable("normal of a failing plane"), "x y z"},
+};
+
+std::vector<std::string> parts_of(const Label& label, std::size_t n)
+{
+    std::vector<std::string> parts;
+    const std::string_view names = label.key == "stress" && n == 6 ? "x y z xy yz zx" : label.parts;
+    for (std::size_t begin = 0; begin < names.size();) {
+        const std::size_t end = std::min(names.find(' ', begin), names.size());
+        parts.emplace_back(names.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return parts;
+}
+
+/// A line for each number; a number keeps six digits of its own, because a table of them mixes every dimension.
+void add_lines(femoop::TextTable& table, const MohrResult& result, const ui::Catalogue& tr)
+{
+    const auto label = std::find_if(labels.begin(), labels.end(), [&](const Label& l) { return l.key == result.key; });
+    if (label == labels.end()) return;
+    const std::string text = tr(label->text);
+    const auto number = [&](double value) {
+        std::array<char, 32> buffer{};
+        static_cast<void>(std::snprintf(buffer.data(), buffer.size(), "%.6g", value));
+        return femoop::localized(buffer.data(), tr);
+    };
+    if (std::holds_alternative<std::monostate>(result.value))
+        table.add_row(
+            {text, result.key == "safety_factor" ? tr("never fails this way") : tr("none: every direction is")});
+    else if (const auto* value = std::get_if<double>(&result.value)) table.add_row({text, number(*value)});
+    const auto add_list = [&](const List& values) {
+        const auto parts = parts_of(*label, values.size());
+        for (std::size_t i = 0; i < values.size(); ++i) table.add_row({text + " " + parts[i], number(values[i])});
+    };
+    if (const auto* values = std::get_if<List>(&result.value)) add_list(*values);
+    if (const auto* rows = std::get_if<std::vector<List>>(&result.value)) std::ranges::for_each(*rows, add_list);
+}
+
+std::string units_line(const MohrProblem& problem, const ui::Catalogue& tr)
+{
+    std::string text;
+    if (!problem.unit.empty()) text += tr("in {unit}", {{"unit", problem.unit}}) + "\n";
+    if (!problem.stress_unit.empty()) text += tr("stresses in {unit}", {{"unit", problem.stress_unit}}) + "\n";
+    return text;
+}
+
+void write(femoop::JsonWriter& json, const List& values)
+{
+    json.begin_array();
+    for (const double value : values) json.value(value);
+    json.end();
+}
+
+} // namespace
+
+std::vector<MohrResult> mohr_results(const MohrProblem& problem)
+{
+    Results results;
+    if (is_plane(problem.state.kind)) add_plane(results, problem);
+    if (const auto state = in_space(problem.state)) {
+        // How a rosette's surface strains across itself is known with Poisson's ratio only.
+        if (!problem.rosette || problem.state.nu) add_space(results, problem, *state);
+        add_plane_through(results, problem, *state);
+    }
+    add_stress(results, problem);
+    add_safety(results, problem);
+    return results;
+}
+
+const MohrResult* find_result(const std::vector<MohrResult>& results, std::string_view key)
+{
+    const auto found = std::find_if(results.begin(), results.end(), [&](const MohrResult& r) { return r.key == key; });
+    return found == results.end() ? nullptr : &*found;
+}
+
+std::string mohr_json(const std::vector<MohrResult>& results, const MohrProblem& problem)
+{
+    femoop::JsonWriter json;
+    json.begin_object(femoop::JsonWriter::Layout::Block);
+    if (!problem.unit.empty()) json.member("unit", problem.unit);
+    if (!problem.stress_unit.empty()) json.member("stress_unit", problem.stress_unit);
+    for (const MohrResult& result : results) {
+        json.key(result.key);
+        if (const auto* number = std::get_if<double>(&result.value)) json.value(*number);
+        else if (const auto* values = std::get_if<List>(&result.value)) write(json, *values);
+        else if (const auto* rows = std::get_if<std::vector<List>>(&result.value)) {
+            json.begin_array();
+            for (const List& row : *rows) write(json, row);
+            json.end();
+        } else json.null();
+    }
+    json.end();
+    return json.take();
+}
+
+std::string mohr_table(const std::vector<MohrResult>& results, const MohrProblem& problem, const ui::Catalogue& tr)
+{
+    femoop::TextTable table({tr("result"), tr("value")});
+    for (const MohrResult& result : results) add_lines(table, result, tr);
+    return units_line(problem, tr) + table.text();
+}
+
+} // namespace cli

@@ -1,0 +1,233 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/apps/cli/run_cremona.h"
+#include "tests/folder.h"
+
+using cli_test::cremona;
+using cli_test::has;
+using cli_test::Run;
+using nlohmann::json;
+
+TEST_SUITE_BEGIN("cremona");
+
+namespace {
+
+json file_of(const std::string& name)
+{
+    std::ifstream file(name);
+    return json::parse(file);
+}
+
+json sheet_of(std::vector<std::string> arguments)
+{
+    arguments.insert(arguments.begin(), "cross");
+    arguments.emplace_back("--json");
+    const Run run = cremona(arguments);
+    CHECK_MESSAGE(run.status == 0, run.err);
+    return json::parse(run.out);
+}
+
+void check_same(const json& found, const json& wanted, double tolerance)
+{
+    for (const auto& item : wanted.items()) {
+        CAPTURE(item.key());
+        const json &other = found.at(item.key()), &value = item.value();
+        if (value.is_number()) CHECK(std::abs(other.get<double>() - value.get<double>()) <= tolerance);
+        else CHECK(other == value);
+    }
+}
+
+/// A two-bay beam A-B-C in kN and m with what is changed of it.
+std::string beam(const std::string& from = "", const std::string& to = "")
+{
+    std::string text = R"({"cremona": 1, "analysis": "frame2d", "units": {"length": "m", "force": "kN"},
+        "materials": [{"id": "m", "E": 2e8}], "sections": [{"id": "s", "A": 0.01, "Iz": 1e-4, "J": 1e-4}],
+        "nodes": [{"id": "A", "at": [0, 0], "support": "pin"}, {"id": "B", "at": [6, 0], "support": "roller"},
+                  {"id": "C", "at": [14, 0], "support": "fixed"}],
+        "members": [{"id": "AB", "nodes": ["A", "B"], "material": "m", "section": "s"},
+                    {"id": "BC", "nodes": ["B", "C"], "material": "m", "section": "s"}],
+        "load_cases": [{"id": "q", "members": [{"member": "AB", "kind": "distributed", "qy": -12}]}]})";
+    if (!from.empty()) text.replace(text.find(from), from.size(), to);
+    return text;
+}
+
+} // namespace
+
+TEST_CASE("The sheet of cross --json is that of the file's block, which gives the defaults")
+{
+    for (const std::string file : {"tests/cases/cross/MD-001.json", "tests/cases/cross/MD-002.json"}) {
+        CAPTURE(file);
+        const json wanted = file_of(file)["cross"];
+        const json found = sheet_of({file});
+        for (const auto& [joint, factors] : wanted["factors"].items())
+            check_same(found["factors"][joint], factors, 1e-9);
+        check_same(found["fixed_end_moments"], wanted["fixed_end_moments"], 1e-8);
+        REQUIRE(found["sheet"].size() == wanted["sheet"].size());
+        for (std::size_t i = 0; i < wanted["sheet"].size(); ++i)
+            check_same(found["sheet"][i], wanted["sheet"][i], 1e-6);
+        check_same(found["final"], wanted["final"], 1e-6);
+    }
+}
+
+TEST_CASE("A pinned far end takes 3EI/L, and with --unmodified it is locked and balanced with factor 1")
+{
+    const Run modified = cremona({"cross", "-", "--json"}, beam());
+    const json found = json::parse(modified.out);
+    CHECK(found["factors"]["B"]["BA"].get<double>() == doctest::Approx(0.5)); // 3/6 to 4/8
+    CHECK(found["fractions"]["B"]["BA"] == "1/2");
+    CHECK(found["fixed_end_moments"]["AB"] == 0.0);
+    CHECK(found["fixed_end_moments"]["BA"].get<double>() == doctest::Approx(-12.0 * 36.0 / 8.0));
+    const json plain = json::parse(
+        cremona({"cross", "-", "--json", "--unmodified", "--tolerance", "1e-9"}, beam()).out);
+    CHECK(plain["factors"]["A"]["AB"] == 1.0);
+    CHECK(plain["factors"]["B"]["BA"].get<double>() == doctest::Approx(4.0 / 7.0));
+    CHECK(plain["fixed_end_moments"]["AB"].get<double>() == doctest::Approx(12.0 * 36.0 / 12.0));
+    CHECK(plain["total"]["BC"].get<double>() == doctest::Approx(27.0));
+    CHECK(found["final"]["BC"].get<double>() == doctest::Approx(27.0));
+}
+
+TEST_CASE("Each balance of one joint names it, in the order that is asked for")
+{
+    const std::string file = "examples/continuous_beam.json";
+    const auto joints = [&](const std::string& order) {
+        std::string names;
+        const json found = sheet_of({file, "--order", order});
+        for (const json& row : found["sheet"])
+            if (row["step"] == "BAL") names += row.value("joint", "*");
+        return names;
+    };
+    CHECK(joints("left-to-right").starts_with("BC"));
+    CHECK(joints("C,B,B").starts_with("CBBC"));
+    CHECK(joints("all-at-once").starts_with("**"));
+}
+
+TEST_CASE("Every number has the digits that are asked for, and the sheet tells what that costs")
+{
+    const json found = sheet_of({"examples/continuous_beam.json", "--digits", "2", "--order", "all-at-once"});
+    for (const json& row : found["sheet"]) {
+        if (row["step"] == "TOTAL") continue;
+        for (const auto& [key, value] : row.items()) {
+            if (!value.is_number() || value == 0.0) continue;
+            const double v = std::abs(value.get<double>());
+            const double unit = std::pow(10.0, std::floor(std::log10(v)) - 1.0);
+            CHECK(std::abs(v / unit - std::round(v / unit)) < 1e-9);
+        }
+    }
+    CHECK(found["drift"].size() == found["final"].size());
+}
+
+TEST_CASE("A frame that sways has a sheet with a prop, one of the sway, and their equation")
+{
+    const json found = sheet_of({"examples/portal.json", "--tolerance", "1e-7", "--case", "W"});
+    REQUIRE(found["stages"].size() == 2);
+    CHECK(found["stages"][0]["prop"]["node"] == "B");
+    CHECK(found["stages"][1]["fixed_end_moments"]["AB"].get<double>() == doctest::Approx(100.0));
+    const double R = found["equations"]["coefficients"][0][0], r = found["equations"]["right_hand_side"][0];
+    CHECK(found["equations"]["solution"][0].get<double>() * R == doctest::Approx(r));
+    CHECK(found["stages"][0]["prop"]["reaction"].get<double>() == doctest::Approx(-r));
+    check_same(found["total"], found["inextensible"], 1e-5);
+}
+
+TEST_CASE("A block of a frame that sways is compared stage by stage, each as far as its own sheet goes")
+{
+    const json found = sheet_of({"examples/portal.json", "--case", "W", "--order", "all-at-once"});
+    json model = file_of("examples/portal.json");
+    model.erase("expected");
+    json stages = json::array();
+    for (const json& stage : found["stages"]) {
+        stages.push_back({{"fixed_end_moments", stage["fixed_end_moments"]}, {"sheet", stage["sheet"]}});
+        if (stage.contains("prop")) stages.back()["prop"] = stage["prop"];
+        else // the file may move it twice as far
+            for (json& row : stages.back()["sheet"])
+                for (json& value : row)
+                    if (value.is_number()) value = 2.0 * value.get<double>();
+    }
+    stages[1].erase("fixed_end_moments");
+    model["cross"] = {{"case", "W"}, {"order", "all-at-once"}, {"stages", stages}, {"final", found["final"]}};
+    const Run good = cremona({"verify", "-"}, model.dump());
+    CHECK_MESSAGE(good.status == 0, good.out << good.err);
+    CHECK(has(good.out, "cross: stage 1: force of the prop"));
+    CHECK(has(good.out, "cross: stage 2: row 1 FEM: "));
+    model["cross"]["stages"][0]["prop"]["reaction"] = 0.1234;
+    CHECK(cremona({"verify", "-"}, model.dump()).status == 1);
+}
+
+TEST_CASE("--csv prints a row a line, and tables speak Portuguese with --lang pt")
+{
+    const Run csv = cremona({"cross", "tests/cases/cross/MD-001.json", "--csv"});
+    CHECK(csv.out.starts_with("stage,step,joint,AB,BA,BC,CB,CD,DC\n0,FEM,,0,0,240,-240,250,-250\n"));
+    const Run table = cremona({"cross", "tests/cases/cross/MD-001.json", "--lang", "pt"});
+    CHECK(has(table.out, "Momentos finais"));
+    CHECK(has(table.out, "-125,2"));
+}
+
+TEST_CASE("Kani's method and the slope-deflection equations come to the moments that the sheet tends to")
+{
+    const json limit = sheet_of({"examples/portal.json", "--case", "W"})["limit"];
+    for (const char* method : {"kani", "slope-deflection"}) {
+        const json other = sheet_of({"examples/portal.json", "--case", "W", "--method", method});
+        CAPTURE(method);
+        for (const auto& [end, moment] : limit.items()) CHECK(other["total"][end] == doctest::Approx(double(moment)));
+        const Run told = cremona({"cross", "examples/portal.json", "--method", method});
+        CHECK(told.status == 0);
+        CHECK(has(told.out, "TOTAL"));
+    }
+    CHECK(sheet_of({"examples/portal.json", "--method", "slope-deflection"})["unknowns"] ==
+          json::array({"th_B", "th_C", "d_B"}));
+    CHECK(has(cremona({"cross", "examples/portal.json", "--method", "guess"}).err, "wanted one of cross, kani"));
+}
+
+TEST_CASE("--report writes the whole calculation with its pictures in one file")
+{
+    const Folder folder;
+    const Run run = cremona({"cross", "examples/portal.json", "--report", folder.path("portal.html")});
+    CHECK(run.status == 0);
+    CHECK(run.out.empty());
+    CHECK(has(run.err, "written: "));
+    CHECK(has(folder.read("portal.html"), "<svg"));
+    CHECK(has(folder.read("portal.html"), "Sheet of the sway at B"));
+    CHECK(cremona({"cross", "examples/portal.json", "--report", folder.path("portal.report.pdf")}).status == 0);
+    CHECK(folder.read("portal.report.pdf").starts_with("%PDF"));
+    CHECK(has(cremona({"cross", "examples/portal.json", "--report", folder.path("portal.txt")}).err, ".report.pdf"));
+    CHECK(cremona({"cross", "examples/truss.json", "--report", folder.path("truss.html")}).status == 2);
+    CHECK(!folder.has("truss.html"));
+}
+
+TEST_CASE("What the method cannot do is refused with the part and the reason")
+{
+    const auto refused = [](const std::string& text, int status, const std::string& words,
+                            const std::vector<std::string>& more = {}) {
+        std::vector<std::string> arguments{"cross", "-"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Run run = cremona(arguments, text);
+        CAPTURE(words);
+        CHECK(run.status == status);
+        CHECK(run.out.empty());
+        CHECK_MESSAGE(has(run.err, words), run.err);
+    };
+    const std::string AB = R"("nodes": ["A", "B"],)";
+    refused(beam(AB, AB + R"("rigid": true,)"), 2, "member AB is rigid");
+    refused(beam(AB, AB + R"("start": {"offset": [0, 0.5]},)"), 2, "member AB has an offset across its axis");
+    refused(beam(AB, AB + R"("start": {"spring": {"ux": 100}},)"), 2, "member AB has a spring along its axis");
+    refused(beam(R"("load_cases": [{"id": "q", "members": [{"member": "AB", "kind": "distributed", "qy": -12}]}])",
+                 R"("load_cases": [])"),
+            2, "no load case");
+    const Run grillage = cremona({"cross", "examples/grillage.json"});
+    CHECK(grillage.status == 2);
+    CHECK(has(grillage.err, "moment distribution works on continuous beams and plane frames, not on a grillage"));
+    const Run mechanism = cremona({"cross", "examples/mechanism.json"});
+    CHECK(mechanism.status == 3);
+    CHECK(has(mechanism.err, "nodes B and C sway to the right together"));
+    refused(beam(), 2, "choose from B", {"--order", "B,Z"});
+    refused(beam(), 2, "wanted a number greater than 0", {"--tolerance", "-1"});
+    refused(beam(), 2, "wanted a whole number from 1 to 16", {"--digits", "x"});
+    refused(beam(), 2, "there is no \"p\"", {"--case", "p"});
+}
+
+TEST_SUITE_END();
