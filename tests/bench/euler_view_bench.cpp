@@ -18,6 +18,8 @@
 #include <cstdio>
 #include <ctime>
 #include <functional>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -121,9 +123,11 @@ int main()
     std::printf("a torus turns, sheet of 1280 x 800, software renderer [ms, medians]\n"
                 "%-34s %6s %8s %10s %7s |  total    cpu\n",
                 "", "shapes", "picture", "triangles", "raster");
-    print_row(screen, "100 faces", torus(10, 10), {});
-    print_row(screen, "500 faces", torus(25, 20), {});
-    print_row(screen, "2 000 faces", torus(50, 40), {});
+    for (const auto& [n_around, n_tube] :
+         {std::pair{10, 10}, {15, 10}, {20, 10}, {20, 15}, {25, 20}, {35, 20}, {40, 25}, {50, 30}, {50, 40}}) {
+        const std::string name = std::to_string(n_around * n_tube) + " faces";
+        print_row(screen, name.c_str(), torus(n_around, n_tube), {});
+    }
     print_row(
         screen, "2 000 faces, every kind of name", torus(50, 40),
         {.names = {EntityKind::Vertex, EntityKind::Edge, EntityKind::HalfEdge, EntityKind::Loop, EntityKind::Face}});

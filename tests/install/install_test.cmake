@@ -14,7 +14,7 @@ file(REMOVE_RECURSE "${work}")
 run("${CMAKE_COMMAND}" --install "${build}" --prefix "${work}/prefix")
 
 if(apps)
-  foreach(file bin/cremona bin/euler bin/frame share/man/man1/cremona.1 share/man/man1/euler.1 share/man/man1/frame.1
+  foreach(file bin/cremona bin/cross bin/euler bin/frame share/man/man1/cremona.1 share/man/man1/euler.1 share/man/man1/frame.1
                share/applications/cremona-euler.desktop share/icons/hicolor/scalable/apps/cremona-euler.svg
                share/applications/cremona-frame.desktop share/icons/hicolor/scalable/apps/cremona-frame.svg)
     if(NOT EXISTS "${work}/prefix/${file}")

@@ -38,6 +38,7 @@ ALLOWED = {
     "ui/command": UI_BASE,
     "ui/text": UI_BASE,
     "ui/scenario": UI_BASE,
+    "ui/files": [*UI_BASE, "ui/files/", SYSTEM],
     "examples": ["femoop/", "topology/", EIGEN],
     "tests": ["topology/", "femoop/", "ui/", "apps/", "tests/", re.compile(r"")],
 }
@@ -45,6 +46,10 @@ APP_ALLOWED = ["topology/", "femoop/", "ui/", EIGEN, SYSTEM]
 APP_DOCUMENT_ALLOWED = ["topology/", "femoop/", *UI_BASE, EIGEN]  # so that tests drive it without a screen
 APP_VIEW_ALLOWED = [*APP_DOCUMENT_ALLOWED, "ui/paint/", "ui/canvas/"]  # draws through the Painter only
 CLI_ALLOWED = [*APP_ALLOWED, "apps/", OPTIONS, JSON]
+BORROWED = {
+    "cross": ["apps/frame/view/", "apps/frame/document/"],  # structures are drawn and edited in one way only
+    "frame": ["apps/cross/document/", "apps/mohr/document/"],  # it hands documents of theirs over
+}
 APP_WINDOW_PART = re.compile(r"window/|panels?[/_.]|main\.cpp$")
 
 
@@ -58,10 +63,11 @@ def rule(path):
         if inside.startswith("document"):
             return [*APP_DOCUMENT_ALLOWED, f"apps/{app}/document"]
         if inside.startswith("view"):
-            return [*APP_VIEW_ALLOWED, f"apps/{app}/document", f"apps/{app}/predict", f"apps/{app}/view"]
+            own = [f"apps/{app}/document", f"apps/{app}/predict", f"apps/{app}/view"]
+            return [*APP_VIEW_ALLOWED, *own, *(r for r in BORROWED.get(app, []) if r.endswith("/view/"))]
         if inside.startswith("predict"):  # judges what was drawn, whoever draws it
             return ["femoop/", EIGEN, f"apps/{app}/predict"]
-        own = [*APP_ALLOWED, f"apps/{app}/"]
+        own = [*APP_ALLOWED, f"apps/{app}/", *BORROWED.get(app, [])]
         return [*own, WINDOW, OPTIONS] if APP_WINDOW_PART.match(inside) else own
     folder = path
     while folder not in ALLOWED:

@@ -3,9 +3,8 @@
 #include "apps/frame/window/run.h"
 #include "apps/frame/window/stage.h"
 #include "tests/folder.h"
-#include "tests/golden/scene.h"
+#include "tests/scenarios/played.h"
 #include "tests/scenarios/script_files.h"
-#include "ui/paint/surface/golden_text.h"
 
 #include <doctest/doctest.h>
 
@@ -25,30 +24,10 @@ Session as_a_person_begins()
     return session;
 }
 
-void compare(std::string_view name, const ui::Pixels& pixels, Application& application)
-{
-    golden::check_picture(std::string(name), pixels, ui::golden_text(*application.canvas().picture()));
-}
-
 /// What went wrong, "" for nothing.
 std::string played(const std::string& script)
 {
-    const Workplace workplace;
-    const ui::Fonts fonts;
-    std::string complaint;
-    golden::if_drawn(
-        [&] {
-            ui::Offscreen context({.size = {1280, 800}});
-            Application application(context, fonts, as_a_person_begins());
-            try {
-                play(script, context, application, compare);
-            } catch (const ui::ScenarioError& error) {
-                complaint = error.what();
-            }
-            return context.pixels();
-        },
-        golden::this_machine());
-    return complaint;
+    return played_in<Application, OffscreenStage>(script, as_a_person_begins());
 }
 
 } // namespace

@@ -2,9 +2,8 @@
 // keeps looks as it did.
 #include "apps/euler/window/run.h"
 #include "apps/euler/window/stage.h"
-#include "tests/golden/scene.h"
+#include "tests/scenarios/played.h"
 #include "tests/scenarios/script_files.h"
-#include "ui/paint/surface/golden_text.h"
 
 #include <doctest/doctest.h>
 
@@ -17,28 +16,7 @@ using namespace euler;
 namespace {
 
 /// What went wrong, "" for nothing.
-std::string played(const std::string& script)
-{
-    const Workplace workplace;
-    const ui::Fonts fonts;
-    std::string complaint;
-    golden::if_drawn(
-        [&] {
-            ui::Offscreen context({.size = {1280, 800}});
-            Application application(context, fonts, Session());
-            OffscreenStage stage(context, application, [&](std::string_view name, const ui::Pixels& pixels) {
-                golden::check_picture(std::string(name), pixels, ui::golden_text(*application.canvas().picture()));
-            });
-            try {
-                ui::play(script, context, application, stage, {});
-            } catch (const ui::ScenarioError& error) {
-                complaint = error.what();
-            }
-            return context.pixels();
-        },
-        golden::this_machine());
-    return complaint;
-}
+std::string played(const std::string& script) { return played_in<Application, OffscreenStage>(script, Session()); }
 
 } // namespace
 
