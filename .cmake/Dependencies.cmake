@@ -28,6 +28,9 @@ FetchContent_MakeAvailable(Eigen3 nlohmann_json)
 header_only(Eigen3::Eigen Eigen3 "")
 header_only(nlohmann_json::nlohmann_json nlohmann_json "/include")
 
+set(THREADS_PREFER_PTHREAD_FLAG ON)
+find_package(Threads REQUIRED)
+
 if(CREMONA_CHOLMOD)
   find_package(CHOLMOD MODULE)
 endif()

@@ -23,8 +23,8 @@ install(DIRECTORY courseware/reference DESTINATION "${CMAKE_INSTALL_DOCDIR}" FIL
   PATTERN "*.svg")
 
 if(CREMONA_APPS)
-  install(TARGETS cremona euler frame RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
-  foreach(app euler frame)
+  install(TARGETS cremona cross euler frame mohr RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  foreach(app cross euler frame mohr)
     install(FILES apps/${app}/cremona-${app}.desktop DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
     install(FILES apps/${app}/cremona-${app}.svg DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps")
   endforeach()
