@@ -14,6 +14,7 @@
 #include "apps/cli/argument.h"
 #include "apps/cli/model_input.h"
 #include "apps/cli/output_file.h"
+#include "apps/cli/solver_trace.h"
 #include "femoop/analysis/trace.h"
 #include "femoop/io/json/json_writer.h"
 #include "femoop/io/results/results_csv.h"
@@ -62,7 +63,7 @@ public:
 private:
     Selection selection(const Model& model, const ui::Catalogue& tr) const;
     std::string output(const Model& model, const Results& results, const Selection& selection,
-                       const ui::Catalogue& tr) const;
+                       const femoop::AnalysisOptions& options, const ui::Catalogue& tr) const;
     std::string tables(const Model& model, const Results& results, const Selection& selection,
                        const ui::Catalogue& tr) const;
     std::string description(const Model& model, const Results& results, const Selection& selection,
@@ -75,6 +76,7 @@ private:
     std::string file_, case_ = "all", stations_ = std::to_string(femoop::usual_n_stations), solver_ = "automatic";
     std::optional<std::string> csv_folder_, traced_member_;
     bool is_json_ = false, is_timed_ = false, is_described_ = false;
+    SolverTraceOptions solver_trace_;
 };
 
 HelpText Solve::help(const ui::Catalogue& tr) const
@@ -94,6 +96,8 @@ HelpText Solve::help(const ui::Catalogue& tr) const
           tr("Five files for a spreadsheet in the folder results.")},
          {"cremona solve examples/portal.json --trace BC",
           tr("How member BC enters the system: its stiffness, its rotation, its fixed-end forces, its places.")},
+         {"cremona solve examples/portal.json --trace-solver",
+          tr("Which solver and which order are chosen, and how the front walks over the structure.")},
          {"cremona solve examples/portal.json --describe",
           tr("The structure and its results in sentences, for a screen reader.")},
          {"cremona solve - < examples/portal.json", tr("Reads the model from standard input.")}}};
@@ -124,6 +128,7 @@ void Solve::declare(CLI::App& app, const ui::Catalogue& tr)
            tr("print how this member enters the system instead of the results: stiffness in its own axes and in "
               "those of the nodes, transformation, fixed-end forces, places in the system matrix"))
         ->option_text("MEMBER");
+    solver_trace_.declare(app, tr);
     app.add_flag("--describe", is_described_,
                  tr("print sentences instead of tables: for a screen reader, or beside a picture"));
 }
@@ -164,6 +169,11 @@ void Solve::require_one_output(const ui::Catalogue& tr) const
             throw UsageError(tr("{a} and {b} print different things; give one of them",
                                 {{"a", std::string(a)}, {"b", std::string(b)}}));
     };
+    const bool traces_solver = solver_trace_.are_given();
+    refuse(traces_solver && traced_member_, "--trace-solver", "--trace");
+    refuse(traces_solver && is_described_, "--trace-solver", "--describe");
+    refuse(traces_solver && case_ != "all", "--trace-solver", "--case");
+    refuse(traces_solver && csv_folder_, "--trace-solver", "--csv");
     refuse(traced_member_ && is_described_, "--trace", "--describe");
     refuse(traced_member_ && case_ != "all", "--trace", "--case");
     refuse(traced_member_ && csv_folder_, "--trace", "--csv");
@@ -193,8 +203,9 @@ std::string Solve::trace(const Model& model, const ui::Catalogue& tr) const
 }
 
 std::string Solve::output(const Model& model, const Results& results, const Selection& selection,
-                          const ui::Catalogue& tr) const
+                          const femoop::AnalysisOptions& options, const ui::Catalogue& tr) const
 {
+    if (solver_trace_.are_given()) return solver_trace_.text(model, options.solver, is_json_, tr);
     if (traced_member_) return trace(model, tr);
     if (is_described_) return description(model, results, selection, tr);
     if (!is_json_) return tables(model, results, selection, tr);
@@ -263,6 +274,7 @@ ExitStatus Solve::run(Console& console)
     const ui::Catalogue& tr = console.tr();
     if (file_.empty()) throw UsageError(tr("no file is given; see {command}", {{"command", "cremona solve --help"}}));
     require_one_output(tr);
+    solver_trace_.require_trace(tr);
     const femoop::AnalysisOptions options{.solver = solver_named(solver_, tr)};
     Phases phases;
     StopWatch watch;
@@ -279,7 +291,7 @@ ExitStatus Solve::run(Console& console)
 
     if (is_timed_) phases.recover = seconds_to_recover(*model, results, selected);
     watch.lap();
-    console.print(output(*model, results, selected, tr));
+    console.print(output(*model, results, selected, options, tr));
     if (csv_folder_) write_csv(*model, results, selected, console);
     if (is_timed_) {
         console.flush();

@@ -82,6 +82,8 @@ BlockGraph block_graph(const Structure& structure, const std::vector<std::int32_
 
 } // namespace
 
+BlockGraph block_graph(const Structure& structure) { return block_graph(structure, members_with_own_ends(structure)); }
+
 Equations::Equations(const Structure& structure, SolverKind wanted)
     : dofs_per_node_(model_dofs(structure.kind).size()),
       own_end_of_(members_with_own_ends(structure)),

@@ -43,6 +43,9 @@ private:
     std::vector<std::int32_t> of_own_end_;
 };
 
+/// The blocks of a structure's system and which of them its members couple, as `Equations` numbers them.
+BlockGraph block_graph(const Structure& structure);
+
 /// The displacements of a node that a model counts, in its order.
 std::span<const Dof> model_dofs(AnalysisKind kind);
 

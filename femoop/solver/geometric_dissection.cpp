@@ -70,7 +70,8 @@ public:
         result_.order.reserve(places_.size());
         for (std::int32_t block = 0; block < static_cast<std::int32_t>(places_.size()); ++block)
             (adjacency_.of(block).empty() ? result_.order : blocks).push_back(block);
-        dissect(blocks);
+        add_part(0, 0, false);
+        dissect(blocks, 0);
         return std::move(result_);
     }
 
@@ -83,11 +84,20 @@ private:
         double cost = std::numeric_limits<double>::infinity();
     };
 
-    void dissect(std::span<std::int32_t> blocks)
+    /// Of what was ordered from place `first` on.
+    void add_part(std::size_t first, std::int32_t level, bool is_separator)
+    {
+        if (first == result_.order.size()) return;
+        result_.parts.push_back(
+            {.first = first, .end = result_.order.size(), .level = level, .is_separator = is_separator});
+    }
+
+    void dissect(std::span<std::int32_t> blocks, std::int32_t level)
     {
         const std::optional<Cut> cut = blocks.size() > smallest_part ? best_cut(blocks) : std::nullopt;
         if (!cut) {
             result_.order.insert(result_.order.end(), blocks.begin(), blocks.end());
+            add_part(result_.order.size() - blocks.size(), level, false);
             return;
         }
         mark(blocks, *cut);
@@ -98,9 +108,11 @@ private:
         const auto above = std::stable_partition(blocks.begin(), separator, is_below);
         if (is_first_) result_.first_cut = static_cast<std::size_t>(blocks.end() - separator);
         is_first_ = false;
-        dissect({blocks.begin(), above});
-        dissect({above, separator});
+        dissect({blocks.begin(), above}, level + 1);
+        dissect({above, separator}, level + 1);
+        const std::size_t first = result_.order.size();
         result_.order.insert(result_.order.end(), separator, blocks.end());
+        add_part(first, level, true);
     }
 
     /// The narrowest cut near the middle; nothing where all blocks are in one place.

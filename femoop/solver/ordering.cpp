@@ -3,6 +3,7 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -17,6 +18,21 @@ namespace femoop {
 namespace {
 
 constexpr std::int32_t none = -1;
+
+struct Named {
+    Ordering ordering;
+    std::string_view name;
+};
+constexpr std::array names{Named{Ordering::Natural, "natural"}, Named{Ordering::CuthillMcKee, "cuthill-mckee"},
+                           Named{Ordering::MinimumDegree, "minimum-degree"},
+                           Named{Ordering::NestedDissection, "nested-dissection"}};
+
+std::vector<std::int32_t> natural(std::size_t n)
+{
+    std::vector<std::int32_t> order(n);
+    std::iota(order.begin(), order.end(), 0);
+    return order;
+}
 
 /// Breadth-first levels from a block: appends the blocks reached to `queue` (fewest neighbours first among those that
 /// one block discovers) and returns where the last level starts.
@@ -92,7 +108,16 @@ std::vector<std::int32_t> inverse(const std::vector<std::int32_t>& order)
     return position;
 }
 
-/// The order with every subtree of the elimination tree contiguous, its root last; the fill stays the same.
+/// The neighbours of a place in an order, as places.
+auto places_beside(const BlockAdjacency& adjacency, const std::vector<std::int32_t>& order)
+{
+    return [&adjacency, &order, position = inverse(order)](std::int32_t k, const auto& visit) {
+        for (const std::int32_t neighbour : adjacency.of(order[at(k)])) visit(position[at(neighbour)]);
+    };
+}
+
+} // namespace
+
 std::vector<std::int32_t> postordered(const std::vector<std::int32_t>& order, const std::vector<std::int32_t>& parent)
 {
     const std::size_t n = order.size();
@@ -121,20 +146,6 @@ std::vector<std::int32_t> postordered(const std::vector<std::int32_t>& order, co
     }
     return result;
 }
-
-} // namespace
-
-namespace {
-
-/// The neighbours of a place in an order, as places.
-auto places_beside(const BlockAdjacency& adjacency, const std::vector<std::int32_t>& order)
-{
-    return [&adjacency, &order, position = inverse(order)](std::int32_t k, const auto& visit) {
-        for (const std::int32_t neighbour : adjacency.of(order[at(k)])) visit(position[at(neighbour)]);
-    };
-}
-
-} // namespace
 
 std::vector<std::int32_t> elimination_tree(const BlockAdjacency& adjacency, const std::vector<std::int32_t>& order)
 {
@@ -175,10 +186,19 @@ std::vector<std::int32_t> dissected(const BlockAdjacency& adjacency, std::span<c
 
 } // namespace
 
+std::string_view name(Ordering ordering) { return std::ranges::find(names, ordering, &Named::ordering)->name; }
+
+std::optional<Ordering> ordering_named(std::string_view name)
+{
+    const auto* const found = std::ranges::find(names, name, &Named::name);
+    return found == names.end() ? std::nullopt : std::optional(found->ordering);
+}
+
 std::vector<std::int32_t> elimination_order(const BlockAdjacency& adjacency, Ordering ordering,
                                             std::span<const Eigen::Vector3d> positions)
 {
     if (adjacency.n_blocks() == 0) return {};
+    if (ordering == Ordering::Natural) return natural(adjacency.n_blocks());
     if (ordering == Ordering::CuthillMcKee) return cuthill_mckee(adjacency);
     std::vector<std::int32_t> order;
     if (ordering == Ordering::NestedDissection) order = dissected(adjacency, positions);

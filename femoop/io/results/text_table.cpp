@@ -66,6 +66,7 @@ public:
     void add(const TextTable::Cell& cell, std::size_t kind)
     {
         cells_.push_back({cell, kind});
+        has_counts_ = has_counts_ || std::holds_alternative<std::size_t>(cell);
         const double* const value = std::get_if<double>(&cell);
         if (value == nullptr) return;
         double& largest = largest_[kind];
@@ -74,7 +75,7 @@ public:
 
     std::vector<std::string> lines() const
     {
-        const bool is_numeric = !largest_.empty();
+        const bool is_numeric = has_counts_ || !largest_.empty();
         std::vector<std::string> lines = is_numeric ? numbers() : words();
         std::size_t width = shown_width(header_);
         for (const std::string& line : lines) width = std::max(width, shown_width(line));
@@ -111,6 +112,7 @@ private:
 
     std::string text(const Entry& entry) const
     {
+        if (const auto* const count = std::get_if<std::size_t>(&entry.cell)) return std::to_string(*count);
         const double* const value = std::get_if<double>(&entry.cell);
         if (value == nullptr) return std::get<std::string>(entry.cell);
         NumberFormat format = format_for(largest_.at(entry.kind));
@@ -122,6 +124,7 @@ private:
     char mark_;
     std::vector<Entry> cells_;
     std::map<std::size_t, double> largest_; ///< of each kind
+    bool has_counts_ = false;
 };
 
 } // namespace

@@ -8,13 +8,14 @@
 
 namespace femoop {
 
-/// A table for people: columns of words to the left, columns of numbers set on their decimal points.
+/// A table for people: columns of words to the left, columns of numbers set on their decimal points, counts to the
+/// right.
 ///
 /// A column of numbers keeps one count of decimals, six significant digits of its largest number, so that round-off
 /// beside large numbers reads 0; very large and very small columns are written with powers of ten.
 class TextTable {
 public:
-    using Cell = std::variant<std::string, double>;
+    using Cell = std::variant<std::string, double, std::size_t>;
 
     explicit TextTable(std::vector<std::string> headers) : headers_(std::move(headers)) {}
 

@@ -242,6 +242,65 @@ TEST_CASE("--trace gives a member's 12 E I / L^3 and its places in the system")
     CHECK(has(wrong.err, "--trace: there is no \"BA1\""));
 }
 
+TEST_CASE("--trace-solver tells the four orders with their costs, the chosen one, the fronts and the pattern of L")
+{
+    const Run run = cremona({"solve", "examples/pratt_truss.json", "--trace-solver"});
+    REQUIRE(run.status == 0);
+    for (const char* line :
+         {"Orders of elimination", "natural ", "reverse Cuthill-McKee ", "minimum degree ", "nested dissection ",
+          "Chosen: skyline, in the order of reverse Cuthill-McKee: 358 operations.",
+          "The front walks, in the order of reverse Cuthill-McKee", "L in the order of reverse Cuthill-McKee",
+          "L6.ux  x\n  U5.ux  x x\n"})
+        CHECK_MESSAGE(has(run.out, line), line);
+    const Run dissected = cremona({"solve", "examples/pratt_truss.json", "--trace-solver", "--ordering",
+                                   "nested-dissection", "--step", "6", "--solver", "multifrontal"});
+    CHECK(has(dissected.out, "The front walks, in the order of nested dissection"));
+    CHECK(has(dissected.out, "The matrix of front 6 by blocks"));
+    CHECK(has(dissected.out, "Chosen: multifrontal"));
+}
+
+TEST_CASE("--trace-solver as JSON has every front of every order, in sums that are those of L")
+{
+    const Run run = cremona({"solve", "examples/grillage.json", "--trace-solver", "--json"});
+    REQUIRE(run.status == 0);
+    const json trace = json::parse(run.out)["solver_trace"];
+    CHECK(trace["solver"] == "skyline");
+    CHECK(trace["orderings"].size() == 4);
+    for (const json& walk : trace["orderings"]) {
+        std::size_t n_entries = 0;
+        for (const json& front : walk["fronts"]) n_entries += front["entries_of_L"].get<std::size_t>();
+        CHECK(walk["entries_of_L"] == n_entries);
+        CHECK(walk["fill_in"] == walk["entries_of_L"].get<int>() - trace["entries_of_K"].get<int>());
+        CHECK(walk["fronts"].back()["waiting"] == 0);
+        CHECK(walk["order"].size() == walk["parent"].size());
+    }
+}
+
+TEST_CASE("What cannot be traced is said: options without it or against it, a step too many, a mechanism")
+{
+    const auto refusal = [](std::vector<std::string> options) {
+        options.insert(options.begin(), {"solve", "examples/portal.json"});
+        const Run run = cremona(options);
+        CHECK(run.status == 2);
+        CHECK(run.out.empty());
+        return run.err;
+    };
+    CHECK(has(refusal({"--step", "1"}), "--step goes with --trace-solver; add it"));
+    CHECK(has(refusal({"--ordering", "natural"}), "--ordering goes with --trace-solver; add it"));
+    CHECK(has(refusal({"--trace-solver", "--step", "9"}), "--step: found \"9\"; wanted a whole number from 1 to 1"));
+    CHECK(has(refusal({"--trace-solver", "--ordering", "amd"}), "choose from: natural, cuthill-mckee,"));
+    CHECK(has(refusal({"--trace-solver", "--trace", "BC"}), "--trace-solver and --trace print different things"));
+    CHECK(has(refusal({"--trace-solver", "--describe"}), "--trace-solver and --describe print different things"));
+    CHECK(cremona({"solve", "examples/mechanism.json", "--trace-solver"}).status == 3);
+    const Run held = cremona({"solve", "-", "--trace-solver"}, [] {
+        json model = json::parse(cantilever());
+        model["nodes"][1]["support"] = "fixed";
+        return model.dump();
+    }());
+    CHECK(held.status == 0);
+    CHECK(has(held.out, "there is nothing to eliminate"));
+}
+
 TEST_CASE("--describe says the structure, its loads and its results in sentences")
 {
     const Run run = cremona({"solve", "-", "--describe"}, cantilever());

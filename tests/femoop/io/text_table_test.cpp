@@ -20,6 +20,16 @@ TEST_CASE("Numbers of a column share their decimals, six significant digits of t
                           "C       7.5000\n");
 }
 
+TEST_CASE("Counts are written whole and stand to the right")
+{
+    TextTable table({"order", "entries"});
+    table.add_row({"natural", std::size_t{1234567890123}});
+    table.add_row({"other", std::size_t{0}});
+    CHECK(table.text() == "order          entries\n"
+                          "natural  1234567890123\n"
+                          "other                0\n");
+}
+
 TEST_CASE("Six digits are six, whatever the power of ten, and a number that rounds up to one counts as it")
 {
     const auto written = [](double value) {

@@ -12,7 +12,8 @@ using femoop_test::RandomSystem;
 
 namespace {
 
-constexpr Ordering orderings[] = {Ordering::CuthillMcKee, Ordering::MinimumDegree, Ordering::NestedDissection};
+constexpr Ordering orderings[] = {Ordering::Natural, Ordering::CuthillMcKee, Ordering::MinimumDegree,
+                                  Ordering::NestedDissection};
 
 /// Nodes of a grid, each coupled to its right and upper neighbour.
 BlockGraph grid(std::int32_t columns, std::int32_t rows, std::int32_t block_size)

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "apps/cli/console.h"
+#include "femoop/analysis/solver_trace.h"
+#include "femoop/io/results/solver_trace_text.h"
+#include "femoop/model/model.h"
+
+namespace CLI { // NOLINT(readability-identifier-naming): the name that its authors gave it
+class App;
+}
+
+namespace cli {
+
+/// The options of `cremona solve` that show the solver at work, and what they print.
+class SolverTraceOptions {
+public:
+    void declare(CLI::App& app, const ui::Catalogue& tr);
+
+    bool are_given() const { return is_traced_; }
+    /// \throws UsageError if the others are given without --trace-solver
+    void require_trace(const ui::Catalogue& tr) const;
+
+    /// The trace in words, or as JSON. \throws UsageError for an order or a step that there is not
+    std::string text(const femoop::Model& model, femoop::SolverKind wanted, bool is_json,
+                     const ui::Catalogue& tr) const;
+
+private:
+    femoop::SolverTraceRequest request(const femoop::SolverTrace& trace, const ui::Catalogue& tr) const;
+
+    bool is_traced_ = false;
+    std::optional<std::string> ordering_, step_;
+};
+
+} // namespace cli
