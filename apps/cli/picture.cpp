@@ -1,37 +1,20 @@
 #include "apps/cli/picture.h"
 
-#include <algorithm>
-#include <cctype>
 #include <functional>
-#include <stdexcept>
 
 #include "apps/cli/analysis_run.h"
-#include "apps/cli/output_file.h"
 #include "apps/frame/view/frame_view.h"
 #include "apps/frame/view/kept_view.h"
 #include "apps/frame/view/sheet/subject.h"
 #include "femoop/analysis/mechanism.h"
-#include "ui/context/paint_to_png.h"
-#include "ui/paint/paint_to_file.h"
 
 namespace cli {
 
 namespace {
 
-void write_picture(const PictureOrder& order, const std::string& title, const ui::Drawing& drawing,
-                   const ui::Catalogue& tr)
+Backdrop backdrop_of(const PictureOrder& order, const femoop::Model& model)
 {
-    require_writable(order.path, tr);
-    const ui::Sheet sheet{
-        .size = order.size, .scale = order.pixel_scale, .background = frame::background(order.view), .title = title};
-    const std::string kind = kind_of(order.path);
-    try {
-        if (kind == ".png") ui::paint_to_png(order.path, sheet, drawing);
-        if (kind == ".svg") ui::paint_to_svg(order.path, sheet, drawing);
-        if (kind == ".pdf") ui::paint_to_pdf(order.path, sheet, drawing);
-    } catch (const std::exception& error) {
-        throw UsageError(tr("cannot draw {file}: {reason}", {{"file", order.path.string()}, {"reason", error.what()}}));
-    }
+    return {.color = frame::background(order.view), .title = model.title};
 }
 
 // A region is as high as the panel that the sheet leaves for it.
@@ -57,28 +40,15 @@ ExitStatus draw_mechanism(const femoop::Model& model, const femoop::MechanismErr
     report_mechanisms(error, file, console);
     const frame::MotionChoice motion{error.mechanisms(), shown};
     write_picture(
-        order, model.title, [&](ui::Painter& painter) { frame::draw(painter, model, motion, order.view); }, tr);
+        order.file, backdrop_of(order, model),
+        [&](ui::Painter& painter) { frame::draw(painter, model, motion, order.view); }, tr);
     console.message(
         tr("{file} shows the motion {n} of {total}",
-           {{"file", order.path.string()}, {"n", std::to_string(shown + 1)}, {"total", std::to_string(total)}}));
+           {{"file", order.file.path.string()}, {"n", std::to_string(shown + 1)}, {"total", std::to_string(total)}}));
     return ExitStatus::CannotSolve;
 }
 
 } // namespace
-
-std::string kind_of(const std::filesystem::path& path)
-{
-    std::string kind = path.extension().string();
-    std::transform(kind.begin(), kind.end(), kind.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return kind;
-}
-
-bool is_picture(const std::filesystem::path& path)
-{
-    const std::string kind = kind_of(path);
-    return kind == ".png" || kind == ".svg" || kind == ".pdf";
-}
 
 ExitStatus draw_picture(const femoop::Model& model, const std::string& file, const PictureOrder& order,
                         const Console& console)
@@ -89,7 +59,7 @@ ExitStatus draw_picture(const femoop::Model& model, const std::string& file, con
             throw UsageError(console.tr()("--mechanism: the structure is no mechanism; leave the option out"));
         console.report(file, results.warnings());
         write_picture(
-            order, model.title,
+            order.file, backdrop_of(order, model),
             [&](ui::Painter& painter) {
                 frame::draw(painter, model, &results, looked_at(order, model, results, painter));
             },

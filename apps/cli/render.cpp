@@ -16,9 +16,6 @@ namespace cli {
 
 namespace {
 
-constexpr long smallest_side = 64, largest_side = 16384; // pixels
-constexpr double largest_scale = 8.0;
-
 class Render : public Subcommand {
 public:
     std::string_view name() const override { return "render"; }
@@ -85,32 +82,6 @@ void Render::declare(CLI::App& app, const ui::Catalogue& tr)
         ->option_text("N");
 }
 
-ui::Size size_of(const std::string& text, const ui::Catalogue& tr)
-{
-    const std::size_t times = text.find('x');
-    if (times == std::string::npos)
-        throw UsageError(
-            tr("--size: found {found}; wanted width and height, such as 1280x800", {{"found", "\"" + text + "\""}}));
-    const WholeRange range{smallest_side, largest_side};
-    return {static_cast<double>(whole_number("--size", text.substr(0, times), range, tr)),
-            static_cast<double>(whole_number("--size", text.substr(times + 1), range, tr))};
-}
-
-/// Both readings of "scale" are common; the other one has an option of its own.
-double pixel_scale(const std::string& text, ui::Size size, const ui::Catalogue& tr)
-{
-    const double scale = positive_number("--scale", text, tr);
-    if (scale > largest_scale)
-        throw UsageError(
-            tr("--scale: found {found}; wanted at most 8 pixels per pixel (displacements are enlarged with "
-               "--magnify)",
-               {{"found", text}}));
-    if (std::max(size.width, size.height) * scale > static_cast<double>(largest_side))
-        throw UsageError(tr("--size and --scale: the picture would be larger than {most} pixels a side",
-                            {{"most", std::to_string(largest_side)}}));
-    return scale;
-}
-
 frame::ShowSet shown(const std::string& list, const ui::Catalogue& tr)
 {
     frame::ShowSet set;
@@ -129,17 +100,10 @@ frame::ShowSet shown(const std::string& list, const ui::Catalogue& tr)
 PictureOrder Render::order(const ui::Catalogue& tr) const
 {
     if (out_.empty()) throw UsageError(tr("no output is given; add -o OUT.png, .svg or .pdf"));
-    PictureOrder order{.path = out_, .view = view_options(tr)};
-    if (!is_picture(order.path))
-        throw UsageError(tr("{file}: cannot draw the kind {kind}; choose from: .png, .svg, .pdf",
-                            {{"file", out_}, {"kind", "\"" + order.path.extension().string() + "\""}}));
-    order.size = size_of(size_, tr);
-    order.pixel_scale = pixel_scale(scale_, order.size, tr);
+    PictureOrder order{.file = picture_file(out_, size_, scale_, tr), .view = view_options(tr)};
     if (mechanism_)
         order.mechanism = static_cast<std::size_t>(whole_number("--mechanism", *mechanism_, {1, 1000}, tr) - 1);
-    const auto theme = ui::theme_named(theme_);
-    if (!theme) throw unknown_choice("--theme", theme_, {"light", "dark", "print", "projector"}, tr);
-    order.view.theme = *theme;
+    order.view.theme = theme_named(theme_, tr);
     if (show_) order.view.show = shown(*show_, tr);
     if (magnification_) order.view.deformation_scale = positive_number("--magnify", *magnification_, tr);
     return order;

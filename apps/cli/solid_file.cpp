@@ -6,7 +6,7 @@
 
 #include "apps/cli/model_input.h"
 #include "apps/cli/output_file.h"
-#include "apps/cli/picture.h"
+#include "apps/cli/picture_file.h"
 #include "femoop/io/file_text.h"
 #include "topology/mesh/mesh_file.h"
 #include "topology/script/script_writer.h"

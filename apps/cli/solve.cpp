@@ -63,7 +63,7 @@ public:
 private:
     Selection selection(const Model& model, const ui::Catalogue& tr) const;
     std::string output(const Model& model, const Results& results, const Selection& selection,
-                       const femoop::AnalysisOptions& options, const ui::Catalogue& tr) const;
+                       const ui::Catalogue& tr) const;
     std::string tables(const Model& model, const Results& results, const Selection& selection,
                        const ui::Catalogue& tr) const;
     std::string description(const Model& model, const Results& results, const Selection& selection,
@@ -203,9 +203,8 @@ std::string Solve::trace(const Model& model, const ui::Catalogue& tr) const
 }
 
 std::string Solve::output(const Model& model, const Results& results, const Selection& selection,
-                          const femoop::AnalysisOptions& options, const ui::Catalogue& tr) const
+                          const ui::Catalogue& tr) const
 {
-    if (solver_trace_.are_given()) return solver_trace_.text(model, options.solver, is_json_, tr);
     if (traced_member_) return trace(model, tr);
     if (is_described_) return description(model, results, selection, tr);
     if (!is_json_) return tables(model, results, selection, tr);
@@ -291,7 +290,8 @@ ExitStatus Solve::run(Console& console)
 
     if (is_timed_) phases.recover = seconds_to_recover(*model, results, selected);
     watch.lap();
-    console.print(output(*model, results, selected, options, tr));
+    if (solver_trace_.are_given()) solver_trace_.show(*model, options.solver, is_json_, console);
+    else console.print(output(*model, results, selected, tr));
     if (csv_folder_) write_csv(*model, results, selected, console);
     if (is_timed_) {
         console.flush();

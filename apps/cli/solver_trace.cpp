@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 
 #include "apps/cli/argument.h"
+#include "apps/cli/picture_file.h"
+#include "apps/frame/view/solver/solver_picture.h"
 
 namespace cli {
 
@@ -20,6 +22,15 @@ void SolverTraceOptions::declare(CLI::App& app, const ui::Catalogue& tr)
         ->option_text("NAME");
     app.add_option("--step", step_, tr("with --trace-solver: the front that is shown more closely, from 1"))
         ->option_text("N");
+    app.add_option("-o,--output", out_,
+                   tr("with --trace-solver: draws the step too; the extension chooses the kind: .png, .svg or .pdf"))
+        ->option_text("OUT");
+    app.add_option("--size", size_, tr("width and height in pixels (default 1280x800)"))->option_text("WxH");
+    app.add_option("--scale", scale_,
+                   tr("pixels per pixel of --size in a PNG: 2 draws it twice as sharp and twice as large (default 1)"))
+        ->option_text("K");
+    app.add_option("--theme", theme_, tr("light (default), dark, print or projector (large type, thick lines)"))
+        ->option_text("NAME");
 }
 
 void SolverTraceOptions::require_trace(const ui::Catalogue& tr) const
@@ -30,6 +41,10 @@ void SolverTraceOptions::require_trace(const ui::Catalogue& tr) const
     };
     refuse(ordering_.has_value(), "--ordering");
     refuse(step_.has_value(), "--step");
+    refuse(out_.has_value(), "-o");
+    refuse(size_.has_value(), "--size");
+    refuse(scale_.has_value(), "--scale");
+    refuse(theme_.has_value(), "--theme");
 }
 
 femoop::SolverTraceRequest SolverTraceOptions::request(const SolverTrace& trace, const ui::Catalogue& tr) const
@@ -50,12 +65,30 @@ femoop::SolverTraceRequest SolverTraceOptions::request(const SolverTrace& trace,
     return request;
 }
 
-std::string SolverTraceOptions::text(const femoop::Model& model, femoop::SolverKind wanted, bool is_json,
-                                     const ui::Catalogue& tr) const
+void SolverTraceOptions::show(const femoop::Model& model, femoop::SolverKind wanted, bool is_json,
+                              Console& console) const
 {
     const SolverTrace trace = femoop::trace_solver(model, wanted);
-    const femoop::SolverTraceRequest asked = request(trace, tr);
-    return is_json ? femoop::solver_trace_json(trace) : femoop::solver_trace_text(trace, asked, tr);
+    const femoop::SolverTraceRequest asked = request(trace, console.tr());
+    if (out_) draw(model, trace, asked, console);
+    console.print(is_json ? femoop::solver_trace_json(trace) : femoop::solver_trace_text(trace, asked, console.tr()));
+}
+
+void SolverTraceOptions::draw(const femoop::Model& model, const SolverTrace& trace,
+                              const femoop::SolverTraceRequest& request, Console& console) const
+{
+    const ui::Catalogue& tr = console.tr();
+    const PictureFile file = picture_file(*out_, size_.value_or("1280x800"), scale_.value_or("1"), tr);
+    const Ordering ordering = request.ordering.value_or(usual_ordering(trace));
+    const std::size_t n = trace.walk(ordering).fronts.size();
+    const frame::SolverLook look{.theme = ui::Theme(theme_named(theme_.value_or("light"), tr)),
+                                 .tr = tr,
+                                 .ordering = ordering,
+                                 .step = request.step.value_or(n / 2)};
+    write_picture(
+        file, {.color = look.theme.background(), .title = model.title},
+        [&](ui::Painter& painter) { frame::draw_solver(painter, trace, look); }, tr);
+    console.message(tr("written: {file}", {{"file", file.path.string()}}));
 }
 
 } // namespace cli

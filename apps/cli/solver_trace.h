@@ -23,15 +23,17 @@ public:
     /// \throws UsageError if the others are given without --trace-solver
     void require_trace(const ui::Catalogue& tr) const;
 
-    /// The trace in words, or as JSON. \throws UsageError for an order or a step that there is not
-    std::string text(const femoop::Model& model, femoop::SolverKind wanted, bool is_json,
-                     const ui::Catalogue& tr) const;
+    /// Prints the trace in words, or as JSON, and draws it where a picture is wanted. \throws UsageError for an order
+    /// or a step that there is not, and a picture that cannot be written
+    void show(const femoop::Model& model, femoop::SolverKind wanted, bool is_json, Console& console) const;
 
 private:
     femoop::SolverTraceRequest request(const femoop::SolverTrace& trace, const ui::Catalogue& tr) const;
+    void draw(const femoop::Model& model, const femoop::SolverTrace& trace, const femoop::SolverTraceRequest& request,
+              Console& console) const;
 
     bool is_traced_ = false;
-    std::optional<std::string> ordering_, step_;
+    std::optional<std::string> ordering_, step_, out_, size_, scale_, theme_;
 };
 
 } // namespace cli

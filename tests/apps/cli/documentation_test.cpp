@@ -61,7 +61,8 @@ TEST_CASE("Every command on the page of the command line runs, and prints what t
         }
     }
     for (const char* file :
-         {"portal.svg", "moments.png", "sag.pdf", "motion.svg", "portal.pdf", "portal.csv", "results"})
+         {"portal.svg", "moments.png", "sag.pdf", "motion.svg", "portal.pdf", "portal.csv", "results",
+          "front.png"})
         CHECK_MESSAGE(folder.has(file), file);
 }
 

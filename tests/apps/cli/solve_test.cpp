@@ -259,6 +259,18 @@ TEST_CASE("--trace-solver tells the four orders with their costs, the chosen one
     CHECK(has(dissected.out, "Chosen: multifrontal"));
 }
 
+TEST_CASE("--trace-solver draws the step: its words stand in the SVG as text, in the language asked for")
+{
+    const Folder folder;
+    const Run run = cremona({"solve", "examples/storey_frame.json", "--trace-solver", "--ordering", "nested-dissection",
+                             "--step", "24", "--size", "1000x700", "--lang", "pt", "-o", folder.path("front.svg")});
+    REQUIRE(run.status == 0);
+    CHECK(has(run.err, "escrito: "));
+    const std::string svg = folder.read("front.svg");
+    for (const char* words : {"Frente 24 de 24, dissecção aninhada", "Árvore de eliminação", "864 de preenchimento"})
+        CHECK_MESSAGE(has(svg, words), words);
+}
+
 TEST_CASE("--trace-solver as JSON has every front of every order, in sums that are those of L")
 {
     const Run run = cremona({"solve", "examples/grillage.json", "--trace-solver", "--json"});
@@ -287,6 +299,10 @@ TEST_CASE("What cannot be traced is said: options without it or against it, a st
     };
     CHECK(has(refusal({"--step", "1"}), "--step goes with --trace-solver; add it"));
     CHECK(has(refusal({"--ordering", "natural"}), "--ordering goes with --trace-solver; add it"));
+    CHECK(has(refusal({"-o", "front.png"}), "-o goes with --trace-solver; add it"));
+    CHECK(has(refusal({"--theme", "dark"}), "--theme goes with --trace-solver; add it"));
+    CHECK(has(refusal({"--trace-solver", "-o", "front.gif"}), "cannot draw the kind \".gif\""));
+    CHECK(has(refusal({"--trace-solver", "-o", "front.svg", "--theme", "blue"}), "--theme: there is no \"blue\""));
     CHECK(has(refusal({"--trace-solver", "--step", "9"}), "--step: found \"9\"; wanted a whole number from 1 to 1"));
     CHECK(has(refusal({"--trace-solver", "--ordering", "amd"}), "choose from: natural, cuthill-mckee,"));
     CHECK(has(refusal({"--trace-solver", "--trace", "BC"}), "--trace-solver and --trace print different things"));
