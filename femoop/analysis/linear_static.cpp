@@ -17,7 +17,9 @@
 #include "femoop/analysis/reduced_system.h"
 #include "femoop/analysis/rigid_body.h"
 #include "femoop/model/check/check.h"
+#include "femoop/model/quantity/number_text.h"
 #include "femoop/result/solution.h"
+#include "femoop/solver/available_memory.h"
 
 namespace femoop {
 
@@ -75,10 +77,11 @@ namespace {
 
 template <AnalysisKind kind> class System final : public LinearStatic::Parts {
 public:
-    System(const Model& model, std::shared_ptr<const Structure> s, SolverKind solver)
-        : Parts(std::move(s), solver), assembly_(*structure, equations), system_(assembled())
+    System(const Model& model, std::shared_ptr<const Structure> s, const AnalysisOptions& options)
+        : Parts(std::move(s), options.solver.kind), assembly_(*structure, equations), system_(assembled())
     {
-        factor(model, solver);
+        analyse(options);
+        factor(model);
         if (!loose_members(model, *structure, assembly_).empty()) refuse(model, {});
         statistics.factor += watch.lap();
     }
@@ -90,6 +93,8 @@ public:
         statistics.assemble += watch.lap();
         refuse(driven(model, loads, F));
         const Displacements u = displacements(model, loads, F);
+        statistics.backward_error = system_.backward_error();
+        statistics.refinements = system_.refinements();
         require_finite(model, F);
         require_finite(model, u.all);
         const Eigen::VectorXd residuals = system_.relative_residuals(F, u);
@@ -123,10 +128,21 @@ private:
         return system;
     }
 
-    void factor(const Model& model, SolverKind wanted)
+    void analyse(const AnalysisOptions& options)
     {
-        system_.analyse(wanted);
+        try {
+            system_.analyse(options);
+        } catch (const InsufficientMemory& refusal) {
+            const auto gigabytes = [](double bytes) { return number_text(std::round(1e-7 * bytes) / 100.0); };
+            throw ModelError({{FaultKind::MemoryInsufficient,
+                               {std::to_string(system_.matrix().rows()), gigabytes(refusal.needed()),
+                                gigabytes(refusal.available())}}});
+        }
         statistics.order += watch.lap();
+    }
+
+    void factor(const Model& model)
+    {
         const Pivots pivots = system_.factorize();
         note_size();
         smallest_pivot = pivots.smallest_ratio;
@@ -141,6 +157,8 @@ private:
         statistics.dofs = static_cast<std::size_t>(system_.matrix().rows());
         statistics.nonzeros = static_cast<std::size_t>(system_.matrix().nonZeros());
         statistics.factor_nonzeros = solver->factor_nonzeros();
+        statistics.factor_operations = solver->predicted_operations();
+        statistics.factor_bytes = solver->predicted_bytes();
         statistics.solver = solver->name();
     }
 
@@ -203,7 +221,7 @@ private:
         return F;
     }
 
-    Displacements displacements(const Model& model, const std::vector<CaseLoads>& loads, const Eigen::MatrixXd& F) const
+    Displacements displacements(const Model& model, const std::vector<CaseLoads>& loads, const Eigen::MatrixXd& F)
     {
         if (!structure->has_constraints) return system_.solve(F);
         const Elimination elimination = eliminate_constraints<kind>(*structure, equations, assembly_, loads);
@@ -295,11 +313,11 @@ private:
     ReducedSystem system_;
 };
 
-std::unique_ptr<LinearStatic::Parts> make_system(const Model& model, SolverKind wanted)
+std::unique_ptr<LinearStatic::Parts> make_system(const Model& model, const AnalysisOptions& options)
 {
     auto structure = std::make_shared<const Structure>(structure_of(model));
     return with_model(model.analysis, [&](auto kind) -> std::unique_ptr<LinearStatic::Parts> {
-        return std::make_unique<System<decltype(kind)::value>>(model, std::move(structure), wanted);
+        return std::make_unique<System<decltype(kind)::value>>(model, std::move(structure), options);
     });
 }
 
@@ -308,7 +326,7 @@ std::unique_ptr<LinearStatic::Parts> make_system(const Model& model, SolverKind 
 LinearStatic::LinearStatic(const Model& model, const AnalysisOptions& options)
 {
     require_sound(model);
-    parts_ = make_system(model, options.solver);
+    parts_ = make_system(model, options);
 }
 
 LinearStatic::~LinearStatic() = default;

@@ -3,6 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include "femoop/solver/refinement.h"
+
 namespace femoop {
 
 namespace {
@@ -36,15 +38,17 @@ void ReducedSystem::constrain(const Elimination& elimination, SparseMatrix own)
     K_reduced_ = reduced(K_, T_);
 }
 
-void ReducedSystem::analyse(SolverKind wanted)
+void ReducedSystem::analyse(const AnalysisOptions& options)
 {
-    wanted_ = wanted;
+    options_ = options;
     if (matrix().rows() == 0) return;
     if (is_constrained_) {
-        solver_ = solver_for(K_reduced_, wanted);
+        solver_ = solver_for(K_reduced_, options.solver);
         return;
     }
-    solver_ = make_solver(equations_.pattern().solver());
+    SolverOptions chosen = options.solver;
+    chosen.kind = equations_.pattern().solver();
+    solver_ = make_solver(chosen);
     solver_->analyse(equations_.pattern());
 }
 
@@ -57,7 +61,7 @@ Pivots ReducedSystem::factorize()
 void ReducedSystem::factorize_own()
 {
     const SparseMatrix picked = reduced(own_, S_);
-    own_solver_ = solver_for(picked, wanted_);
+    own_solver_ = solver_for(picked, options_.solver);
     own_solver_->factorize(picked);
 }
 
@@ -72,17 +76,26 @@ NullModes ReducedSystem::free_motions(double zero_tolerance, Eigen::Index most) 
     return free;
 }
 
-ReducedSystem::Displacements ReducedSystem::solve(const Eigen::MatrixXd& F) const
+Eigen::MatrixXd ReducedSystem::solved(const Eigen::MatrixXd& B)
 {
-    return {.all = solver_ ? solver_->solve(F) : F, .constraint = {}};
+    if (!options_.is_refined) return solver_->solve(B);
+    RefinedSolution solution = solve_refined(*solver_, matrix(), B);
+    backward_error_ = solution.backward_error;
+    refinements_ = solution.n_steps;
+    return std::move(solution.X);
 }
 
-ReducedSystem::Displacements ReducedSystem::solve(const Eigen::MatrixXd& F, const Eigen::MatrixXd& x0) const
+ReducedSystem::Displacements ReducedSystem::solve(const Eigen::MatrixXd& F)
+{
+    return {.all = solver_ ? solved(F) : F, .constraint = {}};
+}
+
+ReducedSystem::Displacements ReducedSystem::solve(const Eigen::MatrixXd& F, const Eigen::MatrixXd& x0)
 {
     const auto K = K_.selfadjointView<Eigen::Lower>();
     const Eigen::MatrixXd load = T_.transpose() * (F - K * x0);
     Displacements u{.all = x0, .constraint = Eigen::MatrixXd::Zero(F.rows(), F.cols())};
-    if (solver_) u.all += T_ * solver_->solve(load);
+    if (solver_) u.all += T_ * solved(load);
     if (!own_solver_) return u;
     const Eigen::MatrixXd out_of_balance = F - K * u.all;
     u.constraint = S_ * own_solver_->solve(S_.transpose() * out_of_balance);

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <memory>
 
+#include "femoop/analysis/analysis_options.h"
 #include "femoop/analysis/elimination.h"
 #include "femoop/analysis/equations.h"
 #include "femoop/solver/null_modes.h"
@@ -25,8 +26,8 @@ public:
     /// Leaves only the independent unknowns. `own` is what the constraints take from members, over all unknowns.
     void constrain(const Elimination& elimination, SparseMatrix own);
 
-    void analyse(SolverKind wanted); ///< symbolic
-    Pivots factorize();              ///< \pre analyse
+    void analyse(const AnalysisOptions& options); ///< symbolic
+    Pivots factorize();                           ///< \pre analyse
     /// The system that is factored; nothing where no unknown is left.
     const SparseMatrix& matrix() const { return is_constrained_ ? K_reduced_ : K_; }
     const SymmetricSolver* solver() const { return solver_.get(); }
@@ -39,14 +40,18 @@ public:
         Eigen::MatrixXd all;        ///< [unknowns x cases]
         Eigen::MatrixXd constraint; ///< what forces in constrained members follow from; empty without constraints
     };
-    Displacements solve(const Eigen::MatrixXd& F) const;
-    Displacements solve(const Eigen::MatrixXd& F, const Eigen::MatrixXd& x0) const; ///< \pre it is constrained
+    Displacements solve(const Eigen::MatrixXd& F);
+    Displacements solve(const Eigen::MatrixXd& F, const Eigen::MatrixXd& x0); ///< \pre it is constrained
+    /// How good the last solution is and what that took; of no worth unless options.is_refined.
+    double backward_error() const { return backward_error_; }
+    int refinements() const { return refinements_; }
 
     /// The largest force out of balance over the largest load, of every load case.
     Eigen::VectorXd relative_residuals(const Eigen::MatrixXd& F, const Displacements& u) const;
 
 private:
     void factorize_own();
+    Eigen::MatrixXd solved(const Eigen::MatrixXd& B);
 
     const Equations& equations_;
     SparseMatrix K_, K_reduced_;
@@ -54,7 +59,9 @@ private:
     SparseMatrix T_; ///< all unknowns from the independent
     SparseMatrix S_; ///< all unknowns from the dependent
     bool is_constrained_ = false;
-    SolverKind wanted_ = SolverKind::Automatic;
+    AnalysisOptions options_;
+    double backward_error_ = 0.0;
+    int refinements_ = 0;
     std::unique_ptr<SymmetricSolver> solver_, own_solver_;
 };
 

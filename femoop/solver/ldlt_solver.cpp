@@ -16,12 +16,13 @@ void LdltSolver::analyse_ordered(Pattern pattern)
         n, n, static_cast<Eigen::Index>(zeros.size()), pattern.column_start.data(), pattern.rows.data(), zeros.data()));
 }
 
-Pivots LdltSolver::factorize_ordered(const SparseMatrix& K)
+Pivots LdltSolver::factorize_ordered(const SparseMatrix& K, Signs signs)
 {
     ldlt_.factorize(K);
+    const Eigen::VectorXd reference = references(K, signs);
     Pivots pivots;
     for (std::int32_t i = 0; i < K.cols(); ++i)
-        if (!pivots.note(i, ldlt_.vectorD()[i], K.valuePtr()[K.outerIndexPtr()[i]])) break;
+        if (!pivots.note(i, ldlt_.vectorD()[i], reference[i], signs)) break;
     return pivots;
 }
 

@@ -14,7 +14,7 @@ public:
 
 private:
     void analyse_ordered(Pattern pattern) override;
-    Pivots factorize_ordered(const SparseMatrix& K) override;
+    Pivots factorize_ordered(const SparseMatrix& K, Signs signs) override;
     Eigen::MatrixXd solve_ordered(Eigen::MatrixXd B) const override;
 
     Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<std::int32_t>> ldlt_;

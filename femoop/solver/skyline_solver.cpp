@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "femoop/solver/index.h"
+
 namespace femoop {
 
 void SkylineSolver::analyse_ordered(Pattern pattern)
@@ -51,14 +53,14 @@ double SkylineSolver::eliminate(std::size_t i)
     return pivot;
 }
 
-Pivots SkylineSolver::factorize_ordered(const SparseMatrix& K)
+Pivots SkylineSolver::factorize_ordered(const SparseMatrix& K, Signs signs)
 {
     load(K);
+    const Eigen::VectorXd reference = references(K, signs);
     Pivots pivots;
-    for (std::size_t i = 0; i < d_.size(); ++i) {
-        const double diagonal = d_[i];
-        d_[i] = eliminate(i);
-        if (!pivots.note(static_cast<std::int32_t>(i), d_[i], diagonal)) break;
+    for (std::int32_t i = 0; i < K.cols(); ++i) {
+        d_[at(i)] = eliminate(at(i));
+        if (!pivots.note(i, d_[at(i)], reference[i], signs)) break;
     }
     return pivots;
 }

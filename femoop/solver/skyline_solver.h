@@ -24,7 +24,7 @@ public:
 
 private:
     void analyse_ordered(Pattern pattern) override;
-    Pivots factorize_ordered(const SparseMatrix& K) override;
+    Pivots factorize_ordered(const SparseMatrix& K, Signs signs) override;
     Eigen::MatrixXd solve_ordered(Eigen::MatrixXd B) const override;
 
     using Row = Eigen::Map<Eigen::VectorXd>;

@@ -80,6 +80,7 @@ bool is_computed(FaultKind kind, std::size_t argument)
     case FaultKind::NearlySingular: return argument == 0;
     case FaultKind::CrossJointFree: return argument == 1;
     case FaultKind::CrossSteps: return argument == 1 || argument == 3;
+    case FaultKind::MemoryInsufficient: return argument == 1 || argument == 2;
     case FaultKind::MechanismMoveOblique:
     case FaultKind::MechanismTurn:
     case FaultKind::HugeDisplacement: return argument == 1;

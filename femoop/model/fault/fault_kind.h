@@ -29,6 +29,7 @@ enum class FaultKind : std::uint8_t {
     ConstraintConflict,     ///< {0} members, {1} case
     StiffnessBeyondRange,   ///< {0} nodes
     ResultsBeyondRange,     ///< {0} case
+    MemoryInsufficient,     ///< {0} equations, {1} gigabytes needed, {2} gigabytes free
     NearlySingular,         ///< {0} condition estimate, {1} nodes
     HugeDisplacement,       ///< {0} node, {1} distance, {2} case
 

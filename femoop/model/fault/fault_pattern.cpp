@@ -67,6 +67,9 @@ std::string_view pattern(FaultKind kind)
         return "case {0}: its forces or displacements are beyond the range of numbers; check the loads, the lengths "
                "and "
                "their units";
+    case FaultKind::MemoryInsufficient:
+        return "a system of {0} equations takes {1} GB of memory to solve, and {2} GB are free; close other programs or "
+               "make the model smaller";
     case FaultKind::NearlySingular:
         return "structure is nearly a mechanism: condition estimate {0}, softest at {1}; results may have few correct "
                "digits; check supports, releases and very small stiffnesses";

@@ -16,6 +16,10 @@ struct DenseFront {
     double* update;
     std::int32_t n_pivots;
     std::int32_t n_rows;
+    /// Where pivots may be exchanged, as a matrix that is indefinite asks for; null where they stay. D then has an
+    /// entry beside its diagonal where two pivots are eliminated together.
+    std::int32_t* order = nullptr; ///< [n_pivots] the row that each pivot comes from
+    double* coupling = nullptr;    ///< [n_pivots] D between a pivot and the next one; 0 where it stands alone
 };
 
 /// Numbers that the elimination of a front needs beside it.
@@ -36,8 +40,8 @@ extern const TileWorkers one_by_one;
 /// Dense elimination, made for one kind of processor. The same numbers come out bit for bit whoever does the tiles.
 struct DenseKernel {
     /// Eliminates the pivots: the panel becomes the columns of L, whose diagonal of ones gives its place to D, where
-    /// K = L D L'; update -= below pivots^-1 below'. Returns how many pivots it eliminated: fewer than all if one was
-    /// zero or not finite. That one stands on the diagonal, and nothing after it is worth anything.
+    /// K = L D L'; update -= below pivots^-1 below'. Returns how many pivots it eliminated: fewer than all if the next
+    /// was zero or not finite; nothing from there on is worth anything.
     std::int32_t (*eliminate)(const DenseFront& front, double* workspace, const TileWorkers& workers);
     std::string_view name; ///< "avx2" or "baseline"
 };

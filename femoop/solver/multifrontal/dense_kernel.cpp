@@ -34,6 +34,130 @@ Index eliminate_one_by_one(Matrix A)
     return A.cols();
 }
 
+double size(double x) { return x < 0.0 ? -x : x; }
+
+void exchange(double& a, double& b)
+{
+    const double kept = a;
+    a = b;
+    b = kept;
+}
+
+/// Two pivots that are eliminated together: D = [a b; b c], b not zero.
+struct Pair {
+    double a, b, c;
+
+    bool is_usable() const { return FEMOOP_KERNEL::is_usable(b) && FEMOOP_KERNEL::is_usable(spread()); }
+    /// (x y) D^-1.
+    void divide(double& x, double& y) const
+    {
+        const double first = (c / b * x - y) / (b * spread());
+        y = (a / b * y - x) / (b * spread());
+        x = first;
+    }
+
+private:
+    double spread() const { return (a / b) * (c / b) - 1.0; } // det D / b^2
+};
+
+/// L D L' of a square, lower triangle, where pivots have any sign: next comes the row, or the two together, that lets
+/// the rest grow little.
+///
+/// Source  [BunchKaufman1977]; rows outside the square have no say
+class PivotedSquare {
+public:
+    PivotedSquare(Matrix A, std::int32_t* order, double* coupling) : A_(A), order_(order), coupling_(coupling) {}
+
+    /// Returns how many pivots.
+    Index run()
+    {
+        for (Index i = 0; i < n();) {
+            const Index chosen = choose(i);
+            if (chosen == 0) return i;
+            if (chosen == 1) eliminate_one(i);
+            else eliminate_two(i);
+            i += chosen;
+        }
+        return n();
+    }
+
+private:
+    Index n() const { return A_.rows(); }
+    double entry(Index i, Index j) const { return i < j ? A_(j, i) : A_(i, j); }
+
+    /// The row of the largest entry of row i beside its diagonal, among rows from .. n - 1; i itself where all are
+    /// zero.
+    Index largest_beside(Index i, Index from) const
+    {
+        Index row = i;
+        double largest = 0.0;
+        for (Index j = from; j < n(); ++j)
+            if (j != i && size(entry(i, j)) > largest) {
+                largest = size(entry(i, j));
+                row = j;
+            }
+        return row;
+    }
+
+    /// How many pivots come next, 1 or 2, exchanged to i and i + 1; 0 if there are none.
+    Index choose(Index i)
+    {
+        constexpr double alpha = 0.6403882032022076; // (1 + sqrt 17) / 8 bounds the growth best
+        const Index r = largest_beside(i, i + 1);
+        const double beside = r == i ? 0.0 : size(A_(r, i));
+        const double growth_of_r = r == i ? 0.0 : size(entry(r, largest_beside(r, i)));
+        const bool stays = size(A_(i, i)) >= alpha * beside || size(A_(i, i)) * growth_of_r >= alpha * beside * beside;
+        if (stays) return is_usable(A_(i, i)) ? 1 : 0;
+        if (size(A_(r, r)) >= alpha * growth_of_r) {
+            exchange_rows(i, r);
+            return is_usable(A_(i, i)) ? 1 : 0;
+        }
+        exchange_rows(i + 1, r);
+        return pair(i).is_usable() ? 2 : 0;
+    }
+    Pair pair(Index i) const { return {A_(i, i), A_(i + 1, i), A_(i + 1, i + 1)}; }
+
+    /// Rows and columns p < q of the symmetric matrix, and of L before them.
+    void exchange_rows(Index p, Index q)
+    {
+        if (p == q) return;
+        for (Index j = 0; j < p; ++j) exchange(A_(p, j), A_(q, j));
+        exchange(A_(p, p), A_(q, q));
+        for (Index j = p + 1; j < q; ++j) exchange(A_(j, p), A_(q, j));
+        for (Index j = q + 1; j < n(); ++j) exchange(A_(j, p), A_(j, q));
+        const std::int32_t kept = order_[p];
+        order_[p] = order_[q];
+        order_[q] = kept;
+    }
+
+    void eliminate_one(Index i)
+    {
+        coupling_[i] = 0.0;
+        const double pivot = A_(i, i);
+        for (Index j = i + 1; j < n(); ++j) A_.col(j).tail(n() - j) -= (A_(j, i) / pivot) * A_.col(i).tail(n() - j);
+        A_.col(i).tail(n() - i - 1) /= pivot;
+    }
+
+    void eliminate_two(Index i)
+    {
+        const Pair D = pair(i);
+        coupling_[i] = D.b;
+        coupling_[i + 1] = 0.0;
+        A_(i + 1, i) = 0.0;
+        for (Index j = i + 2; j < n(); ++j) {
+            double x = A_(j, i), y = A_(j, i + 1);
+            D.divide(x, y);
+            A_.col(j).tail(n() - j) -= x * A_.col(i).tail(n() - j) + y * A_.col(i + 1).tail(n() - j);
+            A_(j, i) = x;
+            A_(j, i + 1) = y;
+        }
+    }
+
+    Matrix A_;
+    std::int32_t* order_;
+    double* coupling_;
+};
+
 class Elimination {
 public:
     Elimination(const DenseFront& front, double* workspace, const TileWorkers& workers)
@@ -44,7 +168,7 @@ public:
     {
         for (Index k = 0; k < n(); k += block_width) {
             const Index width = smaller(block_width, n() - k);
-            const Index done = eliminate_square(k, width);
+            const Index done = exchanges() ? eliminate_exchanging(k, width) : eliminate_square(k, width);
             if (done < width) return static_cast<std::int32_t>(k + done);
             divide_rows(k, width);
             update_columns(k, width);
@@ -57,6 +181,7 @@ private:
     Index n() const { return front_.n_pivots; }
     Index height() const { return front_.n_rows; }
     Index n_updated() const { return height() - n(); }
+    bool exchanges() const { return front_.order != nullptr; }
 
     Matrix part(Index row, Index column, Index rows, Index columns) const
     {
@@ -88,13 +213,37 @@ private:
         return half + eliminate_square(k + half, rest);
     }
 
+    /// The same with pivots exchanged within the block, in the rows of L before it too.
+    Index eliminate_exchanging(Index k, Index width)
+    {
+        for (Index i = k; i < k + width; ++i) front_.order[i] = static_cast<std::int32_t>(i);
+        const Index done = PivotedSquare(part(k, k, width, width), front_.order + k, front_.coupling + k).run();
+        Matrix before = part(k, 0, width, k), kept = scaled(k, 0, width, k);
+        kept = before;
+        for (Index i = 0; i < width; ++i) before.row(i) = kept.row(front_.order[k + i] - k);
+        return done;
+    }
+
     /// Some rows below eliminated pivots become rows of L.
     void divide(Index k, Index width, Index row, Index n_rows) const
     {
-        Matrix L = part(row, k, n_rows, width);
+        Matrix L = part(row, k, n_rows, width), LD = scaled(row, k, n_rows, width);
+        if (exchanges()) {
+            LD = L;
+            for (Index i = 0; i < width; ++i) L.col(i) = LD.col(front_.order[k + i] - k);
+        }
         part(k, k, width, width).triangularView<Eigen::UnitLower>().transpose().solveInPlace<Eigen::OnTheRight>(L);
-        scaled(row, k, n_rows, width) = L;
-        for (Index j = k; j < k + width; ++j) L.col(j - k) /= front_.panel[j * (height() + 1)];
+        LD = L;
+        for (Index j = 0; j < width; ++j) {
+            const double* const d = front_.panel + (k + j) * (height() + 1);
+            if (!exchanges() || front_.coupling[k + j] == 0.0) {
+                L.col(j) /= *d;
+                continue;
+            }
+            const Pair D{*d, front_.coupling[k + j], d[height() + 1]};
+            for (Index i = 0; i < n_rows; ++i) D.divide(L(i, j), L(i, j + 1));
+            ++j;
+        }
     }
 
     void divide_rows(Index k, Index width) const

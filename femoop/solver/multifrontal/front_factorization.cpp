@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "femoop/solver/index.h"
+#include "femoop/solver/multifrontal/checkpoint.h"
 #include "femoop/solver/multifrontal/dense_front.h"
+#include "femoop/solver/multifrontal/front_memory.h"
 #include "femoop/solver/multifrontal/schedule.h"
 
 namespace femoop {
@@ -19,8 +22,6 @@ using Numbers = std::unique_ptr<double[]>;
 
 constexpr std::int32_t none = FrontTree::none;
 constexpr std::int32_t columns_at_once = 128; // of a large front that a member of the team assembles
-
-std::size_t update_size(const Front& front) { return at(front.n_updated()) * at(front.n_updated()); }
 
 /// Memory that is taken and given back in the order of a stack.
 class Stack {
@@ -34,21 +35,6 @@ private:
     std::size_t top_ = 0;
 };
 
-/// Update matrices of a subtree wait for their parents on two stacks, by depth: a front takes its place on one while
-/// its children's matrices lie on top of the other.
-class Depths {
-public:
-    explicit Depths(const std::vector<Front>& fronts) : is_odd_(fronts.size(), false)
-    {
-        for (std::size_t f = fronts.size(); f-- > 0;)
-            if (fronts[f].parent != none) is_odd_[f] = !is_odd_[at(fronts[f].parent)];
-    }
-    std::size_t side(std::int32_t front) const { return is_odd_[at(front)] ? 1 : 0; }
-
-private:
-    std::vector<bool> is_odd_;
-};
-
 /// What a member of the team works with.
 struct Bench {
     std::array<Stack, 2> stacks;
@@ -58,12 +44,16 @@ struct Bench {
 
 class Factorization {
 public:
-    Factorization(const FrontTree& tree, const SparseMatrix& K, double* entries, Team& team)
+    Factorization(const FrontTree& tree, const SystemNumbers& system, FrontFactor& factor, Team& team,
+                  const Progress& progress)
         : tree_(tree),
           fronts_(tree.fronts()),
-          K_(K),
-          entries_(entries),
+          K_(system.K),
+          signs_(system.signs),
+          reference_(system.reference),
+          factor_(factor),
           team_(team),
+          checkpoint_(progress, tree.n_operations()),
           schedule_(tree, team.size()),
           depths_(fronts_),
           handed_up_(fronts_.size())
@@ -74,59 +64,36 @@ public:
         std::vector<Bench> benches = make_benches();
         std::vector<Pivots> pivots(schedule_.tasks.size());
         team_.for_each(static_cast<std::int32_t>(pivots.size()), [&](std::int32_t task, int member) {
-            pivots[at(task)] = eliminate_task(schedule_.tasks[at(task)], benches[at(member)]);
+            pivots[at(task)] = eliminate_task(schedule_.tasks[at(task)], benches[at(member)], member);
         });
         Pivots all;
         for (const Pivots& of_task : pivots) all.take(of_task);
-        for (std::size_t i = 0; i < schedule_.top.size() && all.is_positive_definite; ++i)
+        for (std::size_t i = 0; i < schedule_.top.size() && all.is_complete; ++i)
             eliminate_top(schedule_.top[i], benches.front(), all);
         return all;
     }
 
 private:
-    bool waits_in_task(const Front& front, const Schedule::Task& task) const
-    {
-        return front.parent != none && task.contains(front.parent);
-    }
-
-    /// Numbers that any task holds at a time on either stack.
-    std::array<std::size_t, 2> stack_sizes() const
-    {
-        std::array<std::size_t, 2> most{0, 0};
-        for (const Schedule::Task& task : schedule_.tasks) {
-            std::array<std::size_t, 2> held{0, 0};
-            for (std::int32_t f = task.first; f < task.end; ++f) {
-                const std::size_t side = depths_.side(f);
-                if (waits_in_task(fronts_[at(f)], task)) held[side] += update_size(fronts_[at(f)]);
-                most[side] = std::max(most[side], held[side]);
-                for (std::int32_t c = fronts_[at(f)].first_child; c != none; c = fronts_[at(c)].next_sibling)
-                    held[1 - side] -= update_size(fronts_[at(c)]);
-            }
-        }
-        return most;
-    }
-
     /// One for each member of the team, with room for every task.
     std::vector<Bench> make_benches() const
     {
-        const std::array<std::size_t, 2> most = stack_sizes();
-        std::size_t workspace = 0;
-        for (const Front& front : fronts_)
-            workspace = std::max(workspace, workspace_size(front.n_pivots, front.n_rows));
+        const FrontMemory memory(tree_, schedule_, depths_);
         std::vector<Bench> benches;
         for (int member = 0; member < team_.size(); ++member)
-            benches.push_back({.stacks = {Stack(most[0]), Stack(most[1])},
-                               .workspace = std::make_unique_for_overwrite<double[]>(workspace),
+            benches.push_back({.stacks = {Stack(memory.stacks[0]), Stack(memory.stacks[1])},
+                               .workspace = std::make_unique_for_overwrite<double[]>(memory.workspace),
                                .place = std::vector<std::int32_t>(tree_.n_equations())});
         return benches;
     }
 
     DenseFront dense(const Front& front, double* update) const
     {
-        return {.panel = entries_ + front.first_entry,
+        return {.panel = factor_.entries.get() + front.first_entry,
                 .update = update,
                 .n_pivots = front.n_pivots,
-                .n_rows = front.n_rows};
+                .n_rows = front.n_rows,
+                .order = factor_.exchanges() ? factor_.order.data() + front.first_row : nullptr,
+                .coupling = factor_.exchanges() ? factor_.coupling.data() + front.first_row : nullptr};
     }
 
     double* hand_up(std::int32_t f)
@@ -135,11 +102,12 @@ private:
         return handed_up_[at(f)].get();
     }
 
-    Pivots eliminate_task(const Schedule::Task& task, Bench& bench)
+    Pivots eliminate_task(const Schedule::Task& task, Bench& bench, int member)
     {
         Pivots pivots;
-        for (std::int32_t f = task.first; f < task.end && pivots.is_positive_definite; ++f) {
+        for (std::int32_t f = task.first; f < task.end && pivots.is_complete; ++f) {
             const Front& front = fronts_[at(f)];
+            checkpoint_.pass(member, elimination_work(front.n_pivots, front.n_rows));
             const std::size_t side = depths_.side(f);
             const DenseFront here = dense(
                 front, waits_in_task(front, task) ? bench.stacks[side].push(update_size(front)) : hand_up(f));
@@ -156,6 +124,7 @@ private:
     void eliminate_top(std::int32_t f, Bench& bench, Pivots& pivots)
     {
         const Front& front = fronts_[at(f)];
+        checkpoint_.pass(0, elimination_work(front.n_pivots, front.n_rows));
         const DenseFront here = dense(front, hand_up(f));
         find_places(front, bench);
         team_.for_each((front.n_rows + columns_at_once - 1) / columns_at_once, [&](std::int32_t part, int) {
@@ -217,18 +186,39 @@ private:
 
     void note(const DenseFront& here, const Front& front, std::int32_t done, Pivots& pivots) const
     {
-        const std::span<const std::int32_t> rows = tree_.rows(front);
-        for (std::int32_t i = 0; i < std::min(done + 1, front.n_pivots); ++i) {
-            const double diagonal = K_.valuePtr()[K_.outerIndexPtr()[rows[at(i)]]];
-            if (!pivots.note(rows[at(i)], column(here, i)[i], diagonal)) return;
+        const auto note_one = [&](std::int32_t i, double pivot) {
+            const std::int32_t equation = factor_.equation(tree_, front, i);
+            return pivots.note(equation, pivot, reference_[equation], signs_);
+        };
+        for (std::int32_t i = 0; i < done; ++i) {
+            const double d = column(here, i)[i], coupling = factor_.coupled(front, i);
+            if (coupling == 0.0) {
+                if (!note_one(i, d)) return;
+                continue;
+            }
+            const std::array<double, 2> both = eigenvalues(d, coupling, column(here, i + 1)[i + 1]);
+            note_one(i, both[0]);
+            note_one(++i, both[1]);
         }
+        if (done < front.n_pivots) note_one(done, 0.0);
+    }
+
+    /// Of [a b; b c], which is indefinite: the determinant gives the smaller one without cancellation.
+    static std::array<double, 2> eigenvalues(double a, double b, double c)
+    {
+        const double mean = 0.5 * (a + c), spread = std::hypot(0.5 * (a - c), b);
+        const double larger = mean < 0.0 ? mean - spread : mean + spread;
+        return {larger, (a / larger) * c - (b / larger) * b};
     }
 
     const FrontTree& tree_;
     const std::vector<Front>& fronts_;
     const SparseMatrix& K_;
-    double* entries_;
+    const Signs signs_;
+    const Eigen::VectorXd& reference_;
+    FrontFactor& factor_;
     Team& team_;
+    Checkpoint checkpoint_;
     const Schedule schedule_;
     const Depths depths_;
     const DenseKernel& kernel_ = dense_kernel();
@@ -237,9 +227,10 @@ private:
 
 } // namespace
 
-Pivots factorize_fronts(const FrontTree& tree, const SparseMatrix& K, double* entries, Team& team)
+Pivots factorize_fronts(const FrontTree& tree, const SystemNumbers& system, FrontFactor& factor, Team& team,
+                        const Progress& progress)
 {
-    return Factorization(tree, K, entries, team).run();
+    return Factorization(tree, system, factor, team, progress).run();
 }
 
 } // namespace femoop

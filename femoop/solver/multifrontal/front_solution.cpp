@@ -14,10 +14,10 @@ constexpr std::int32_t none = FrontTree::none;
 
 class Solution {
 public:
-    Solution(const FrontTree& tree, const double* entries, Eigen::MatrixXd& X)
+    Solution(const FrontTree& tree, const FrontFactor& factor, Eigen::MatrixXd& X)
         : tree_(tree),
           fronts_(tree.fronts()),
-          entries_(entries),
+          factor_(factor),
           X_(X),
           carried_(tree.n_rows() * static_cast<std::size_t>(X.cols()))
     {}
@@ -46,7 +46,7 @@ private:
     }
     Eigen::Map<const Eigen::MatrixXd> columns(const Front& front) const
     {
-        return {entries_ + front.first_entry, front.n_rows, front.n_pivots};
+        return {factor_.entries.get() + front.first_entry, front.n_rows, front.n_pivots};
     }
 
     void go_up(std::int32_t f)
@@ -61,10 +61,11 @@ private:
             add(fronts_[at(child)], b);
         const auto L = columns(front);
         auto pivots = b.topRows(front.n_pivots);
+        if (factor_.exchanges()) put_in_order(front, pivots);
         L.topRows(front.n_pivots).triangularView<Eigen::UnitLower>().solveInPlace(pivots);
         b.bottomRows(front.n_updated()).noalias() -= L.bottomRows(front.n_updated()) * pivots;
-        for (std::int32_t i = 0; i < front.n_pivots; ++i)
-            for (Eigen::Index c = 0; c < b.cols(); ++c) X_(rows[at(i)], c) = pivots(i, c) / L(i, i);
+        for (Eigen::Index c = 0; c < b.cols(); ++c) divide(front, pivots.col(c));
+        put_pivots(front, pivots);
     }
     void add(const Front& child, Block& b)
     {
@@ -79,28 +80,59 @@ private:
         const Front& front = fronts_[at(f)];
         const std::span<const std::int32_t> rows = tree_.rows(front);
         Block x = block(front);
-        for (Eigen::Index c = 0; c < x.cols(); ++c)
-            for (std::size_t i = 0; i < rows.size(); ++i) x(static_cast<Eigen::Index>(i), c) = X_(rows[i], c);
+        for (Eigen::Index c = 0; c < x.cols(); ++c) {
+            for (std::int32_t i = 0; i < front.n_pivots; ++i) x(i, c) = X_(factor_.equation(tree_, front, i), c);
+            for (std::int32_t i = front.n_pivots; i < front.n_rows; ++i) x(i, c) = X_(rows[at(i)], c);
+        }
         const auto L = columns(front);
         auto pivots = x.topRows(front.n_pivots);
         pivots.noalias() -= L.bottomRows(front.n_updated()).transpose() * x.bottomRows(front.n_updated());
         L.topRows(front.n_pivots).triangularView<Eigen::UnitLower>().transpose().solveInPlace(pivots);
-        for (Eigen::Index c = 0; c < x.cols(); ++c)
-            for (std::int32_t i = 0; i < front.n_pivots; ++i) X_(rows[at(i)], c) = pivots(i, c);
+        put_pivots(front, pivots);
+    }
+
+    template <class Pivots> void put_in_order(const Front& front, Pivots& pivots) const
+    {
+        const Eigen::MatrixXd before = pivots;
+        for (std::int32_t i = 0; i < front.n_pivots; ++i)
+            pivots.row(i) = before.row(factor_.order[front.first_row + at(i)]);
+    }
+
+    template <class Pivots> void put_pivots(const Front& front, const Pivots& pivots)
+    {
+        for (Eigen::Index c = 0; c < X_.cols(); ++c)
+            for (std::int32_t i = 0; i < front.n_pivots; ++i) X_(factor_.equation(tree_, front, i), c) = pivots(i, c);
+    }
+
+    /// By D.
+    template <class Column> void divide(const Front& front, Column&& x) const
+    {
+        const auto L = columns(front);
+        for (std::int32_t i = 0; i < front.n_pivots; ++i) {
+            const double a = L(i, i), b = factor_.coupled(front, i);
+            if (b == 0.0) {
+                x[i] /= a;
+                continue;
+            }
+            const double c = L(i + 1, i + 1), determinant = (a / b) * c - b; // over b
+            const double first = (c / b * x[i] - x[i + 1]) / determinant;
+            x[i + 1] = (a / b * x[i + 1] - x[i]) / determinant;
+            x[i++] = first;
+        }
     }
 
     const FrontTree& tree_;
     const std::vector<Front>& fronts_;
-    const double* entries_;
+    const FrontFactor& factor_;
     Eigen::MatrixXd& X_;
     std::vector<double> carried_; ///< the blocks of all fronts
 };
 
 } // namespace
 
-Eigen::MatrixXd solve_fronts(const FrontTree& tree, const double* entries, Eigen::MatrixXd B, Team& team)
+Eigen::MatrixXd solve_fronts(const FrontTree& tree, const FrontFactor& factor, Eigen::MatrixXd B, Team& team)
 {
-    Solution(tree, entries, B).run(team);
+    Solution(tree, factor, B).run(team);
     return B;
 }
 

@@ -2,12 +2,13 @@
 
 #include <Eigen/Core>
 
+#include "femoop/solver/multifrontal/front_factor.h"
 #include "femoop/solver/multifrontal/front_tree.h"
 #include "femoop/solver/multifrontal/team.h"
 
 namespace femoop {
 
-/// Solves L D L' X = B, one column for each right-hand side, with the entries that factorize_fronts made.
-Eigen::MatrixXd solve_fronts(const FrontTree& tree, const double* entries, Eigen::MatrixXd B, Team& team);
+/// Solves L D L' X = B, one column for each right-hand side.
+Eigen::MatrixXd solve_fronts(const FrontTree& tree, const FrontFactor& factor, Eigen::MatrixXd B, Team& team);
 
 } // namespace femoop

@@ -2,7 +2,9 @@
 
 #include <utility>
 
+#include "femoop/solver/available_memory.h"
 #include "femoop/solver/multifrontal/front_factorization.h"
+#include "femoop/solver/multifrontal/front_memory.h"
 #include "femoop/solver/multifrontal/front_solution.h"
 #include "femoop/solver/multifrontal/team.h"
 
@@ -20,22 +22,35 @@ MultifrontalSolver::MultifrontalSolver(int n_threads) : n_threads_(n_threads) {}
 
 int MultifrontalSolver::team_for(double n_operations) const { return n_operations < worth_threads ? 1 : n_threads_; }
 
-void MultifrontalSolver::analyse_ordered(Pattern pattern)
+double MultifrontalSolver::predicted_bytes() const
 {
-    tree_ = FrontTree({.column_start = pattern.column_start, .rows = pattern.rows});
-    entries_ = std::make_unique_for_overwrite<double[]>(tree_.n_entries());
+    const int n_members = team_for(tree_.n_operations());
+    return FrontMemory(tree_, Schedule(tree_, n_members), Depths(tree_.fronts())).bytes(tree_, n_members);
 }
 
-Pivots MultifrontalSolver::factorize_ordered(const SparseMatrix& K)
+void MultifrontalSolver::analyse_ordered(Pattern pattern)
 {
+    factor_ = {};
+    tree_ = FrontTree({.column_start = pattern.column_start, .rows = pattern.rows});
+    if (const double needed = predicted_bytes(), limit = memory_limit(); needed > limit)
+        throw InsufficientMemory(needed, limit);
+    factor_.entries = std::make_unique_for_overwrite<double[]>(tree_.n_entries());
+}
+
+Pivots MultifrontalSolver::factorize_ordered(const SparseMatrix& K, Signs signs)
+{
+    const std::size_t exchanged = signs == Signs::Any ? tree_.n_rows() : 0;
+    factor_.order.resize(exchanged);
+    factor_.coupling.resize(exchanged);
     Team team(team_for(tree_.n_operations()));
-    return factorize_fronts(tree_, K, entries_.get(), team);
+    return factorize_fronts(tree_, {.K = K, .reference = references(K, signs), .signs = signs}, factor_, team,
+                            progress());
 }
 
 Eigen::MatrixXd MultifrontalSolver::solve_ordered(Eigen::MatrixXd B) const
 {
     Team team(team_for(2.0 * static_cast<double>(tree_.n_entries()) * static_cast<double>(B.cols())));
-    return solve_fronts(tree_, entries_.get(), std::move(B), team);
+    return solve_fronts(tree_, factor_, std::move(B), team);
 }
 
 } // namespace femoop

@@ -16,166 +16,62 @@
 #include "femoop/solver/multifrontal/dense_front.h"
 #include "femoop/solver/multifrontal/schedule.h"
 #include "femoop/solver/multifrontal/team.h"
+#include "tests/femoop/solver/graph_kinds.h"
 
 using namespace femoop;
+using namespace femoop_test;
 
 namespace {
 
-BlockGraph blocks_of(std::int32_t n, std::int32_t size)
+Eigen::MatrixXd solution(const GraphSystem& system, MultifrontalSolver& solver, const Eigen::MatrixXd& B)
 {
-    BlockGraph graph;
-    graph.block_sizes.assign(at(n), size);
-    return graph;
+    solver.analyse(system.pattern);
+    REQUIRE(solver.factorize(system.K).is_positive_definite);
+    return solver.solve(B);
 }
-
-BlockGraph chain(std::int32_t n, std::int32_t size)
-{
-    BlockGraph graph = blocks_of(n, size);
-    for (std::int32_t i = 1; i < n; ++i) graph.add_clique(std::array{i - 1, i});
-    return graph;
-}
-
-BlockGraph grid(std::int32_t side, std::int32_t size)
-{
-    BlockGraph graph = blocks_of(side * side, size);
-    for (std::int32_t y = 0; y < side; ++y)
-        for (std::int32_t x = 0; x < side; ++x) {
-            const std::int32_t here = y * side + x;
-            graph.positions.emplace_back(x, y, 0.0);
-            if (x > 0) graph.add_clique(std::array{here - 1, here});
-            if (y > 0) graph.add_clique(std::array{here - side, here});
-        }
-    return graph;
-}
-
-/// Every block joined to the first one alone.
-BlockGraph star(std::int32_t n, std::int32_t size)
-{
-    BlockGraph graph = blocks_of(n, size);
-    for (std::int32_t i = 1; i < n; ++i) graph.add_clique(std::array{0, i});
-    return graph;
-}
-
-/// Chains of three, and blocks that nothing is joined to.
-BlockGraph parts(std::int32_t n, std::int32_t size)
-{
-    BlockGraph graph = blocks_of(n, size);
-    for (std::int32_t i = 1; i < n; ++i)
-        if (i % 4 > 1) graph.add_clique(std::array{i - 1, i});
-    return graph;
-}
-
-/// A chain in which some blocks are joined to all others.
-BlockGraph chain_with_dense_rows(std::int32_t n, std::int32_t size)
-{
-    BlockGraph graph = chain(n, size);
-    for (const std::int32_t hub : {n / 3, n - 1})
-        for (std::int32_t i = 0; i < n; ++i)
-            if (i != hub) graph.add_clique(std::array{hub, i});
-    return graph;
-}
-
-BlockGraph whole(std::int32_t n, std::int32_t size)
-{
-    BlockGraph graph = blocks_of(n, size);
-    for (std::int32_t i = 0; i < n; ++i)
-        for (std::int32_t j = 0; j < i; ++j) graph.add_clique(std::array{j, i});
-    return graph;
-}
-
-struct System {
-    SystemPattern pattern;
-    SparseMatrix K;
-
-    System(const BlockGraph& graph, Ordering ordering, unsigned seed) : pattern(graph, ordering), K(pattern.matrix())
-    {
-        std::mt19937 random(seed);
-        std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-        for (std::size_t c = 0; c < graph.n_cliques(); ++c) {
-            std::vector<std::int32_t> equations;
-            for (const std::int32_t block : graph.clique(c))
-                for (std::int32_t i = 0; i < graph.block_sizes[at(block)]; ++i)
-                    equations.push_back(pattern.first_equation(at(block)) + i);
-            const auto n = static_cast<Eigen::Index>(equations.size());
-            const Eigen::MatrixXd B = Eigen::MatrixXd::NullaryExpr(n, n, [&] { return uniform(random); });
-            pattern.add(K, c, equations, Eigen::MatrixXd(B * B.transpose()));
-        }
-        for (std::int32_t i = 0; i < K.cols(); ++i) pattern.add_to_diagonal(K, i, 0.5);
-    }
-
-    Eigen::MatrixXd load(Eigen::Index columns) const
-    {
-        std::mt19937 random(3);
-        std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-        return Eigen::MatrixXd::NullaryExpr(K.rows(), columns, [&] { return uniform(random); });
-    }
-
-    Eigen::MatrixXd solution(MultifrontalSolver& solver, const Eigen::MatrixXd& B) const
-    {
-        solver.analyse(pattern);
-        REQUIRE(solver.factorize(K).is_positive_definite);
-        return solver.solve(B);
-    }
-};
-
-double residual(const SparseMatrix& K, const Eigen::MatrixXd& X, const Eigen::MatrixXd& B)
-{
-    return (K.selfadjointView<Eigen::Lower>() * X - B).cwiseAbs().maxCoeff();
-}
-
-using MakeGraph = BlockGraph (*)(std::int32_t n, std::int32_t block_size);
-
-constexpr std::array orderings{Ordering::CuthillMcKee, Ordering::MinimumDegree, Ordering::NestedDissection};
 
 } // namespace
 
 TEST_CASE("Fronts solve chains and grids and stars and what falls apart and dense rows in every order")
 {
-    struct Kind {
-        const char* name;
-        MakeGraph make;
-        std::int32_t n;
-    };
-    for (const Kind& kind :
-         {Kind{"chain", &chain, 50}, Kind{"grid", &grid, 9}, Kind{"star", &star, 40}, Kind{"parts", &parts, 30},
-          Kind{"dense rows", &chain_with_dense_rows, 40}, Kind{"whole", &whole, 10}, Kind{"one block", &chain, 1}})
+    for (const GraphKind& kind : graph_kinds)
         for (const Ordering ordering : orderings)
             for (std::int32_t size = 1; size <= 6; ++size) {
                 CAPTURE(kind.name);
                 CAPTURE(static_cast<int>(ordering));
                 CAPTURE(size);
-                const System system(kind.make(kind.n, size), ordering, 17);
+                const GraphSystem system(kind.make(kind.n, size), ordering, 17);
                 const Eigen::MatrixXd B = system.load(4);
                 MultifrontalSolver solver;
-                CHECK(residual(system.K, system.solution(solver, B), B) <= 1e-9);
+                CHECK(residual(system.K, solution(system, solver, B), B) <= 1e-9);
             }
 }
 
 TEST_CASE("Large fronts that several threads share solve what they should")
 {
-    const System system(whole(130, 5), Ordering::MinimumDegree, 5); // 650 unknowns in one front
+    const GraphSystem system(whole(130, 5), Ordering::MinimumDegree, 5); // 650 unknowns in one front
     const Eigen::MatrixXd B = system.load(2);
     MultifrontalSolver solver(2);
-    CHECK(residual(system.K, system.solution(solver, B), B) <= 1e-7);
+    CHECK(residual(system.K, solution(system, solver, B), B) <= 1e-7);
 }
 
 TEST_CASE("One thread or eight: the same numbers to the last bit")
 {
-    const System system(grid(60, 3), Ordering::NestedDissection, 29); // worth a team
+    const GraphSystem system(grid(60, 3), Ordering::NestedDissection, 29); // worth a team
     const Eigen::MatrixXd B = system.load(3);
     MultifrontalSolver alone(1);
-    const Eigen::MatrixXd expected = system.solution(alone, B);
+    const Eigen::MatrixXd expected = solution(system, alone, B);
     CHECK(residual(system.K, expected, B) <= 1e-8);
     for (int n_threads = 2; n_threads <= 8; ++n_threads) {
         CAPTURE(n_threads);
         MultifrontalSolver together(n_threads);
-        CHECK(system.solution(together, B) == expected);
+        CHECK(solution(system, together, B) == expected);
     }
 }
 
 TEST_CASE("Whatever the threads the same pivot is told to be the weakest")
 {
-    System system(grid(60, 3), Ordering::NestedDissection, 29);
+    GraphSystem system(grid(60, 3), Ordering::NestedDissection, 29);
     const std::int32_t soft = 5000;
     system.K.valuePtr()[system.K.outerIndexPtr()[soft]] *= 1e-3; // no longer positive definite
     MultifrontalSolver alone(1);
@@ -191,7 +87,7 @@ TEST_CASE("Whatever the threads the same pivot is told to be the weakest")
 
 TEST_CASE("Every equation is eliminated once, and what a front leaves is part of its parent")
 {
-    const System system(grid(20, 3), Ordering::NestedDissection, 1);
+    const GraphSystem system(grid(20, 3), Ordering::NestedDissection, 1);
     const FrontTree tree({.column_start = system.pattern.column_start(), .rows = system.pattern.rows()});
     std::set<std::int32_t> eliminated;
     for (std::size_t f = 0; f < tree.fronts().size(); ++f) {
@@ -212,7 +108,7 @@ TEST_CASE("Every equation is eliminated once, and what a front leaves is part of
 
 TEST_CASE("A schedule has every front once, and no task waits for another")
 {
-    const System system(grid(40, 3), Ordering::NestedDissection, 1);
+    const GraphSystem system(grid(40, 3), Ordering::NestedDissection, 1);
     const FrontTree tree({.column_start = system.pattern.column_start(), .rows = system.pattern.rows()});
     const Schedule schedule(tree, 4);
     CHECK(schedule.tasks.size() >= 8);
