@@ -75,7 +75,7 @@ private:
 
     std::string file_, case_ = "all", stations_ = std::to_string(femoop::usual_n_stations), solver_ = "automatic";
     std::optional<std::string> csv_folder_, traced_member_;
-    bool is_json_ = false, is_timed_ = false, is_described_ = false;
+    bool is_json_ = false, is_timed_ = false, is_refined_ = false, is_described_ = false;
     SolverTraceOptions solver_trace_;
 };
 
@@ -122,6 +122,9 @@ void Solve::declare(CLI::App& app, const ui::Catalogue& tr)
     app.add_option("--solver", solver_,
                    tr("who solves K u = f: automatic (the fastest, default), skyline, multifrontal, ldlt or cholmod"))
         ->option_text("NAME");
+    app.add_flag("--refine", is_refined_,
+                 tr("correct the displacements by their own residuals until rounding is left; --time tells how good "
+                    "they are"));
     app.add_flag("--time", is_timed_, tr("print to stderr how long each phase took, and the size of the system"));
     app.add_option(
            "--trace", traced_member_,
@@ -242,12 +245,18 @@ struct Phases {
     double read = 0.0, recover = 0.0, write = 0.0;
 };
 
-void report_time(const Phases& phases, const femoop::AnalysisStatistics& statistics, const Console& console)
+void report_time(const Phases& phases, const femoop::AnalysisStatistics& statistics, bool is_refined,
+                 const Console& console)
 {
     const ui::Catalogue& tr = console.tr();
     const auto seconds = [&](const std::string& what, double duration) {
         std::array<char, 32> number{};
         static_cast<void>(std::snprintf(number.data(), number.size(), "%12.6f s  ", duration));
+        console.message(femoop::localized(number.data(), tr) + what);
+    };
+    const auto power = [&](const std::string& what, double value) {
+        std::array<char, 32> number{};
+        static_cast<void>(std::snprintf(number.data(), number.size(), "%14.1e  ", value));
         console.message(femoop::localized(number.data(), tr) + what);
     };
     const auto size = [&](const std::string& what, std::size_t n) {
@@ -264,8 +273,16 @@ void report_time(const Phases& phases, const femoop::AnalysisStatistics& statist
     size(tr("dofs"), statistics.dofs);
     size(tr("nonzeros of K (lower triangle)"), statistics.nonzeros);
     size(tr("nonzeros of its factor"), statistics.factor_nonzeros);
+    if (statistics.factor_operations > 0.0) {
+        power(tr("multiplications of the factorization, predicted"), statistics.factor_operations);
+        power(tr("bytes of memory of the factorization, predicted"), statistics.factor_bytes);
+    }
     console.message(std::string(14 - std::min<std::size_t>(statistics.solver.size(), 14), ' ') + statistics.solver +
                     "  " + tr("solver"));
+    if (!is_refined) return;
+    size(tr("corrections of the displacements"), static_cast<std::size_t>(statistics.refinements));
+    power(tr("backward error: the part of any number of K and F by which the displacements are off"),
+          statistics.backward_error);
 }
 
 ExitStatus Solve::run(Console& console)
@@ -274,7 +291,7 @@ ExitStatus Solve::run(Console& console)
     if (file_.empty()) throw UsageError(tr("no file is given; see {command}", {{"command", "cremona solve --help"}}));
     require_one_output(tr);
     solver_trace_.require_trace(tr);
-    const femoop::AnalysisOptions options{.solver = solver_named(solver_, tr)};
+    const femoop::AnalysisOptions options{.solver = solver_named(solver_, tr), .is_refined = is_refined_};
     Phases phases;
     StopWatch watch;
     const std::optional<Model> model = load_model(file_, console);
@@ -296,7 +313,7 @@ ExitStatus Solve::run(Console& console)
     if (is_timed_) {
         console.flush();
         phases.write = watch.lap();
-        report_time(phases, statistics, console);
+        report_time(phases, statistics, is_refined_, console);
     }
     return ExitStatus::Done;
 }

@@ -337,6 +337,19 @@ TEST_CASE("In Portuguese a moment per length has a decimal comma and its own uni
     CHECK(has(run.out, "na barra AB: 1,5 kN*m/m no sentido horário"));
 }
 
+TEST_CASE("--refine tells with --time how good the displacements are, and changes no printed digit")
+{
+    for (const std::string solver : {"multifrontal", "skyline", "ldlt"}) {
+        CAPTURE(solver);
+        const Run run = cremona({"solve", "-", "--time", "--refine", "--solver", solver}, cantilever());
+        CHECK(run.status == 0);
+        CHECK(run.err.find("corrections of the displacements") != std::string::npos);
+        CHECK(run.err.find("backward error") != std::string::npos);
+        CHECK((run.err.find("multiplications") != std::string::npos) == (solver == "multifrontal"));
+        CHECK(run.out == cremona({"solve", "-", "--solver", solver}, cantilever()).out);
+    }
+}
+
 TEST_CASE("--time tells every phase and the size of the system on stderr, the tables stay on stdout")
 {
     const Run run = cremona({"solve", "-", "--time", "--solver", "ldlt"}, cantilever());
