@@ -307,7 +307,7 @@ ExitStatus Solve::run(Console& console)
 
     if (is_timed_) phases.recover = seconds_to_recover(*model, results, selected);
     watch.lap();
-    if (solver_trace_.are_given()) solver_trace_.show(*model, options.solver, is_json_, console);
+    if (solver_trace_.are_given()) solver_trace_.show(*model, options.solver.kind, is_json_, console);
     else console.print(output(*model, results, selected, tr));
     if (csv_folder_) write_csv(*model, results, selected, console);
     if (is_timed_) {
