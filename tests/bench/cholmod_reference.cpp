@@ -1,95 +1,20 @@
-#include "tests/bench/cholmod_reference.h"
-
 #include <cholmod.h>
-#include <sys/resource.h>
-
-#include <Eigen/Dense>
-#include <chrono>
-#include <vector>
 
 #include "tests/bench/in_child.h"
+#include "tests/bench/reference_system.h"
+#include "tests/bench/stop_watch.h"
 
 namespace bench {
 
 namespace {
 
-using Matrix3 = Eigen::Matrix3d;
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
-
-/// The frame's matrix, degree of freedom by degree of freedom in the order of the nodes, written without our library.
-struct System {
-    std::vector<int> start, rows;
-    std::vector<double> values;
-    std::vector<double> f;
-};
-
-Matrix6 member_stiffness(double EA, double EI, double L, bool is_vertical)
+Reference run(FrameSize size, int ordering)
 {
-    const double a = EA / L, b = 12.0 * EI / (L * L * L), c = 6.0 * EI / (L * L), d = 2.0 * EI / L;
-    Matrix6 k;
-    k << a, 0, 0, -a, 0, 0,    //
-        0, b, c, 0, -b, c,     //
-        0, c, 2 * d, 0, -c, d, //
-        -a, 0, 0, a, 0, 0,     //
-        0, -b, -c, 0, b, -c,   //
-        0, c, d, 0, -c, 2 * d;
-    if (!is_vertical) return k;
-    Matrix6 T = Matrix6::Zero();
-    T.block<3, 3>(0, 0) << 0, 1, 0, -1, 0, 0, 0, 0, 1;
-    T.block<3, 3>(3, 3) = T.block<3, 3>(0, 0);
-    return T.transpose() * k * T;
-}
-
-/// Every node of the storeys has a neighbour to the right and one above: columns are written once, in order.
-System plane_frame(std::size_t bays, std::size_t storeys)
-{
-    constexpr double E = 210e9, bay = 6.0, storey = 3.0, q = 20e3, H = 10e3;
-    const Matrix6 column = member_stiffness(E * 0.01, E * 1e-4, storey, true);
-    const Matrix6 beam = member_stiffness(E * 0.008, E * 2e-4, bay, false);
-    const std::size_t width = bays + 1;
-    System s;
-    s.start.push_back(0);
-    s.f.assign(3 * width * storeys, 0.0);
-    const auto write_rows = [&](std::size_t node, const Matrix3& block, int col, int from) {
-        for (int r = from; r < 3; ++r) {
-            s.rows.push_back(static_cast<int>(3 * node) + r);
-            s.values.push_back(block(r, col));
-        }
-    };
-    for (std::size_t y = 0; y < storeys; ++y)
-        for (std::size_t x = 0; x < width; ++x) {
-            const std::size_t node = y * width + x;
-            const bool has_left = x > 0, has_right = x < bays, has_upper = y + 1 < storeys;
-            Matrix3 own = column.bottomRightCorner<3, 3>();
-            if (has_upper) own += column.topLeftCorner<3, 3>();
-            if (has_left) own += beam.bottomRightCorner<3, 3>();
-            if (has_right) own += beam.topLeftCorner<3, 3>();
-            for (int col = 0; col < 3; ++col) {
-                write_rows(node, own, col, col);
-                if (has_right) write_rows(node + 1, beam.bottomLeftCorner<3, 3>(), col, 0);
-                if (has_upper) write_rows(node + width, column.bottomLeftCorner<3, 3>(), col, 0);
-                s.start.push_back(static_cast<int>(s.rows.size()));
-            }
-            double* f = s.f.data() + 3 * node;
-            f[0] += x == 0 ? H : 0.0;
-            f[1] -= 0.5 * q * bay * (static_cast<double>(has_left) + static_cast<double>(has_right));
-            f[2] += q * bay * bay / 12.0 * (static_cast<double>(has_left) - static_cast<double>(has_right));
-        }
-    return s;
-}
-
-/// What the child process sends back.
-struct Numbers {
-    double analyse, factor, solve, nonzeros, peak_mb, sway;
-};
-
-Numbers run(std::size_t bays, std::size_t storeys, ReferenceOrdering ordering)
-{
-    System s = plane_frame(bays, storeys);
+    System s = plane_frame_system(size);
     cholmod_common common;
     cholmod_start(&common);
     common.nmethods = 1;
-    common.method[0].ordering = ordering == ReferenceOrdering::Amd ? CHOLMOD_AMD : CHOLMOD_METIS;
+    common.method[0].ordering = ordering;
     common.supernodal = CHOLMOD_SUPERNODAL;
     cholmod_sparse K{};
     K.nrow = K.ncol = s.f.size();
@@ -109,43 +34,32 @@ Numbers run(std::size_t bays, std::size_t storeys, ReferenceOrdering ordering)
     f.xtype = CHOLMOD_REAL;
     f.dtype = CHOLMOD_DOUBLE;
 
-    Numbers n{};
-    auto last = std::chrono::steady_clock::now();
-    const auto lap = [&] {
-        const auto now = std::chrono::steady_clock::now();
-        const std::chrono::duration<double> passed = now - last;
-        last = now;
-        return passed.count();
-    };
+    Reference n;
+    StopWatch watch;
     cholmod_factor* L = cholmod_analyze(&K, &common);
-    n.analyse = lap();
+    n.analyse = watch.lap();
     cholmod_factorize(&K, L, &common);
-    n.factor = lap();
+    n.factor = watch.lap();
     cholmod_dense* x = cholmod_solve(CHOLMOD_A, L, &f, &common);
-    n.solve = lap();
-    n.nonzeros = static_cast<double>(L->xsize);
-    n.sway = static_cast<const double*>(x->x)[3 * (bays + 1) * (storeys - 1)];
+    n.solve = watch.lap();
+    n.sway = static_cast<const double*>(x->x)[s.top_left];
     cholmod_free_dense(&x, &common);
     cholmod_free_factor(&L, &common);
     cholmod_finish(&common);
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    n.peak_mb = static_cast<double>(usage.ru_maxrss) / 1024.0;
+    n.peak_mb = peak_megabytes();
     return n;
 }
 
 } // namespace
 
-Reference cholmod_reference(std::size_t bays, std::size_t storeys, ReferenceOrdering ordering)
+Reference cholmod_amd(FrameSize size)
 {
-    const Numbers n = in_child<Numbers>([&] { return run(bays, storeys, ordering); });
-    return {.ordering = ordering == ReferenceOrdering::Amd ? "AMD" : "METIS",
-            .analyse = n.analyse,
-            .factor = n.factor,
-            .solve = n.solve,
-            .nonzeros = n.nonzeros,
-            .peak_mb = n.peak_mb,
-            .sway = n.sway};
+    return in_child<Reference>([&] { return run(size, CHOLMOD_AMD); });
+}
+
+Reference cholmod_metis(FrameSize size)
+{
+    return in_child<Reference>([&] { return run(size, CHOLMOD_METIS); });
 }
 
 } // namespace bench

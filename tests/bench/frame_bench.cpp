@@ -1,6 +1,7 @@
 // The speed of the whole way (model in memory -> last station) against what CHOLMOD needs for the same system by
-// itself, measured in the same run: `ninja bench`. Every measurement runs in a process of its own; the best of several
-// counts.
+// itself, measured in turn in the same run: `ninja bench`. Every measurement runs in a process of its own.
+
+#include <cblas.h>
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
@@ -18,8 +19,8 @@
 #include "femoop/model/check/check.h"
 #include "femoop/result/curve_reader.h"
 #include "femoop/solver/blas.h"
-#include "tests/bench/cholmod_reference.h"
 #include "tests/bench/in_child.h"
+#include "tests/bench/reference_system.h"
 
 namespace {
 
@@ -40,13 +41,14 @@ double best_of(int runs, const std::function<double()>& measure)
 }
 
 struct Ours {
-    double assemble, order, factor, solve, recover, total, resolve, peak_mb, nonzeros, sway;
+    double assemble, order, factor, solve, recover, total, resolve, peak_mb, operations, sway;
 };
 
-Ours run_frame(cli::FrameSize size)
+Ours run_frame(bench::FrameSize size)
 {
     return bench::in_child<Ours>([&] {
-        const cli::FrameBench b = cli::bench_frame(size, {});
+        const cli::FrameBench b = cli::bench_frame({.bays = size.bays, .storeys = size.storeys},
+                                                   {.solver = SolverKind::Multifrontal});
         return Ours{.assemble = b.statistics.assemble,
                     .order = b.statistics.order,
                     .factor = b.statistics.factor,
@@ -55,48 +57,80 @@ Ours run_frame(cli::FrameSize size)
                     .total = b.total,
                     .resolve = b.resolve,
                     .peak_mb = b.peak_mb,
-                    .nonzeros = static_cast<double>(b.statistics.factor_nonzeros),
+                    .operations = b.statistics.factor_operations,
                     .sway = b.sway};
     });
 }
 
-template <class Result, class Run> Result fastest(int runs, Run&& run, double (*total)(const Result&))
+/// The run whose total is the median.
+template <class Run, class Total> Run median(std::vector<Run> runs, Total total)
 {
-    Result best = run();
-    for (int i = 1; i < runs; ++i)
-        if (const Result other = run(); total(other) < total(best)) best = other;
-    return best;
+    const auto middle = runs.begin() + static_cast<std::ptrdiff_t>(runs.size() / 2);
+    std::nth_element(runs.begin(), middle, runs.end(), [&](const Run& a, const Run& b) { return total(a) < total(b); });
+    return *middle;
+}
+
+/// Operations a second of the BLAS's product of two square matrices, multiplications with additions.
+double dgemm_rate()
+{
+    return bench::in_child<double>([] {
+        constexpr int n = 2000;
+        const std::vector<double> A(n * n, 1.0), B(n * n, 2.0);
+        std::vector<double> C(n * n, 0.0);
+        const double best = best_of(5, [&] {
+            return seconds([&] {
+                cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, n, n, n, 1.0, A.data(), n, B.data(), n, 0.0,
+                            C.data(), n);
+            });
+        });
+        return static_cast<double>(n) * n * n / best;
+    });
+}
+
+/// A size of frame, with ours and all references in turn, and the median of each.
+void bench_size(bench::FrameSize size, int n_runs, double dgemm)
+{
+    struct Known {
+        const char* name;
+        bench::Reference (*run)(bench::FrameSize);
+        std::vector<bench::Reference> runs;
+    };
+    std::vector<Known> known{{"CHOLMOD, AMD", &bench::cholmod_amd, {}}, {"CHOLMOD, METIS", &bench::cholmod_metis, {}}};
+#ifdef BENCH_HAS_MUMPS
+    known.push_back({"MUMPS, METIS", &bench::mumps, {}});
+#endif
+    std::vector<Ours> runs;
+    for (int i = 0; i < n_runs; ++i) {
+        runs.push_back(run_frame(size));
+        for (Known& each : known) each.runs.push_back(each.run(size));
+    }
+    const Ours ours = median(runs, [](const Ours& o) { return o.total; });
+    const double rate = ours.operations / ours.factor;
+    std::printf(
+        "%zu unknowns, median of %d: %.4f s (assemble %.4f, order %.4f, factor %.4f, solve %.4f, recover %.4f)\n"
+        "    symbolic %.0f %%, loads anew %.0f %%, factor %.2f G operations/s = %.0f %% of dgemm, %.0f MB\n",
+        size.n_unknowns(), n_runs, ours.total, ours.assemble, ours.order, ours.factor, ours.solve, ours.recover,
+        100.0 * ours.order / ours.total, 100.0 * ours.resolve / ours.total, 1e-9 * rate, 100.0 * rate / dgemm,
+        ours.peak_mb);
+    for (const Known& each : known) {
+        const bench::Reference r = median(each.runs, [](const bench::Reference& one) { return one.total(); });
+        std::printf("    %-15s %.4f s (%.4f, %.4f, %.4f): ratio %.2f, memory %.2f%s\n", each.name, r.total(), r.analyse,
+                    r.factor, r.solve, ours.total / r.total(), ours.peak_mb / r.peak_mb,
+                    std::abs(ours.sway - r.sway) < 1e-6 * std::abs(r.sway) ? "" : "  SWAY DIFFERS");
+    }
+    std::fflush(stdout);
 }
 
 void bench_sizes(bool with_largest)
 {
-    struct Row {
-        cli::FrameSize size;
-        int runs;
-    };
-    std::vector<Row> rows{{{9, 10}, 9}, {{19, 50}, 9}, {{99, 100}, 5}, {{249, 400}, 3}};
-    if (with_largest) rows.push_back({{499, 1000}, 2});
-    std::printf("whole way [s], against CHOLMOD's analyse + factor + solve of the same matrix, best of AMD and METIS\n"
-                "    dofs  assemble   order  factor   solve  recover    total |  CHOLMOD           |  ratio"
-                "  re-solve  memory  (MB)\n");
-    for (const Row& row : rows) {
-        const Ours ours = fastest<Ours>(
-            row.runs, [&] { return run_frame(row.size); }, +[](const Ours& o) { return o.total; });
-        const auto reference = [&](bench::ReferenceOrdering ordering) {
-            return fastest<bench::Reference>(
-                row.runs, [&] { return bench::cholmod_reference(row.size.bays, row.size.storeys, ordering); },
-                +[](const bench::Reference& r) { return r.total(); });
-        };
-        const bench::Reference amd = reference(bench::ReferenceOrdering::Amd);
-        const bench::Reference metis = reference(bench::ReferenceOrdering::Metis);
-        const bench::Reference& best = amd.total() < metis.total() ? amd : metis;
-        std::printf("%8zu %9.4f %7.4f %7.4f %7.4f %8.4f %8.4f | %8.4f by %-5s | %6.2f %8.0f%% %7.2f  (%.0f)%s\n",
-                    3 * (row.size.bays + 1) * row.size.storeys, ours.assemble, ours.order, ours.factor, ours.solve,
-                    ours.recover, ours.total, best.total(), best.ordering.c_str(), ours.total / best.total(),
-                    100.0 * ours.resolve / ours.total, ours.peak_mb / best.peak_mb, ours.peak_mb,
-                    std::abs(ours.sway - best.sway) < 1e-6 * std::abs(best.sway) ? "" : "  SWAY DIFFERS");
-        std::fflush(stdout);
-    }
+    const double dgemm = dgemm_rate();
+    std::printf("whole way from the model in memory to the last station, against what others need to analyse, factor "
+                "and solve\nthe same matrix by themselves; dgemm %.2f G operations/s\n",
+                1e-9 * dgemm);
+    bench_size({19, 50}, 9, dgemm);
+    bench_size({99, 100}, 7, dgemm);
+    bench_size({249, 400}, 5, dgemm);
+    if (with_largest) bench_size({499, 1000}, 3, dgemm);
 }
 
 /// 30 members with diagrams, against Eigen's SimplicialLDLT for the same system.
