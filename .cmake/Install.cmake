@@ -7,11 +7,13 @@ install(TARGETS topology femoop EXPORT cremona
   FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/cremona")
 install(EXPORT cremona NAMESPACE cremona:: FILE cremonaTargets.cmake DESTINATION "${package_folder}")
 
-set(CREMONA_HAS_CHOLMOD OFF)
-if(TARGET CHOLMOD::CHOLMOD)
-  set(CREMONA_HAS_CHOLMOD ON)
-  install(FILES .cmake/FindCHOLMOD.cmake DESTINATION "${package_folder}")
-endif()
+set(CREMONA_USES "")
+foreach(library CHOLMOD METIS)
+  if(TARGET ${library}::${library})
+    list(APPEND CREMONA_USES ${library})
+    install(FILES .cmake/Find${library}.cmake DESTINATION "${package_folder}")
+  endif()
+endforeach()
 configure_package_config_file(.cmake/cremonaConfig.cmake.in "${PROJECT_BINARY_DIR}/cremonaConfig.cmake"
   INSTALL_DESTINATION "${package_folder}" NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/cremonaConfigVersion.cmake" COMPATIBILITY SameMinorVersion)

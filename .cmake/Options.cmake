@@ -1,6 +1,7 @@
 # What can be switched. Tests are switched by CTest's own BUILD_TESTING.
 option(CREMONA_APPS "Build ui and the apps (Dear ImGui, GLFW, Cairo, FreeType, CLI11)" ON)
 option(CREMONA_CHOLMOD "Use CHOLMOD of SuiteSparse where it is installed; a build without it is complete" ON)
+option(CREMONA_METIS "Order large systems without positions by METIS where it is installed; a build without it is complete" ON)
 option(CREMONA_THREADS "Solve large systems with several threads; off where there are none, as in a browser" ON)
 option(CREMONA_PCH "Precompile the headers of Eigen and doctest" ON)
 option(CREMONA_FUZZERS "Build the libFuzzer targets (clang only)" OFF)

@@ -8,10 +8,10 @@
 #include <numeric>
 #include <utility>
 
-#include "femoop/solver/cholmod_ordering.h"
 #include "femoop/solver/elimination_tree.h"
 #include "femoop/solver/geometric_dissection.h"
 #include "femoop/solver/index.h"
+#include "femoop/solver/metis_ordering.h"
 
 namespace femoop {
 
@@ -168,7 +168,7 @@ namespace {
 /// positions that say little about what is joined to what make wide cuts.
 std::vector<std::int32_t> dissected(const BlockAdjacency& adjacency, std::span<const Eigen::Vector3d> positions)
 {
-    if (positions.empty()) return nested_dissection(adjacency);
+    if (positions.empty()) return metis_order(adjacency);
     Dissection in_space = geometric_dissection(adjacency, positions);
     const auto n = static_cast<double>(adjacency.n_blocks());
     const auto width = static_cast<double>(in_space.first_cut);
@@ -177,7 +177,7 @@ std::vector<std::int32_t> dissected(const BlockAdjacency& adjacency, std::span<c
     if (!is_slender && !is_wide) return std::move(in_space.order);
 
     std::vector<std::vector<std::int32_t>> candidates{std::move(in_space.order), minimum_degree(adjacency)};
-    if (is_wide) candidates.push_back(nested_dissection(adjacency));
+    if (is_wide) candidates.push_back(metis_order(adjacency));
     std::erase_if(candidates, [](const auto& order) { return order.empty(); });
     std::vector<double> costs;
     for (const auto& order : candidates) costs.push_back(elimination_cost(adjacency, order));

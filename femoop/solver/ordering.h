@@ -17,7 +17,7 @@ enum class Ordering : std::uint8_t {
     Natural,         ///< as they are numbered
     CuthillMcKee,    ///< reverse Cuthill-McKee: a narrow profile, for the skyline solver
     MinimumDegree,   ///< approximate minimum degree
-    NestedDissection ///< in space where positions are known, else by METIS if the library is built with CHOLMOD
+    NestedDissection ///< in space where positions are known, else by METIS where the library is built with it
 };
 
 inline constexpr std::array all_orderings{Ordering::Natural, Ordering::CuthillMcKee, Ordering::MinimumDegree,
