@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <memory>
+#include <new>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -178,6 +179,9 @@ ExitStatus run(const std::vector<std::string>& arguments)
     try {
         if (!language) throw UsageError("cremona: --lang: there is no language \"" + *wanted + "\"; use en or pt");
         return run_in_language(arguments, console);
+    } catch (const std::bad_alloc&) {
+        console.message(console.tr()("there is not enough memory; close other programs or make the model smaller"));
+        return ExitStatus::BadInput;
     } catch (const std::exception& error) {
         console.message(error.what());
         return ExitStatus::BadInput;

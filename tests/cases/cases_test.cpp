@@ -23,22 +23,32 @@ std::vector<std::filesystem::path> cases_in(const std::string& folder)
     return files;
 }
 
-/// Compares every expected value of a folder's files that the linear analysis gives.
+/// Compares every expected value of a model with what one solver gives.
+CheckCounts verify_with(SolverKind solver, const Model& model)
+{
+    CAPTURE(name(solver));
+    const auto results = needs_linear_analysis(model) ? std::optional(analyse(model, {.solver = solver}))
+                                                      : std::nullopt;
+    const auto outcomes = verify(model, results);
+    for (const CheckOutcome& outcome : outcomes) {
+        CAPTURE(outcome.what);
+        CAPTURE(outcome.expected);
+        CAPTURE(outcome.result.value_or(0.0));
+        CHECK(outcome.verdict != Verdict::Failed);
+    }
+    return count(outcomes);
+}
+
+/// Of a folder's files, with every solver.
 CheckCounts verify_folder(const std::string& folder)
 {
     CheckCounts counts;
     for (const auto& file : cases_in(folder)) {
         CAPTURE(file.filename().string());
         const Model model = read_model_file(file);
-        const auto results = needs_linear_analysis(model) ? std::optional(analyse(model)) : std::nullopt;
-        const auto outcomes = verify(model, results);
-        for (const CheckOutcome& outcome : outcomes) {
-            CAPTURE(outcome.what);
-            CAPTURE(outcome.expected);
-            CAPTURE(outcome.result.value_or(0.0));
-            CHECK(outcome.verdict != Verdict::Failed);
-        }
-        counts += count(outcomes);
+        for (const SolverKind solver : available_solvers())
+            if (const CheckCounts of_one = verify_with(solver, model); solver == SolverKind::Automatic)
+                counts += of_one;
     }
     return counts;
 }
