@@ -1,14 +1,25 @@
 #pragma once
 
+#include <cstdint>
+
 #include "apps/frame/tables/table_kind.h"
 
 namespace frame {
 
+/// What stands in the panel at the bottom of the window.
+enum class BottomContent : std::uint8_t {
+    Table,
+    Member, ///< the results along the selected member
+    Solver  ///< the front that walks over the structure
+};
+
 /// What the panel at the bottom of the window shows.
 struct BottomView {
     bool is_open = false;
-    TableKind table = TableKind::Nodes;
-    bool shows_member = false; ///< the results along the selected member instead of a table
+    TableKind table = TableKind::Nodes; ///< where it is one
+    BottomContent content = BottomContent::Table;
+
+    bool shows(BottomContent what) const { return is_open && content == what; }
 };
 
 } // namespace frame

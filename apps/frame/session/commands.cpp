@@ -5,6 +5,7 @@
 #include "apps/frame/session/predict_commands.h"
 #include "apps/frame/session/property_commands.h"
 #include "apps/frame/session/set_commands.h"
+#include "apps/frame/session/solver_commands.h"
 #include "apps/frame/session/table_commands.h"
 #include "apps/frame/session/tabs.h"
 #include "apps/frame/session/view_commands.h"
@@ -259,6 +260,7 @@ CommandTable command_table()
     add_predict_commands(table);
     add_panel_commands(table);
     add_table_commands(table);
+    add_solver_commands(table);
     add_look_commands(table);
     ui::standard::add_help(table);
     return table;

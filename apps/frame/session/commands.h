@@ -11,6 +11,7 @@
 #include "apps/frame/session/bottom_view.h"
 #include "apps/frame/session/section_draft.h"
 #include "apps/frame/session/session.h"
+#include "apps/frame/session/solver_show.h"
 #include "apps/frame/session/transform.h"
 #include "apps/frame/session/typical_draft.h"
 #include "apps/frame/tools/hand.h"
@@ -54,6 +55,7 @@ struct Desk : ui::Desk {
     std::vector<ui::Handover> handed{}; ///< documents for other programs; the window takes them once a frame
     Topic topic = Topic::Properties;
     BottomView bottom{};
+    SolverShow solver{}; ///< what the panel at the bottom shows of it
 };
 
 using CommandTable = ui::CommandTable<Desk>;

@@ -40,10 +40,18 @@ constexpr std::array entries{
 
 bool shows(const Desk& desk, TableKind kind)
 {
-    return desk.bottom.is_open && !desk.bottom.shows_member && desk.bottom.table == kind;
+    return desk.bottom.shows(BottomContent::Table) && desk.bottom.table == kind;
 }
 
-bool shows_member(const Desk& desk) { return desk.bottom.is_open && desk.bottom.shows_member; }
+bool shows_member(const Desk& desk) { return desk.bottom.shows(BottomContent::Member); }
+
+// From the solver to the tables it is one key.
+void open_or_close(BottomView& bottom)
+{
+    const bool is_left = bottom.shows(BottomContent::Solver);
+    bottom.is_open = is_left || !bottom.is_open;
+    if (bottom.content == BottomContent::Solver) bottom.content = BottomContent::Table;
+}
 
 } // namespace
 
@@ -61,7 +69,7 @@ void add_table_commands(CommandTable& table)
                .menu = tables_menu,
                .label = translatable("Panel of tables"),
                .shortcuts = {{Key::F4, {}}},
-               .run = [](Desk& desk) { desk.bottom.is_open = !desk.bottom.is_open; },
+               .run = [](Desk& desk) { open_or_close(desk.bottom); },
                .is_on = [](const Desk& desk) { return desk.bottom.is_open; }});
     for (const TableEntry& entry : entries) {
         table.add({.id = entry.id,
@@ -69,7 +77,7 @@ void add_table_commands(CommandTable& table)
                    .label = title(entry.kind),
                    .run =
                        [kind = entry.kind](Desk& desk) {
-                           desk.bottom = {!shows(desk, kind), kind, false};
+                           desk.bottom = {!shows(desk, kind), kind};
                        },
                    .is_on = [kind = entry.kind](const Desk& desk) { return shows(desk, kind); }});
     }
@@ -79,7 +87,7 @@ void add_table_commands(CommandTable& table)
                .shortcuts = {{Key::F4, ui::shift}},
                .run =
                    [](Desk& desk) {
-                       desk.bottom = {!shows_member(desk), desk.bottom.table, true};
+                       desk.bottom = {!shows_member(desk), desk.bottom.table, BottomContent::Member};
                    },
                .why_not = [](const Desk& desk) -> std::optional<ui::Phrase> {
                    if (shows_member(desk) || desk.session.solution().results) return std::nullopt;
@@ -91,7 +99,7 @@ void add_table_commands(CommandTable& table)
                .label = translatable("Export the table as CSV…"),
                .run = [](Desk& desk) { desk.requests.push_back(Request::ExportTable); },
                .why_not = [](const Desk& desk) -> std::optional<ui::Phrase> {
-                   if (desk.bottom.is_open && !desk.bottom.shows_member) return std::nullopt;
+                   if (desk.bottom.shows(BottomContent::Table)) return std::nullopt;
                    return translatable("no table is shown; choose one");
                }});
 }

@@ -51,7 +51,8 @@ bool Application::is_moving() const
 {
     const Session& session = desk_.session;
     const bool has_passing_notice = session.notice && session.notice->seconds_left;
-    return is_swinging() || has_passing_notice;
+    const bool is_walking = desk_.bottom.shows(BottomContent::Solver) && desk_.solver.is_playing();
+    return is_swinging() || is_walking || has_passing_notice;
 }
 
 bool Application::is_swinging() const
@@ -93,6 +94,7 @@ void Application::frame(const ui::Input& input)
     gui_.begin_frame(input);
     take_keys(input);
     animate(input.seconds);
+    if (desk_.bottom.shows(BottomContent::Solver)) desk_.solver.advance(input.seconds);
     pass_notice(input.seconds);
     show_menu_bar();
     show_body();

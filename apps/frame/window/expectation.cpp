@@ -90,6 +90,14 @@ std::string tool_in(const Hand& hand)
     return std::string(std::ranges::find(tools(), hand.kind(), &ToolEntry::tool)->id);
 }
 
+// "5 of 24, nested-dissection"
+std::string front_of(const Desk& desk)
+{
+    if (!desk.bottom.shows(BottomContent::Solver) || desk.solver.n_steps() == 0) return "nothing";
+    return std::to_string(desk.solver.step() + 1) + " of " + std::to_string(desk.solver.n_steps()) + ", " +
+           std::string(name(desk.solver.ordering()));
+}
+
 std::size_t n_loads(const femoop::Model& model)
 {
     std::size_t n = 0;
@@ -124,6 +132,7 @@ constexpr std::array facts{
              const std::string& typed = a.desk().hand.typed();
              return typed.empty() ? "nothing" : typed;
          }},
+    Fact{"front", [](const Application& a) { return front_of(a.desk()); }},
     Fact{"file", [](const Application& a) { return a.session().file_name(); }},
     Fact{"tabs", [](const Application& a) { return std::to_string(n_tabs(a.desk())); }},
     Fact{"started", [](const Application& a) { return a.handed() ? a.handed()->program : std::string("nothing"); }},

@@ -11,6 +11,12 @@ namespace frame {
 
 using ui::translatable;
 
+namespace {
+
+bool shows_table(const Desk& desk) { return desk.bottom.shows(BottomContent::Table); }
+
+} // namespace
+
 // One tab beside the other, in a second row where there is no room.
 bool TablesPanel::begin_tab(const std::string& label, bool is_chosen)
 {
@@ -28,10 +34,10 @@ bool TablesPanel::begin_tab(const std::string& label, bool is_chosen)
 
 bool TablesPanel::tab(Desk& desk, TableKind kind)
 {
-    const bool is_chosen = desk.bottom.table == kind && !desk.bottom.shows_member;
+    const bool is_chosen = desk.bottom.table == kind && shows_table(desk);
     const std::string label = desk.session.view.tr(title(kind)) + "###" + std::string(command_id(kind));
     if (!begin_tab(label, is_chosen)) return false;
-    desk.bottom = {true, kind, false};
+    desk.bottom = {true, kind};
     has_keyboard_ = true;
     return true;
 }
@@ -40,7 +46,7 @@ bool TablesPanel::tab(Desk& desk, TableKind kind)
 void TablesPanel::show_group(Desk& desk, std::string_view label, std::initializer_list<TableKind> kinds)
 {
     const ui::Catalogue& tr = desk.session.view.tr;
-    const bool is_chosen = std::ranges::find(kinds, desk.bottom.table) != kinds.end() && !desk.bottom.shows_member;
+    const bool is_chosen = std::ranges::find(kinds, desk.bottom.table) != kinds.end() && shows_table(desk);
     const std::string name = tr(is_chosen ? title(desk.bottom.table) : label);
     const std::string list = "###tables of " + std::string(label);
     if (begin_tab(name + " …###" + std::string(label), is_chosen)) ImGui::OpenPopup(list.c_str());
@@ -49,7 +55,7 @@ void TablesPanel::show_group(Desk& desk, std::string_view label, std::initialize
         const std::size_t n = is_result(kind) ? 0 : parts_of(desk.session.model(), kind).size();
         const std::string entry = tr(title(kind)) + (n > 0 ? " (" + std::to_string(n) + ")" : "");
         if (!ImGui::MenuItem(entry.c_str(), nullptr, desk.bottom.table == kind)) continue;
-        desk.bottom = {true, kind, false};
+        desk.bottom = {true, kind};
         has_keyboard_ = true;
     }
     ImGui::EndPopup();
@@ -69,9 +75,8 @@ void TablesPanel::show_tabs(Desk& desk)
     show_group(desk, translatable("Envelope"), {Envelope, ReactionEnvelope});
     show_member_tab(desk);
     const ui::Catalogue& tr = desk.session.view.tr;
-    if (!desk.bottom.shows_member && begin_tab(tr("CSV…") + "###csv", false)) ask_for_file(desk);
-    if (!desk.bottom.shows_member && ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s", tr("Export the table as CSV…").c_str());
+    if (shows_table(desk) && begin_tab(tr("CSV…") + "###csv", false)) ask_for_file(desk);
+    if (shows_table(desk) && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tr("Export the table as CSV…").c_str());
 }
 
 // It names the member whose diagrams it shows.
@@ -81,8 +86,8 @@ void TablesPanel::show_member_tab(Desk& desk)
     const std::optional<femoop::MemberId> member = MemberPanel::member_of(session);
     const std::string name = session.view.tr(member ? title(session.model(), *member)
                                                     : ui::Phrase(translatable("Diagrams of the member")));
-    if (!begin_tab(name + "###member", desk.bottom.shows_member)) return;
-    desk.bottom.shows_member = true;
+    if (!begin_tab(name + "###member", desk.bottom.shows(BottomContent::Member))) return;
+    desk.bottom.content = BottomContent::Member;
     has_keyboard_ = true;
 }
 

@@ -11,6 +11,7 @@
 #include "apps/frame/tables/result_table.h"
 #include "apps/frame/view/results/envelope_cases.h"
 #include "apps/frame/window/no_results.h"
+#include "apps/frame/window/solver_panel.h"
 #include "ui/paint/theme.h"
 #include "ui/text/catalogue.h"
 #include "ui/widgets/panel.h"
@@ -22,7 +23,11 @@ using ui::translatable;
 
 namespace {
 
-constexpr float least_height_of_diagrams = 20.0F; // ems
+// Of what is no table [ems].
+constexpr float least_height_of_diagrams = 20.0F;
+constexpr float least_height_of_solver = 27.0F;
+
+bool shows_table(const Desk& desk) { return desk.bottom.shows(BottomContent::Table); }
 
 Table table_of(const Session& session, TableKind kind)
 {
@@ -45,7 +50,10 @@ ui::Phrase why_no_table(const Session& session)
 float TablesPanel::height(const Desk& desk, float room) const
 {
     if (!desk.bottom.is_open) return 0.0F;
-    const float height = desk.bottom.shows_member ? std::max(height_, least_height_of_diagrams) : height_;
+    float least = 0.0F;
+    if (desk.bottom.content == BottomContent::Member) least = least_height_of_diagrams;
+    if (desk.bottom.content == BottomContent::Solver) least = least_height_of_solver;
+    const float height = std::max(height_, least);
     return std::min(height * ImGui::GetFontSize(), 0.7F * room);
 }
 
@@ -93,11 +101,14 @@ void TablesPanel::show(Desk& desk, ui::ImGuiSession& gui, const ui::Fonts& fonts
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.6F * em, 0.3F * em});
     ImGui::BeginChild("###tables", {0.0F, 0.0F}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.4F * em, 0.3F * em});
-    show_tabs(desk);
+    if (desk.bottom.content != BottomContent::Solver) show_tabs(desk);
     follow(desk);
     if (!std::exchange(was_open_, true)) has_keyboard_ = true;
-    if (desk.bottom.shows_member) member_.show(desk, gui, fonts);
-    else show_table(desk);
+    switch (desk.bottom.content) {
+    case BottomContent::Table: show_table(desk); break;
+    case BottomContent::Member: member_.show(desk, gui, fonts); break;
+    case BottomContent::Solver: solver_panel(desk, gui, fonts); break;
+    }
     const bool is_over = ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
                                                 ImGuiHoveredFlags_AllowWhenBlockedByPopup);
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !is_over) leave();
@@ -176,16 +187,16 @@ ui::Input TablesPanel::take(Desk& desk, const ui::Input& input)
         if (std::exchange(was_open_, false)) leave();
         return input;
     }
-    if (!has_keyboard_ || (table_.headings.empty() && !desk.bottom.shows_member)) return input;
+    if (!has_keyboard_ || (table_.headings.empty() && shows_table(desk))) return input;
     ImGui::GetIO().ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard; // the arrows are the table's
     ui::Input rest = input;
     rest.keys.clear();
-    if (!desk.bottom.shows_member) follow(desk);
+    if (shows_table(desk)) follow(desk);
     for (const ui::KeyEvent& event : input.keys) {
         const bool is_taken = event.is_down && take_key(desk, event.chord());
         if (!is_taken) rest.keys.push_back(event);
     }
-    const bool is_typed = has_keyboard_ && !input.modifiers.ctrl && !desk.bottom.shows_member;
+    const bool is_typed = has_keyboard_ && !input.modifiers.ctrl && shows_table(desk);
     if (is_typed && !table_.headings.empty()) {
         grid_.type(input.text, table_);
         rest.text.clear();
@@ -195,9 +206,9 @@ ui::Input TablesPanel::take(Desk& desk, const ui::Input& input)
 
 bool TablesPanel::take_key(Desk& desk, const ui::Chord& chord)
 {
-    if (desk.bottom.shows_member) {
+    if (desk.bottom.content == BottomContent::Member)
         return chord.key == Key::Escape || member_.take(desk.session, chord);
-    }
+    if (desk.bottom.content == BottomContent::Solver) return take_solver_key(desk, chord);
     follow(desk); // the key before may have changed the document
     if (table_.headings.empty()) return false;
     if (grid_.take(chord, table_)) {

@@ -14,8 +14,8 @@ namespace {
 
 std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-/// Of the words over a pattern.
-double head_height(const SolverScene& scene) { return 5.5 * scene.theme().type().small; }
+/// Of the name over a pattern.
+double head_height(const SolverScene& scene) { return 1.6 * scene.theme().type().small; }
 
 /// The pattern of L in one order, with what it costs.
 class FactorPicture {
@@ -54,22 +54,26 @@ private:
         ui::TextStyle title = scene_.small(Role::Label, Anchor::TopLeft);
         if (is_shown()) title.weight = ui::Weight::Bold;
         const std::string chosen = scene_.trace().ordering == ordering_ ? " ✓" : "";
+        const std::string name = femoop::ordering_words(ordering_, scene_.tr()) + chosen;
+        painter_.text(box_.min, name, fitted(name, title, box_.width()));
         const femoop::EliminationCounts& counts = walk_.counts;
-        const ui::TextStyle below = scene_.small(Role::FaintLabel, Anchor::TopLeft);
-        write(0, femoop::ordering_words(ordering_, scene_.tr()) + chosen, title);
-        const auto count = [&](std::string_view words, std::size_t n) {
-            return scene_.tr()(words, {{"n", std::to_string(n)}});
-        };
-        write(1, count(ui::translatable("{n} entries"), counts.n_entries), below);
-        write(2, count(ui::translatable("{n} filled in"), counts.n_fill()), below);
-        write(3, count(ui::translatable("{n} operations"), static_cast<std::size_t>(counts.n_operations)), below);
+        write_count(0, ui::translatable("{n} entries"), counts.n_entries);
+        write_count(1, ui::translatable("{n} filled in"), counts.n_fill());
+        write_count(2, ui::translatable("{n} operations"), static_cast<std::size_t>(counts.n_operations));
     }
-    /// As large as the width allows.
-    void write(int line, const std::string& words, ui::TextStyle style) const
+    /// In the empty half of the pattern, above the diagonal.
+    void write_count(int line, std::string_view sentence, std::size_t n) const
     {
-        const Point at = box_.min + Point{0.0, 1.3 * line * style.size};
-        style.size *= std::min(1.0, 0.97 * box_.width() / std::max(painter_.measure(words, style).width, 1.0));
-        painter_.text(at, words, style);
+        const std::string words = scene_.tr()(sentence, {{"n", std::to_string(n)}});
+        const ui::TextStyle style = scene_.small(Role::FaintLabel, Anchor::TopRight);
+        const double top = 1.3 * line * style.size;
+        const double room = box_.width() - top - 1.7 * style.size;
+        painter_.text({box_.max.x, corner_.y + top}, words, fitted(words, style, room));
+    }
+    ui::TextStyle fitted(const std::string& words, ui::TextStyle style, double width) const
+    {
+        style.size *= std::clamp(0.97 * width / std::max(painter_.measure(words, style).width, 1.0), 0.1, 1.0);
+        return style;
     }
 
     // Columns that are eliminated before and in this step.

@@ -1,0 +1,130 @@
+#include "apps/frame/window/solver_panel.h"
+
+#include <imgui.h>
+
+#include <string>
+
+#include "apps/frame/view/solver/solver_picture.h"
+#include "femoop/io/results/solver_trace_text.h"
+#include "ui/widgets/wrapped_text.h"
+
+namespace frame {
+
+using ui::Key;
+
+namespace {
+
+void go_by_hand(SolverShow& show, std::size_t step)
+{
+    show.rest();
+    show.go_to(step);
+}
+
+void play_or_rest(SolverShow& show)
+{
+    if (show.is_playing()) show.rest();
+    else show.play();
+}
+
+std::size_t before(const SolverShow& show) { return show.step() == 0 ? 0 : show.step() - 1; }
+
+void show_buttons(SolverShow& show, const ui::Catalogue& tr)
+{
+    const auto button = [&](const std::string& words, const char* id) {
+        const bool is_clicked = ImGui::Button((words + id).c_str());
+        ImGui::SameLine();
+        return is_clicked;
+    };
+    if (button(tr("First"), "###first")) go_by_hand(show, 0);
+    if (ImGui::ArrowButton("###previous", ImGuiDir_Left)) go_by_hand(show, before(show));
+    ImGui::SameLine();
+    if (button(show.is_playing() ? tr("Stop") : tr("Walk"), "###play")) play_or_rest(show);
+    if (ImGui::ArrowButton("###next", ImGuiDir_Right)) go_by_hand(show, show.step() + 1);
+    ImGui::SameLine();
+    if (button(tr("Last"), "###last")) go_by_hand(show, show.n_steps());
+}
+
+void show_slider(SolverShow& show)
+{
+    int step = static_cast<int>(show.step()) + 1;
+    ImGui::SetNextItemWidth(14.0F * ImGui::GetFontSize());
+    if (ImGui::SliderInt("###step", &step, 1, static_cast<int>(show.n_steps()), "%d", ImGuiSliderFlags_AlwaysClamp))
+        go_by_hand(show, static_cast<std::size_t>(step - 1));
+    ImGui::SameLine(0.0F, ImGui::GetFontSize());
+}
+
+void show_orders(SolverShow& show, const ui::Catalogue& tr)
+{
+    for (const femoop::Ordering ordering : femoop::all_orderings) {
+        const std::string label = femoop::ordering_words(ordering, tr) + "###" + std::string(name(ordering));
+        if (ImGui::RadioButton(label.c_str(), show.ordering() == ordering)) show.choose(ordering);
+        ImGui::SameLine();
+    }
+}
+
+/// At the right end of the bar.
+void show_closing(Desk& desk)
+{
+    const float side = ImGui::GetFrameHeight();
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - side);
+    if (ImGui::Button("×###close", {side, side})) desk.bottom.is_open = false;
+}
+
+void show_picture(const Desk& desk, ui::ImGuiSession& gui, const ui::Fonts& fonts)
+{
+    const ImVec2 room = ImGui::GetContentRegionAvail(), corner = ImGui::GetCursorScreenPos();
+    const ui::Size sheet{static_cast<double>(room.x) / gui.scale(), static_cast<double>(room.y) / gui.scale()};
+    if (sheet.width < 1.0 || sheet.height < 1.0) return;
+    ui::Painter painter(sheet, fonts);
+    draw_solver(painter, *desk.solver.trace(),
+                {.theme = ui::Theme(desk.session.view.theme),
+                 .tr = desk.tr(),
+                 .ordering = desk.solver.ordering(),
+                 .step = desk.solver.step()});
+    gui.show(painter.picture(), *ImGui::GetWindowDrawList(),
+             {static_cast<double>(corner.x), static_cast<double>(corner.y)});
+    ImGui::Dummy(room);
+}
+
+} // namespace
+
+void solver_panel(Desk& desk, ui::ImGuiSession& gui, const ui::Fonts& fonts)
+{
+    SolverShow& show = desk.solver;
+    show.follow(desk.session);
+    if (show.n_steps() > 0) {
+        show_buttons(show, desk.tr());
+        show_slider(show);
+        show_orders(show, desk.tr());
+    }
+    show_closing(desk);
+    if (show.why_none()) {
+        ui::wrapped_text(desk.tr()(*show.why_none()));
+        return;
+    }
+    show_picture(desk, gui, fonts);
+}
+
+bool take_solver_key(Desk& desk, const ui::Chord& chord)
+{
+    SolverShow& show = desk.solver;
+    show.follow(desk.session);
+    if (chord.modifiers != ui::Modifiers{}) return false;
+    const auto turn_order = [&](std::size_t by) {
+        const std::size_t n = femoop::all_orderings.size();
+        show.choose(femoop::all_orderings[(static_cast<std::size_t>(show.ordering()) + by) % n]);
+    };
+    switch (chord.key) {
+    case Key::Left: go_by_hand(show, before(show)); return true;
+    case Key::Right: go_by_hand(show, show.step() + 1); return true;
+    case Key::Home: go_by_hand(show, 0); return true;
+    case Key::End: go_by_hand(show, show.n_steps()); return true;
+    case Key::Space: play_or_rest(show); return true;
+    case Key::Up: turn_order(3); return true;
+    case Key::Down: turn_order(1); return true;
+    case Key::Escape: return true;
+    default: return false;
+    }
+}
+
+} // namespace frame
