@@ -164,21 +164,26 @@ double elimination_cost(const BlockAdjacency& adjacency, const std::vector<std::
 
 namespace {
 
-/// Dissection in space, checked where its first cut looks doubtful: a tower is better peeled from its ends, and
-/// positions that say little about what is joined to what make wide cuts.
+/// The order that is predicted to cost least of those that are worth their own time: dissection in space; minimum
+/// degree where it is quickly found, or the structure is a tower, which is better peeled from its ends; METIS where
+/// positions say little about what is joined to what, so that cuts in space are wide.
 std::vector<std::int32_t> dissected(const BlockAdjacency& adjacency, std::span<const Eigen::Vector3d> positions)
 {
-    if (positions.empty()) return metis_order(adjacency);
-    Dissection in_space = geometric_dissection(adjacency, positions);
+    constexpr double few = 4000.0; // blocks
     const auto n = static_cast<double>(adjacency.n_blocks());
-    const auto width = static_cast<double>(in_space.first_cut);
-    const bool is_slender = n > 2.5 * width * width;
-    const bool is_wide = width > 2.0 * std::cbrt(n * n);
-    if (!is_slender && !is_wide) return std::move(in_space.order);
-
-    std::vector<std::vector<std::int32_t>> candidates{std::move(in_space.order), minimum_degree(adjacency)};
+    std::vector<std::vector<std::int32_t>> candidates;
+    bool is_slender = false, is_wide = true;
+    if (!positions.empty()) {
+        Dissection in_space = geometric_dissection(adjacency, positions);
+        const auto width = static_cast<double>(in_space.first_cut);
+        is_slender = n > 2.5 * width * width;
+        is_wide = width > 2.0 * std::cbrt(n * n);
+        candidates.push_back(std::move(in_space.order));
+    }
+    if (is_slender || is_wide || n <= few) candidates.push_back(minimum_degree(adjacency));
     if (is_wide) candidates.push_back(metis_order(adjacency));
     std::erase_if(candidates, [](const auto& order) { return order.empty(); });
+    if (candidates.size() == 1) return std::move(candidates.front());
     std::vector<double> costs;
     for (const auto& order : candidates) costs.push_back(elimination_cost(adjacency, order));
     return candidates[static_cast<std::size_t>(std::min_element(costs.begin(), costs.end()) - costs.begin())];
@@ -200,9 +205,8 @@ std::vector<std::int32_t> elimination_order(const BlockAdjacency& adjacency, Ord
     if (adjacency.n_blocks() == 0) return {};
     if (ordering == Ordering::Natural) return natural(adjacency.n_blocks());
     if (ordering == Ordering::CuthillMcKee) return cuthill_mckee(adjacency);
-    std::vector<std::int32_t> order;
-    if (ordering == Ordering::NestedDissection) order = dissected(adjacency, positions);
-    if (order.empty()) order = minimum_degree(adjacency);
+    const std::vector<std::int32_t> order = ordering == Ordering::NestedDissection ? dissected(adjacency, positions)
+                                                                                   : minimum_degree(adjacency);
     return postordered(order, elimination_tree(adjacency, order));
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "femoop/solver/geometric_dissection.h"
 #include "tests/femoop/solver/random_system.h"
 
 using namespace femoop;
@@ -202,6 +203,28 @@ TEST_CASE("A tower of 500 storeys is peeled from its ends, not dissected")
     const auto in_space = elimination_order(adjacency, Ordering::NestedDissection, positions);
     const auto by_degree = elimination_order(adjacency, Ordering::MinimumDegree);
     CHECK(elimination_cost(adjacency, in_space) <= elimination_cost(adjacency, by_degree));
+}
+
+TEST_CASE(
+    "A tower of 6 by 4 by 40 in space costs no more than by minimum degree, which beats dissection there by a third")
+{
+    BlockGraph graph;
+    std::vector<Eigen::Vector3d> positions;
+    for (int z = 0; z < 40; ++z)
+        for (int y = 0; y < 4; ++y)
+            for (int x = 0; x < 6; ++x) {
+                const std::int32_t here = (z * 4 + y) * 6 + x;
+                graph.block_sizes.push_back(6);
+                positions.emplace_back(5.0 * x, 6.0 * y, 3.0 * z);
+                if (x > 0) graph.add_clique(std::array{here - 1, here});
+                if (y > 0) graph.add_clique(std::array{here - 6, here});
+                if (z > 0) graph.add_clique(std::array{here - 24, here});
+            }
+    const BlockAdjacency adjacency(graph);
+    const double by_degree = elimination_cost(adjacency, elimination_order(adjacency, Ordering::MinimumDegree));
+    CHECK(elimination_cost(adjacency, geometric_dissection(adjacency, positions).order) > by_degree / 0.67);
+    CHECK(elimination_cost(adjacency, elimination_order(adjacency, Ordering::NestedDissection, positions)) <=
+          by_degree);
 }
 
 TEST_CASE("The cost of elimination is the sum of squares of the columns' entries")
