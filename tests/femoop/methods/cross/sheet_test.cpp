@@ -30,7 +30,8 @@ Model beam()
     return made.model;
 }
 
-/// R. C. Hibbeler, Structural Analysis, ch. 12: a portal 5 m wide and high with 16 kN at 1 m from its left corner.
+/// A portal 5 m wide and high with 16 kN at 1 m from its left corner, as in R. C. Hibbeler, Structural Analysis,
+/// ch. 12.
 Model portal()
 {
     FrameMaker made;
@@ -170,20 +171,27 @@ TEST_CASE("Factors are told as fractions where they are simple")
     CHECK(!fraction_of(std::numeric_limits<double>::infinity()));
 }
 
-TEST_CASE("Hibbeler's portal: the prop holds 0.92 kN, the sway 56.0 kN, and so much of it is added")
+// With EI/L = k everywhere and F = Pab2/L2, G = Pa2b/L2 at the beam's ends, slope-deflection gives for the joints
+//     8 k B + 2 k C - 6 k s = -F,   2 k B + 8 k C - 6 k s = G,   s = (B + C)/4 (shear of the columns) or 0 (propped)
+// so that (B + C) k = (G - F)/7, propped (G - F)/10, and (B - C) k = -(F + G)/6.
+TEST_CASE("A square portal: the prop holds 3 (F - G)/5L, the sway 280/L, and the columns' ends are exact")
 {
     const Model model = portal();
     const Problem problem = problem_of(model, CaseId(0));
     REQUIRE(problem.sways.size() == 1);
     const Procedure procedure{.order = Order::AllAtOnce, .joints = {}, .tolerance = 1e-9, .balances = {}};
     const Superposition all = superpose(model, problem, procedure);
-    CHECK(std::abs(all.held.holding[0]) == Approx(0.92).epsilon(0.005));
-    CHECK(all.R(0, 0) == Approx(56.0));
+    constexpr double P = 16.0, L = 5.0, a = 1.0, b = 4.0, F = P * a * b * b / (L * L), G = P * a * a * b / (L * L);
+    CHECK(std::abs(all.held.holding[0]) == Approx(3.0 * (F - G) / (5.0 * L)));
+    // of 100 at every column end: both corners turn by 10 / k, which takes 20 from the foot and 40 from the head
     CHECK(at(problem, all.sways[0].sheet.end.moments, "AB") == Approx(80.0));
     CHECK(at(problem, all.sways[0].sheet.end.moments, "BA") == Approx(60.0));
-    const std::pair<const char*, double> published[] = {{"AB", 1.57}, {"BA", 4.79}, {"CD", -3.71}, {"DC", -2.63}};
-    for (const auto& [label, value] : published) // clockwise positive there, with sheets cut short
-        CHECK(std::abs(at(problem, all.moments, label)) == Approx(std::abs(value)).epsilon(0.02));
+    CHECK(all.R(0, 0) == Approx(280.0 / L));
+    constexpr double sum = (G - F) / 7.0, difference = -(F + G) / 6.0, sway = 6.0 * sum / 4.0;
+    constexpr double B = (sum + difference) / 2.0, C = (sum - difference) / 2.0;
+    const std::pair<const char*, double> exact[] = {
+        {"AB", 2.0 * B - sway}, {"BA", 4.0 * B - sway}, {"CD", 4.0 * C - sway}, {"DC", 2.0 * C - sway}};
+    for (const auto& [label, value] : exact) CHECK(at(problem, all.moments, label) == Approx(value));
 }
 
 TEST_CASE("In every sheet of a frame the analysis finds the same prop forces, reactions included")
