@@ -23,8 +23,8 @@ struct Method {
     friend bool operator==(const Method&, const Method&) = default;
 };
 
-/// What the app edits: a structure with its loads, how it is distributed, and how far the sheets are. Model, method and
-/// a pupil's exercise are saved; the sheets begin anew with the file.
+/// What the app edits: a structure with its loads, how it is distributed, and how far the sheets are: all of
+/// it is saved.
 struct Document {
     femoop::Model model;
     Method method{};

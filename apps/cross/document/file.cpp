@@ -5,6 +5,7 @@
 
 #include "apps/cross/document/compiled_examples.h"
 #include "apps/cross/document/pupil_file.h"
+#include "apps/cross/document/worked_file.h"
 #include "femoop/io/cross/cross_block.h"
 #include "femoop/io/json/json_document.h"
 #include "femoop/io/model_file.h"
@@ -68,20 +69,24 @@ Method method_of(const femoop::Model& model)
 }
 
 /// Takes the exercise out of the model's block: the document holds it.
-std::optional<Pupil> take_pupil(femoop::Model& model)
+std::optional<Pupil> take_pupil(std::string& block_json)
 {
-    const auto block = std::ranges::find(model.extra, key, &femoop::ExtraBlock::key);
-    if (block == model.extra.end()) return std::nullopt;
-    std::optional<Pupil> pupil = pupil_in(block->json);
-    if (pupil) block->json = with_pupil(block->json, std::nullopt);
+    std::optional<Pupil> pupil = pupil_in(block_json);
+    if (pupil) block_json = with_pupil(block_json, std::nullopt);
     return pupil;
 }
 
 Document document_of(femoop::Model model)
 {
     Document document{.model = std::move(model)};
-    document.pupil = take_pupil(document.model);
+    const auto block = std::ranges::find(document.model.extra, key, &femoop::ExtraBlock::key);
+    if (block == document.model.extra.end()) {
+        document.method = method_of(document.model);
+        return document;
+    }
+    document.pupil = take_pupil(block->json);
     document.method = method_of(document.model);
+    take_worked(block->json, document);
     return document;
 }
 
@@ -138,13 +143,14 @@ std::string write_document(const Document& document)
     femoop::Model model = document.model;
     const auto is_block = [](const femoop::ExtraBlock& block) { return block.key == key; };
     const bool has_block = std::ranges::any_of(model.extra, is_block);
-    if (document.method != method_of(model) || (document.pupil && !has_block)) {
+    const bool needs_block = document.pupil || !document.plays.empty();
+    if (document.method != method_of(model) || (needs_block && !has_block)) {
         std::erase_if(model.extra, is_block);
         model.extra.push_back({std::string(key), block_json(model, document.method)});
     }
-    if (document.pupil) {
+    if (needs_block) {
         const auto block = std::ranges::find_if(model.extra, is_block);
-        block->json = with_pupil(block->json, document.pupil);
+        block->json = with_worked(with_pupil(block->json, document.pupil), document);
     }
     return femoop::write_model(model);
 }

@@ -14,8 +14,8 @@ Document starting_document();
 Document read_document(const std::string& text);
 Document read_document_file(const std::filesystem::path& path);
 
-/// The model as a file's text, with the method and a pupil's exercise as its `cross` block. What such a block says of
-/// the expected sheet stays while the method is what the block asks for.
+/// The model as a file's text, with the method, what was worked and a pupil's exercise as its `cross` block. What such
+/// a block says of the expected sheet stays while the method is what the block asks for.
 std::string write_document(const Document& document);
 
 } // namespace cross

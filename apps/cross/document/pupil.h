@@ -26,6 +26,7 @@ struct Pupil {
     std::vector<bool> helped{};         ///< cells that were wrong once or shown: they give no point
     bool judges_at_once = true;         ///< else when it is asked for
     bool is_judged = false;             ///< it was asked for since the last number
+    std::size_t number = 0;             ///< of the exercises that were begun on what is open; not saved
 
     friend bool operator==(const Pupil&, const Pupil&) = default;
 };

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "apps/cross/document/block_entry.h"
 #include "femoop/io/json/json_document.h"
 #include "femoop/io/reader/value_reader.h"
 
@@ -130,16 +131,7 @@ std::optional<Pupil> pupil_in(const std::string& block_json)
 
 std::string with_pupil(const std::string& block_json, const std::optional<Pupil>& pupil)
 {
-    const femoop::JsonReading reading = femoop::parse_json(block_json);
-    if (!reading.document) return block_json;
-    std::string text;
-    const auto add = [&](std::string_view name, const std::string& json) {
-        text += (text.empty() ? "" : ", ") + femoop::quoted_json(name) + ": " + json;
-    };
-    for (const JsonValue value : reading.document->root())
-        if (value.key() != key) add(value.key(), femoop::compact_json(value));
-    if (pupil) add(key, json_of(*pupil));
-    return "{" + text + "}";
+    return with_entry(block_json, key, pupil ? std::optional(json_of(*pupil)) : std::nullopt);
 }
 
 } // namespace cross

@@ -23,8 +23,10 @@ void Session::judge_paper()
     const std::size_t before = paper_ ? paper_->form.blanks.size() : 0;
     paper_ = paper_of(document());
     const std::size_t n = paper_ ? paper_->form.blanks.size() : 0;
-    helped_.resize(n);
-    n_hints_.resize(n);
+    present_ = document().pupil->number;
+    if (seen_.size() <= present_) seen_.resize(present_ + 1);
+    seen_[present_].helped.resize(n);
+    seen_[present_].n_hints.resize(n);
     if (cell_ && (n != before || cell_->index >= n)) cell_.reset();
     if (paper_) paper_stage_ = std::min(paper_stage_, paper_->n_stages() - 1);
     note_mistakes();
@@ -34,16 +36,18 @@ void Session::judge_paper()
 void Session::note_mistakes()
 {
     if (!paper_ || !paper_->is_told) return;
-    for (std::size_t i = 0; i < helped_.size(); ++i)
-        if (paper_->is_written(fc::BlankId(i)) && !paper_->is_good(fc::BlankId(i))) helped_[i] = true;
+    std::vector<bool>& helped = seen_[present_].helped;
+    for (std::size_t i = 0; i < helped.size(); ++i)
+        if (paper_->is_written(fc::BlankId(i)) && !paper_->is_good(fc::BlankId(i))) helped[i] = true;
 }
 
 // Whoever left the exercise, by Ctrl+Z too, saw what belongs in the cells that were not right.
 void Session::note_all_seen()
 {
     if (!paper_ || paper_->is_solved()) return;
-    for (std::size_t i = 0; i < helped_.size(); ++i)
-        if (!paper_->is_good(fc::BlankId(i))) helped_[i] = true;
+    std::vector<bool>& helped = seen_[present_].helped;
+    for (std::size_t i = 0; i < helped.size(); ++i)
+        if (!paper_->is_good(fc::BlankId(i))) helped[i] = true;
 }
 
 void Session::leave_unfit_exercise()
@@ -74,6 +78,8 @@ std::optional<Phrase> Session::why_no_own_exercise() const
     if (paper() != nullptr) return Phrase(translatable("an exercise is being done"));
     if (!solution_.task) return Phrase(translatable("this structure cannot be distributed"));
     if (solution_.task->problem.joints.empty()) return Phrase(translatable("there is no joint to balance"));
+    if (!fc::is_for_hand(solution_.task->problem))
+        return Phrase(translatable("on an elastic foundation no hand finds the stiffness factors"));
     return std::nullopt;
 }
 
@@ -90,14 +96,12 @@ void Session::begin_exercise(const Seeded& seeded)
 void Session::begin_own_exercise()
 {
     Document next = unworked(document());
-    next.pupil = Pupil{};
+    next.pupil = Pupil{.number = seen_.size()};
     const bool has_paper = paper_of(next).has_value();
     if (!has_paper) {
         notice = Notice{translatable("this structure has too many cells for an exercise")};
         return;
     }
-    helped_.clear();
-    n_hints_.clear();
     paper_stage_ = 0;
     is_playing = false;
     phase_ = 1.0;
@@ -167,14 +171,14 @@ std::optional<Phrase> Session::write(fc::BlankId cell, const std::string& text)
 void Session::show_cell()
 {
     if (paper() == nullptr || !cell_) return;
-    helped_[cell_->index] = true;
+    seen_[present_].helped[cell_->index] = true;
     write(*cell_, text_for(*paper(), *cell_, units_of(document().model, look.tr)));
 }
 
 void Session::give_hint()
 {
     if (paper() == nullptr || !cell_) return;
-    std::size_t& n = n_hints_[cell_->index];
+    std::size_t& n = seen_[present_].n_hints[cell_->index];
     n = std::min(n + 1, fc::hints_for(paper()->form, *cell_).size());
 }
 
@@ -182,19 +186,19 @@ std::vector<fc::Hint> Session::hints() const
 {
     if (paper() == nullptr || !cell_) return {};
     std::vector<fc::Hint> given = fc::hints_for(paper()->form, *cell_);
-    given.resize(std::min(given.size(), n_hints_[cell_->index]));
+    given.resize(std::min(given.size(), seen_[present_].n_hints[cell_->index]));
     return given;
 }
 
 void Session::start_over()
 {
     if (paper() == nullptr) return;
+    const std::size_t n_cells = paper()->form.blanks.size();
     Pupil pupil = *document().pupil;
     pupil.written.clear();
     pupil.is_judged = false;
     change_pupil(std::move(pupil), translatable("Start over"));
-    helped_.assign(helped_.size(), false);
-    n_hints_.assign(n_hints_.size(), 0);
+    seen_[present_] = {std::vector<std::size_t>(n_cells), std::vector<bool>(n_cells)};
     cell_.reset();
     go_to_cell(neighbour(1, true));
 }
@@ -226,9 +230,10 @@ std::size_t Session::points() const
 {
     if (paper() == nullptr || !paper()->is_told) return 0;
     std::size_t n = 0;
-    for (std::size_t i = 0; i < helped_.size(); ++i) {
+    const std::vector<bool>& helped = seen_[present_].helped;
+    for (std::size_t i = 0; i < helped.size(); ++i) {
         const fc::BlankId id(i);
-        n += !paper()->form[id].may_stay_empty && paper()->is_good(id) && !helped_[i] ? 1 : 0;
+        n += !paper()->form[id].may_stay_empty && paper()->is_good(id) && !helped[i] ? 1 : 0;
     }
     return n;
 }

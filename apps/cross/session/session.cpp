@@ -30,6 +30,8 @@ Session::Session() : history_(starting_document(), translatable("Begin")), saved
 void Session::solve_anew(Haste haste)
 {
     states_.reset();
+    hover.reset(); // its joint may be gone
+    ++n_solved_;
     solution_ = solve(document(), haste);
     judge_paper();
     find_state();
@@ -243,8 +245,8 @@ void Session::redo()
 void Session::restart_with(Document document)
 {
     saved_ = document;
-    helped_ = document.pupil ? document.pupil->helped : std::vector<bool>{};
-    n_hints_.clear();
+    seen_ = {Seen{{}, document.pupil ? document.pupil->helped : std::vector<bool>{}}};
+    present_ = 0;
     cell_.reset();
     paper_stage_ = 0;
     history_ = ui::History<Document>(std::move(document), translatable("Begin"));
@@ -306,7 +308,7 @@ bool Session::recover(const std::filesystem::path& draft, const std::optional<st
 Document Session::to_save() const
 {
     Document whole = document();
-    if (whole.pupil) whole.pupil->helped = helped_;
+    if (whole.pupil) whole.pupil->helped = seen_[present_].helped;
     return whole;
 }
 

@@ -90,6 +90,8 @@ public:
     bool is_dirty() const { return !saved_ || !is_same_task(document(), *saved_); }
     std::string file_name() const;
 
+    /// Another number whenever nodes, joints and cells may be others than before.
+    std::size_t n_solved() const { return n_solved_; }
     void tick(double seconds); ///< time goes by
     bool is_moving() const { return is_playing || phase_ < 1.0 || notice.has_value(); }
     bool is_playing = false; ///< turn after turn by itself
@@ -125,11 +127,17 @@ private:
     std::optional<femoop::Results> state_;
     std::shared_ptr<femoop::cross::StateAnalysis> states_; ///< of the solution's structure; null before the first
     double phase_ = 1.0;
+    std::size_t n_solved_ = 0;
     std::optional<Paper> paper_;
     std::optional<femoop::cross::BlankId> cell_;
     std::size_t paper_stage_ = 0;
-    std::vector<std::size_t> n_hints_; ///< of every cell
-    std::vector<bool> helped_;         ///< of every cell: undoing does not forget it
+    /// What a pupil was told of every cell: undoing does not forget it.
+    struct Seen {
+        std::vector<std::size_t> n_hints;
+        std::vector<bool> helped;
+    };
+    std::vector<Seen> seen_;  ///< of every exercise on what is open, by Pupil::number
+    std::size_t present_ = 0; ///< the exercise of the paper
     std::optional<std::filesystem::path> path_;
 };
 

@@ -86,10 +86,25 @@ private:
         request.n_rows = 3;
         request.width_of = [this](double type) { return column_width(type); };
         request.middle = middle_of(panel_, shape_);
-        BlockLayout found = laid_out(request);
+        BlockLayout found = best_layout(request);
         layout_ = {.boxes = {}, .type = found.type, .n_lines = found.n_lines};
         layout_.boxes.resize(columns_.size());
         for (std::size_t i = 0; i < with_cells.size(); ++i) layout_.boxes[with_cells[i]] = found.boxes[i];
+    }
+
+    /// Narrow cells beside their member end rather than broad ones farther below.
+    BlockLayout best_layout(const BlockRequest& request)
+    {
+        BlockRequest beside = request;
+        beside.n_rows = 1;
+        beside.least_type = 0.8 * request.largest_type;
+        for (const bool is_narrow : {false, true}) {
+            is_narrow_ = is_narrow;
+            BlockLayout found = laid_out(beside);
+            const bool is_whole = std::ranges::all_of(found.boxes, [](const auto& box) { return box.has_value(); });
+            if (is_whole && found.n_lines == request.most_lines) return found;
+        }
+        return laid_out(request);
     }
 
     // ---- bending stiffnesses, where they differ
@@ -197,10 +212,10 @@ private:
     double column_width(double type) const
     {
         const ui::TextStyle style{.size = type};
-        double widest = painter_.measure("−88.888", style).width;
+        double widest = painter_.measure(is_narrow_ ? "−88.88" : "−88.888", style).width;
         for (const std::string& text : scene_.document.pupil->written)
             if (text.size() < 12) widest = std::max(widest, painter_.measure(text, style).width);
-        return widest + 2.9 * type;
+        return widest + (is_narrow_ ? 2.3 : 2.9) * type;
     }
 
     ui::TextStyle style(ui::Role role, ui::Anchor anchor) const
@@ -333,6 +348,7 @@ private:
     frame::StructureShape shape_;
     std::vector<BlankColumn> columns_;
     BlockLayout layout_;
+    bool is_narrow_ = false;
 };
 
 std::string title_of(const Scene& scene)

@@ -22,10 +22,15 @@ void Canvas::show(Session& session, ui::ImGuiSession& gui)
     ImGui::InvisibleButton("canvas", room);
     if (session.paper() != nullptr) ImGui::SetItemAllowOverlap(); // the field of a cell lies on it
     const ImGuiIO& io = ImGui::GetIO();
+    if (session.n_solved() != drawn_of_) {
+        drawn_ = {}; // what was drawn is not there any more
+        hand_ = {};
+    }
     follow(session, {static_cast<double>((io.MousePos.x - corner.x) / scale),
                      static_cast<double>((io.MousePos.y - corner.y) / scale)});
     ui::Painter painter(sheet_, fonts_);
     drawn_ = draw(painter, session.scene());
+    drawn_of_ = session.n_solved();
     draw_hint(painter, session);
     picture_ = painter.picture();
     ImDrawList& list = *ImGui::GetWindowDrawList();

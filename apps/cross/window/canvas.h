@@ -44,6 +44,7 @@ private:
     ui::Point corner_{};
     ui::Size sheet_{900.0, 700.0};
     Drawn drawn_;
+    std::size_t drawn_of_ = 0; ///< Session::n_solved of what is drawn
     StructureHand hand_;
     std::optional<ui::Point> pointer_; ///< over the picture
     std::optional<ui::Point> dragged_; ///< where the hand that moves the pictures was last

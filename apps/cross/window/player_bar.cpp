@@ -23,6 +23,14 @@ void button(Desk& desk, const CommandTable& commands, std::string_view id, const
     ImGui::SameLine();
 }
 
+/// A slider that has nowhere to slide: its words alone.
+void empty_bar(const std::string& words)
+{
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
+    ImGui::Button((words + "###jump").c_str(), {-1.0F, 0.0F});
+    ImGui::PopStyleColor();
+}
+
 /// On the way that is gone: what is done, and what lies ahead.
 void jump_bar(Desk& desk)
 {
@@ -33,8 +41,11 @@ void jump_bar(Desk& desk)
     int place = done;
     ImGui::SetNextItemWidth(-1.0F);
     ImGui::BeginDisabled(all == 0);
-    const std::string format = desk.tr()("step {n} of {total}", {{"n", "%d"}, {"total", std::to_string(all)}});
-    if (ImGui::SliderInt("###jump", &place, 0, std::max(all, 1), format.c_str()) && place != done)
+    const auto words = [&](const char* n) {
+        return desk.tr()("step {n} of {total}", {{"n", n}, {"total", std::to_string(all)}});
+    };
+    if (all == 0) empty_bar(words("0"));
+    else if (ImGui::SliderInt("###jump", &place, 0, all, words("%d").c_str()) && place != done)
         session.jump(static_cast<std::size_t>(place));
     ImGui::EndDisabled();
 }

@@ -107,16 +107,22 @@ Edit with_principal(const Document& document, double first, double second, doubl
                       {rounded(state.x, largest, 12), rounded(state.y, largest, 12), rounded(state.xy, largest, 12)});
 }
 
-Edit with_space_principal(const Document& document, const fm::SpacePrincipal& principal)
+Edit with_space(const Document& document, const fm::SpaceState& s)
 {
     Document next = document;
-    const fm::SpaceState s = fm::from_principal(principal);
-    double largest = 0.0;
-    for (const double value : principal.values) largest = std::max(largest, std::abs(value));
     const std::array<double, 6> values{s.x, s.y, s.z, s.xy, s.yz, s.zx};
     const std::string unit = solve(document).unit;
-    for (std::size_t i = 0; i < values.size(); ++i) next.state()[i] = with_unit(rounded(values[i], largest, 12), unit);
+    for (std::size_t i = 0; i < values.size(); ++i) next.state()[i] = with_unit(values[i], unit);
     return judged(std::move(next));
+}
+
+Edit with_space_principal(const Document& document, const fm::SpacePrincipal& principal)
+{
+    fm::SpaceState s = fm::from_principal(principal);
+    double largest = 0.0;
+    for (const double value : principal.values) largest = std::max(largest, std::abs(value));
+    for (double* const value : {&s.x, &s.y, &s.z, &s.xy, &s.yz, &s.zx}) *value = rounded(*value, largest, 12);
+    return with_space(document, s);
 }
 
 Edit with_path_state(const Document& document)

@@ -24,6 +24,8 @@ Edit with_plane(const Document& document, const femoop::mohr::PlaneState& state)
 /// The components by the principal values and the direction of the first [degrees]. \pre a plane subject
 Edit with_principal(const Document& document, double first, double second, double degrees);
 
+/// The components in space. \pre Subject::SpaceStress
+Edit with_space(const Document& document, const femoop::mohr::SpaceState& state);
 /// The components by principal values, in any order, and directions. \pre Subject::SpaceStress
 Edit with_space_principal(const Document& document, const femoop::mohr::SpacePrincipal& principal);
 

@@ -40,6 +40,12 @@ public:
         case Handle::Cursor: return at_cursor(at);
         case Handle::Fibre: return at_fibre(at);
         case Handle::Normal: return on_sphere(at);
+        case Handle::CubeX:
+        case Handle::CubeY:
+        case Handle::CubeZ:
+        case Handle::CubeXY:
+        case Handle::CubeYZ:
+        case Handle::CubeZX: return with_cube_arrow(handle, at);
         }
         return {document_};
     }
@@ -117,6 +123,20 @@ private:
         if (handle == Handle::ArrowShear) state.xy = snapped(2.0 * per_pixel * (up - std::copysign(4.0, up)));
         const fm::PlaneState back = fm::rotated(state, -s_.angle);
         return with_state({tidy(back.x), tidy(back.y), tidy(back.xy)});
+    }
+
+    /// The tip follows the hand along its arrow. A push is drawn outside too: pulled, it grows.
+    Edit with_cube_arrow(Handle handle, ui::Point at) const
+    {
+        const auto arrow = std::ranges::find(drawn_.cube, handle, &CubeArrow::handle);
+        if (arrow == drawn_.cube.end()) return {document_};
+        const bool is_push = handle <= Handle::CubeZ && arrow->value < 0.0;
+        const double grown = ui::dot(at - arrow->tip, arrow->growth) / ui::dot(arrow->growth, arrow->growth);
+        fm::SpaceState state = *s_.space;
+        double* const components[] = {&state.x, &state.y, &state.z, &state.xy, &state.yz, &state.zx};
+        const auto which = static_cast<std::size_t>(handle) - static_cast<std::size_t>(Handle::CubeX);
+        *components[which] = snapped(arrow->value + (is_push ? -grown : grown));
+        return with_space(document_, state);
     }
 
     Edit at_cursor(ui::Point at) const

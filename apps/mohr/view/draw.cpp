@@ -103,7 +103,7 @@ void draw_space(ui::Painter& painter, const Scene& scene, Drawn& drawn)
         if (is_high) return without_gap({{w * i / n, 0.0}, {w * (i + 1.0) / n, middle}});
         return without_gap({{0.0, h * i / n}, {middle, h * (i + 1.0) / n}});
     };
-    draw_cube(painter, scene, room(0.0));
+    draw_cube(painter, scene, room(0.0), drawn);
     draw_sphere(painter, scene, room(1.0), drawn);
     if (has_locus(scene)) draw_locus(painter, scene, room(2.0));
     const ui::Box right = is_high ? without_gap({{0.0, middle}, {w, h}})

@@ -26,7 +26,13 @@ enum class Handle : std::uint8_t {
     Turn,       ///< the end of the axis x'
     Cursor,     ///< on the curves
     Fibre,      ///< of the section, on the distribution over its depth
-    Normal      ///< of the plane in space, on the sphere
+    Normal,     ///< of the plane in space, on the sphere
+    CubeX,      ///< the cube's arrow of the normal stress on the face x, at the tip
+    CubeY,      ///< likewise
+    CubeZ,      ///< likewise
+    CubeXY,     ///< of the shear along y on the face x
+    CubeYZ,     ///< along z on the face y
+    CubeZX      ///< along x on the face z
 };
 
 /// A handle and where it is on the sheet.
@@ -78,6 +84,13 @@ struct SphereMap {
     ui::OrbitCamera eye{};
 };
 
+/// An arrow of the cube: its component, and where its tip goes as that grows by 1.
+struct CubeArrow {
+    Handle handle;
+    double value = 0.0;
+    ui::Point tip, growth;
+};
+
 /// What a picture is made of, for the hand: where the handles are and what a place of the sheet means.
 struct Drawn {
     std::vector<Place> places;
@@ -86,6 +99,7 @@ struct Drawn {
     CurvesMap curves;
     SectionMap section;
     SphereMap sphere;
+    std::vector<CubeArrow> cube;
 };
 
 /// Draws everything; the sheet is the painter's.

@@ -54,6 +54,41 @@ void draw_face(ui::Painter& painter, const Scene& scene, const View& view, int a
     painter.polyline(corners, theme.stroke(Role::Edge), ui::PathEnds::Closed);
 }
 
+constexpr double arrow_length = 0.75; // of the cube's side, for the largest component
+
+/// The arrows of one face that a hand pulls: the normal stress, and the shear along the next axis. An arrow that points
+/// at the eye cannot be pulled.
+void add_cube_arrows(const Scene& scene, const View& view, int axis, double side, Drawn& drawn)
+{
+    constexpr std::array normal{Handle::CubeX, Handle::CubeY, Handle::CubeZ},
+        shear{Handle::CubeXY, Handle::CubeYZ, Handle::CubeZX};
+    constexpr double least = 0.2; // of the view's scale
+    const double per_unit = arrow_length / scene.frame.largest;
+    const auto add = [&](Handle handle, double value, const Vector3d& root, const Vector3d& along, double length) {
+        const ui::Point growth = view.at(per_unit * along) - view.middle;
+        if (ui::length(growth) < least * per_unit * view.radius) return;
+        const ui::Point tip = view.at(root + length * along);
+        drawn.cube.push_back({handle, value, tip, growth});
+        drawn.places.push_back({handle, tip});
+    };
+    const Eigen::Matrix3d S = fm::tensor(*scene.solution.space);
+    const Vector3d n = side * Vector3d::Unit(axis);
+    const int next = (axis + 1) % 3;
+    const double sigma = S(axis, axis), tau = S(next, axis);
+    add(normal[static_cast<std::size_t>(axis)], sigma, 0.53 * n, n, per_unit * std::abs(sigma));
+    const double beside = 0.1; // where there is no arrow, beside that of the normal stress
+    const double shown = std::abs(per_unit * tau) < beside ? std::copysign(beside, tau) : per_unit * tau;
+    add(shear[static_cast<std::size_t>(axis)], tau, 0.51 * n, side * Vector3d::Unit(next), shown);
+}
+
+/// A ring about the arrow's tip that lies under the pointer.
+void draw_hovered(ui::Painter& painter, const Scene& scene, const Drawn& drawn)
+{
+    const ui::Theme theme = scene.look.full_theme();
+    for (const CubeArrow& one : drawn.cube)
+        if (scene.hover == one.handle) painter.circle(one.tip, 9.0 * theme.symbol_scale(), theme.stroke(Role::Hover));
+}
+
 /// What acts on the face: the tensor's column, its three parts each an arrow.
 void draw_face_arrows(ui::Painter& painter, const Scene& scene, const View& view, int axis, double side, Labels& labels)
 {
@@ -61,7 +96,7 @@ void draw_face_arrows(ui::Painter& painter, const Scene& scene, const View& view
     const Vector3d n = side * Vector3d::Unit(axis), traction = fm::tensor(*scene.solution.space) * n;
     const double head = 8.0 * theme.symbol_scale();
     for (int part = 0; part < 3; ++part) {
-        const double size = 0.75 * traction[part] / scene.frame.largest;
+        const double size = arrow_length * traction[part] / scene.frame.largest;
         if (std::abs(size) < 0.01) continue;
         const bool is_normal = part == axis;
         const Vector3d along = Vector3d::Unit(part);
@@ -211,7 +246,7 @@ void draw_plane_point(const Scene& scene, const ui::PlaneCamera& camera, ui::Pai
 
 } // namespace
 
-void draw_cube(ui::Painter& painter, const Scene& scene, const ui::Box& box)
+void draw_cube(ui::Painter& painter, const Scene& scene, const ui::Box& box, Drawn& drawn)
 {
     const View view = view_of(scene, box, 0.34);
     const ui::Theme theme = scene.look.full_theme();
@@ -224,6 +259,8 @@ void draw_cube(ui::Painter& painter, const Scene& scene, const ui::Box& box)
     for (int axis = 0; axis < 3; ++axis) draw_face(painter, scene, view, axis, sides[axis]);
     for (int axis = 0; axis < 3; ++axis) draw_face_arrows(painter, scene, view, axis, sides[axis], labels);
     labels.draw(painter, theme.stroke(Role::Leader), theme.background());
+    for (int axis = 0; axis < 3; ++axis) add_cube_arrows(scene, view, axis, sides[axis], drawn);
+    draw_hovered(painter, scene, drawn);
 }
 
 void draw_sphere(ui::Painter& painter, const Scene& scene, const ui::Box& box, Drawn& drawn)

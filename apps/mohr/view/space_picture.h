@@ -4,8 +4,8 @@
 
 namespace mohr {
 
-/// The cube with the stresses on the faces that are seen, and the oblique plane's normal.
-void draw_cube(ui::Painter& painter, const Scene& scene, const ui::Box& box);
+/// The cube with the stresses on the faces that are seen, whose arrows are pulled, and the oblique plane's cut.
+void draw_cube(ui::Painter& painter, const Scene& scene, const ui::Box& box, Drawn& drawn);
 
 /// A sphere of directions, on which the normal of the plane is dragged.
 void draw_sphere(ui::Painter& painter, const Scene& scene, const ui::Box& box, Drawn& drawn);

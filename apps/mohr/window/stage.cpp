@@ -24,6 +24,9 @@ constexpr std::array handles{
     NamedHandle{"arrow y", Handle::ArrowY}, NamedHandle{"arrow shear", Handle::ArrowShear},
     NamedHandle{"turn", Handle::Turn},      NamedHandle{"cursor", Handle::Cursor},
     NamedHandle{"normal", Handle::Normal},  NamedHandle{"fibre", Handle::Fibre},
+    NamedHandle{"cube x", Handle::CubeX},   NamedHandle{"cube y", Handle::CubeY},
+    NamedHandle{"cube z", Handle::CubeZ},   NamedHandle{"cube xy", Handle::CubeXY},
+    NamedHandle{"cube yz", Handle::CubeYZ}, NamedHandle{"cube zx", Handle::CubeZX},
 };
 
 std::string names_of_places()

@@ -142,8 +142,7 @@ private:
             {tr_("member end"), tr_("distributed"), tr_("its limit"), tr_("stiffness method"), tr_("difference")});
         const Comparison& all = worked_.comparison;
         for (std::size_t e = 0; e < problem_.ends.size(); ++e)
-            table.add_row({problem_.ends[e].label, all.distributed[e], all.limit[e], all.stiffness[e],
-                           all.distributed[e] - all.stiffness[e]});
+            table.add_row({problem_.ends[e].label, all.distributed[e], all.limit[e], all.stiffness[e], all.apart[e]});
         return "\n" + tr_("Final moments") + "\n" + print(table);
     }
 

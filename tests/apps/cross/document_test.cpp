@@ -148,3 +148,56 @@ TEST_CASE("A file whose method was not changed keeps its block as it was")
     const Document document = starting_document();
     CHECK(read_document(write_document(document)).model.extra == document.model.extra);
 }
+
+TEST_CASE("Every branch of every sheet is kept in the file, and where it stands")
+{
+    Document document = example("portal");
+    document.method.load_case = *document.model.find_case("W");
+    const fc::Problem problem = solve(document).task->problem;
+    REQUIRE(problem.joints.size() == 2);
+    const fc::JointId B(0), C(1);
+    document.plays.resize(2);
+    Play& loads = document.plays[0];
+    for (const Play::Turn& turn : {Play::Turn(B), Play::Turn(C), Play::Turn(B)}) loads.take(turn);
+    loads.jump(1);
+    loads.take(std::nullopt); // a branch: all at once
+    loads.take(C);
+    loads.jump(1);
+    loads.go_to(loads.branches().front());
+    loads.jump(2);
+    document.stage = 1;
+    document.plays[1].take(C);
+    const Document again = read_document(write_document(document));
+    CHECK(again.method == document.method);
+    CHECK(again.stage == 1);
+    REQUIRE(again.plays.size() == 2);
+    CHECK(again.plays[0].branches().size() == 2);
+    CHECK(again.plays[0].turns() == loads.turns());
+    CHECK(again.plays[0].n_ahead() == 1);
+    for (std::size_t i = 0; i < 2; ++i)
+        CHECK(again.plays[0].turns_to(again.plays[0].branches()[i]) == loads.turns_to(loads.branches()[i]));
+    CHECK(again.plays[1].turns() == document.plays[1].turns());
+    CHECK(again.model.extra == read_document(write_document(unworked(document))).model.extra);
+    CHECK(write_document(again) == write_document(document));
+}
+
+TEST_CASE("Turns of joints that a file's structure does not have are left out with what follows them")
+{
+    std::string text = write_document(starting_document());
+    const auto with = [&](const std::string& worked) {
+        std::string file = text;
+        file.insert(file.rfind("\"order\""), "\"worked\": " + worked + ", ");
+        return file;
+    };
+    const Document some = read_document(with(
+        R"({"sheet": 7, "plays": [{"ways": [["B", "C", "Z", "B"], ["A"], []], "way": 0, "at": 9}, {}, {"way": 3}]})"));
+    CHECK(some.stage == 0);
+    REQUIRE(some.plays.size() == 1); // the beam does not sway
+    CHECK(some.plays[0].length() == 2);
+    for (const std::string worked :
+         {"3", "[]", R"({"plays": 1})", R"({"plays": [2]})", R"({"plays": [{"ways": "B"}]})",
+          R"({"plays": [{"ways": [["B", 2]]}]})", R"({"sheet": -1})", R"({"sheet": 1e300})"}) {
+        CAPTURE(worked);
+        CHECK_THROWS_WITH_AS(read_document(with(worked)), doctest::Contains("cross"), femoop::ModelError);
+    }
+}

@@ -6,6 +6,7 @@
 
 #include "apps/cross/document/file.h"
 #include "apps/cross/document/pupil_file.h"
+#include "apps/cross/session/beam_edit.h"
 #include "apps/cross/session/exercise_report.h"
 #include "apps/cross/session/session.h"
 #include "apps/cross/view/given.h"
@@ -116,6 +117,48 @@ TEST_CASE("Whoever looks at the solution by leaving the exercise gets no points 
         CHECK(session.paper()->n_needed() == n);
         CHECK(session.points() == 0);
     }
+}
+
+TEST_CASE("Undo goes over two exercises on different structures, and each keeps its own score")
+{
+    Session session;
+    const femoop::Model three_spans = session.document().model;
+    session.begin_own_exercise();
+    const std::size_t n_first = session.paper()->form.blanks.size();
+    session.write(fc::BlankId(0), "77");
+    session.write(fc::BlankId(0), text_for(*session.paper(), fc::BlankId(0), units_of(three_spans, session.tr())));
+    fill(session);
+    REQUIRE(session.paper()->is_solved());
+    const std::size_t score = session.points();
+    CHECK(score + 1 == session.paper()->n_needed());
+    session.end_exercise();
+    session.change(*with_span_added(three_spans), "Add a span");
+    session.begin_own_exercise();
+    REQUIRE(session.paper() != nullptr);
+    CHECK(session.paper()->form.blanks.size() > n_first);
+    fill(session);
+    CHECK(session.points() == session.paper()->n_needed());
+    while (session.document().model != three_spans) session.undo();
+    CHECK(session.paper() == nullptr); // after the first exercise's end
+    session.undo();
+    REQUIRE(session.paper() != nullptr);
+    CHECK(session.paper()->form.blanks.size() == n_first);
+    CHECK(session.points() == score);
+    for (int i = 0; i < 500; ++i) session.redo();
+    REQUIRE(session.paper() != nullptr);
+    CHECK(session.paper()->is_solved());
+    CHECK(session.points() == 0); // all was seen when its beginning was undone
+}
+
+TEST_CASE("A beam on elastic ground is no exercise, since no hand finds its factors, and it is said so")
+{
+    Session session;
+    REQUIRE(session.open("examples/beam_on_ground.json"));
+    REQUIRE(session.solution().task.has_value());
+    REQUIRE(!session.solution().task->problem.joints.empty());
+    const auto reason = session.why_no_own_exercise();
+    REQUIRE(reason.has_value());
+    CHECK(ui::Catalogue()(*reason) == "on an elastic foundation no hand finds the stiffness factors");
 }
 
 TEST_CASE("The table of a sheet that is right has every balance that was filled in")

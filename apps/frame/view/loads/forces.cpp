@@ -139,7 +139,8 @@ void draw_point_load(const Scene& scene, femoop::MemberId id, const femoop::Poin
                      const LoadStack& stack)
 {
     const MemberShape& member = scene.shape[id];
-    const Vector3d at = member.at(place_along(load.at, member.length));
+    const double x = place_along(load.at, member.length);
+    const Vector3d at = member.at(x);
     for (const femoop::Component& component : load.components) {
         const double value = scale.factor * component.value;
         if (value == 0.0) continue;
@@ -151,7 +152,7 @@ void draw_point_load(const Scene& scene, femoop::MemberId id, const femoop::Poin
                                 .grip = GripOf{scale.load, component.dof}});
             continue;
         }
-        const double over = stack.height(-direction);
+        const double over = stack.height(-direction, {x, x});
         const double least = over > 0.0 ? over + scene.sketch.px(20.0) : 0.0;
         draw_force(scene, {.at = at,
                            .direction = direction,

@@ -87,8 +87,8 @@ void draw_temperature(const Scene& scene, femoop::MemberId id, const femoop::Tem
     const auto text = [&](double value) { return "ΔT = " + with_sign(scene, value, ui::Measure::Temperature); };
     draw_dashed_line(scene, member, offset, text(top));
     draw_dashed_line(scene, member, -offset, text(bottom));
-    stack.raise(member.y(), offset);
-    stack.raise(-member.y(), offset);
+    stack.raise(member.y(), {0.0, member.length}, offset);
+    stack.raise(-member.y(), {0.0, member.length}, offset);
 }
 
 void draw_misfit(const Scene& scene, femoop::MemberId id, const femoop::Misfit& misfit, double factor)

@@ -19,6 +19,7 @@ struct Stretch {
     double largest() const { return std::max(std::abs(start), std::abs(end)); }
     double sign() const { return start + end < 0.0 ? -1.0 : 1.0; }
     double at(double t) const { return std::abs(start + t * (end - start)); }
+    Reach reach() const { return {from, to}; }
 };
 
 std::vector<Stretch> of_one_sign(const Stretch& whole)
@@ -158,7 +159,7 @@ void draw_across(const Scene& scene, const StretchLoad& stretch, LoadStack& stac
 {
     const auto& [member, load, direction, is_projected, largest, part, dof] = stretch;
     Placing placing{.away = -load.sign() * direction, .height = arrow_height(scene, load.largest(), largest)};
-    const double taken = stack.height(placing.away);
+    const double taken = stack.height(placing.away, load.reach());
     placing.base = taken > 0.0 ? taken + scene.sketch.px(5.0) : scene.sketch.px(3.0);
     placing.is_projected = is_projected && std::abs(direction.dot(member.x())) > 1e-6;
     placing.level = std::max(member.at(load.from).dot(placing.away), member.at(load.to).dot(placing.away));
@@ -176,7 +177,7 @@ void draw_across(const Scene& scene, const StretchLoad& stretch, LoadStack& stac
     write_values(scene, load, picture, scene.projection.direction(placing.away));
     // The value stands between this load and the one on top of it.
     const double text = scene.shows(Show::Values) ? 1.3 * scene.sketch.theme().type().normal : 0.0;
-    stack.raise(placing.away, placing.base + placing.height + text);
+    stack.raise(placing.away, load.reach(), placing.base + placing.height + text);
 }
 
 // A load along the member: a row of arrows beside it.
@@ -187,7 +188,7 @@ void draw_along(const Scene& scene, const StretchLoad& stretch, LoadStack& stack
     const double sense = stretch.along() * load.sign();
     Sketch& sketch = scene.sketch;
     const Vector3d side = member.y().y() < -1e-9 ? Vector3d(-member.y()) : member.y();
-    const double at = std::max(stack.height(side), sketch.px(2.0)) + sketch.px(7.0);
+    const double at = std::max(stack.height(side, load.reach()), sketch.px(2.0)) + sketch.px(7.0);
     const double length = (load.to - load.from) * scene.projection.scale();
     const int n = std::clamp(static_cast<int>(length / sketch.px(30.0)), 1, 100);
     const SymbolFrame f = scene.projection.frame(member.at(load.from), member.x(), side);
@@ -198,7 +199,7 @@ void draw_along(const Scene& scene, const StretchLoad& stretch, LoadStack& stack
         const double middle = (i + 0.5) * step;
         draw(sketch, {.tail = f(middle - sense * half, at), .head = f(middle + sense * half, at), .head_size = 7.0});
     }
-    stack.raise(side, at + sketch.px(5.0));
+    stack.raise(side, load.reach(), at + sketch.px(5.0));
     if (!scene.shows(Show::Values)) return;
     const bool is_uniform = load.start == load.end;
     const std::string units = scene.units.unit(ui::Measure::ForcePerLength).name;
@@ -227,8 +228,8 @@ void draw_moments(const Scene& scene, const StretchLoad& stretch, LoadStack& sta
         const Vector3d x = across.cross(axis);
         draw(sketch, CurvedArrow{.frame = scene.projection.frame(at, x, across), .radius = 9.0, .sense = load.sign()});
     }
-    stack.raise(member.y(), sketch.px(14.0));
-    stack.raise(-member.y(), sketch.px(14.0));
+    stack.raise(member.y(), load.reach(), sketch.px(14.0));
+    stack.raise(-member.y(), load.reach(), sketch.px(14.0));
     if (!scene.shows(Show::Values)) return;
     const auto value = [&](double v) { return scene.text(std::abs(v), ui::Measure::MomentPerLength); };
     sketch.caption({.text = load.start == load.end ? value(load.start) : value(load.start) + " … " + value(load.end),

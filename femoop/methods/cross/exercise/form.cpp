@@ -205,12 +205,6 @@ MemberId slenderest_member(const Problem& problem)
     return slenderest;
 }
 
-/// A foundation's shears need more than end moments.
-bool can_superpose(const Problem& problem)
-{
-    return std::ranges::none_of(problem.members, &MemberAction::has_foundation);
-}
-
 void fill_right(Form& form)
 {
     std::vector<Figure> figures;
@@ -229,10 +223,15 @@ std::optional<BlankId> Form::find(Asked asked, std::size_t sheet, std::size_t st
     return at == places.end() ? std::nullopt : std::optional(at->second);
 }
 
+bool is_for_hand(const Problem& problem)
+{
+    return std::ranges::none_of(problem.members, &MemberAction::has_foundation);
+}
+
 std::optional<Form> form_of(const Model& model, CaseId load_case, FarEnds far_ends, const FormOptions& options)
 {
     Form form{.problem = problem_of(model, load_case, far_ends)};
-    if (!can_superpose(form.problem)) form.problem.sways.clear();
+    if (!is_for_hand(form.problem)) return std::nullopt;
     form.slenderest = slenderest_member(form.problem);
     if (form.slenderest.index < form.problem.members.size()) {
         const MemberAction& unit = form.problem.members[form.slenderest.index];

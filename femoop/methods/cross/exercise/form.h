@@ -80,7 +80,11 @@ struct FormOptions {
     std::size_t most_blanks = 600; ///< more than a pupil would fill
 };
 
-/// Nothing where there would be more cells than the options allow. \throws ModelError as `problem_of`
+/// False on elastic foundations: their stiffness factors and shears are no work for a hand.
+bool is_for_hand(const Problem& problem);
+
+/// Nothing where that is false, or where there would be more cells than the options allow.
+/// \throws ModelError as `problem_of`
 std::optional<Form> form_of(const Model& model, CaseId load_case, FarEnds far_ends = FarEnds::Modified,
                             const FormOptions& options = {});
 

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace cross {
+
+/// A `cross` block with another value under one of its keys, or without it; all else in it stays.
+std::string with_entry(const std::string& block_json, std::string_view key, const std::optional<std::string>& json);
+
+} // namespace cross
