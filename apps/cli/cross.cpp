@@ -126,6 +126,11 @@ Procedure Cross::procedure(const Model& model, const Problem& problem, const std
     Procedure procedure;
     if (block) procedure = procedure_of(model, problem, *block);
     if (order_) {
+        if (order_->empty())
+            throw UsageError(tr("{option}: found \"{found}\", wanted one of {names}",
+                                {{"option", "--order"},
+                                 {"found", ""},
+                                 {"names", "largest, left-to-right, all-at-once, A,C,B"}}));
         set_order(procedure, *order_, model, problem);
         procedure.balances.reset();
     }

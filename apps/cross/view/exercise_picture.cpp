@@ -24,6 +24,8 @@ namespace {
 
 constexpr double name_height = 1.15; // of the size of type
 constexpr double cell_height = 1.2;
+constexpr double label_size = 0.8;
+constexpr double narrow = 38.0;                  // width of a window, in ems of its type
 constexpr std::size_t lines_of_head_and_sum = 2; // that a block has besides those that it is asked for
 
 /// Writes the cells of one sheet into their boxes.
@@ -51,7 +53,7 @@ public:
             if (layout_.boxes[e] && !columns_[e].cells.empty()) draw_column(columns_[e], *layout_.boxes[e]);
         if (scene_.paper_stage == paper_.n_sheets()) draw_superposition();
         draw_legend();
-        for (const Ratio& ratio : ratios()) painter_.text(ratio.at, ratio.text, ratio_style());
+        for (const Ratio& ratio : ratios()) painter_.text(free_place(ratio), ratio.text, ratio_style());
         draw_sways();
     }
 
@@ -78,7 +80,6 @@ private:
         request.room.max.y -= legend_height();
         if (scene_.paper_stage == paper_.n_sheets()) request.room.max.y -= 2.4 * theme_.type().normal;
         request.obstacles = obstacles_in(panel_, shape_, scene_.document.model, theme_);
-        for (const Ratio& ratio : ratios()) request.obstacles.push_back(box_of(ratio));
         request.largest_type = 1.1 * theme_.type().normal;
         request.most_lines = n_lines() - std::min(n_lines(), lines_of_head_and_sum);
         request.fewest_lines = request.most_lines;
@@ -97,9 +98,9 @@ private:
     {
         BlockRequest beside = request;
         beside.n_rows = 1;
-        beside.least_type = 0.8 * request.largest_type;
         for (const bool is_narrow : {false, true}) {
             is_narrow_ = is_narrow;
+            beside.least_type = (is_narrow ? 0.65 : 0.85) * request.largest_type;
             BlockLayout found = laid_out(beside);
             const bool is_whole = std::ranges::all_of(found.boxes, [](const auto& box) { return box.has_value(); });
             if (is_whole && found.n_lines == request.most_lines) return found;
@@ -110,7 +111,7 @@ private:
     // ---- bending stiffnesses, where they differ
 
     struct Ratio {
-        ui::Point at;
+        femoop::MemberId member;
         std::string text; ///< "2EI"
     };
 
@@ -124,32 +125,44 @@ private:
             const double ratio = member.EI_over_L * member.length / paper_.form.EI;
             const bool is_one = std::abs(ratio - 1.0) < 1e-6;
             do_differ = do_differ || !is_one;
-            all.push_back(
-                {beside(femoop::MemberId(m)), (is_one ? "" : ui::number_text(ratio, {3, decimal_mark()})) + "EI"});
+            all.push_back({femoop::MemberId(m), (is_one ? "" : ui::number_text(ratio, {3, decimal_mark()})) + "EI"});
         }
         return do_differ ? all : std::vector<Ratio>{};
     }
 
     ui::DecimalMark decimal_mark() const { return units_of(scene_.document.model, scene_.look.tr).format().mark; }
 
-    /// Beside the middle of a member: over a beam, right of a column.
-    ui::Point beside(femoop::MemberId id) const
+    /// Beside a place along a member: over a beam and right of a column, or on the other side.
+    ui::Point beside(femoop::MemberId id, double t, double side) const
     {
         const frame::MemberShape& member = shape_[id];
         const ui::Point a = panel_.at(member.start_node), b = panel_.at(member.end_node);
         const ui::Point d = ui::direction(b - a);
         const bool is_upright = std::abs(d.y) > 0.7;
         const double em = theme_.type().normal;
-        return 0.5 * (a + b) + (is_upright ? ui::Point{1.6 * em, 0.0} : ui::Point{0.0, -0.9 * em});
+        return a + t * (b - a) + side * (is_upright ? ui::Point{1.6 * em, 0.0} : ui::Point{0.0, -0.9 * em});
+    }
+
+    /// Near the middle of its member, where no column stands.
+    ui::Point free_place(const Ratio& ratio) const
+    {
+        for (const double t : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8})
+            for (const double side : {1.0, -1.0}) {
+                const ui::Point at = beside(ratio.member, t, side);
+                const ui::Box box = box_of(ratio, at);
+                const auto is_hit = [&](const std::optional<ui::Box>& other) { return other && other->overlaps(box); };
+                if (std::ranges::none_of(layout_.boxes, is_hit)) return at;
+            }
+        return beside(ratio.member, 0.5, 1.0);
     }
 
     ui::TextStyle ratio_style() const { return theme_.text(ui::Role::Label, ui::Anchor::Center); }
 
-    ui::Box box_of(const Ratio& ratio) const
+    ui::Box box_of(const Ratio& ratio, ui::Point at) const
     {
         const double em = theme_.type().normal;
         const double half = 0.5 * painter_.measure(ratio.text, ratio_style()).width;
-        return {ratio.at - ui::Point{half, 0.6 * em}, ratio.at + ui::Point{half, 0.6 * em}};
+        return {at - ui::Point{half, 0.6 * em}, at + ui::Point{half, 0.6 * em}};
     }
 
     // ---- what the signs in the cells mean
@@ -209,13 +222,22 @@ private:
         return most;
     }
 
+    double label_width(double type) const
+    {
+        double widest = 0.0;
+        for (const BlankColumn& column : columns_)
+            for (const BlankCell& cell : column.cells)
+                widest = std::max(widest, painter_.measure(cell.label, {.size = label_size * type}).width);
+        return widest;
+    }
+
     double column_width(double type) const
     {
         const ui::TextStyle style{.size = type};
         double widest = painter_.measure(is_narrow_ ? "−88.88" : "−88.888", style).width;
         for (const std::string& text : scene_.document.pupil->written)
             if (text.size() < 12) widest = std::max(widest, painter_.measure(text, style).width);
-        return widest + (is_narrow_ ? 2.3 : 2.9) * type;
+        return widest + (is_narrow_ ? 1.5 : 2.1) * type + label_width(type);
     }
 
     ui::TextStyle style(ui::Role role, ui::Anchor anchor) const
@@ -255,7 +277,7 @@ private:
         underline(blank.asked, box);
         const double middle = 0.5 * (box.min.y + box.max.y);
         ui::TextStyle label = style(ui::Role::FaintLabel, ui::Anchor::Left);
-        label.size *= 0.8;
+        label.size *= label_size;
         painter_.text({box.min.x + 0.2 * em, middle}, cell.label, label);
         ui::TextStyle number = style(role_of(verdict), ui::Anchor::Right);
         painter_.text({box.max.x - 1.1 * em, middle}, shown(cell.blank), number);
@@ -401,6 +423,23 @@ ui::PlaneCamera roomy_camera(const frame::StructureShape& shape, ui::Size size, 
     return camera;
 }
 
+/// In a narrow window the sheet lies below the structure, which the moments stand beside once it is right.
+Panels narrow_panels(const frame::StructureShape& shape, ui::Size size, const ui::Theme& theme, const Paper& paper)
+{
+    constexpr double closer = 0.55; // margins for small cells
+    const double em = theme.type().normal, top = 0.34 * size.height;
+    const double left = paper.is_solved() ? 0.5 * size.width : size.width;
+    Panels panels{.is_stacked = true};
+    panels.structure.box = ui::box_at({0.0, 0.0}, {left, top});
+    panels.moments.box = ui::box_at({left, 0.0}, {size.width - left, top});
+    panels.structure.camera = panels.moments.camera = roomy_camera(shape, panels.structure.box.size(), em);
+    panels.structure.ems_high = panels.moments.ems_high = 13.0;
+    const double height = std::max(0.5 * (size.height - top), size.height - top - lines_below(paper) * em);
+    panels.sheet = panel_alone(Part::Sheet, shape, {size.width, height}, theme.scaled(closer));
+    panels.sheet.box = ui::box_at({0.0, top}, {size.width, size.height - top});
+    return panels;
+}
+
 /// The sheet gets the room of the pictures that are not shown; the moments come next to the structure once it is right.
 Panels exercise_panels(const frame::StructureShape& shape, ui::Size size, const ui::Theme& theme, const Paper& paper)
 {
@@ -409,6 +448,7 @@ Panels exercise_panels(const frame::StructureShape& shape, ui::Size size, const 
     if (!panels.is_stacked)
         panels = panels_for(shape, {size.width, std::max(0.5 * size.height, size.height - below)}, theme);
     panels.sheet.box.max.y = size.height;
+    if (!panels.is_stacked && size.width < narrow * em) return narrow_panels(shape, size, theme, paper);
     if (panels.is_stacked) {
         const double top = panels.structure.box.max.y, height = paper.is_solved() ? panels.moments.box.height() : 0.0;
         panels.moments.box = {{0.0, top}, {size.width, top + height}};

@@ -109,12 +109,21 @@ private:
     Block::Stage read_stage(JsonValue value)
     {
         Block::Stage stage;
-        const JsonValue prop = member(list(value, JsonKind::Object), "prop");
-        if (prop.is(JsonKind::Object)) stage.reaction = reader_.number(member(prop, "reaction"), place_);
-        else if (prop.is_present()) stage.reaction = reader_.number(member(value, "reaction"), place_);
+        const JsonValue prop = member(list(value, JsonKind::Object), "prop"), sway = member(value, "sway");
+        if (prop.is(JsonKind::Object)) add_prop(stage, prop);
+        else if (prop.is_present()) add_prop(stage, value);
+        for (const JsonValue one : list(member(value, "props"), JsonKind::Array)) add_prop(stage, one);
+        if (sway.is(JsonKind::Object)) stage.sway = reader_.text(member(sway, "node"), place_);
         stage.fixed_end = labelled(member(value, "fixed_end_moments"));
         stage.sheet = sheet(member(value, "sheet"));
         return stage;
+    }
+
+    void add_prop(Block::Stage& stage, JsonValue prop)
+    {
+        const JsonValue object = list(prop, JsonKind::Object);
+        if (const auto reaction = reader_.number(member(object, "reaction"), place_))
+            stage.props.push_back({reader_.text(member(object, "node"), place_), *reaction});
     }
 
     Place top_;

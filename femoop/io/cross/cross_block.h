@@ -18,9 +18,14 @@ struct Block {
         std::string step; ///< FEM, BAL, CO, TOTAL
         Labelled values;
     };
-    /// A sheet of a structure that sways: with its prop, or the sway alone.
+    struct Prop {
+        std::optional<std::string> node; ///< that it holds; may be left out where there is one prop
+        double reaction = 0.0;
+    };
+    /// A sheet of a structure that sways: with its props, or a sway alone.
     struct Stage {
-        std::optional<double> reaction; ///< of the prop; nothing: the sway alone
+        std::vector<Prop> props;         ///< none: a sway alone
+        std::optional<std::string> sway; ///< the node whose prop moves in it; else in the order of the sways
         Labelled fixed_end;
         std::vector<Row> sheet;
     };

@@ -106,23 +106,44 @@ private:
         }
     }
 
-    /// A sheet with the prop, then the sway alone, as much of it as the file moves.
+    /// The sway whose prop holds a node; where none is named the one that is expected there.
+    std::optional<std::size_t> sway_at(const std::optional<std::string>& node, std::size_t expected) const
+    {
+        if (!node) return expected < problem_.sways.size() ? std::optional(expected) : std::nullopt;
+        const auto is_it = [&](const Sway& sway) { return model_[sway.prop].id == *node; };
+        const auto found = std::ranges::find_if(problem_.sways, is_it);
+        if (found == problem_.sways.end()) return std::nullopt;
+        return static_cast<std::size_t>(found - problem_.sways.begin());
+    }
+
+    void skip(const std::string& whose) { outcomes_.push_back({.what = whose, .skipped = SkipReason::SheetNotBuilt}); }
+
+    /// A sheet with the props, then each sway alone, as much of it as the file moves.
     void check_stages()
     {
+        std::size_t n_sways = 0;
         for (std::size_t i = 0; i < block_.stages.size(); ++i) {
             const Block::Stage& stage = block_.stages[i];
             const std::string whose = fill(tr_("cross: stage {0}"), {std::to_string(i + 1)});
-            if (problem_.sways.size() != 1) {
-                outcomes_.push_back({.what = whose, .skipped = SkipReason::SheetNotBuilt});
+            if (!stage.props.empty()) {
+                check_stage(whose, stage, problem_.loading);
                 continue;
             }
-            const Sway moved = stage.reaction ? Sway{} : scaled(problem_.sways.front(), stage);
-            const Loading& loading = stage.reaction ? problem_.loading : moved.loading;
-            check_row(fill(tr_("{0}: fixed-end moments"), {whose}), stage.fixed_end, loading.fixed_end, tolerance());
-            const Sheet sheet = worked(loading, stage.sheet);
-            if (!stage.sheet.empty()) check_sheet(stage.sheet, sheet, whose);
-            if (stage.reaction) check_prop(whose, *stage.reaction, sheet.end);
+            if (const auto sway = sway_at(stage.sway, n_sways++))
+                check_stage(whose, stage, scaled(problem_.sways[*sway], stage).loading);
+            else skip(whose);
         }
+    }
+
+    void check_stage(const std::string& whose, const Block::Stage& stage, const Loading& loading)
+    {
+        check_row(fill(tr_("{0}: fixed-end moments"), {whose}), stage.fixed_end, loading.fixed_end, tolerance());
+        const Sheet sheet = worked(loading, stage.sheet);
+        if (!stage.sheet.empty()) check_sheet(stage.sheet, sheet, whose);
+        for (std::size_t k = 0; k < stage.props.size(); ++k)
+            if (const auto sway = sway_at(stage.props[k].node, k))
+                check_prop(whose, stage.props[k].reaction, sheet.end, *sway);
+            else skip(whose);
     }
 
     Sway scaled(Sway sway, const Block::Stage& stage) const
@@ -140,9 +161,9 @@ private:
         return sway;
     }
 
-    void check_prop(const std::string& whose, double wanted, const State& state)
+    void check_prop(const std::string& whose, double wanted, const State& state, std::size_t sway)
     {
-        const double held = holding_forces(problem_, {state.moments, state.rotations}).front();
+        const double held = holding_forces(problem_, {state.moments, state.rotations})[sway];
         CheckOutcome one{
             .what = fill(tr_("{0}: force of the prop"), {whose}),
             .verdict = Verdict::Passed,

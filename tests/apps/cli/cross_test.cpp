@@ -57,6 +57,23 @@ std::string beam(const std::string& from = "", const std::string& to = "")
     return text;
 }
 
+/// Two storeys of 4 and 3 m, pushed from the left.
+json two_storeys()
+{
+    return json::parse(R"({"cremona": 1, "analysis": "frame2d", "units": {"length": "m", "force": "kN"},
+        "materials": [{"id": "m", "E": 2e8}], "sections": [{"id": "s", "A": 0.01, "Iz": 1e-4}],
+        "nodes": [{"id": "A", "at": [0, 0], "support": "fixed"}, {"id": "B", "at": [0, 4]}, {"id": "C", "at": [0, 7]},
+                  {"id": "D", "at": [5, 7]}, {"id": "E", "at": [5, 4]}, {"id": "F", "at": [5, 0], "support": "fixed"}],
+        "members": [{"id": "1", "nodes": ["A", "B"], "material": "m", "section": "s"},
+                    {"id": "2", "nodes": ["B", "C"], "material": "m", "section": "s"},
+                    {"id": "3", "nodes": ["C", "D"], "material": "m", "section": "s"},
+                    {"id": "4", "nodes": ["D", "E"], "material": "m", "section": "s"},
+                    {"id": "5", "nodes": ["E", "F"], "material": "m", "section": "s"},
+                    {"id": "6", "nodes": ["B", "E"], "material": "m", "section": "s"}],
+        "load_cases": [{"id": "w", "nodes": [{"node": "B", "fx": 20}, {"node": "C", "fx": 9}],
+                        "members": [{"member": "6", "kind": "distributed", "qy": -12}]}]})");
+}
+
 } // namespace
 
 TEST_CASE("The sheet of cross --json is that of the file's block, which gives the defaults")
@@ -155,6 +172,33 @@ TEST_CASE("A block of a frame that sways is compared stage by stage, each as far
     CHECK(has(good.out, "cross: stage 1: force of the prop"));
     CHECK(has(good.out, "cross: stage 2: row 1 FEM: "));
     model["cross"]["stages"][0]["prop"]["reaction"] = 0.1234;
+    CHECK(cremona({"verify", "-"}, model.dump()).status == 1);
+}
+
+TEST_CASE("A frame of several sways is compared stage by stage too, by the nodes that its props hold")
+{
+    json model = two_storeys();
+    const Run run = cremona({"cross", "-", "--json", "--order", "all-at-once"}, model.dump());
+    CHECK_MESSAGE(run.status == 0, run.err);
+    const json found = json::parse(run.out);
+    REQUIRE(found["stages"].size() == 3);
+    json stages = json::array();
+    for (const std::size_t i : {0U, 2U, 1U}) { // in another order
+        const json& stage = found["stages"][i];
+        stages.push_back({{"fixed_end_moments", stage["fixed_end_moments"]}, {"sheet", stage["sheet"]}});
+        for (const char* key : {"props", "sway"})
+            if (stage.contains(key)) stages.back()[key] = stage[key];
+    }
+    model["cross"] = {{"order", "all-at-once"}, {"stages", stages}, {"final", found["final"]}};
+    const Run good = cremona({"verify", "-"}, model.dump());
+    CHECK_MESSAGE(good.status == 0, good.out << good.err);
+    CHECK(has(good.out, "cross: stage 1: force of the prop"));
+    CHECK(has(good.out, "cross: stage 3: row 2 BAL: "));
+    CHECK_FALSE(has(good.out, "skipped"));
+    std::swap(model["cross"]["stages"][1]["sway"], model["cross"]["stages"][2]["sway"]);
+    CHECK(cremona({"verify", "-"}, model.dump()).status == 1);
+    std::swap(model["cross"]["stages"][1]["sway"], model["cross"]["stages"][2]["sway"]);
+    model["cross"]["stages"][0]["props"][1]["reaction"] = 0.1234;
     CHECK(cremona({"verify", "-"}, model.dump()).status == 1);
 }
 
