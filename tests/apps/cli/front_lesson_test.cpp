@@ -1,0 +1,120 @@
+// The lesson on the front: its commands run and print what it shows, its pictures are those that they draw, and its
+// numbers are true.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "femoop/analysis/solver_trace.h"
+#include "femoop/io/model_file.h"
+#include "tests/apps/cli/run_cremona.h"
+#include "tests/apps/cli/shown_commands.h"
+#include "tests/golden/comparison.h"
+#include "ui/context/pixels.h"
+
+using namespace femoop;
+using cli_test::has;
+using nlohmann::json;
+
+TEST_SUITE_BEGIN("lesson");
+
+namespace {
+
+std::string text_of(const std::string& name)
+{
+    std::ifstream file(std::string(CREMONA_SOURCE_DIR) + "/" + name);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string page() { return text_of("courseware/02-the-front-walks.md"); }
+
+/// A frame of bays and storeys, fixed at its feet, numbered storey by storey.
+Model frame(int columns, int storeys)
+{
+    Model model;
+    model.add(Material{.id = "steel", .E = 2.1e8});
+    model.add(Section{.id = "s", .A = 0.013, .Iz = 1.3e-4});
+    const auto join = [&](int a, int b) {
+        model.add(Member{.id = std::to_string(a) + "-" + std::to_string(b),
+                         .nodes = {NodeId(static_cast<std::size_t>(a)), NodeId(static_cast<std::size_t>(b))},
+                         .material = MaterialId(0),
+                         .section = SectionId(0)});
+    };
+    for (int y = 0; y <= storeys; ++y)
+        for (int x = 0; x < columns; ++x) {
+            Node node{.id = std::to_string(y * columns + x), .at = {6.0 * x, 3.5 * y}};
+            if (y == 0) node.support = Support{.kind = SupportKind::Fixed};
+            model.add(std::move(node));
+            if (y > 0) join((y - 1) * columns + x, y * columns + x);
+            if (y > 0 && x > 0) join(y * columns + x - 1, y * columns + x);
+        }
+    return model;
+}
+
+/// "18 522" for 18522.
+std::string in_groups(std::size_t n)
+{
+    std::string text = std::to_string(n);
+    for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, 1, ' ');
+    return text;
+}
+
+json trace_of(const json& model)
+{
+    return json::parse(cli_test::cremona({"solve", "-", "--trace-solver", "--json"}, model.dump()).out)["solver_trace"];
+}
+
+} // namespace
+
+TEST_CASE("Every command of the lesson on the front runs, prints what it shows and draws its pictures")
+{
+    const Folder folder;
+    CHECK(cli_test::run_shown_commands(page(), folder) == 6);
+    for (const std::string name : {"front_band.png", "front_dissection.png"}) {
+        CAPTURE(name);
+        CHECK(has(page(), "pictures/" + name));
+        REQUIRE(folder.has(name));
+        const ui::Pixels drawn = ui::read_png(folder.path(name));
+        const ui::Pixels shown = ui::read_png(std::string(CREMONA_SOURCE_DIR) + "/courseware/pictures/" + name);
+        CHECK_MESSAGE(golden::compare(drawn, shown).is_same(), "draw it anew with the command that the lesson shows");
+    }
+}
+
+TEST_CASE("The lesson's table of operations is that of frames of k columns and k storeys")
+{
+    const std::string text = page();
+    for (const int k : {6, 12, 24, 48, 96}) {
+        const SolverTrace trace = trace_solver(frame(k, k));
+        std::string line = "| " + std::to_string(k) + " | " + in_groups(trace.n_unknowns()) + " |";
+        for (const EliminationWalk& walk : trace.walks)
+            line += " " + in_groups(static_cast<std::size_t>(walk.counts.n_operations)) + " |";
+        CHECK_MESSAGE(has(text, line), line);
+    }
+}
+
+TEST_CASE("The lesson's answers are right: the hub first fills L, and node F3 saves most when it is fixed")
+{
+    json grillage = json::parse(text_of("examples/grillage.json"));
+    std::stable_partition(grillage["nodes"].begin(), grillage["nodes"].end(),
+                          [](const json& node) { return node["id"] == "X"; });
+    const json walks = trace_of(grillage)["orderings"];
+    CHECK(walks["natural"]["entries_of_L"] == 11 * 12 / 2);
+    for (const char* other : {"cuthill-mckee", "minimum-degree", "nested-dissection"})
+        CHECK(walks[other]["fill_in"] == 0);
+
+    const Model storeys = read_model(text_of("examples/storey_frame.json"));
+    for (std::size_t i = 0; i < storeys.nodes.size(); ++i) {
+        Model model = storeys;
+        CAPTURE(model.nodes[i].id);
+        if (model.nodes[i].support) continue;
+        model.nodes[i].support = Support{.kind = SupportKind::Fixed};
+        const std::size_t n = trace_solver(model).walk(Ordering::NestedDissection).counts.n_entries;
+        CHECK((n == 1380) == (model.nodes[i].id == "F3"));
+        CHECK(n >= 1380);
+    }
+}
