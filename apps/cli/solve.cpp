@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -15,6 +14,7 @@
 #include "apps/cli/model_input.h"
 #include "apps/cli/output_file.h"
 #include "apps/cli/solver_trace.h"
+#include "femoop/analysis/stopwatch.h"
 #include "femoop/analysis/trace.h"
 #include "femoop/io/json/json_writer.h"
 #include "femoop/io/results/results_csv.h"
@@ -30,21 +30,6 @@ namespace {
 using femoop::CaseId;
 using femoop::Model;
 using femoop::Results;
-
-/// Seconds since it was made or last asked.
-class StopWatch {
-public:
-    double lap()
-    {
-        const auto now = std::chrono::steady_clock::now();
-        const std::chrono::duration<double> seconds = now - start_;
-        start_ = now;
-        return seconds.count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// What is printed of which cases.
 struct Selection {
@@ -232,7 +217,7 @@ void Solve::write_csv(const Model& model, const Results& results, const Selectio
 /// Values every curve at its stations once, as any reader of the results does.
 double seconds_to_recover(const Model& model, const Results& results, const Selection& selection)
 {
-    StopWatch watch;
+    femoop::Stopwatch watch;
     for (const CaseId id : selection.cases) {
         const femoop::CaseResult result = results[id];
         for (std::size_t i = 0; i < model.members.size(); ++i)
@@ -293,7 +278,7 @@ ExitStatus Solve::run(Console& console)
     solver_trace_.require_trace(tr);
     const femoop::AnalysisOptions options{.solver = solver_named(solver_, tr), .is_refined = is_refined_};
     Phases phases;
-    StopWatch watch;
+    femoop::Stopwatch watch;
     const std::optional<Model> model = load_model(file_, console);
     if (!model) return ExitStatus::BadInput;
     const Selection selected = selection(*model, tr);

@@ -1,7 +1,6 @@
 #include "femoop/analysis/linear_static.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <iterator>
 #include <stdexcept>
@@ -16,6 +15,7 @@
 #include "femoop/analysis/number_range.h"
 #include "femoop/analysis/reduced_system.h"
 #include "femoop/analysis/rigid_body.h"
+#include "femoop/analysis/stopwatch.h"
 #include "femoop/model/check/check.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/result/solution.h"
@@ -33,21 +33,6 @@ constexpr double unmeant_soft_motion = 10;  // where a pivot is so small that so
 constexpr double zero_eigenvalue = 1e-14;   // of the scaled K: a free motion leaves less
 constexpr Eigen::Index most_modes = 100;    // to look for in a structure that moves in many ways
 constexpr Eigen::Index most_described = 12; // of them: who reads more sentences than that?
-
-/// Seconds since it was last asked.
-class Stopwatch {
-public:
-    double lap()
-    {
-        const auto now = std::chrono::steady_clock::now();
-        const std::chrono::duration<double> passed = now - last_;
-        last_ = now;
-        return passed.count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 } // namespace
 

@@ -1,8 +1,9 @@
 #include <cholmod.h>
 
+#include "femoop/analysis/stopwatch.h"
 #include "tests/bench/in_child.h"
+#include "tests/bench/peak_memory.h"
 #include "tests/bench/reference_system.h"
-#include "tests/bench/stop_watch.h"
 
 namespace bench {
 
@@ -35,7 +36,7 @@ Reference run(FrameSize size, int ordering)
     f.dtype = CHOLMOD_DOUBLE;
 
     Reference n;
-    StopWatch watch;
+    femoop::Stopwatch watch;
     cholmod_factor* L = cholmod_analyze(&K, &common);
     n.analyse = watch.lap();
     cholmod_factorize(&K, L, &common);

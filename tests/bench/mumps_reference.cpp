@@ -3,9 +3,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "femoop/analysis/stopwatch.h"
 #include "tests/bench/in_child.h"
+#include "tests/bench/peak_memory.h"
 #include "tests/bench/reference_system.h"
-#include "tests/bench/stop_watch.h"
 
 namespace bench {
 
@@ -58,7 +59,7 @@ Reference run(FrameSize size)
     mumps.id().a = s.values.data();
     mumps.id().rhs = s.f.data();
     Reference n;
-    StopWatch watch;
+    femoop::Stopwatch watch;
     mumps.call(1);
     n.analyse = watch.lap();
     mumps.call(2);

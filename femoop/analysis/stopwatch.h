@@ -1,13 +1,11 @@
 #pragma once
 
-#include <sys/resource.h>
-
 #include <chrono>
 
-namespace bench {
+namespace femoop {
 
 /// Seconds since it was made or last asked.
-class StopWatch {
+class Stopwatch {
 public:
     double lap()
     {
@@ -21,12 +19,4 @@ private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// The most memory that this process ever had.
-inline double peak_megabytes()
-{
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
-
-} // namespace bench
+} // namespace femoop
