@@ -12,9 +12,12 @@ namespace {
 using Front = FrontTree::Front;
 constexpr std::int32_t none = FrontTree::none;
 
-class Solution {
+/// Of one right-hand side, which is quicker where the compiler knows that it is one, or of many.
+template <int columns_at_compile_time> class Solution {
 public:
-    Solution(const FrontTree& tree, const FrontFactor& factor, Eigen::MatrixXd& X)
+    using Columns = Eigen::Matrix<double, Eigen::Dynamic, columns_at_compile_time>;
+
+    Solution(const FrontTree& tree, const FrontFactor& factor, Eigen::Map<Columns> X)
         : tree_(tree),
           fronts_(tree.fronts()),
           factor_(factor),
@@ -37,7 +40,7 @@ public:
     }
 
 private:
-    using Block = Eigen::Map<Eigen::MatrixXd>;
+    using Block = Eigen::Map<Columns>;
 
     /// A right-hand side for the rows of a front: of its pivots, and what it hands to its parent.
     Block block(const Front& front)
@@ -62,7 +65,7 @@ private:
         const auto L = columns(front);
         auto pivots = b.topRows(front.n_pivots);
         if (factor_.exchanges()) put_in_order(front, pivots);
-        L.topRows(front.n_pivots).triangularView<Eigen::UnitLower>().solveInPlace(pivots);
+        L.topRows(front.n_pivots).template triangularView<Eigen::UnitLower>().solveInPlace(pivots);
         b.bottomRows(front.n_updated()).noalias() -= L.bottomRows(front.n_updated()) * pivots;
         for (Eigen::Index c = 0; c < b.cols(); ++c) divide(front, pivots.col(c));
         put_pivots(front, pivots);
@@ -87,7 +90,7 @@ private:
         const auto L = columns(front);
         auto pivots = x.topRows(front.n_pivots);
         pivots.noalias() -= L.bottomRows(front.n_updated()).transpose() * x.bottomRows(front.n_updated());
-        L.topRows(front.n_pivots).triangularView<Eigen::UnitLower>().transpose().solveInPlace(pivots);
+        L.topRows(front.n_pivots).template triangularView<Eigen::UnitLower>().transpose().solveInPlace(pivots);
         put_pivots(front, pivots);
     }
 
@@ -124,15 +127,21 @@ private:
     const FrontTree& tree_;
     const std::vector<Front>& fronts_;
     const FrontFactor& factor_;
-    Eigen::MatrixXd& X_;
+    Eigen::Map<Columns> X_;
     std::vector<double> carried_; ///< the blocks of all fronts
 };
+
+template <int columns> void run(const FrontTree& tree, const FrontFactor& factor, Eigen::MatrixXd& B, Team& team)
+{
+    Solution<columns>(tree, factor, {B.data(), B.rows(), B.cols()}).run(team);
+}
 
 } // namespace
 
 Eigen::MatrixXd solve_fronts(const FrontTree& tree, const FrontFactor& factor, Eigen::MatrixXd B, Team& team)
 {
-    Solution(tree, factor, B).run(team);
+    if (B.cols() == 1) run<1>(tree, factor, B, team);
+    else run<Eigen::Dynamic>(tree, factor, B, team);
     return B;
 }
 
