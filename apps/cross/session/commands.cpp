@@ -272,6 +272,12 @@ void add_show_commands(CommandTable& table)
                .shortcuts = {{Key::F, {}}},
                .run = [](Desk& desk) { desk.session.look.fractions = !desk.session.look.fractions; },
                .is_on = [](const Desk& desk) { return desk.session.look.fractions; }});
+    table.add({.id = "show.shears",
+               .menu = show_menu,
+               .label = translatable("Shears and reactions"),
+               .shortcuts = {{Key::V, {}}},
+               .run = [](Desk& desk) { desk.session.look.shears = !desk.session.look.shears; },
+               .is_on = [](const Desk& desk) { return desk.session.look.shears; }});
 }
 
 void add_view_commands(CommandTable& table)

@@ -37,7 +37,8 @@ Drawn draw(ui::Painter& painter, const Scene& scene)
     if (scene.paper != nullptr) return draw_exercise(painter, scene);
     const ui::Theme theme = scene.look.full_theme();
     const frame::StructureShape shape = frame::shape_of(scene.document.model);
-    const Panels panels = panels_for(shape, painter.size(), theme, scene.look.zoom);
+    Panels panels = panels_for(shape, painter.size(), theme, scene.look.zoom);
+    if (scene.look.shears) make_room_for_reactions(panels, shape, theme);
     draw_borders(painter, panels, theme);
     drawn.loads = draw_loaded(painter, panels.structure, scene).loads;
     drawn.corner = panels.structure.box.min;
@@ -45,7 +46,8 @@ Drawn draw(ui::Painter& painter, const Scene& scene)
     for (std::size_t n = 0; n < shape.nodes.size(); ++n)
         drawn.nodes.push_back({femoop::NodeId(n), panels.structure.at(shape.nodes[n])});
     draw_deformed_state(painter, panels.deformed, scene);
-    draw_moment_state(painter, panels.moments, scene);
+    if (scene.look.shears) draw_shear_state(painter, panels.moments, scene);
+    else draw_moment_state(painter, panels.moments, scene);
     draw_sheet(painter, panels.sheet, scene);
     const auto& joints = scene.solution.task->problem.joints;
     for (std::size_t j = 0; j < joints.size(); ++j)

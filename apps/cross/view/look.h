@@ -30,6 +30,7 @@ Zoom moved(const Zoom& zoom, Eigen::Vector2d own_middle, Eigen::Vector2d by);
 struct Look {
     Signs signs = Signs::JointRotation;
     bool fractions = false; ///< numbers that are simple fractions are written as such
+    bool shears = false;    ///< and reactions, in place of the moment diagram
     ui::ThemeName theme = ui::ThemeName::Light;
     Zoom zoom{};
     double size = 1.0; ///< > 0, of type, lines and symbols; 1 is the theme's own

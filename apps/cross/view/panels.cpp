@@ -195,6 +195,26 @@ Panels panels_for(const frame::StructureShape& shape, ui::Size sheet, const ui::
     return panels;
 }
 
+void make_room_for_reactions(Panels& panels, const frame::StructureShape& shape, const ui::Theme& theme)
+{
+    Panel& panel = panels.moments;
+    if (panel.is_zoomed) return;
+    const Extent extent = extent_of(shape);
+    const double em = theme.type().normal;
+    const ui::Size size = panel.box.size();
+    panel.ems_high = 13.0;
+    if (panels.is_stacked) {
+        panel.camera = beam_camera(extent, size, std::min(4.6 * em, 0.1 * size.width), 0.45 * size.height);
+        return;
+    }
+    const double side = std::min(9.0 * em, 0.32 * size.width);
+    panel.camera.fit(std::array{extent.low, extent.high}, size,
+                     {.left = side,
+                      .top = std::min(5.2 * em, 0.24 * size.height),
+                      .right = side,
+                      .bottom = std::min(8.0 * em, 0.34 * size.height)});
+}
+
 ui::Theme theme_in(const Panel& panel, const Look& look)
 {
     constexpr double enough = 24.0, least_type = 11.0; // of the panel's width in ems

@@ -31,6 +31,8 @@ struct Panels {
 
 /// A structure so much longer than high is drawn as a beam, each picture below the other, which zooms along its axis.
 Panels panels_for(const frame::StructureShape& shape, ui::Size sheet, const ui::Theme& theme, const Zoom& zoom = {});
+/// The picture of the moments drawn smaller or higher, so that arrows of reactions find room; a zoomed one stays.
+void make_room_for_reactions(Panels& panels, const frame::StructureShape& shape, const ui::Theme& theme);
 /// The middle of the structure's extent.
 Eigen::Vector2d middle_of(const frame::StructureShape& shape);
 

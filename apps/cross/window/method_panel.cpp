@@ -126,7 +126,8 @@ void MethodPanel::show(Desk& desk, const CommandTable& commands)
     if (session.sheet() != nullptr) show_tolerance(desk);
     ImGui::Spacing();
     ImGui::Separator();
-    for (const char* const id : {"method.modified", "show.tension_side", "show.fractions"}) tick(desk, commands, id);
+    for (const char* const id : {"method.modified", "show.tension_side", "show.fractions", "show.shears"})
+        tick(desk, commands, id);
     if (session.solution().task) show_branches(session);
 }
 

@@ -123,6 +123,13 @@ TEST_CASE("In fractions factors and moments are exact")
     check("cross_fractions", starting_document(), {.n_turns = 2, .look = look});
 }
 
+TEST_CASE("Shears and reactions of a state with locked joints stand where the moments were")
+{
+    Look look;
+    look.shears = true;
+    check("cross_shears", starting_document(), {.n_turns = 2, .look = look});
+}
+
 TEST_CASE("By the tension side both ends of a joint have one sign")
 {
     Look look;
