@@ -34,7 +34,7 @@ void SolverShow::follow(const Session& session)
     why_none_ = why_not_trace(session);
     trace_.reset();
     if (!why_none_) trace_ = femoop::trace_solver(session.model());
-    go_to(step_);
+    if (n_steps() > 0) go_to(step_); // else it waits for the front to come back
 }
 
 femoop::Ordering SolverShow::ordering() const

@@ -48,7 +48,7 @@ void show_slider(SolverShow& show)
 {
     int step = static_cast<int>(show.step()) + 1;
     ImGui::SetNextItemWidth(14.0F * ImGui::GetFontSize());
-    if (ImGui::SliderInt("###step", &step, 1, static_cast<int>(show.n_steps()), "%d", ImGuiSliderFlags_AlwaysClamp))
+    if (ImGui::SliderInt("###step", &step, 1, static_cast<int>(show.n_steps()), "%d", ImGuiSliderFlags_NoInput))
         go_by_hand(show, static_cast<std::size_t>(step - 1));
     ImGui::SameLine(0.0F, ImGui::GetFontSize());
 }

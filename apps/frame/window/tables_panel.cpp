@@ -111,7 +111,9 @@ void TablesPanel::show(Desk& desk, ui::ImGuiSession& gui, const ui::Fonts& fonts
     }
     const bool is_over = ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
                                                 ImGuiHoveredFlags_AllowWhenBlockedByPopup);
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !is_over) leave();
+    const bool is_clicked = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+    if (is_clicked && !is_over) leave();
+    if (is_clicked && is_over && !shows_table(desk)) has_keyboard_ = true;
     ImGui::PopStyleVar();
     ImGui::EndChild();
     ImGui::PopStyleVar();

@@ -43,7 +43,7 @@ public:
                            front.n_rows(), front.n_entries(), front.n_update_entries(), front.n_waiting,
                            front.parent == EliminationWalk::none ? "-" : std::to_string(front.parent + 1)});
         }
-        return section(fill(tr_("The front walks, in the order of {0}"), {words_}), table, tr_);
+        return section(fill(tr_("The front walks, in {0} order"), {words_}), table, tr_);
     }
 
     std::string factor() const
@@ -52,9 +52,9 @@ public:
         if (!by_unknowns && walk_.order.size() > most_columns)
             return "\n" + tr_("L has too many columns to be written in letters; draw it with -o.") + "\n";
         std::string text = "\n" +
-                           fill(by_unknowns ? tr_("L in the order of {0}: an x where K has an entry, an o where "
+                           fill(by_unknowns ? tr_("L in {0} order: an x where K has an entry, an o where "
                                                   "elimination fills one in")
-                                            : tr_("L by blocks, in the order of {0}: an x where K has entries, "
+                                            : tr_("L by blocks, in {0} order: an x where K has entries, "
                                                   "an o where elimination fills some in"),
                                 {words_}) +
                            "\n";
@@ -175,7 +175,7 @@ std::string choice(const SolverTrace& trace, const Translator& tr)
         return "\n" + fill(tr("Chosen: {0}, in an order of its own that is none of these."), {solver}) + "\n";
     const EliminationCounts& counts = trace.walk(*trace.ordering).counts;
     const double taken = trace.solver == SolverKind::Skyline ? counts.n_profile_operations : counts.n_operations;
-    std::string text = "\n" + fill(tr("Chosen: {0}, in the order of {1}: {2} operations."),
+    std::string text = "\n" + fill(tr("Chosen: {0}, in {1} order: {2} operations."),
                                    {solver, ordering_words(*trace.ordering, tr), std::to_string(whole(taken))});
     if (trace.wanted != SolverKind::Automatic) return text + "\n";
     return text + "\n" +

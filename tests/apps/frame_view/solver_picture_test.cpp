@@ -91,6 +91,24 @@ TEST_SUITE("frame: the solver at work")
         CHECK(last.has_text("Eliminated: F5, A6, B6, C6, D6, E6, F6; left: –"));
     }
 
+    TEST_CASE("Long names are cut short, and constraints are told of")
+    {
+        const ui::Fonts fonts;
+        femoop::Model model = view_test::example("storey_frame");
+        for (femoop::Node& node : model.nodes) node.id = "ação " + std::string(60, 'W') + node.id;
+        for (femoop::Member& member : model.members) member.inextensible = true;
+        const femoop::SolverTrace trace = femoop::trace_solver(model);
+        for (const Ordering ordering : femoop::all_orderings) {
+            const ui::Size size{1280.0, 800.0};
+            const auto drawn = marks(trace, size, look(ui::ThemeName::Projector, ordering, 14), fonts);
+            CHECK(drawn.has_text("756 entries of K, before constraints make unknowns follow others"));
+            for (const auto& text : drawn.texts) {
+                CAPTURE(text.words);
+                CHECK(ui::Box{{0.0, 0.0}, {size.width, size.height}}.grown(1.0).contains(text.box));
+            }
+        }
+    }
+
     TEST_CASE("A system that is too large, or has no unknowns, is told of in a sentence")
     {
         const ui::Fonts fonts;

@@ -53,9 +53,9 @@ private:
         const ui::LayerScope layer(painter_, ui::Layer::Labels);
         ui::TextStyle title = scene_.small(Role::Label, Anchor::TopLeft);
         if (is_shown()) title.weight = ui::Weight::Bold;
-        const std::string chosen = scene_.trace().ordering == ordering_ ? " ✓" : "";
+        const std::string chosen = !scene_.trace().has_constraints && scene_.trace().ordering == ordering_ ? " ✓" : "";
         const std::string name = femoop::ordering_words(ordering_, scene_.tr()) + chosen;
-        painter_.text(box_.min, name, fitted(name, title, box_.width()));
+        painter_.text(box_.min, name, scene_.fitted(name, title, 0.97 * box_.width()));
         const femoop::EliminationCounts& counts = walk_.counts;
         write_count(0, ui::translatable("{n} entries"), counts.n_entries);
         write_count(1, ui::translatable("{n} filled in"), counts.n_fill());
@@ -68,14 +68,8 @@ private:
         const ui::TextStyle style = scene_.small(Role::FaintLabel, Anchor::TopRight);
         const double top = 1.3 * line * style.size;
         const double room = box_.width() - top - 1.7 * style.size;
-        painter_.text({box_.max.x, corner_.y + top}, words, fitted(words, style, room));
+        painter_.text({box_.max.x, corner_.y + top}, words, scene_.fitted(words, style, 0.97 * room));
     }
-    ui::TextStyle fitted(const std::string& words, ui::TextStyle style, double width) const
-    {
-        style.size *= std::clamp(0.97 * width / std::max(painter_.measure(words, style).width, 1.0), 0.1, 1.0);
-        return style;
-    }
-
     // Columns that are eliminated before and in this step.
     void draw_progress() const
     {
@@ -129,8 +123,11 @@ private:
 void draw_factors(const SolverScene& scene, const ui::Box& box)
 {
     const ui::Catalogue& tr = scene.tr();
-    const std::string note = tr("{entries} entries of K; ✓ the solver's own order",
-                                {{"entries", std::to_string(scene.walk().counts.n_entries_of_K)}});
+    const std::string entries = std::to_string(scene.walk().counts.n_entries_of_K);
+    const std::string note = scene.trace().has_constraints
+                                 ? tr("{entries} entries of K, before constraints make unknowns follow others",
+                                      {{"entries", entries}})
+                                 : tr("{entries} entries of K; ✓ the solver's own order", {{"entries", entries}});
     const ui::Box room = scene.draw_title(box, tr("L in four orders"), note);
     const double gap = scene.px(10.0);
     const auto size_of = [&](std::size_t n_columns) {

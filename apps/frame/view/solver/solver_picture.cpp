@@ -65,7 +65,8 @@ double draw_head(const SolverScene& scene)
         painter.text({after, margin + title.size - style.size}, sentence, style);
         return margin + 1.9 * title.size;
     }
-    painter.text({margin, margin + 1.4 * title.size}, sentence, style);
+    painter.text({margin, margin + 1.4 * title.size}, sentence,
+                 scene.fitted(sentence, style, painter.size().width - 2.0 * margin));
     return margin + 1.9 * title.size + 1.3 * style.size;
 }
 

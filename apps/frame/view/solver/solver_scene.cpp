@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/paint/wrapped_lines.h"
+#include "ui/text/shortened.h"
 
 namespace frame {
 
@@ -13,7 +14,7 @@ using ui::Role;
 
 namespace {
 
-constexpr std::size_t most_names = 8;
+constexpr std::size_t most_names = 8, most_letters = 12;
 
 std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
@@ -58,6 +59,17 @@ std::string SolverScene::names(std::span<const EliminationWalk::Entry> entries) 
     std::vector<std::string> list;
     for (const EliminationWalk::Entry& entry : entries) list.push_back(name_at(entry.row));
     return joined(list);
+}
+
+std::string SolverScene::name_of(std::int32_t block) const
+{
+    return ui::shortened(trace_.blocks[index(block)].name, most_letters);
+}
+
+ui::TextStyle SolverScene::fitted(const std::string& words, ui::TextStyle style, double width) const
+{
+    style.size *= std::clamp(width / std::max(painter_.measure(words, style).width, 1.0), 0.1, 1.0);
+    return style;
 }
 
 ui::TextStyle SolverScene::small(Role role, Anchor anchor) const

@@ -35,15 +35,15 @@ public:
     const femoop::EliminationWalk::Front& front() const { return walk_.fronts[step_]; }
     BlockState state(std::int32_t block) const { return states_[static_cast<std::size_t>(block)]; }
     std::int32_t block_at(std::int32_t place) const { return walk_.order[static_cast<std::size_t>(place)]; }
-    const std::string& name_at(std::int32_t place) const
-    {
-        return trace_.blocks[static_cast<std::size_t>(block_at(place))].name;
-    }
+    std::string name_of(std::int32_t block) const; ///< cut short where it is long
+    std::string name_at(std::int32_t place) const { return name_of(block_at(place)); }
     std::string names(std::int32_t first, std::int32_t end) const; ///< of places; of many only the first
     std::string names(std::span<const femoop::EliminationWalk::Entry> entries) const;
 
     double px(double logical) const { return logical * theme().symbol_scale(); } ///< in the theme's symbol size
     ui::TextStyle small(ui::Role role, ui::Anchor anchor) const;
+    /// The style, smaller where the words would be broader than the width.
+    ui::TextStyle fitted(const std::string& words, ui::TextStyle style, double width) const;
     /// A disc for what is eliminated now, a square for what is left, a ring for what was, a dot for what was not met, a
     /// small square for what waits elsewhere, a cross for what is held.
     void draw_mark(BlockState state, ui::Point at, double radius) const;

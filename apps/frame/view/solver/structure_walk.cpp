@@ -176,7 +176,8 @@ private:
             ui::TextStyle style = scene_.small(state == BlockState::Done ? Role::FaintLabel : Role::Label,
                                                Anchor::BottomLeft);
             if (state == BlockState::Eliminated || state == BlockState::Left) style.weight = ui::Weight::Bold;
-            painter_.text(places_[b] + Point{0.9 * radius_, -0.9 * radius_}, trace().blocks[b].name, style);
+            painter_.text(places_[b] + Point{0.9 * radius_, -0.9 * radius_},
+                          scene_.name_of(static_cast<std::int32_t>(b)), style);
         }
     }
 
