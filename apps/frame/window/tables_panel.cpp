@@ -110,7 +110,8 @@ void TablesPanel::show(Desk& desk, ui::ImGuiSession& gui, const ui::Fonts& fonts
     case BottomContent::Solver: solver_panel(desk, gui, fonts); break;
     }
     const bool is_over = ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
-                                                ImGuiHoveredFlags_AllowWhenBlockedByPopup);
+                                                ImGuiHoveredFlags_AllowWhenBlockedByPopup |
+                                                ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
     const bool is_clicked = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
     if (is_clicked && !is_over) leave();
     if (is_clicked && is_over && !shows_table(desk)) has_keyboard_ = true;
