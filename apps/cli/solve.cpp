@@ -81,7 +81,7 @@ HelpText Solve::help(const ui::Catalogue& tr) const
           tr("Five files for a spreadsheet in the folder results.")},
          {"cremona solve examples/portal.json --trace BC",
           tr("How member BC enters the system: its stiffness, its rotation, its fixed-end forces, its places.")},
-         {"cremona solve examples/portal.json --trace-solver",
+         {"cremona solve examples/storey_frame.json --trace-solver",
           tr("Which solver and which order are chosen, and how the front walks over the structure.")},
          {"cremona solve examples/portal.json --describe",
           tr("The structure and its results in sentences, for a screen reader.")},

@@ -23,7 +23,7 @@ void SolverTraceOptions::declare(CLI::App& app, const ui::Catalogue& tr)
     app.add_option("--step", step_, tr("with --trace-solver: the front that is shown more closely, from 1"))
         ->option_text("N");
     app.add_option("-o,--output", out_,
-                   tr("with --trace-solver: draws the step too; the extension chooses the kind: .png, .svg or .pdf"))
+                   tr("with --trace-solver: draw the step too; the extension chooses the kind: .png, .svg or .pdf"))
         ->option_text("OUT");
     app.add_option("--size", size_, tr("width and height in pixels (default 1280x800)"))->option_text("WxH");
     app.add_option("--scale", scale_,

@@ -53,13 +53,34 @@ void show_slider(SolverShow& show)
     ImGui::SameLine(0.0F, ImGui::GetFontSize());
 }
 
+/// Of all orders as buttons beside one another.
+float width_of_orders(const ui::Catalogue& tr)
+{
+    const ImGuiStyle& style = ImGui::GetStyle();
+    float width = 0.0F;
+    for (const femoop::Ordering ordering : femoop::all_orderings)
+        width += ImGui::CalcTextSize(femoop::ordering_words(ordering, tr).c_str()).x + ImGui::GetFrameHeight() +
+                 style.ItemInnerSpacing.x + style.ItemSpacing.x;
+    return width;
+}
+
 void show_orders(SolverShow& show, const ui::Catalogue& tr)
 {
-    for (const femoop::Ordering ordering : femoop::all_orderings) {
-        const std::string label = femoop::ordering_words(ordering, tr) + "###" + std::string(name(ordering));
-        if (ImGui::RadioButton(label.c_str(), show.ordering() == ordering)) show.choose(ordering);
-        ImGui::SameLine();
+    const auto label = [&](femoop::Ordering ordering) {
+        return femoop::ordering_words(ordering, tr) + "###" + std::string(name(ordering));
+    };
+    if (width_of_orders(tr) < ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight()) {
+        for (const femoop::Ordering ordering : femoop::all_orderings) {
+            if (ImGui::RadioButton(label(ordering).c_str(), show.ordering() == ordering)) show.choose(ordering);
+            ImGui::SameLine();
+        }
+        return;
     }
+    ImGui::SetNextItemWidth(15.0F * ImGui::GetFontSize());
+    if (!ImGui::BeginCombo("###order", femoop::ordering_words(show.ordering(), tr).c_str())) return;
+    for (const femoop::Ordering ordering : femoop::all_orderings)
+        if (ImGui::Selectable(label(ordering).c_str(), show.ordering() == ordering)) show.choose(ordering);
+    ImGui::EndCombo();
 }
 
 /// At the right end of the bar.

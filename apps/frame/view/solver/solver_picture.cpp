@@ -89,9 +89,9 @@ public:
         double width = 0.0;
         for (const auto& [state, words] : states) width += width_of(words);
         for (const std::string& words : entries) width += width_of(words);
-        // As small as one line needs, down to two thirds.
+        // A little smaller where that saves a line.
         const double room = scene_.painter().size().width - 2.0 * margin;
-        const double lines = std::ceil(width / (1.4 * room));
+        const double lines = std::ceil(width / (1.15 * room));
         style_.size *= std::min(1.0, 0.93 * lines * room / width);
         top_ = scene_.painter().size().height - margin - lines * 1.5 * style_.size;
         pen_ = {margin, top_ + 0.75 * style_.size};
