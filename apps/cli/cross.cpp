@@ -127,10 +127,9 @@ Procedure Cross::procedure(const Model& model, const Problem& problem, const std
     if (block) procedure = procedure_of(model, problem, *block);
     if (order_) {
         if (order_->empty())
-            throw UsageError(tr("{option}: found \"{found}\", wanted one of {names}",
-                                {{"option", "--order"},
-                                 {"found", ""},
-                                 {"names", "largest, left-to-right, all-at-once, A,C,B"}}));
+            throw UsageError(
+                tr("{option}: found \"{found}\", wanted one of {names}",
+                   {{"option", "--order"}, {"found", ""}, {"names", "largest, left-to-right, all-at-once, A,C,B"}}));
         set_order(procedure, *order_, model, problem);
         procedure.balances.reset();
     }

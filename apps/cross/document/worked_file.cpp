@@ -166,8 +166,7 @@ std::optional<std::string> worked_json(const Document& document)
     const auto is_empty = [](const Play& play) { return play.branches().empty(); };
     if (document.pupil || std::ranges::all_of(document.plays, is_empty)) return std::nullopt;
     try {
-        const fc::Problem problem = fc::problem_of(document.model, document.method.load_case,
-                                                   document.method.far_ends);
+        const fc::Problem problem = fc::problem_of(document.model, document.method.load_case, document.method.far_ends);
         const std::vector<std::string> joints = fc::joint_names(document.model, problem);
         std::string plays;
         for (const Play& play : document.plays) plays += (plays.empty() ? "" : ", ") + json_of(play, joints);
