@@ -57,7 +57,7 @@ TEST_SUITE("solver trace")
                 CAPTURE(seed);
                 const Model model = random_structure(kind, seed);
                 const SolverTrace trace = trace_solver(model);
-                const AnalysisStatistics& statistics = LinearStatic(model).statistics();
+                const AnalysisStatistics statistics = LinearStatic(model).statistics();
                 CHECK(trace.blocks.size() == trace.graph.n_blocks());
                 if (trace.has_details()) CHECK(unknowns(trace).size() == trace.n_unknowns());
                 for (std::size_t b = 0; trace.has_details() && b < trace.blocks.size(); ++b)
