@@ -68,8 +68,8 @@ std::string_view pattern(FaultKind kind)
                "and "
                "their units";
     case FaultKind::MemoryInsufficient:
-        return "a system of {0} equations takes {1} GB of memory to solve, and {2} GB are free; close other programs or "
-               "make the model smaller";
+        return "a system of {0} equations takes {1} GB of memory to solve, and {2} GB are free; close other "
+               "programs or make the model smaller";
     case FaultKind::NearlySingular:
         return "structure is nearly a mechanism: condition estimate {0}, softest at {1}; results may have few correct "
                "digits; check supports, releases and very small stiffnesses";
