@@ -16,7 +16,7 @@ STANDARD = re.compile(r"[a-z_0-9]+$")  # <vector>, <cmath>: no slash and no ".h"
 
 EIGEN = re.compile(r"Eigen/")
 JSON = re.compile(r"nlohmann/")
-CHOLMOD = re.compile(r"(suitesparse/)?(cholmod|SuiteSparse_config|cblas)")
+SPARSE = re.compile(r"(suitesparse/)?(cholmod|SuiteSparse_config|cblas|metis)")
 FONTS_AND_CAIRO = re.compile(r"cairo|ft2build|freetype/|fontconfig/|png\.h$")
 WINDOW = re.compile(r"(imgui|imstb_|GLFW/|GL/|EGL/|GLES)")
 OPTIONS = re.compile(r"CLI/")
@@ -29,7 +29,7 @@ ALLOWED = {
     "topology": ["topology/"],
     "femoop": ["femoop/", EIGEN],
     "femoop/io": ["femoop/", EIGEN, JSON, SYSTEM],
-    "femoop/solver": ["femoop/", EIGEN, CHOLMOD, SYSTEM],
+    "femoop/solver": ["femoop/", EIGEN, SPARSE, SYSTEM],
     "ui": ["ui/", WINDOW, FONTS_AND_CAIRO, SYSTEM],
     "ui/app": ["ui/", WINDOW, OPTIONS],
     "ui/paint": ["ui/paint/", FONTS_AND_CAIRO],
@@ -212,9 +212,10 @@ class Rules(unittest.TestCase):
                   "femoop/io/CMakeLists.txt": "target_sources(femoop PUBLIC FILE_SET HEADERS FILES read.h)"}
         self.assertEqual(check(public), ["femoop/io/read.h: a public header includes nlohmann-json"])
 
-    def test_cholmod_stays_in_the_solver(self):
+    def test_cholmod_and_metis_stay_in_the_solver(self):
         self.assert_refused("femoop/analysis/linear_static.cpp", "#include <cholmod.h>")
         self.assert_allowed("femoop/solver/cholmod_solver.cpp", "#include <suitesparse/cholmod.h>")
+        self.assert_allowed("femoop/solver/metis_ordering.cpp", "#include <metis.h>")
 
     def test_an_app_does_not_know_another_app(self):
         self.assert_refused("apps/cross/document.h", '#include "apps/frame/document.h"')

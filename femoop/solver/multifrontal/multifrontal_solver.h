@@ -9,6 +9,8 @@ namespace femoop {
 /// Ours: dense fronts up the elimination tree (multifrontal/front_tree.h), K = L D L'. Threads work on subtrees at a
 /// time; results are the same bit for bit whatever their number. Where signs may be any, pivots are exchanged within
 /// their front; one that is zero in all of its front ends the factorization.
+///
+/// Source  [DuffReid1983], exchanges [BunchKaufman1977]
 class MultifrontalSolver final : public SymmetricSolver {
 public:
     MultifrontalSolver(); ///< a thread for every processor
