@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "femoop/solver/index.h"
+#include "femoop/solver/multifrontal/numbers.h"
 #include "femoop/solver/multifrontal/schedule.h"
 
 namespace femoop {
@@ -22,7 +23,7 @@ public:
           fronts_(tree.fronts()),
           factor_(factor),
           X_(X),
-          carried_(tree.n_rows() * static_cast<std::size_t>(X.cols()))
+          carried_(make_numbers(tree.n_rows() * static_cast<std::size_t>(X.cols())))
     {}
 
     void run(Team& team)
@@ -45,7 +46,7 @@ private:
     /// A right-hand side for the rows of a front: of its pivots, and what it hands to its parent.
     Block block(const Front& front)
     {
-        return {carried_.data() + front.first_row * static_cast<std::size_t>(X_.cols()), front.n_rows, X_.cols()};
+        return {carried_.get() + front.first_row * static_cast<std::size_t>(X_.cols()), front.n_rows, X_.cols()};
     }
     Eigen::Map<const Eigen::MatrixXd> columns(const Front& front) const
     {
@@ -128,7 +129,7 @@ private:
     const std::vector<Front>& fronts_;
     const FrontFactor& factor_;
     Eigen::Map<Columns> X_;
-    std::vector<double> carried_; ///< the blocks of all fronts
+    Numbers carried_; ///< the blocks of all fronts
 };
 
 template <int columns> void run(const FrontTree& tree, const FrontFactor& factor, Eigen::MatrixXd& B, Team& team)
