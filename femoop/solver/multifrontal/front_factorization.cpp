@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -10,7 +11,6 @@
 #include "femoop/solver/multifrontal/checkpoint.h"
 #include "femoop/solver/multifrontal/dense_front.h"
 #include "femoop/solver/multifrontal/front_memory.h"
-#include "femoop/solver/multifrontal/numbers.h"
 #include "femoop/solver/multifrontal/schedule.h"
 
 namespace femoop {
@@ -18,6 +18,7 @@ namespace femoop {
 namespace {
 
 using Front = FrontTree::Front;
+using Numbers = std::unique_ptr<double[]>;
 
 constexpr std::int32_t none = FrontTree::none;
 constexpr std::int32_t columns_at_once = 128; // of a large front that a member of the team assembles
@@ -25,7 +26,7 @@ constexpr std::int32_t columns_at_once = 128; // of a large front that a member 
 /// Memory that is taken and given back in the order of a stack.
 class Stack {
 public:
-    explicit Stack(std::size_t size) : numbers_(make_numbers(size)) {}
+    explicit Stack(std::size_t size) : numbers_(std::make_unique_for_overwrite<double[]>(size)) {}
     double* push(std::size_t n) { return numbers_.get() + std::exchange(top_, top_ + n); }
     double* pop(std::size_t n) { return numbers_.get() + (top_ -= n); }
 
@@ -80,7 +81,7 @@ private:
         std::vector<Bench> benches;
         for (int member = 0; member < team_.size(); ++member)
             benches.push_back({.stacks = {Stack(memory.stacks[0]), Stack(memory.stacks[1])},
-                               .workspace = make_numbers(memory.workspace),
+                               .workspace = std::make_unique_for_overwrite<double[]>(memory.workspace),
                                .place = std::vector<std::int32_t>(tree_.n_equations())});
         return benches;
     }
@@ -97,7 +98,7 @@ private:
 
     double* hand_up(std::int32_t f)
     {
-        handed_up_[at(f)] = make_numbers(update_size(fronts_[at(f)]));
+        handed_up_[at(f)] = std::make_unique_for_overwrite<double[]>(update_size(fronts_[at(f)]));
         return handed_up_[at(f)].get();
     }
 

@@ -1,9 +1,9 @@
 #include "femoop/solver/multifrontal/front_solution.h"
 
+#include <memory>
 #include <vector>
 
 #include "femoop/solver/index.h"
-#include "femoop/solver/multifrontal/numbers.h"
 #include "femoop/solver/multifrontal/schedule.h"
 
 namespace femoop {
@@ -23,7 +23,7 @@ public:
           fronts_(tree.fronts()),
           factor_(factor),
           X_(X),
-          carried_(make_numbers(tree.n_rows() * static_cast<std::size_t>(X.cols())))
+          carried_(std::make_unique_for_overwrite<double[]>(tree.n_rows() * static_cast<std::size_t>(X.cols())))
     {}
 
     void run(Team& team)
@@ -129,7 +129,7 @@ private:
     const std::vector<Front>& fronts_;
     const FrontFactor& factor_;
     Eigen::Map<Columns> X_;
-    Numbers carried_; ///< the blocks of all fronts
+    std::unique_ptr<double[]> carried_; ///< the blocks of all fronts
 };
 
 template <int columns> void run(const FrontTree& tree, const FrontFactor& factor, Eigen::MatrixXd& B, Team& team)

@@ -34,7 +34,7 @@ void MultifrontalSolver::analyse_ordered(Pattern pattern)
     tree_ = FrontTree({.column_start = pattern.column_start, .rows = pattern.rows});
     if (const double needed = predicted_bytes(), limit = memory_limit(); needed > limit)
         throw InsufficientMemory(needed, limit);
-    factor_.entries = make_numbers(tree_.n_entries());
+    factor_.entries = std::make_unique_for_overwrite<double[]>(tree_.n_entries());
 }
 
 Pivots MultifrontalSolver::factorize_ordered(const SparseMatrix& K, Signs signs)
