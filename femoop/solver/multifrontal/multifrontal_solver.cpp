@@ -22,18 +22,14 @@ MultifrontalSolver::MultifrontalSolver(int n_threads) : n_threads_(n_threads) {}
 
 int MultifrontalSolver::team_for(double n_operations) const { return n_operations < worth_threads ? 1 : n_threads_; }
 
-double MultifrontalSolver::predicted_bytes() const
-{
-    const int n_members = team_for(tree_.n_operations());
-    return FrontMemory(tree_, Schedule(tree_, n_members), Depths(tree_.fronts())).bytes(tree_, n_members);
-}
-
 void MultifrontalSolver::analyse_ordered(Pattern pattern)
 {
     factor_ = {};
     tree_ = FrontTree({.column_start = pattern.column_start, .rows = pattern.rows});
-    if (const double needed = predicted_bytes(), limit = memory_limit(); needed > limit)
-        throw InsufficientMemory(needed, limit);
+    const int n_members = team_for(tree_.n_operations());
+    predicted_bytes_ = FrontMemory(tree_, Schedule(tree_, n_members), Depths(tree_.fronts())).bytes(tree_, n_members);
+    if (const double limit = memory_limit(); predicted_bytes_ > limit)
+        throw InsufficientMemory(predicted_bytes_, limit);
     factor_.entries = std::make_unique_for_overwrite<double[]>(tree_.n_entries());
 }
 

@@ -18,7 +18,7 @@ public:
 
     std::size_t factor_nonzeros() const override { return tree_.n_entries(); }
     double predicted_operations() const override { return tree_.n_operations(); }
-    double predicted_bytes() const override;
+    double predicted_bytes() const override { return predicted_bytes_; }
     std::string_view name() const override { return "multifrontal"; }
 
 private:
@@ -29,6 +29,7 @@ private:
 
     int n_threads_;
     FrontTree tree_;
+    double predicted_bytes_ = 0.0;
     FrontFactor factor_;
 };
 
