@@ -321,7 +321,7 @@ std::string Session::file_name() const { return path_ ? path_->filename().string
 
 void Session::tick(double seconds)
 {
-    if (notice && (notice->seconds_left -= seconds) <= 0.0) notice.reset();
+    ui::tick(notice, seconds);
     if (phase_ < 1.0) {
         phase_ = std::min(1.0, phase_ + seconds / seconds_of_a_turn);
         find_state();

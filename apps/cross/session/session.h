@@ -11,15 +11,12 @@
 #include "apps/cross/view/scene.h"
 #include "ui/files/autosave.h"
 #include "ui/history/history.h"
+#include "ui/text/notice.h"
 #include "ui/text/phrase.h"
 
 namespace cross {
 
-/// Something that the app tells its user: one sentence, gone when it has been read.
-struct Notice {
-    ui::Phrase sentence;
-    double seconds_left = 6.0;
-};
+using ui::Notice;
 
 /// What is open, how far it is worked and how it is looked at: the app without its window.
 class Session {

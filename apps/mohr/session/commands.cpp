@@ -1,9 +1,10 @@
 #include "apps/mohr/session/commands.h"
 
-#include "ui/desk/file_commands.h"
 #include <algorithm>
 #include <array>
 #include <numbers>
+
+#include "ui/desk/file_commands.h"
 
 namespace mohr {
 

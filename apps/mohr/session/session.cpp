@@ -262,7 +262,7 @@ std::string Session::file_name() const { return path_ ? path_->filename().string
 
 void Session::tick(double seconds)
 {
-    if (notice && (notice->seconds_left -= seconds) <= 0.0) notice.reset();
+    ui::tick(notice, seconds);
     if (path_time_) follow_path(seconds);
     if (!is_playing) return;
     drag(with_angle(document(), document().angle + turning_speed * seconds), translatable("Turn the plane"));

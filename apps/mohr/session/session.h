@@ -9,14 +9,11 @@
 #include "apps/mohr/session/practice.h"
 #include "ui/files/autosave.h"
 #include "ui/history/history.h"
+#include "ui/text/notice.h"
 
 namespace mohr {
 
-/// Something that the app tells its user: one sentence, gone when it has been read.
-struct Notice {
-    ui::Phrase sentence;
-    double seconds_left = 6.0;
-};
+using ui::Notice;
 
 /// What is open and how it is looked at: the app without its window.
 class Session {
