@@ -78,9 +78,9 @@ TEST_CASE("K - s M has as many negative pivots as there are eigenvalues below s,
 {
     const GraphSystem system(grid(8, 3), Ordering::NestedDissection, 31);
     const Eigen::VectorXd M = Eigen::VectorXd::LinSpaced(system.K.cols(), 0.5, 2.0);
-    const Eigen::MatrixXd dense_M = M.asDiagonal();
+    const Eigen::MatrixXd mass = M.asDiagonal();
     const Eigen::VectorXd w =
-        Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(system.dense(), dense_M).eigenvalues();
+        Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(system.dense(), mass).eigenvalues();
     for (const SolverKind kind : {SolverKind::Multifrontal, SolverKind::Skyline, SolverKind::Ldlt}) {
         CAPTURE(name(kind));
         const auto solver = make_solver(kind);
