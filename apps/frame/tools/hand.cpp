@@ -80,6 +80,8 @@ bool Hand::type(const std::string& letters)
 
 void Hand::rub_out()
 {
+    const auto is_continued = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; };
+    while (!typed_.empty() && is_continued(typed_.back())) typed_.pop_back(); // the later bytes of a sign such as °
     if (!typed_.empty()) typed_.pop_back();
 }
 

@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include "apps/frame/document/number.h"
-#include "ui/text/number_format.h"
 
 namespace frame {
 
@@ -12,11 +11,16 @@ using Eigen::Vector2d;
 
 namespace {
 
+std::optional<double> number(std::string_view text, ui::Measure measure, const DrawingHand& hand)
+{
+    const auto typed = quantity_typed(text, measure, hand.file, hand.shown);
+    const auto* const quantity = std::get_if<femoop::Quantity>(&typed);
+    return quantity != nullptr ? std::optional(quantity->value()) : std::nullopt;
+}
+
 std::optional<double> length_typed(std::string_view text, const DrawingHand& hand)
 {
-    const auto typed = quantity_typed(text, ui::Measure::Length, hand.file, hand.shown);
-    const auto* const length = std::get_if<femoop::Quantity>(&typed);
-    return length != nullptr ? std::optional(length->value()) : std::nullopt;
+    return number(text, ui::Measure::Length, hand);
 }
 
 std::optional<Vector2d> pair(std::string_view text, const DrawingHand& hand)
@@ -33,7 +37,7 @@ std::optional<Vector2d> polar(std::string_view text, const DrawingHand& hand)
 {
     const std::size_t mark = text.find('<');
     const auto length = length_typed(text.substr(0, mark), hand);
-    const auto angle = ui::number_typed(text.substr(mark + 1));
+    const auto angle = number(text.substr(mark + 1), ui::Measure::Angle, hand);
     if (!length || !angle) return std::nullopt;
     // Whole quarters are exact: 4<90 lies straight above.
     const double quarter = std::remainder(*angle, 360.0) / 90.0;

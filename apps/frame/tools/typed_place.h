@@ -13,7 +13,8 @@ namespace frame {
 ///
 ///     6,4      x and y
 ///     @3,2     so far from where drawing began
-///     4<30     a length and an angle from +x in degrees, counter-clockwise, from where drawing began
+///     4<30     a length and an angle from +x, counter-clockwise, from where drawing began; in degrees, or with a unit
+///              of its own: `4<30°`, `4<30 deg`, `4<0.5 rad`
 ///     4        a length, towards the pointer
 ///
 /// Where the numbers have decimal commas a semicolon stands between them: `6,5;4`, `@3,25;2`, and `4,5<30`.

@@ -161,6 +161,27 @@ TEST_SUITE("frame tools")
         CHECK(typed("2,5<180") == Vector2d(-1.5, 2));
     }
 
+    TEST_CASE("The angle of a typed place may have a unit")
+    {
+        const frame::DrawingHand hand{.from = Vector2d(1, 2), .pointer = Vector2d(4, 6)};
+        const auto typed = [&](const char* text) { return frame::place_typed(text, hand); };
+        const Vector2d up(1, 6), slanting(1 + 4 * std::sqrt(0.75), 4);
+        for (const char* text : {"4<90 deg", "4<90°", "400 cm < 90 deg", "4<-270 deg", "4<180/2 °"}) {
+            CAPTURE(std::string(text));
+            CHECK(typed(text) == up);
+        }
+        for (const char* text : {"4<30 deg", "4<30°", "4 m<30 deg", "4<30,0°"}) {
+            CAPTURE(std::string(text));
+            REQUIRE(typed(text));
+            CHECK(typed(text)->isApprox(slanting));
+        }
+        CHECK(typed("4<0.5 rad")->isApprox(Vector2d(1 + 4 * std::cos(0.5), 2 + 4 * std::sin(0.5))));
+        for (const char* text : {"4<30 m", "4<30 deg deg", "4<deg", "4<1e999 deg", "4<30 grad"}) {
+            CAPTURE(std::string(text));
+            CHECK(!typed(text));
+        }
+    }
+
     TEST_CASE("What is no place is none, and a step needs a beginning")
     {
         const frame::DrawingHand hand{.from = Vector2d(1, 2), .pointer = Vector2d(4, 6)};
@@ -235,6 +256,9 @@ TEST_SUITE("frame tools")
         CHECK(hand.typed() == "4<");
         hand.rub_out();
         CHECK(hand.typed() == "4");
+        hand.type("<30°");
+        hand.rub_out();
+        CHECK(hand.typed() == "4<30");
     }
 
     TEST_CASE("A dimension line is drawn from node to node, then to where it runs; more nodes go on along it")
