@@ -12,11 +12,11 @@
 #include "ui/app/kept_files.h"
 #include "ui/app/overlays.h"
 #include "ui/app/picture_area.h"
+#include "ui/app/unsaved_changes.h"
 #include "ui/command/command_table.h"
 #include "ui/context/write_picture.h"
 #include "ui/widgets/command_menu.h"
 #include "ui/widgets/panel.h"
-#include "ui/widgets/unsaved_question.h"
 #include "ui/widgets/words_window.h"
 
 namespace ui {
@@ -116,6 +116,7 @@ private:
     const Fonts& fonts_;
     AppFace face_;
     Overlays overlays_;
+    UnsavedChanges unsaved_changes_;
     KeptFiles kept_files_{std::nullopt};
     ThemeName theme_;
     bool wants_to_quit_ = false;
@@ -235,13 +236,10 @@ template <class Desk> void DocumentApp<Desk>::show_dialogs()
 // What was asked for goes on once the changes are saved or given up.
 template <class Desk> void DocumentApp<Desk>::ask_about_unsaved()
 {
-    using enum UnsavedAnswer;
-    const auto answer = ui::ask_about_unsaved(session().file_name(), session().tr());
-    if (!answer) return;
+    const auto fate = unsaved_changes_.ask(desk_.session, overlays_, session().tr());
+    if (!fate) return;
     const auto then = std::exchange(desk_.after_question, {});
-    const auto& path = session().path();
-    if (*answer == Save && !path) desk_.asked.push_back(Request::SaveDialog);
-    if (*answer == GiveUp || (*answer == Save && path && desk_.session.save(*path))) then(desk_);
+    if (*fate != UnsavedChanges::Fate::Kept) then(desk_);
 }
 
 template <class Desk> std::optional<Phrase> DocumentApp<Desk>::write(const std::filesystem::path& path)

@@ -79,11 +79,13 @@ std::pair<std::string_view, std::string_view> first_word(std::string_view words)
     return {words.substr(0, blank), words.substr(std::min(blank + 1, words.size()))};
 }
 
-std::optional<Complaint> common_complaint(std::string_view expectation, const std::optional<Picture>& picture)
+std::optional<Complaint> common_complaint(std::string_view expectation, const App& app,
+                                          const std::optional<Picture>& picture)
 {
     const auto [what, rest] = first_word(expectation);
     if (what == "drawn") return drawn(picture, rest);
     if (what == "written") return written(rest);
+    if (what == "ends") return compared(what, yes_or_no(app.wants_to_quit()), std::string(rest));
     if (what == "not") return not_there(picture, rest);
     return std::nullopt;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "ui/app/app.h"
 #include "ui/paint/picture.h"
 #include "ui/text/catalogue.h"
 
@@ -23,9 +24,12 @@ std::pair<std::string_view, std::string_view> first_word(std::string_view words)
 ///
 ///     drawn "58.52"     not drawn "58.52"          a whole string of the picture
 ///     written all.csv "Node;x"     not written …   a file that was written, with this in it
+///     ends yes                                     the program would end now
 ///
 /// \returns nothing for words that are none of these, else the complaint
-std::optional<Complaint> common_complaint(std::string_view expectation, const std::optional<Picture>& picture);
+std::optional<Complaint> common_complaint(std::string_view expectation, const App& app,
+                                          const std::optional<Picture>& picture);
+inline constexpr std::string_view common_expectations = "drawn, not drawn, written, not written, ends";
 
 /// A word that stands for something of an app: "step" for how many turns are done.
 template <class Session> struct Fact {
@@ -55,7 +59,7 @@ public:
     Complaint complaint(std::string_view expectation, const Session& session) const
     {
         const auto [what, rest] = first_word(expectation);
-        std::string names = "drawn, not drawn, written, not written" + more_;
+        std::string names = std::string(common_expectations) + more_;
         for (const Fact<Session>& fact : facts_) {
             if (fact.name == what) return compared(what, fact.found(session), std::string(rest));
             names += ", " + std::string(fact.name);

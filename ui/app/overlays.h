@@ -36,6 +36,7 @@ public:
     bool take(Request request, const std::optional<std::filesystem::path>& file);
     /// The keys belong to what is open.
     bool takes_keys() const { return palette_.is_open() || path_dialog_.is_open(); }
+    bool shows_dialog() const { return path_dialog_.is_open(); } ///< of files
     /// What Escape does first: puts away what lies over the picture; false where nothing does.
     bool put_away();
 

@@ -108,7 +108,7 @@ void Application::frame(const ui::Input& input)
 // Files that were dropped on the window.
 void Application::take_files(const std::vector<std::string>& files)
 {
-    const bool is_choosing = desk_.typical.is_open() || desk_.section.is_open();
+    const bool is_choosing = desk_.typical.is_open() || desk_.section.is_open() || questions_.is_open();
     if (is_choosing && !files.empty()) return explain(translatable("finish what is being made in the window first"));
     for (const std::string& file : files) open_file(desk_, file);
 }
@@ -318,7 +318,7 @@ void Application::show_dialogs()
     tables_.show_dialog(desk_);
     if (overlays_.shows_description()) description_window(desk_, overlays_.shows_description());
     kept_files_.show(desk_);
-    if (!questions_.show(desk_)) return;
+    if (!questions_.show(desk_, overlays_)) return;
     kept_files_.end();
     wants_to_quit_ = true;
 }

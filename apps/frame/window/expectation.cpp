@@ -141,7 +141,7 @@ constexpr std::array facts{
 
 std::string names_of_facts()
 {
-    std::string names = "value, node, drawn, not drawn, written, not written";
+    std::string names = "value, node, " + std::string(ui::common_expectations);
     for (const Fact& fact : facts) names += ", " + std::string(fact.name);
     return names;
 }
@@ -178,7 +178,8 @@ std::optional<std::string> why_not(std::string_view expectation, const Applicati
     const std::string_view rest = expectation.substr(std::min(blank + 1, expectation.size()));
     if (what == "value") return value(application, rest);
     if (what == "node") return node(application, rest);
-    if (const auto complaint = ui::common_complaint(expectation, application.canvas().picture())) return *complaint;
+    if (const auto complaint = ui::common_complaint(expectation, application, application.canvas().picture()))
+        return *complaint;
     const auto fact = std::ranges::find(facts, what, &Fact::name);
     if (fact != facts.end()) return compared(what, fact->found(application), std::string(rest));
     return "expect: found \"" + std::string(what) + "\", wanted one of " + names_of_facts();

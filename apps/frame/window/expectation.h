@@ -16,6 +16,7 @@ namespace frame {
 ///     nodes 4     members 3     loads 5     dimensions 2     how many
 ///     drawn "58.52"     not drawn "58.52"      a string of the picture
 ///     written all.csv "Node;x"                 a file that was written, with this in it
+///     ends yes                                 the program would end now
 ///     undo Move: Node C     redo nothing       the step that would be taken back or done again
 ///     selection Node B, Member AB     case ULS     problems 0     notice nothing
 ///     tool draw.member     typed 4<30          what the hand holds, what is typed while drawing

@@ -1,7 +1,6 @@
 #include "apps/frame/window/questions.h"
 
 #include "apps/frame/session/tabs.h"
-#include "ui/widgets/unsaved_question.h"
 
 namespace frame {
 
@@ -18,11 +17,11 @@ std::optional<std::size_t> unsaved_tab(const Desk& desk)
 
 } // namespace
 
-bool Questions::show(Desk& desk)
+bool Questions::show(Desk& desk, ui::Overlays& overlays)
 {
     if (purpose_ == Purpose::None) return false;
-    if (desk.session.is_dirty()) {
-        ask(desk);
+    if (unsaved_changes_.is_naming() || desk.session.is_dirty()) {
+        ask(desk, overlays);
         return false;
     }
     return go_on(desk);
@@ -41,15 +40,12 @@ bool Questions::go_on(Desk& desk)
     return !unsaved;
 }
 
-void Questions::ask(Desk& desk)
+void Questions::ask(Desk& desk, ui::Overlays& overlays)
 {
-    const auto answer = ui::ask_about_unsaved(desk.session.file_name(), desk.session.view.tr);
-    const bool wants_to_save = answer == ui::UnsavedAnswer::Save;
-    const bool needs_a_name = wants_to_save && !desk.session.path();
-    const bool is_hindered = wants_to_save && !needs_a_name && !desk.session.save(*desk.session.path());
-    if (needs_a_name) desk.asked.push_back(ui::Request::SaveDialog);
-    if (needs_a_name || is_hindered || answer == ui::UnsavedAnswer::Cancel) purpose_ = Purpose::None;
-    if (answer != ui::UnsavedAnswer::GiveUp) return;
+    using enum ui::UnsavedChanges::Fate;
+    const auto fate = unsaved_changes_.ask(desk.session, overlays, desk.session.view.tr);
+    if (fate == Kept) purpose_ = Purpose::None;
+    if (fate != GivenUp) return;
     close_tab(desk);
     if (purpose_ == Purpose::Close) purpose_ = Purpose::None;
 }

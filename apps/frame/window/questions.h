@@ -3,6 +3,8 @@
 #include <cstdint>
 
 #include "apps/frame/session/commands.h"
+#include "ui/app/overlays.h"
+#include "ui/app/unsaved_changes.h"
 
 namespace frame {
 
@@ -15,15 +17,16 @@ public:
 
     /// Goes on with what was asked for: at once where nothing is unsaved, else with a question for each document.
     /// \returns true when the program may end
-    bool show(Desk& desk);
+    bool show(Desk& desk, ui::Overlays& overlays);
 
 private:
     enum class Purpose : std::uint8_t { None, Close, Quit };
 
     bool go_on(Desk& desk);
-    void ask(Desk& desk);
+    void ask(Desk& desk, ui::Overlays& overlays);
 
     Purpose purpose_ = Purpose::None;
+    ui::UnsavedChanges unsaved_changes_;
 };
 
 } // namespace frame
