@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "ui/widgets/item_label.h"
 #include "ui/widgets/modal_turn.h"
 
 namespace ui {
@@ -81,7 +82,7 @@ std::optional<std::filesystem::path> KeptFiles::chosen_file(const Catalogue& tr)
     std::optional<std::filesystem::path> chosen;
     for (std::size_t i = 0; !is_empty && i < recent_->paths().size(); ++i) {
         const std::filesystem::path& path = recent_->paths()[i];
-        if (ImGui::Selectable((name_and_folder(path) + "###" + std::to_string(i)).c_str())) chosen = path;
+        if (ImGui::Selectable(item_label(name_and_folder(path), std::to_string(i)).c_str())) chosen = path;
     }
     ImGui::Spacing();
     asks_for_recent_ = !(ImGui::Button((tr("Cancel") + "###cancel").c_str()) || is_escaped() || chosen);

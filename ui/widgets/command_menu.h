@@ -11,6 +11,7 @@
 
 #include "ui/command/command_table.h"
 #include "ui/text/catalogue.h"
+#include "ui/widgets/item_label.h"
 
 namespace ui {
 
@@ -18,7 +19,7 @@ namespace ui {
 template <class Session> void show_command(const Command<Session>& command, Session& session, const Catalogue& tr)
 {
     const std::optional<Phrase> reason = why_not(command, session);
-    const std::string name = label(command, session, tr) + "###" + std::string(command.id);
+    const std::string name = item_label(label(command, session, tr), command.id);
     const std::string keys = command.shortcuts.empty() ? "" : text(command.shortcuts.front());
     const bool is_on = command.is_on && command.is_on(session);
     if (ImGui::MenuItem(name.c_str(), keys.c_str(), is_on, !reason)) run(command, session);
@@ -33,7 +34,7 @@ template <class Desk> void command_button(Desk& desk, const CommandTable<Desk>& 
     const Catalogue tr = desk.tr(); // a command may change the language
     const auto reason = why_not(command, desk);
     ImGui::BeginDisabled(reason.has_value());
-    const bool is_clicked = ImGui::Button((label(command, desk, tr) + "###" + std::string(id)).c_str());
+    const bool is_clicked = ImGui::Button(item_label(label(command, desk, tr), id).c_str());
     ImGui::EndDisabled();
     if (reason && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip("%s", tr(*reason).c_str());

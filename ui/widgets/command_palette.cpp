@@ -2,6 +2,7 @@
 #include <imgui_stdlib.h>
 
 #include "ui/widgets/command_menu.h"
+#include "ui/widgets/item_label.h"
 
 namespace ui {
 
@@ -43,7 +44,7 @@ bool CommandPalette::show_line(std::size_t place, const Line& line)
 {
     const bool is_chosen = place == chosen_;
     const ImGuiSelectableFlags flags = line.can_run ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
-    const bool is_clicked = ImGui::Selectable(line.name.c_str(), is_chosen, flags);
+    const bool is_clicked = ImGui::Selectable(shown_whole(line.name).c_str(), is_chosen, flags);
     if (is_chosen && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
     if (!line.keys.empty()) {
         ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(line.keys.c_str()).x);

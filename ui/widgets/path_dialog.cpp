@@ -1,4 +1,5 @@
 #include "ui/widgets/path_dialog.h"
+#include "ui/widgets/item_label.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -69,7 +70,7 @@ bool PathDialog::show_list()
     if (folder_.has_parent_path() && folder_ != folder_.root_path() && ImGui::Selectable(".."))
         entered = folder_ / "..";
     for (const Entry& entry : entries_) {
-        const std::string label = entry.is_folder ? entry.name + "/" : entry.name;
+        const std::string label = shown_whole(entry.is_folder ? entry.name + "/" : entry.name);
         if (!ImGui::Selectable(label.c_str(), typed_ == entry.name, ImGuiSelectableFlags_AllowDoubleClick)) continue;
         if (entry.is_folder) entered = folder_ / entry.name;
         if (!entry.is_folder) typed_ = entry.name;

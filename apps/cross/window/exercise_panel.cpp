@@ -11,6 +11,7 @@
 #include "apps/cross/view/verdict_mark.h"
 #include "ui/text/number_format.h"
 #include "ui/widgets/command_menu.h"
+#include "ui/widgets/item_label.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace cross {
@@ -84,7 +85,7 @@ void show_mistakes(Session& session)
         if (session.cell() == id) continue;
         const std::string name = session.tr()(question(paper, session.document().model, id));
         ImGui::PushID(static_cast<int>(i));
-        if (ImGui::Selectable(name.c_str())) session.go_to_cell(id);
+        if (ImGui::Selectable(ui::shown_whole(name).c_str())) session.go_to_cell(id);
         ImGui::PopID();
         show_verdict(session, i);
     }
@@ -104,7 +105,7 @@ void show_stages(Session& session)
     if (session.paper()->n_stages() < 2) return;
     separate();
     for (std::size_t stage = 0; stage < session.paper()->n_stages(); ++stage) {
-        const std::string name = stage_name(session, stage) + "###paper stage" + std::to_string(stage);
+        const std::string name = ui::item_label(stage_name(session, stage), "paper stage" + std::to_string(stage));
         if (ImGui::RadioButton(name.c_str(), session.paper_stage() == stage)) session.show_paper_stage(stage);
     }
 }

@@ -7,6 +7,7 @@
 #include "apps/cross/session/own_order.h"
 #include "apps/cross/view/numbers.h"
 #include "ui/text/number_format.h"
+#include "ui/widgets/item_label.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace cross {
@@ -47,12 +48,13 @@ void show_cases(Session& session)
     if (method.load_case.index >= model.n_cases()) return;
     heading(session.tr()("Load case"));
     ImGui::SetNextItemWidth(-1.0F);
-    if (!ImGui::BeginCombo("###case", model.case_name(method.load_case).c_str())) return;
+    if (!ImGui::BeginCombo("###case", ui::shown_whole(model.case_name(method.load_case)).c_str())) return;
     const std::size_t n = model.n_cases();
     std::optional<femoop::CaseId> chosen;
-    for (std::size_t i = 0; i < n; ++i)
-        if (ImGui::Selectable(model.case_name(femoop::CaseId(i)).c_str(), method.load_case.index == i))
-            chosen = femoop::CaseId(i);
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::string label = ui::item_label(model.case_name(femoop::CaseId(i)), std::to_string(i));
+        if (ImGui::Selectable(label.c_str(), method.load_case.index == i)) chosen = femoop::CaseId(i);
+    }
     ImGui::EndCombo();
     if (!chosen) return;
     method.load_case = *chosen;
@@ -83,7 +85,7 @@ void show_stages(Session& session)
     heading(session.tr()("Sheet"));
     const std::size_t n = session.n_stages();
     for (std::size_t stage = 0; stage < n; ++stage) {
-        const std::string name = stage_name(session, stage) + "###stage" + std::to_string(stage);
+        const std::string name = ui::item_label(stage_name(session, stage), "stage" + std::to_string(stage));
         if (ImGui::RadioButton(name.c_str(), session.document().stage == stage)) session.set_stage(stage);
     }
 }
@@ -106,7 +108,8 @@ void show_branches(Session& session)
     heading(session.tr()("Ways gone so far"));
     const Play play = *session.play();
     for (const std::size_t end : play.branches()) {
-        const std::string name = turns_in_words(session, play.turns_to(end)) + "###branch" + std::to_string(end);
+        const std::string name = ui::item_label(turns_in_words(session, play.turns_to(end)),
+                                                "branch" + std::to_string(end));
         if (ImGui::Selectable(name.c_str(), end == play.place())) session.go_to_branch(end);
     }
 }

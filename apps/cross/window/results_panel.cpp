@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "apps/cross/session/report.h"
+#include "ui/widgets/item_label.h"
 #include "ui/widgets/panel.h"
 #include "ui/widgets/wrapped_text.h"
 
@@ -64,7 +65,7 @@ void show_table(Desk& desk, const TextTable& whole)
                        ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingFixedFit;
     if (!ImGui::BeginTable("###table", static_cast<int>(table.head.size()), flags)) return;
     ImGui::TableSetupScrollFreeze(1, 1);
-    for (const std::string& name : table.head) ImGui::TableSetupColumn(name.c_str());
+    for (const std::string& name : table.head) ImGui::TableSetupColumn(ui::shown_whole(name).c_str());
     ImGui::TableHeadersRow();
     for (const auto& row : table.rows) {
         ImGui::TableNextRow();

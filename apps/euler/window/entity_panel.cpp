@@ -8,6 +8,7 @@
 #include "apps/euler/window/canvas.h"
 #include "topology/tables/pointer_graph.h"
 #include "ui/text/shortened.h"
+#include "ui/widgets/item_label.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace euler {
@@ -69,9 +70,8 @@ void entity_panel(Session& session, ui::ImGuiSession& gui, const ui::Fonts& font
         ImGui::TextDisabled("%s", std::string(pointer.label).c_str());
         ImGui::TableNextColumn();
         const Part to{part.subject, pointer.to};
-        if (ImGui::Selectable(
-                (ui::shortened(describe(session, to), most_letters) + "###" + std::to_string(row++)).c_str()))
-            session.selection = to;
+        const std::string words = ui::shortened(describe(session, to), most_letters);
+        if (ImGui::Selectable(ui::item_label(words, std::to_string(row++)).c_str())) session.selection = to;
         if (ImGui::IsItemHovered()) session.hover = to;
     }
     ImGui::EndTable();

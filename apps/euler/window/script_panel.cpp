@@ -7,6 +7,7 @@
 
 #include "apps/euler/window/step_panel.h"
 #include "ui/text/shortened.h"
+#include "ui/widgets/item_label.h"
 
 namespace euler {
 
@@ -39,7 +40,7 @@ void beginning(Session& session)
 void line(Session& session, std::size_t i)
 {
     const StepSummary step = session.stepper().summary(i);
-    const std::string name = fitted(std::to_string(i) + "  " + code(step)) + "###step " + std::to_string(i);
+    const std::string name = ui::item_label(fitted(std::to_string(i) + "  " + code(step)), "step " + std::to_string(i));
     const bool is_undone = i > session.place();
     if (is_undone) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     const bool is_clicked = ImGui::Selectable(name.c_str(), i == session.place());

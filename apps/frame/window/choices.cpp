@@ -14,6 +14,7 @@
 #include "apps/frame/document/command.h"
 #include "apps/frame/document/dimensioning.h"
 #include "apps/frame/window/number_row.h"
+#include "ui/widgets/item_label.h"
 
 namespace frame {
 
@@ -58,9 +59,9 @@ std::optional<std::size_t> choose(const Choices& choices, const ui::Catalogue& t
 {
     std::optional<std::size_t> chosen;
     const std::string shown = choices.current ? choices.names.at(*choices.current) : tr("mixed");
-    if (!ImGui::BeginCombo(choices.id, shown.c_str())) return chosen;
+    if (!ImGui::BeginCombo(choices.id, ui::shown_whole(shown).c_str())) return chosen;
     for (std::size_t i = 0; i < choices.names.size(); ++i) {
-        const std::string label = choices.names[i] + "###" + std::to_string(i);
+        const std::string label = ui::item_label(choices.names[i], std::to_string(i));
         if (ImGui::Selectable(label.c_str(), choices.current == i)) chosen = i;
     }
     ImGui::EndCombo();

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "apps/frame/session/tabs.h"
+#include "ui/widgets/item_label.h"
 
 namespace frame {
 
@@ -18,7 +19,7 @@ void document_tabs(Desk& desk)
         const std::string title = (session.is_dirty() ? "* " : "") + session.file_name();
         const bool is_shown = i == desk.tab;
         ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(is_shown ? ImGuiCol_TabActive : ImGuiCol_Tab));
-        if (ImGui::Button((title + "###tab" + std::to_string(i)).c_str())) chosen = i;
+        if (ImGui::Button(ui::item_label(title, "tab" + std::to_string(i)).c_str())) chosen = i;
         ImGui::PopStyleColor();
         if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) {
             chosen = i;

@@ -12,6 +12,7 @@
 #include "apps/frame/window/result_list.h"
 #include "femoop/result/components.h"
 #include "femoop/result/envelope.h"
+#include "ui/widgets/item_label.h"
 
 namespace frame {
 
@@ -29,7 +30,7 @@ void choose_cases(Session& session)
         bool takes_part = n_chosen == model.n_cases() || !session.view.left_out.contains(name);
         const bool is_last = takes_part && n_chosen == 1;
         ImGui::BeginDisabled(is_last);
-        if (ImGui::Checkbox((name + "###part " + std::to_string(i)).c_str(), &takes_part)) {
+        if (ImGui::Checkbox(ui::item_label(name, "part " + std::to_string(i)).c_str(), &takes_part)) {
             if (takes_part) session.view.left_out.erase(name);
             else session.view.left_out.insert(name);
         }

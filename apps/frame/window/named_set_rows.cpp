@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/frame/window/number_row.h"
+#include "ui/widgets/item_label.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace frame {
@@ -62,17 +63,18 @@ void choose_name(Session& session, std::span<const Part> parts, const Naming& na
 {
     const ui::Catalogue& tr = session.view.tr;
     const std::string shown = naming.is_mixed ? tr("mixed") : naming.current ? name_of(session, *naming.current) : "–";
-    if (!ImGui::BeginCombo("###named set", shown.c_str())) return;
+    if (!ImGui::BeginCombo("###named set", ui::shown_whole(shown).c_str())) return;
     std::optional<NamedSetPlace> assigned, replaced;
     for (const NamedSetPlace set : naming.sets) {
-        const std::string label = name_of(session, set) + "###" + std::to_string(set.set);
+        const std::string label = ui::item_label(name_of(session, set), std::to_string(set.set));
         if (ImGui::Selectable(label.c_str(), !naming.is_mixed && set == naming.current)) assigned = set;
     }
     const bool can_keep = !naming.is_mixed && !naming.current && !why_not_keep(session, parts);
     const bool is_kept = can_keep && ImGui::Selectable((tr("Keep under a name") + "###keep").c_str());
     for (const NamedSetPlace set : naming.sets) {
         const std::string label = tr("Replace: {name}", {{"name", name_of(session, set)}});
-        if (can_keep && ImGui::Selectable((label + "###replace " + std::to_string(set.set)).c_str())) replaced = set;
+        const std::string id = "replace " + std::to_string(set.set);
+        if (can_keep && ImGui::Selectable(ui::item_label(label, id).c_str())) replaced = set;
     }
     ImGui::EndCombo();
     if (assigned) assign(session, *assigned, parts);
@@ -85,7 +87,7 @@ void choose_load(Session& session, std::span<const Part> parts, const std::vecto
     if (!ImGui::BeginCombo("###give load", session.view.tr("choose…").c_str())) return;
     std::optional<NamedSetPlace> given;
     for (const NamedSetPlace set : loads) {
-        const std::string label = name_of(session, set) + "###" + std::to_string(set.set);
+        const std::string label = ui::item_label(name_of(session, set), std::to_string(set.set));
         if (ImGui::Selectable(label.c_str())) given = set;
     }
     ImGui::EndCombo();
@@ -146,8 +148,8 @@ void NamedSetLists::show_list(Desk& desk, std::string_view heading, bool of_supp
                               std::string(heading);
     if (!ImGui::CollapsingHeader(label.c_str(), ImGuiTreeNodeFlags_DefaultOpen)) return;
     for (const NamedSetPlace set : sets) {
-        const std::string row = name_of(session, set) + "  (" + std::to_string(users(session.document(), set).size()) +
-                                ")###named " + std::to_string(set.set);
+        const std::string n_users = "  (" + std::to_string(users(session.document(), set).size()) + ")";
+        const std::string row = ui::item_label(name_of(session, set) + n_users, "named " + std::to_string(set.set));
         if (ImGui::Selectable(row.c_str(), chosen_ == set)) {
             chosen_ = chosen_ == set ? std::nullopt : std::optional(set);
             reason_.reset();

@@ -1,4 +1,5 @@
 #include "apps/frame/window/parts_list.h"
+#include "ui/widgets/item_label.h"
 
 #include <imgui.h>
 
@@ -24,7 +25,7 @@ void show_list(Desk& desk, std::string_view heading, const std::vector<Part>& li
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const Part& part = list[static_cast<std::size_t>(i)];
-            const std::string name = tr(title(desk.session.model(), part)) + "###" + std::to_string(i);
+            const std::string name = ui::item_label(tr(title(desk.session.model(), part)), std::to_string(i));
             if (ImGui::Selectable(name.c_str())) desk.session.selection = part;
         }
     }

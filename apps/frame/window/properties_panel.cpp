@@ -11,6 +11,7 @@
 #include "apps/frame/window/choices.h"
 #include "apps/frame/window/number_row.h"
 #include "apps/frame/window/parts_list.h"
+#include "ui/widgets/item_label.h"
 
 namespace frame {
 
@@ -53,7 +54,7 @@ void show_loads_on(Desk& desk, ui::NumberFields& fields, const Part& part)
         ImGui::PushID(++i);
         const std::string heading = desk.session.view.tr(title(desk.session.model(), load)) + " · " +
                                     case_of(desk.session.model(), load);
-        if (ImGui::CollapsingHeader((heading + "###load").c_str(), ImGuiTreeNodeFlags_DefaultOpen))
+        if (ImGui::CollapsingHeader(ui::item_label(heading, "load").c_str(), ImGuiTreeNodeFlags_DefaultOpen))
             show_parts(desk, fields, std::array{load});
         ImGui::PopID();
     }

@@ -1,4 +1,5 @@
 #include "apps/frame/window/result_list.h"
+#include "ui/widgets/item_label.h"
 
 #include <imgui.h>
 
@@ -46,7 +47,8 @@ void result_list(const char* id, const std::vector<std::string>& headings, std::
 void part_cell(Session& session, const Part& part, const std::string& name)
 {
     const bool is_selected = session.selection.contains(part);
-    if (ImGui::Selectable(name.c_str(), is_selected, ImGuiSelectableFlags_SpanAllColumns)) session.selection = part;
+    if (ImGui::Selectable(ui::shown_whole(name).c_str(), is_selected, ImGuiSelectableFlags_SpanAllColumns))
+        session.selection = part;
 }
 
 void number_cell(const std::string& text)

@@ -15,6 +15,7 @@
 #include "apps/frame/window/result_list.h"
 #include "femoop/result/components.h"
 #include "femoop/result/results.h"
+#include "ui/widgets/item_label.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace frame {
@@ -168,7 +169,7 @@ void history_panel(Desk& desk)
     for (std::size_t i = 0; i < session.history().n_states(); ++i) {
         const bool is_ahead = i > session.history().place();
         if (is_ahead) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-        const std::string label = session.view.tr(session.history().label(i)) + "###" + std::to_string(i);
+        const std::string label = ui::item_label(session.view.tr(session.history().label(i)), std::to_string(i));
         const bool is_chosen = ImGui::Selectable(label.c_str(), i == session.history().place());
         if (is_ahead) ImGui::PopStyleColor();
         if (is_chosen) {

@@ -17,6 +17,7 @@
 #include "femoop/section/section_properties.h"
 #include "ui/paint/painter.h"
 #include "ui/text/number_format.h"
+#include "ui/widgets/item_label.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace frame {
@@ -95,7 +96,8 @@ void show_target(Desk& desk)
     const std::string make = tr("A new one (selected members: {count})",
                                 {{"count", std::to_string(draft.n_members())}});
     const bool is_new = draft.target() == SectionTarget::New;
-    if (ImGui::RadioButton((change + "###this").c_str(), !is_new)) draft.set_target(desk.session, SectionTarget::This);
+    if (ImGui::RadioButton(ui::item_label(change, "this").c_str(), !is_new))
+        draft.set_target(desk.session, SectionTarget::This);
     if (ImGui::RadioButton((make + "###new").c_str(), is_new)) draft.set_target(desk.session, SectionTarget::New);
 }
 

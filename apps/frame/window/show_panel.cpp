@@ -7,6 +7,7 @@
 #include <string>
 
 #include "ui/text/number_format.h"
+#include "ui/widgets/item_label.h"
 
 namespace frame {
 
@@ -32,8 +33,8 @@ void choose_case(Session& session)
     for (std::size_t i = 0; i < model.n_cases(); ++i) {
         const bool is_combination = i >= model.load_cases.size();
         const std::string& name = model.case_name(femoop::CaseId(i));
-        const std::string label = (is_combination ? session.view.tr("{case} (combination)", {{"case", name}}) : name) +
-                                  "###" + std::to_string(i);
+        const std::string label = ui::item_label(
+            is_combination ? session.view.tr("{case} (combination)", {{"case", name}}) : name, std::to_string(i));
         if (!ImGui::RadioButton(label.c_str(), !is_envelope && session.view.load_case == femoop::CaseId(i))) continue;
         session.view.load_case = femoop::CaseId(i);
         is_envelope = false;
