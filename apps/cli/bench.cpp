@@ -24,7 +24,7 @@ public:
     ExitStatus run(Console& console) override;
 
 private:
-    std::string frame(const ui::Catalogue& tr) const;
+    ExitStatus frame(Console& console) const;
     std::string halfedge(const ui::Catalogue& tr) const;
 
     std::string what_, bays_ = "19", storeys_ = "50", solver_ = "automatic", n_ = "1000";
@@ -134,13 +134,20 @@ std::string table(const HalfEdgeBench& bench, const ui::Catalogue& tr)
     return text.str();
 }
 
-std::string Bench::frame(const ui::Catalogue& tr) const
+ExitStatus Bench::frame(Console& console) const
 {
+    const ui::Catalogue& tr = console.tr();
     constexpr WholeRange range{1, 5000};
     const FrameSize size{.bays = static_cast<std::size_t>(whole_number("--bays", bays_, range, tr)),
                          .storeys = static_cast<std::size_t>(whole_number("--storeys", storeys_, range, tr))};
-    const FrameBench bench = bench_frame(size, {.solver = solver_named(solver_, tr)});
-    return is_json_ ? json(bench) : table(bench, tr);
+    const femoop::AnalysisOptions options{.solver = solver_named(solver_, tr)};
+    try {
+        const FrameBench bench = bench_frame(size, options);
+        console.print(is_json_ ? json(bench) : table(bench, tr));
+    } catch (const femoop::ModelError& error) {
+        return report_unsolved(error, "cremona bench frame", console);
+    }
+    return ExitStatus::Done;
 }
 
 std::string Bench::halfedge(const ui::Catalogue& tr) const
@@ -153,9 +160,9 @@ std::string Bench::halfedge(const ui::Catalogue& tr) const
 ExitStatus Bench::run(Console& console)
 {
     const ui::Catalogue& tr = console.tr();
-    if (what_ == "frame") console.print(frame(tr));
-    else if (what_ == "halfedge") console.print(halfedge(tr));
-    else throw unknown_choice("WHAT", what_, {"frame", "halfedge"}, tr);
+    if (what_ == "frame") return frame(console);
+    if (what_ != "halfedge") throw unknown_choice("WHAT", what_, {"frame", "halfedge"}, tr);
+    console.print(halfedge(tr));
     return ExitStatus::Done;
 }
 

@@ -44,4 +44,15 @@ TEST_CASE("A frame of no size, or another benchmark, is answered with what is wa
     CHECK(cremona({"bench"}).status == 2);
 }
 
+TEST_CASE("A frame that memory cannot hold is refused in the user's language")
+{
+    const std::string limit = "ulimit -v 800000; ";                       // kB
+    if (cli_test::shell(limit + "cremona --version").status != 0) return; // a sanitizer takes more for itself
+    const Run run = cli_test::shell(limit +
+                                    "cremona bench frame --bays 400 --storeys 400 --solver multifrontal --lang pt");
+    CHECK(run.status == 2);
+    CHECK(run.out.empty());
+    CHECK(has(run.err, "memória"));
+}
+
 TEST_SUITE_END();
