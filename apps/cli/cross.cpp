@@ -22,6 +22,7 @@ namespace {
 
 using femoop::Model;
 using femoop::cross::Block;
+using femoop::cross::Extent;
 using femoop::cross::FarEnds;
 using femoop::cross::Problem;
 using femoop::cross::Procedure;
@@ -36,6 +37,7 @@ public:
 private:
     void require_sensible(const ui::Catalogue& tr) const;
     FarEnds far_ends(const Model& model, femoop::CaseId load_case, const std::optional<Block>& block) const;
+    Extent extent(const std::optional<Block>& block) const;
     Procedure procedure(const Model& model, const Problem& problem, const std::optional<Block>& block,
                         const ui::Catalogue& tr) const;
     std::string output(const Model& model, const ui::Catalogue& tr) const;
@@ -44,7 +46,8 @@ private:
     void write_report(const Model& model, Console& console) const;
     std::string method_ = "cross";
     std::optional<std::string> case_, order_, tolerance_, digits_, report_;
-    bool is_unmodified_ = false, is_modified_ = false, is_json_ = false, is_csv_ = false;
+    bool is_unmodified_ = false, is_modified_ = false, is_by_halves_ = false, is_whole_ = false;
+    bool is_json_ = false, is_csv_ = false;
 };
 
 HelpText Cross::help(const ui::Catalogue& tr) const
@@ -61,6 +64,8 @@ HelpText Cross::help(const ui::Catalogue& tr) const
         {{"cremona cross examples/continuous_beam.json", tr("The joint with the largest unbalance first.")},
          {"cremona cross examples/continuous_beam.json --order all-at-once --digits 4",
           tr("All joints at once, every number rounded to four digits as on paper, with what that costs.")},
+         {"cremona cross examples/portal_kleinlogel.json --symmetry",
+          tr("Half of a symmetric portal, with 2EI/L for the beam across the axis: one balance.")},
          {"cremona cross examples/portal.json --json",
           tr("A frame that sways: its sheets and equations, for a program.")}}};
 }
@@ -87,6 +92,9 @@ void Cross::declare(CLI::App& app, const ui::Catalogue& tr)
     app.add_flag("--unmodified", is_unmodified_,
                  tr("lock hinged and overhanging far ends too, instead of taking 3EI/L for their members"));
     app.add_flag("--modified", is_modified_, tr("do not, though the file's block locks them"));
+    app.add_flag("--symmetry", is_by_halves_,
+                 tr("balance half of a symmetric structure, with 2EI/L or 6EI/L where members cross the axis"));
+    app.add_flag("--whole", is_whole_, tr("balance every joint, though the file's block asks for half"));
     app.add_flag("--json", is_json_, tr("print JSON instead of tables"));
     app.add_flag("--csv", is_csv_, tr("print the rows of the sheet for a spreadsheet"));
 }
@@ -112,12 +120,25 @@ void Cross::require_sensible(const ui::Catalogue& tr) const
     if (is_modified_ && is_unmodified_)
         throw UsageError(
             tr("{a} and {b} contradict one another; give one of them", {{"a", "--modified"}, {"b", "--unmodified"}}));
+    if (is_by_halves_ && is_whole_)
+        throw UsageError(
+            tr("{a} and {b} contradict one another; give one of them", {{"a", "--symmetry"}, {"b", "--whole"}}));
+    if (is_by_halves_ && method_ != "cross")
+        throw UsageError(tr("{a} and {b} contradict one another; give one of them",
+                            {{"a", "--symmetry"}, {"b", "--method " + method_}}));
 }
 
 FarEnds Cross::far_ends(const Model& model, femoop::CaseId load_case, const std::optional<Block>& block) const
 {
     if (is_unmodified_) return FarEnds::Plain;
     return block && !is_modified_ ? far_ends_of(model, load_case, *block) : FarEnds::Modified;
+}
+
+/// Kani's method and the equations are of the whole.
+Extent Cross::extent(const std::optional<Block>& block) const
+{
+    if (is_by_halves_) return Extent::Half;
+    return is_whole_ || method_ != "cross" ? Extent::Whole : extent_of(block);
 }
 
 Procedure Cross::procedure(const Model& model, const Problem& problem, const std::optional<Block>& block,
@@ -145,7 +166,8 @@ std::string Cross::output(const Model& model, const ui::Catalogue& tr) const
 {
     const std::optional<Block> block = femoop::cross::block_of(model);
     const femoop::CaseId load_case = case_ ? find_case(model, *case_, tr) : case_of(model, block);
-    const Problem problem = femoop::cross::problem_of(model, load_case, far_ends(model, load_case, block));
+    const Problem problem = femoop::cross::problem_of(model, load_case, far_ends(model, load_case, block),
+                                                      extent(block));
     if (method_ == "kani") {
         const auto kani = femoop::cross::kani(model, problem);
         return is_json_ ? kani_json(model, problem, kani) : kani_text(model, problem, kani, tr);
@@ -169,16 +191,18 @@ void Cross::write_report(const Model& model, Console& console) const
     const std::optional<Block> block = femoop::cross::block_of(model);
     const femoop::CaseId load_case = case_ ? find_case(model, *case_, tr) : case_of(model, block);
     const FarEnds ends = far_ends(model, load_case, block);
-    const Procedure own = procedure(model, femoop::cross::problem_of(model, load_case, ends), block, tr);
+    const Problem problem = femoop::cross::problem_of(model, load_case, ends, extent(block));
+    const Procedure own = procedure(model, problem, block, tr);
     ::cross::Document document{.model = model};
     document.method = {.load_case = load_case,
                        .order = own.order,
                        .joints = {},
                        .tolerance = own.tolerance,
                        .digits = own.digits,
-                       .far_ends = ends};
+                       .far_ends = ends,
+                       .extent = extent(block)};
     for (const femoop::cross::JointId joint : own.joints)
-        document.method.joints.push_back(model[femoop::cross::problem_of(model, load_case, ends)[joint].node].id);
+        document.method.joints.push_back(model[problem[joint].node].id);
     const ui::Fonts fonts;
     ::cross::Look look;
     look.tr = tr;

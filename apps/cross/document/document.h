@@ -19,6 +19,8 @@ struct Method {
     std::optional<double> tolerance; ///< in the file's unit of moments; 0.001 of the largest fixed-end moment if absent
     int digits = 0;                  ///< every number is rounded to so many significant ones; 0: exact
     femoop::cross::FarEnds far_ends = femoop::cross::FarEnds::Modified;
+    /// Half of it by symmetry, where structure and loads have any; an exercise is of the whole.
+    femoop::cross::Extent extent = femoop::cross::Extent::Whole;
 
     friend bool operator==(const Method&, const Method&) = default;
 };
@@ -40,6 +42,9 @@ struct Document {
 
 /// The same without what was worked: after the structure or the method changed, joints may be others.
 Document unworked(Document document);
+
+/// What a document's sheets are worked on. \throws femoop::ModelError
+femoop::cross::Problem problem_of(const Document& document);
 
 bool is_same_task(const Document& a, const Document& b); ///< of equal model, method and exercise
 

@@ -65,6 +65,7 @@ Method method_of(const femoop::Model& model)
     method.tolerance = block->tolerance;
     method.digits = block->digits;
     method.far_ends = far_ends(model, method.load_case, *block);
+    method.extent = fc::extent_of(block);
     return method;
 }
 
@@ -126,6 +127,7 @@ std::string block_json(const femoop::Model& model, const Method& method)
     if (method.tolerance) text += ", \"tolerance\": " + femoop::number_text(*method.tolerance);
     if (method.digits > 0) text += ", \"digits\": " + std::to_string(method.digits);
     const bool is_modified = method.far_ends != FarEnds::Plain;
+    if (method.extent == fc::Extent::Half) text += ", \"symmetry\": true";
     if (method.far_ends == FarEnds::ReleasedOnSheet) text += fixed_end_json(model, method);
     return text + ", \"modified_stiffness\": " + (is_modified ? "true" : "false") + "}";
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "femoop/analysis/mechanism.h"
+#include "femoop/methods/cross/symmetry.h"
 #include "femoop/methods/cross/virtual_work.h"
 #include "femoop/model/check/check.h"
 
@@ -50,6 +51,20 @@ void complete(Task& task, const femoop::Model& model, Haste haste)
             [&] { task.balanced = fc::state_results(model, task.problem, fc::locks_of(task.problem, *task.all)); });
 }
 
+Task task_of(const Document& document)
+{
+    const Method& method = document.method;
+    Task task{.problem = fc::problem_of(document.model, method.load_case, method.far_ends)};
+    task.why_not_by_halves = fc::why_not_by_halves(document.model, task.problem);
+    if (!task.why_not_by_halves) task.by_halves = fc::by_halves(document.model, task.problem);
+    if (method.extent == fc::Extent::Half && !document.pupil) {
+        if (task.by_halves) task.problem = *task.by_halves;
+        else task.remarks.push_back(*task.why_not_by_halves);
+    }
+    task.procedure = procedure_of(document, task.problem);
+    return task;
+}
+
 std::vector<double> between(const std::vector<double>& a, const std::vector<double>& b, double share)
 {
     std::vector<double> middle = b;
@@ -71,8 +86,7 @@ Solution solve(const Document& document, Haste haste)
         if (femoop::severity(fault.kind) == femoop::Severity::Error) solution.faults.push_back(fault);
     if (!solution.faults.empty()) return solution;
     try {
-        Task task{.problem = fc::problem_of(document.model, document.method.load_case, document.method.far_ends)};
-        task.procedure = procedure_of(document, task.problem);
+        Task task = task_of(document);
         complete(task, document.model, haste);
         solution.task = std::move(task);
     } catch (const femoop::ModelError& error) {
@@ -89,7 +103,8 @@ void work(Solution& solution, const Document& document)
     const Task& task = *solution.task;
     for (std::size_t stage = 0; stage < task.n_sheets(); ++stage) {
         const auto turns = stage < document.plays.size() ? document.plays[stage].turns() : std::vector<Play::Turn>{};
-        solution.sheets.push_back(fc::sheet_of(task.problem, task.loading(stage), turns, task.procedure));
+        solution.sheets.push_back(
+            fc::sheet_of(task.problem.of_sheet(stage), task.loading(stage), turns, task.procedure));
     }
 }
 
@@ -103,7 +118,7 @@ fc::Locks present_locks(const Document& document, const Solution& solution, doub
     };
     fc::Locks now = locks(sheet->end);
     if (phase >= 1.0 || sheet->steps.empty()) return now;
-    const fc::Locks before = locks(fc::state_after(problem, *sheet, sheet->steps.size() - 1));
+    const fc::Locks before = locks(fc::state_after(solution.sheet_problem(document), *sheet, sheet->steps.size() - 1));
     now.rotations = between(before.rotations, now.rotations, phase);
     now.dead_moments = between(before.dead_moments, now.dead_moments, phase);
     return now;
@@ -127,8 +142,8 @@ std::vector<double> held_by_props(const Document& document, const Solution& solu
 std::optional<Play::Turn> next_turn(const Document& document, const Solution& solution)
 {
     const fc::Sheet* sheet = solution.sheet(document);
-    if (sheet == nullptr || solution.task->problem.joints.empty()) return std::nullopt;
-    return fc::next_turn(document.model, solution.task->problem, *sheet, solution.task->procedure);
+    if (sheet == nullptr || solution.sheet_problem(document).balanced_joints().empty()) return std::nullopt;
+    return fc::next_turn(document.model, solution.sheet_problem(document), *sheet, solution.task->procedure);
 }
 
 } // namespace cross

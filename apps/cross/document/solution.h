@@ -17,6 +17,9 @@ namespace cross {
 struct Task {
     femoop::cross::Problem problem;
     femoop::cross::Procedure procedure;
+    /// What symmetry offers, taken or not; else why it offers nothing.
+    std::optional<femoop::cross::Problem> by_halves{};
+    std::optional<femoop::Fault> why_not_by_halves{};
     /// Worked to the tolerance by the method's own order; nothing where that does not come to an end.
     std::optional<femoop::cross::Superposition> all{};
     std::optional<femoop::cross::Comparison> comparison{};
@@ -41,6 +44,11 @@ struct Solution {
 
     /// The sheet that is worked on; null where all are seen together, or where there is none.
     const femoop::cross::Sheet* sheet(const Document& document) const;
+    /// What it is worked on: half of the structure by symmetry, else the whole. \pre there is a task
+    const femoop::cross::Problem& sheet_problem(const Document& document) const
+    {
+        return task->problem.of_sheet(document.stage);
+    }
 };
 
 /// While a hand drags, Kani's method waits: in tall frames it goes through thousands of cycles.

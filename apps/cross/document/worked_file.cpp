@@ -110,7 +110,7 @@ std::vector<Play::Turn> turns_of(const Way& way, const femoop::Model& model, con
         }
         const auto node = model.find_node(*name);
         const auto joint = node ? problem.joint_at(*node) : std::nullopt;
-        if (!joint) break;
+        if (!joint || !problem.is_balanced(*joint)) break;
         turns.emplace_back(*joint);
     }
     return turns;
@@ -133,18 +133,18 @@ Play play_of(const SavedPlay& saved, const femoop::Model& model, const fc::Probl
 void set_worked(Document& document, const Saved& saved)
 {
     try {
-        const fc::Problem problem = fc::problem_of(document.model, document.method.load_case, document.method.far_ends);
-        if (problem.joints.empty()) return;
+        const fc::Problem problem = problem_of(document);
+        if (problem.balanced_joints().empty()) return;
         const std::size_t n_sheets = 1 + problem.sways.size();
         for (std::size_t i = 0; i < std::min(n_sheets, saved.plays.size()); ++i)
-            document.plays.push_back(play_of(saved.plays[i], document.model, problem));
+            document.plays.push_back(play_of(saved.plays[i], document.model, problem.of_sheet(i)));
         document.stage = std::min(saved.sheet, n_sheets - 1);
     } catch (const femoop::ModelError&) {
         document.plays.clear(); // it is said when the structure is solved
     }
 }
 
-std::string json_of(const Play& play, const std::vector<std::string>& joints)
+std::string json_of(const Play& play, const femoop::Model& model, const fc::Problem& problem)
 {
     std::string ways;
     std::size_t way = 0, n_ways = 0;
@@ -154,7 +154,7 @@ std::string json_of(const Play& play, const std::vector<std::string>& joints)
         if (end == ahead.place()) way = n_ways;
         std::string list;
         for (const Play::Turn& turn : play.turns_to(end))
-            list += (list.empty() ? "" : ", ") + (turn ? femoop::quoted_json(joints[turn->index]) : "null");
+            list += (list.empty() ? "" : ", ") + (turn ? femoop::quoted_json(model[problem[*turn].node].id) : "null");
         ways += (n_ways++ == 0 ? "[" : ", [") + list + "]";
     }
     return "{\"ways\": [" + ways + "], \"way\": " + std::to_string(way) + ", \"at\": " + std::to_string(play.length()) +
@@ -166,10 +166,10 @@ std::optional<std::string> worked_json(const Document& document)
     const auto is_empty = [](const Play& play) { return play.branches().empty(); };
     if (document.pupil || std::ranges::all_of(document.plays, is_empty)) return std::nullopt;
     try {
-        const fc::Problem problem = fc::problem_of(document.model, document.method.load_case, document.method.far_ends);
-        const std::vector<std::string> joints = fc::joint_names(document.model, problem);
+        const fc::Problem problem = problem_of(document);
         std::string plays;
-        for (const Play& play : document.plays) plays += (plays.empty() ? "" : ", ") + json_of(play, joints);
+        for (const Play& play : document.plays)
+            plays += (plays.empty() ? "" : ", ") + json_of(play, document.model, problem);
         const std::size_t last = problem.sways.size();
         return "{\"sheet\": " + std::to_string(std::min(document.stage, last)) + ", \"plays\": [" + plays + "]}";
     } catch (const femoop::ModelError&) {

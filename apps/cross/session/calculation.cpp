@@ -139,22 +139,44 @@ private:
     {
         heading(2, tr_("Factors and fixed-end moments"));
         const fc::Problem& problem = solution_.task->problem;
+        if (problem.halves.empty()) write_factors(problem, problem.loading);
+        else
+            for (std::size_t stage = 0; stage < problem.halves.size(); ++stage) {
+                if (problem.halves.size() > 1) heading(3, sheet_name(stage));
+                write_factors(problem.of_sheet(stage), solution_.task->loading(stage));
+            }
+        text(tr_("Stiffnesses are moments per radian in the file's base units."));
+    }
+
+    std::string sheet_name(std::size_t stage) const
+    {
+        if (stage == 0) return tr_("Sheet of the loads");
+        const femoop::NodeId prop = solution_.task->problem.sways[stage - 1].prop;
+        return tr_("Sheet of the sway at {node}", {{"node", document_.model[prop].id}});
+    }
+
+    /// Of the ends on a sheet.
+    void write_factors(const fc::Problem& problem, const fc::Loading& loading)
+    {
         const Numbers numbers(document_, solution_, look_);
         TextTable told{.notes = {},
                        .head = {tr_("member end"), tr_("stiffness"), "", tr_("distribution factor"), "",
                                 tr_("carry-over"), "FEM [" + numbers.moment_unit() + "]"}};
         for (std::size_t e = 0; e < problem.ends.size(); ++e) {
             const fc::End& end = problem.ends[e];
-            const bool is_free = end.joint || end.is_hinged;
+            if (!problem.is_on_sheet(fc::EndId(e))) continue;
+            const bool is_on_axis = end.joint && !problem.is_balanced(*end.joint);
+            const bool is_free = (end.joint && !is_on_axis) || end.is_hinged;
             const auto fraction = fc::fraction_of(end.factor, 999);
             told.rows.push_back({end.label, std::string(fc::formula(problem, fc::EndId(e))),
                                  ui::number_text(end.stiffness, numbers.units().format()),
-                                 is_free ? numbers.factor(end.factor) : tr_("fixed"),
+                                 is_free      ? numbers.factor(end.factor)
+                                 : is_on_axis ? tr_("on the axis")
+                                              : tr_("fixed"),
                                  is_free && fraction ? fc::fraction_text(*fraction) : "",
-                                 numbers.factor(end.carry_over), numbers.moment(end, problem.loading.fixed_end[e])});
+                                 numbers.factor(end.carry_over), numbers.moment(end, loading.fixed_end[e])});
         }
         table(told);
-        text(tr_("Stiffnesses are moments per radian in the file's base units."));
     }
 
     void write_results()
@@ -174,13 +196,11 @@ private:
     void write_sheet(std::size_t stage)
     {
         document_.stage = stage;
-        const fc::Problem& problem = solution_.task->problem;
-        heading(2, stage == 0 ? tr_("Sheet of the loads")
-                              : tr_("Sheet of the sway at {node}",
-                                    {{"node", document_.model[problem.sways[stage - 1].prop].id}}));
+        const fc::Problem& problem = solution_.task->problem.of_sheet(stage);
+        heading(2, sheet_name(stage));
         std::size_t n_lines = 0;
         for (const Column& column : columns_of(problem, solution_.sheets[stage]))
-            n_lines = std::max(n_lines, column.n_levels);
+            if (problem.is_on_sheet(column.end)) n_lines = std::max(n_lines, column.n_levels);
         figure(Part::Sheet, n_lines,
                [&](ui::Painter& painter, const Panel& panel) { draw_sheet(painter, panel, scene()); });
         table(table_of(scene(), Topic::Sheet));

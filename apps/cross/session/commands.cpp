@@ -5,6 +5,7 @@
 #include "apps/cross/session/beam_edit.h"
 #include "apps/cross/session/exercise_commands.h"
 #include "apps/cross/session/own_order.h"
+#include "apps/cross/view/numbers.h"
 #include "ui/desk/file_commands.h"
 
 namespace cross {
@@ -185,6 +186,16 @@ void change_method(Desk& desk, const std::function<void(Method&)>& change)
     desk.session.set_method(method, translatable("Change the method"));
 }
 
+/// A structure that lost its symmetry can still be worked as a whole.
+std::optional<Phrase> why_not_by_halves(const Session& session)
+{
+    if (session.paper() != nullptr) return Phrase(translatable("an exercise is of the whole structure; end it first"));
+    const auto& task = session.solution().task;
+    if (!task) return Phrase(translatable("this structure cannot be distributed"));
+    if (task->by_halves || session.document().method.extent == fc::Extent::Half) return std::nullopt;
+    return Phrase("{reason}", {{"reason", fault_text(*task->why_not_by_halves, session.tr())}});
+}
+
 void add_method_commands(CommandTable& table)
 {
     for (const OrderEntry& entry : orders)
@@ -201,7 +212,7 @@ void add_method_commands(CommandTable& table)
                .run = [](Desk& desk) { choose_own_order(desk.session); },
                .why_not = [](const Desk& desk) -> std::optional<Phrase> {
                    const auto& task = desk.session.solution().task;
-                   if (task && !task->problem.joints.empty()) return std::nullopt;
+                   if (task && !task->problem.balanced_joints().empty()) return std::nullopt;
                    return Phrase(translatable("there is no joint to balance"));
                },
                .is_on = [](const Desk& desk) { return desk.session.document().method.order == fc::Order::Listed; }});
@@ -231,6 +242,18 @@ void add_method_commands(CommandTable& table)
              },
          .is_on =
              [](const Desk& desk) { return desk.session.document().method.far_ends == fc::FarEnds::ReleasedOnSheet; }});
+    table.add({.id = "method.symmetry",
+               .menu = method_menu,
+               .label = translatable("Half of it, by symmetry"),
+               .shortcuts = {{Key::H, {}}},
+               .run =
+                   [](Desk& desk) {
+                       change_method(desk, [](Method& method) {
+                           method.extent = method.extent == fc::Extent::Half ? fc::Extent::Whole : fc::Extent::Half;
+                       });
+                   },
+               .why_not = [](const Desk& desk) { return why_not_by_halves(desk.session); },
+               .is_on = [](const Desk& desk) { return desk.session.document().method.extent == fc::Extent::Half; }});
     table.add({.id = "method.next_case",
                .menu = method_menu,
                .label = translatable("To the next load case"),

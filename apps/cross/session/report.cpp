@@ -8,7 +8,7 @@
 #include "apps/cross/view/numbers.h"
 #include "apps/frame/view/sketch/scene.h"
 #include "femoop/io/cross/cross_table.h"
-#include "femoop/methods/cross/symmetry.h"
+#include "femoop/io/cross/half_text.h"
 
 namespace cross {
 
@@ -26,6 +26,7 @@ public:
           model_(scene.document.model),
           task_(*scene.solution.task),
           problem_(task_.problem),
+          half_(scene.solution.sheet_problem(scene.document)),
           sheet_(scene.solution.sheet(scene.document)),
           numbers_(scene.document, scene.solution, scene.look)
     {}
@@ -35,15 +36,17 @@ public:
         TextTable table{.notes = {}, .head = ends_head(tr_("Row"))};
         add_symmetry(table);
         std::vector<std::string> factors{tr_("factors")};
-        const std::vector<double> all = fc::factors_of(problem_, scene_.document.method.digits);
-        for (std::size_t e = 0; e < all.size(); ++e)
-            factors.push_back(problem_.ends[e].joint ? numbers_.factor(all[e]) : "");
+        const std::vector<double> all = fc::factors_of(half_, scene_.document.method.digits);
+        for (std::size_t e = 0; e < all.size(); ++e) {
+            const auto joint = half_.is_on_sheet(fc::EndId(e)) ? half_.ends[e].joint : std::nullopt;
+            factors.push_back(joint && half_.is_balanced(*joint) ? numbers_.factor(all[e]) : "");
+        }
         table.rows.push_back(std::move(factors));
         if (sheet_ == nullptr) {
             table.rows.push_back(row(tr_("together"), task_.all->moments));
             return table;
         }
-        for (const fc::Row& written : fc::rows_of(problem_, *sheet_))
+        for (const fc::Row& written : fc::rows_of(half_, *sheet_))
             table.rows.push_back(row(name_of(written), written.values, written.kind));
         add_drift(table);
         return table;
@@ -69,6 +72,8 @@ public:
 
     TextTable sways() const
     {
+        if (problem_.sways.empty() && !problem_.halves.empty())
+            return {.notes = {tr_("By symmetry the loads do not make it sway: it has one sheet.")}};
         if (problem_.sways.empty()) return {.notes = {tr_("Without a prop nothing moves: the structure cannot sway.")}};
         if (!task_.all) return missing();
         const fc::Superposition& all = *task_.all;
@@ -94,7 +99,7 @@ public:
             const std::string name = i == 0 ? "" : joint ? name_of(*joint) : tr_("all");
             table.rows.push_back({std::to_string(i), name, numbers_.moment(history[i])});
         }
-        if (const auto rate = fc::rate(problem_, *sheet_))
+        if (const auto rate = fc::rate(half_, *sheet_))
             table.notes.push_back(tr_("In one round of all joints the unbalance shrinks to {rate} of what it was.",
                                       {{"rate", numbers_.factor(*rate)}}));
         table.notes.push_back(tr_("Tolerance: {moment}", {{"moment", amount(sheet_->tolerance)}}));
@@ -142,50 +147,38 @@ public:
 private:
     static constexpr std::size_t most_cycles = 40; // shown
 
-    /// The shortcut by half of the structure, with its stiffness factors.
+    /// Why half is enough where it is worked; that it would be, where the whole is.
     void add_symmetry(TextTable& table) const
     {
-        constexpr std::size_t most_nodes = 200, most_named = 6;
-        if (sheet_ == nullptr || model_.nodes.size() > most_nodes) return;
-        const fc::Loading& loading = task_.loading(scene_.document.stage);
-        const auto symmetry = fc::symmetry_of(model_, problem_, loading);
-        if (!symmetry || symmetry->balanced.empty()) return;
-        const bool is_symmetric = symmetry->kind == fc::SymmetryKind::Symmetric;
-        if (symmetry->balanced.size() > most_named) {
-            const std::string n = std::to_string(symmetry->balanced.size());
-            const std::string_view many = is_symmetric
-                                              ? translatable("Symmetric: it is enough to balance {n} joints left of "
-                                                             "the axis, with 2EI/L where members cross it.")
-                                              : translatable("Antisymmetric: it is enough to balance {n} joints left "
-                                                             "of the axis, with 6EI/L where members cross it.");
-            table.notes.push_back(tr_(many, {{"n", n}}));
+        const auto tr = [&](std::string_view text) { return tr_(text); };
+        if (sheet_ == nullptr) return;
+        if (half_.mirror) {
+            table.notes = fc::half_text(model_, half_, tr);
             return;
         }
-        const fc::Half half = fc::half_of(problem_, loading, *symmetry);
-        std::string joints, factors;
-        for (const fc::JointId joint : symmetry->balanced) {
-            joints += (joints.empty() ? "" : ", ") + name_of(joint);
-            for (const fc::EndId end : problem_[joint].ends)
-                factors += (factors.empty() ? "" : ", ") + half.problem[end].label + " " +
-                           numbers_.factor(half.problem[end].factor);
-        }
-        std::string crossing;
-        for (const fc::EndId end : symmetry->crossing)
-            crossing += (crossing.empty() ? "" : ", ") + problem_[end].label + " " +
-                        std::string(fc::formula(half.problem, end));
-        const std::string_view words = is_symmetric ? translatable("Symmetric: it is enough to balance {joints}")
-                                                    : translatable("Antisymmetric: it is enough to balance {joints}");
-        std::string note = tr_(words, {{"joints", joints}});
-        if (!crossing.empty()) note += tr_(", with {crossing} and nothing carried over", {{"crossing", crossing}});
-        table.notes.push_back(note);
-        table.notes.push_back(tr_("Factors of the half: {factors}", {{"factors", factors}}));
+        if (!task_.by_halves) return;
+        const fc::Problem* const half = offered_half();
+        table.notes.push_back(half != nullptr ? fc::half_text(model_, *half, tr).front()
+                                              : tr_("By symmetry the loads do not cause this sway."));
+        table.notes.push_back(tr_("Method › Half of it, by symmetry takes this shortcut."));
+    }
+
+    /// Of the sheet that is worked as a whole; null for a sway that does not happen.
+    const fc::Problem* offered_half() const
+    {
+        const std::size_t stage = scene_.document.stage;
+        const fc::Problem& offered = *task_.by_halves;
+        if (stage == 0) return &offered.of_sheet(0);
+        const auto sway = std::ranges::find(offered.sways, problem_.sways[stage - 1].prop, &fc::Sway::prop);
+        if (sway == offered.sways.end()) return nullptr;
+        return &offered.of_sheet(1 + static_cast<std::size_t>(sway - offered.sways.begin()));
     }
 
     /// What the rounding of every number cost.
     void add_drift(TextTable& table) const
     {
         if (scene_.document.method.digits == 0 || sheet_->steps.empty()) return;
-        const std::vector<double> off = fc::drift(problem_, task_.loading(scene_.document.stage), *sheet_);
+        const std::vector<double> off = fc::drift(half_, task_.loading(scene_.document.stage), *sheet_);
         std::vector<double> exact = sheet_->end.moments;
         for (std::size_t e = 0; e < exact.size(); ++e) exact[e] -= off[e];
         const Numbers unrounded = numbers_.unrounded();
@@ -215,14 +208,17 @@ private:
         return head;
     }
 
-    /// Zeros of balances and carry-overs are left blank, as on paper.
+    /// Zeros of balances and carry-overs are left blank, as on paper; beyond the axis, all but the sums.
     std::vector<std::string> row(const std::string& name, const std::vector<double>& values,
                                  fc::RowKind kind = fc::RowKind::FixedEnd) const
     {
         const bool is_sparse = kind == fc::RowKind::Balance || kind == fc::RowKind::CarryOver;
         std::vector<std::string> line{name};
-        for (std::size_t e = 0; e < values.size(); ++e)
-            line.push_back(is_sparse && values[e] == 0.0 ? "" : numbers_.moment(problem_.ends[e], values[e]));
+        for (std::size_t e = 0; e < values.size(); ++e) {
+            const bool is_blank = (is_sparse && values[e] == 0.0) ||
+                                  (kind != fc::RowKind::Total && !half_.is_on_sheet(fc::EndId(e)));
+            line.push_back(is_blank ? "" : numbers_.moment(problem_.ends[e], values[e]));
+        }
         return line;
     }
 
@@ -298,6 +294,7 @@ private:
     const femoop::Model& model_;
     const Task& task_;
     const fc::Problem& problem_;
+    const fc::Problem& half_; ///< what the sheet is worked on: `problem_` unless by symmetry
     const fc::Sheet* sheet_;
     Numbers numbers_;
 };

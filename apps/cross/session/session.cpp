@@ -81,7 +81,8 @@ std::optional<Phrase> Session::why_no_turn() const
     if (!solution_.task) return Phrase(translatable("this structure cannot be distributed"));
     if (paper() != nullptr) return Phrase(translatable("the sheet is yours to fill; end the exercise first"));
     if (sheet() == nullptr) return Phrase(translatable("all sheets are seen together; choose one of them first"));
-    if (solution_.task->problem.joints.empty()) return Phrase(translatable("there is no joint to balance"));
+    if (solution_.sheet_problem(document()).balanced_joints().empty())
+        return Phrase(translatable("there is no joint to balance"));
     return std::nullopt;
 }
 
@@ -110,9 +111,12 @@ void Session::take(const Play::Turn& turn)
     play_on(change, {translatable("Balance joint {joint}"), {{"joint", document().model[node].id}}});
 }
 
-std::optional<Phrase> Session::balance(const Play::Turn& turn)
+std::optional<Phrase> Session::balance(const Play::Turn& clicked)
 {
     if (const auto reason = why_no_turn()) return reason;
+    const Play::Turn turn = clicked ? solution_.sheet_problem(document()).balanced_for(*clicked) : clicked;
+    if (clicked && !turn)
+        return Phrase(translatable("this joint stands on the axis of a symmetric structure and does not turn"));
     if (turn && solution_.task->problem[*turn].is_released_once && sheet()->end.rotations[turn->index] != 0.0)
         return Phrase(translatable("this joint was released for good and is never locked again"));
     phase_ = 0.0;

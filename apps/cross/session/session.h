@@ -30,7 +30,7 @@ public:
     const Play* play() const; ///< of the sheet that is worked on; null where nothing was done, or all are together
 
     /// Releases and balances a joint, or all joints at once. \returns why not
-    std::optional<ui::Phrase> balance(const Play::Turn& turn);
+    std::optional<ui::Phrase> balance(const Play::Turn& clicked);
     std::optional<ui::Phrase> step(); ///< on the way that was gone before, else whose turn it is by the method's order
     std::optional<ui::Phrase> back();
     void restart();

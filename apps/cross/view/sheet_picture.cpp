@@ -10,6 +10,7 @@
 #include "apps/frame/view/sheet/legend.h"
 #include "apps/frame/view/structure/members.h"
 #include "apps/frame/view/structure/supports.h"
+#include "femoop/methods/cross/symmetry.h"
 
 namespace cross {
 
@@ -27,7 +28,7 @@ public:
         : painter_(painter),
           panel_(panel),
           scene_(scene),
-          problem_(scene.solution.task->problem),
+          problem_(scene.solution.sheet_problem(scene.document)),
           sheet_(scene.solution.sheet(scene.document)),
           theme_(theme_in(panel, scene.look)),
           numbers_(scene.document, scene.solution, scene.look),
@@ -43,6 +44,7 @@ public:
     void draw()
     {
         const ui::LayerScope layer(painter_, ui::Layer::Labels);
+        if (problem_.mirror) draw_axis(*problem_.mirror);
         mark_joints();
         for (std::size_t e = 0; e < problem_.ends.size(); ++e)
             if (layout_.boxes[e]) draw_column(fc::EndId(e));
@@ -51,6 +53,13 @@ public:
     }
 
 private:
+    /// Numbers are written there: of the sheet's half, where it is one.
+    bool is_worked(fc::EndId end) const { return sheet_ != nullptr && problem_.is_on_sheet(end); }
+    bool has_factor(fc::EndId end) const
+    {
+        return problem_.is_on_sheet(end) && problem_[end].joint && problem_.is_balanced(*problem_[end].joint);
+    }
+
     // ---- where everything stands
 
     ui::Point joint_place(femoop::NodeId node) const { return panel_.at(shape_[node]); }
@@ -60,7 +69,7 @@ private:
         BlockRequest request;
         for (std::size_t e = 0; e < problem_.ends.size(); ++e)
             request.places.push_back(place_of_end(panel_, shape_, problem_, fc::EndId(e), theme_));
-        const auto is_balanced = [this](const EndPlace& place) { return problem_[place.end].joint.has_value(); };
+        const auto is_balanced = [this](const EndPlace& place) { return has_factor(place.end); };
         std::stable_partition(request.places.begin(), request.places.end(), is_balanced); // joints have most to write
         request.room = panel_.box.grown(-0.3 * theme_.type().normal);
         request.room.min.y += 1.8 * theme_.type().normal;
@@ -122,7 +131,8 @@ private:
     std::size_t n_levels() const
     {
         std::size_t most = 0;
-        for (const Column& column : columns_) most = std::max(most, column.n_levels);
+        for (const Column& column : columns_)
+            if (problem_.is_on_sheet(column.end)) most = std::max(most, column.n_levels);
         return most;
     }
     std::size_t n_shown() const { return std::min(n_levels(), layout_.n_lines); }
@@ -163,7 +173,7 @@ private:
     {
         const ui::Box& box = *layout_.boxes[id.index];
         draw_head(id, box);
-        if (sheet_ != nullptr) draw_cells(columns_[id.index]);
+        if (is_worked(id)) draw_cells(columns_[id.index]);
         draw_total(id, box);
     }
 
@@ -174,7 +184,7 @@ private:
         ui::TextStyle name = style(ui::Role::FaintLabel, ui::Anchor::Center);
         name.size *= 0.9;
         painter_.text({middle, box.min.y + 0.55 * em}, end.label, name);
-        if (!end.joint) return;
+        if (!has_factor(id)) return;
         const ui::Box frame{{box.min.x + 0.15 * em, box.min.y + 1.1 * em},
                             {box.max.x - 0.05 * em, box.min.y + 2.55 * em}};
         ui::Stroke stroke = theme_.stroke(ui::Role::Label);
@@ -221,7 +231,7 @@ private:
 
     void draw_total(fc::EndId id, const ui::Box& box)
     {
-        const double n = sheet_ == nullptr ? 0.0 : static_cast<double>(n_shown());
+        const double n = is_worked(id) ? static_cast<double>(n_shown()) : 0.0;
         const ui::Point at = line_at(box, n + 0.12);
         ui::Stroke stroke = theme_.stroke(ui::Role::Label);
         stroke.width = std::max(1.0, 0.06 * layout_.type);
@@ -243,7 +253,34 @@ private:
         return sum;
     }
 
-    /// A ring around the joint that was balanced last, and one around what the pointer is on.
+    /// The axis of symmetry, over the whole picture.
+    void draw_axis(const fc::Mirror& mirror)
+    {
+        const ui::LayerScope layer(painter_, ui::Layer::Lines);
+        const double x = panel_.at({mirror.x, 0.0, 0.0}).x, em = theme_.type().normal;
+        ui::Stroke stroke = theme_.stroke(ui::Role::Dimension);
+        stroke.dash = {1.2 * em, 0.3 * em, 0.15 * em, 0.3 * em};
+        painter_.line({x, panel_.box.min.y + 2.2 * em}, {x, panel_.box.max.y - 0.3 * em}, stroke);
+        ui::TextStyle text = theme_.text(ui::Role::Dimension, ui::Anchor::BottomLeft);
+        text.size = theme_.type().small;
+        painter_.text({x + 0.5 * em, panel_.box.max.y - 0.4 * em}, words_of(mirror.kind), text);
+    }
+
+    /// "symmetric: BC 2EI/L"; where many members cross the axis the first word alone.
+    std::string words_of(fc::SymmetryKind kind) const
+    {
+        constexpr std::size_t most = 4;
+        const bool is_symmetric = kind == fc::SymmetryKind::Symmetric;
+        const std::string word = is_symmetric ? scene_.look.tr("symmetric") : scene_.look.tr("antisymmetric");
+        const std::vector<fc::EndId> crossing = fc::crossing_ends(problem_);
+        if (crossing.size() > most) return word;
+        std::string words;
+        for (const fc::EndId end : crossing)
+            words += (words.empty() ? ": " : ", ") + problem_[end].label + " " + std::string(formula(problem_, end));
+        return word + words;
+    }
+
+    /// A ring around the joint that was balanced last and its mirror image, and one around what the pointer is on.
     void mark_joints()
     {
         const double r = 8.0 * theme_.symbol_scale();
@@ -253,8 +290,10 @@ private:
             stroke.dash = {};
             painter_.circle(joint_place(problem_[joint].node), r, stroke);
         };
-        if (sheet_ != nullptr && !sheet_->steps.empty() && sheet_->steps.back().joint)
-            ring(*sheet_->steps.back().joint, ui::Role::Changed);
+        for (std::size_t j = 0; j < problem_.joints.size(); ++j)
+            if (sheet_ != nullptr && !sheet_->steps.empty() && sheet_->steps.back().joint &&
+                problem_.balanced_for(fc::JointId(j)) == sheet_->steps.back().joint)
+                ring(fc::JointId(j), ui::Role::Changed);
         if (scene_.hover) ring(*scene_.hover, ui::Role::Hover);
     }
 
@@ -262,7 +301,7 @@ private:
 
     std::optional<ui::Point> cell_of_last_turn(fc::EndId end, RowKind kind) const
     {
-        if (!layout_.boxes[end.index]) return std::nullopt;
+        if (!layout_.boxes[end.index] || !problem_.is_on_sheet(end)) return std::nullopt;
         const Column& column = columns_[end.index];
         for (const Cell& cell : column.cells)
             if (is_last_turn(cell) && cell.kind == kind) return place_of(column, cell);
@@ -274,7 +313,7 @@ private:
         for (const Column& column : columns_) {
             if (!layout_.boxes[column.end.index]) continue;
             for (const Cell& cell : column.cells)
-                if (is_last_turn(cell)) draw_flight(column, cell);
+                if (problem_.is_on_sheet(column.end) && is_last_turn(cell)) draw_flight(column, cell);
         }
     }
 

@@ -98,8 +98,9 @@ private:
     void draw_one(const fc::Sheet& sheet, const fc::Problem& problem, fc::JointId id)
     {
         const fc::Joint& joint = problem[id];
-        const bool is_turning = scene_.phase < 1.0 && !sheet.steps.empty() &&
-                                (!sheet.steps.back().joint || sheet.steps.back().joint == id);
+        const auto turned_by = scene_.solution.sheet_problem(scene_.document).balanced_for(id);
+        const bool is_turning = scene_.phase < 1.0 && !sheet.steps.empty() && turned_by &&
+                                (!sheet.steps.back().joint || sheet.steps.back().joint == turned_by);
         const bool is_open = is_turning || (joint.is_released_once && sheet.end.rotations[id.index] != 0.0);
         const ui::Point at = displaced(joint.node) + ui::Point{0.0, -in_.sketch.px(17.0)};
         draw(in_.sketch, Lock{at, !is_open});

@@ -24,13 +24,22 @@ void heading(const std::string& words)
     ui::wrapped_text(words);
 }
 
-/// A command that is on or off, as a box to tick.
+/// A command that is on or off, as a box to tick; greyed where it cannot run, its tip says why.
 void tick(Desk& desk, const CommandTable& commands, std::string_view id)
 {
     const auto& command = *commands.find(id);
+    const ui::Catalogue tr = desk.tr();
+    const auto reason = why_not(command, desk);
     bool is_on = command.is_on(desk);
-    if (ImGui::Checkbox((label(command, desk, ui::Catalogue(desk.tr())) + "###" + std::string(id)).c_str(), &is_on))
-        run(command, desk);
+    ImGui::BeginDisabled(reason.has_value());
+    if (ImGui::Checkbox((label(command, desk, tr) + "###" + std::string(id)).c_str(), &is_on)) run(command, desk);
+    ImGui::EndDisabled();
+    if (!reason || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(24.0F * ImGui::GetFontSize());
+    ImGui::TextUnformatted(tr(*reason).c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
 }
 
 /// One of several commands, as a round button.
@@ -129,7 +138,8 @@ void MethodPanel::show(Desk& desk, const CommandTable& commands)
     if (session.sheet() != nullptr) show_tolerance(desk);
     ImGui::Spacing();
     ImGui::Separator();
-    for (const char* const id : {"method.modified", "show.tension_side", "show.fractions", "show.shears"})
+    for (const char* const id :
+         {"method.modified", "method.symmetry", "show.tension_side", "show.fractions", "show.shears"})
         tick(desk, commands, id);
     if (session.solution().task) show_branches(session);
 }

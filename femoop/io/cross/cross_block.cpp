@@ -40,6 +40,7 @@ private:
         block.digits = static_cast<int>(count(member(value, "digits"), most_digits).value_or(0));
         block.tolerance = number(member(value, "tolerance"));
         block.is_modified = reader_.boolean(member(value, "modified_stiffness"), place_);
+        block.is_by_halves = reader_.boolean(member(value, "symmetry"), place_);
         for (const JsonValue joint : list(member(value, "factors"), JsonKind::Object))
             block.factors.emplace_back(joint.key(), labelled(joint));
         block.fixed_end = labelled(member(value, "fixed_end_moments"));
@@ -168,7 +169,7 @@ void set_order(Procedure& procedure, const std::string& order, const Model& mode
             name = first == std::string::npos ? "" : name.substr(first, name.find_last_not_of(' ') - first + 1);
             const std::optional<NodeId> node = model.find_node(name);
             const std::optional<JointId> joint = node ? problem.joint_at(*node) : std::nullopt;
-            if (!joint)
+            if (!joint || !problem.is_balanced(*joint))
                 throw ModelError(
                     {{FaultKind::CrossNoSuchJoint, {'"' + name + '"', listed(joint_names(model, problem))}}});
             procedure.joints.push_back(*joint);
@@ -189,6 +190,11 @@ FarEnds far_ends_of(const Model& model, CaseId load_case, const Block& block)
     const double modified = distance(problem_of(model, load_case, FarEnds::Modified), block.fixed_end);
     const double on_sheet = distance(problem_of(model, load_case, FarEnds::ReleasedOnSheet), block.fixed_end);
     return on_sheet < modified ? FarEnds::ReleasedOnSheet : FarEnds::Modified;
+}
+
+Extent extent_of(const std::optional<Block>& block)
+{
+    return block && block->is_by_halves ? Extent::Half : Extent::Whole;
 }
 
 Procedure procedure_of(const Model& model, const Problem& problem, const Block& block)

@@ -34,6 +34,7 @@ struct Block {
     std::optional<double> tolerance;
     int digits = 0;
     bool is_modified = false;
+    bool is_by_halves = false;                             ///< `symmetry`
     std::vector<std::pair<std::string, Labelled>> factors; ///< joint by joint
     Labelled fixed_end;
     std::vector<Row> sheet;
@@ -52,6 +53,7 @@ void set_order(Procedure& procedure, const std::string& order, const Model& mode
 /// The case, the far ends and the procedure that a block asks for; without a block the first case and the defaults.
 CaseId case_of(const Model& model, const std::optional<Block>& block);
 FarEnds far_ends_of(const Model& model, CaseId load_case, const Block& block);
+Extent extent_of(const std::optional<Block>& block);
 Procedure procedure_of(const Model& model, const Problem& problem, const Block& block);
 
 /// Values for every end of a problem; ends that the file leaves out are absent. \throws ModelError (CrossNoSuchEnd)

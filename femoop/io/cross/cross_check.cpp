@@ -22,7 +22,7 @@ public:
           block_(block),
           tr_(tr),
           load_case_(case_of(model, block)),
-          problem_(problem_of(model, load_case_, far_ends_of(model, load_case_, block))),
+          problem_(problem_of(model, load_case_, far_ends_of(model, load_case_, block), extent_of(block))),
           procedure_(procedure_of(model, problem_, block))
     {}
 
@@ -30,7 +30,7 @@ public:
     {
         check_factors();
         check_row(tr_("cross: fixed-end moments"), block_.fixed_end, problem_.loading.fixed_end, tolerance());
-        if (!block_.sheet.empty()) check_sheet(block_.sheet, worked(problem_.loading, block_.sheet), tr_("cross"));
+        if (!block_.sheet.empty()) check_sheet(block_.sheet, problem_.of_sheet(0), problem_.loading, tr_("cross"));
         check_stages();
         check_final();
         return std::move(outcomes_);
@@ -50,7 +50,7 @@ private:
     }
 
     /// Worked as far as the file's sheet goes.
-    Sheet worked(const Loading& loading, const std::vector<Block::Row>& wanted) const
+    Sheet worked(const Problem& half, const Loading& loading, const std::vector<Block::Row>& wanted) const
     {
         Procedure procedure = procedure_;
         const bool is_own_count = !block_.balances || !block_.stages.empty();
@@ -58,7 +58,7 @@ private:
             procedure.balances = std::ranges::count(wanted, "BAL", &Block::Row::step);
             procedure.ends_with_balance = wanted[wanted.size() - 2].step == "BAL";
         }
-        return try_to_distribute(model_, problem_, loading, procedure);
+        return try_to_distribute(model_, half, loading, procedure);
     }
 
     /// One check of several values: that of the end which is furthest off.
@@ -87,14 +87,15 @@ private:
 
     void check_factors()
     {
-        const std::vector<double> factors = factors_of(problem_, block_.digits);
+        const std::vector<double> factors = factors_of(problem_.of_sheet(0), block_.digits);
         for (const auto& [joint, wanted] : block_.factors)
             check_row(fill(tr_("cross: factors of {0}"), {joint}), wanted, factors, tolerance());
     }
 
-    void check_sheet(const std::vector<Block::Row>& wanted, const Sheet& sheet, const std::string& whose)
+    void check_sheet(const std::vector<Block::Row>& wanted, const Problem& half, const Loading& loading,
+                     const std::string& whose)
     {
-        const std::vector<Row> rows = rows_of(problem_, sheet);
+        const std::vector<Row> rows = rows_of(half, worked(half, loading, wanted));
         if (rows.size() != wanted.size())
             throw ModelError({{FaultKind::CrossSheetTooLong,
                                {"cross.sheet", std::to_string(wanted.size()), std::to_string(rows.size())}}});
@@ -126,23 +127,23 @@ private:
             const Block::Stage& stage = block_.stages[i];
             const std::string whose = fill(tr_("cross: stage {0}"), {std::to_string(i + 1)});
             if (!stage.props.empty()) {
-                check_stage(whose, stage, problem_.loading);
+                check_stage(whose, stage, problem_.of_sheet(0), problem_.loading);
                 continue;
             }
             if (const auto sway = sway_at(stage.sway, n_sways++))
-                check_stage(whose, stage, scaled(problem_.sways[*sway], stage).loading);
+                check_stage(whose, stage, problem_.of_sheet(*sway + 1), scaled(problem_.sways[*sway], stage).loading);
             else skip(whose);
         }
     }
 
-    void check_stage(const std::string& whose, const Block::Stage& stage, const Loading& loading)
+    void check_stage(const std::string& whose, const Block::Stage& stage, const Problem& half, const Loading& loading)
     {
         check_row(fill(tr_("{0}: fixed-end moments"), {whose}), stage.fixed_end, loading.fixed_end, tolerance());
-        const Sheet sheet = worked(loading, stage.sheet);
-        if (!stage.sheet.empty()) check_sheet(stage.sheet, sheet, whose);
+        if (!stage.sheet.empty()) check_sheet(stage.sheet, half, loading, whose);
+        const State reached = worked(half, loading, stage.sheet).end;
         for (std::size_t k = 0; k < stage.props.size(); ++k)
             if (const auto sway = sway_at(stage.props[k].node, k))
-                check_prop(whose, stage.props[k].reaction, sheet.end, *sway);
+                check_prop(whose, stage.props[k].reaction, reached, *sway);
             else skip(whose);
     }
 

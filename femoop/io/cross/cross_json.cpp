@@ -6,6 +6,7 @@
 #include "femoop/io/json/json_writer.h"
 #include "femoop/methods/cross/fraction.h"
 #include "femoop/methods/cross/rounding.h"
+#include "femoop/methods/cross/symmetry.h"
 #include "femoop/model/quantity/number_text.h"
 
 namespace femoop::cross {
@@ -37,9 +38,9 @@ public:
     {
         json_.begin_object(JsonWriter::Layout::Block);
         write_procedure();
-        write_factors();
+        write_factors(problem_.of_sheet(0));
         write_ends("fixed_end_moments", worked_.all.held.sheet.start.moments);
-        if (problem_.sways.empty()) write_sheet(problem_.loading, worked_.all.held.sheet);
+        if (problem_.sways.empty()) write_sheet(0, problem_.loading, worked_.all.held.sheet);
         else write_stages();
         write_ends("total", worked_.all.moments);
         write_ends("final", worked_.comparison.stiffness);
@@ -66,49 +67,56 @@ private:
         json_.member("tolerance", worked_.all.held.sheet.tolerance);
         json_.member("modified_stiffness", problem_.far_ends != FarEnds::Plain);
         if (procedure.digits > 0) json_.member("digits", procedure.digits);
+        if (!problem_.halves.empty()) json_.member("symmetry", true);
     }
 
     /// Of every joint that is balanced, and of hinged ends.
-    void write_factors()
+    void write_factors(const Problem& half)
     {
-        const std::vector<double> factors = factors_of(problem_, worked_.procedure.digits);
+        const std::vector<double> factors = factors_of(half, worked_.procedure.digits);
         json_.key("factors").begin_object();
-        by_joint([&](EndId e) { json_.member(problem_[e].label, factors[e.index]); });
+        by_joint(half, [&](EndId e) { json_.member(half[e].label, factors[e.index]); });
         json_.end().key("fractions").begin_object();
-        by_joint([&](EndId e) {
-            if (const auto fraction = fraction_of(problem_[e].factor))
-                json_.member(problem_[e].label, fraction_text(*fraction));
+        by_joint(half, [&](EndId e) {
+            if (const auto fraction = fraction_of(half[e].factor))
+                json_.member(half[e].label, fraction_text(*fraction));
         });
         json_.end();
     }
 
-    template <class Write> void by_joint(Write write)
+    static bool has_factor(const Problem& half, EndId e)
+    {
+        if (!half.is_on_sheet(e)) return false;
+        return half[e].is_hinged || (half[e].joint && half.is_balanced(*half[e].joint));
+    }
+
+    template <class Write> void by_joint(const Problem& half, Write write)
     {
         for (std::size_t e = 0; e < problem_.ends.size();) {
             const NodeId node = problem_.ends[e].node;
             std::size_t past = e;
             bool is_free = false;
             while (past < problem_.ends.size() && problem_.ends[past].node == node) {
-                is_free = is_free || problem_.ends[past].joint || problem_.ends[past].is_hinged;
+                is_free = is_free || has_factor(half, EndId(past));
                 ++past;
             }
             if (is_free) json_.key(worked_.model[node].id).begin_object();
             for (; e < past; ++e)
-                if (is_free) write(EndId(e));
+                if (is_free && half.is_on_sheet(EndId(e))) write(EndId(e));
             if (is_free) json_.end();
         }
     }
 
-    void write_values(const std::vector<double>& values)
+    void write_values(const Problem& half, const std::vector<double>& values)
     {
-        const std::vector<double> clean = cleaned(values, worked_.procedure.digits);
-        for (std::size_t e = 0; e < values.size(); ++e) json_.member(problem_.ends[e].label, clean[e]);
+        for (std::size_t e = 0; e < values.size(); ++e)
+            if (half.is_on_sheet(EndId(e))) json_.member(problem_.ends[e].label, values[e]);
     }
 
     void write_ends(std::string_view key, const std::vector<double>& values)
     {
         json_.key(key).begin_object();
-        write_values(values);
+        write_values(problem_, cleaned(values, worked_.procedure.digits));
         json_.end();
     }
 
@@ -119,22 +127,42 @@ private:
         json_.end();
     }
 
-    void write_sheet(const Loading& loading, const Sheet& sheet)
+    /// What half of the structure is balanced, and why its members have other stiffnesses.
+    void write_half(const Problem& half)
     {
+        const bool is_symmetric = half.mirror->kind == SymmetryKind::Symmetric;
+        json_.key("half").begin_object(JsonWriter::Layout::Block);
+        json_.member("kind", is_symmetric ? "symmetric" : "antisymmetric").member("axis", half.mirror->x);
+        json_.key("joints").begin_array();
+        for (const JointId joint : half.balanced_joints()) json_.value(name(joint));
+        json_.end().key("crossing").begin_object();
+        for (const EndId e : crossing_ends(half)) {
+            json_.key(half[e].label).begin_object().member("stiffness", half[e].stiffness);
+            if (const std::string_view text = formula(half, e); !text.empty()) json_.member("formula", text);
+            json_.end();
+        }
+        json_.end();
+        write_factors(half);
+        json_.end();
+    }
+
+    void write_sheet(std::size_t stage, const Loading& loading, const Sheet& sheet)
+    {
+        const Problem& half = problem_.of_sheet(stage);
+        if (half.mirror) write_half(half);
         json_.key("sheet").begin_array(JsonWriter::Layout::Block);
-        for (const Row& row : rows_of(problem_, sheet)) {
+        for (const Row& row : rows_of(half, sheet)) {
             json_.begin_object().member("step", step_names[static_cast<std::size_t>(row.kind)]);
             if (row.joint) json_.member("joint", name(*row.joint));
-            if (row.kind == RowKind::Total) write_values(row.values);
-            else
-                for (std::size_t e = 0; e < row.values.size(); ++e) json_.member(problem_.ends[e].label, row.values[e]);
+            const bool is_sum = row.kind == RowKind::Total;
+            write_values(half, is_sum ? cleaned(row.values, worked_.procedure.digits) : row.values);
             json_.end();
         }
         json_.end().key("convergence").begin_array();
         for (const double unbalance : convergence(sheet)) json_.value(unbalance);
         json_.end();
-        if (const auto per_round = rate(problem_, sheet)) json_.member("rate", *per_round);
-        if (worked_.procedure.digits > 0) write_ends("drift", drift(problem_, loading, sheet));
+        if (const auto per_round = rate(half, sheet)) json_.member("rate", *per_round);
+        if (worked_.procedure.digits > 0) write_ends("drift", drift(half, loading, sheet));
     }
 
     void write_stages()
@@ -143,7 +171,7 @@ private:
         json_.begin_object(JsonWriter::Layout::Block);
         write_props();
         write_ends("fixed_end_moments", worked_.all.held.sheet.start.moments);
-        write_sheet(problem_.loading, worked_.all.held.sheet);
+        write_sheet(0, problem_.loading, worked_.all.held.sheet);
         json_.end();
         for (std::size_t k = 0; k < problem_.sways.size(); ++k) write_sway(k);
         json_.end();
@@ -185,7 +213,7 @@ private:
             json_.member(worked_.model.members[m].id, sway.scale * sway.chord_rotation[m]);
         json_.end().end();
         write_ends("fixed_end_moments", sway.loading.fixed_end);
-        write_sheet(sway.loading, worked_.all.sways[k].sheet);
+        write_sheet(k + 1, sway.loading, worked_.all.sways[k].sheet);
         json_.key("holding").begin_array();
         for (const double force : worked_.all.sways[k].holding) json_.value(force);
         json_.end().end();
@@ -224,12 +252,14 @@ std::string cell(const std::string& text)
 
 void add_rows(std::string& csv, const Worked& worked, std::size_t stage, const Sheet& sheet)
 {
-    for (const Row& row : rows_of(worked.problem, sheet)) {
+    const Problem& half = worked.problem.of_sheet(stage);
+    for (const Row& row : rows_of(half, sheet)) {
         csv += std::to_string(stage) + ',' + std::string(step_names[static_cast<std::size_t>(row.kind)]) + ',';
         if (row.joint) csv += cell(worked.model[worked.problem[*row.joint].node].id);
         const bool is_sum = row.kind == RowKind::Total;
-        for (const double value : is_sum ? cleaned(row.values, worked.procedure.digits) : row.values)
-            csv += ',' + number_text(value);
+        const std::vector<double> values = is_sum ? cleaned(row.values, worked.procedure.digits) : row.values;
+        for (std::size_t e = 0; e < values.size(); ++e)
+            csv += ',' + (is_sum || half.is_on_sheet(EndId(e)) ? number_text(values[e]) : "");
         csv += '\n';
     }
 }

@@ -1,5 +1,6 @@
 #include "femoop/io/cross/cross_table.h"
 
+#include "femoop/io/cross/half_text.h"
 #include "femoop/io/results/text_table.h"
 #include "femoop/methods/cross/fraction.h"
 #include "femoop/methods/cross/rounding.h"
@@ -17,8 +18,9 @@ public:
 
     std::string write() const
     {
-        std::string text = heading() + factors();
-        text += "\n" + title_of_loads() + "\n" + sheet(problem_.loading, worked_.all.held.sheet);
+        std::string text = heading();
+        if (problem_.halves.empty()) text += factors(problem_) + "\n";
+        text += title_of_loads() + "\n" + sheet(0, problem_.loading, worked_.all.held.sheet);
         for (std::size_t k = 0; k < problem_.sways.size(); ++k) text += sway(k);
         if (!problem_.sways.empty()) text += equations();
         return text + finals();
@@ -48,15 +50,19 @@ private:
         return one.substr(one.find(' ') + 1);
     }
 
-    std::string factors() const
+    std::string factors(const Problem& half) const
     {
         TextTable table({tr_("member end"), tr_("stiffness"), "", tr_("distribution factor"), "", tr_("carry-over")});
-        for (std::size_t e = 0; e < problem_.ends.size(); ++e) {
-            const End& end = problem_.ends[e];
+        for (std::size_t e = 0; e < half.ends.size(); ++e) {
+            if (!half.is_on_sheet(EndId(e))) continue;
+            const End& end = half.ends[e];
             const auto fraction = fraction_of(end.factor, 999);
-            const bool is_free = end.joint || end.is_hinged;
-            table.add_row({end.label, std::string(formula(problem_, EndId(e))), number(end.stiffness),
-                           is_free ? number(end.factor) : tr_("fixed"),
+            const bool is_on_axis = end.joint && !half.is_balanced(*end.joint);
+            const bool is_free = (end.joint && !is_on_axis) || end.is_hinged;
+            table.add_row({end.label, std::string(formula(half, EndId(e))), number(end.stiffness),
+                           is_free      ? number(end.factor)
+                           : is_on_axis ? tr_("on the axis")
+                                        : tr_("fixed"),
                            is_free && fraction ? fraction_text(*fraction) : std::string(), number(end.carry_over)});
         }
         return print(table);
@@ -75,33 +81,44 @@ private:
         return tr_(words[static_cast<std::size_t>(kind)]);
     }
 
-    std::string sheet(const Loading& loading, const Sheet& sheet) const
+    std::string sheet(std::size_t stage, const Loading& loading, const Sheet& sheet) const
     {
+        const Problem& half = problem_.of_sheet(stage);
         std::vector<std::string> headers{tr_("step"), tr_("joint")};
-        for (const End& end : problem_.ends) headers.push_back(end.label);
+        for (std::size_t e = 0; e < half.ends.size(); ++e)
+            if (half.is_on_sheet(EndId(e))) headers.push_back(half.ends[e].label);
         TextTable table(headers);
-        for (const Row& row : rows_of(problem_, sheet)) {
+        for (const Row& row : rows_of(half, sheet)) {
             std::vector<TextTable::Cell> cells{word(row.kind), row.joint ? name(problem_[*row.joint].node) : ""};
-            for (const double value : row.values) cells.emplace_back(value);
+            for (std::size_t e = 0; e < row.values.size(); ++e)
+                if (half.is_on_sheet(EndId(e))) cells.emplace_back(row.values[e]);
             table.add_row(std::move(cells));
         }
-        return print(table) + summary(sheet) + drift_line(loading, sheet);
+        return reasons(half) + print(table) + summary(half, sheet) + drift_line(half, loading, sheet);
     }
 
-    std::string summary(const Sheet& sheet) const
+    std::string reasons(const Problem& half) const
+    {
+        if (!half.mirror) return "";
+        std::string text;
+        for (const std::string& sentence : half_text(worked_.model, half, tr_)) text += sentence + "\n";
+        return text + "\n" + factors(half) + "\n";
+    }
+
+    std::string summary(const Problem& half, const Sheet& sheet) const
     {
         std::string text = fill(tr_("balances: {0}; largest unbalance left: {1}"),
                                 {std::to_string(sheet.steps.size()), moment(largest_unbalance(sheet.end))});
-        if (const auto per_round = rate(problem_, sheet))
+        if (const auto per_round = rate(half, sheet))
             text += "; " + fill(tr_("each round leaves {0} of it"), {number(*per_round)});
         return text + "\n";
     }
 
-    std::string drift_line(const Loading& loading, const Sheet& sheet) const
+    std::string drift_line(const Problem& half, const Loading& loading, const Sheet& sheet) const
     {
         if (worked_.procedure.digits == 0) return "";
         double largest = 0.0;
-        for (const double one : drift(problem_, loading, sheet)) largest = std::max(largest, std::abs(one));
+        for (const double one : drift(half, loading, sheet)) largest = std::max(largest, std::abs(one));
         return fill(tr_("rounding to {0} digits moved the totals by {1} at most"),
                     {std::to_string(worked_.procedure.digits), moment(largest)}) +
                "\n";
@@ -115,7 +132,7 @@ private:
                     {std::to_string(k + 1), name(one.prop),
                      localized(quantity_text(rounded(one.scale, shown_digits), dimension::length, worked_.model.units),
                                tr_)}) +
-               "\n" + sheet(one.loading, worked_.all.sways[k].sheet);
+               "\n" + sheet(k + 1, one.loading, worked_.all.sways[k].sheet);
     }
 
     /// The forces of the props in every sheet, and how much of each sway lets them vanish.
@@ -143,7 +160,9 @@ private:
         const Comparison& all = worked_.comparison;
         for (std::size_t e = 0; e < problem_.ends.size(); ++e)
             table.add_row({problem_.ends[e].label, all.distributed[e], all.limit[e], all.stiffness[e], all.apart[e]});
-        return "\n" + tr_("Final moments") + "\n" + print(table);
+        const std::string title = problem_.halves.empty() ? tr_("Final moments")
+                                                          : tr_("Final moments of the whole structure");
+        return "\n" + title + "\n" + print(table);
     }
 
     const Worked& worked_;

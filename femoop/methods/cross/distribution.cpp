@@ -36,15 +36,14 @@ public:
 
     void balance(JointId id, std::vector<Change>& changes)
     {
-        const Joint& joint = problem_[id];
-        const double unbalance = state_.unbalance[id.index];
-        state_.rotations[id.index] -= unbalance / joint.stiffness;
-        for (const EndId e : joint.ends) {
-            const double value = rounded(-unbalance * factors_[e.index], digits_);
-            changes.push_back({e, value + 0.0});
-            state_.moments[e.index] += value;
-        }
-        state_.unbalance[id.index] = digits_ > 0 ? sum_of(id) - loads_[id.index] : 0.0;
+        const std::size_t first = changes.size();
+        turn(id, changes);
+        if (problem_.mirror && problem_.mirror->joints[id.index] != id) turn_image(id, first, changes);
+    }
+
+    void balance_all(std::vector<Change>& changes)
+    {
+        for (const JointId joint : problem_.balanced_joints()) balance(joint, changes);
     }
 
     /// Carries over what the balances in [first, carried) send.
@@ -62,6 +61,34 @@ public:
     }
 
 private:
+    void turn(JointId id, std::vector<Change>& changes)
+    {
+        const Joint& joint = problem_[id];
+        const double unbalance = state_.unbalance[id.index];
+        state_.rotations[id.index] -= unbalance / joint.stiffness;
+        for (const EndId e : joint.ends) {
+            const double value = rounded(-unbalance * factors_[e.index], digits_);
+            changes.push_back({e, value + 0.0});
+            state_.moments[e.index] += value;
+        }
+        state_.unbalance[id.index] = digits_ > 0 ? sum_of(id) - loads_[id.index] : 0.0;
+    }
+
+    /// The image of a joint turns with it, and what its turn wrote in [first, end) is written there too.
+    void turn_image(JointId joint, std::size_t first, std::vector<Change>& changes)
+    {
+        const Mirror& mirror = *problem_.mirror;
+        const std::size_t last = changes.size();
+        for (std::size_t i = first; i < last; ++i) {
+            const Change own = changes[i], image{mirror.ends[own.end.index], mirror.sign() * own.value + 0.0};
+            changes.push_back(image);
+            state_.moments[image.end.index] += image.value;
+        }
+        const std::size_t image = mirror.joints[joint.index].index;
+        state_.rotations[image] = mirror.sign() * state_.rotations[joint.index];
+        state_.unbalance[image] = mirror.sign() * state_.unbalance[joint.index];
+    }
+
     double sum_of(JointId joint) const
     {
         double sum = 0.0;
@@ -79,24 +106,26 @@ private:
 /// The order in which joints have their turn.
 class Turns {
 public:
-    Turns(const Model& model, const Problem& problem, const Procedure& procedure) : order_(procedure.order)
+    Turns(const Model& model, const Problem& problem, const Procedure& procedure)
+        : problem_(problem), order_(procedure.order)
     {
         if (order_ == Order::Listed) joints_ = procedure.joints;
-        if (joints_.empty())
-            for (std::size_t j = 0; j < problem.joints.size(); ++j) joints_.emplace_back(j);
+        std::erase_if(joints_, [&](JointId joint) { return !problem.is_balanced(joint); });
+        if (joints_.empty()) joints_ = problem.balanced_joints();
         if (order_ == Order::LeftToRight)
             std::ranges::stable_sort(joints_, {}, [&](JointId j) { return model[problem[j].node].at[0].value(); });
     }
 
     JointId next(const State& state)
     {
-        if (order_ == Order::Largest) return *worst_joint(state);
+        if (order_ == Order::Largest) return *worst_joint(problem_, state);
         const JointId joint = joints_[at_];
         at_ = (at_ + 1) % joints_.size();
         return joint;
     }
 
 private:
+    const Problem& problem_;
     Order order_;
     std::vector<JointId> joints_;
     std::size_t at_ = 0;
@@ -109,15 +138,14 @@ double usual_tolerance_of(const Loading& loading)
     return usual_tolerance * largest;
 }
 
-void work(Sheet& sheet, Worker& worker, Turns& turns, const Problem& problem, const Procedure& procedure)
+void work(Sheet& sheet, Worker& worker, Turns& turns, const Procedure& procedure)
 {
     const auto is_done = [&] {
         return procedure.balances ? sheet.steps.size() >= *procedure.balances : worker.largest() <= sheet.tolerance;
     };
     while (!is_done() && sheet.steps.size() < procedure.most_steps) {
         Step step{.joint = {}, .first = sheet.changes.size()};
-        if (procedure.order == Order::AllAtOnce)
-            for (std::size_t j = 0; j < problem.joints.size(); ++j) worker.balance(JointId(j), sheet.changes);
+        if (procedure.order == Order::AllAtOnce) worker.balance_all(sheet.changes);
         else worker.balance(*(step.joint = turns.next(worker.state())), sheet.changes);
         step.carried = sheet.changes.size();
         const bool is_last = procedure.balances && sheet.steps.size() + 1 == *procedure.balances;
@@ -144,6 +172,9 @@ State locked_state(const Problem& problem, const Loading& loading, int digits)
     State state{
         .moments = loading.fixed_end, .rotations = std::vector<double>(problem.joints.size(), 0.0), .unbalance = {}};
     for (double& moment : state.moments) moment = rounded(moment, digits) + 0.0;
+    for (std::size_t e = 0; problem.mirror && e < state.moments.size(); ++e)
+        if (problem.is_on_sheet(EndId(e)) && !problem.is_on_sheet(problem.mirror->ends[e]))
+            state.moments[problem.mirror->ends[e].index] = problem.mirror->sign() * state.moments[e] + 0.0;
     for (std::size_t j = 0; j < problem.joints.size(); ++j) {
         double unbalance = -loading.joint_load[j];
         for (const EndId e : problem.joints[j].ends) unbalance += state.moments[e.index];
@@ -172,13 +203,14 @@ State balance(const Problem& problem, const State& state, JointId joint, int dig
     return worker.take();
 }
 
-std::optional<JointId> worst_joint(const State& state)
+std::optional<JointId> worst_joint(const Problem& problem, const State& state)
 {
-    if (state.unbalance.empty()) return std::nullopt;
-    std::size_t worst = 0;
-    for (std::size_t j = 1; j < state.unbalance.size(); ++j)
-        if (std::abs(state.unbalance[j]) > std::abs(state.unbalance[worst])) worst = j;
-    return JointId(worst);
+    std::optional<JointId> worst;
+    for (std::size_t j = 0; j < state.unbalance.size(); ++j)
+        if (problem.is_balanced(JointId(j)) &&
+            (!worst || std::abs(state.unbalance[j]) > std::abs(state.unbalance[worst->index])))
+            worst = JointId(j);
+    return worst;
 }
 
 double largest_unbalance(const State& state)
@@ -195,7 +227,7 @@ Sheet try_to_distribute(const Model& model, const Problem& problem, const Loadin
     Worker worker(problem, loading, procedure.digits);
     sheet.start = worker.state();
     Turns turns(model, problem, procedure);
-    if (!problem.joints.empty()) work(sheet, worker, turns, problem, procedure);
+    if (!problem.balanced_joints().empty()) work(sheet, worker, turns, procedure);
     sheet.is_balanced = worker.largest() <= sheet.tolerance;
     sheet.end = worker.take();
     return sheet;
@@ -208,7 +240,7 @@ Sheet distribute(const Model& model, const Problem& problem, const Loading& load
     const auto moment = [&](double value) { return quantity_text(rounded(value, 3), dimension::moment, model.units); };
     throw ModelError({{FaultKind::CrossSteps,
                        {std::to_string(sheet.steps.size()), moment(largest_unbalance(sheet.end)),
-                        model[problem[*worst_joint(sheet.end)].node].id, moment(sheet.tolerance)}}});
+                        model[problem[*worst_joint(problem, sheet.end)].node].id, moment(sheet.tolerance)}}});
 }
 
 State state_after(const Problem& problem, const Sheet& sheet, std::size_t n)
@@ -222,10 +254,12 @@ State state_after(const Problem& problem, const Sheet& sheet, std::size_t n)
     for (const Step& step : std::span(sheet.steps).first(std::min(n, sheet.steps.size()))) {
         const auto turn = [&](JointId j) {
             state.rotations[j.index] -= state.unbalance[j.index] / problem[j].stiffness;
+            if (problem.mirror && problem.mirror->joints[j.index] != j)
+                state.rotations[problem.mirror->joints[j.index].index] = problem.mirror->sign() *
+                                                                         state.rotations[j.index];
         };
         if (step.joint) turn(*step.joint);
-        else
-            for (std::size_t j = 0; j < problem.joints.size(); ++j) turn(JointId(j));
+        else std::ranges::for_each(problem.balanced_joints(), turn);
         std::ranges::for_each(sheet.balanced(step), add);
         std::ranges::for_each(sheet.carried_over(step), add);
     }
@@ -239,8 +273,7 @@ std::vector<double> drift(const Problem& problem, const Loading& loading, const 
     for (const Step& step : sheet.steps) {
         changes.clear();
         if (step.joint) worker.balance(*step.joint, changes);
-        else
-            for (std::size_t j = 0; j < problem.joints.size(); ++j) worker.balance(JointId(j), changes);
+        else worker.balance_all(changes);
         if (step.is_carried) worker.carry(0, changes);
     }
     std::vector<double> difference = sheet.end.moments;
@@ -277,7 +310,7 @@ std::optional<double> rate(const Problem& problem, const Sheet& sheet)
 {
     const std::vector<double> history = convergence(sheet);
     const bool is_at_once = !sheet.steps.empty() && !sheet.steps.front().joint;
-    const std::size_t round = is_at_once ? 1 : problem.joints.size();
+    const std::size_t round = is_at_once ? 1 : problem.balanced_joints().size();
     const std::size_t last = history.size() - 1, first = last / 2;
     if (last - first < round || history[first] == 0.0 || history[last] == 0.0) return std::nullopt;
     const double rounds = static_cast<double>(last - first) / static_cast<double>(round);

@@ -23,7 +23,7 @@ struct Change {
     double value = 0.0;
 };
 
-/// One joint turned until it is balanced, or all of them at once.
+/// One joint turned until it is balanced, its mirror image with it, or all of them at once.
 struct Step {
     std::optional<JointId> joint;   ///< nothing: all at once
     std::size_t first = 0;          ///< of its balancing moments among Sheet::changes
@@ -71,7 +71,7 @@ std::vector<double> factors_of(const Problem& problem, int digits = 0);
 /// The locked structure. \param digits as in Procedure
 State locked_state(const Problem& problem, const Loading& loading, int digits = 0);
 
-/// What releasing one joint does to a state: its balancing moments, then its carry-overs.
+/// What releasing one joint and its mirror image does to a state: its balancing moments, then its carry-overs.
 struct Release {
     std::vector<Change> balance, carry_over;
 };
@@ -80,8 +80,8 @@ Release release_of(const Problem& problem, const State& state, JointId joint, in
 /// The state after a joint is released, balanced and locked again.
 State balance(const Problem& problem, const State& state, JointId joint, int digits = 0);
 
-/// The joint with the largest unbalance; the first of equal ones. Nothing without joints.
-std::optional<JointId> worst_joint(const State& state);
+/// The joint with the largest unbalance; the first of equal ones. Nothing without joints to balance.
+std::optional<JointId> worst_joint(const Problem& problem, const State& state);
 double largest_unbalance(const State& state);
 
 /// Works a whole sheet; \throws ModelError (CrossSteps) naming the worst joint if it needs more steps than it may.

@@ -9,6 +9,7 @@
 #include "femoop/methods/cross/kinematics.h"
 #include "femoop/methods/cross/member_action.h"
 #include "femoop/methods/cross/overhang.h"
+#include "femoop/methods/cross/symmetry.h"
 #include "femoop/model/check/check.h"
 #include "femoop/model/quantity/number_text.h"
 
@@ -393,10 +394,32 @@ std::optional<EndId> Problem::find_end(std::string_view label) const
     return EndId(static_cast<std::size_t>(at - ends.begin()));
 }
 
-Problem problem_of(const Model& model, CaseId load_case, FarEnds far_ends)
+bool Problem::is_balanced(JointId joint) const
+{
+    if (halves.empty()) return !mirror || mirror->is_balanced[joint.index];
+    return std::ranges::any_of(halves, [&](const Problem& half) { return half.is_balanced(joint); });
+}
+
+std::vector<JointId> Problem::balanced_joints() const
+{
+    std::vector<JointId> balanced;
+    for (std::size_t j = 0; j < joints.size(); ++j)
+        if (is_balanced(JointId(j))) balanced.emplace_back(j);
+    return balanced;
+}
+
+std::optional<JointId> Problem::balanced_for(JointId joint) const
+{
+    if (is_balanced(joint)) return joint;
+    const JointId image = mirror ? mirror->joints[joint.index] : joint;
+    return is_balanced(image) ? std::optional(image) : std::nullopt;
+}
+
+Problem problem_of(const Model& model, CaseId load_case, FarEnds far_ends, Extent extent)
 {
     require_suitable(model);
-    return Builder(model, load_case, far_ends).build();
+    Problem whole = Builder(model, load_case, far_ends).build();
+    return extent == Extent::Half ? by_halves(model, std::move(whole)) : whole;
 }
 
 Model inextensible_copy(const Model& model)
@@ -409,7 +432,7 @@ Model inextensible_copy(const Model& model)
 std::vector<std::string> joint_names(const Model& model, const Problem& problem)
 {
     std::vector<std::string> names;
-    for (const Joint& joint : problem.joints) names.push_back(model[joint.node].id);
+    for (const JointId joint : problem.balanced_joints()) names.push_back(model[problem[joint].node].id);
     return names;
 }
 

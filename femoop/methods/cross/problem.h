@@ -24,6 +24,13 @@ enum class FarEnds : std::uint8_t {
     Plain            ///< it is locked and balanced like every joint
 };
 
+/// How much of a structure is balanced.
+enum class Extent : std::uint8_t {
+    Whole,
+    Half ///< by symmetry (femoop/methods/cross/symmetry.h): the joints on one side of the axis; the others turn with
+         ///< them
+};
+
 /// One end of a member at a joint, or a rotational spring of its support: a column of the sheet.
 struct End {
     NodeId node;
@@ -86,6 +93,22 @@ struct GroundSpring {
     double stiffness = 0.0, ground = 0.0;
 };
 
+enum class SymmetryKind : std::uint8_t { Symmetric, Antisymmetric };
+
+/// What stands where on the other side of a vertical axis. Turning a joint turns its mirror image with it, so that
+/// every state that half of the joints reach is one of the whole structure.
+struct Mirror {
+    SymmetryKind kind = SymmetryKind::Symmetric;
+    double x = 0.0;                ///< of the axis
+    std::vector<EndId> ends;       ///< the image of every end
+    std::vector<JointId> joints;   ///< the image of every joint; its own on the axis
+    std::vector<bool> is_balanced; ///< every joint: left of the axis; on it too where antisymmetric turns are worked
+    std::vector<bool> is_on_sheet; ///< every end: of the half that is balanced
+
+    /// Of an image's moment and rotation: mirrored, both turn the other way.
+    double sign() const { return kind == SymmetryKind::Symmetric ? -1.0 : 1.0; }
+};
+
 /// A plane structure as moment distribution sees it: joints, member ends with their factors, what acts on them, and the
 /// ways in which it can sway.
 ///
@@ -108,6 +131,18 @@ struct Problem {
     std::vector<Eigen::Vector2d> imposed;    ///< displacement of every node that settlements and heat impose
     std::vector<Eigen::Vector2d> node_force; ///< on every node: from outside and from overhangs
 
+    /// Extent::Half: what each sheet is worked on, that of the loads first, then of each sway. Ends that cross the axis
+    /// have another stiffness there; sways, springs and node forces are left to the whole.
+    std::vector<Problem> halves;
+    std::optional<Mirror> mirror; ///< of such a half
+
+    const Problem& of_sheet(std::size_t stage) const { return stage < halves.size() ? halves[stage] : *this; }
+    bool is_balanced(JointId joint) const; ///< here, or on any of the halves
+    bool is_on_sheet(EndId end) const { return !mirror || mirror->is_on_sheet[end.index]; }
+    std::vector<JointId> balanced_joints() const; ///< in file order
+    /// The joint whose balance turns this one: itself, or its mirror image. Nothing where it never turns.
+    std::optional<JointId> balanced_for(JointId joint) const;
+
     const End& operator[](EndId id) const { return ends[id.index]; }
     const Joint& operator[](JointId id) const { return joints[id.index]; }
     std::optional<JointId> joint_at(NodeId node) const;
@@ -119,13 +154,15 @@ inline constexpr std::size_t most_nodes = 1000;
 
 /// \throws ModelError      what `check` finds; what the method cannot do: other models than frame2d, rigid members,
 ///                         offsets across the axis, springs along it, a joint without stiffness
+///                         and with Extent::Half what is not symmetric
 ///         MechanismError  where sways and settlements contradict the supports, as the analysis finds
-Problem problem_of(const Model& model, CaseId load_case, FarEnds far_ends = FarEnds::Modified);
+Problem problem_of(const Model& model, CaseId load_case, FarEnds far_ends = FarEnds::Modified,
+                   Extent extent = Extent::Whole);
 
 /// The same with every member inextensible: what the method solves exactly.
 Model inextensible_copy(const Model& model);
 
-/// Names of the joints that can be balanced, in file order.
+/// Names of the joints that are balanced, in file order.
 std::vector<std::string> joint_names(const Model& model, const Problem& problem);
 
 /// "4EI/L", "3EI/L", "2EI/L", "6EI/L", "0", else "".

@@ -15,14 +15,15 @@ constexpr double no_pivot = 1e-9; // of the scaled equations
 
 Stage held_stage(const Model& model, const Problem& problem, const Procedure& procedure)
 {
-    Stage stage{.sheet = distribute(model, problem, problem.loading, procedure), .holding = {}};
+    Stage stage{.sheet = distribute(model, problem.of_sheet(0), problem.loading, procedure), .holding = {}};
     stage.holding = holding_forces(problem, {stage.sheet.end.moments, stage.sheet.end.rotations});
     return stage;
 }
 
-Stage sway_stage(const Model& model, const Problem& problem, const Sway& sway, const Procedure& procedure)
+Stage sway_stage(const Model& model, const Problem& problem, std::size_t k, const Procedure& procedure)
 {
-    Stage stage{.sheet = distribute(model, problem, sway.loading, procedure), .holding = {}};
+    const Sway& sway = problem.sways[k];
+    Stage stage{.sheet = distribute(model, problem.of_sheet(k + 1), sway.loading, procedure), .holding = {}};
     stage.holding = holding_forces(problem, {stage.sheet.end.moments, stage.sheet.end.rotations}, sway);
     return stage;
 }
@@ -73,14 +74,13 @@ Superposition superpose(const Model& model, const Problem& problem, const Proced
     all.held = held_stage(model, problem, procedure);
     Procedure own = procedure;
     own.tolerance.reset(); // of the loads' moments, which say nothing of a sway's
-    for (const Sway& sway : problem.sways) all.sways.push_back(sway_stage(model, problem, sway, own));
+    for (std::size_t k = 0; k < problem.sways.size(); ++k) all.sways.push_back(sway_stage(model, problem, k, own));
     solve(model, all);
     const bool is_refined = !problem.sways.empty() && procedure.digits == 0 && !procedure.balances;
     if (is_refined && all.held.sheet.tolerance > 0.0) {
         own.tolerance = fitting_tolerance(all);
         for (std::size_t k = 0; k < all.sways.size(); ++k)
-            if (all.sways[k].sheet.tolerance > *own.tolerance)
-                all.sways[k] = sway_stage(model, problem, problem.sways[k], own);
+            if (all.sways[k].sheet.tolerance > *own.tolerance) all.sways[k] = sway_stage(model, problem, k, own);
         solve(model, all);
     }
     add_up(problem, all);

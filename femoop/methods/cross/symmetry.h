@@ -1,40 +1,32 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <vector>
 
-#include "femoop/methods/cross/distribution.h"
+#include "femoop/methods/cross/problem.h"
+#include "femoop/model/fault/fault.h"
 
 namespace femoop::cross {
 
-enum class SymmetryKind : std::uint8_t { Symmetric, Antisymmetric };
-
-/// A vertical axis about which the structure is its own mirror image, and a loading its own or the opposite: half of
-/// the joints need be balanced.
+/// The shortcut that symmetry offers: half of the joints are balanced, the others are their mirror images.
 ///
 ///        A    B  :  C    D        symmetric      M_CB = -M_BC   the member BC takes 2EI/L, nothing is carried over
 ///        |----o--:--o----|        antisymmetric  M_CB = +M_BC   it takes 6EI/L
+///               axis
 ///
-struct Symmetry {
-    SymmetryKind kind = SymmetryKind::Symmetric;
-    double x = 0.0;                ///< of the axis
-    std::vector<EndId> mirror;     ///< of every end
-    std::vector<JointId> balanced; ///< joints left of the axis
-    std::vector<EndId> crossing;   ///< their ends whose members cross the axis
-};
+/// In numbers: an end with the stiffness s and the carry-over C whose member crosses the axis takes s - Cs or s + Cs. A
+/// joint on the axis of a symmetric sheet does not turn; on that of an antisymmetric one it is balanced as it is.
+///
+/// Each sheet is symmetric or antisymmetric by itself: of the loads, and of every sway. A sway of the other kind than
+/// the loads, whose prop they leave idle, does not happen: it has no sheet.
+///
+/// Assumes  a vertical axis in the middle of the structure
+/// \throws  ModelError  CrossNodeWithoutImage, CrossEndWithoutImage, CrossSkewLoads, CrossSkewSway
+Problem by_halves(const Model& model, Problem whole);
 
-/// The shortcut that a structure and a loading offer, if any. An antisymmetric one with joints on the axis is left out.
-std::optional<Symmetry> symmetry_of(const Model& model, const Problem& problem, const Loading& loading);
+/// Why a structure with its loads offers no such shortcut; nothing where it does.
+std::optional<Fault> why_not_by_halves(const Model& model, const Problem& whole);
 
-/// The half that is balanced: crossing members with 2EI/L or 6EI/L (s - Cs or s + Cs), no other joints.
-struct Half {
-    Problem problem;
-    Loading loading;
-};
-Half half_of(const Problem& problem, const Loading& loading, const Symmetry& symmetry);
-
-/// Moments at every end from those of the half.
-std::vector<double> whole_of(const Symmetry& symmetry, const Problem& half, const std::vector<double>& moments);
+/// Ends on the sheet of a half whose members cross the axis at a joint that is balanced.
+std::vector<EndId> crossing_ends(const Problem& half);
 
 } // namespace femoop::cross

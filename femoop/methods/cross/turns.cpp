@@ -18,7 +18,7 @@ public:
         std::vector<Change> carried;
         if (turn) release(*turn, carried);
         else
-            for (std::size_t j = 0; j < problem_.joints.size(); ++j) release(JointId(j), carried);
+            for (const JointId joint : problem_.balanced_joints()) release(joint, carried);
         step.carried = sheet_.changes.size();
         for (const Change& change : carried) add(change);
         step.last = sheet_.changes.size();
@@ -32,9 +32,11 @@ private:
     {
         State& state = sheet_.end;
         const Release release = release_of(problem_, state, joint, digits_);
+        const JointId image = problem_.mirror ? problem_.mirror->joints[joint.index] : joint;
         state.rotations[joint.index] -= state.unbalance[joint.index] / problem_[joint].stiffness;
+        if (image != joint) state.rotations[image.index] = problem_.mirror->sign() * state.rotations[joint.index];
         for (const Change& change : release.balance) add(change);
-        if (digits_ == 0) state.unbalance[joint.index] = 0.0;
+        if (digits_ == 0) state.unbalance[joint.index] = state.unbalance[image.index] = 0.0;
         carried.insert(carried.end(), release.carry_over.begin(), release.carry_over.end());
     }
 
@@ -62,9 +64,9 @@ double tolerance_of(const Loading& loading, const Procedure& procedure)
 std::vector<JointId> listed(const Model& model, const Problem& problem, const Procedure& procedure)
 {
     std::vector<JointId> joints = procedure.joints;
+    std::erase_if(joints, [&](JointId joint) { return !problem.is_balanced(joint); });
     if (procedure.order == Order::Listed && !joints.empty()) return joints;
-    joints.clear();
-    for (std::size_t j = 0; j < problem.joints.size(); ++j) joints.emplace_back(j);
+    joints = problem.balanced_joints();
     if (procedure.order == Order::LeftToRight)
         std::ranges::stable_sort(joints, {}, [&](JointId j) { return model[problem[j].node].at[0].value(); });
     return joints;
@@ -86,7 +88,7 @@ Sheet sheet_of(const Problem& problem, const Loading& loading, std::span<const T
 Turn next_turn(const Model& model, const Problem& problem, const Sheet& sheet, const Procedure& procedure)
 {
     if (procedure.order == Order::AllAtOnce) return std::nullopt;
-    if (procedure.order == Order::Largest) return worst_joint(sheet.end);
+    if (procedure.order == Order::Largest) return worst_joint(problem, sheet.end);
     const std::vector<JointId> joints = listed(model, problem, procedure);
     const Turn last = sheet.steps.empty() ? Turn{} : sheet.steps.back().joint;
     const auto at = last ? std::ranges::find(joints, *last) : joints.end();

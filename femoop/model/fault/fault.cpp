@@ -80,6 +80,10 @@ bool is_computed(FaultKind kind, std::size_t argument)
     case FaultKind::NearlySingular: return argument == 0;
     case FaultKind::CrossJointFree: return argument == 1;
     case FaultKind::CrossSteps: return argument == 1 || argument == 3;
+    case FaultKind::CrossNodeWithoutImage: return argument == 1 || argument == 2;
+    case FaultKind::CrossEndWithoutImage:
+    case FaultKind::CrossSkewSway: return argument == 1;
+    case FaultKind::CrossSkewLoads: return argument == 1 || argument == 3 || argument == 4;
     case FaultKind::MemoryInsufficient: return argument == 1 || argument == 2;
     case FaultKind::MechanismMoveOblique:
     case FaultKind::MechanismTurn:

@@ -189,6 +189,10 @@ enum class FaultKind : std::uint8_t {
     CrossSwayUndetermined, ///< no case: sways that nothing resists
     CrossNoSuchEnd,        ///< {0} place, {1} what was found, {2} the ends
     CrossSheetTooLong,     ///< {0} place, {1} how many rows, {2} how many the sheet has
+    CrossNodeWithoutImage, ///< {0} node, {1} x of the axis, {2} where its image should be
+    CrossEndWithoutImage,  ///< {0} member end, {1} x of the axis, {2} node of its image
+    CrossSkewLoads, ///< {0} member end or joint, {1} its moment, {2} its image, {3} the image's, {4} x of the axis
+    CrossSkewSway,  ///< {0} node of the prop, {1} x of the axis
 
     // what is expected of it
     ExpectedWithoutCase,

@@ -325,6 +325,22 @@ std::string_view pattern(FaultKind kind)
         return "the sways of the structure are resisted by nothing, so that their equations have no solution; add a "
                "brace or a support";
     case FaultKind::CrossNoSuchEnd: return "{0}: there is no member end \"{1}\"; choose from {2}";
+    case FaultKind::CrossNodeWithoutImage:
+        return "the structure is not symmetric about x = {1}: node {0} has no mirror image at {2}; move a node, or "
+               "balance the whole structure";
+    case FaultKind::CrossEndWithoutImage:
+        return "the structure is not symmetric about x = {1}: member end {0} has no mirror image at node {2} with the "
+               "same stiffness and carry-over; make members and supports alike on both sides, or balance the whole "
+               "structure";
+    case FaultKind::CrossSkewLoads:
+        return "the loads are neither symmetric nor antisymmetric about x = {4}: fixed-end moments or loads on joints "
+               "are {1} at {0} and {3} at {2}, wanted opposite ones everywhere or equal ones everywhere; change a "
+               "load, "
+               "or balance the whole structure";
+    case FaultKind::CrossSkewSway:
+        return "the sway with the prop at node {0} is neither symmetric nor antisymmetric about x = {1}; hold the "
+               "sway, "
+               "or balance the whole structure";
     case FaultKind::CrossSheetTooLong: return "{0}: found {1} rows, and the sheet has {2}; give as many";
 
     case FaultKind::ExpectedWithoutCase:

@@ -92,6 +92,61 @@ TEST_CASE("The sheet of cross --json is that of the file's block, which gives th
     }
 }
 
+TEST_CASE("Half of Kleinlogel's portal is done by one balance with 2EI/L and has the moments of the whole")
+{
+    const json half = sheet_of({"examples/portal_kleinlogel.json", "--symmetry"});
+    const json whole = sheet_of({"examples/portal_kleinlogel.json", "--tolerance", "1e-9"});
+    CHECK(half["symmetry"] == true);
+    CHECK(half["balances"] == 1);
+    CHECK(half["half"]["kind"] == "symmetric");
+    CHECK(half["half"]["axis"] == 3.0);
+    CHECK(half["half"]["joints"] == json::array({"B"}));
+    CHECK(half["half"]["crossing"]["BC"]["formula"] == "2EI/L");
+    CHECK(half["sheet"][0].contains("BC"));
+    CHECK(!half["sheet"][0].contains("CB"));
+    check_same(half["total"], whole["final"], 1e-7);
+    const Run csv = cremona({"cross", "examples/portal_kleinlogel.json", "--symmetry", "--csv"});
+    CHECK(csv.out.find("0,FEM,,0,0,60,,,\n") != std::string::npos);
+    const Run pt = cremona({"cross", "examples/portal_kleinlogel.json", "--symmetry", "--lang", "pt"});
+    CHECK(pt.out.find("Simétrica em torno de x = 3 m: basta equilibrar B;") != std::string::npos);
+    CHECK(pt.out.find("Momentos finais da estrutura inteira") != std::string::npos);
+}
+
+TEST_CASE("A file asks for half by symmetry, and verify works its sheet")
+{
+    json model = two_storeys();
+    model["load_cases"][0].erase("nodes");
+    model["cross"] = {{"order", "largest"}, {"modified_stiffness", true}, {"symmetry", true}, {"tolerance", 1e-6}};
+    const json found = json::parse(cremona({"cross", "-", "--json"}, model.dump()).out);
+    CHECK(found["half"]["joints"] == json::array({"B", "C"}));
+    CHECK(!found.contains("stages"));
+    const json whole = json::parse(cremona({"cross", "-", "--whole", "--json"}, model.dump()).out);
+    CHECK(!whole.contains("half"));
+    CHECK(whole["stages"].size() == 3);
+    model["cross"].update(found);
+    model["cross"].erase("balances");
+    const Run verified = cremona({"verify", "-"}, model.dump());
+    CHECK_MESSAGE(verified.status == 0, verified.out);
+    model["cross"]["sheet"][1]["BE"] = 1.0;
+    CHECK(cremona({"verify", "-"}, model.dump()).status == 1);
+}
+
+TEST_CASE("What is not symmetric is named, and half of it is asked for once")
+{
+    const Run uneven = cremona({"cross", "-", "--symmetry"}, beam());
+    CHECK(uneven.status == 2);
+    CHECK(uneven.out.empty());
+    CHECK(uneven.err.find("about x = 7 m: node B has no mirror image at (8, 0) m; move a node") != std::string::npos);
+    const Run skew = cremona({"cross", "examples/portal_kleinlogel.json", "--symmetry", "--case", "W"});
+    CHECK(skew.status == 2);
+    CHECK(skew.err.find("are 4 kN*m at AB and 0 kN*m at DC, wanted opposite ones everywhere") != std::string::npos);
+    CHECK(cremona({"cross", "-", "--symmetry", "--whole"}, beam()).status == 2);
+    CHECK(cremona({"cross", "-", "--symmetry", "--method", "kani"}, beam()).status == 2);
+    const Run other_side = cremona({"cross", "examples/portal_kleinlogel.json", "--symmetry", "--order", "C"});
+    CHECK(other_side.status == 2);
+    CHECK(other_side.err.find("\"C\" is no joint that can be balanced; choose from B") != std::string::npos);
+}
+
 TEST_CASE("A pinned far end takes 3EI/L, and with --unmodified it is locked and balanced with factor 1")
 {
     const Run modified = cremona({"cross", "-", "--json"}, beam());

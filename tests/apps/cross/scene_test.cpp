@@ -101,6 +101,13 @@ TEST_CASE("A sway alone has fixed-end moments in the columns")
 
 TEST_CASE("All sheets together have no locks") { check("cross_portal_together", portal("W"), {.stage = 2}); }
 
+TEST_CASE("Half of a symmetric portal is written left of the axis, and the sums stand on both sides")
+{
+    Document document = example("portal");
+    document.method.extent = fc::Extent::Half;
+    check("cross_half", document, {.n_turns = 1});
+}
+
 TEST_CASE("In Portuguese on the projector the sheet is read from the last row")
 {
     Look look;

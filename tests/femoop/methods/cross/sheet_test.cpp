@@ -114,7 +114,7 @@ TEST_CASE("Clicking joints one after another is the sheet of that order")
     const Sheet sheet = distribute(model, problem, problem.loading, {.order = Order::Largest, .joints = {}});
     State state = locked_state(problem, problem.loading);
     for (std::size_t n = 0; n < sheet.steps.size(); ++n) {
-        REQUIRE(sheet.steps[n].joint == worst_joint(state));
+        REQUIRE(sheet.steps[n].joint == worst_joint(problem, state));
         const Release release = release_of(problem, state, *sheet.steps[n].joint);
         CHECK(release.balance.size() == sheet.balanced(sheet.steps[n]).size());
         CHECK(release.carry_over.size() == sheet.carried_over(sheet.steps[n]).size());
