@@ -158,7 +158,8 @@ template <class Desk> void DocumentApp<Desk>::take_keys(const Input& input)
     const bool types = ImGui::GetIO().WantTextInput || is_typing();
     for (const KeyEvent& event : input.keys) {
         const bool is_escape = event.key == Key::Escape;
-        const bool is_for_field = types && !is_escape && !event.modifiers.ctrl;
+        const bool edits_text = ImGui::GetIO().WantTextInput && is_edit_of_text(event.chord());
+        const bool is_for_field = edits_text || (types && !is_escape && !event.modifiers.ctrl);
         if (!event.is_down || is_for_field || (is_escape && overlays_.put_away())) continue;
         const auto* const command = commands_.find(event.chord());
         if (command == nullptr) continue;

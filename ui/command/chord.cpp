@@ -53,6 +53,12 @@ std::string text(Chord chord)
     return text + std::string(legend(chord.key));
 }
 
+bool is_edit_of_text(Chord chord)
+{
+    constexpr std::array keys{Key::A, Key::C, Key::V, Key::X, Key::Y, Key::Z};
+    return chord.modifiers == ctrl && std::ranges::find(keys, chord.key) != keys.end();
+}
+
 std::optional<Chord> chord_typed(std::string_view text)
 {
     Chord chord;

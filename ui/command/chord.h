@@ -102,4 +102,7 @@ std::string text(Chord chord); ///< as keys are marked: "Ctrl+Shift+Z", "Esc", "
 /// nothing for what is none.
 std::optional<Chord> chord_typed(std::string_view text);
 
+/// What a field of text does itself: take all, copy, cut, paste, undo, redo.
+bool is_edit_of_text(Chord chord);
+
 } // namespace ui

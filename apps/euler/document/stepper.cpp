@@ -184,6 +184,14 @@ std::optional<ui::Phrase> Stepper::apply(std::string_view line)
     return std::nullopt;
 }
 
+std::size_t Stepper::next_line() const
+{
+    std::size_t next = 1;
+    for (std::size_t i = 0; i < place(); ++i)
+        next += 1 + static_cast<std::size_t>(std::ranges::count(steps_[i]->text, '\n'));
+    return next;
+}
+
 std::string Stepper::script() const { return whole().text(); }
 
 Stepper::Script Stepper::whole() const

@@ -38,6 +38,8 @@ public:
     StepReport report(std::size_t i) const;
     std::size_t n_operators(std::size_t i) const { return runner_[i - 1].n_operators; } ///< of step i
 
+    std::size_t next_line() const; ///< number that one more line would have here, from 1
+
     class Script;
     /// What is saved: every step with its comments, those beyond the place too.
     Script whole() const;

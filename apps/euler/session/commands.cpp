@@ -6,6 +6,7 @@
 #include "apps/euler/session/gallery_commands.h"
 #include "apps/euler/session/look_commands.h"
 #include "apps/euler/session/operator_commands.h"
+#include "apps/euler/session/script_commands.h"
 #include "apps/euler/session/step_commands.h"
 #include "ui/desk/file_commands.h"
 
@@ -26,6 +27,7 @@ CommandTable command_table()
     add_gallery_commands(table);
     add_challenge_commands(table);
     add_step_commands(table);
+    add_script_commands(table);
     add_operator_commands(table);
     add_look_commands(table);
     add_panel_commands(table);

@@ -14,8 +14,9 @@
 
 namespace euler {
 
-/// What the user asks this app's window for, beside what every app's is asked for: where to look from.
-enum class Request : std::uint8_t { LookIsometric, LookFront, LookSide, LookTop };
+/// What the user asks this app's window for, beside what every app's is asked for: where to look from, the keyboard
+/// for the script.
+enum class Request : std::uint8_t { LookIsometric, LookFront, LookSide, LookTop, WriteScript };
 
 /// What the panel at the left shows.
 enum class Topic : std::uint8_t { Script, Operators, Gallery, Challenges };

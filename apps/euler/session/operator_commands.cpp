@@ -80,11 +80,16 @@ void add_operator_commands(CommandTable& table)
                .shortcuts = {{Key::Escape, {}}},
                .run =
                    [](Desk& desk) {
+                       if (desk.session.edited_text) return desk.session.give_up_text();
                        if (desk.session.is_drawing()) desk.session.draw_or_look();
                        desk.session.give_up();
                    },
                .why_not = [](const Desk& desk) -> Reason {
-                   return desk.session.is_drawing() ? std::nullopt : needs_draft(desk);
+                   return desk.session.is_drawing() || desk.session.edited_text ? std::nullopt : needs_draft(desk);
+               },
+               .live_label = [](const Desk& desk) -> Phrase {
+                   return desk.session.edited_text ? translatable("Give up the text")
+                                                   : translatable("Give up the operator");
                }});
 }
 

@@ -62,6 +62,7 @@ void Session::restart(Stepper lesson)
     selection.reset();
     hover.reset();
     notice.reset();
+    edited_text.reset();
     is_fitted = true;
     look_at_end();
     look_at_place();
@@ -138,6 +139,7 @@ void Session::look_at_place()
 {
     give_up();
     motion_.reset();
+    script_fault.reset();
     ++generation_;
     const std::size_t here = place();
     before_.clear();
@@ -397,14 +399,20 @@ std::optional<ui::Phrase> Session::apply(std::string_view line)
     is_playing = false;
     const std::size_t here = place();
     if (auto reason = stepper_.apply(line)) return reason;
+    note_change();
+    if (place() == here + 1) motion_ = Motion{.is_back = false};
+    return std::nullopt;
+}
+
+// The script is another one.
+void Session::note_change()
+{
     forget_passing_notice();
     is_dirty_ = stepper_.whole() != saved_;
     ++n_changes_;
     look_at_end();
     look_at_place();
-    if (place() == here + 1) motion_ = Motion{.is_back = false};
     if (game_) game_->judge(stepper_);
-    return std::nullopt;
 }
 
 void Session::play(Game game)

@@ -117,6 +117,18 @@ public:
     bool accept();                                          ///< does what the operator would do
     std::optional<ui::Phrase> apply(std::string_view line); ///< one more line. \returns why not, nothing being changed
 
+    /// Applies a line that is written at this place of the script; `script_fault` says why it cannot be done.
+    bool write(std::string_view line);
+    /// The script is edited as a whole: `edited_text` takes the place of its steps.
+    std::optional<ui::Phrase> why_not_edit_text() const;
+    void edit_text();
+    /// Runs the text in place of the script; else `script_fault` names the line, and nothing is changed.
+    bool accept_text(); ///< \pre it is edited
+    void give_up_text();
+    std::optional<std::string> edited_text; ///< while it is edited
+    std::optional<ui::Phrase> script_fault; ///< of what was written last; nothing once something was done
+    static constexpr std::size_t most_letters_of_text = 100'000, most_letters_of_line = 1000; ///< to be edited
+
     /// Draws a straight line into the plane figure that was worked on last, and tells which operators it takes and why
     /// these. \returns why it cannot be drawn
     std::optional<ui::Phrase> draw(const topology::Point& from, const topology::Point& to);
@@ -157,6 +169,7 @@ private:
     void look_at_place();
     void look_at_end();
     void restart(Stepper lesson);
+    void note_change();
     void fill_in_suggestions();
     void exhibit();
     void preview_draft();

@@ -10,7 +10,6 @@
 #include "apps/euler/window/entity_panel.h"
 #include "apps/euler/window/gallery_panel.h"
 #include "apps/euler/window/player_bar.h"
-#include "apps/euler/window/script_panel.h"
 #include "apps/euler/window/step_panel.h"
 
 template class ui::DocumentApp<euler::Desk>;
@@ -45,6 +44,7 @@ void Application::take_own_requests()
         case Request::LookFront: Canvas::look(desk().session, Front); break;
         case Request::LookSide: Canvas::look(desk().session, Side); break;
         case Request::LookTop: Canvas::look(desk().session, Top); break;
+        case Request::WriteScript: script_.take_keyboard(); break;
         }
     }
 }
@@ -66,7 +66,7 @@ void Application::show_left()
 {
     ui::show_topics(desk(), topics());
     switch (desk().topic) {
-    case Topic::Script: script_panel(desk()); break;
+    case Topic::Script: script_.show(desk(), commands()); break;
     case Topic::Operators: operators_.show(desk(), commands()); break;
     case Topic::Gallery: gallery_panel(desk(), commands()); break;
     case Topic::Challenges: challenges_panel(desk(), commands()); break;

@@ -5,6 +5,7 @@
 #include "apps/euler/session/commands.h"
 #include "apps/euler/window/canvas.h"
 #include "apps/euler/window/operators_panel.h"
+#include "apps/euler/window/script_panel.h"
 #include "apps/euler/window/tables_panel.h"
 #include "ui/app/document_app.h"
 
@@ -22,7 +23,7 @@ public:
 
 private:
     ui::Picture picture() override { return canvas_.picture_of(session()); }
-    bool is_typing() const override { return operators_.is_typing(); }
+    bool is_typing() const override { return operators_.is_typing() || script_.is_typing(); }
     void take(ui::Request request) override;
     void take_own_requests() override;
     void show_body() override;
@@ -33,6 +34,7 @@ private:
     std::string words() const override;
 
     Canvas canvas_;
+    ScriptPanel script_;
     OperatorsPanel operators_;
     TablesPanel tables_;
     float tables_height_ = 15.0F;

@@ -77,6 +77,7 @@ const ui::Facts<Session>& facts()
             {"asked", asked},
             {"verdict", verdict},
             {"hint", hint},
+            {"fault", [](const Session& s) { return s.script_fault ? ui::Catalogue()(*s.script_fault) : "nothing"; }},
             {"points", [](const Session& s) { return std::to_string(s.points()); }},
         },
         "");

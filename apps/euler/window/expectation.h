@@ -19,6 +19,7 @@ namespace euler {
 ///     selection face f1         or `nothing`
 ///     asked the new face's name what the operator asks for next; `nothing` where none does
 ///     verdict Right: it was MEV.   hint look among the loops   points 3   of a challenge
+///     fault line 2: v9 is not there   why what was written last into the script was not taken; `nothing`
 ///     notice nothing     file cube.eul     changed no
 ///
 /// \returns what was found instead and what was wanted

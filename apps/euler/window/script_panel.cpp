@@ -1,13 +1,17 @@
 #include "apps/euler/window/script_panel.h"
 
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "apps/euler/window/step_panel.h"
 #include "ui/text/shortened.h"
+#include "ui/widgets/command_menu.h"
 #include "ui/widgets/item_label.h"
+#include "ui/widgets/wrapped_text.h"
 
 namespace euler {
 
@@ -60,12 +64,8 @@ void bring_into_sight(int place)
     else ImGui::SetScrollHereY();
 }
 
-} // namespace
-
-void script_panel(Desk& desk)
+void list(Session& session)
 {
-    Session& session = desk.session;
-    ImGui::BeginChild("###script");
     const auto place = static_cast<int>(session.place());
     const bool has_moved = seen_step(place) != place;
     beginning(session);
@@ -78,7 +78,86 @@ void script_panel(Desk& desk)
             line(session, static_cast<std::size_t>(i) + 1);
             if (has_moved && i + 1 == place) bring_into_sight(place);
         }
-    ImGui::EndChild();
+}
+
+// Takes out what is beyond a place of the text, but no half of a letter.
+void cut(ImGuiInputTextCallbackData& data, std::size_t from, std::size_t end)
+{
+    const auto is_continued = [&](std::size_t i) { return (static_cast<unsigned char>(data.Buf[i]) & 0xC0U) == 0x80U; };
+    while (from > 0 && is_continued(from)) --from;
+    data.DeleteChars(static_cast<int>(from), static_cast<int>(end - from));
+}
+
+// Dear ImGui cannot draw a line of any length.
+int shorten(ImGuiInputTextCallbackData* data)
+{
+    const auto size = [data] { return static_cast<std::size_t>(data->BufTextLen); };
+    for (std::size_t i = 0, begin = 0; i <= size(); ++i) {
+        if (i < size() && data->Buf[i] != '\n') continue;
+        if (i - begin > Session::most_letters_of_line) {
+            cut(*data, begin + Session::most_letters_of_line, i);
+            i = begin;
+            continue;
+        }
+        begin = i + 1;
+    }
+    if (size() > Session::most_letters_of_text) cut(*data, Session::most_letters_of_text, size());
+    return 0;
+}
+
+float height_of(const std::string& fault)
+{
+    if (fault.empty()) return 0.0F;
+    const float room = ImGui::GetContentRegionAvail().x;
+    return ImGui::CalcTextSize(fault.c_str(), nullptr, false, room).y + ImGui::GetStyle().ItemSpacing.y;
+}
+
+} // namespace
+
+// It keeps the keyboard, so that line after line is written.
+void ScriptPanel::write_line(Session& session)
+{
+    if (std::exchange(wants_keyboard_, false)) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1.0F);
+    const bool is_entered = ImGui::InputTextWithHint(
+        "###line", session.tr()("one more line").c_str(), &line_,
+        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackEdit, shorten);
+    is_typing_ = ImGui::IsItemActive();
+    if (!is_entered) return;
+    wants_keyboard_ = true;
+    if (session.write(line_)) line_.clear();
+}
+
+void ScriptPanel::edit_text(Session& session, float height)
+{
+    if (std::exchange(wants_keyboard_, false)) ImGui::SetKeyboardFocusHere();
+    ImGui::InputTextMultiline("###text", &*session.edited_text, {-1.0F, height}, ImGuiInputTextFlags_CallbackEdit,
+                              shorten);
+    is_typing_ = ImGui::IsItemActive();
+}
+
+void ScriptPanel::show(Desk& desk, const CommandTable& commands)
+{
+    Session& session = desk.session;
+    const std::string fault = session.script_fault ? session.tr()(*session.script_fault) : "";
+    const float row = ImGui::GetFrameHeightWithSpacing();
+    const float below = height_of(fault) + 2.0F * row;
+    const float height = std::max(3.0F * row, ImGui::GetContentRegionAvail().y - below);
+    if (session.edited_text) {
+        edit_text(session, height);
+    } else {
+        ImGui::BeginChild("###script", {0.0F, height});
+        list(session);
+        ImGui::EndChild();
+        write_line(session);
+    }
+    if (!fault.empty()) ui::wrapped_text(fault);
+    if (session.edited_text) {
+        ui::command_button(desk, commands, "script.accept");
+        ui::command_button(desk, commands, "operator.cancel");
+    } else {
+        ui::command_button(desk, commands, "script.edit");
+    }
 }
 
 } // namespace euler

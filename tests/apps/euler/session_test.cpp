@@ -43,4 +43,69 @@ TEST_SUITE("euler session")
         desk.session.apply("mvfs s1 f1 v1 0 0 0");
         CHECK(!desk.session.is_dirty());
     }
+
+    const std::string line_of_two = "# A line\nmvfs s1 f1 v1 0 0 0\n\n# grows\nmev s1 f1 v1 v2 1 0 0\n";
+
+    TEST_CASE("A written line that cannot be applied is told with the number that it would have, comments counted")
+    {
+        Desk desk{Session()};
+        desk.session.show(Stepper(line_of_two));
+        CHECK(!desk.session.write("mev s1 f1 v9 v3 0 1 0"));
+        REQUIRE(desk.session.script_fault);
+        CHECK(ui::Catalogue()(*desk.session.script_fault) == "line 3: there is no vertex v9 in s1");
+        desk.session.go_to(2);
+        CHECK(!desk.session.script_fault);
+        CHECK(!desk.session.write("# a comment"));
+        CHECK(!desk.session.write("mev s1 f1 v9 v3 0 1 0"));
+        CHECK(ui::Catalogue()(*desk.session.script_fault) == "line 6: there is no vertex v9 in s1");
+        CHECK(!desk.session.is_dirty());
+        CHECK(desk.session.write("mev s1 f1 v2 v3 0 1 0"));
+        CHECK(desk.session.place() == 3);
+    }
+
+    TEST_CASE("A text takes the place of the script whole, and who was at its end is at the new end")
+    {
+        Desk desk{Session()};
+        desk.session.show(Stepper(line_of_two));
+        desk.session.edit_text();
+        CHECK(*desk.session.edited_text == line_of_two);
+        *desk.session.edited_text += "mev s1 f1 v2 v3 0 1 0\n";
+        CHECK(desk.session.accept_text()); // at the first step
+        CHECK(desk.session.place() == 1);
+        CHECK(desk.session.n_steps() == 3);
+        CHECK(desk.session.is_dirty());
+        desk.session.go_to(3);
+        desk.session.edit_text();
+        *desk.session.edited_text += "mef s1 f1 v1 v3 f2\n";
+        CHECK(desk.session.accept_text());
+        CHECK(desk.session.place() == 4);
+    }
+
+    TEST_CASE("A text with a fault changes nothing and stays to be mended")
+    {
+        Desk desk{Session()};
+        desk.session.show(Stepper(line_of_two));
+        desk.session.edit_text();
+        *desk.session.edited_text = "mvfs s1 f1 v1 0 0 0\nmev s1 f2 v1 v2 1 0 0\n";
+        CHECK(!desk.session.accept_text());
+        CHECK(ui::Catalogue()(*desk.session.script_fault) ==
+              "line 2: mev s1 f2 v1 v2 1 0 0: there is no face f2 in s1");
+        CHECK(desk.session.edited_text);
+        CHECK(desk.session.stepper().script() == line_of_two);
+        desk.session.begin_anew();
+        CHECK(!desk.session.edited_text); // it was another script's
+    }
+
+    TEST_CASE("A script longer than a hand edits is not edited as text")
+    {
+        Desk desk{Session()};
+        desk.session.show(Stepper("mvfs s1 f1 v1 0 0 0\n"));
+        CHECK(!desk.session.why_not_edit_text());
+        desk.session.show(Stepper("# " + std::string(Session::most_letters_of_line, 'x') + "\nmvfs s1 f1 v1 0 0 0\n"));
+        CHECK(desk.session.why_not_edit_text());
+        std::string comments;
+        for (std::size_t i = 0; i < Session::most_letters_of_text / 10; ++i) comments += "# comment\n";
+        desk.session.show(Stepper(comments + "mvfs s1 f1 v1 0 0 0\n"));
+        CHECK(desk.session.why_not_edit_text());
+    }
 }

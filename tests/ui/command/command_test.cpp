@@ -92,4 +92,12 @@ TEST_SUITE("ui command")
         CHECK_FALSE(ui::chord_typed("Ctrl+"));
         CHECK_FALSE(ui::chord_typed("Hyper+Z"));
     }
+
+    TEST_CASE("Undo, paste and the like belong to the field of text that has the keyboard, the rest to the app")
+    {
+        for (const char* keys : {"Ctrl+A", "Ctrl+C", "Ctrl+V", "Ctrl+X", "Ctrl+Y", "Ctrl+Z"})
+            CHECK(ui::is_edit_of_text(*ui::chord_typed(keys)));
+        for (const char* keys : {"Z", "Shift+Z", "Ctrl+Shift+Z", "Ctrl+S", "Ctrl+Enter"})
+            CHECK_FALSE(ui::is_edit_of_text(*ui::chord_typed(keys)));
+    }
 }

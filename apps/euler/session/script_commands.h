@@ -1,0 +1,10 @@
+#pragma once
+
+#include "apps/euler/session/commands.h"
+
+namespace euler {
+
+/// Writing the script: one more line, or the whole as a text.
+void add_script_commands(CommandTable& table);
+
+} // namespace euler
