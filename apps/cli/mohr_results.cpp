@@ -235,6 +235,7 @@ std::string mohr_json(const std::vector<MohrResult>& results, const MohrProblem&
     json.begin_object(femoop::JsonWriter::Layout::Block);
     if (!problem.unit.empty()) json.member("unit", problem.unit);
     if (!problem.stress_unit.empty()) json.member("stress_unit", problem.stress_unit);
+    if (!is_possible(problem.state)) json.member("possible", false);
     for (const MohrResult& result : results) {
         json.key(result.key);
         if (const auto* number = std::get_if<double>(&result.value)) json.value(*number);
@@ -253,7 +254,10 @@ std::string mohr_table(const std::vector<MohrResult>& results, const MohrProblem
 {
     femoop::TextTable table({tr("result"), tr("value")});
     for (const MohrResult& result : results) add_lines(table, result, tr);
-    return units_line(problem, tr) + table.text();
+    std::string text = units_line(problem, tr) + table.text();
+    if (!is_possible(problem.state))
+        text += tr("no section has these second moments: a principal one is negative") + "\n";
+    return text;
 }
 
 } // namespace cli

@@ -86,6 +86,7 @@ private:
         add(tr_("pole of planes"), "(" + look_.number(pole.normal) + "; " + look_.number(pole.shear) + ")");
         const fm::CirclePoint other = fm::pole(s_.plane, s_.rule, fm::PoleOf::Normals);
         add(tr_("pole of normals"), "(" + look_.number(other.normal) + "; " + look_.number(other.shear) + ")");
+        if (!fm::is_possible(s_.state)) add(tr_("no section has these"), tr_("a principal one is negative"));
     }
 
     void add_directions()

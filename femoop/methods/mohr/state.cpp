@@ -1,5 +1,7 @@
 #include "femoop/methods/mohr/state.h"
 
+#include <cmath>
+
 namespace femoop::mohr {
 
 namespace {
@@ -43,6 +45,14 @@ State plane_state(Kind kind, double x, double y, double xy)
 double given_shear(Kind kind, double xy)
 {
     return (is_strain(kind) ? 2.0 * xy : kind == Kind::Inertia ? -xy : xy) + 0.0;
+}
+
+bool is_possible(const State& state)
+{
+    constexpr double rounding = 1e-9; // of the larger principal value
+    if (state.kind != Kind::Inertia) return true;
+    const PlanePrincipal p = principal(plane(state));
+    return p.second >= -rounding * std::abs(p.first);
 }
 
 } // namespace femoop::mohr

@@ -39,6 +39,8 @@ std::optional<SpaceState> stress(const State& state);
 
 /// A state of a plane kind from numbers as they are given: gamma_xy of a strain, Ixy of second moments of area.
 State plane_state(Kind kind, double x, double y, double xy);
+/// False of second moments that no section has: a principal one would be negative, Ix < 0, Iy < 0 or Ixy^2 > Ix Iy.
+bool is_possible(const State& state);
 /// What `xy` is called outside: tau_xy, gamma_xy = 2 xy, Ixy = -xy.
 double given_shear(Kind kind, double xy);
 

@@ -89,6 +89,15 @@ TEST_CASE("A criterion that cannot be judged says what it wants")
     CHECK(has(refusal({"--strain", "1,2,0", "--criterion", "tresca", "--strength", "fy=1"}), "give --E and --nu"));
 }
 
+TEST_CASE("Second moments that no section has are worked, and it is said")
+{
+    const std::string note = "no section has these second moments";
+    CHECK(has(cremona({"mohr", "--inertia", "1,1,5"}).out, note));
+    CHECK(!has(cremona({"mohr", "--inertia", "2900,5600,-3000"}).out, note));
+    CHECK(results({"--inertia", "1,1,5"})["possible"] == false);
+    CHECK(!results({"--inertia", "2900,5600,-3000"}).contains("possible"));
+}
+
 TEST_CASE("Stresses typed in several units come out in the first one")
 {
     const json r = results({"--stress", "1 ksi,0,1000 psi"});

@@ -89,3 +89,12 @@ TEST_CASE("What is no stress is refused with its component and a remedy")
     CHECK(femoop::message(std::get<femoop::Fault>(plain)).find("--strain TXY: \"3 kN\" measures force") == 0);
     CHECK(refusal({"1e300", "2", "3"}) == "--stress SX: \"1e300\" is beyond the range of numbers; write a smaller one");
 }
+
+TEST_CASE("No section has a negative principal second moment")
+{
+    CHECK(is_possible(plane_state(Kind::Inertia, 2900.0, 5600.0, -3000.0)));
+    CHECK(is_possible(plane_state(Kind::Inertia, 3.0, 12.0, 6.0))); // a slender one, along a line
+    CHECK(!is_possible(plane_state(Kind::Inertia, 1.0, 1.0, 5.0)));
+    CHECK(!is_possible(plane_state(Kind::Inertia, -3.0, 4.0, 0.0)));
+    CHECK(is_possible(plane_state(Kind::PlaneStress, 1.0, 1.0, 5.0)));
+}
