@@ -55,8 +55,11 @@ Task task_of(const Document& document)
 {
     const Method& method = document.method;
     Task task{.problem = fc::problem_of(document.model, method.load_case, method.far_ends)};
-    task.why_not_by_halves = fc::why_not_by_halves(document.model, task.problem);
-    if (!task.why_not_by_halves) task.by_halves = fc::by_halves(document.model, task.problem);
+    try {
+        task.by_halves = fc::by_halves(document.model, task.problem);
+    } catch (const femoop::ModelError& error) {
+        task.why_not_by_halves = error.faults().front();
+    }
     if (method.extent == fc::Extent::Half && !document.pupil) {
         if (task.by_halves) task.problem = *task.by_halves;
         else task.remarks.push_back(*task.why_not_by_halves);

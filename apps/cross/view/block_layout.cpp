@@ -107,7 +107,7 @@ namespace {
 std::optional<BlockLayout> whole(const BlockRequest& request, double least_type, std::size_t n_rows)
 {
     for (double type = request.largest_type; type > least_type; type *= 0.9)
-        for (std::size_t n = request.most_lines; n >= request.fewest_lines; --n)
+        for (std::size_t n = request.most_lines + 1; n-- > request.fewest_lines;)
             for (const Trial::Side side : {Trial::Side::Below, Trial::Side::Above})
                 if (auto layout = Trial(request, type, n, side, n_rows).run_whole()) return layout;
     return std::nullopt;

@@ -25,6 +25,8 @@ namespace {
 constexpr double name_height = 1.15; // of the size of type
 constexpr double cell_height = 1.2;
 constexpr double label_size = 0.8;
+constexpr double usual_cells = 1.1;              // size of type, of the usual one
+constexpr double largest_cells = 1.7;            // likewise, where all find room beside their member ends
 constexpr double narrow = 38.0;                  // width of a window, in ems of its type
 constexpr std::size_t lines_of_head_and_sum = 2; // that a block has besides those that it is asked for
 
@@ -80,7 +82,7 @@ private:
         request.room.max.y -= legend_height();
         if (scene_.paper_stage == paper_.n_sheets()) request.room.max.y -= 2.4 * theme_.type().normal;
         request.obstacles = obstacles_in(panel_, shape_, scene_.document.model, theme_);
-        request.largest_type = 1.1 * theme_.type().normal;
+        request.largest_type = usual_cells * theme_.type().normal;
         request.most_lines = n_lines() - std::min(n_lines(), lines_of_head_and_sum);
         request.fewest_lines = request.most_lines;
         request.least_type = 7.0;
@@ -93,6 +95,15 @@ private:
         for (std::size_t i = 0; i < with_cells.size(); ++i) layout_.boxes[with_cells[i]] = found.boxes[i];
     }
 
+    /// On the last sheet the cells of the superposition stand in one row.
+    double largest_type() const
+    {
+        const double most = largest_cells * theme_.type().normal;
+        if (scene_.paper_stage != paper_.n_sheets()) return most;
+        const double row = static_cast<double>(superposition_cells(paper_).size()) * (column_width(most) + 2.6 * most);
+        return most * std::min(1.0, (panel_.box.width() - most) / row);
+    }
+
     /// Narrow cells beside their member end rather than broad ones farther below.
     BlockLayout best_layout(const BlockRequest& request)
     {
@@ -100,6 +111,7 @@ private:
         beside.n_rows = 1;
         for (const bool is_narrow : {false, true}) {
             is_narrow_ = is_narrow;
+            beside.largest_type = std::max(request.largest_type, largest_type());
             beside.least_type = (is_narrow ? 0.65 : 0.85) * request.largest_type;
             BlockLayout found = laid_out(beside);
             const bool is_whole = std::ranges::all_of(found.boxes, [](const auto& box) { return box.has_value(); });
@@ -217,7 +229,7 @@ private:
 
     std::size_t n_lines() const
     {
-        std::size_t most = lines_of_head_and_sum + 1;
+        std::size_t most = lines_of_head_and_sum;
         for (const BlankColumn& column : columns_) most = std::max(most, column.n_lines);
         return most;
     }

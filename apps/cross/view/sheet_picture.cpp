@@ -263,7 +263,7 @@ private:
         painter_.line({x, panel_.box.min.y + 2.2 * em}, {x, panel_.box.max.y - 0.3 * em}, stroke);
         ui::TextStyle text = theme_.text(ui::Role::Dimension, ui::Anchor::BottomLeft);
         text.size = theme_.type().small;
-        painter_.text({x + 0.5 * em, panel_.box.max.y - 0.4 * em}, words_of(mirror.kind), text);
+        painter_.text({x + 0.5 * em, panel_.box.max.y - 2.0 * em}, words_of(mirror.kind), text);
     }
 
     /// "symmetric: BC 2EI/L"; where many members cross the axis the first word alone.
