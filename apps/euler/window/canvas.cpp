@@ -182,12 +182,21 @@ Shapes Canvas::shapes_of(const Session& session, std::span<const Subject> subjec
     return solid_shapes(subjects, session.eye, session.look);
 }
 
-const PlanarMap& Canvas::map_of(const Session& session, std::span<const Subject> subjects)
+const PlanarMap& Canvas::Map::of(const Solids& solids, std::span<const Subject> subjects)
 {
-    Solids solids = solids_of(session.shown());
-    if (mapped_ != solids) map_ = PlanarMap(subjects);
-    mapped_ = std::move(solids);
+    if (solids_ != solids) map_ = PlanarMap(subjects);
+    solids_ = solids;
     return map_;
+}
+
+// During a step between the maps before it and after it.
+PlanarMap Canvas::map_of(const Session& session, std::span<const Subject> subjects)
+{
+    const PlanarMap& own = map_.of(solids_of(session.shown()), subjects);
+    const auto way = session.way();
+    if (!way) return own;
+    const PlaneStep step = plane_step(session);
+    return own.on_its_way(subjects, other_map_.of(solids_of(way->other), step.other), step.other, step.share);
 }
 
 Canvas::Fitting Canvas::fitting_of(const Session& session) const
@@ -197,7 +206,7 @@ Canvas::Fitting Canvas::fitting_of(const Session& session) const
             .sheet = sheet_,
             .view = session.view(),
             .explosion = session.look.explosion,
-            .way = session.view() == ViewKind::Polygons ? plane_step(session).share : 1.0,
+            .way = session.view() != ViewKind::Space ? plane_step(session).share : 1.0,
             .eye = session.eye,
             .map_eye = session.map_eye,
             .polygon_eye = session.polygon_eye};

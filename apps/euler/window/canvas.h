@@ -52,12 +52,21 @@ private:
     void give_room_to_draw(Session& session);
     void fit_view(Session& session);
     Shapes shapes_of(const Session& session, std::span<const Subject> subjects);
-    const PlanarMap& map_of(const Session& session, std::span<const Subject> subjects);
+    PlanarMap map_of(const Session& session, std::span<const Subject> subjects);
     void follow_shapes(const Session& session, std::span<const Subject> subjects);
     void paint(const Session& session);
 
     using Solids = std::vector<std::shared_ptr<const topology::Solid>>;
     static Solids solids_of(std::span<const Snapshot> snapshots);
+    /// A map that is kept as long as its solids are the same: to find places takes a while.
+    class Map {
+    public:
+        const PlanarMap& of(const Solids& solids, std::span<const Subject> subjects);
+
+    private:
+        PlanarMap map_;
+        Solids solids_;
+    };
     /// All that the places of what is seen depend on.
     struct Sight {
         Solids solids;
@@ -106,8 +115,7 @@ private:
     std::optional<Sight> seen_;       ///< that the shapes belong to
     std::optional<Painting> painted_; ///< that the picture shows; none of one that is drawn on
     std::optional<Fitting> fitted_;   ///< last
-    PlanarMap map_;                   ///< drawn last
-    Solids mapped_;                   ///< that the map belongs to
+    Map map_, other_map_;             ///< of what is drawn, and of the other end of a step
     std::optional<ui::Picture> picture_;
     bool is_dragging_ = false;
     std::optional<topology::Point> line_start_{}, line_end_{}; ///< of a line that is being drawn

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
 
 using namespace euler;
@@ -76,6 +77,114 @@ TEST_CASE("In the plane no two edges of a random solid without handles cross, wh
         CHECK(shapes.sentences.empty());
         CHECK(n_crossings(shapes) == 0);
     }
+}
+
+namespace {
+
+/// The solid before and after the last line of a script, each drawn in the plane.
+struct StepInPlane {
+    explicit StepInPlane(const std::string& script, const std::string& last)
+    {
+        topology::run_script(before, script, {});
+        topology::run_script(after, script + last, {});
+        for (const auto& [made, subjects] : {std::pair{&before, &old_subjects}, std::pair{&after, &new_subjects}})
+            for (const topology::NamedSolid& in : made->solids()) subjects->push_back({&in.solid, &in.names});
+        old_map = PlanarMap(old_subjects);
+        new_map = PlanarMap(new_subjects);
+    }
+
+    /// Where the vertices of the new solid are, v1 under 1.
+    std::map<std::uint32_t, ui::Point> at(double share) const
+    {
+        const PlanarMap map = new_map.on_its_way(new_subjects, old_map, old_subjects, share);
+        return places(map.shapes(new_subjects, camera(), {}));
+    }
+    std::map<std::uint32_t, ui::Point> before_it() const { return places(old_map.shapes(old_subjects, camera(), {})); }
+    static std::map<std::uint32_t, ui::Point> places(const Shapes& shapes)
+    {
+        std::map<std::uint32_t, ui::Point> found;
+        for (const Shapes::Vertex& vertex : shapes.vertices) found[vertex.vertex.index + 1] = vertex.at;
+        return found;
+    }
+    ui::OrbitCamera camera() const { return new_map.fitted(sheet); }
+
+    topology::ScriptRunner before, after;
+    std::vector<Subject> old_subjects, new_subjects;
+    PlanarMap old_map, new_map;
+};
+
+const std::string bottom = "mvfs s1 f1 v1 0 0 0\nmev s1 f1 v1 v2 0 1 0\nmev s1 f1 v2 v3 1 1 0\n"
+                           "mev s1 f1 v3 v4 1 0 0\nmef s1 f1 v1 v4 f2\nmev s1 f1 v1 v5 0 0 1\n"
+                           "mev s1 f1 v2 v6 0 1 1\nmev s1 f1 v3 v7 1 1 1\nmev s1 f1 v4 v8 1 0 1\n";
+
+double farthest(const std::map<std::uint32_t, ui::Point>& a, const std::map<std::uint32_t, ui::Point>& b)
+{
+    double most = 0.0;
+    for (const auto& [v, at] : a)
+        if (const auto other = b.find(v); other != b.end()) most = std::max(most, ui::distance(at, other->second));
+    return most;
+}
+
+} // namespace
+
+TEST_CASE("A map on its way begins where the map before the step was, ends at its own, and never jumps between")
+{
+    const StepInPlane step(bottom, "mef s1 f1 v5 v8 f3\n");
+    const auto before = step.before_it(), after = step.at(1.0);
+    CHECK(farthest(before, after) > 20.0); // px: there is something to be seen
+    CHECK(farthest(step.at(0.0), before) < 1e-9);
+    CHECK(farthest(after, StepInPlane::places(step.new_map.shapes(step.new_subjects, step.camera(), {}))) < 1e-9);
+    constexpr int n = 50;
+    for (int i = 0; i < n; ++i)
+        CHECK(farthest(step.at(double{1.0} * i / n), step.at(double{1.0} * (i + 1) / n)) < 20.0);
+}
+
+TEST_CASE("A new vertex comes out of the one that it hangs on, or out of the middle of the edge that it divides")
+{
+    const StepInPlane grown(bottom, "mev s1 f1 v5 v9 0 0 2\n");
+    CHECK(ui::distance(grown.at(0.0).at(9), grown.at(0.0).at(5)) < 1e-9);
+    CHECK(ui::distance(grown.at(1.0).at(9), grown.at(1.0).at(5)) > 10.0);
+    const StepInPlane swept(bottom.substr(0, bottom.find("mev s1 f1 v1 v5")), "sweep s1 f1 0 0 1\n");
+    const auto places = swept.at(0.0);
+    REQUIRE(places.size() == 8);
+    for (std::uint32_t v = 1; v <= 4; ++v) // each has one that comes out of it
+        CHECK(std::ranges::count_if(places, [&](const auto& place) {
+                  return place.first > 4 && ui::distance(place.second, places.at(v)) < 1e-9;
+              }) == 1);
+    const StepInPlane divided("mvfs s1 f1 v1 0 0 0\nmev s1 f1 v1 v2 0 1 0\nmev s1 f1 v2 v3 1 1 0\nmef s1 f1 v1 v3 f2\n",
+                              "semv s1 v1 v2 v4 0 0.5 0\n");
+    const auto at = divided.at(0.0);
+    CHECK(ui::distance(at.at(4), 0.5 * (at.at(1) + at.at(2))) < 1e-9);
+}
+
+TEST_CASE("Where another face comes around the drawing the map is at home at once")
+{
+    const std::string square =
+        "mvfs s1 f1 v1 0 0 0\nmev s1 f1 v1 v2 0 1 0\nmev s1 f1 v2 v3 1 1 0\nmev s1 f1 v3 v4 1 0 0\n";
+    const StepInPlane step(square + "mef s1 f1 v1 v4 f2\n", "mev s1 f2 v1 v5 0.5 0.5 0\n");
+    CHECK(farthest(step.at(0.0), step.at(1.0)) == 0.0);
+}
+
+TEST_CASE("Between the maps of random steps every place is a number")
+{
+    int n_moved = 0;
+    for (std::uint32_t seed = 1; seed <= 40; ++seed) {
+        CAPTURE(seed);
+        const topology::Solid before = random_sphere(seed, 8 + static_cast<int>(seed) / 3),
+                              after = random_sphere(seed, 9 + static_cast<int>(seed) / 3);
+        const std::vector<Subject> old_subjects{{&before, &no_names}}, new_subjects{{&after, &no_names}};
+        const PlanarMap old_map(old_subjects), new_map(new_subjects);
+        const ui::OrbitCamera camera = new_map.fitted(sheet);
+        for (const double share : {0.0, 0.3, 0.7, 1.0}) {
+            const PlanarMap map = new_map.on_its_way(new_subjects, old_map, old_subjects, share);
+            const Shapes shapes = map.shapes(new_subjects, camera, {});
+            CHECK(shapes.edges.size() == after.edges().n_living());
+            for (const Shapes::Edge& edge : shapes.edges)
+                for (const ui::Point p : edge.line) CHECK(std::isfinite(p.x + p.y));
+            n_moved += static_cast<int>(shapes.edges.size());
+        }
+    }
+    CHECK(n_moved > 100);
 }
 
 TEST_CASE("A face of thousands of sides lies in the plane at once, with room about it, and nothing crosses")

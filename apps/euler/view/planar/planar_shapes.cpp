@@ -1,6 +1,7 @@
 #include "apps/euler/view/planar/planar_shapes.h"
 
 #include "apps/euler/view/planar/embedding.h"
+#include "apps/euler/view/planar/layout_on_its_way.h"
 #include "apps/euler/view/shapes/name_places.h"
 #include "apps/euler/view/solid/solid_shapes.h"
 #include "topology/halfedge/check/shells.h"
@@ -177,6 +178,16 @@ PlanarMap::PlanarMap(std::span<const Subject> subjects, std::optional<Part> outs
         }
         layouts_.push_back(layout.take());
     }
+}
+
+PlanarMap PlanarMap::on_its_way(std::span<const Subject> subjects, const PlanarMap& other,
+                                std::span<const Subject> others, double share) const
+{
+    PlanarMap between = *this;
+    for (std::size_t i = 0; i < std::min(subjects.size(), others.size()); ++i)
+        between.layouts_[i] = layout_on_its_way({*subjects[i].solid, layouts_[i]},
+                                                {*others[i].solid, other.layouts_[i]}, share);
+    return between;
 }
 
 Shapes PlanarMap::shapes(std::span<const Subject> subjects, const ui::OrbitCamera& camera, const Look& look) const

@@ -23,6 +23,11 @@ public:
     /// `outside` is the face to be taken for its shell; else the one with the most half-edges.
     explicit PlanarMap(std::span<const Subject> subjects, std::optional<Part> outside = std::nullopt);
 
+    /// The map between this one and another while a step is on its way (layout_on_its_way.h). \param subjects  of the
+    /// map \param others  of the other one \param share  1: it is this map
+    PlanarMap on_its_way(std::span<const Subject> subjects, const PlanarMap& other, std::span<const Subject> others,
+                         double share) const;
+
     /// The subjects are those of the map, with any marks. The camera looks from above; only how it pans and zooms
     /// counts.
     Shapes shapes(std::span<const Subject> subjects, const ui::OrbitCamera& camera, const Look& look) const;
