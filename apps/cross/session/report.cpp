@@ -147,7 +147,8 @@ public:
 private:
     static constexpr std::size_t most_cycles = 40; // shown
 
-    /// Why half is enough where it is worked; that it would be, where the whole is.
+    /// Why half is enough where it is worked; that it would be, where the whole is; why it is not, where it is asked
+    /// for.
     void add_symmetry(TextTable& table) const
     {
         const auto tr = [&](std::string_view text) { return tr_(text); };
@@ -156,7 +157,11 @@ private:
             table.notes = fc::half_text(model_, half_, tr);
             return;
         }
-        if (!task_.by_halves) return;
+        if (!task_.by_halves) {
+            if (scene_.document.method.extent == fc::Extent::Half)
+                table.notes.push_back(fault_text(*task_.why_not_by_halves, tr_));
+            return;
+        }
         const fc::Problem* const half = offered_half();
         table.notes.push_back(half != nullptr ? fc::half_text(model_, *half, tr).front()
                                               : tr_("By symmetry the loads do not cause this sway."));

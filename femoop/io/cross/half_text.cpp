@@ -36,7 +36,10 @@ private:
         const std::string axis = localized(
             quantity_text(rounded(half_.mirror->x, shown_digits) + 0.0, dimension::length, model_.units), tr_);
         const std::vector<std::string> joints = joint_names(model_, half_);
-        if (joints.empty()) return written(translatable("Symmetric about x = {0}: no joint turns."), {axis});
+        if (joints.empty())
+            return written(is_symmetric_ ? translatable("Symmetric about x = {0}: no joint turns.")
+                                         : translatable("Antisymmetric about x = {0}: there is no joint to balance."),
+                           {axis});
         return written(is_symmetric_
                            ? translatable("Symmetric about x = {0}: it is enough to balance {1}; what stands on the "
                                           "other side turns by as much the other way round.")

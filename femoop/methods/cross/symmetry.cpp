@@ -11,7 +11,7 @@ namespace femoop::cross {
 
 namespace {
 
-constexpr double same_place = 1e-9; // of the structure's width
+constexpr double same_place = 1e-9; // of the structure's extent
 constexpr double same_value = 1e-9; // of the largest of its kind
 constexpr int shown_digits = 6;
 
@@ -28,7 +28,8 @@ public:
         for (const Node& node : model.nodes) place_.emplace_back(node.at[0].value(), node.at[1].value());
         const auto [left, right] = std::ranges::minmax(place_, {}, [](const auto& at) { return at.x(); });
         x_ = 0.5 * (left.x() + right.x());
-        near_ = same_place * (right.x() - left.x());
+        const auto [low, high] = std::ranges::minmax(place_, {}, [](const auto& at) { return at.y(); });
+        near_ = same_place * std::max(right.x() - left.x(), high.y() - low.y());
         pair_nodes();
         pair_ends();
         for (const Joint& joint : whole.joints) joints_.push_back(*whole.joint_at(node_[joint.node.index]));

@@ -104,6 +104,7 @@ TEST_CASE("Half of a frame is worked, undone, saved and opened again; a frame th
     REQUIRE(session.solution().task);
     CHECK(session.solution().task->problem.halves.empty());
     CHECK(session.solution().task->remarks.front().kind == femoop::FaultKind::CrossEndWithoutImage);
+    CHECK(notes(session).find("the structure is not symmetric about x = 4 m: member end AB") == 0);
     session.undo();
     CHECK(session.solution().task->problem.halves.size() == 1);
     while (session.history().undo_label()) session.undo();

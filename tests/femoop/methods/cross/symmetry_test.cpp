@@ -212,6 +212,20 @@ TEST_CASE("Where all joints of a symmetric beam stand on its axis nothing is bal
     CHECK(at(problem, all.moments, "BA") == Approx(-q * 25 / 12));
 }
 
+TEST_CASE("A column that stands on its own axis is worked as it is")
+{
+    FrameMaker made;
+    made.node("A", 0, 0, fixed).node("B", 0, 4).node("C", 0, 9, pin).member("A", "B").member("B", "C");
+    made.force("B", Dof::rz, W);
+    const Problem problem = half_of(made.model);
+    const Superposition all = superpose(made.model, problem, {});
+    const std::vector<double> exact = slope_deflection(made.model, problem_of(made.model, CaseId(0))).moments;
+    for (std::size_t e = 0; e < exact.size(); ++e) {
+        CHECK(problem.of_sheet(0).is_on_sheet(EndId(e)));
+        CHECK(all.moments[e] == Approx(exact[e]));
+    }
+}
+
 TEST_CASE("A joint on the axis of an antisymmetric sheet is balanced once, as it is")
 {
     FrameMaker made; // two bays, pushed at the left
