@@ -1,6 +1,7 @@
 #include "ui/widgets/panel.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ui/widgets/wrapped_text.h"
 
@@ -139,7 +140,8 @@ void begin_message_box(const std::vector<std::string>& lines)
     const float width = ImGui::GetWindowWidth();
     ImGui::SetNextWindowPos({corner.x + em, corner.y + em});
     ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {width - 2.0F * em, 20.0F * em});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {em, 0.7F * em});
+    // Whole pixels: Dear ImGui cuts a window's size down to them, and then scrolls what was cut off.
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {std::round(em), std::round(0.7F * em)});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.6F * em, 0.35F * em});
     constexpr ImGuiWindowFlags flags = fixed_panel | ImGuiWindowFlags_AlwaysAutoResize |
                                        ImGuiWindowFlags_NoFocusOnAppearing;
