@@ -34,7 +34,7 @@ struct BlockRequest {
     std::size_t most_lines = 16;  ///< between factor and sum
     std::size_t fewest_lines = 4; ///< likewise: with fewer, type gets smaller instead
     double least_type = 9.0;
-    std::size_t n_rows = 1;     ///< of columns one below another, where those beside the members have no room
+    std::size_t n_rows = 1; ///< of columns one below another, where those beside the members have no room
     std::function<double(double)> width_of; ///< of a column at a size of type
 };
 
