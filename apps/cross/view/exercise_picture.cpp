@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "apps/cross/view/blank_columns.h"
 #include "apps/cross/view/block_layout.h"
+#include "apps/cross/view/exercise_panels.h"
 #include "apps/cross/view/given.h"
 #include "apps/cross/view/numbers.h"
 #include "apps/cross/view/sheet_places.h"
@@ -27,7 +30,6 @@ constexpr double cell_height = 1.2;
 constexpr double label_size = 0.8;
 constexpr double usual_cells = 1.1;              // size of type, of the usual one
 constexpr double largest_cells = 1.7;            // likewise, where all find room beside their member ends
-constexpr double narrow = 38.0;                  // width of a window, in ems of its type
 constexpr std::size_t lines_of_head_and_sum = 2; // that a block has besides those that it is asked for
 
 /// Writes the cells of one sheet into their boxes.
@@ -57,6 +59,12 @@ public:
         draw_legend();
         for (const Ratio& ratio : ratios()) painter_.text(free_place(ratio), ratio.text, ratio_style());
         draw_sways();
+    }
+
+    /// Of two layouts the greater one is better: how many columns find room, and their size of type.
+    std::pair<std::ptrdiff_t, double> fit() const
+    {
+        return {std::ranges::count_if(layout_.boxes, [](const auto& box) { return box.has_value(); }), layout_.type};
     }
 
     bool has_room() const
@@ -248,8 +256,8 @@ private:
         const ui::TextStyle style{.size = type};
         double widest = painter_.measure(is_narrow_ ? "−88.88" : "−88.888", style).width;
         for (const std::string& text : scene_.document.pupil->written)
-            if (text.size() < 12) widest = std::max(widest, painter_.measure(text, style).width);
-        return widest + (is_narrow_ ? 1.5 : 2.1) * type + label_width(type);
+            if (text.size() < 12) widest = std::max(widest, painter_.measure(with_minus(text), style).width);
+        return widest + (is_narrow_ ? 1.6 : 2.1) * type + label_width(type);
     }
 
     ui::TextStyle style(ui::Role role, ui::Anchor anchor) const
@@ -314,10 +322,12 @@ private:
     std::string shown(fc::BlankId id) const
     {
         const std::vector<std::string>& written = scene_.document.pupil->written;
-        if (id.index >= written.size()) return "";
-        const std::string& text = written[id.index];
-        const bool is_negative = !text.empty() && text.front() == '-';
-        return is_negative ? "−" + text.substr(1) : text;
+        return id.index < written.size() ? with_minus(written[id.index]) : "";
+    }
+
+    static std::string with_minus(const std::string& typed)
+    {
+        return typed.starts_with('-') ? "−" + typed.substr(1) : typed;
     }
 
     /// A ring round the joint whose turn the cell belongs to.
@@ -419,59 +429,20 @@ void draw_cells(ui::Painter& painter, const Panel& panel, const Scene& scene, Dr
                     scene.look.tr("some cells have no room here; Tab reaches them, and the panel has them"));
 }
 
-/// Lines below the sheet, in the usual size of type: the legend, and where sheets are added what belongs to no end.
-double lines_below(const Paper& paper) { return paper.n_sheets() > 1 ? 7.0 : 4.0; }
-
-/// Room for dimension lines on the left and below, since all lengths are needed.
-ui::PlaneCamera roomy_camera(const frame::StructureShape& shape, ui::Size size, double em)
+/// A frame is drawn smaller where that makes its cells larger.
+Panels best_panels(ui::Painter& painter, const Scene& scene)
 {
-    std::vector<ui::World2> nodes;
-    for (const Eigen::Vector3d& node : shape.nodes) nodes.push_back({node.x(), node.y()});
-    constexpr double most = 0.36; // of a small panel
-    const double left = std::min(9.0 * em, most * size.width), right = std::min(4.5 * em, most * size.width);
-    const double top = std::min(6.5 * em, most * size.height), bottom = std::min(6.0 * em, most * size.height);
-    ui::PlaneCamera camera;
-    camera.fit(nodes, size, {.left = left, .top = top, .right = right, .bottom = bottom});
-    return camera;
-}
-
-/// In a narrow window the sheet lies below the structure, which the moments stand beside once it is right.
-Panels narrow_panels(const frame::StructureShape& shape, ui::Size size, const ui::Theme& theme, const Paper& paper)
-{
-    constexpr double closer = 0.55; // margins for small cells
-    const double em = theme.type().normal, top = 0.34 * size.height;
-    const double left = paper.is_solved() ? 0.5 * size.width : size.width;
-    Panels panels{.is_stacked = true};
-    panels.structure.box = ui::box_at({0.0, 0.0}, {left, top});
-    panels.moments.box = ui::box_at({left, 0.0}, {size.width - left, top});
-    panels.structure.camera = panels.moments.camera = roomy_camera(shape, panels.structure.box.size(), em);
-    panels.structure.ems_high = panels.moments.ems_high = 13.0;
-    const double height = std::max(0.5 * (size.height - top), size.height - top - lines_below(paper) * em);
-    panels.sheet = panel_alone(Part::Sheet, shape, {size.width, height}, theme.scaled(closer));
-    panels.sheet.box = ui::box_at({0.0, top}, {size.width, size.height - top});
-    return panels;
-}
-
-/// The sheet gets the room of the pictures that are not shown; the moments come next to the structure once it is right.
-Panels exercise_panels(const frame::StructureShape& shape, ui::Size size, const ui::Theme& theme, const Paper& paper)
-{
-    const double em = theme.type().normal, below = lines_below(paper) * em;
-    Panels panels = panels_for(shape, size, theme);
-    if (!panels.is_stacked)
-        panels = panels_for(shape, {size.width, std::max(0.5 * size.height, size.height - below)}, theme);
-    panels.sheet.box.max.y = size.height;
-    if (!panels.is_stacked && size.width < narrow * em) return narrow_panels(shape, size, theme, paper);
-    if (panels.is_stacked) {
-        const double top = panels.structure.box.max.y, height = paper.is_solved() ? panels.moments.box.height() : 0.0;
-        panels.moments.box = {{0.0, top}, {size.width, top + height}};
-        panels.sheet.box.min.y = top + height;
-        return panels;
-    }
-    const double left = panels.sheet.box.min.x, half = 0.5 * size.height;
-    panels.structure.box = {{0.0, 0.0}, {left, half}};
-    panels.moments.box = {{0.0, half}, {left, size.height}};
-    panels.structure.camera = panels.moments.camera = roomy_camera(shape, panels.structure.box.size(), em);
-    return panels;
+    const frame::StructureShape shape = frame::shape_of(scene.document.model);
+    const ui::Theme theme = scene.look.full_theme();
+    const auto with = [&](Room room) { return exercise_panels(shape, painter.size(), theme, *scene.paper, room); };
+    const auto fit = [&](const Panels& panels) {
+        Drawn nothing;
+        return PaperWriter(painter, panels.sheet, scene, nothing).fit();
+    };
+    const Panels usual = with(Room::Usual);
+    if (usual.is_stacked) return usual;
+    const Panels roomy = with(Room::Beside);
+    return fit(roomy) > fit(usual) ? roomy : usual;
 }
 
 } // namespace
@@ -481,8 +452,7 @@ Drawn draw_exercise(ui::Painter& painter, const Scene& scene)
     Drawn drawn;
     const bool is_solved = scene.paper->is_solved() && scene.state != nullptr;
     const ui::Theme theme = scene.look.full_theme();
-    const frame::StructureShape shape = frame::shape_of(scene.document.model);
-    const Panels panels = exercise_panels(shape, painter.size(), theme, *scene.paper);
+    const Panels panels = best_panels(painter, scene);
     const ui::Box& first = panels.structure.box;
     {
         const ui::LayerScope layer(painter, ui::Layer::Grid);

@@ -48,9 +48,11 @@ ui::PlaneCamera beam_camera(const Extent& extent, ui::Size panel, double margin,
 }
 
 /// The sheet needs room for its columns, so a low frame is drawn higher and a slender one broader.
-void draw_out(Panel& panel, Extent extent, const ui::Margins& margins)
+/// \param beside  ems left and right of the frame
+void draw_out(Panel& panel, Extent extent, double em, double beside = 6.5)
 {
     constexpr double least = 0.6, most = 1.7;
+    const ui::Margins margins{beside * em, 9.0 * em, beside * em, 4.0 * em};
     const double width = panel.box.width() - margins.left - margins.right;
     const double height = panel.box.height() - margins.top - margins.bottom;
     const double natural = width / std::max(extent.width(), 1e-9) * extent.height();
@@ -95,7 +97,7 @@ Panels beside(const Extent& extent, ui::Size sheet, const ui::Theme& theme)
     }
     panels.sheet.box = {{left, 0.0}, {sheet.width, sheet.height}};
     panels.structure.ems_high = panels.deformed.ems_high = panels.moments.ems_high = 13.0;
-    draw_out(panels.sheet, extent, {6.5 * em, 9.0 * em, 6.5 * em, 4.0 * em});
+    draw_out(panels.sheet, extent, em);
     return panels;
 }
 
@@ -130,11 +132,16 @@ Panel panel_alone(Part part, const frame::StructureShape& shape, ui::Size sheet,
                                                         : 0.56 * sheet.height;
         panel.camera = beam_camera(extent, sheet, std::min(4.6 * em, 0.1 * sheet.width), middle);
     } else if (part == Part::Sheet) {
-        draw_out(panel, extent, {6.5 * em, 9.0 * em, 6.5 * em, 4.0 * em});
+        draw_out(panel, extent, em);
     } else {
         panel.camera = camera_over(extent, sheet, {7.0 * em, 5.2 * em, 7.0 * em, foot});
     }
     return panel;
+}
+
+void make_room_beside(Panel& sheet, const frame::StructureShape& shape, const ui::Theme& theme, double ems)
+{
+    draw_out(sheet, extent_of(shape), theme.type().normal, ems);
 }
 
 double height_alone(Part part, const frame::StructureShape& shape, double width, std::size_t n_lines,

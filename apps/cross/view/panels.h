@@ -33,6 +33,8 @@ struct Panels {
 Panels panels_for(const frame::StructureShape& shape, ui::Size sheet, const ui::Theme& theme, const Zoom& zoom = {});
 /// The picture of the moments drawn smaller or higher, so that arrows of reactions find room; a zoomed one stays.
 void make_room_for_reactions(Panels& panels, const frame::StructureShape& shape, const ui::Theme& theme);
+/// The sheet of a frame with so many ems left and right of it for columns.
+void make_room_beside(Panel& sheet, const frame::StructureShape& shape, const ui::Theme& theme, double ems);
 /// The middle of the structure's extent.
 Eigen::Vector2d middle_of(const frame::StructureShape& shape);
 
