@@ -1,4 +1,5 @@
 #include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <string>
@@ -6,13 +7,24 @@
 
 #include "apps/cli/command_line.h"
 
+namespace {
+
+/// Ends without what libraries do at the end: OpenBLAS, which comes with CHOLMOD, waits there for a thread of its own,
+/// which asks again and again for 128 MB where less is allowed.
+[[noreturn]] void leave(cli::ExitStatus status)
+{
+    std::quick_exit(static_cast<int>(status));
+}
+
+} // namespace
+
 int main(int argc, char** argv)
 try {
 #ifdef SIGPIPE
     std::signal(SIGPIPE, SIG_IGN); // a reader that goes away is met where the results are written
 #endif
-    return static_cast<int>(cli::run(std::vector<std::string>(argv + 1, argv + argc)));
+    leave(cli::run(std::vector<std::string>(argv + 1, argv + argc)));
 } catch (const std::exception& error) {
     std::cerr << "cremona: " << error.what() << '\n';
-    return static_cast<int>(cli::ExitStatus::BadInput);
+    leave(cli::ExitStatus::BadInput);
 }

@@ -55,4 +55,12 @@ TEST_CASE("A frame that memory cannot hold is refused in the user's language")
     CHECK(has(run.err, "memória"));
 }
 
+TEST_CASE("The program ends where libraries would like more memory than is allowed")
+{
+    const std::string limit = "ulimit -v 200000; exec timeout 20 "; // kB
+    const int status = cli_test::shell(limit + "cremona --version").status;
+    if (status != 0 && status != 124) return; // a sanitizer takes more for itself
+    CHECK(status == 0);
+}
+
 TEST_SUITE_END();
