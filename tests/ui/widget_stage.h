@@ -6,6 +6,8 @@
 
 #include <imgui.h>
 
+#include <string>
+
 namespace ui_test {
 
 /// A session on a small off-screen picture with one window in it, for tests to play with.
@@ -30,6 +32,28 @@ struct WidgetStage {
     ui::Fonts fonts;
     ui::Offscreen context;
     ui::ImGuiSession session;
+};
+
+/// A hand at what a test shows frame by frame: what it does takes some of them.
+struct Hand {
+    virtual ~Hand() = default;
+    virtual void frame(const ui::Input& input) = 0;
+
+    void rest()
+    {
+        for (int i = 0; i < 3; ++i) frame({});
+    }
+    void key(ui::Key key)
+    {
+        frame({.keys = {{key, true}}});
+        frame({.keys = {{key, false}}});
+        rest();
+    }
+    void type(const std::string& text)
+    {
+        frame({.text = text});
+        rest();
+    }
 };
 
 inline bool has_renderer()

@@ -14,32 +14,17 @@ TEST_SUITE_BEGIN("path dialog");
 
 namespace {
 
-struct DialogStage {
+struct DialogStage : ui_test::Hand {
     ui_test::WidgetStage stage{1.0};
     ui::PathDialog dialog;
     std::optional<fs::path> chosen;
 
-    void frame(const ui::Input& input)
+    void frame(const ui::Input& input) override
     {
         stage.frame(input, [&] {
             const ui::Catalogue english;
             if (const auto path = dialog.show(english)) chosen = path;
         });
-    }
-    void rest()
-    {
-        for (int i = 0; i < 3; ++i) frame({});
-    }
-    void key(ui::Key key)
-    {
-        frame({.keys = {{key, true}}});
-        frame({.keys = {{key, false}}});
-        rest();
-    }
-    void type(const std::string& text)
-    {
-        frame({.text = text});
-        rest();
     }
 };
 

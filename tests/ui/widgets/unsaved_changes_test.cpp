@@ -32,35 +32,20 @@ struct Sheet {
 };
 
 /// An app with one changed document whose end was asked for.
-struct Ending {
+struct Ending : ui_test::Hand {
     ui_test::WidgetStage stage{1.0};
     ui::Overlays overlays{{.extension = ".eul", .picture_extension = ".png"}};
     ui::UnsavedChanges changes;
     Sheet sheet;
     std::optional<ui::UnsavedChanges::Fate> fate;
 
-    void frame(const ui::Input& input)
+    void frame(const ui::Input& input) override
     {
         stage.frame(input, [&] {
             const ui::Catalogue english;
             if (const auto file = overlays.show_dialog(english)) sheet.save(file->path);
             if (!fate) fate = changes.ask(sheet, overlays, english);
         });
-    }
-    void rest()
-    {
-        for (int i = 0; i < 3; ++i) frame({});
-    }
-    void key(ui::Key key)
-    {
-        frame({.keys = {{key, true}}});
-        frame({.keys = {{key, false}}});
-        rest();
-    }
-    void type(const std::string& text)
-    {
-        frame({.text = text});
-        rest();
     }
     /// An arrow shows which button has the keyboard: the first one.
     void choose_save()
