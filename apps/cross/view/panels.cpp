@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/cross/view/numbers.h"
+#include "ui/paint/wrapped_lines.h"
 
 namespace cross {
 
@@ -251,10 +252,16 @@ double draw_title(ui::Painter& painter, const Panel& panel, const std::string& t
     style.weight = ui::Weight::Bold;
     if (panel.is_zoomed) style.plate = theme.background(); // the structure may lie there
     const double room = panel.box.width() - 1.2 * style.size;
-    style.size *= std::min(1.0, room / std::max(1.0, painter.measure(title, style).width));
+    const double shrunk = room / std::max(1.0, painter.measure(title, style).width);
+    constexpr double least = 0.85; // of the size of type; else there are two lines
+    style.size *= std::clamp(shrunk, least, 1.0);
     const ui::LayerScope layer(painter, ui::Layer::Labels);
-    painter.text(panel.box.min + ui::Point{0.6 * style.size, 0.4 * style.size}, title, style);
-    return 1.9 * style.size;
+    ui::Point at = panel.box.min + ui::Point{0.6 * style.size, 0.4 * style.size};
+    for (const std::string& line : ui::wrapped_lines(painter.fonts(), title, style, room + 1.0)) {
+        painter.text(at, line, style);
+        at.y += 1.15 * style.size;
+    }
+    return at.y - panel.box.min.y + 0.35 * style.size;
 }
 
 frame::Grips draw_structure_in(ui::Painter& painter, const Panel& panel, const Scene& scene, const frame::ShowSet& show,
