@@ -1,8 +1,7 @@
 #include "apps/cross/document/document.h"
 
-#include <utility>
-
 #include "femoop/methods/cross/symmetry.h"
+#include "femoop/model/fault/fault.h"
 
 namespace cross {
 
@@ -19,9 +18,12 @@ fc::Problem problem_of(const Document& document)
 {
     const Method& method = document.method;
     fc::Problem whole = fc::problem_of(document.model, method.load_case, method.far_ends);
-    const bool is_halved = method.extent == fc::Extent::Half && !document.pupil &&
-                           !fc::why_not_by_halves(document.model, whole);
-    return is_halved ? fc::by_halves(document.model, std::move(whole)) : whole;
+    if (method.extent == fc::Extent::Whole || document.pupil) return whole;
+    try {
+        return fc::by_halves(document.model, whole);
+    } catch (const femoop::ModelError&) {
+        return whole; // the solution says why
+    }
 }
 
 bool is_same_task(const Document& a, const Document& b)

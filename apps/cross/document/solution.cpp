@@ -6,6 +6,7 @@
 #include "femoop/methods/cross/symmetry.h"
 #include "femoop/methods/cross/virtual_work.h"
 #include "femoop/model/check/check.h"
+#include "femoop/model/fault/fault.h"
 
 namespace cross {
 

@@ -30,7 +30,9 @@ public:
     {
         check_factors();
         check_row(tr_("cross: fixed-end moments"), block_.fixed_end, problem_.loading.fixed_end, tolerance());
-        if (!block_.sheet.empty()) check_sheet(block_.sheet, problem_.of_sheet(0), problem_.loading, tr_("cross"));
+        const Problem& half = problem_.of_sheet(0);
+        if (!block_.sheet.empty())
+            check_sheet(block_.sheet, half, worked(half, problem_.loading, block_.sheet), tr_("cross"));
         check_stages();
         check_final();
         return std::move(outcomes_);
@@ -92,10 +94,10 @@ private:
             check_row(fill(tr_("cross: factors of {0}"), {joint}), wanted, factors, tolerance());
     }
 
-    void check_sheet(const std::vector<Block::Row>& wanted, const Problem& half, const Loading& loading,
+    void check_sheet(const std::vector<Block::Row>& wanted, const Problem& half, const Sheet& sheet,
                      const std::string& whose)
     {
-        const std::vector<Row> rows = rows_of(half, worked(half, loading, wanted));
+        const std::vector<Row> rows = rows_of(half, sheet);
         if (rows.size() != wanted.size())
             throw ModelError({{FaultKind::CrossSheetTooLong,
                                {"cross.sheet", std::to_string(wanted.size()), std::to_string(rows.size())}}});
@@ -139,11 +141,11 @@ private:
     void check_stage(const std::string& whose, const Block::Stage& stage, const Problem& half, const Loading& loading)
     {
         check_row(fill(tr_("{0}: fixed-end moments"), {whose}), stage.fixed_end, loading.fixed_end, tolerance());
-        if (!stage.sheet.empty()) check_sheet(stage.sheet, half, loading, whose);
-        const State reached = worked(half, loading, stage.sheet).end;
+        const Sheet sheet = worked(half, loading, stage.sheet);
+        if (!stage.sheet.empty()) check_sheet(stage.sheet, half, sheet, whose);
         for (std::size_t k = 0; k < stage.props.size(); ++k)
             if (const auto sway = sway_at(stage.props[k].node, k))
-                check_prop(whose, stage.props[k].reaction, reached, *sway);
+                check_prop(whose, stage.props[k].reaction, sheet.end, *sway);
             else skip(whose);
     }
 

@@ -419,7 +419,7 @@ Problem problem_of(const Model& model, CaseId load_case, FarEnds far_ends, Exten
 {
     require_suitable(model);
     Problem whole = Builder(model, load_case, far_ends).build();
-    return extent == Extent::Half ? by_halves(model, std::move(whole)) : whole;
+    return extent == Extent::Half ? by_halves(model, whole) : whole;
 }
 
 Model inextensible_copy(const Model& model)

@@ -5,6 +5,7 @@
 
 #include "femoop/methods/cross/rounding.h"
 #include "femoop/methods/cross/virtual_work.h"
+#include "femoop/model/fault/fault.h"
 #include "femoop/model/quantity/number_text.h"
 
 namespace femoop::cross {
@@ -236,17 +237,7 @@ private:
 
 } // namespace
 
-Problem by_halves(const Model& model, Problem whole) { return Halver(model, whole).halved(); }
-
-std::optional<Fault> why_not_by_halves(const Model& model, const Problem& whole)
-{
-    try {
-        static_cast<void>(by_halves(model, whole));
-        return std::nullopt;
-    } catch (const ModelError& error) {
-        return error.faults().front();
-    }
-}
+Problem by_halves(const Model& model, const Problem& whole) { return Halver(model, whole).halved(); }
 
 std::vector<EndId> crossing_ends(const Problem& half)
 {

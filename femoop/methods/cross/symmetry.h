@@ -1,9 +1,8 @@
 #pragma once
 
-#include <optional>
+#include <vector>
 
 #include "femoop/methods/cross/problem.h"
-#include "femoop/model/fault/fault.h"
 
 namespace femoop::cross {
 
@@ -21,10 +20,7 @@ namespace femoop::cross {
 ///
 /// Assumes  a vertical axis in the middle of the structure
 /// \throws  ModelError  CrossNodeWithoutImage, CrossEndWithoutImage, CrossSkewLoads, CrossSkewSway
-Problem by_halves(const Model& model, Problem whole);
-
-/// Why a structure with its loads offers no such shortcut; nothing where it does.
-std::optional<Fault> why_not_by_halves(const Model& model, const Problem& whole);
+Problem by_halves(const Model& model, const Problem& whole);
 
 /// Ends on the sheet of a half whose members cross the axis at a joint that is balanced.
 std::vector<EndId> crossing_ends(const Problem& half);
