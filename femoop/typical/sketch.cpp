@@ -4,6 +4,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "femoop/typical/steel.h"
+
 namespace femoop {
 
 namespace {
@@ -21,8 +23,7 @@ Sketch::Sketch(std::string title, AnalysisKind kind)
 {
     model_.title = std::move(title);
     model_.analysis = kind;
-    const auto typed = [](double value, const char* text) { return Quantity(value, text); };
-    model_.add(Material{.id = "steel", .E = typed(210e6, "210 GPa"), .density = typed(7.85, "7850 kg/m^3")});
+    model_.add(steel(model_.units, "210 GPa"));
     model_.add(Section{.id = "s1", .A = 0.01, .Iz = 2e-4, .Iy = 5e-5, .J = 3e-6});
     model_.add(LoadCase{.id = "G"});
 }

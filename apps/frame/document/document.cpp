@@ -1,5 +1,7 @@
 #include "apps/frame/document/document.h"
 
+#include "femoop/typical/steel.h"
+
 namespace frame {
 
 using namespace femoop;
@@ -40,10 +42,7 @@ Document starting_document()
 {
     Model model;
     model.title = "Portal";
-    Material steel;
-    steel.id = "steel";
-    steel.E = Quantity(205.0e6, "205 GPa");
-    model.add(std::move(steel));
+    model.add(steel(model.units, "205 GPa"));
     const SectionId column = model.add(with_properties("column", Quantity(0.012), Quantity(2.0e-4)));
     const SectionId beam = model.add(with_properties("beam", Quantity(0.008), Quantity(3.0e-4)));
     Support fixed;

@@ -9,7 +9,7 @@
 #include "apps/frame/document/section_command.h"
 #include "femoop/edit/condense.h"
 #include "femoop/io/model_file.h"
-#include "femoop/model/quantity/quantity_parser.h"
+#include "femoop/typical/steel.h"
 
 namespace frame {
 
@@ -37,9 +37,7 @@ femoop::Material pattern(const Session& session, const std::vector<MemberId>& me
     const Model& model = session.model();
     const auto first = members.empty() ? std::nullopt : model[members.front()].material;
     if (first) return model[*first];
-    constexpr std::string_view E = "210 GPa";
-    const auto value = femoop::parse_quantity(E, femoop::dimension::stress, model.units);
-    return {.id = "steel", .E = femoop::Quantity(std::get<double>(value), std::string(E))};
+    return femoop::steel(model.units, "210 GPa");
 }
 
 } // namespace

@@ -37,6 +37,8 @@ TEST_SUITE("frame: commands on property sets")
         new_material(session);
         CHECK(session.model().materials[0].E.value() == 210e3);
         CHECK(session.model().materials[0].E.text() == "210 GPa");
+        CHECK(session.model().materials[0].alpha->text() == "1.2e-5 1/K");
+        CHECK(session.model().materials[0].density->value() == doctest::Approx(7.85e-9));
     }
 
     TEST_CASE("A section that is renamed stays the selection; a name that is taken changes nothing")

@@ -45,6 +45,14 @@ TEST_SUITE("typical structures")
                 check_is_sound(SpaceTruss{.panels_x = panels_x, .panels_y = panels_y}.model());
     }
 
+    TEST_CASE("Their steel grows with the temperature and has a weight")
+    {
+        const Material steel = GableFrame{}.model().materials.front();
+        CHECK(steel.alpha->value() == 1.2e-5);
+        CHECK(steel.density->value() == 7.85);
+        CHECK(steel.density->text() == "7850 kg/m^3");
+    }
+
     TEST_CASE("Plane trusses of every pattern are statically determinate")
     {
         for (const TrussPattern pattern :
