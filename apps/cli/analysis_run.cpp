@@ -14,8 +14,8 @@ using femoop::FaultKind;
 ExitStatus status_of(const std::vector<Fault>& faults)
 {
     const bool is_structural = std::all_of(faults.begin(), faults.end(), [](const Fault& fault) {
-        return fault.kind == FaultKind::ConstraintConflict || fault.kind == FaultKind::CrossJointFree ||
-               fault.kind == FaultKind::CrossSwayUndetermined;
+        return fault.kind == FaultKind::ConstraintConflict || fault.kind == FaultKind::IllConditionedCase ||
+               fault.kind == FaultKind::CrossJointFree || fault.kind == FaultKind::CrossSwayUndetermined;
     });
     return is_structural ? ExitStatus::CannotSolve : ExitStatus::BadInput;
 }

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace femoop {
 
-template <AnalysisKind kind>
-Assembly<kind>::Assembly(const Structure& structure, const Equations& equations)
+template <AnalysisKind kind, class Scalar>
+Assembly<kind, Scalar>::Assembly(const Structure& structure, const Equations& equations)
     : structure_(structure), equations_(equations)
 {
     const auto is_inclined = [](const Structure::SupportRow& support) { return support.angle != 0.0; };
@@ -21,41 +22,42 @@ Assembly<kind>::Assembly(const Structure& structure, const Equations& equations)
     }
 }
 
-template <AnalysisKind kind> auto Assembly<kind>::axes_of(NodeId node) const -> const NodeMatrix*
+template <AnalysisKind kind, class Scalar> auto Assembly<kind, Scalar>::axes_of(NodeId node) const -> const NodeMatrix*
 {
     if (support_axes_.empty() || structure_.support_of_node[node.index] < 0) return nullptr;
     const auto support = static_cast<std::size_t>(structure_.support_of_node[node.index]);
     return structure_.supports[support].angle != 0.0 ? &support_axes_[support] : nullptr;
 }
 
-template <AnalysisKind kind> bool Assembly<kind>::is_constrained(MemberId member) const
+template <AnalysisKind kind, class Scalar> bool Assembly<kind, Scalar>::is_constrained(MemberId member) const
 {
     const MemberExtras* extras = structure_.extras_of(member);
     return extras != nullptr && extras->constraint != Constraint::None;
 }
 
-template <AnalysisKind kind> auto Assembly<kind>::element(MemberId member, const MemberFrame& frame) const -> Element
+template <AnalysisKind kind, class Scalar>
+auto Assembly<kind, Scalar>::element(MemberId member, const MemberFrame& frame) const -> Element
 {
     const MemberExtras* extras = structure_.extras_of(member);
     return element_of(member, frame, extras == nullptr ? all_actions : elastic_actions(*extras));
 }
 
-template <AnalysisKind kind>
-auto Assembly<kind>::constrained_element(MemberId member, const MemberFrame& frame) const -> Element
+template <AnalysisKind kind, class Scalar>
+auto Assembly<kind, Scalar>::constrained_element(MemberId member, const MemberFrame& frame) const -> Element
 {
     return element_of(member, frame, constrained_actions(*structure_.extras_of(member)));
 }
 
-template <AnalysisKind kind>
-auto Assembly<kind>::element_of(MemberId member, const MemberFrame& frame, ActionSet actions) const -> Element
+template <AnalysisKind kind, class Scalar>
+auto Assembly<kind, Scalar>::element_of(MemberId member, const MemberFrame& frame, ActionSet actions) const -> Element
 {
     const auto& nodes = structure_.members[member.index].nodes;
     return Element(structure_.properties_of(member), frame, structure_.extras_of(member),
                    {axes_of(nodes[0]), axes_of(nodes[1])}, actions);
 }
 
-template <AnalysisKind kind>
-auto Assembly<kind>::node_equations(MemberId member) const -> std::array<std::int32_t, 2 * n>
+template <AnalysisKind kind, class Scalar>
+auto Assembly<kind, Scalar>::node_equations(MemberId member) const -> std::array<std::int32_t, 2 * n>
 {
     std::array<std::int32_t, 2 * n> rows;
     const auto& nodes = structure_.members[member.index].nodes;
@@ -64,61 +66,97 @@ auto Assembly<kind>::node_equations(MemberId member) const -> std::array<std::in
     return rows;
 }
 
-template <AnalysisKind kind> auto Assembly<kind>::own_ends(MemberId member, const Element& element) const -> OwnEnds
+template <AnalysisKind kind, class Scalar>
+auto Assembly<kind, Scalar>::own_ends(MemberId member, const Element& element) const -> OwnEnds
 {
     constexpr int m = Element::m;
     const auto nodes = node_equations(member);
     OwnEnds own{.equations = {nodes.begin(), nodes.end()},
-                .B = Eigen::MatrixXd::Zero(2 * m, 2 * n),
-                .joints = Eigen::MatrixXd::Zero(2 * n, 2 * n)};
+                .B = Dense::Zero(2 * m, 2 * n),
+                .gaps = Dense(0, 2 * n),
+                .joints = {}};
     const MemberExtras& extras = *structure_.extras_of(member);
     for (int end = 0; end < 2; ++end) {
-        const typename Element::Transformation T = element.transformation(end);
+        const auto T = element.template transformation<Scalar>(end);
         for (int i = 0; i < m; ++i) {
             const LocalAxis axis = AnalysisModel<kind>::local[i];
             const double joint = extras.joints[end][index(axis)];
-            Eigen::RowVectorXd follows = Eigen::RowVectorXd::Zero(own.B.cols());
-            for (int j = 0; j < n; ++j) follows[end * n + j] = T(i, j);
+            Dense follows = Dense::Zero(1, own.B.cols());
+            for (int j = 0; j < n; ++j) follows(0, end * n + j) = T(i, j);
             if (!std::isfinite(joint)) {
                 own.B.row(end * m + i) = follows;
                 continue;
             }
             const Eigen::Index size = own.B.cols() + 1;
             own.equations.push_back(equations_.of_own_end(member, end, axis));
-            own.B.conservativeResizeLike(Eigen::MatrixXd::Zero(2 * m, size));
+            own.B.conservativeResizeLike(Dense::Zero(2 * m, size));
             own.B(end * m + i, size - 1) = 1.0;
-            own.joints.conservativeResizeLike(Eigen::MatrixXd::Zero(size, size));
-            Eigen::RowVectorXd gap(size);
-            gap << -follows, 1.0;
-            own.joints += joint * gap.transpose() * gap;
+            own.gaps.conservativeResizeLike(Dense::Zero(own.gaps.rows() + 1, size));
+            own.gaps.bottomRows(1) << -follows, Dense::Ones(1, 1);
+            own.joints.conservativeResizeLike(Eigen::VectorXd::Constant(own.gaps.rows(), joint));
         }
     }
     return own;
 }
 
-template <AnalysisKind kind>
+namespace {
+
+Eigen::MatrixXd between_rigid_joints(const auto& element, const Eigen::MatrixXd& B)
+{
+    return B.transpose() * element.rigid_joint_stiffness() * B;
+}
+
+PreciseMatrix stiffness_of(const StrainForm& form, const PreciseMatrix& B)
+{
+    const PreciseMatrix strains = form.B.cast<DoubleDouble>() * B;
+    return strains.transpose() * (form.S.cast<DoubleDouble>() * strains);
+}
+
+PreciseMatrix between_rigid_joints(const auto& element, const PreciseMatrix& B)
+{
+    return stiffness_of(element.rigid_joint_strains(), B);
+}
+
+/// What a member's nodes feel.
+template <class Scalar> auto node_stiffness(const auto& element)
+{
+    if constexpr (std::is_same_v<Scalar, double>) return element.stiffness();
+    else {
+        const PreciseMatrix first = element.template transformation<Scalar>(0);
+        const PreciseMatrix second = element.template transformation<Scalar>(1);
+        PreciseMatrix T = PreciseMatrix::Zero(first.rows() + second.rows(), first.cols() + second.cols());
+        T.topLeftCorner(first.rows(), first.cols()) = first;
+        T.bottomRightCorner(second.rows(), second.cols()) = second;
+        return stiffness_of(element.local_strains(), T);
+    }
+}
+
+} // namespace
+
+template <AnalysisKind kind, class Scalar>
 template <class Visit>
-void Assembly<kind>::visit_member(MemberId member, Visit&& visit) const
+void Assembly<kind, Scalar>::visit_member(MemberId member, Visit&& visit) const
 {
     const MemberFrame frame = structure_.frame(member);
+    const Element elastic = element(member, frame);
     if (!is_constrained(member)) {
         const auto rows = node_equations(member);
-        visit(std::span<const std::int32_t>(rows), element(member, frame).stiffness());
+        visit(std::span<const std::int32_t>(rows), node_stiffness<Scalar>(elastic));
         return;
     }
-    const Element elastic = element(member, frame);
     const OwnEnds own = own_ends(member, elastic);
-    const Eigen::MatrixXd K = own.B.transpose() * elastic.rigid_joint_stiffness() * own.B + own.joints;
+    const Dense springs = own.joints.template cast<Scalar>().asDiagonal() * own.gaps;
+    const Dense K = between_rigid_joints(elastic, own.B) + own.gaps.transpose() * springs;
     visit(std::span<const std::int32_t>(own.equations), K);
 }
 
-template <AnalysisKind kind> bool Assembly<kind>::is_plain(MemberId member) const
+template <AnalysisKind kind, class Scalar> bool Assembly<kind, Scalar>::is_plain(MemberId member) const
 {
     const auto& row = structure_.members[member.index];
     return row.extras < 0 && axes_of(row.nodes[0]) == nullptr && axes_of(row.nodes[1]) == nullptr;
 }
 
-template <AnalysisKind kind> void Assembly<kind>::add_stiffness(SparseMatrix& K) const
+template <AnalysisKind kind, class Scalar> void Assembly<kind, Scalar>::add_stiffness(Sparse& K) const
 {
     const SystemPattern& pattern = equations_.pattern();
     // Most structures repeat themselves: a member like the plain one before it has its stiffness.
@@ -129,7 +167,7 @@ template <AnalysisKind kind> void Assembly<kind>::add_stiffness(SparseMatrix& K)
     } last;
     for (std::size_t i = 0; i < structure_.members.size(); ++i) {
         const MemberId member(i);
-        if (!is_plain(member)) {
+        if (!std::is_same_v<Scalar, double> || !is_plain(member)) {
             visit_member(member,
                          [&](std::span<const std::int32_t> rows, const auto& Ke) { pattern.add(K, i, rows, Ke); });
             continue;
@@ -147,22 +185,22 @@ template <AnalysisKind kind> void Assembly<kind>::add_stiffness(SparseMatrix& K)
                 pattern.add_to_diagonal(K, row, support.springs[index(AnalysisModel<kind>::global[i])]);
 }
 
-template <AnalysisKind kind> SparseMatrix Assembly<kind>::constrained_stiffness() const
+template <AnalysisKind kind, class Scalar> auto Assembly<kind, Scalar>::constrained_stiffness() const -> Sparse
 {
-    SparseMatrix K = equations_.pattern().matrix();
+    Sparse K = equations_.pattern().matrix().template cast<Scalar>();
     for (std::size_t i = 0; i < structure_.members.size(); ++i) {
         const MemberId member(i);
         if (!is_constrained(member)) continue;
         const MemberFrame frame = structure_.frame(member);
         const Element constrained = constrained_element(member, frame);
         const OwnEnds own = own_ends(member, constrained);
-        const Eigen::MatrixXd Ke = own.B.transpose() * constrained.rigid_joint_stiffness() * own.B;
-        equations_.pattern().add(K, i, own.equations, Ke);
+        equations_.pattern().add(K, i, own.equations, between_rigid_joints(constrained, own.B));
     }
     return K;
 }
 
-template <AnalysisKind kind> std::vector<double> Assembly<kind>::settlements(const CaseLoads& loads) const
+template <AnalysisKind kind, class Scalar>
+std::vector<double> Assembly<kind, Scalar>::settlements(const CaseLoads& loads) const
 {
     if (loads.settlements.empty()) return {};
     std::vector<double> moved(structure_.positions.size() * n, 0.0);
@@ -172,16 +210,19 @@ template <AnalysisKind kind> std::vector<double> Assembly<kind>::settlements(con
     return moved;
 }
 
-template <AnalysisKind kind> Eigen::VectorXd Assembly<kind>::load_vector(const CaseLoads& loads) const
+template <AnalysisKind kind, class Scalar>
+auto Assembly<kind, Scalar>::load_vector(const CaseLoads& loads) const -> Vector
 {
-    Eigen::VectorXd f = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(equations_.n_unknowns()));
-    add_node_loads(loads, f);
-    if (!loads.first.empty()) add_member_loads(loads, f);
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(equations_.n_unknowns()));
+    add_node_loads(loads, forces);
+    if (!loads.first.empty()) add_member_loads(loads, forces);
+    Vector f = forces.template cast<Scalar>();
     if (!loads.settlements.empty()) add_settlements(loads, f);
     return f;
 }
 
-template <AnalysisKind kind> void Assembly<kind>::add_node_loads(const CaseLoads& loads, Eigen::VectorXd& f) const
+template <AnalysisKind kind, class Scalar>
+void Assembly<kind, Scalar>::add_node_loads(const CaseLoads& loads, Eigen::VectorXd& f) const
 {
     for (const CaseLoads::OnNode& load : loads.nodes) {
         Eigen::Matrix<double, n, 1> value;
@@ -194,7 +235,8 @@ template <AnalysisKind kind> void Assembly<kind>::add_node_loads(const CaseLoads
     }
 }
 
-template <AnalysisKind kind> void Assembly<kind>::add_member_loads(const CaseLoads& loads, Eigen::VectorXd& f) const
+template <AnalysisKind kind, class Scalar>
+void Assembly<kind, Scalar>::add_member_loads(const CaseLoads& loads, Eigen::VectorXd& f) const
 {
     SpanLoading loading;
     const auto subtract = [&f](const auto& rows, const auto& forces) {
@@ -217,12 +259,13 @@ template <AnalysisKind kind> void Assembly<kind>::add_member_loads(const CaseLoa
         const OwnEnds own = own_ends(member, elastic);
         const Eigen::VectorXd fixed = elastic.rigid_joint_forces(loading) +
                                       constrained.rigid_joint_forces(loading.without_strain());
-        subtract(own.equations, (own.B.transpose() * fixed).eval());
+        subtract(own.equations, Eigen::VectorXd(own.B.template cast<double>().transpose() * fixed));
         if (extras.is_bar) subtract(node_equations(member), elastic.simple_span_forces(loading));
     }
 }
 
-template <AnalysisKind kind> void Assembly<kind>::add_settlements(const CaseLoads& loads, Eigen::VectorXd& f) const
+template <AnalysisKind kind, class Scalar>
+void Assembly<kind, Scalar>::add_settlements(const CaseLoads& loads, Vector& f) const
 {
     const std::vector<double> moved = settlements(loads);
     for (std::size_t i = 0; i < structure_.members.size(); ++i) {
@@ -235,7 +278,7 @@ template <AnalysisKind kind> void Assembly<kind>::add_settlements(const CaseLoad
         }
         if (u.isZero(0.0)) continue;
         visit_member(MemberId(i), [&](std::span<const std::int32_t> rows, const auto& K) {
-            const Eigen::VectorXd forces = K.leftCols(2 * n) * u;
+            const Vector forces = K.leftCols(2 * n) * u.template cast<Scalar>();
             for (std::size_t row = 0; row < rows.size(); ++row)
                 if (rows[row] != Equations::none) f[rows[row]] -= forces[static_cast<Eigen::Index>(row)];
         });
@@ -243,22 +286,29 @@ template <AnalysisKind kind> void Assembly<kind>::add_settlements(const CaseLoad
     for (const Structure::SupportRow& support : structure_.supports)
         for (std::size_t i = 0; i < n; ++i)
             if (const std::int32_t row = equations_.of(support.node, i); row != Equations::none)
-                f[row] += support.springs[index(AnalysisModel<kind>::global[i])] * moved[support.node.index * n + i];
+                f[row] += Scalar(support.springs[index(AnalysisModel<kind>::global[i])]) *
+                          Scalar(moved[support.node.index * n + i]);
 }
 
-template <AnalysisKind kind> void Assembly<kind>::to_global(std::vector<double>& displacements) const
+template <AnalysisKind kind, class Scalar>
+void Assembly<kind, Scalar>::to_global(std::vector<Scalar>& displacements) const
 {
     for (std::size_t s = 0; s < support_axes_.size(); ++s) {
         const NodeId node = structure_.supports[s].node;
-        Eigen::Map<Eigen::Matrix<double, n, 1>> u(displacements.data() + node.index * n);
-        u = (support_axes_[s] * u).eval();
+        Eigen::Map<Eigen::Matrix<Scalar, n, 1>> u(displacements.data() + node.index * n);
+        u = (support_axes_[s].template cast<Scalar>() * u).eval();
     }
 }
 
 template class Assembly<AnalysisKind::Truss2d>;
+template class Assembly<AnalysisKind::Truss2d, DoubleDouble>;
 template class Assembly<AnalysisKind::Frame2d>;
+template class Assembly<AnalysisKind::Frame2d, DoubleDouble>;
 template class Assembly<AnalysisKind::Grillage>;
+template class Assembly<AnalysisKind::Grillage, DoubleDouble>;
 template class Assembly<AnalysisKind::Truss3d>;
+template class Assembly<AnalysisKind::Truss3d, DoubleDouble>;
 template class Assembly<AnalysisKind::Frame3d>;
+template class Assembly<AnalysisKind::Frame3d, DoubleDouble>;
 
 } // namespace femoop

@@ -10,6 +10,7 @@
 #include "femoop/analysis/equations.h"
 #include "femoop/analysis/structure.h"
 #include "femoop/element/member_element.h"
+#include "femoop/solver/double_double.h"
 
 namespace femoop {
 
@@ -17,11 +18,17 @@ namespace femoop {
 ///
 /// A node's displacements are in the axes of its support. Members with a constraint bring their elastic part here;
 /// what the constraint does is in femoop/analysis/constraints.h.
-template <AnalysisKind kind> class Assembly {
+///
+/// In DoubleDouble every stiffness is B' S B of strains, so that a rigid motion strains no member and the forces of
+/// each are in equilibrium to its last digit; the data, B and S are doubles.
+template <AnalysisKind kind, class Scalar = double> class Assembly {
 public:
     using Element = MemberElement<kind>;
     static constexpr int n = Element::n;
     using NodeMatrix = Eigen::Matrix<double, n, n>;
+    using Dense = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+    using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+    using Sparse = Eigen::SparseMatrix<Scalar>;
 
     Assembly(const Structure& structure, const Equations& equations);
 
@@ -36,25 +43,26 @@ public:
     /// A constrained member's end displacements, local = B x, over its node_equations and then its own ends.
     struct OwnEnds {
         std::vector<std::int32_t> equations;
-        Eigen::MatrixXd B;
-        Eigen::MatrixXd joints; ///< stiffness of its springs between node and own end, over x
+        Dense B;
+        Dense gaps;             ///< of its springs between node and own end, over x
+        Eigen::VectorXd joints; ///< their stiffnesses
     };
     OwnEnds own_ends(MemberId member, const Element& element) const;
 
     /// Adds every member's elastic stiffness and every support spring to K, which has the equations' pattern.
-    void add_stiffness(SparseMatrix& K) const;
+    void add_stiffness(Sparse& K) const;
 
     /// Own stiffness of what constraints take from members, over all unknowns; zero where there is no constraint.
-    SparseMatrix constrained_stiffness() const;
+    Sparse constrained_stiffness() const;
 
     /// Forces on the unknowns from loads, fixed ends, settlements and grounds of springs that moved.
-    Eigen::VectorXd load_vector(const CaseLoads& loads) const;
+    Vector load_vector(const CaseLoads& loads) const;
 
     /// Displacements of blocked and grounds of sprung degrees of freedom, node axes, every node; empty when none moves.
     std::vector<double> settlements(const CaseLoads& loads) const;
 
     /// Turns all node displacements from node axes to global ones.
-    void to_global(std::vector<double>& displacements) const;
+    void to_global(std::vector<Scalar>& displacements) const;
 
 private:
     bool is_constrained(MemberId member) const;
@@ -63,7 +71,7 @@ private:
     const NodeMatrix* axes_of(NodeId node) const;
     void add_node_loads(const CaseLoads& loads, Eigen::VectorXd& f) const;
     void add_member_loads(const CaseLoads& loads, Eigen::VectorXd& f) const;
-    void add_settlements(const CaseLoads& loads, Eigen::VectorXd& f) const;
+    void add_settlements(const CaseLoads& loads, Vector& f) const;
     template <class Visit> void visit_member(MemberId member, Visit&& visit) const;
 
     const Structure& structure_;

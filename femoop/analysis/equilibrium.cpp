@@ -78,6 +78,8 @@ public:
     void run()
     {
         result_.reactions.assign(structure_.supports.size(), NodeVector{});
+        for (const Eigen::Vector3d& position : structure_.positions)
+            result_.balance.reach = std::max(result_.balance.reach, position.norm());
         for (std::size_t i = 0; i < structure_.members.size(); ++i) add_member(MemberId(i));
         add_node_loads();
         for (std::size_t s = 0; s < structure_.supports.size(); ++s) finish(s);
@@ -100,6 +102,7 @@ private:
         if (!span_loads.empty()) {
             const Wrench local = local_sum(span_loads);
             load.add(to_global * local.force, to_global * local.moment, frame.start);
+            weigh(to_global * local.force, to_global * local.moment, frame.start);
             sum_of_loads_.force += load.force;
             sum_of_loads_.moment += load.moment;
         }
@@ -120,6 +123,7 @@ private:
         if (on_foundation) { // what neither the ends nor the loads balance, the foundation does
             sum_of_reactions_.force -= ends.force + load.force;
             sum_of_reactions_.moment -= ends.moment + load.moment;
+            weigh(ends.force + load.force, Eigen::Vector3d::Zero(), frame.start);
         }
     }
 
@@ -127,6 +131,7 @@ private:
     {
         for (const CaseLoads::OnNode& load : loads_.nodes) {
             sum_of_loads_.add(forces(load.value), moments(load.value), structure_.positions[load.node.index]);
+            weigh(forces(load.value), moments(load.value), structure_.positions[load.node.index]);
             const std::int32_t support = structure_.support_of_node[load.node.index];
             if (support >= 0)
                 add(result_.reactions[static_cast<std::size_t>(support)], -forces(load.value), -moments(load.value));
@@ -159,6 +164,16 @@ private:
             if (!support.blocked.contains(dof) && support.springs[index(dof)] == 0.0) reaction[index(dof)] = 0.0;
         if (support.angle != 0.0) turn(si);
         sum_of_reactions_.add(forces(reaction), moments(reaction), structure_.positions[support.node.index]);
+        weigh(forces(reaction), moments(reaction), structure_.positions[support.node.index]);
+    }
+
+    /// Takes note of how large what the sums are made of is.
+    void weigh(const Eigen::Vector3d& F, const Eigen::Vector3d& M, const Eigen::Vector3d& at)
+    {
+        detail::Balance& balance = result_.balance;
+        balance.largest = std::max({balance.largest, F.cwiseAbs().maxCoeff(), M.cwiseAbs().maxCoeff()});
+        balance.sum_forces += F.norm();
+        balance.sum_moments += M.norm() + at.norm() * F.norm();
     }
 
     detail::Solution& solution_;

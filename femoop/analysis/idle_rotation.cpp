@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "femoop/analysis/rotation_followers.h"
 #include "femoop/analysis/spinning_chain.h"
@@ -72,16 +73,6 @@ std::vector<HeldRotation> idle_at_node(const std::vector<HeldRotation::Part>& pa
     return idle;
 }
 
-/// A stiffness at the first node of the rotation is enough: the others cannot turn without it.
-void hold(const HeldRotation& rotation, double stiffness, SparseMatrix& K)
-{
-    const auto& parts = rotation.parts;
-    for (std::size_t i = 0; i < parts.size() && parts[i].node == parts[0].node; ++i)
-        for (std::size_t j = 0; j <= i; ++j)
-            entry(K, parts[i].row, parts[j].row) += stiffness * rotation.direction[static_cast<Eigen::Index>(i)] *
-                                                    rotation.direction[static_cast<Eigen::Index>(j)];
-}
-
 /// Of idle motions of one node those that no member follows: the others are mechanisms.
 std::vector<HeldRotation> unfollowed(std::vector<HeldRotation> idle, RotationFollowers& followers)
 {
@@ -103,21 +94,22 @@ std::vector<HeldRotation> unfollowed(std::vector<HeldRotation> idle, RotationFol
 std::vector<HeldRotation> hold_idle_rotations(const Structure& structure, const Equations& equations, SparseMatrix& K)
 {
     std::vector<HeldRotation> held;
+    const auto keep = [&](HeldRotation rotation, double stiffness) {
+        rotation.stiffness = stiffness;
+        hold(rotation, K);
+        held.push_back(std::move(rotation));
+    };
     if (is_truss(structure.kind)) return held;
     const NodeJoints joints = node_joints(structure);
     RotationFollowers followers(structure);
     for (std::size_t node = 0; node < joints.stiffness.size(); ++node) {
         if (!joints.may_turn(node)) continue;
         const auto parts = free_rotations(structure, equations, NodeId(node));
-        for (const HeldRotation& rotation : unfollowed(idle_at_node(parts, joints.stiffness[node], K), followers)) {
-            hold(rotation, joints.stiffness[node], K);
-            held.push_back(rotation);
-        }
+        for (const HeldRotation& rotation : unfollowed(idle_at_node(parts, joints.stiffness[node], K), followers))
+            keep(rotation, joints.stiffness[node]);
     }
-    for (const HeldRotation& rotation : spinning_chains(structure, equations, joints, followers, K)) {
-        hold(rotation, joints.stiffness[rotation.parts.front().node.index], K);
-        held.push_back(rotation);
-    }
+    for (const HeldRotation& rotation : spinning_chains(structure, equations, joints, followers, K))
+        keep(rotation, joints.stiffness[rotation.parts.front().node.index]);
     return held;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -23,10 +25,23 @@ struct HeldRotation {
     };
     std::vector<Part> parts;
     Eigen::VectorXd direction; ///< over parts, length 1
+    double stiffness = 0.0;    ///< that holds it
 };
 
 /// Finds the rotations that nothing takes part in and adds a stiffness to K that holds them; exact, since K does
 /// nothing in their direction. `K` is the lower triangle over all unknowns.
 std::vector<HeldRotation> hold_idle_rotations(const Structure& structure, const Equations& equations, SparseMatrix& K);
+
+/// Adds the stiffness of such a rotation. At its first node it is enough: the others cannot turn without it.
+template <class Scalar> void hold(const HeldRotation& rotation, Eigen::SparseMatrix<Scalar>& K)
+{
+    const auto& parts = rotation.parts;
+    for (std::size_t i = 0; i < parts.size() && parts[i].node == parts[0].node; ++i)
+        for (std::size_t j = 0; j <= i; ++j) {
+            const auto [upper, lower] = std::minmax(parts[i].row, parts[j].row);
+            K.coeffRef(lower, upper) += rotation.stiffness * rotation.direction[static_cast<Eigen::Index>(i)] *
+                                        rotation.direction[static_cast<Eigen::Index>(j)];
+        }
+}
 
 } // namespace femoop

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
+#include <optional>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
+#include "femoop/analysis/accuracy.h"
 #include "femoop/analysis/assembly.h"
 #include "femoop/analysis/constraints.h"
 #include "femoop/analysis/equilibrium.h"
@@ -34,6 +38,33 @@ constexpr double zero_eigenvalue = 1e-14;   // of the scaled K: a free motion le
 constexpr Eigen::Index most_modes = 100;    // to look for in a structure that moves in many ways
 constexpr Eigen::Index most_described = 12; // of them: who reads more sentences than that?
 
+/// The part of its diagonal entry that a pivot of a mechanism may keep: its motion strains members by what rounding
+/// moves their nodes, and the energy of that is a square.
+double free_pivot(const Structure& structure)
+{
+    constexpr double digits = std::numeric_limits<double>::epsilon();
+    double farthest = 0.0, shortest = std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector3d& position : structure.positions)
+        farthest = std::max(farthest, position.cwiseAbs().maxCoeff());
+    for (std::size_t i = 0; i < structure.members.size(); ++i)
+        shortest = std::min(shortest, structure.frame(MemberId(i)).length);
+    const double rounding = digits * farthest / shortest;
+    return std::clamp(100.0 * rounding * rounding, 1e-24, 1e-14);
+}
+
+detail::Motions<double> rounded_motions(const detail::Motions<DoubleDouble>& motions)
+{
+    const auto round = [](const std::vector<DoubleDouble>& values) {
+        std::vector<double> rounded;
+        std::ranges::transform(values, std::back_inserter(rounded), &DoubleDouble::hi);
+        return rounded;
+    };
+    return {.displacements = round(motions.displacements),
+            .constraint_displacements = round(motions.constraint_displacements),
+            .own_ends = round(motions.own_ends),
+            .constraint_own_ends = round(motions.constraint_own_ends)};
+}
+
 } // namespace
 
 /// The analysis of one structure, whatever the model.
@@ -47,6 +78,9 @@ struct LinearStatic::Parts {
     Parts(const Parts&) = delete;
     Parts& operator=(const Parts&) = delete;
     virtual std::vector<detail::CaseSolution> solve(const Model& model, const std::vector<CaseLoads>& loads) = 0;
+    /// To 32 digits; nothing where even they are too few.
+    virtual std::vector<detail::CaseSolution> solve_precisely(const Model& model,
+                                                              const std::vector<CaseLoads>& loads) = 0;
     virtual std::size_t n_held() const = 0; ///< rotations that no member takes part in
     bool is_soft() const { return smallest_pivot < harmless_pivot; }
 
@@ -63,7 +97,10 @@ namespace {
 template <AnalysisKind kind> class System final : public LinearStatic::Parts {
 public:
     System(const Model& model, std::shared_ptr<const Structure> s, const AnalysisOptions& options)
-        : Parts(std::move(s), options.solver.kind), assembly_(*structure, equations), system_(assembled())
+        : Parts(std::move(s), options.solver.kind),
+          assembly_(*structure, equations),
+          precise_assembly_(*structure, equations),
+          system_(assembled())
     {
         analyse(options);
         factor(model);
@@ -74,22 +111,42 @@ public:
     std::vector<detail::CaseSolution> solve(const Model& model, const std::vector<CaseLoads>& loads) override
     {
         watch.lap();
-        const Eigen::MatrixXd F = load_vectors(loads);
+        const Eigen::MatrixXd F = load_vectors(assembly_, loads);
         statistics.assemble += watch.lap();
         refuse(driven(model, loads, F));
+        if (is_beyond_doubles_) return solve_precisely(model, loads);
         const Displacements u = displacements(model, loads, F);
         statistics.backward_error = system_.backward_error();
         statistics.refinements = system_.refinements();
         require_finite(model, F);
         require_finite(model, u.all);
-        const Eigen::VectorXd residuals = system_.relative_residuals(F, u);
+        const Eigen::VectorXd residuals = system_.out_of_balance(F, u);
         statistics.solve = watch.lap();
 
         std::vector<detail::CaseSolution> solutions;
         for (std::size_t c = 0; c < loads.size(); ++c) {
-            solutions.push_back(case_solution(static_cast<Eigen::Index>(c), loads[c], u));
-            solutions.back().equilibrium.residual = residuals[static_cast<Eigen::Index>(c)];
+            const auto column = static_cast<Eigen::Index>(c);
+            solutions.push_back({motions(assembly_, loads[c], {u.all, u.constraint}, column)});
+            balance(solutions.back(), F.col(column), residuals[column]);
         }
+        return solutions;
+    }
+
+    std::vector<detail::CaseSolution> solve_precisely(const Model& model, const std::vector<CaseLoads>& loads) override
+    {
+        watch.lap();
+        const PreciseMatrix F = load_vectors(precise_assembly_, loads);
+        const Eigen::MatrixXd x0 = structure->has_constraints ? imposed(model, loads) : Eigen::MatrixXd();
+        const auto u = precise().solve(F, x0);
+        std::vector<detail::CaseSolution> solutions;
+        for (std::size_t c = 0; u && c < loads.size(); ++c) {
+            const auto column = static_cast<Eigen::Index>(c);
+            auto to_32_digits = motions(precise_assembly_, loads[c], {u->all, u->constraint}, column);
+            solutions.push_back({rounded_motions(to_32_digits)});
+            solutions.back().precise = std::move(to_32_digits);
+            balance(solutions.back(), rounded(F.col(column)), u->out_of_balance[column]);
+        }
+        statistics.solve += watch.lap();
         return solutions;
     }
 
@@ -152,8 +209,12 @@ private:
     {
         require_finite_stiffness(model);
         const NullModes free = system_.free_motions(zero_eigenvalue, most_modes);
-        if (free.is_singular()) refuse(model, free.modes);
-        warn(model, free.condition, free.softest);
+        if (!free.is_singular()) {
+            warn(model, free.condition, free.softest);
+            return;
+        }
+        if (precise().is_singular(free_pivot(*structure))) refuse(model, free.modes);
+        is_beyond_doubles_ = true;
     }
 
     /// Pivots stood, but many small ones after one another lose digits too.
@@ -168,7 +229,8 @@ private:
 
     void warn(const Model& model, double condition, const Eigen::VectorXd& softest)
     {
-        warnings.push_back(nearly_singular_fault(model, condition, node_displacements(softest, {}), n));
+        warnings.push_back(
+            nearly_singular_fault(model, condition, node_displacements<double>(assembly_, softest, {}), n));
     }
 
     void require_finite_stiffness(const Model& model) const
@@ -198,49 +260,85 @@ private:
     }
 
     /// One column per load case, a row per unknown.
-    Eigen::MatrixXd load_vectors(const std::vector<CaseLoads>& loads) const
+    template <class Scalar>
+    auto load_vectors(const Assembly<kind, Scalar>& assembly, const std::vector<CaseLoads>& loads) const
     {
-        Eigen::MatrixXd F(static_cast<Eigen::Index>(equations.n_unknowns()), static_cast<Eigen::Index>(loads.size()));
+        Dense<Scalar> F(static_cast<Eigen::Index>(equations.n_unknowns()), static_cast<Eigen::Index>(loads.size()));
         for (std::size_t c = 0; c < loads.size(); ++c)
-            F.col(static_cast<Eigen::Index>(c)) = assembly_.load_vector(loads[c]);
+            F.col(static_cast<Eigen::Index>(c)) = assembly.load_vector(loads[c]);
         return F;
     }
 
     Displacements displacements(const Model& model, const std::vector<CaseLoads>& loads, const Eigen::MatrixXd& F)
     {
-        if (!structure->has_constraints) return system_.solve(F);
-        const Elimination elimination = eliminate_constraints<kind>(*structure, equations, assembly_, loads);
+        return structure->has_constraints ? system_.solve(F, imposed(model, loads)) : system_.solve(F);
+    }
+
+    /// What constraints, settlements and heat impose on the unknowns.
+    Eigen::MatrixXd imposed(const Model& model, const std::vector<CaseLoads>& loads) const
+    {
+        Elimination elimination = eliminate_constraints<kind>(*structure, equations, assembly_, loads);
         if (!elimination.conflicts.empty()) throw ModelError(conflict_faults(model, elimination.conflicts));
-        return system_.solve(F, elimination.x0);
+        return std::move(elimination.x0);
     }
 
-    detail::CaseSolution case_solution(Eigen::Index c, const CaseLoads& loads, const Displacements& u) const
+    /// The system to 32 digits, made when it is first asked for.
+    PreciseSystem& precise()
     {
-        detail::CaseSolution solution;
-        solution.displacements = node_displacements(u.all.col(c), assembly_.settlements(loads));
-        solution.own_ends = own_ends(u.all.col(c));
-        if (!structure->has_constraints) return solution;
-        solution.constraint_displacements = node_displacements(u.constraint.col(c), {});
-        solution.constraint_own_ends = own_ends(u.constraint.col(c));
-        return solution;
+        if (precise_) return *precise_;
+        PreciseSparseMatrix K = equations.pattern().matrix().template cast<DoubleDouble>();
+        precise_assembly_.add_stiffness(K);
+        for (const HeldRotation& rotation : held_) hold(rotation, K);
+        PreciseSparseMatrix own;
+        if (structure->has_constraints) own = precise_assembly_.constrained_stiffness();
+        return precise_.emplace(system_.precise(std::move(K), std::move(own)));
     }
 
-    std::vector<double> node_displacements(const Eigen::VectorXd& x, const std::vector<double>& settlements) const
+    template <class Scalar> using Dense = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+    template <class Scalar> using Column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+    template <class Scalar> struct Solved {
+        const Dense<Scalar>& all;
+        const Dense<Scalar>& constraint;
+    };
+
+    template <class Scalar>
+    detail::Motions<Scalar> motions(const Assembly<kind, Scalar>& assembly, const CaseLoads& loads,
+                                    const Solved<std::type_identity_t<Scalar>>& u, Eigen::Index c) const
     {
-        std::vector<double> u(structure->positions.size() * n, 0.0);
+        detail::Motions<Scalar> found;
+        found.displacements = node_displacements<Scalar>(assembly, u.all.col(c), assembly.settlements(loads));
+        found.own_ends = own_ends<Scalar>(u.all.col(c));
+        if (!structure->has_constraints) return found;
+        found.constraint_displacements = node_displacements<Scalar>(assembly, u.constraint.col(c), {});
+        found.constraint_own_ends = own_ends<Scalar>(u.constraint.col(c));
+        return found;
+    }
+
+    static void balance(detail::CaseSolution& solution, const Eigen::VectorXd& F, double out_of_balance)
+    {
+        const double largest = F.size() > 0 ? F.cwiseAbs().maxCoeff() : 0.0;
+        solution.balance = {.out_of_balance = out_of_balance, .imposed = largest};
+        solution.equilibrium.residual = largest > 0.0 ? out_of_balance / largest : 0.0;
+    }
+
+    template <class Scalar>
+    std::vector<Scalar> node_displacements(const Assembly<kind, Scalar>& assembly, const Column<Scalar>& x,
+                                           const std::vector<double>& settlements) const
+    {
+        std::vector<Scalar> u(structure->positions.size() * n, 0.0);
         for (std::size_t node = 0; node < structure->positions.size(); ++node)
             for (std::size_t i = 0; i < n; ++i) {
                 const std::int32_t row = equations.of(NodeId(node), i);
                 if (row != Equations::none) u[node * n + i] = x[row];
                 else if (!settlements.empty()) u[node * n + i] = settlements[node * n + i];
             }
-        assembly_.to_global(u);
+        assembly.to_global(u);
         return u;
     }
 
-    std::vector<double> own_ends(const Eigen::VectorXd& x) const
+    template <class Scalar> std::vector<Scalar> own_ends(const Column<Scalar>& x) const
     {
-        std::vector<double> ends(equations.n_own_ends(), 0.0);
+        std::vector<Scalar> ends(equations.n_own_ends(), 0.0);
         for (std::size_t i = 0; i < ends.size(); ++i)
             if (const std::int32_t row = equations.own_end(i); row != Equations::none) ends[i] = x[row];
         return ends;
@@ -253,7 +351,7 @@ private:
         std::vector<Mechanism> mechanisms = loose_members(model, *structure, assembly_);
         append(mechanisms, mechanisms_of(model, structure, equations, motions(modes.leftCols(n_described))));
         const std::vector<CaseLoads> loads = loads_of(model, *structure);
-        append(mechanisms, driven(model, loads, load_vectors(loads)));
+        append(mechanisms, driven(model, loads, load_vectors(assembly_, loads)));
         std::vector<Fault> causes;
         if (modes.cols() > 0) causes = unheld_parts(model, *structure);
         causes.resize(std::min<std::size_t>(causes.size(), most_described));
@@ -272,8 +370,8 @@ private:
         std::vector<detail::CaseSolution> found;
         for (const auto mode : modes.colwise()) {
             detail::CaseSolution motion;
-            motion.displacements = node_displacements(mode, {});
-            motion.own_ends = own_ends(mode);
+            motion.displacements = node_displacements<double>(assembly_, mode, {});
+            motion.own_ends = own_ends<double>(mode);
             found.push_back(std::move(motion));
         }
         return found;
@@ -294,8 +392,11 @@ private:
     }
 
     Assembly<kind> assembly_;
+    Assembly<kind, DoubleDouble> precise_assembly_;
     std::vector<HeldRotation> held_;
     ReducedSystem system_;
+    std::optional<PreciseSystem> precise_;
+    bool is_beyond_doubles_ = false; ///< it holds, but doubles take it for a mechanism
 };
 
 std::unique_ptr<LinearStatic::Parts> make_system(const Model& model, const AnalysisOptions& options)
@@ -329,9 +430,17 @@ Results LinearStatic::solve(const Model& model)
     solution->cases = cases_of(model);
     solution->own_end_of = parts_->equations.own_end_of();
     solution->solutions = parts_->solve(model, solution->loads);
+    if (solution->solutions.empty() && !solution->loads.empty()) throw ModelError(unsolved_cases(*solution));
     add_reactions(*solution);
+    if (needs_precision(*solution))
+        if (auto precise = parts_->solve_precisely(model, solution->loads); !precise.empty()) {
+            solution->solutions = std::move(precise);
+            add_reactions(*solution);
+        }
+    if (auto faults = ill_conditioned_cases(*solution); !faults.empty()) throw ModelError(std::move(faults));
     solution->indeterminacy = count_indeterminacy(structure, parts_->n_held());
     solution->warnings = parts_->warnings;
+    for (Fault& warning : inaccurate_cases(*solution)) solution->warnings.push_back(std::move(warning));
     const Results results(solution);
     if (auto faults = cases_beyond_range(*solution, results); !faults.empty()) throw ModelError(std::move(faults));
     const double most = parts_->is_soft() ? unmeant_soft_motion : unmeant_motion;

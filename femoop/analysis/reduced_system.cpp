@@ -55,7 +55,9 @@ void ReducedSystem::analyse(const AnalysisOptions& options)
 Pivots ReducedSystem::factorize()
 {
     if (S_.cols() > 0) factorize_own();
-    return solver_ ? solver_->factorize(matrix()) : Pivots{};
+    const Pivots pivots = solver_ ? solver_->factorize(matrix()) : Pivots{};
+    is_factored_ = pivots.is_complete && pivots.is_positive_definite;
+    return pivots;
 }
 
 void ReducedSystem::factorize_own()
@@ -102,16 +104,19 @@ ReducedSystem::Displacements ReducedSystem::solve(const Eigen::MatrixXd& F, cons
     return u;
 }
 
-Eigen::VectorXd ReducedSystem::relative_residuals(const Eigen::MatrixXd& F, const Displacements& u) const
+Eigen::VectorXd ReducedSystem::out_of_balance(const Eigen::MatrixXd& F, const Displacements& u) const
 {
-    Eigen::VectorXd ratios = Eigen::VectorXd::Zero(F.cols());
-    if (F.rows() == 0) return ratios;
+    if (F.rows() == 0) return Eigen::VectorXd::Zero(F.cols());
     Eigen::MatrixXd residual = F - K_.selfadjointView<Eigen::Lower>() * u.all;
     if (is_constrained_) residual -= own_.selfadjointView<Eigen::Lower>() * u.constraint;
-    for (Eigen::Index c = 0; c < F.cols(); ++c)
-        if (const double largest = F.col(c).cwiseAbs().maxCoeff(); largest > 0.0)
-            ratios[c] = residual.col(c).cwiseAbs().maxCoeff() / largest;
-    return ratios;
+    return residual.cwiseAbs().colwise().maxCoeff().transpose();
+}
+
+PreciseSystem ReducedSystem::precise(PreciseSparseMatrix K, PreciseSparseMatrix own) const
+{
+    PreciseSystem::Part elastic{.K = std::move(K), .rough = is_factored_ ? solver_.get() : nullptr};
+    if (!is_constrained_) return PreciseSystem(std::move(elastic));
+    return {std::move(elastic), {.K = std::move(own), .rough = own_solver_.get()}, T_, S_};
 }
 
 } // namespace femoop

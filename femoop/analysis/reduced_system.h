@@ -6,6 +6,7 @@
 #include "femoop/analysis/analysis_options.h"
 #include "femoop/analysis/elimination.h"
 #include "femoop/analysis/equations.h"
+#include "femoop/analysis/precise_system.h"
 #include "femoop/solver/null_modes.h"
 #include "femoop/solver/symmetric_solver.h"
 
@@ -46,8 +47,11 @@ public:
     double backward_error() const { return backward_error_; }
     int refinements() const { return refinements_; }
 
-    /// The largest force out of balance over the largest load, of every load case.
-    Eigen::VectorXd relative_residuals(const Eigen::MatrixXd& F, const Displacements& u) const;
+    /// The largest force out of balance, of every load case.
+    Eigen::VectorXd out_of_balance(const Eigen::MatrixXd& F, const Displacements& u) const;
+
+    /// The same system from stiffnesses of 32 digits, to be used while this one lives.
+    PreciseSystem precise(PreciseSparseMatrix K, PreciseSparseMatrix own) const;
 
 private:
     void factorize_own();
@@ -63,6 +67,7 @@ private:
     double backward_error_ = 0.0;
     int refinements_ = 0;
     std::unique_ptr<SymmetricSolver> solver_, own_solver_;
+    bool is_factored_ = false; ///< with positive pivots
 };
 
 } // namespace femoop

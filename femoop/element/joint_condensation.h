@@ -22,8 +22,9 @@ public:
     /// `joints` has one stiffness per displacement of the member, infinite for rigid.
     JointCondensation(const StrainForm& member, const Eigen::VectorXd& joints);
 
-    /// Stiffness at the nodes.
+    /// Stiffness at the nodes, B' S B, and what makes it.
     Eigen::MatrixXd stiffness() const;
+    StrainForm strain_form() const { return {.B = basis_, .S = stiffness_}; }
 
     /// Forces on the member's ends, which its nodes feel, from displacements of the nodes and rigid-joint fixed-end
     /// forces.

@@ -124,12 +124,12 @@ MemberElement<kind>::MemberElement(const MemberProperties& properties, const Mem
     : properties_(properties), extras_(extras), frame_(frame), node_axes_(node_axes), actions_(actions)
 {}
 
-template <AnalysisKind kind> auto MemberElement<kind>::transformation(std::size_t end) const -> Transformation
+template <AnalysisKind kind> auto MemberElement<kind>::from_global(std::size_t end) const -> Transformation
 {
     Transformation T;
     for (int i = 0; i < m; ++i)
         T.row(i) = femoop::transformation_row<kind>(AnalysisModel<kind>::local[i], frame_, offset(extras_, end));
-    return node_axes_[end] == nullptr ? T : Transformation(T * *node_axes_[end]);
+    return T;
 }
 
 template <AnalysisKind kind>
@@ -217,17 +217,12 @@ template <AnalysisKind kind> auto MemberElement<kind>::joint_stiffness() const -
     return joints;
 }
 
-template <AnalysisKind kind> auto MemberElement<kind>::jointed_actions() const -> std::vector<JointedAction>
+template <AnalysisKind kind> auto MemberElement<kind>::strained_actions() const -> std::vector<StrainedAction>
 {
-    std::vector<JointedAction> actions;
-    const LocalVector joints = joint_stiffness();
+    std::vector<StrainedAction> actions;
     const double L = frame_.length;
-    const auto add = [&](std::vector<int> rows, const StrainForm& form) {
-        const JointCondensation condensation(form, joints(rows));
-        actions.push_back({.rows = std::move(rows), .condensation = condensation});
-    };
     const auto add_bar = [&](LocalAxis axis, const Bar& bar) {
-        if (const int row = row_of<kind>(axis); row >= 0) add({row, m + row}, strain_form(bar, L));
+        if (const int row = row_of<kind>(axis); row >= 0) actions.push_back({{row, m + row}, strain_form(bar, L)});
     };
     const auto add_beam = [&](BendingPlane plane) {
         if (!bends<kind>(plane)) return;
@@ -235,7 +230,7 @@ template <AnalysisKind kind> auto MemberElement<kind>::jointed_actions() const -
         const auto signs = bending_signs(plane);
         StrainForm form = strain_form(own_beam(plane), L, plane);
         form.B *= Eigen::Map<const Eigen::Vector4d>(signs.data()).asDiagonal();
-        add({rows.begin(), rows.end()}, form);
+        actions.push_back({{rows.begin(), rows.end()}, form});
     };
     if (actions_.contains(Action::Axial)) add_bar(LocalAxis::x, properties_.axial);
     if (actions_.contains(Action::Torsion)) add_bar(LocalAxis::rx, properties_.torsion);
@@ -243,9 +238,48 @@ template <AnalysisKind kind> auto MemberElement<kind>::jointed_actions() const -
     if (actions_.contains(Action::BendingXZ)) add_beam(BendingPlane::xz);
     if (actions_.contains(Action::RigidOnFoundation) && bends<kind>(BendingPlane::xy) &&
         properties_.xy.foundation > 0.0)
-        add({row_of<kind>(LocalAxis::y), m + row_of<kind>(LocalAxis::y)},
-            {.B = Eigen::Matrix2d::Identity(), .S = rigid_on_foundation(properties_.xy.foundation, L)({0, 2}, {0, 2})});
+        actions.push_back({{row_of<kind>(LocalAxis::y), m + row_of<kind>(LocalAxis::y)},
+                           {.B = Eigen::Matrix2d::Identity(),
+                            .S = rigid_on_foundation(properties_.xy.foundation, L)({0, 2}, {0, 2})}});
     return actions;
+}
+
+template <AnalysisKind kind> auto MemberElement<kind>::jointed_actions() const -> std::vector<JointedAction>
+{
+    std::vector<JointedAction> actions;
+    const LocalVector joints = joint_stiffness();
+    for (const StrainedAction& action : strained_actions())
+        actions.push_back({action.rows, JointCondensation(action.form, joints(action.rows))});
+    return actions;
+}
+
+namespace {
+
+/// Adds one way of resisting to the strains of a whole member.
+void append(StrainForm& all, const std::vector<int>& rows, const StrainForm& form)
+{
+    const Eigen::Index had = all.S.rows(), more = form.S.rows();
+    all.B.conservativeResizeLike(Eigen::MatrixXd::Zero(had + more, all.B.cols()));
+    all.S.conservativeResizeLike(Eigen::MatrixXd::Zero(had + more, had + more));
+    all.B.bottomRows(more)(Eigen::all, rows) = form.B;
+    all.S.bottomRightCorner(more, more) = form.S;
+}
+
+} // namespace
+
+template <AnalysisKind kind> StrainForm MemberElement<kind>::rigid_joint_strains() const
+{
+    StrainForm all{.B = Eigen::MatrixXd(0, 2 * m), .S = Eigen::MatrixXd(0, 0)};
+    for (const StrainedAction& action : strained_actions()) append(all, action.rows, action.form);
+    return all;
+}
+
+template <AnalysisKind kind> StrainForm MemberElement<kind>::local_strains() const
+{
+    if (!has_flexible_joint()) return rigid_joint_strains();
+    StrainForm all{.B = Eigen::MatrixXd(0, 2 * m), .S = Eigen::MatrixXd(0, 0)};
+    for (const JointedAction& action : jointed_actions()) append(all, action.rows, action.condensation.strain_form());
+    return all;
 }
 
 template <AnalysisKind kind> auto MemberElement<kind>::local_stiffness() const -> LocalMatrix

@@ -9,6 +9,7 @@
 #include "femoop/element/joint_condensation.h"
 #include "femoop/element/member_properties.h"
 #include "femoop/element/span_load.h"
+#include "femoop/element/strain_form.h"
 #include "femoop/result/results.h"
 
 namespace femoop {
@@ -82,6 +83,10 @@ public:
     LocalMatrix local_stiffness() const;
     LocalVector local_fixed_end_forces(const SpanLoading& loading) const;
 
+    /// The two stiffnesses in terms of strains, which loses nothing when displacements are large beside them.
+    StrainForm rigid_joint_strains() const;
+    StrainForm local_strains() const;
+
     /// What the nodes feel, in the nodes' axes.
     GlobalMatrix stiffness() const;
     GlobalVector fixed_end_forces(const SpanLoading& loading) const;
@@ -97,16 +102,28 @@ public:
     std::vector<LooseEnd> loose_ends(const LocalVector& rigid_joint_forces = LocalVector::Zero()) const;
 
     /// Displacements of an end, in the member's axes, from those of its node: local = T node, rigid arms included.
-    Transformation transformation(std::size_t end) const;
+    template <class Scalar = double> Eigen::Matrix<Scalar, m, n> transformation(std::size_t end) const
+    {
+        const Eigen::Matrix<Scalar, m, n> T = from_global(end).template cast<Scalar>();
+        return node_axes_[end] == nullptr ? T
+                                          : Eigen::Matrix<Scalar, m, n>(T * node_axes_[end]->template cast<Scalar>());
+    }
     /// The same for one axis of the member, also for one that it does not resist along.
     Eigen::Matrix<double, 1, n> transformation_row(std::size_t end, LocalAxis axis) const;
 
 private:
+    Transformation from_global(std::size_t end) const; ///< of displacements in global axes
     Beam own_beam(BendingPlane plane) const;
     bool has_flexible_joint() const { return extras_ != nullptr && extras_->has_flexible_joint; }
-    /// One way in which the member resists, between flexible joints; the ways do not feel one another.
-    struct JointedAction {
+    /// One way in which the member resists; the ways do not feel one another.
+    struct StrainedAction {
         std::vector<int> rows; ///< of the member's displacements
+        StrainForm form;       ///< with rigid joints
+    };
+    std::vector<StrainedAction> strained_actions() const;
+    /// The same between flexible joints.
+    struct JointedAction {
+        std::vector<int> rows;
         JointCondensation condensation;
     };
     std::vector<JointedAction> jointed_actions() const;

@@ -1,8 +1,10 @@
 #include <Eigen/Core>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
+#include <type_traits>
 
 #include "femoop/element/member_element.h"
 #include "femoop/result/curve_reader.h"
@@ -21,16 +23,55 @@ struct MemberState {
     std::array<Vector6, 2> p{Vector6::Zero(), Vector6::Zero()};
 };
 
+/// Whose forces follow from a motion: what strains the member, or what its constraint takes from it.
+enum class Part : std::uint8_t { Elastic, Constraint };
+
+/// Displacements to as many digits as the solution has.
+template <class Scalar> class MotionView {
+public:
+    MotionView(const CaseSolution& solution, Part part) : solution_(solution), part_(part) {}
+
+    Scalar at_node(std::size_t i) const
+    {
+        return part_ == Part::Elastic
+                   ? value(&Motions<Scalar>::displacements, &Motions<double>::displacements, i)
+                   : value(&Motions<Scalar>::constraint_displacements, &Motions<double>::constraint_displacements, i);
+    }
+    Scalar at_own_end(std::size_t i) const
+    {
+        return part_ == Part::Elastic
+                   ? value(&Motions<Scalar>::own_ends, &Motions<double>::own_ends, i)
+                   : value(&Motions<Scalar>::constraint_own_ends, &Motions<double>::constraint_own_ends, i);
+    }
+
+private:
+    Scalar value(std::vector<Scalar> Motions<Scalar>::*precise, std::vector<double> Motions<double>::*rounded,
+                 std::size_t i) const
+    {
+        if constexpr (!std::is_same_v<Scalar, double>)
+            if (!solution_.precise.displacements.empty()) return (solution_.precise.*precise)[i];
+        return (solution_.*rounded)[i];
+    }
+
+    const CaseSolution& solution_;
+    Part part_;
+};
+
 /// Reads one member out of a solution.
 template <AnalysisKind kind> class MemberReader {
 public:
     using Element = MemberElement<kind>;
+    using LocalVector = typename Element::LocalVector;
     static constexpr int m = Element::m;
+    static constexpr int n = Element::n;
     static constexpr auto& local = AnalysisModel<kind>::local;
 
     MemberReader(const Solution& solution, std::size_t case_index)
         : solution_(solution), structure_(*solution.structure), terms_(solution.cases[case_index].terms)
-    {}
+    {
+        for (const CaseTerms::Term& term : terms_)
+            is_precise_ |= !solution.solutions[term.load_case].precise.displacements.empty();
+    }
 
     void read(MemberId member)
     {
@@ -47,21 +88,22 @@ public:
     MemberState state() const
     {
         MemberState s;
-        s.d = ends(&CaseSolution::displacements, &CaseSolution::own_ends);
+        s.d = ends(Part::Elastic);
         const bool is_constrained = extras_ != nullptr && extras_->constraint != Constraint::None;
         const Element elastic(*properties_, frame_, extras_, {},
                               extras_ == nullptr ? all_actions : elastic_actions(*extras_));
-        const typename Element::LocalVector f = elastic.rigid_joint_forces(loading_);
-        const typename Element::LocalVector d = pack(s.d);
-        typename Element::LocalVector p;
+        const LocalVector f = elastic.rigid_joint_forces(loading_);
+        const LocalVector d = pack(s.d);
+        LocalVector p;
         if (extras_ != nullptr && extras_->has_flexible_joint && !is_constrained) {
-            p = elastic.end_forces(d, f);
+            p = is_precise_ ? LocalVector(precise_forces(elastic, elastic.local_strains(), Part::Elastic) +
+                                          elastic.end_forces(LocalVector::Zero(), f))
+                            : elastic.end_forces(d, f);
             unpack(elastic.end_displacements(d, f), s.d);
-        } else p = elastic.rigid_joint_stiffness() * d + f;
+        } else p = strain_forces(elastic, d, Part::Elastic) + f;
         if (is_constrained) {
             const Element constrained(*properties_, frame_, extras_, {}, constrained_actions(*extras_));
-            const auto z = ends(&CaseSolution::constraint_displacements, &CaseSolution::constraint_own_ends);
-            p += constrained.rigid_joint_stiffness() * pack(z) +
+            p += strain_forces(constrained, pack(ends(Part::Constraint)), Part::Constraint) +
                  constrained.rigid_joint_forces(loading_.without_strain());
         }
         unpack(p, s.p);
@@ -88,23 +130,54 @@ public:
 private:
     bool is_bar() const { return extras_ != nullptr && extras_->is_bar; }
 
+    /// Forces on the ends from displacements between rigid joints.
+    LocalVector strain_forces(const Element& element, const LocalVector& d, Part part) const
+    {
+        return is_precise_ ? precise_forces(element, element.rigid_joint_strains(), part)
+                           : LocalVector(element.rigid_joint_stiffness() * d);
+    }
+
+    /// The same from strains that keep their digits where the displacements of the whole are large beside them.
+    LocalVector precise_forces(const Element& element, const StrainForm& form, Part part) const
+    {
+        const PreciseMatrix B = form.B.cast<DoubleDouble>();
+        const PreciseVector strains = B * precise_ends(element, part);
+        return rounded(B.transpose() * (form.S.cast<DoubleDouble>() * strains));
+    }
+
+    PreciseVector precise_ends(const Element& element, Part part) const
+    {
+        PreciseVector d(2 * m);
+        for (std::size_t end = 0; end < 2; ++end) {
+            Eigen::Matrix<DoubleDouble, n, 1> u;
+            for (std::size_t i = 0; i < n; ++i) u[static_cast<int>(i)] = node_displacement<DoubleDouble>(end, i, part);
+            d.segment<m>(static_cast<int>(end) * m) = element.template transformation<DoubleDouble>(end) * u;
+        }
+        visit_own_ends<DoubleDouble>(
+            part, [&](std::size_t end, int i, DoubleDouble value) { d[static_cast<int>(end) * m + i] = value; });
+        return d;
+    }
+
     /// The member's own ends as they follow its nodes, and where it has ends of its own, those.
-    std::array<Vector6, 2> ends(std::vector<double> CaseSolution::*displacements,
-                                std::vector<double> CaseSolution::*own_ends) const
+    std::array<Vector6, 2> ends(Part part) const
     {
         std::array<Vector6, 2> d{Vector6::Zero(), Vector6::Zero()};
-        constexpr auto& global = AnalysisModel<kind>::global;
-        for (std::size_t end = 0; end < 2; ++end) {
-            const std::size_t first = structure_.members[member_.index].nodes[end].index * global.size();
-            for (std::size_t i = 0; i < global.size(); ++i) {
-                double sum = 0.0;
-                for (const CaseTerms::Term& term : terms_)
-                    sum += term.factor * (solution_.solutions[term.load_case].*displacements)[first + i];
-                follow(global[i], sum, end, d[end]);
-            }
-        }
-        if (!solution_.own_end_of.empty() && solution_.own_end_of[member_.index] >= 0) read_own_ends(d, own_ends);
+        for (std::size_t end = 0; end < 2; ++end)
+            for (std::size_t i = 0; i < n; ++i)
+                follow(AnalysisModel<kind>::global[i], node_displacement<double>(end, i, part), end, d[end]);
+        visit_own_ends<double>(part, [&](std::size_t end, int i, double value) {
+            d[end][static_cast<int>(index(local[static_cast<std::size_t>(i)]))] = value;
+        });
         return d;
+    }
+
+    template <class Scalar> Scalar node_displacement(std::size_t end, std::size_t i, Part part) const
+    {
+        const std::size_t at = structure_.members[member_.index].nodes[end].index * n + i;
+        Scalar sum = 0.0;
+        for (const CaseTerms::Term& term : terms_)
+            sum += Scalar(term.factor) * MotionView<Scalar>(solution_.solutions[term.load_case], part).at_node(at);
+        return sum;
     }
 
     /// Adds what a node's displacement moves an end by: along its own axes, and by a rotation through the rigid arm.
@@ -120,17 +193,20 @@ private:
             d.head<3>() += frame_.axes * (value * Eigen::Vector3d::Unit(axis - 3)).cross(extras_->offsets[end]);
     }
 
-    void read_own_ends(std::array<Vector6, 2>& d, std::vector<double> CaseSolution::*own_ends) const
+    template <class Scalar, class Visit> void visit_own_ends(Part part, Visit&& visit) const
     {
+        if (solution_.own_end_of.empty() || solution_.own_end_of[member_.index] < 0) return;
         const auto first = 12 * static_cast<std::size_t>(solution_.own_end_of[member_.index]);
         for (std::size_t end = 0; end < 2; ++end)
-            for (const LocalAxis axis : local) {
-                const std::size_t a = index(axis);
+            for (int i = 0; i < m; ++i) {
+                const std::size_t a = index(local[static_cast<std::size_t>(i)]);
                 if (!std::isfinite(extras_->joints[end][a])) continue;
-                double sum = 0.0;
+                Scalar sum = 0.0;
                 for (const CaseTerms::Term& term : terms_)
-                    sum += term.factor * (solution_.solutions[term.load_case].*own_ends)[first + 6 * end + a];
-                d[end][static_cast<int>(a)] = sum;
+                    sum +=
+                        Scalar(term.factor) *
+                        MotionView<Scalar>(solution_.solutions[term.load_case], part).at_own_end(first + 6 * end + a);
+                visit(end, i, sum);
             }
     }
 
@@ -188,7 +264,8 @@ private:
 
     std::vector<Beam::State> foundation_states(const MemberState& s, const Curve::Law& law) const
     {
-        if (law.xy.foundation <= 0.0 || law.xy.EI == infinite) return {};
+        const bool is_one_piece = loading_.pieces().size() == 1; // then it begins with the end's own forces
+        if (law.xy.foundation <= 0.0 || law.xy.EI == infinite || is_one_piece) return {};
         const Eigen::Vector4d d(s.d[0][1], s.d[0][5], s.d[1][1], s.d[1][5]);
         return FoundationBeam(law.xy, loading_, BendingPlane::xy, law.curvature).states(d);
     }
@@ -234,6 +311,7 @@ private:
     MemberFrame frame_;
     SpanLoading loading_;
     std::vector<SpanLoading::Scaled> scaled_;
+    bool is_precise_ = false;
 };
 
 } // namespace

@@ -53,11 +53,13 @@ public:
 
     /// Adds an element matrix. `equations[i]` is the equation of row and column i of `Ke`, one of those of the clique's
     /// blocks, or `none`: then the row and column are left out. \pre K has this pattern; max_element_rows or fewer.
-    template <class Matrix>
-    void add(SparseMatrix& K, std::size_t clique, std::span<const std::int32_t> equations, const Matrix& Ke) const;
+    template <class Scalar, class Matrix>
+    void add(Eigen::SparseMatrix<Scalar>& K, std::size_t clique, std::span<const std::int32_t> equations,
+             const Matrix& Ke) const;
 
     /// Adds to one diagonal entry: a spring.
-    void add_to_diagonal(SparseMatrix& K, std::int32_t equation, double value) const
+    template <class Scalar>
+    void add_to_diagonal(Eigen::SparseMatrix<Scalar>& K, std::int32_t equation, double value) const
     {
         K.valuePtr()[column_start_[static_cast<std::size_t>(equation)]] += value;
     }
@@ -110,13 +112,13 @@ private:
     std::vector<std::int32_t> distance_;   ///< of each pair: from the end of the column to the block's first row
 };
 
-template <class Matrix>
-void SystemPattern::add(SparseMatrix& K, std::size_t clique, std::span<const std::int32_t> equations,
+template <class Scalar, class Matrix>
+void SystemPattern::add(Eigen::SparseMatrix<Scalar>& K, std::size_t clique, std::span<const std::int32_t> equations,
                         const Matrix& Ke) const
 {
     const std::span<const std::int32_t> pairs = std::span(distance_).subspan(pair_start(clique));
     const Rows rows = rows_of(clique, equations);
-    double* const values = K.valuePtr();
+    Scalar* const values = K.valuePtr();
     for (std::size_t j = 0; j < rows.count; ++j) {
         const Row column = rows.row[j];
         const std::int32_t* const start = column_start_.data() + column.equation;

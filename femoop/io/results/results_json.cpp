@@ -19,6 +19,15 @@ void write_head(JsonWriter& json, const Units& units)
     json.member("length", name(units.length)).member("force", name(units.force)).end();
 }
 
+/// Sentences, where there are any: how far the numbers hold, or that the structure is nearly a mechanism.
+void write_warnings(JsonWriter& json, const Results& results)
+{
+    if (results.warnings().empty()) return;
+    json.key("warnings").begin_array(Layout::Block);
+    for (const Fault& warning : results.warnings()) json.value(message(warning));
+    json.end();
+}
+
 /// Writes the cases of one model; the lists that every node and member needs are made once.
 class CaseWriter {
 public:
@@ -237,6 +246,7 @@ std::string results_json(const Model& model, const Results& results, const std::
 {
     JsonWriter json;
     write_head(json, model.units);
+    write_warnings(json, results);
     json.key("cases").begin_object(Layout::Block);
     CaseWriter writer(json, model, n_stations);
     for (const CaseId id : cases) writer.write(results[id]);
@@ -249,6 +259,7 @@ std::string envelope_json(const Model& model, const Results& results, const std:
 {
     JsonWriter json;
     write_head(json, model.units);
+    write_warnings(json, results);
     EnvelopeWriter(json, model, results, cases).write(n_stations);
     json.end();
     return json.take();

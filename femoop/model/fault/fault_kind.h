@@ -32,6 +32,8 @@ enum class FaultKind : std::uint8_t {
     MemoryInsufficient,     ///< {0} equations, {1} gigabytes needed, {2} gigabytes free
     NearlySingular,         ///< {0} condition estimate, {1} nodes
     HugeDisplacement,       ///< {0} node, {1} distance, {2} case
+    InaccurateCase,         ///< {0} case, {1} how many digits hold
+    IllConditionedCase,     ///< {0} case
 
     // the file
     FileUnreadable,

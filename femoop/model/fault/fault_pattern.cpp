@@ -77,6 +77,12 @@ std::string_view pattern(FaultKind kind)
         return "node {0} moves {1} in case {2}, which is no small displacement: the structure is nearly a mechanism, "
                "or "
                "far too soft; check supports, releases, stiffnesses and units";
+    case FaultKind::InaccurateCase:
+        return "case {0}: loads and reactions balance to {1} digits only, and no more of any result is sure; members "
+               "of very unlike lengths or stiffnesses bring that: make them more alike";
+    case FaultKind::IllConditionedCase:
+        return "case {0} cannot be solved: the structure holds, but is too ill-conditioned for its forces to balance, "
+               "even with 32 digits; use fewer members in a row, or members of more alike lengths and stiffnesses";
 
     case FaultKind::FileUnreadable: return "cannot read {0}: {1}; check the name and that you may read it";
     case FaultKind::FileUnwritable: return "cannot write {0}: {1}; choose another folder or name";
@@ -359,6 +365,7 @@ Severity severity(FaultKind kind)
     switch (kind) {
     case FaultKind::NearlySingular:
     case FaultKind::HugeDisplacement:
+    case FaultKind::InaccurateCase:
     case FaultKind::IyzLeftOut:
     case FaultKind::OneWayMember:
     case FaultKind::UnusedMaterial:

@@ -1,0 +1,85 @@
+#include "femoop/analysis/accuracy.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "femoop/model/quantity/number_text.h"
+
+namespace femoop {
+
+namespace {
+
+constexpr double wanted = 1e-11; // imbalance, at the unknowns: a sum over thousands of nodes then still has nine digits
+constexpr double doubtful = 1e-8; // warned of
+constexpr double useless = 1e-3;  // refused
+
+// Where settlements and heat strain members and nothing holds against them, no force is left but rounding.
+constexpr double least_force = 1e-12; // of the imposed, that a single force is held against
+constexpr double least_sum = 1e-4;    // of the imposed, that the sums of forces are held against
+
+double ratio(double part, double whole) { return part > 0.0 ? part / whole : 0.0; }
+
+double at_unknowns(const detail::Balance& balance)
+{
+    return ratio(balance.out_of_balance, std::max(balance.largest, least_force * balance.imposed));
+}
+
+/// Of the loads and reactions as a whole.
+double of_sums(const Equilibrium& equilibrium, const detail::Balance& balance)
+{
+    const auto unbalanced = [&](std::size_t first) {
+        double sum = 0.0;
+        for (std::size_t i = first; i < first + 3; ++i)
+            sum = std::max(sum, std::abs(equilibrium.sum_loads[i] + equilibrium.sum_reactions[i]));
+        return sum;
+    };
+    const double least = least_sum * balance.imposed;
+    return std::max(ratio(unbalanced(0), std::max(balance.sum_forces, least)),
+                    ratio(unbalanced(3), std::max(balance.sum_moments, least * balance.reach)));
+}
+
+std::vector<Fault> worse_than(double limit, FaultKind kind, const detail::Solution& solution)
+{
+    std::vector<Fault> faults;
+    for (std::size_t c = 0; c < solution.solutions.size(); ++c) {
+        const double error = imbalance(solution.solutions[c]);
+        if (error <= limit) continue;
+        const double digits = std::max(0.0, std::floor(-std::log10(error)));
+        faults.push_back({.kind = kind, .arguments = {solution.cases[c].name, number_text(digits)}});
+    }
+    return faults;
+}
+
+} // namespace
+
+double imbalance(const detail::CaseSolution& solution)
+{
+    return std::max(at_unknowns(solution.balance), of_sums(solution.equilibrium, solution.balance));
+}
+
+bool needs_precision(const detail::Solution& solution)
+{
+    return std::ranges::any_of(solution.solutions, [](const detail::CaseSolution& each) {
+        return !(at_unknowns(each.balance) <= wanted) || !(of_sums(each.equilibrium, each.balance) <= 10.0 * wanted);
+    });
+}
+
+std::vector<Fault> inaccurate_cases(const detail::Solution& solution)
+{
+    return worse_than(doubtful, FaultKind::InaccurateCase, solution);
+}
+
+std::vector<Fault> ill_conditioned_cases(const detail::Solution& solution)
+{
+    return worse_than(useless, FaultKind::IllConditionedCase, solution);
+}
+
+std::vector<Fault> unsolved_cases(const detail::Solution& solution)
+{
+    std::vector<Fault> faults;
+    for (std::size_t c = 0; c < solution.loads.size(); ++c)
+        faults.push_back({.kind = FaultKind::IllConditionedCase, .arguments = {solution.cases[c].name}});
+    return faults;
+}
+
+} // namespace femoop

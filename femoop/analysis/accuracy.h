@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "femoop/model/fault/fault.h"
+#include "femoop/result/solution.h"
+
+namespace femoop {
+
+/// By what part of themselves the forces of a load case fail to balance, at the worst unknown and as a whole: about
+/// 1e-16 times what the structure's size makes of rounding. \pre reactions are filled in
+double imbalance(const detail::CaseSolution& solution);
+
+/// Are there cases whose displacements need more digits than doubles have, for forces to be found from them?
+bool needs_precision(const detail::Solution& solution);
+
+/// Warns of cases that balance to less than eight digits.
+std::vector<Fault> inaccurate_cases(const detail::Solution& solution);
+/// Cases that balance to less than three digits, which nobody should see.
+std::vector<Fault> ill_conditioned_cases(const detail::Solution& solution);
+std::vector<Fault> unsolved_cases(const detail::Solution& solution); ///< the same of every load case
+
+} // namespace femoop

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+
+#include "femoop/solver/precise_solver.h"
+
+namespace femoop {
+
+/// K x = F of a structure in 32 digits, for where doubles keep too few: long chains of members, tiny ones beside long
+/// ones. Where the letters come from: femoop/analysis/reduced_system.h.
+class PreciseSystem {
+public:
+    using Sparse = Eigen::SparseMatrix<double>;
+    /// A stiffness, and its factorization in doubles: null where that broke down, or there is nothing to factor.
+    struct Part {
+        PreciseSparseMatrix K;
+        const SymmetricSolver* rough = nullptr;
+    };
+
+    explicit PreciseSystem(Part elastic); ///< without constraints
+    PreciseSystem(Part elastic, Part own, const Sparse& T, const Sparse& S);
+
+    /// May the structure move freely? \param free_pivot of the diagonal: what rounding of the data may leave
+    bool is_singular(double free_pivot) { return solver_->is_singular(free_pivot); }
+
+    struct Displacements {
+        PreciseMatrix all, constraint;
+        Eigen::VectorXd out_of_balance; ///< largest force, of every load case
+    };
+    /// Nothing where the system is too ill-conditioned. `x0` is empty without constraints.
+    std::optional<Displacements> solve(const PreciseMatrix& F, const Eigen::MatrixXd& x0);
+
+private:
+    PreciseSparseMatrix K_, own_, T_, S_;
+    std::unique_ptr<PreciseSolver> solver_, own_solver_;
+};
+
+} // namespace femoop
