@@ -51,7 +51,7 @@ public:
     const CommandTable<Desk>& commands() const { return commands_; }
     /// From now on the last files and drafts of unsaved work are kept there. Offers what was left behind.
     void remember_in(const DraftFolder& folder) { kept_files_ = KeptFiles(folder); }
-    /// Writes the picture to a file (.png, .svg or .pdf), or what else the app can write, and tells how it went.
+    /// Writes the picture to a file (.png, .svg or .pdf), or what else the app can write, and tells that it did.
     /// \returns why it cannot
     std::optional<Phrase> export_as(const std::filesystem::path& path);
 
@@ -81,14 +81,6 @@ protected:
     virtual void take_own_requests() {}
 
     void show_panels_and_canvas();
-    /// The picture with what is told over it, above a bar of a height [px].
-    template <class Show> void show_picture(float bar, const Show& show)
-    {
-        picture_area(bar, [&] {
-            show();
-            show_notice();
-        });
-    }
     const Fonts& fonts() const { return fonts_; }
 
 private:
@@ -97,7 +89,7 @@ private:
     void take_common(Request request);
     void take(const ChosenFile& file);
     void show_menu_bar();
-    void show_notice();
+    std::optional<FootMessage> notice() const;
     void show_dialogs();
     void ask_about_unsaved();
     void copy_picture();
@@ -141,13 +133,15 @@ template <class Desk> void DocumentApp<Desk>::frame(const Input& input)
     take_keys(input);
     desk_.session.tick(input.seconds);
     show_menu_bar();
-    begin_body();
+    const auto told = notice();
+    begin_body(told ? height(*told) : status_height());
     show_body();
     end_body();
-    status_bar(status());
+    if (!told) status_bar(status());
+    else if (show(*told)) desk_.session.notice.reset();
     show_dialogs();
     take_requests();
-    kept_files_.tick(desk_, input.seconds);
+    kept_files_.tick(desk_, logical_size(context_), input.seconds);
     gui_.end_frame();
 }
 
@@ -187,8 +181,12 @@ template <class Desk> void DocumentApp<Desk>::take(const ChosenFile& file)
     using enum ChosenFile::Purpose;
     switch (file.purpose) {
     case Open: desk_.session.open(file.path); break;
-    case Save: desk_.session.save(file.path); break;
-    case Export: export_as(file.path); break;
+    case Save:
+        if (!desk_.session.save(file.path)) overlays_.refuse(desk_.session.notice->sentence);
+        break;
+    case Export:
+        if (const auto reason = export_as(file.path)) overlays_.refuse(*reason);
+        break;
     }
 }
 
@@ -219,9 +217,11 @@ template <class Desk> void DocumentApp<Desk>::show_panels_and_canvas()
                      [this] { show_canvas(); });
 }
 
-template <class Desk> void DocumentApp<Desk>::show_notice()
+template <class Desk> std::optional<FootMessage> DocumentApp<Desk>::notice() const
 {
-    if (session().notice && closes_notice(session().notice->sentence, session().tr())) desk_.session.notice.reset();
+    if (!session().notice) return std::nullopt;
+    const Catalogue& tr = session().tr();
+    return FootMessage{{tr(session().notice->sentence)}, {tr("Close") + "###close notice"}};
 }
 
 template <class Desk> void DocumentApp<Desk>::show_dialogs()
@@ -252,7 +252,7 @@ template <class Desk> std::optional<Phrase> DocumentApp<Desk>::export_as(const s
 {
     const auto reason = write(path);
     context_.make_current(); // a PNG is drawn in a context of its own
-    desk_.tell(reason.value_or(Phrase(translatable("{file} was written"), {{"file", path.filename().string()}})));
+    if (!reason) desk_.tell({translatable("{file} was written"), {{"file", path.filename().string()}}});
     return reason;
 }
 

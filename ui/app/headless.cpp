@@ -14,7 +14,8 @@ namespace ui {
 Offscreen::Setup offscreen_setup(const AppOptions& options)
 {
     const auto pixels = [&](double side) { return static_cast<int>(side * options.scale); };
-    return {.size = {pixels(options.size.width), pixels(options.size.height)}, .scale = options.scale};
+    const Size size = *options.settings.window;
+    return {.size = {pixels(size.width), pixels(size.height)}, .scale = options.scale};
 }
 
 void take_screenshot(const AppOptions& options, const MakeApp& make)

@@ -28,13 +28,23 @@ template <class Session> void open_first(Session& session, const std::filesystem
     else session.open(file);
 }
 
-/// The same in a window, where it remembers files and unsaved work from one time to the next.
-template <class Application, class Session>
-MakeApp remembering_app_with(const Session& session, const std::optional<DraftFolder>& folder)
+/// What an app in a window remembers from one time to the next: files, unsaved work, how it was left.
+/// \pre the settings are complete
+template <class Application>
+void remember(Application& application, const AppOptions& options, const std::optional<DraftFolder>& folder)
 {
-    return [session, folder](Context& context, const Fonts& fonts) {
+    application.desk().has_panels = *options.settings.has_panels;
+    if (folder) application.remember_in(*folder);
+}
+
+/// The same in a window.
+template <class Application, class Session>
+MakeApp remembering_app_with(const Session& session, const AppOptions& options,
+                             const std::optional<DraftFolder>& folder)
+{
+    return [session, options, folder](Context& context, const Fonts& fonts) {
         auto application = std::make_unique<Application>(context, fonts, session);
-        if (folder) application->remember_in(*folder);
+        remember(*application, options, folder);
         return application;
     };
 }
@@ -67,16 +77,17 @@ int run_app(const AppOptions& options, std::string_view program, const Session& 
     return done;
 }
 
-/// The same of an app whose options name a file at most. `folder`: where it keeps its drafts
+/// The same of an app whose options name a file at most. `folder`: where it keeps its drafts and how it was left
 template <class Application, class AppStage, class Session>
-int run_with(const AppOptions& options, std::string_view program, const std::optional<DraftFolder>& folder)
+int run_with(AppOptions options, std::string_view program, const std::optional<DraftFolder>& folder)
 {
+    complete(options, folder);
     Session session;
-    session.look.theme = options.theme;
-    session.look.tr = Catalogue(options.language);
+    session.look.theme = *options.settings.theme;
+    session.look.tr = Catalogue(*options.settings.language);
     if (!options.files.empty()) open_first(session, options.files.front());
     return run_app<Application, AppStage>(options, program, session,
-                                          remembering_app_with<Application>(session, folder));
+                                          remembering_app_with<Application>(session, options, folder));
 }
 
 } // namespace ui

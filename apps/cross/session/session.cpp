@@ -5,6 +5,7 @@
 
 #include "apps/cross/document/file.h"
 #include "femoop/io/whole_file.h"
+#include "femoop/result/structure_words.h"
 
 namespace cross {
 
@@ -318,7 +319,8 @@ Document Session::to_save() const
 
 ui::Unsaved Session::unsaved() const
 {
-    return ui::unsaved_text(write_document(to_save()), path_, femoop::write_whole_file);
+    return ui::unsaved_text(write_document(to_save()), path_, femoop::write_whole_file,
+                            femoop::size_words(document().model, tr()));
 }
 
 std::string Session::file_name() const { return path_ ? path_->filename().string() : tr()("untitled"); }

@@ -125,11 +125,15 @@ bool Session::recover(const std::filesystem::path& draft, const std::optional<st
 
 ui::Unsaved Session::unsaved() const
 {
-    return {.state = n_changes_, .original = path_, .copy = [this] {
-                return [script = stepper_.whole()](const std::filesystem::path& draft) {
-                    return femoop::write_whole_file(draft, script.text());
-                };
-            }};
+    return {.state = n_changes_,
+            .original = path_,
+            .copy =
+                [this] {
+                    return [script = stepper_.whole()](const std::filesystem::path& draft) {
+                        return femoop::write_whole_file(draft, script.text());
+                    };
+                },
+            .about = tr()("steps: {count}", {{"count", std::to_string(n_steps())}})};
 }
 
 std::string Session::file_name() const { return path_ ? path_->filename().string() : tr()("Untitled"); }

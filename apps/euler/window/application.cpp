@@ -22,7 +22,7 @@ Application::Application(ui::Context& context, const ui::Fonts& fonts, Session s
     : DocumentApp(context, fonts, std::move(session), command_table(),
                   {.name = translatable("Cremona: Euler operators"),
                    .description = translatable("Script and solids in words"),
-                   .files = {.extension = ".eul", .picture_extension = ".svg"},
+                   .files = {.extension = ".eul", .exports = {".svg", ".png", ".pdf"}},
                    .sides = {{17.0F, 23.0F}, {0.25F, 0.32F}}}),
       canvas_(fonts)
 {}
@@ -83,7 +83,7 @@ void Application::show_canvas()
 {
     const float bar = 1.25F * ImGui::GetFrameHeight() + 0.6F * ImGui::GetFontSize();
     if (!desk().has_panels) step_caption(session(), gui());
-    show_picture(bar, [this] { canvas_.show(desk().session, gui()); });
+    ui::picture_area(bar, [this] { canvas_.show(desk().session, gui()); });
     ui::bar_below_picture(bar, [this] { player_bar(desk(), commands(), gui(), fonts()); });
 }
 

@@ -35,6 +35,7 @@ struct Desk : ui::Desk {
     ui::ThemeName& theme() { return session.view.theme; }
     ui::ThemeName theme() const { return session.view.theme; }
     const ui::Catalogue& tr() const { return session.view.tr; }
+    std::optional<ui::UnitSystem> units() const { return session.view.units; }
     void set_language(ui::Language language) { session.set_language(language); }
     void give_room_to_the_picture(bool all) { has_panels = !all; }
     void open(const std::filesystem::path& path);

@@ -14,7 +14,6 @@
 #include "apps/frame/window/banner.h"
 #include "apps/frame/window/description_window.h"
 #include "apps/frame/window/document_tabs.h"
-#include "apps/frame/window/export.h"
 #include "apps/frame/window/properties_panel.h"
 #include "apps/frame/window/results_panel.h"
 #include "apps/frame/window/show_panel.h"
@@ -101,7 +100,7 @@ void Application::frame(const ui::Input& input)
     show_dialogs();
     take_requests();
     if (desk_.transform && !desk_.session.history().is_dragging()) desk_.transform.reset(); // something else ended it
-    kept_files_.tick(desk_, input.seconds);
+    kept_files_.tick(desk_, ui::logical_size(context_), input.seconds);
     gui_.end_frame();
 }
 
@@ -207,8 +206,12 @@ void Application::take(const ui::ChosenFile& file)
     using enum ui::ChosenFile::Purpose;
     switch (file.purpose) {
     case Open: open_file(desk_, file.path); break;
-    case Save: save_as(desk_, file.path); break;
-    case Export: export_as(file.path); break;
+    case Save:
+        if (!save_as(desk_, file.path)) overlays_.refuse(desk_.session.notice->sentence);
+        break;
+    case Export:
+        if (const auto reason = export_as(file.path)) overlays_.refuse(*reason);
+        break;
     }
 }
 
@@ -233,7 +236,8 @@ void Application::show_menu_bar()
 
 void Application::show_body()
 {
-    ui::begin_body();
+    const auto told = banner(desk_);
+    ui::begin_body(told ? ui::height(*told) : ui::status_height());
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float below = tables_.height(desk_, room.y);
     if (below > 0.0F) ui::show_below(below, [this] { tables_.show(desk_, gui_, fonts_); });
@@ -247,7 +251,8 @@ void Application::show_body()
     else picture();
     ImGui::EndChild();
     ui::end_body();
-    status_bar(desk_.session);
+    if (told) show_banner(desk_, *told);
+    else status_bar(desk_.session);
 }
 
 void Application::show_left(float width)
@@ -301,7 +306,6 @@ void Application::show_canvas()
     document_tabs(desk_);
     ImGui::BeginChild("###picture", {}, false, ImGuiWindowFlags_NoNav); // its keys are the tools'
     canvas_.show(desk_, gui_);
-    banner(desk_);
     ImGui::EndChild();
 }
 
@@ -328,10 +332,7 @@ std::optional<ui::Phrase> Application::export_as(const std::filesystem::path& pa
     std::optional<ui::Phrase> reason = export_to(path, desk_.session, fonts_, canvas_.picture_of(desk_),
                                                  desk_.export_scale);
     context_.make_current(); // a PNG is drawn in a context of its own
-    if (reason) {
-        desk_.session.notice = Notice{*reason, {}};
-        return reason;
-    }
+    if (reason) return reason;
     const std::string_view done = desk_.session.hidden
                                       ? translatable("{file} was written without the results, which are hidden; H "
                                                      "reveals them")

@@ -8,6 +8,7 @@
 
 #include "apps/frame/session/commands.h"
 #include "apps/frame/window/canvas.h"
+#include "apps/frame/window/export.h"
 #include "apps/frame/window/property_sets.h"
 #include "apps/frame/window/questions.h"
 #include "apps/frame/window/section_window.h"
@@ -52,7 +53,7 @@ public:
     void start_programs_by(StartProgram start) { start_program_ = std::move(start); }
     /// What another program was given last.
     const std::optional<ui::Handover>& handed() const { return handed_; }
-    /// Writes the picture, the results or a report to a file (export.h), and tells how it went. \returns why it cannot
+    /// Writes the picture, the results or a report to a file (export.h), and tells that it did. \returns why it cannot
     std::optional<ui::Phrase> export_as(const std::filesystem::path& path);
     std::optional<ui::Phrase> copy_picture(); ///< to the system's clipboard. \returns why it cannot
     std::string window_title() const override;
@@ -94,7 +95,7 @@ private:
     PropertySets property_sets_;
     ui::PathDialog import_dialog_;
     ui::NumberFields fields_;
-    ui::Overlays overlays_{{.extension = ".json", .left_out = ".view.json", .picture_extension = ".png"}};
+    ui::Overlays overlays_{{.extension = ".json", .left_out = ".view.json", .exports = export_endings()}};
     Questions questions_;
     ui::KeptFiles kept_files_{std::nullopt};
     ui::ThemeName theme_;

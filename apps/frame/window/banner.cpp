@@ -1,56 +1,62 @@
 #include "apps/frame/window/banner.h"
 
-#include <imgui.h>
-
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "apps/frame/session/tabs.h"
 #include "apps/frame/view/results/mechanism_picture.h"
-#include "ui/widgets/panel.h"
 
 namespace frame {
 
 namespace {
 
-void show_notice_buttons(Desk& desk)
+std::string button(const ui::Catalogue& tr, std::string_view label, const char* id) { return tr(label) + id; }
+
+ui::FootMessage message_of(const Notice& notice, const ui::Catalogue& tr)
 {
-    if (!desk.session.notice) return;
-    const ui::Catalogue& tr = desk.session.view.tr;
-    const bool is_closed = ImGui::Button((tr("Close") + "###close notice").c_str());
-    const std::optional<std::filesystem::path> to_mend = desk.session.notice->to_mend;
-    ImGui::SameLine();
-    const bool is_opened = to_mend && ImGui::Button((tr("Open all the same") + "###open notice").c_str());
-    if (is_closed || is_opened) desk.session.notice.reset();
-    if (is_opened) open_file(desk, *to_mend, Session::Purpose::Mend);
+    ui::FootMessage message{{tr(notice.sentence)}, {button(tr, ui::translatable("Close"), "###close notice")}};
+    for (const femoop::Fault& fault : notice.faults) message.lines.push_back("• " + sentence(fault, tr));
+    if (notice.to_mend) message.buttons.push_back(button(tr, ui::translatable("Open all the same"), "###open notice"));
+    return message;
+}
+
+// One line, so that the picture keeps its room while a model is mended.
+std::optional<ui::FootMessage> message_of(const Solution& solution, const ui::Catalogue& tr)
+{
+    const auto is_error = [](const femoop::Fault& fault) {
+        return femoop::severity(fault.kind) == femoop::Severity::Error;
+    };
+    const auto first = std::ranges::find_if(solution.faults, is_error);
+    // The picture itself says how a mechanism moves.
+    if (first == solution.faults.end() || !solution.mechanisms.empty()) return std::nullopt;
+    std::string line = sentence(*first, tr);
+    const auto n = std::ranges::count_if(solution.faults, is_error);
+    if (n > 1) line += "   " + tr("… and {count} more", {{"count", std::to_string(n - 1)}});
+    return ui::FootMessage{{std::move(line)}, {button(tr, ui::translatable("Problems"), "###problems")}};
 }
 
 } // namespace
 
-void banner(Desk& desk)
+std::optional<ui::FootMessage> banner(const Desk& desk)
 {
-    Session& session = desk.session;
-    const ui::Catalogue& tr = session.view.tr;
-    std::vector<std::string> lines;
-    if (session.notice) {
-        lines.push_back(tr(session.notice->sentence));
-        for (const femoop::Fault& fault : session.notice->faults) lines.push_back("• " + sentence(fault, tr));
-    } else if (session.solution().mechanisms.empty()) { // the picture itself says how a mechanism moves
-        for (const femoop::Fault& fault : session.solution().faults) {
-            const bool is_error = femoop::severity(fault.kind) == femoop::Severity::Error;
-            if (is_error) lines.push_back("• " + sentence(fault, tr));
-        }
+    const ui::Catalogue& tr = desk.session.view.tr;
+    if (desk.session.notice) return message_of(*desk.session.notice, tr);
+    return message_of(desk.session.solution(), tr);
+}
+
+void show_banner(Desk& desk, const ui::FootMessage& message)
+{
+    const auto pressed = ui::show(message);
+    if (!pressed) return;
+    if (!desk.session.notice) {
+        desk.topic = Topic::Problems;
+        desk.has_panels = true;
+        return;
     }
-    if (lines.empty()) return;
-    constexpr std::size_t most_lines = 8;
-    if (lines.size() > most_lines) {
-        const std::size_t n_more = lines.size() - most_lines;
-        lines.resize(most_lines);
-        lines.push_back(tr("… and {count} more", {{"count", std::to_string(n_more)}}));
-    }
-    ui::begin_message_box(lines);
-    show_notice_buttons(desk);
-    ui::end_message_box();
+    const std::optional<std::filesystem::path> to_mend = desk.session.notice->to_mend;
+    desk.session.notice.reset();
+    if (*pressed == 1 && to_mend) open_file(desk, *to_mend, Session::Purpose::Mend);
 }
 
 } // namespace frame

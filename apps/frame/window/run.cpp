@@ -9,6 +9,7 @@
 #include "apps/frame/window/stage.h"
 #include "femoop/io/whole_file.h"
 #include "femoop/result/describe.h"
+#include "ui/app/run_app.h"
 #include "ui/app/window_loop.h"
 #include "ui/context/start_program.h"
 #include "ui/context/window.h"
@@ -23,13 +24,13 @@ enum ExitStatus : int { Done = 0, BadInput = 2 };
 Session begin(const Options& options)
 {
     Session session(starting_document());
-    session.set_language(options.language);
-    session.view.theme = options.theme;
+    session.set_language(*options.settings.language);
+    session.view.theme = *options.settings.theme;
     session.view.layout = Layout::Overlay;
     if (!options.files.empty()) session.open(options.files.front());
     const bool is_truss = femoop::is_truss(session.model().analysis); // M says nothing there
     session.view.show = options.show.value_or(shown_by_default | ShowSet{is_truss ? Show::N : Show::M});
-    session.view.units = options.units;
+    session.view.units = options.settings.units;
     return session;
 }
 
@@ -65,21 +66,23 @@ ui::MakeApp app_with(const Session& session)
 }
 
 // The same, which remembers files and unsaved work from one time to the next.
-ui::MakeApp remembering_app_with(const Session& session)
+ui::MakeApp remembering_app_with(const Session& session, const Options& options,
+                                 const std::optional<ui::DraftFolder>& folder)
 {
-    return [session](ui::Context& context, const ui::Fonts& fonts) {
+    return [session, options, folder](ui::Context& context, const ui::Fonts& fonts) {
         auto application = std::make_unique<Application>(context, fonts, session);
         application->start_programs_by([](const ui::Handover& handover) { return ui::start_program(handover); });
-        if (const auto folder = ui::draft_folder("frame", ".json", femoop::write_whole_file))
-            application->remember_in(*folder);
+        ui::remember(*application, options, folder);
         return application;
     };
 }
 
 } // namespace
 
-int run(const Options& options)
+int run(Options options)
 {
+    const auto folder = ui::draft_folder("frame", ".json", femoop::write_whole_file);
+    ui::complete(options, folder);
     Session session = begin(options);
     if (options.is_headless() && session.notice) {
         print(*session.notice, session.view.tr);
@@ -102,7 +105,7 @@ int run(const Options& options)
                   << '\n';
         return BadInput;
     }
-    ui::show_in_window(options, remembering_app_with(session));
+    ui::show_in_window(options, remembering_app_with(session, options, folder));
     return Done;
 }
 

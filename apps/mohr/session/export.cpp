@@ -14,6 +14,7 @@
 #include "apps/mohr/view/names.h"
 #include "femoop/io/whole_file.h"
 #include "femoop/model/quantity/number_text.h"
+#include "ui/files/ending.h"
 
 namespace mohr {
 
@@ -228,11 +229,11 @@ std::string latex(const Session& session)
 
 std::optional<Exported> export_results(const Session& session, const std::filesystem::path& path)
 {
-    const std::string ending = path.extension().string();
-    if (ending != ".csv" && ending != ".tex") return std::nullopt;
+    const bool is_csv = ui::has_ending(path, ".csv");
+    if (!is_csv && !ui::has_ending(path, ".tex")) return std::nullopt;
     if (session.is_concealing())
         return Exported{ui::Phrase(translatable("The results are shown when the exercise is done."))};
-    const std::error_code error = femoop::write_whole_file(path, ending == ".csv" ? csv(session) : latex(session));
+    const std::error_code error = femoop::write_whole_file(path, is_csv ? csv(session) : latex(session));
     if (!error) return Exported{};
     return Exported{ui::Phrase(translatable("{file} cannot be written: {reason}"),
                                {{"file", path.filename().string()}, {"reason", error.message()}})};

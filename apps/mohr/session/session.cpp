@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "apps/mohr/document/file.h"
+#include "apps/mohr/session/report.h"
 #include "femoop/io/whole_file.h"
 #include "femoop/model/quantity/number_text.h"
 #include "ui/text/number_format.h"
@@ -255,7 +256,8 @@ bool Session::recover(const std::filesystem::path& draft, const std::optional<st
 
 ui::Unsaved Session::unsaved() const
 {
-    return ui::unsaved_text(file_text(document()), path_, femoop::write_whole_file);
+    return ui::unsaved_text(file_text(document()), path_, femoop::write_whole_file,
+                            is_concealing() ? std::string() : status_text(*this));
 }
 
 std::string Session::file_name() const { return path_ ? path_->filename().string() : tr()(translatable("untitled")); }

@@ -20,7 +20,7 @@ Application::Application(ui::Context& context, const ui::Fonts& fonts, Session s
     : DocumentApp(context, fonts, std::move(session), command_table(),
                   {.name = translatable("Cremona: Mohr's circle"),
                    .description = translatable("State in words"),
-                   .files = {.extension = ".mohr", .picture_extension = ".svg"},
+                   .files = {.extension = ".mohr", .exports = {".svg", ".png", ".pdf", ".csv", ".tex"}},
                    .sides = {{17.0F, 20.0F}, {0.25F, 0.3F}}}),
       canvas_(fonts)
 {}
@@ -43,7 +43,7 @@ void Application::show_right()
 
 void Application::show_canvas()
 {
-    show_picture(0.0F, [this] { canvas_.show(desk().session, gui()); });
+    ui::picture_area(0.0F, [this] { canvas_.show(desk().session, gui()); });
 }
 
 std::string Application::status() const
