@@ -47,6 +47,7 @@ public:
         Input input;
         input.pointer = Point{frame.pointer.x, frame.pointer.y};
         input.is_button_down[static_cast<std::size_t>(PointerButton::Left)] = frame.is_left_down;
+        input.is_button_down[static_cast<std::size_t>(PointerButton::Right)] = frame.is_right_down;
         input.wheel = {0.0, frame.wheel};
         input.seconds = Player::time_step;
         input.text = frame.text;

@@ -23,7 +23,17 @@
 namespace frame {
 
 /// What the user asks this app's window for, beside what every app's is asked for.
-enum class Request : std::uint8_t { ImportDialog, KeepView, ViewList, CloseTab, ExportTable };
+enum class Request : std::uint8_t {
+    ImportDialog,
+    KeepView,
+    ViewList,
+    CloseTab,
+    ExportTable,
+    AskKind,    ///< of the structure that was begun
+    EditTitle,  ///< of the model
+    RenameCase, ///< the name of the case that is shown is typed in the list of cases
+    ContextMenu ///< of what is selected
+};
 
 /// What the panel at the right shows.
 enum class Topic : std::uint8_t { Properties, Results, Problems, History };

@@ -37,9 +37,8 @@ bool is_in_plane(const Desk& desk) { return femoop::n_coordinates(desk.session.m
 Reason why_not_take(const Desk& desk, ToolKind tool)
 {
     if (tool == ToolKind::Predict) return why_not_predict(desk);
-    const bool draws = tool == ToolKind::Member || tool == ToolKind::Node || tool == ToolKind::Dimension;
-    if (!draws || is_in_plane(desk)) return std::nullopt;
-    return translatable("a structure in space is not drawn with the mouse; change its numbers instead");
+    if (tool != ToolKind::Dimension || is_in_plane(desk)) return std::nullopt;
+    return translatable("dimension lines stand in plane structures alone");
 }
 
 Reason needs_selection(const Desk& desk)
@@ -52,7 +51,7 @@ Reason needs_plane_selection(const Desk& desk)
 {
     if (const Reason reason = needs_selection(desk)) return reason;
     if (is_in_plane(desk)) return std::nullopt;
-    return translatable("a structure in space is not drawn with the mouse; change its numbers instead");
+    return translatable("a structure in space is not moved with the mouse; change its numbers instead");
 }
 
 std::vector<Part> selected(const Desk& desk)
@@ -164,6 +163,11 @@ void add_selection_commands(CommandTable& table)
                    desk.session.pin.reset();
                    desk.session.notice.reset();
                }});
+    table.add({.id = "edit.menu",
+               .menu = edit_menu,
+               .label = translatable("Menu of the selection"),
+               .shortcuts = {{Key::F10, ui::shift}},
+               .run = [](Desk& desk) { desk.requests.push_back(Request::ContextMenu); }});
     table.add({.id = "edit.delete",
                .menu = edit_menu,
                .label = translatable("Delete the selection"),

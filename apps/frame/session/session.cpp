@@ -130,6 +130,7 @@ void Session::take(const Change& change, Outcome outcome)
     if (is_new || change.after_selecting) selection = std::move(outcome.companions.selection);
     if (is_new) prediction = std::move(outcome.companions.prediction);
     hold_scales(change.step);
+    follow_case(model(), outcome.document.model);
     if (change.step == Step::Click) {
         tell_loss(model(), outcome.document.model);
         history_.apply(std::move(outcome.document), change.label);
@@ -143,9 +144,22 @@ void Session::follow(const Document& before)
 {
     selection.follow(before, document());
     prediction.follow(before.model, model());
+    follow_case(before.model, model());
     const std::optional<ui::Phrase> brought_back = unseen_loss(model(), before.model);
     if (notice && brought_back && notice->sentence == *brought_back) notice.reset();
     refresh();
+}
+
+// Where it is gone the one that takes its place is shown, a load case for a load case.
+void Session::follow_case(const femoop::Model& before, const femoop::Model& after)
+{
+    const std::size_t shown = view.load_case.index, n = after.load_cases.size(), n_before = before.load_cases.size();
+    const bool is_as_before = n == n_before && after.n_cases() == before.n_cases();
+    if (is_as_before || shown >= before.n_cases()) return;
+    const auto last_of = [](std::size_t count) { return std::max<std::size_t>(count, 1) - 1; };
+    if (const auto there = after.find_case(before.case_name(view.load_case))) view.load_case = *there;
+    else if (shown < n_before) view.load_case = femoop::CaseId(std::min(shown, last_of(n)));
+    else view.load_case = femoop::CaseId(std::min(shown - n_before + n, last_of(after.n_cases())));
 }
 
 void Session::hold_scales(Step step)

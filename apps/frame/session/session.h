@@ -125,6 +125,8 @@ private:
     void refresh();
     void tell_loss(const femoop::Model& before, const femoop::Model& after);
     void follow(const Document& before);
+    /// The case that is shown is known by its name.
+    void follow_case(const femoop::Model& before, const femoop::Model& after);
     /// While a number is dragged, diagrams keep the scale that they had before: one sees them grow.
     void hold_scales(Step step);
     void restart(Document document);

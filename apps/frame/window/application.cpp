@@ -138,6 +138,7 @@ void Application::take_keys(const ui::Input& all)
     const bool types_place = !types && !input.modifiers.ctrl && desk_.hand.type(input.text);
     for (const ui::KeyEvent& event : input.keys) {
         if (!event.is_down || (types && !event.modifiers.ctrl)) continue;
+        if (!types && kind_question_.take(desk_, commands_, event.key)) continue;
         if (!types && take_typing(event.key)) continue;
         if (types_place && writes(event.key) && !event.modifiers.ctrl) continue;
         if (event.key == ui::Key::Escape && put_away_a_window()) continue;
@@ -198,6 +199,16 @@ void Application::take(Request request)
     case Request::ExportTable: tables_.ask_for_file(desk_); break;
     case Request::KeepView: keep_view(session, canvas_.region(session)); break;
     case Request::ViewList: view_list_.toggle(); break;
+    case Request::AskKind: kind_question_.open(); break;
+    case Request::EditTitle:
+        desk_.has_panels = true;
+        title_rows_.begin();
+        break;
+    case Request::RenameCase:
+        desk_.has_panels = true;
+        case_list_.rename_shown();
+        break;
+    case Request::ContextMenu: context_menu_.open(); break;
     }
 }
 
@@ -258,7 +269,7 @@ void Application::show_body()
 void Application::show_left(float width)
 {
     ui::begin_panel("###left", width);
-    show_panel(desk_, commands_);
+    show_panel(desk_, commands_, case_list_);
     ui::end_panel();
 }
 
@@ -268,7 +279,7 @@ void Application::show_right(float width)
     show_tabs();
     ImGui::Separator();
     switch (desk_.topic) {
-    case Topic::Properties: properties_panel(desk_, fields_, property_sets_); break;
+    case Topic::Properties: properties_panel(desk_, commands_, {fields_, property_sets_, title_rows_}); break;
     case Topic::Results: results_panel(desk_); break;
     case Topic::Problems: problems_panel(desk_); break;
     case Topic::History: history_panel(desk_); break;
@@ -319,6 +330,8 @@ void Application::show_dialogs()
     typical_window_.show(desk_, gui_, fields_);
     section_window_.show(desk_, gui_, fields_);
     view_list_.show(desk_);
+    context_menu_.show(desk_, commands_);
+    kind_question_.show(desk_, commands_);
     tables_.show_dialog(desk_);
     if (overlays_.shows_description()) description_window(desk_, overlays_.shows_description());
     kept_files_.show(desk_);

@@ -8,11 +8,15 @@
 
 #include "apps/frame/session/commands.h"
 #include "apps/frame/window/canvas.h"
+#include "apps/frame/window/case_list.h"
+#include "apps/frame/window/context_menu.h"
 #include "apps/frame/window/export.h"
+#include "apps/frame/window/kind_question.h"
 #include "apps/frame/window/property_sets.h"
 #include "apps/frame/window/questions.h"
 #include "apps/frame/window/section_window.h"
 #include "apps/frame/window/tables_panel.h"
+#include "apps/frame/window/title_rows.h"
 #include "apps/frame/window/typical_window.h"
 #include "apps/frame/window/view_list.h"
 #include "ui/app/app.h"
@@ -93,6 +97,10 @@ private:
     SectionWindow section_window_;
     ViewList view_list_;
     PropertySets property_sets_;
+    TitleRows title_rows_;
+    CaseList case_list_;
+    ContextMenu context_menu_;
+    KindQuestion kind_question_;
     ui::PathDialog import_dialog_;
     ui::NumberFields fields_;
     ui::Overlays overlays_{{.extension = ".json", .left_out = ".view.json", .exports = export_endings()}};

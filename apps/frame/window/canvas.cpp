@@ -207,9 +207,11 @@ void Canvas::follow(Desk& desk, const Pointer& pointer)
     Pick under = pick(shape_, projection, pointer.at, session.solution().results ? session.view.show : ShowSet{});
     if (under.cut) under.cut = snapped(session, shape_, *under.cut, pixels_along(projection, *under.cut));
     turn_wheel(session, pointer.at);
+    const bool asks_for_menu = ImGui::IsMouseReleased(ImGuiMouseButton_Right) && !is_panning_;
     move_camera(session);
-    const Aim aim = aim_at(session, desk.hand.tool(), projection, pointer, under, drawn_.grips);
+    const Aim aim = aim_at(session, desk.hand, projection, pointer, under, drawn_.grips);
     desk.hand.point_at(aim);
+    if (asks_for_menu) ask_for_menu(desk, aim);
     if (is_panning_) return;
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && under.is_nothing() && !desk.hand.can_type()) fit(session);
     if (under.node) session.view.hover.nodes.push_back(*under.node);
@@ -220,6 +222,19 @@ void Canvas::follow(Desk& desk, const Pointer& pointer)
     hover_panel_ = corner_of_panel(pointer.at);
     work(desk, aim, under);
     if (const auto member = desk.hand.tool().preview().member) session.view.hover.members = {*member};
+}
+
+// A right click that was no drag: the menu of what lies there, and of what is selected together with it.
+void Canvas::ask_for_menu(Desk& desk, const Aim& aim)
+{
+    Selection& selection = desk.session.selection;
+    const bool is_busy = desk.transform || desk.session.history().is_dragging() ||
+                         desk.hand.kind() == ToolKind::Predict || desk.hand.tool().preview().window;
+    if (is_busy) return;
+    const std::optional<Part> part = aim.part();
+    if (!part) selection.clear();
+    else if (!selection.contains(*part)) selection = *part;
+    desk.requests.push_back(Request::ContextMenu);
 }
 
 void Canvas::turn_wheel(Session& session, ui::Point at) const
@@ -274,6 +289,7 @@ void Canvas::release(Desk& desk, const Aim& aim, const Pick& under)
 // In space the left button turns the model, so a tool gets clicks alone.
 void Canvas::click_in_space(Desk& desk, const Aim& aim, const Pick& under)
 {
+    if (desk.hand.can_type()) carry_out(desk.session, desk.hand.tool().move(work_of(desk.session), aim));
     if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left)) return;
     press(desk, aim);
     release(desk, aim, under);

@@ -18,6 +18,7 @@ namespace frame {
 ///
 ///     wheel: zoom to the cursor      middle or right button, or the space bar held: pan
 ///     left button in space: orbit    double click on nothing: show the whole model
+///     right click: the menu of what lies there
 class Canvas {
 public:
     explicit Canvas(const ui::Fonts& fonts) : fonts_(fonts) {}
@@ -45,6 +46,7 @@ private:
     void press(Desk& desk, const Aim& aim);
     void release(Desk& desk, const Aim& aim, const Pick& under);
     void click_in_space(Desk& desk, const Aim& aim, const Pick& under);
+    static void ask_for_menu(Desk& desk, const Aim& aim);
     void turn_wheel(Session& session, ui::Point at) const;
     void move_camera(Session& session);
     void paint(const Desk& desk);

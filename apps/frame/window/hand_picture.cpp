@@ -5,6 +5,7 @@
 #include <string>
 
 #include "apps/frame/tools/grid.h"
+#include "apps/frame/view/geometry/structure_shape.h"
 #include "apps/frame/view/sketch/scene.h"
 #include "apps/frame/window/aim.h"
 #include "ui/text/number_format.h"
@@ -36,13 +37,33 @@ public:
             for (const double y : rows) painter_.rectangle(dot(at({x, y})), ink);
     }
 
-    void glyph(const Snap& snap)
+    /// Of the working plane in space: its lines as far as the structure goes.
+    void grid_in_space(const WorkingPlane& plane, const std::vector<Eigen::Vector3d>& nodes)
     {
-        const Point p = at(snap.place);
+        const ui::LayerScope layer(painter_, ui::Layer::Grid);
+        Vector2d least(0.0, 0.0), most(8.0, 8.0);
+        if (!nodes.empty()) least = most = plane.in_plane(nodes.front());
+        for (const Eigen::Vector3d& node : nodes) {
+            least = least.cwiseMin(plane.in_plane(node));
+            most = most.cwiseMax(plane.in_plane(node));
+        }
+        const double step = grid_of(projection_);
+        least.array() = ((least.array() / step).floor() - 2.0) * step;
+        most.array() = ((most.array() / step).ceil() + 2.0) * step;
+        const ui::Stroke line{.color = ui::with_opacity(theme_[Role::FaintLabel].text, 0.35), .width = 0.75};
+        const auto place = [&](double u, double v) { return projection_(plane.in_space({u, v})); };
+        for (const double u : multiples_between(least.x(), most.x(), step))
+            painter_.line(place(u, least.y()), place(u, most.y()), line);
+        for (const double v : multiples_between(least.y(), most.y(), step))
+            painter_.line(place(least.x(), v), place(most.x(), v), line);
+    }
+
+    void glyph(Point p, SnapKind kind)
+    {
         const double r = 6.0 * theme_.symbol_scale();
         const ui::Stroke stroke = theme_.stroke(Role::Member);
         const ui::Stroke line{.color = stroke.color, .width = 2.0};
-        switch (snap.kind) {
+        switch (kind) {
         case SnapKind::Node:
             painter_.polyline({p + Point{-r, -r}, p + Point{r, -r}, p + Point{r, r}, p + Point{-r, r}}, line,
                               ui::PathEnds::Closed);
@@ -67,14 +88,17 @@ public:
         }
     }
 
-    void line(const Vector2d& start, const Vector2d& end)
+    /// Its length beside its end, and in the plane its angle.
+    void line(const Eigen::Vector3d& start, const Eigen::Vector3d& end, bool is_in_space)
     {
         const ui::Stroke stroke{.color = theme_.stroke(Role::Selection).color, .width = 2.5, .dash = {8.0, 5.0}};
-        painter_.line(at(start), at(end), stroke);
-        const Vector2d arm = end - start;
+        painter_.line(projection_(start), projection_(end), stroke);
+        const Eigen::Vector3d arm = end - start;
         if (arm.norm() == 0.0) return;
-        note(at(end), units_.text(arm.norm(), ui::Measure::Length) + "   " +
-                          with_minus(ui::number_text(direction_of(arm), units_.format())) + "°");
+        std::string text = units_.text(arm.norm(), ui::Measure::Length);
+        if (!is_in_space)
+            text += "   " + with_minus(ui::number_text(direction_of(arm.head<2>()), units_.format())) + "°";
+        note(projection_(end), text);
     }
 
     /// Members that are carried, and as a point a node.
@@ -141,6 +165,16 @@ public:
         painter_.text(beside + Point{has_room ? away : -away, -away}, text, style);
     }
 
+    /// The coordinates that are meant, below the pointer.
+    void coordinates(const Eigen::Vector3d& place)
+    {
+        std::string text;
+        for (const Eigen::Index i : {0, 1, 2})
+            text += (i > 0 ? "; " : "(") +
+                    with_minus(ui::number_text(units_.shown(place[i], ui::Measure::Length), units_.format()));
+        note(projection_(place) + Point{0.0, 40.0}, text + ") " + units_.unit(ui::Measure::Length).name);
+    }
+
     Point at(const Vector2d& place) const { return projection_({place.x(), place.y(), 0.0}); }
 
 private:
@@ -163,10 +197,12 @@ void draw_hand(ui::Painter& painter, const Session& session, const Hand& hand, c
                const ui::Theme& theme)
 {
     HandPicture picture(painter, session, projection, theme);
-    if (hand.can_type()) picture.grid();
+    const bool is_in_space = femoop::is_3d(session.model().analysis);
+    if (hand.can_type() && is_in_space) picture.grid_in_space(hand.settings().plane, shape_of(session.model()).nodes);
+    else if (hand.can_type()) picture.grid();
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
     const Preview preview = hand.tool().preview();
-    for (const auto& [start, end] : preview.lines) picture.line(start, end);
+    for (const auto& [start, end] : preview.lines) picture.line(start, end, is_in_space);
     for (const Preview::Carried& part : preview.carried) picture.carried(part);
     for (const Preview::Carried& part : preview.carried) picture.name(part, session.view.show);
     picture.stroke(preview.stroke);
@@ -174,8 +210,11 @@ void draw_hand(ui::Painter& painter, const Session& session, const Hand& hand, c
     if (dimension) picture.dimension(*dimension);
     if (preview.window) picture.window(preview.window->first, preview.window->second);
     const bool is_placing = (hand.can_type() && hand.tool().snaps()) || !hand.tool().moving().empty();
-    if (is_placing) picture.glyph(hand.aim().snap);
-    if (!hand.typed().empty()) picture.note(picture.at(hand.aim().snap.place) + Point{0.0, 40.0}, hand.typed() + "▏");
+    const Aim& aim = hand.aim();
+    const Point meant = projection(aim.place());
+    if (is_placing && !aim.is_lost) picture.glyph(meant, aim.snap.kind);
+    if (!hand.typed().empty()) picture.note(meant + Point{0.0, 40.0}, hand.typed() + "▏");
+    else if (is_in_space && is_placing && !aim.is_lost) picture.coordinates(aim.place());
 }
 
 } // namespace frame

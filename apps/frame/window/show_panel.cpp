@@ -7,7 +7,6 @@
 #include <string>
 
 #include "ui/text/number_format.h"
-#include "ui/widgets/item_label.h"
 
 namespace frame {
 
@@ -20,26 +19,6 @@ void heading(const std::string& text)
     ImGui::Spacing();
     ImGui::TextDisabled("%s", text.c_str());
     ImGui::Separator();
-}
-
-void choose_case(Session& session)
-{
-    const femoop::Model& model = session.model();
-    if (model.n_cases() == 0) {
-        ImGui::TextWrapped("%s", session.view.tr("The model has no load case.").c_str());
-        return;
-    }
-    bool& is_envelope = session.view.is_envelope;
-    for (std::size_t i = 0; i < model.n_cases(); ++i) {
-        const bool is_combination = i >= model.load_cases.size();
-        const std::string& name = model.case_name(femoop::CaseId(i));
-        const std::string label = ui::item_label(
-            is_combination ? session.view.tr("{case} (combination)", {{"case", name}}) : name, std::to_string(i));
-        if (!ImGui::RadioButton(label.c_str(), !is_envelope && session.view.load_case == femoop::CaseId(i))) continue;
-        session.view.load_case = femoop::CaseId(i);
-        is_envelope = false;
-    }
-    if (model.n_cases() > 1 && ImGui::RadioButton(session.view.tr("Envelope").c_str(), is_envelope)) is_envelope = true;
 }
 
 void toggle(Desk& desk, const CommandTable& commands, Show item)
@@ -111,15 +90,14 @@ void deformation_slider(Session& session, const ui::NumberFormat& format)
 
 } // namespace
 
-void show_panel(Desk& desk, const CommandTable& commands)
+void show_panel(Desk& desk, const CommandTable& commands, CaseList& cases)
 {
     using enum Show;
     Session& session = desk.session;
     const ui::Catalogue& tr = session.view.tr;
     const ImGuiStyle& style = ImGui::GetStyle();
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {style.FramePadding.x, 0.3F * style.FramePadding.y});
-    heading(tr("Load case"));
-    choose_case(session);
+    cases.show(desk, commands);
     heading(tr("Results"));
     show_toggles(desk, commands, {N, V, M});
     const femoop::AnalysisKind kind = session.model().analysis;

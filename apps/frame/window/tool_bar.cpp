@@ -6,6 +6,7 @@
 #include <string>
 
 #include "apps/frame/session/edit_commands.h"
+#include "apps/frame/session/plane_commands.h"
 #include "apps/frame/window/number_row.h"
 #include "apps/frame/window/tool_icon.h"
 
@@ -67,6 +68,8 @@ const std::array loads{
     LoadChoice{LoadKind::ForceDown, translatable("Force ↓"), ui::Measure::Force, &ToolSettings::force},
     LoadChoice{LoadKind::ForceRight, translatable("Force →"), ui::Measure::Force, &ToolSettings::force},
     LoadChoice{LoadKind::Moment, translatable("Moment"), ui::Measure::Moment, &ToolSettings::moment},
+    LoadChoice{LoadKind::TriangularDown, translatable("Triangular load ↓"), ui::Measure::ForcePerLength,
+               &ToolSettings::line_load},
 };
 
 void support_settings(Desk& desk)
@@ -98,14 +101,35 @@ void load_settings(Desk& desk, ui::NumberFields& fields)
     ImGui::SameLine();
 }
 
-std::string_view hint(ToolKind tool)
+// In space: the plane that a click means a place of.
+void plane_settings(Desk& desk, ui::NumberFields& fields)
 {
+    WorkingPlane& plane = desk.hand.settings().plane;
+    for (const PlaneEntry& entry : working_planes()) {
+        const std::string label = std::string(entry.name) + "###" + std::string(entry.id);
+        if (ImGui::RadioButton(label.c_str(), plane.normal == entry.normal)) plane.normal = entry.normal;
+        ImGui::SameLine();
+    }
+    constexpr std::array<const char*, 3> names{"x =", "y =", "z ="};
+    ImGui::TextUnformatted(names.at(static_cast<std::size_t>(plane.index())));
+    ImGui::SameLine();
+    edit_quantity(desk, fields, {"working plane", ui::Measure::Length, 5.0F * ImGui::GetFontSize()}, plane.level);
+    ImGui::SameLine();
+    ImGui::TextUnformatted(desk.session.units().unit(ui::Measure::Length).name.c_str());
+    ImGui::SameLine();
+}
+
+std::string_view hint(ToolKind tool, bool is_in_space)
+{
+    if (is_in_space && tool == ToolKind::Member)
+        return translatable("Click nodes or places of the plane, or type: 6,4,3  @0,0,3");
+    if (is_in_space && tool == ToolKind::Node) return translatable("Click a place of the plane, or type it: 6,4,3");
     switch (tool) {
     case ToolKind::Select: return translatable("Click, drag, or draw a window; Shift adds.");
     case ToolKind::Member: return translatable("Click from place to place, or type: 4  4<30  @3,2  6,4");
     case ToolKind::Node: return translatable("Click a place, or type it: 6,4");
     case ToolKind::Support: return translatable("Click nodes.");
-    case ToolKind::Load: return translatable("Click members or nodes.");
+    case ToolKind::Load: return translatable("Click members or nodes; draw along a member to load a part of it.");
     case ToolKind::Hinge: return translatable("Click nodes or the ends of members.");
     case ToolKind::Dimension: return translatable("Click two nodes, then a place; more nodes go on.");
     case ToolKind::Predict: return translatable("Draw the moments beside the members; H reveals.");
@@ -141,7 +165,9 @@ void tool_bar(Desk& desk, const CommandTable& commands, ui::ImGuiSession& gui, c
     const ToolKind tool = desk.hand.kind();
     if (tool == ToolKind::Support) support_settings(desk);
     if (tool == ToolKind::Load) load_settings(desk, fields);
-    show_hint(desk.session.view.tr(hint(tool)));
+    const bool is_in_space = femoop::is_3d(desk.session.model().analysis);
+    if (is_in_space && desk.hand.can_type()) plane_settings(desk, fields);
+    show_hint(desk.session.view.tr(hint(tool, is_in_space)));
     ImGui::PopStyleVar();
 }
 

@@ -29,6 +29,7 @@ namespace {
 constexpr std::array diagrams{Show::N, Show::V, Show::Vy, Show::Vz, Show::M, Show::T, Show::My, Show::Mz};
 constexpr double edge = 14.0;                                        // [px] kept free around a fitted picture
 constexpr ui::World2 empty_least{-1.0, -1.0}, empty_most{11.0, 7.0}; // corners of an empty sheet
+constexpr ui::World3 empty_corner{-1.0, -1.0, 0.0}, full_corner{9.0, 9.0, 5.0}; // of one in space
 
 bool shows_any(const ShowSet& show, std::span<const Show> items)
 {
@@ -295,6 +296,7 @@ void Subject::fit(Camera& camera, ui::Size panel, const ui::Margins& margins) co
     }
     std::vector<ui::World3> points;
     for (const Eigen::Vector3d& p : fitted_points()) points.push_back({p.x(), p.y(), p.z()});
+    if (points.empty()) points = {empty_corner, full_corner};
     std::get<ui::OrbitCamera>(camera).fit(points, panel, margins);
 }
 
