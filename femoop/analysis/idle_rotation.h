@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "femoop/analysis/equations.h"
@@ -25,8 +26,16 @@ struct HeldRotation {
     Eigen::VectorXd direction; ///< over parts, length 1
 };
 
-/// Finds the rotations that nothing takes part in and adds a stiffness to K that holds them; exact, since K does
-/// nothing in their direction. `K` is the lower triangle over all unknowns.
-std::vector<HeldRotation> hold_idle_rotations(const Structure& structure, const Equations& equations, SparseMatrix& K);
+/// What is held because nothing takes part in it, so that it makes no false mechanism.
+struct Holds {
+    std::vector<HeldRotation> rotations;
+    std::vector<std::int32_t> own_ends; ///< equations: spins of constrained members between releases
+};
+
+/// Finds the rotations that nothing takes part in, and adds a stiffness to K that holds them; exact, since K does
+/// nothing in their direction. `K` is the lower triangle over all unknowns. Constrained members resist by more than
+/// stiffness: then `resistance` tells what takes part (femoop/analysis/compatibility.h), else K does.
+std::vector<HeldRotation> hold_idle_rotations(const Structure& structure, const Equations& equations, SparseMatrix& K,
+                                              std::optional<SparseMatrix> resistance);
 
 } // namespace femoop

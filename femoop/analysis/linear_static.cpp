@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "femoop/analysis/assembly.h"
+#include "femoop/analysis/compatibility.h"
 #include "femoop/analysis/constraints.h"
 #include "femoop/analysis/equilibrium.h"
 #include "femoop/analysis/idle_rotation.h"
@@ -30,7 +32,6 @@ constexpr double harmless_pivot = 1e-6;     // of the diagonal: above it no cond
 constexpr double poor_condition = 1e10;     // leaves some six correct digits
 constexpr double unmeant_motion = 1e5;      // of the structure's size; exercises with E I = 1 stay well below
 constexpr double unmeant_soft_motion = 10;  // where a pivot is so small that something is soft beside the rest
-constexpr double zero_eigenvalue = 1e-14;   // of the scaled K: a free motion leaves less
 constexpr Eigen::Index most_modes = 100;    // to look for in a structure that moves in many ways
 constexpr Eigen::Index most_described = 12; // of them: who reads more sentences than that?
 
@@ -93,7 +94,7 @@ public:
         return solutions;
     }
 
-    std::size_t n_held() const override { return held_.size(); }
+    std::size_t n_held() const override { return holds_.rotations.size(); }
 
 private:
     static constexpr int n = Assembly<kind>::n;
@@ -104,7 +105,10 @@ private:
         watch.lap();
         SparseMatrix K = equations.pattern().matrix();
         assembly_.add_stiffness(K);
-        held_ = hold_idle_rotations(*structure, equations, K);
+        std::optional<SparseMatrix> resisting;
+        if (structure->has_constraints) resisting = resistance<kind>(*structure, equations, assembly_);
+        holds_.rotations = hold_idle_rotations(*structure, equations, K, std::move(resisting));
+        holds_.own_ends = hold_loose_own_ends<kind>(*structure, equations, assembly_, K);
         ReducedSystem system(equations, std::move(K));
         if (structure->has_constraints)
             system.constrain(eliminate_constraints<kind>(*structure, equations, assembly_, {}),
@@ -131,8 +135,16 @@ private:
         const Pivots pivots = system_.factorize();
         note_size();
         smallest_pivot = pivots.smallest_ratio;
-        if (!pivots.is_positive_definite || pivots.smallest_ratio <= doubtful_pivot) refuse_mechanism(model);
-        else if (is_soft()) warn_of_condition(model);
+        const bool is_doubtful = !pivots.is_complete || pivots.smallest_ratio <= doubtful_pivot ||
+                                 system_.has_idle_unknown() || has_too_few_members();
+        if (is_doubtful || (is_soft() && system_.condition() >= poor_condition)) look_closely(model);
+    }
+
+    /// Fewer forces than equations: something moves, whatever the pivots say.
+    bool has_too_few_members() const
+    {
+        const Indeterminacy count = count_indeterminacy(*structure, n_held());
+        return !count.has_foundation && count.total() < 0;
     }
 
     void note_size()
@@ -147,23 +159,16 @@ private:
         statistics.solver = solver->name();
     }
 
-    /// Refuses what can move freely, and warns of what nearly can.
-    void refuse_mechanism(const Model& model)
+    /// Small pivots may come from a mechanism or from soft parts: refuses the one, warns of the other.
+    void look_closely(const Model& model)
     {
         require_finite_stiffness(model);
-        const NullModes free = system_.free_motions(zero_eigenvalue, most_modes);
+        const auto compatibility = Compatibility::of<kind>(*structure, equations, assembly_, holds_);
+        const NullModes free = compatibility.free_motions(most_modes);
         if (free.is_singular()) refuse(model, free.modes);
-        warn(model, free.condition, free.softest);
-    }
-
-    /// Pivots stood, but many small ones after one another lose digits too.
-    void warn_of_condition(const Model& model)
-    {
-        const double condition = system_.condition();
-        if (condition < poor_condition) return;
-        const NullModes free = system_.free_motions(zero_eigenvalue, most_modes);
-        if (free.is_singular() && !unheld_parts(model, *structure).empty()) refuse(model, free.modes);
-        warn(model, condition, free.is_singular() ? free.modes.col(0) : free.softest);
+        const ReducedSystem::SoftMotion soft = system_.softest_motion();
+        if (!std::isfinite(soft.condition)) refuse(model, soft.x); // no pivots left to solve with
+        warn(model, soft.condition, soft.x);
     }
 
     void warn(const Model& model, double condition, const Eigen::VectorXd& softest)
@@ -283,7 +288,7 @@ private:
     std::vector<Mechanism> driven(const Model& model, const std::vector<CaseLoads>& loads,
                                   const Eigen::MatrixXd& F) const
     {
-        std::vector<Mechanism> mechanisms = driven_spins(model, *structure, F, held_);
+        std::vector<Mechanism> mechanisms = driven_spins(model, *structure, F, holds_.rotations);
         append(mechanisms, driven_twists(model, *structure, assembly_, loads));
         return mechanisms;
     }
@@ -294,7 +299,7 @@ private:
     }
 
     Assembly<kind> assembly_;
-    std::vector<HeldRotation> held_;
+    Holds holds_;
     ReducedSystem system_;
 };
 

@@ -25,6 +25,9 @@ public:
     /// Stiffness at the nodes.
     Eigen::MatrixXd stiffness() const;
 
+    /// What displacements of the nodes strain once the releases have followed them: none where it is zero.
+    const Eigen::MatrixXd& strains() const { return basis_; } ///< [strains x displacements]
+
     /// Forces on the member's ends, which its nodes feel, from displacements of the nodes and rigid-joint fixed-end
     /// forces.
     Eigen::VectorXd end_forces(const Eigen::VectorXd& nodes, const Eigen::VectorXd& fixed) const;

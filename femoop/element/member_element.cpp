@@ -217,17 +217,14 @@ template <AnalysisKind kind> auto MemberElement<kind>::joint_stiffness() const -
     return joints;
 }
 
-template <AnalysisKind kind> auto MemberElement<kind>::jointed_actions() const -> std::vector<JointedAction>
+template <AnalysisKind kind> auto MemberElement<kind>::action_forms() const -> std::vector<ActionForm>
 {
-    std::vector<JointedAction> actions;
-    const LocalVector joints = joint_stiffness();
+    std::vector<ActionForm> actions;
     const double L = frame_.length;
-    const auto add = [&](std::vector<int> rows, const StrainForm& form) {
-        const JointCondensation condensation(form, joints(rows));
-        actions.push_back({.rows = std::move(rows), .condensation = condensation});
-    };
     const auto add_bar = [&](LocalAxis axis, const Bar& bar) {
-        if (const int row = row_of<kind>(axis); row >= 0) add({row, m + row}, strain_form(bar, L));
+        const double unit = is_rotation(axis) ? 1.0 : L;
+        if (const int row = row_of<kind>(axis); row >= 0)
+            actions.push_back({{row, m + row}, strain_form(bar, L), unit});
     };
     const auto add_beam = [&](BendingPlane plane) {
         if (!bends<kind>(plane)) return;
@@ -235,7 +232,7 @@ template <AnalysisKind kind> auto MemberElement<kind>::jointed_actions() const -
         const auto signs = bending_signs(plane);
         StrainForm form = strain_form(own_beam(plane), L, plane);
         form.B *= Eigen::Map<const Eigen::Vector4d>(signs.data()).asDiagonal();
-        add({rows.begin(), rows.end()}, form);
+        actions.push_back({{rows.begin(), rows.end()}, std::move(form), 1.0});
     };
     if (actions_.contains(Action::Axial)) add_bar(LocalAxis::x, properties_.axial);
     if (actions_.contains(Action::Torsion)) add_bar(LocalAxis::rx, properties_.torsion);
@@ -243,9 +240,48 @@ template <AnalysisKind kind> auto MemberElement<kind>::jointed_actions() const -
     if (actions_.contains(Action::BendingXZ)) add_beam(BendingPlane::xz);
     if (actions_.contains(Action::RigidOnFoundation) && bends<kind>(BendingPlane::xy) &&
         properties_.xy.foundation > 0.0)
-        add({row_of<kind>(LocalAxis::y), m + row_of<kind>(LocalAxis::y)},
-            {.B = Eigen::Matrix2d::Identity(), .S = rigid_on_foundation(properties_.xy.foundation, L)({0, 2}, {0, 2})});
+        actions.push_back(
+            {{row_of<kind>(LocalAxis::y), m + row_of<kind>(LocalAxis::y)},
+             {.B = Eigen::Matrix2d::Identity(), .S = rigid_on_foundation(properties_.xy.foundation, L)({0, 2}, {0, 2})},
+             L});
     return actions;
+}
+
+template <AnalysisKind kind> auto MemberElement<kind>::jointed_actions() const -> std::vector<JointedAction>
+{
+    std::vector<JointedAction> actions;
+    const LocalVector joints = joint_stiffness();
+    for (ActionForm& action : action_forms()) {
+        const JointCondensation condensation(action.form, joints(action.rows));
+        actions.push_back({.rows = std::move(action.rows), .condensation = condensation});
+    }
+    return actions;
+}
+
+template <AnalysisKind kind>
+template <class StrainsOf>
+Eigen::MatrixXd MemberElement<kind>::gathered_strains(StrainsOf&& strains_of) const
+{
+    Eigen::MatrixXd strains(0, 2 * m);
+    for (const ActionForm& action : action_forms()) {
+        const Eigen::MatrixXd more = strains_of(action) / action.unit;
+        strains.conservativeResizeLike(Eigen::MatrixXd::Zero(strains.rows() + more.rows(), 2 * m));
+        strains.bottomRows(more.rows())(Eigen::all, action.rows) = more;
+    }
+    return strains;
+}
+
+template <AnalysisKind kind> Eigen::MatrixXd MemberElement<kind>::rigid_joint_strains() const
+{
+    return gathered_strains([](const ActionForm& action) { return action.form.B; });
+}
+
+template <AnalysisKind kind> Eigen::MatrixXd MemberElement<kind>::strains() const
+{
+    if (!has_flexible_joint()) return rigid_joint_strains();
+    const LocalVector joints = joint_stiffness();
+    return gathered_strains(
+        [&](const ActionForm& action) { return JointCondensation(action.form, joints(action.rows)).strains(); });
 }
 
 template <AnalysisKind kind> auto MemberElement<kind>::local_stiffness() const -> LocalMatrix

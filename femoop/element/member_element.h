@@ -82,6 +82,11 @@ public:
     LocalMatrix local_stiffness() const;
     LocalVector local_fixed_end_forces(const SpanLoading& loading) const;
 
+    /// What strains the member, from the displacements of its ends in its axes: angles, and lengths counted in its own
+    /// length. All zero for motions that its stiffness does not feel, whatever the stiffness is.
+    Eigen::MatrixXd rigid_joint_strains() const; ///< [strains x 2m]
+    Eigen::MatrixXd strains() const;             ///< of its nodes, with releases and springs
+
     /// What the nodes feel, in the nodes' axes.
     GlobalMatrix stiffness() const;
     GlobalVector fixed_end_forces(const SpanLoading& loading) const;
@@ -104,12 +109,20 @@ public:
 private:
     Beam own_beam(BendingPlane plane) const;
     bool has_flexible_joint() const { return extras_ != nullptr && extras_->has_flexible_joint; }
-    /// One way in which the member resists, between flexible joints; the ways do not feel one another.
-    struct JointedAction {
+    /// One way in which the member resists; the ways do not feel one another.
+    struct ActionForm {
         std::vector<int> rows; ///< of the member's displacements
+        StrainForm form;
+        double unit; ///< of its strains: 1 where they are angles, else the member's length
+    };
+    std::vector<ActionForm> action_forms() const;
+    /// The same between flexible joints.
+    struct JointedAction {
+        std::vector<int> rows;
         JointCondensation condensation;
     };
     std::vector<JointedAction> jointed_actions() const;
+    template <class StrainsOf> Eigen::MatrixXd gathered_strains(StrainsOf&& strains_of) const;
     LocalVector joint_stiffness() const;
     GlobalVector to_nodes(const LocalVector& local) const;
 
