@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "ui/app/window_loop.h"
 #include "ui/context/window.h"
 #include "ui/files/draft.h"
+#include "ui/text/refusal.h"
 
 namespace ui {
 
@@ -29,19 +31,26 @@ template <class Session> void open_first(Session& session, const std::filesystem
 }
 
 /// The same in a window, where it remembers files and unsaved work from one time to the next.
+/// \param prepare  what else an app is told there
 template <class Application, class Session>
-MakeApp remembering_app_with(const Session& session, const std::optional<DraftFolder>& folder)
+MakeApp remembering_app_with(const Session& session, const std::optional<DraftFolder>& folder,
+                             const std::function<void(Application&)>& prepare = {})
 {
-    return [session, folder](Context& context, const Fonts& fonts) {
+    return [session, folder, prepare](Context& context, const Fonts& fonts) {
         auto application = std::make_unique<Application>(context, fonts, session);
         if (folder) application->remember_in(*folder);
+        if (prepare) prepare(*application);
         return application;
     };
 }
 
+/// Why a session cannot be told in words: of most apps any can; one whose own cannot has a function of this name.
+template <class Session> std::optional<Refusal> why_no_words(const Session& /*session*/) { return std::nullopt; }
+
 /// Runs an app of one document as the options say: in a window, which `in_window` makes, for one screenshot, in words,
 /// or through a scenario. What the options ask for is in the session; of a file that could not be opened its notice
-/// tells. \returns the exit status: 0 done, 1 a scenario did not go as it expects, 2 bad input or no display
+/// tells. \returns the exit status: 0 done, 1 a scenario did not go as it expects, 2 bad input or no display, and
+/// what a refusal to tell it in words has
 template <class Application, class AppStage, class Session>
 int run_app(const AppOptions& options, std::string_view program, const Session& session, const MakeApp& in_window)
 {
@@ -52,6 +61,10 @@ int run_app(const AppOptions& options, std::string_view program, const Session& 
     };
     if (options.is_headless() && session.notice) return complain(session.notice->sentence);
     if (options.describe) {
+        if (const auto refusal = why_no_words(session)) {
+            std::cerr << refusal->words;
+            return refusal->status;
+        }
         std::cout << in_words(session);
         return done;
     }
@@ -69,14 +82,15 @@ int run_app(const AppOptions& options, std::string_view program, const Session& 
 
 /// The same of an app whose options name a file at most. `folder`: where it keeps its drafts
 template <class Application, class AppStage, class Session>
-int run_with(const AppOptions& options, std::string_view program, const std::optional<DraftFolder>& folder)
+int run_with(const AppOptions& options, std::string_view program, const std::optional<DraftFolder>& folder,
+             const std::function<void(Application&)>& prepare = {})
 {
     Session session;
     session.look.theme = options.theme;
     session.look.tr = Catalogue(options.language);
     if (!options.files.empty()) open_first(session, options.files.front());
     return run_app<Application, AppStage>(options, program, session,
-                                          remembering_app_with<Application>(session, folder));
+                                          remembering_app_with<Application>(session, folder, prepare));
 }
 
 } // namespace ui
