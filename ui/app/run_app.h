@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "ui/app/window_loop.h"
 #include "ui/context/window.h"
 #include "ui/files/draft.h"
+#include "ui/text/refusal.h"
 
 namespace ui {
 
@@ -37,21 +39,27 @@ void remember(Application& application, const AppOptions& options, const std::op
     if (folder) application.remember_in(*folder);
 }
 
-/// The same in a window.
+/// The same in a window. \param prepare  what else an app is told there
 template <class Application, class Session>
 MakeApp remembering_app_with(const Session& session, const AppOptions& options,
-                             const std::optional<DraftFolder>& folder)
+                             const std::optional<DraftFolder>& folder,
+                             const std::function<void(Application&)>& prepare = {})
 {
-    return [session, options, folder](Context& context, const Fonts& fonts) {
+    return [session, options, folder, prepare](Context& context, const Fonts& fonts) {
         auto application = std::make_unique<Application>(context, fonts, session);
         remember(*application, options, folder);
+        if (prepare) prepare(*application);
         return application;
     };
 }
 
+/// Why a session cannot be told in words: of most apps any can; one whose own cannot has a function of this name.
+template <class Session> std::optional<Refusal> why_no_words(const Session& /*session*/) { return std::nullopt; }
+
 /// Runs an app of one document as the options say: in a window, which `in_window` makes, for one screenshot, in words,
 /// or through a scenario. What the options ask for is in the session; of a file that could not be opened its notice
-/// tells. \returns the exit status: 0 done, 1 a scenario did not go as it expects, 2 bad input or no display
+/// tells. \returns the exit status: 0 done, 1 a scenario did not go as it expects, 2 bad input or no display, and
+/// what a refusal to tell it in words has
 template <class Application, class AppStage, class Session>
 int run_app(const AppOptions& options, std::string_view program, const Session& session, const MakeApp& in_window)
 {
@@ -62,6 +70,10 @@ int run_app(const AppOptions& options, std::string_view program, const Session& 
     };
     if (options.is_headless() && session.notice) return complain(session.notice->sentence);
     if (options.describe) {
+        if (const auto refusal = why_no_words(session)) {
+            std::cerr << refusal->words;
+            return refusal->status;
+        }
         std::cout << in_words(session);
         return done;
     }
@@ -79,7 +91,8 @@ int run_app(const AppOptions& options, std::string_view program, const Session& 
 
 /// The same of an app whose options name a file at most. `folder`: where it keeps its drafts and how it was left
 template <class Application, class AppStage, class Session>
-int run_with(AppOptions options, std::string_view program, const std::optional<DraftFolder>& folder)
+int run_with(AppOptions options, std::string_view program, const std::optional<DraftFolder>& folder,
+             const std::function<void(Application&)>& prepare = {})
 {
     complete(options, folder);
     Session session;
@@ -87,7 +100,7 @@ int run_with(AppOptions options, std::string_view program, const std::optional<D
     session.look.tr = Catalogue(*options.settings.language);
     if (!options.files.empty()) open_first(session, options.files.front());
     return run_app<Application, AppStage>(options, program, session,
-                                          remembering_app_with<Application>(session, options, folder));
+                                          remembering_app_with<Application>(session, options, folder, prepare));
 }
 
 } // namespace ui

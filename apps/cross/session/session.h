@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -17,6 +18,9 @@
 namespace cross {
 
 using ui::Notice;
+
+/// What a click on a member adds.
+enum class Tool : std::uint8_t { None, UniformLoad, PointLoad };
 
 /// What is open, how far it is worked and how it is looked at: the app without its window.
 class Session {
@@ -92,6 +96,7 @@ public:
     void tick(double seconds); ///< time goes by
     bool is_moving() const { return is_playing || phase_ < 1.0 || notice.has_value(); }
     bool is_playing = false; ///< turn after turn by itself
+    Tool tool = Tool::None;
     double phase() const { return phase_; }
 
     Look look;

@@ -58,6 +58,27 @@ bool has_met_neighbour(const Model& model, femoop::NodeId node, Side side, doubl
 
 } // namespace
 
+std::optional<SpanAim> member_at(const Model& model, const Drawn& drawn, ui::Point at)
+{
+    constexpr double near = 20.0;
+    if (drawn.nodes.size() != model.nodes.size() || !drawn.is_in_structure(at)) return std::nullopt;
+    std::optional<SpanAim> nearest;
+    double least = near;
+    for (std::size_t m = 0; m < model.members.size(); ++m) {
+        const auto& nodes = model.members[m].nodes;
+        const ui::Point a = on_sheet(drawn, nodes[0]), b = on_sheet(drawn, nodes[1]), along = ui::direction(b - a);
+        const double length = ui::distance(a, b), s = ui::dot(at - a, along);
+        const double across = std::abs(ui::dot(at - a, ui::left_normal(along)));
+        if (s <= 0.0 || s >= length || across >= least) continue;
+        const double whole = (place_of(model, nodes[1]) - place_of(model, nodes[0])).norm();
+        const double round = round_place(whole * s / length);
+        const double x = round > 0.0 && round < whole ? round : whole * s / length;
+        least = across;
+        nearest = SpanAim{MemberId(m), x, a + (x / whole) * (b - a)};
+    }
+    return nearest;
+}
+
 std::optional<ui::Point> sign_beyond(const Model& model, const Drawn& drawn, Side side, double scale)
 {
     const auto node = is_level(model) ? end_node(model, side) : std::nullopt;

@@ -60,6 +60,17 @@ void Application::take(ui::Request request)
     if (request == ui::Request::ZoomOut) canvas_.zoom(desk().session, 0.8);
 }
 
+void Application::take_own_requests()
+{
+    for (ui::Handover& handover : std::exchange(desk().handed, {})) {
+        const Look& look = session().look;
+        handover.options = {"--lang", std::string(code(look.tr.language())), "--theme", std::string(text(look.theme))};
+        handed_ = std::move(handover);
+        if (!start_program_) continue;
+        if (const auto reason = start_program_(*handed_)) desk().tell(*reason);
+    }
+}
+
 std::string Application::status() const { return status_text(session()); }
 
 std::string Application::words() const { return in_words(session()); }

@@ -7,7 +7,7 @@ namespace frame {
 namespace {
 
 const ui::OptionWords words{
-    .files = "model files (.json) to open, each in a tab",
+    .files = "model files (.json) to open, each in a tab; - opens what is redirected here, as a copy without a file",
     .describe = "print the model and its results in words and leave; needs no display",
 };
 

@@ -27,7 +27,8 @@ Session begin(const Options& options)
     session.set_language(*options.settings.language);
     session.view.theme = *options.settings.theme;
     session.view.layout = Layout::Overlay;
-    if (!options.files.empty()) session.open(options.files.front());
+    if (!options.files.empty() && options.files.front() == "-") session.recover("/dev/stdin", std::nullopt);
+    else if (!options.files.empty()) session.open(options.files.front());
     const bool is_truss = femoop::is_truss(session.model().analysis); // M says nothing there
     session.view.show = options.show.value_or(shown_by_default | ShowSet{is_truss ? Show::N : Show::M});
     session.view.units = options.settings.units;
