@@ -18,11 +18,12 @@ public:
     Preview preview() const override;
 
 private:
+    bool ends_at(const Aim& at) const;
     std::optional<Change> draw_to(const Eigen::Vector2d& place, femoop::Crossings crossings);
 
     std::optional<Eigen::Vector2d> start_;
     Eigen::Vector2d pointer_ = Eigen::Vector2d::Zero();
-    bool may_drag_ = false; ///< the press that began the line is still held
+    std::optional<Aim> press_; ///< that began the line and is still held
 };
 
 } // namespace frame

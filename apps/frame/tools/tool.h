@@ -54,6 +54,8 @@ struct Aim {
     bool points_at_support() const { return support && !node && !cut; } ///< at its symbol, not at its node
     /// The part under the pointer.
     std::optional<Part> part() const;
+    /// The hand has gone farther from a press to here than it trembles, whatever the places were drawn to.
+    bool is_dragged_from(const Aim& press) const;
 };
 
 /// What tools work on.

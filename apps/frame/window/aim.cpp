@@ -82,7 +82,7 @@ std::optional<Vector2d> place_in_plane(const Projection& projection, ui::Point a
 
 double grid_of(const Projection& projection) { return round_grid(grid_spacing / projection.scale()); }
 
-Aim aim_at(const Session& session, const Tool& tool, const Projection& projection, const Pointer& pointer,
+Aim aim_at(const Session& session, const Hand& hand, const Projection& projection, const Pointer& pointer,
            const Pick& under, const Grips& grips)
 {
     Aim aim;
@@ -100,12 +100,15 @@ Aim aim_at(const Session& session, const Tool& tool, const Projection& projectio
     }
     const Document& document = session.history().settled();
     aim.pointer = place_in_plane(projection, pointer.at).value_or(Vector2d::Zero());
+    const ToolSettings& settings = hand.settings();
     aim.snap = snap(document.model, aim.pointer,
                     {.reach = snap_reach * aim.pixel,
-                     .grid = grid_of(projection),
-                     .from = tool.from(),
-                     .moving = tool.moving(),
-                     .is_off = pointer.is_exact || !tool.snaps()});
+                     .grid = settings.draws_to_grid ? settings.grid : 0.0,
+                     .fine = 0.1 * std::min(settings.grid, grid_of(projection)), // the hand hardly feels it
+                     .from = hand.tool().from(),
+                     .moving = hand.tool().moving(),
+                     .to_parts = settings.draws_to_parts,
+                     .is_off = pointer.is_exact || !hand.tool().snaps()});
     return aim;
 }
 

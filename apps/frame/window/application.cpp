@@ -253,7 +253,7 @@ void Application::show_body()
 void Application::show_left(float width)
 {
     ui::begin_panel("###left", width);
-    show_panel(desk_, commands_);
+    show_panel(desk_, commands_, fields_);
     ui::end_panel();
 }
 

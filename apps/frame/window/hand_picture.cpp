@@ -17,16 +17,28 @@ using ui::Role;
 
 namespace {
 
+ui::TextStyle note_style(const ui::Theme& theme, ui::Anchor anchor)
+{
+    ui::TextStyle style = theme.text(Role::Label, anchor);
+    style.weight = ui::Weight::Bold;
+    style.plate = theme.background();
+    return style;
+}
+
+std::string typed_so_far(const Hand& hand) { return hand.typed() + "▏"; }
+
 class HandPicture {
 public:
     HandPicture(ui::Painter& painter, const Session& session, const Projection& projection, const ui::Theme& theme)
         : painter_(painter), projection_(projection), theme_(theme), units_(session.units())
     {}
 
-    void grid()
+    /// Every line of it, or every tenth, hundredth ... where they would lie too near.
+    void grid(double step)
     {
+        constexpr double nearest = 6.0; // [px]
         const ui::LayerScope layer(painter_, ui::Layer::Grid);
-        const double step = grid_of(projection_);
+        while (step * projection_.scale() < nearest) step *= 10.0;
         const auto least = place_in_plane(projection_, {0.0, painter_.size().height});
         const auto most = place_in_plane(projection_, {painter_.size().width, 0.0});
         if (!least || !most || !projection_.is_plane()) return;
@@ -132,13 +144,12 @@ public:
     /// A text beside a place, on a plate: at its right hand, at its left where the sheet ends.
     void note(Point beside, const std::string& text)
     {
-        ui::TextStyle style = theme_.text(Role::Label, ui::Anchor::BottomLeft);
-        style.weight = ui::Weight::Bold;
-        style.plate = theme_.background();
+        ui::TextStyle style = note_style(theme_, ui::Anchor::BottomLeft);
         constexpr double away = 14.0; // [px]
         const bool has_room = beside.x + 2.0 * away + painter_.measure(text, style).width < painter_.size().width;
         if (!has_room) style.anchor = ui::Anchor::BottomRight;
-        painter_.text(beside + Point{has_room ? away : -away, -away}, text, style);
+        const double y = std::min(beside.y, painter_.size().height) - away;
+        painter_.text({beside.x + (has_room ? away : -away), y}, text, style);
     }
 
     Point at(const Vector2d& place) const { return projection_({place.x(), place.y(), 0.0}); }
@@ -163,7 +174,7 @@ void draw_hand(ui::Painter& painter, const Session& session, const Hand& hand, c
                const ui::Theme& theme)
 {
     HandPicture picture(painter, session, projection, theme);
-    if (hand.can_type()) picture.grid();
+    if (hand.can_type() && hand.settings().draws_to_grid) picture.grid(hand.settings().grid);
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
     const Preview preview = hand.tool().preview();
     for (const auto& [start, end] : preview.lines) picture.line(start, end);
@@ -175,7 +186,14 @@ void draw_hand(ui::Painter& painter, const Session& session, const Hand& hand, c
     if (preview.window) picture.window(preview.window->first, preview.window->second);
     const bool is_placing = (hand.can_type() && hand.tool().snaps()) || !hand.tool().moving().empty();
     if (is_placing) picture.glyph(hand.aim().snap);
-    if (!hand.typed().empty()) picture.note(picture.at(hand.aim().snap.place) + Point{0.0, 40.0}, hand.typed() + "▏");
+    if (!hand.typed().empty()) picture.note(picture.at(hand.aim().snap.place) + Point{0.0, 40.0}, typed_so_far(hand));
+}
+
+void draw_typed(ui::Painter& painter, const Hand& hand, const ui::Theme& theme)
+{
+    const ui::LayerScope layer(painter, ui::Layer::Overlay);
+    const ui::Size sheet = painter.size();
+    painter.text({0.5 * sheet.width, sheet.height - 16.0}, typed_so_far(hand), note_style(theme, ui::Anchor::Bottom));
 }
 
 } // namespace frame
