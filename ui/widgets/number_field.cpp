@@ -15,6 +15,8 @@ namespace {
 constexpr double pixels_per_step = 3.0;
 constexpr float click_distance = 3.0F; ///< the mouse moved farther: a drag
 
+unsigned key_of(std::string_view id) { return ImGui::GetID(id.data(), id.data() + id.size()); }
+
 } // namespace
 
 double drag_step(double value)
@@ -29,7 +31,7 @@ bool NumberFields::is_typing() const { return typing_ != 0 && ImGui::GetFrameCou
 
 NumberFieldEvent NumberFields::show(std::string_view id, const Look& look)
 {
-    const unsigned key = ImGui::GetID(id.data(), id.data() + id.size());
+    const unsigned key = key_of(id);
     const float width = look.width > 0.0F ? look.width : ImGui::GetContentRegionAvail().x;
     ImGui::PushID(static_cast<int>(key));
     if (!is_typing()) typing_ = 0;
@@ -65,16 +67,23 @@ NumberFieldEvent NumberFields::show_value(unsigned id, const Look& look, float w
         drag_path_ = 0.0;
         return drag(drag_start_);
     }
-    if (ImGui::IsItemDeactivated() && ImGui::IsItemHovered()) {
-        typing_ = id;
-        ++n_openings_;
-        last_shown_ = ImGui::GetFrameCount();
-        is_open_ = false;
-        text_ = opening_text_ = look.exact_text;
-        reason_.clear();
-    }
+    if (ImGui::IsItemDeactivated() && ImGui::IsItemHovered()) open_editor(id, look.exact_text);
     return {};
 }
+
+void NumberFields::open_editor(unsigned id, std::string text)
+{
+    typing_ = id;
+    ++n_openings_;
+    last_shown_ = ImGui::GetFrameCount();
+    is_open_ = false;
+    text_ = opening_text_ = std::move(text);
+    reason_.clear();
+}
+
+void NumberFields::open(std::string_view id, std::string text) { open_editor(key_of(id), std::move(text)); }
+
+bool NumberFields::is_open(std::string_view id) const { return is_typing() && typing_ == key_of(id); }
 
 NumberFieldEvent NumberFields::drag(double start)
 {

@@ -36,6 +36,10 @@ public:
     /// \pre within a window of Dear ImGui's; `id` is unique there
     NumberFieldEvent show(std::string_view id, const Look& look);
 
+    /// Opens the field of this name with a text, as a click does. \pre in the same window of Dear ImGui's as `show`
+    void open(std::string_view id, std::string text);
+    /// Its text is being edited. \pre as for `open`
+    bool is_open(std::string_view id) const;
     /// Says why what was typed last was not taken; the field is opened again with the text.
     void reject(const NumberFieldEvent& event, std::string reason);
     /// A field has the keyboard. One that is no longer shown has lost it.
@@ -43,6 +47,7 @@ public:
 
 private:
     NumberFieldEvent show_value(unsigned id, const Look& look, float width);
+    void open_editor(unsigned id, std::string text);
     NumberFieldEvent show_editor(unsigned id, float width);
     NumberFieldEvent drag(double start);
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/canvas/click.h"
+
 namespace cross {
 
 using femoop::MemberId;
@@ -12,7 +14,6 @@ using ui::translatable;
 
 namespace {
 
-constexpr double slack = 4.0;   // of a hand that clicks [px]
 constexpr double off = 42.0;    // so far from a beam a support has left it
 constexpr double beyond = 34.0; // of the sign from the end
 
@@ -113,7 +114,7 @@ bool StructureHand::press(const Session& session, const Drawn& drawn, ui::Point 
 
 void StructureHand::pull(Session& session, ui::Point at)
 {
-    if (!held_ || (!held_->has_moved && ui::distance(at, held_->pressed) < slack)) return;
+    if (!held_ || (!held_->has_moved && ui::distance(at, held_->pressed) <= ui::click_reach)) return;
     held_->has_moved = true;
     std::visit([&](const auto& aim) { pull(session, aim, at); }, held_->aim);
 }

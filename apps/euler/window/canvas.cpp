@@ -15,6 +15,7 @@
 #include "apps/euler/view/polygons/plane_model.h"
 #include "apps/euler/view/shapes/outline.h"
 #include "apps/euler/view/solid/solid_shapes.h"
+#include "ui/canvas/click.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace euler {
@@ -338,7 +339,13 @@ topology::Point Canvas::place(const Session& session, ui::Point at) const
 void Canvas::draw_line(Session& session, ui::Point at)
 {
     line_end_ = place(session, at);
-    if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) line_start_ = line_end_;
+    if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        line_start_ = line_end_;
+        pressed_ = at;
+    }
+    const bool is_click = ui::distance(pressed_, at) <=
+                          ui::click_reach; // over the border of two places of the grid too
+    if (line_start_ && is_click) line_end_ = line_start_;
     if (!line_start_ || !ImGui::IsMouseReleased(ImGuiMouseButton_Left)) return;
     if (const auto reason = session.draw(*std::exchange(line_start_, std::nullopt), *line_end_))
         session.notice = passing_notice(*reason);

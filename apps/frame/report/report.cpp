@@ -144,7 +144,8 @@ private:
     }
     std::string degree() const
     {
-        if (!solution_.results || solution_.results->indeterminacy().has_foundation) return "";
+        const bool has_degree = solution_.results && !model_.members.empty();
+        if (!has_degree || solution_.results->indeterminacy().has_foundation) return "";
         return ", " + tr_("degree of indeterminacy {total}",
                           {{"total", std::to_string(solution_.results->indeterminacy().total())}});
     }

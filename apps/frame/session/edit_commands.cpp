@@ -239,6 +239,37 @@ void cancel_transform(Desk& desk)
     desk.transform.reset();
 }
 
+namespace {
+
+// What places are drawn to while the hand draws or drags.
+struct SnapSwitch {
+    std::string_view id, label;
+    Key key;
+    bool ToolSettings::*is_on;
+};
+constexpr std::array snap_switches{
+    SnapSwitch{"draw.grid", translatable("Snap to the grid"), Key::F7, &ToolSettings::draws_to_grid},
+    SnapSwitch{"draw.snap", translatable("Snap to nodes and lines"), Key::F9, &ToolSettings::draws_to_parts},
+};
+
+void add_snap_commands(CommandTable& table)
+{
+    for (const SnapSwitch& entry : snap_switches) {
+        table.add({.id = entry.id,
+                   .menu = draw_menu,
+                   .label = entry.label,
+                   .shortcuts = {{entry.key, {}}},
+                   .run =
+                       [is_on = entry.is_on](Desk& desk) {
+                           ToolSettings& settings = desk.hand.settings();
+                           settings.*is_on = !(settings.*is_on);
+                       },
+                   .is_on = [is_on = entry.is_on](const Desk& desk) { return desk.hand.settings().*is_on; }});
+    }
+}
+
+} // namespace
+
 void add_tool_commands(CommandTable& table)
 {
     for (const ToolEntry& entry : tool_entries) {
@@ -254,6 +285,7 @@ void add_tool_commands(CommandTable& table)
                    .why_not = [tool = entry.tool](const Desk& desk) { return why_not_take(desk, tool); },
                    .is_on = [tool = entry.tool](const Desk& desk) { return desk.hand.kind() == tool; }});
     }
+    add_snap_commands(table);
 }
 
 void add_edit_commands(CommandTable& table)

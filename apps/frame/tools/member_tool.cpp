@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "apps/frame/document/drawing.h"
+#include "ui/canvas/click.h"
 #include "ui/text/catalogue.h"
 
 namespace frame {
@@ -16,14 +17,20 @@ std::optional<Change> MemberTool::press(const Work&, const Aim& at)
     if (at.is_lost) return std::nullopt;
     const Vector3d place = at.place();
     pointer_ = place;
-    if (start_ && *start_ == place) { // the second click at one place ends the line
+    if (ends_at(at)) {
         start_.reset();
         return std::nullopt;
     }
     if (start_) return draw_to(place, at.crossings());
     start_ = place;
-    may_drag_ = true;
+    press_ = at;
     return std::nullopt;
+}
+
+// The second click at one place ends the line; nobody means a member of a few pixels.
+bool MemberTool::ends_at(const Aim& at) const
+{
+    return start_ && (at.place() - *start_).norm() <= ui::click_reach * at.pixel;
 }
 
 std::optional<Change> MemberTool::move(const Work&, const Aim& to)
@@ -34,8 +41,9 @@ std::optional<Change> MemberTool::move(const Work&, const Aim& to)
 
 std::optional<Change> MemberTool::release(const Work&, const Aim& at)
 {
-    const bool was_dragged = std::exchange(may_drag_, false) && start_ && !at.is_lost && *start_ != at.place();
-    if (!was_dragged) return std::nullopt;
+    const std::optional<Aim> press = std::exchange(press_, std::nullopt);
+    const bool was_dragged = press && at.is_dragged_from(*press);
+    if (!was_dragged || !start_ || at.is_lost || ends_at(at)) return std::nullopt;
     std::optional<Change> change = draw_to(at.place(), at.crossings());
     start_.reset();
     return change;
@@ -60,7 +68,7 @@ std::optional<Vector2d> MemberTool::from() const
 
 bool MemberTool::escape()
 {
-    may_drag_ = false;
+    press_.reset();
     const bool had_begun = start_.has_value();
     start_.reset();
     return had_begun;

@@ -20,11 +20,12 @@ public:
     Preview preview() const override;
 
 private:
+    bool ends_at(const Aim& at) const;
     std::optional<Change> draw_to(const Eigen::Vector3d& place, femoop::Crossings crossings);
 
     std::optional<Eigen::Vector3d> start_;
     Eigen::Vector3d pointer_ = Eigen::Vector3d::Zero();
-    bool may_drag_ = false; ///< the press that began the line is still held
+    std::optional<Aim> press_; ///< that began the line and is still held
 };
 
 } // namespace frame

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "apps/frame/document/moment_side.h"
 #include "apps/frame/tools/working_plane.h"
@@ -26,7 +27,10 @@ struct ToolSettings {
     femoop::CaseId load_case;                     ///< that is shown
     MomentSide moment_side = MomentSide::Tension; ///< on which a positive moment is drawn
     WorkingPlane plane{};                         ///< of what is drawn in space
-    double grid = 1.0;                            ///< distance of the grid's lines [length]
+    std::optional<femoop::Quantity> spacing;      ///< of the grid's lines as it was typed; a round one when absent
+    double grid = 1.0;                            ///< their distance at the scale of the picture [length]
+    bool draws_to_grid = true;
+    bool draws_to_parts = true; ///< nodes, members, and rays from where drawing began
 };
 
 } // namespace frame

@@ -58,6 +58,8 @@ struct Aim {
     Eigen::Vector3d place() const { return in_space.value_or(Eigen::Vector3d(snap.place.x(), snap.place.y(), 0.0)); }
     /// The part under the pointer.
     std::optional<Part> part() const;
+    /// The hand has gone farther from a press to here than it trembles, whatever the places were drawn to.
+    bool is_dragged_from(const Aim& press) const;
 };
 
 /// What tools work on.

@@ -138,12 +138,15 @@ Aim aim_at(const Session& session, const Hand& hand, const Projection& projectio
         aim_in_space(aim, document.model, hand, projection, pointer.at);
         return aim;
     }
+    const ToolSettings& settings = hand.settings();
     aim.snap = snap(document.model, aim.pointer,
                     {.reach = snap_reach * aim.pixel,
-                     .grid = grid_of(projection),
-                     .from = tool.from(),
-                     .moving = tool.moving(),
-                     .is_off = pointer.is_exact || !tool.snaps()});
+                     .grid = settings.draws_to_grid ? settings.grid : 0.0,
+                     .fine = 0.1 * std::min(settings.grid, grid_of(projection)), // the hand hardly feels it
+                     .from = hand.tool().from(),
+                     .moving = hand.tool().moving(),
+                     .to_parts = settings.draws_to_parts,
+                     .is_off = pointer.is_exact || !hand.tool().snaps()});
     return aim;
 }
 

@@ -24,11 +24,12 @@ struct Pointer {
 std::optional<Eigen::Vector3d> place_in_working_plane(const Projection& projection, const WorkingPlane& plane,
                                                       ui::Point at);
 
-/// What a tool is told of the pointer. Places are drawn to the model as it was before the gesture that is under way.
+/// What the tool in the hand is told of the pointer. Places are drawn to the model as it was before the gesture that is
+/// under way.
 Aim aim_at(const Session& session, const Hand& hand, const Projection& projection, const Pointer& pointer,
            const Pick& under, const Grips& grips);
 
-/// The distance of the grid's lines at this scale [length].
+/// The distance of the grid's lines at this scale, where none was typed [length].
 double grid_of(const Projection& projection);
 
 } // namespace frame

@@ -269,7 +269,7 @@ void Application::show_body()
 void Application::show_left(float width)
 {
     ui::begin_panel("###left", width);
-    show_panel(desk_, commands_, case_list_);
+    show_panel(desk_, commands_, case_list_, fields_);
     ui::end_panel();
 }
 

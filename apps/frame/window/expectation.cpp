@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <sstream>
 
 #include "apps/frame/session/edit_commands.h"
@@ -10,6 +11,7 @@
 #include "apps/frame/view/reading.h"
 #include "apps/frame/view/sketch/scene.h"
 #include "ui/app/expectation.h"
+#include "ui/app/headless.h"
 #include "ui/scenario/words.h"
 #include "ui/text/number_format.h"
 
@@ -52,17 +54,31 @@ Complaint value(const Application& application, std::string_view text)
     return "value: found \"" + words[2] + "\", wanted one of " + names;
 }
 
-// B at (2, 4)
+// Where it lies in the window; half a pixel is nothing.
+Complaint at_pixel(std::string_view what, const std::optional<ui::Point>& found, const ui::PointerPlace& wanted)
+{
+    if (!found) return std::string(what) + ": found no picture yet";
+    if (std::hypot(found->x - wanted.x, found->y - wanted.y) <= 0.5) return std::nullopt;
+    std::ostringstream words;
+    words << what << ": found at pixel " << found->x << ' ' << found->y << ", wanted pixel " << wanted.x << ' '
+          << wanted.y;
+    return words.str();
+}
+
+// B at (2, 4), or B at pixel 302 609
 Complaint node(const Application& application, std::string_view text)
 {
     const std::vector<std::string> words = words_of(text);
     const femoop::Model& model = application.session().model();
     const auto id = words.empty() ? std::nullopt : model.find_node(words[0]);
     if (!id) return "node: found no node \"" + (words.empty() ? "" : words[0]) + "\" in the model";
-    const auto wanted = words.size() >= 3 && words[1] == "at" ? point_in(joined(words, 2)) : std::nullopt;
-    if (!wanted) return "node: wanted NAME at (X, Y)";
-    constexpr double tolerance = 1e-3; // places are written with few digits
+    const std::string place_words = words.size() >= 3 && words[1] == "at" ? joined(words, 2) : "";
     const Eigen::Vector3d found = shape_of(model)[*id];
+    if (const auto pixel = ui::pixel_place(place_words))
+        return at_pixel("node " + words[0], application.canvas().in_window(found), *pixel);
+    const auto wanted = point_in(place_words);
+    if (!wanted) return "node: wanted NAME at (X, Y) or NAME at pixel X Y";
+    constexpr double tolerance = 1e-3; // places are written with few digits
     if ((found - *wanted).norm() <= tolerance) return std::nullopt;
     std::ostringstream place;
     place << '(' << found.x() << ", " << found.y();

@@ -18,16 +18,28 @@ using ui::Role;
 
 namespace {
 
+ui::TextStyle note_style(const ui::Theme& theme, ui::Anchor anchor)
+{
+    ui::TextStyle style = theme.text(Role::Label, anchor);
+    style.weight = ui::Weight::Bold;
+    style.plate = theme.background();
+    return style;
+}
+
+std::string typed_so_far(const Hand& hand) { return hand.typed() + "▏"; }
+
 class HandPicture {
 public:
     HandPicture(ui::Painter& painter, const Session& session, const Projection& projection, const ui::Theme& theme)
         : painter_(painter), projection_(projection), theme_(theme), units_(session.units())
     {}
 
-    void grid()
+    /// Every line of it, or every tenth, hundredth ... where they would lie too near.
+    void grid(double step)
     {
+        constexpr double nearest = 6.0; // [px]
         const ui::LayerScope layer(painter_, ui::Layer::Grid);
-        const double step = grid_of(projection_);
+        while (step * projection_.scale() < nearest) step *= 10.0;
         const auto least = place_in_plane(projection_, {0.0, painter_.size().height});
         const auto most = place_in_plane(projection_, {painter_.size().width, 0.0});
         if (!least || !most || !projection_.is_plane()) return;
@@ -156,13 +168,12 @@ public:
     /// A text beside a place, on a plate: at its right hand, at its left where the sheet ends.
     void note(Point beside, const std::string& text)
     {
-        ui::TextStyle style = theme_.text(Role::Label, ui::Anchor::BottomLeft);
-        style.weight = ui::Weight::Bold;
-        style.plate = theme_.background();
+        ui::TextStyle style = note_style(theme_, ui::Anchor::BottomLeft);
         constexpr double away = 14.0; // [px]
         const bool has_room = beside.x + 2.0 * away + painter_.measure(text, style).width < painter_.size().width;
         if (!has_room) style.anchor = ui::Anchor::BottomRight;
-        painter_.text(beside + Point{has_room ? away : -away, -away}, text, style);
+        const double y = std::min(beside.y, painter_.size().height) - away;
+        painter_.text({beside.x + (has_room ? away : -away), y}, text, style);
     }
 
     /// The coordinates that are meant, below the pointer.
@@ -198,8 +209,10 @@ void draw_hand(ui::Painter& painter, const Session& session, const Hand& hand, c
 {
     HandPicture picture(painter, session, projection, theme);
     const bool is_in_space = femoop::is_3d(session.model().analysis);
-    if (hand.can_type() && is_in_space) picture.grid_in_space(hand.settings().plane, shape_of(session.model()).nodes);
-    else if (hand.can_type()) picture.grid();
+    if (hand.can_type() && hand.settings().draws_to_grid) {
+        if (is_in_space) picture.grid_in_space(hand.settings().plane, shape_of(session.model()).nodes);
+        else picture.grid(hand.settings().grid);
+    }
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
     const Preview preview = hand.tool().preview();
     for (const auto& [start, end] : preview.lines) picture.line(start, end, is_in_space);
@@ -213,8 +226,15 @@ void draw_hand(ui::Painter& painter, const Session& session, const Hand& hand, c
     const Aim& aim = hand.aim();
     const Point meant = projection(aim.place());
     if (is_placing && !aim.is_lost) picture.glyph(meant, aim.snap.kind);
-    if (!hand.typed().empty()) picture.note(meant + Point{0.0, 40.0}, hand.typed() + "▏");
+    if (!hand.typed().empty()) picture.note(meant + Point{0.0, 40.0}, typed_so_far(hand));
     else if (is_in_space && is_placing && !aim.is_lost) picture.coordinates(aim.place());
+}
+
+void draw_typed(ui::Painter& painter, const Hand& hand, const ui::Theme& theme)
+{
+    const ui::LayerScope layer(painter, ui::Layer::Overlay);
+    const ui::Size sheet = painter.size();
+    painter.text({0.5 * sheet.width, sheet.height - 16.0}, typed_so_far(hand), note_style(theme, ui::Anchor::Bottom));
 }
 
 } // namespace frame

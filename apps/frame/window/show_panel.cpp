@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "apps/frame/window/factor_slider.h"
 #include "ui/text/number_format.h"
 
 namespace frame {
@@ -49,48 +50,44 @@ void named_value(const std::string& name, const std::string& value)
     ImGui::TextDisabled("%s", value.c_str());
 }
 
-// A slider over powers of ten; true while it moves.
-bool power_slider(const char* id, double& factor, float least, float most)
-{
-    float power = static_cast<float>(std::log10(factor));
-    ImGui::SetNextItemWidth(-1.0F);
-    if (!ImGui::SliderFloat(id, &power, least, most, "")) return false;
-    factor = std::pow(10.0, static_cast<double>(power));
-    return true;
-}
-
 void step_slider(Session& session)
 {
     constexpr int most = 20;
     named_value(session.view.tr("Steps of a member"), std::to_string(session.view.steps));
     ImGui::SetNextItemWidth(-1.0F);
-    ImGui::SliderInt("###steps", &session.view.steps, 2, most, "", ImGuiSliderFlags_AlwaysClamp);
+    ImGui::SliderInt("###steps", &session.view.steps, 2, most, "",
+                     ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
 }
 
-// A factor from a tenth to ten times the automatic size; a double click brings the automatic size back.
-void factor_slider(const std::string& name, const char* id, double& factor, const ui::NumberFormat& format)
+double with_two_digits(double x)
 {
-    named_value(name, "× " + ui::number_text(factor, format));
-    power_slider(id, factor, -1.0F, 1.0F);
-    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) factor = 1.0;
+    const double decade = std::pow(10.0, std::floor(std::log10(x)) - 1.0);
+    return std::round(x / decade) * decade;
 }
 
-void deformation_slider(Session& session, const ui::NumberFormat& format)
+void deformation_slider(Session& session, const FactorLook& look)
 {
+    constexpr double usual = 100.0;
     std::optional<double>& scale = session.view.deformation_scale;
-    const ui::Catalogue& tr = session.view.tr;
-    named_value(tr("Deformed shape"), scale ? "× " + ui::number_text(*scale, format) : "");
+    if (!scale) ImGui::TextUnformatted(look.tr("Deformed shape").c_str());
+    else {
+        const FactorSlider slider{.id = "###deformation",
+                                  .name = look.tr("Deformed shape"),
+                                  .usual = usual,
+                                  .least = 1.0,
+                                  .most = 1e4,
+                                  .least_typed = 1e-3,
+                                  .most_typed = 1e9};
+        if (show(slider, look, *scale)) scale = with_two_digits(*scale); // as on the label
+    }
     bool is_automatic = !scale;
-    if (ImGui::Checkbox(tr("automatic").c_str(), &is_automatic))
-        scale = is_automatic ? std::nullopt : std::optional(100.0);
-    if (!scale || !power_slider("###deformation", *scale, 0.0F, 4.0F)) return;
-    const double decade = std::pow(10.0, std::floor(std::log10(*scale)) - 1.0);
-    scale = std::round(*scale / decade) * decade; // two digits, as on the label
+    if (ImGui::Checkbox(look.tr("automatic").c_str(), &is_automatic))
+        scale = is_automatic ? std::nullopt : std::optional(usual);
 }
 
 } // namespace
 
-void show_panel(Desk& desk, const CommandTable& commands, CaseList& cases)
+void show_panel(Desk& desk, const CommandTable& commands, CaseList& cases, ui::NumberFields& fields)
 {
     using enum Show;
     Session& session = desk.session;
@@ -108,12 +105,12 @@ void show_panel(Desk& desk, const CommandTable& commands, CaseList& cases)
     if (!session.document().companion.dimensions.empty()) toggle(desk, commands, DrawnDimensions);
     show_toggles(desk, commands, {LocalAxes, Legend});
     heading(tr("Scales"));
-    const ui::NumberFormat format{.digits = 2, .mark = session.view.numbers.mark};
-    factor_slider(tr("Diagrams"), "###diagrams", session.view.diagram_factor, format);
+    const FactorLook look{fields, tr, {.digits = 2, .mark = session.view.numbers.mark}};
+    show({.id = "###diagrams", .name = tr("Diagrams")}, look, session.view.diagram_factor);
     if (session.view.show.contains(StepValues)) step_slider(session);
-    factor_slider(tr("Load arrows"), "###loads", session.view.load_factor, format);
-    factor_slider(tr("Symbols"), "###symbols", session.view.symbol_factor, format);
-    deformation_slider(session, format);
+    show({.id = "###loads", .name = tr("Load arrows")}, look, session.view.load_factor);
+    show({.id = "###symbols", .name = tr("Symbols")}, look, session.view.symbol_factor);
+    deformation_slider(session, look);
     if (const auto* const animate = commands.find("view.animate")) {
         bool is_on = animate->is_on(desk);
         if (ImGui::Checkbox(tr(animate->label).c_str(), &is_on)) run(*animate, desk);

@@ -101,6 +101,47 @@ void load_settings(Desk& desk, ui::NumberFields& fields)
     ImGui::SameLine();
 }
 
+// The distance of the grid's lines: a round one that suits the scale where nothing was typed.
+void spacing_field(Desk& desk, ui::NumberFields& fields)
+{
+    const Session& session = desk.session;
+    const ui::DisplayUnits units = session.units();
+    std::optional<femoop::Quantity>& spacing = desk.hand.settings().spacing;
+    const std::string shown = spacing ? units.number(*spacing, ui::Measure::Length) : session.view.tr("automatic");
+    const ui::NumberFieldEvent event = fields.show("grid spacing", {.text = shown,
+                                                                    .exact_text = spacing ? shown : "",
+                                                                    .value = std::nullopt,
+                                                                    .width = 6.0F * ImGui::GetFontSize()});
+    if (event.kind != ui::NumberFieldEvent::Kind::Typed) return;
+    if (event.text.find_first_not_of(' ') == std::string::npos) return spacing.reset();
+    const auto typed = quantity_typed(event.text, ui::Measure::Length, session.model().units, units);
+    const auto* const wanted = std::get_if<femoop::Quantity>(&typed);
+    if (wanted != nullptr && wanted->value() > 0.0) spacing = *wanted;
+    else
+        fields.reject(event, session.view.tr("{text} is no distance of the grid's lines; type a length above zero, or "
+                                             "nothing for a round one",
+                                             {{"text", event.text}}));
+}
+
+void snap_settings(Desk& desk, const CommandTable& commands, ui::NumberFields& fields)
+{
+    const ui::Catalogue& tr = desk.session.view.tr;
+    const auto tick = [&](const char* id, std::string_view label) {
+        const auto& command = *commands.find(id);
+        bool is_on = command.is_on(desk);
+        if (ImGui::Checkbox((tr(label) + "###" + id).c_str(), &is_on)) run(command, desk);
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("%s", (tr(command.label) + "  (" + text(command.shortcuts.front()) + ")").c_str());
+        ImGui::SameLine();
+    };
+    tick("draw.grid", translatable("Grid"));
+    spacing_field(desk, fields);
+    ImGui::SameLine();
+    ImGui::TextUnformatted(desk.session.units().unit(ui::Measure::Length).name.c_str());
+    ImGui::SameLine();
+    tick("draw.snap", translatable("Snap"));
+}
+
 // In space: the plane that a click means a place of.
 void plane_settings(Desk& desk, ui::NumberFields& fields)
 {
@@ -167,6 +208,7 @@ void tool_bar(Desk& desk, const CommandTable& commands, ui::ImGuiSession& gui, c
     if (tool == ToolKind::Load) load_settings(desk, fields);
     const bool is_in_space = femoop::is_3d(desk.session.model().analysis);
     if (is_in_space && desk.hand.can_type()) plane_settings(desk, fields);
+    if (desk.hand.can_type() && tool != ToolKind::Dimension) snap_settings(desk, commands, fields);
     show_hint(desk.session.view.tr(hint(tool, is_in_space)));
     ImGui::PopStyleVar();
 }

@@ -249,6 +249,29 @@ TEST_SUITE("frame tools")
         CHECK(!tool.from());
     }
 
+    TEST_CASE("A hand that trembles clicks, though its place is drawn elsewhere when the button is released")
+    {
+        Bench bench;
+        frame::MemberTool tool;
+        frame::Aim pressed = at(7.263, 5.114), released = at(7.28, 5.1);
+        pressed.snap.place = {7.25, 5.1};
+        released.snap.place = {7.272, 5.078};
+        bench.press(tool, pressed);
+        bench.release(tool, released);
+        CHECK(bench.model().members.empty());
+        CHECK(tool.from() == Vector2d(7.25, 5.1));
+        bench.click(tool, at(9, 6));
+        CHECK(bench.model().members.size() == 1);
+    }
+
+    TEST_CASE("Drawing is drawn to where it began, and without parts to the grid alone")
+    {
+        CHECK(snapped(10.63, 9.57, {.reach = 0.3, .from = Vector2d(10.5, 9.5)}) == Snap{{10.5, 9.5}, SnapKind::Node});
+        CHECK(snapped(0.1, 0.2, {.reach = 0.3, .to_parts = false}) == Snap{{0, 0}, SnapKind::Grid});
+        CHECK(snapped(4.1, 3.2, {.reach = 0.3, .grid = 0.0, .to_parts = false}).kind == SnapKind::Free);
+        CHECK(snapped(2.46, 5.93, {.reach = 0.3, .grid = 0.0, .fine = 0.25}).place.isApprox(Vector2d(2.5, 6.0)));
+    }
+
     TEST_CASE("Esc gives up the line, and then the tool")
     {
         frame::Hand hand;

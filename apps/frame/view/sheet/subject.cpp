@@ -186,10 +186,12 @@ ShowSet without_absent(ShowSet show, femoop::AnalysisKind kind)
 }
 
 /// Where panels get small, so do type, lines and symbols, as far as they can still be read.
+/// On the projector they do not: a class reads the numbers of the picture, not those of the window around it.
 /// \param aspect  of the structure: the side of the panel that it does not fill may be shorter
 ui::Theme theme_for(const ui::Theme& theme, ui::Size panel, double aspect)
 {
     constexpr double least_share = 0.75, least_type = 11.0;
+    if (theme.name() == ui::ThemeName::Projector) return theme;
     const bool is_wide = aspect * panel.height > panel.width;
     const ui::Size ample = is_wide ? ui::Size{400.0, 180.0} : ui::Size{250.0, 280.0}; // for symbols of scale 1
     const double share = std::min(panel.width / ample.width, panel.height / ample.height) / theme.symbol_scale();
@@ -427,6 +429,7 @@ Subject::Picture Subject::draw(ui::Painter& painter) const
     Picture picture;
     for (const Panel& panel : sheet.panels) {
         const Drawn drawn = draw_panel(painter, panel, sheet.camera, Pass::Write);
+        if (&panel == &sheet.panels.front()) picture.legend_bottom = panel.box.min.y + drawn.heads_height;
         n_left_out += drawn.n_left_out;
         append(picture.grips, drawn.grips);
         picture.is_whole = picture.is_whole && holds(panel.box, drawn.tight_bounds);
