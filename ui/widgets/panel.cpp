@@ -133,7 +133,7 @@ void end_status_bar()
     ImGui::PopStyleVar(3);
 }
 
-void begin_message_box(const std::vector<std::string>& lines)
+std::optional<std::size_t> begin_message_box(const std::vector<std::string>& lines)
 {
     const float em = ImGui::GetFontSize();
     const ImVec2 corner = ImGui::GetWindowPos();
@@ -150,7 +150,12 @@ void begin_message_box(const std::vector<std::string>& lines)
     ImGui::Begin("###banner", nullptr, flags & ~ImGuiWindowFlags_NoBringToFrontOnFocus);
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
-    for (const std::string& line : lines) wrapped_text(line, width - 4.0F * em);
+    std::optional<std::size_t> clicked;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        wrapped_text(lines[i], width - 4.0F * em);
+        if (ImGui::IsItemClicked()) clicked = i;
+    }
+    return clicked;
 }
 
 void end_message_box()

@@ -2,7 +2,9 @@
 
 #include <imgui.h>
 
+#include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -61,8 +63,8 @@ void menu_bar_title(const std::string& name);
 void begin_status_bar();
 void end_status_bar();
 
-/// Sentences in a box at the top of the present window; buttons can follow within it.
-void begin_message_box(const std::vector<std::string>& lines);
+/// Sentences in a box at the top of the present window; buttons can follow within it. \returns the line that is clicked
+std::optional<std::size_t> begin_message_box(const std::vector<std::string>& lines);
 void end_message_box();
 
 } // namespace ui

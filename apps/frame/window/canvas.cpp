@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <variant>
@@ -22,7 +23,7 @@ constexpr double zoom_per_turn = 1.15;
 // An envelope belongs to no case, so it has neither loads nor a deformed shape.
 ViewOptions looked_at(const Session& session)
 {
-    ViewOptions options = session.view;
+    ViewOptions options = session.results_view();
     options.dimensions = session.document().companion.dimensions;
     if (session.hidden || !session.prediction.is_empty()) options.prediction = &session.prediction;
     if (options.is_envelope) options.show = options.show - ShowSet{Show::Loads, Show::Deformed};
@@ -32,16 +33,16 @@ ViewOptions looked_at(const Session& session)
 // While members are drawn the structure is not complete yet, so no motion is played.
 std::optional<std::size_t> shown_mechanism(const Desk& desk)
 {
-    return desk.hand.can_type() || desk.session.solution().mechanisms.empty() ? std::nullopt
-                                                                              : std::optional(desk.session.mechanism);
+    const std::size_t n = desk.session.shown_mechanisms().size();
+    return desk.hand.can_type() || n == 0 ? std::nullopt : std::optional(std::min(desk.session.mechanism, n - 1));
 }
 
 Subject subject(const Desk& desk, const ViewOptions& options)
 {
     const Session& session = desk.session;
-    const Solution& solution = session.solution();
-    if (const auto i = shown_mechanism(desk)) return {session.model(), MotionChoice{solution.mechanisms, *i}, options};
-    return {session.model(), solution.results ? &*solution.results : nullptr, options};
+    if (const auto i = shown_mechanism(desk))
+        return {session.model(), MotionChoice{session.shown_mechanisms(), *i}, options};
+    return {session.model(), session.shown_results(), options};
 }
 
 // Something was solved that loads act on.
@@ -50,7 +51,7 @@ bool has_diagrams(const Session& session)
     const auto is_loaded = [](const femoop::LoadCase& load_case) {
         return !load_case.nodes.empty() || !load_case.members.empty() || load_case.self_weight != 0.0;
     };
-    return session.solution().results && std::ranges::any_of(session.model().load_cases, is_loaded);
+    return session.shown_results() && std::ranges::any_of(session.model().load_cases, is_loaded);
 }
 
 ui::World3 middle_of(const StructureShape& shape)
@@ -204,7 +205,7 @@ void Canvas::follow(Desk& desk, const Pointer& pointer)
     desk.hand.settings().grid = grid_of(projection);
     desk.hand.settings().load_case = session.view.load_case;
     desk.hand.settings().moment_side = session.view.moment_side;
-    Pick under = pick(shape_, projection, pointer.at, session.solution().results ? session.view.show : ShowSet{});
+    Pick under = pick(shape_, projection, pointer.at, session.shown_results() ? session.view.show : ShowSet{});
     if (under.cut) under.cut = snapped(session, shape_, *under.cut, pixels_along(projection, *under.cut));
     turn_wheel(session, pointer.at);
     move_camera(session);
@@ -366,8 +367,8 @@ Subject::Picture Canvas::draw(const Desk& desk, const ViewOptions& options, ui::
 void Canvas::draw_cut(const Session& session, const ViewOptions& options, const Cut& cut, ui::Point panel,
                       ui::Painter& painter) const
 {
-    const auto& results = session.solution().results;
-    if (!results || session.hidden) return;
+    const femoop::Results* const results = session.shown_results();
+    if (results == nullptr || session.hidden) return;
     const ui::Point at = Projection(*options.camera, panel)(shape_[cut.member].at(cut.x));
     draw_reading(painter, session.model(), *results, options, cut, at);
 }

@@ -37,6 +37,10 @@ std::vector<std::string> parts_of(const Session& session)
     parts.push_back(femoop::size_words(session.model(), tr));
     const auto& results = session.solution().results;
     parts.push_back(results ? degree_text(results->indeterminacy(), tr) : tr("not solved"));
+    std::string blank;
+    for (const BlankCase& one : session.solution().blank)
+        blank += (blank.empty() ? "" : ", ") + session.model().case_name(one.id);
+    if (!blank.empty()) parts.push_back(tr("no results of {cases}", {{"cases", ui::shortened(blank, most_letters)}}));
     return parts;
 }
 
