@@ -35,7 +35,7 @@ NumberFieldEvent NumberFields::show(std::string_view id, const Look& look)
     const float width = look.width > 0.0F ? look.width : ImGui::GetContentRegionAvail().x;
     ImGui::PushID(static_cast<int>(key));
     if (!is_typing()) typing_ = 0;
-    NumberFieldEvent event = typing_ == key ? show_editor(key, width) : show_value(key, look, width);
+    NumberFieldEvent event = typing_ == key ? show_editor(key, width, look.width > 0.0F) : show_value(key, look, width);
     ImGui::PopID();
     return event;
 }
@@ -103,7 +103,19 @@ NumberFieldEvent NumberFields::drag(double start)
     return {.kind = NumberFieldEvent::Kind::Dragged, .value = tidy, .text = {}};
 }
 
-NumberFieldEvent NumberFields::show_editor(unsigned id, float width)
+// A row has no room beneath it.
+void NumberFields::show_reason(bool is_in_row) const
+{
+    if (!is_in_row) return wrapped_text(reason_);
+    const float em = ImGui::GetFontSize();
+    const ImVec2 corner(ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + 0.3F * em);
+    ImGui::SetNextWindowPos(corner);
+    ImGui::BeginTooltip();
+    wrapped_text(reason_, 25.0F * em);
+    ImGui::EndTooltip();
+}
+
+NumberFieldEvent NumberFields::show_editor(unsigned id, float width, bool is_in_row)
 {
     last_shown_ = ImGui::GetFrameCount();
     ImGui::SetNextItemWidth(width);
@@ -117,7 +129,7 @@ NumberFieldEvent NumberFields::show_editor(unsigned id, float width)
     if (has_reason) ImGui::PopStyleColor();
     const bool is_left = ImGui::IsItemDeactivated();
     const bool is_given_up = is_left && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-    if (has_reason) wrapped_text(reason_);
+    if (has_reason) show_reason(is_in_row);
     if (!is_confirmed && !is_left) return {};
 
     typing_ = 0;

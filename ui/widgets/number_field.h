@@ -21,7 +21,8 @@ struct NumberFieldEvent {
 };
 
 /// Number fields: drag left or right to change the value (Shift: finer), click to type, Enter or a click elsewhere to
-/// confirm, Esc to leave the value as it was. What cannot be understood stays in the field with the reason beneath it.
+/// confirm, Esc to leave the value as it was. What cannot be understood stays in the field with the reason beneath it,
+/// in a window of its own where the field stands in a row with others.
 ///
 /// One object serves all fields of a window: only one can be edited at a time.
 class NumberFields {
@@ -48,7 +49,8 @@ public:
 private:
     NumberFieldEvent show_value(unsigned id, const Look& look, float width);
     void open_editor(unsigned id, std::string text);
-    NumberFieldEvent show_editor(unsigned id, float width);
+    NumberFieldEvent show_editor(unsigned id, float width, bool is_in_row);
+    void show_reason(bool is_in_row) const;
     NumberFieldEvent drag(double start);
 
     unsigned typing_ = 0;  ///< the field whose text is edited, 0 for none

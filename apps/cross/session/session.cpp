@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "apps/cross/document/file.h"
+#include "apps/frame/document/fault/place.h"
+#include "apps/frame/document/fault/sentence.h"
 #include "femoop/io/whole_file.h"
 #include "femoop/result/structure_words.h"
 
@@ -20,7 +22,7 @@ constexpr std::size_t most_turns = 2000; // by "finish"
 
 Phrase not_opened(const std::filesystem::path& path, const femoop::ModelError& error, const ui::Catalogue& tr)
 {
-    const std::string why = message(error.faults().front(), [&](std::string_view text) { return tr(text); });
+    const std::string why = frame::sentence(error.faults().front(), tr);
     return {translatable("{file} was not opened: {reason}"), {{"file", path.filename().string()}, {"reason", why}}};
 }
 
@@ -34,6 +36,7 @@ void Session::solve_anew(Haste haste)
     hover.reset(); // its joint may be gone
     ++n_solved_;
     solution_ = solve(document(), haste);
+    solution_.faults = frame::named(std::move(solution_.faults), document().model);
     judge_paper();
     find_state();
 }

@@ -8,6 +8,7 @@
 
 #include "apps/cross/document/file.h"
 #include "apps/cross/document/solution.h"
+#include "apps/frame/document/fault/place.h"
 #include "apps/mohr/document/file.h"
 #include "apps/mohr/document/section_text.h"
 #include "femoop/edit/excerpt.h"
@@ -57,7 +58,7 @@ Offer moment_distribution(const Session& session)
     cross::Document document{.model = model};
     document.method.load_case = session.view.load_case;
     if (auto solution = cross::solve(document); !solution.faults.empty())
-        return Notice{translatable("moment distribution cannot do this"), std::move(solution.faults)};
+        return Notice{translatable("moment distribution cannot do this"), named(std::move(solution.faults), model)};
     document = cross::read_document(femoop::write_model(model)); // with the method that the file asks for
     document.method.load_case = session.view.load_case;
     return ui::Handover{.program = "cross", .document = cross::write_document(document)};

@@ -7,6 +7,7 @@
 
 #include "apps/frame/document/command.h"
 #include "apps/frame/document/companion/companion_file.h"
+#include "apps/frame/document/fault/place.h"
 #include "apps/frame/document/load_cases.h"
 #include "apps/frame/document/section_command.h"
 #include "apps/frame/session/case_commands.h"
@@ -95,7 +96,8 @@ bool import_properties(Session& session, const std::filesystem::path& path)
     if (!reading.is_sound()) {
         std::erase_if(reading.faults,
                       [](const auto& fault) { return femoop::severity(fault.kind) != femoop::Severity::Error; });
-        session.notice = Notice{{translatable("nothing was imported from {file}"), {file}}, std::move(reading.faults)};
+        session.notice = Notice{{translatable("nothing was imported from {file}"), {file}},
+                                named(std::move(reading.faults), reading.model)};
         return false;
     }
     Companion beside = read_companion_of(path, reading.model).companion;

@@ -54,10 +54,7 @@ bool Application::is_moving() const
     return is_swinging() || is_walking || has_passing_notice;
 }
 
-bool Application::is_swinging() const
-{
-    return desk_.session.is_animated || !desk_.session.solution().mechanisms.empty();
-}
+bool Application::is_swinging() const { return desk_.session.is_animated || !desk_.session.shown_mechanisms().empty(); }
 
 std::string Application::window_title() const
 {

@@ -63,6 +63,7 @@ public:
     std::string window_title() const override;
     ui::ImGuiSession& gui() override { return gui_; }
     TablesPanel& tables() { return tables_; }
+    const TablesPanel& tables() const { return tables_; }
 
 private:
     void take_keys(const ui::Input& all);

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "apps/frame/document/fault/sentence.h"
+#include "apps/frame/session/fault_target.h"
 #include "apps/frame/session/tabs.h"
-#include "apps/frame/view/results/mechanism_picture.h"
 
 namespace frame {
 
@@ -21,19 +23,40 @@ ui::FootMessage message_of(const Notice& notice, const ui::Catalogue& tr)
     return message;
 }
 
-// One line, so that the picture keeps its room while a model is mended.
-std::optional<ui::FootMessage> message_of(const Solution& solution, const ui::Catalogue& tr)
+/// What keeps the picture from showing results, with its head; nothing where it shows them, or says it itself.
+struct Hindrance {
+    std::string head; ///< "" where the faults say all
+    std::vector<femoop::Fault> faults;
+};
+
+Hindrance hindrance(const Session& session)
 {
-    const auto is_error = [](const femoop::Fault& fault) {
-        return femoop::severity(fault.kind) == femoop::Severity::Error;
-    };
-    const auto first = std::ranges::find_if(solution.faults, is_error);
-    // The picture itself says how a mechanism moves.
-    if (first == solution.faults.end() || !solution.mechanisms.empty()) return std::nullopt;
-    std::string line = sentence(*first, tr);
-    const auto n = std::ranges::count_if(solution.faults, is_error);
-    if (n > 1) line += "   " + tr("… and {count} more", {{"count", std::to_string(n - 1)}});
-    return ui::FootMessage{{std::move(line)}, {button(tr, ui::translatable("Problems"), "###problems")}};
+    const ui::Catalogue& tr = session.view.tr;
+    if (!session.shown_mechanisms().empty()) return {}; // the picture itself says how a mechanism moves
+    if (const BlankCase* const blank = session.shown_blank())
+        return {tr("Case {case} has no results.", {{"case", session.model().case_name(blank->id)}}) + " ",
+                blank->faults};
+    if (session.solution().results) return {};
+    std::vector<femoop::Fault> errors = session.solution().faults;
+    std::erase_if(errors, [](const auto& fault) { return femoop::severity(fault.kind) != femoop::Severity::Error; });
+    return {"", std::move(errors)};
+}
+
+// One line, so that the picture keeps its room while a model is mended.
+ui::FootMessage message_of(const Hindrance& hindrance, const ui::Catalogue& tr)
+{
+    const std::size_t n_more = hindrance.faults.size() - 1;
+    std::string line = hindrance.head + sentence(hindrance.faults.front(), tr);
+    if (n_more > 0) line += "   " + tr("… and {count} more", {{"count", std::to_string(n_more)}});
+    return {{std::move(line)},
+            {button(tr, ui::translatable("Go there"), "###go to fault"),
+             button(tr, ui::translatable("Problems"), "###problems")}};
+}
+
+void show_problems(Desk& desk)
+{
+    desk.topic = Topic::Problems;
+    desk.has_panels = true;
 }
 
 } // namespace
@@ -42,7 +65,8 @@ std::optional<ui::FootMessage> banner(const Desk& desk)
 {
     const ui::Catalogue& tr = desk.session.view.tr;
     if (desk.session.notice) return message_of(*desk.session.notice, tr);
-    return message_of(desk.session.solution(), tr);
+    const Hindrance found = hindrance(desk.session);
+    return found.faults.empty() ? std::nullopt : std::optional(message_of(found, tr));
 }
 
 void show_banner(Desk& desk, const ui::FootMessage& message)
@@ -50,8 +74,9 @@ void show_banner(Desk& desk, const ui::FootMessage& message)
     const auto pressed = ui::show(message);
     if (!pressed) return;
     if (!desk.session.notice) {
-        desk.topic = Topic::Problems;
-        desk.has_panels = true;
+        const Hindrance found = hindrance(desk.session);
+        if (*pressed == 0 && !found.faults.empty()) go_to(desk, found.faults.front());
+        else show_problems(desk);
         return;
     }
     const std::optional<std::filesystem::path> to_mend = desk.session.notice->to_mend;

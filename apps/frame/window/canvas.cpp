@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <variant>
@@ -22,7 +23,7 @@ constexpr double zoom_per_turn = 1.15;
 // An envelope belongs to no case, so it has neither loads nor a deformed shape.
 ViewOptions looked_at(const Session& session)
 {
-    ViewOptions options = session.view;
+    ViewOptions options = session.results_view();
     options.dimensions = session.document().companion.dimensions;
     if (session.hidden || !session.prediction.is_empty()) options.prediction = &session.prediction;
     if (options.is_envelope) options.show = options.show - ShowSet{Show::Loads, Show::Deformed};
@@ -32,16 +33,16 @@ ViewOptions looked_at(const Session& session)
 // While members are drawn the structure is not complete yet, so no motion is played.
 std::optional<std::size_t> shown_mechanism(const Desk& desk)
 {
-    return desk.hand.can_type() || desk.session.solution().mechanisms.empty() ? std::nullopt
-                                                                              : std::optional(desk.session.mechanism);
+    const std::size_t n = desk.session.shown_mechanisms().size();
+    return desk.hand.can_type() || n == 0 ? std::nullopt : std::optional(std::min(desk.session.mechanism, n - 1));
 }
 
 Subject subject(const Desk& desk, const ViewOptions& options)
 {
     const Session& session = desk.session;
-    const Solution& solution = session.solution();
-    if (const auto i = shown_mechanism(desk)) return {session.model(), MotionChoice{solution.mechanisms, *i}, options};
-    return {session.model(), solution.results ? &*solution.results : nullptr, options};
+    if (const auto i = shown_mechanism(desk))
+        return {session.model(), MotionChoice{session.shown_mechanisms(), *i}, options};
+    return {session.model(), session.shown_results(), options};
 }
 
 ui::World3 middle_of(const StructureShape& shape)
@@ -217,7 +218,7 @@ void Canvas::follow(Desk& desk, const Pointer& pointer)
     settings.grid = settings.spacing ? settings.spacing->value() : grid_of(projection);
     settings.load_case = session.view.load_case;
     settings.moment_side = session.view.moment_side;
-    Pick under = pick(shape_, projection, pointer.at, session.solution().results ? session.view.show : ShowSet{});
+    Pick under = pick(shape_, projection, pointer.at, session.shown_results() ? session.view.show : ShowSet{});
     if (under.cut) under.cut = snapped(session, shape_, *under.cut, pixels_along(projection, *under.cut));
     turn_wheel(session, pointer.at);
     const bool asks_for_menu = ImGui::IsMouseReleased(ImGuiMouseButton_Right) && !is_panning_;
@@ -395,8 +396,8 @@ Subject::Picture Canvas::draw(const Desk& desk, const ViewOptions& options, ui::
 void Canvas::draw_cut(const Session& session, const ViewOptions& options, const Cut& cut, const CardPlace& place,
                       ui::Painter& painter) const
 {
-    const auto& results = session.solution().results;
-    if (!results || session.hidden) return;
+    const femoop::Results* const results = session.shown_results();
+    if (results == nullptr || session.hidden) return;
     const ui::Point at = Projection(*options.camera, place.panel)(shape_[cut.member].at(cut.x));
     draw_reading(painter, session.model(), *results, options, cut, at, place.top);
 }

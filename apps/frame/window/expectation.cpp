@@ -45,9 +45,9 @@ Complaint value(const Application& application, std::string_view text)
     const Session& session = application.session();
     const auto cut = cut_at(session.model(), words[1], words[4]);
     if (!cut) return "value: found no place " + words[4] + " of a member \"" + words[1] + "\"";
-    if (!session.solution().results) return "value: found no results; expect problems 0 to see why";
+    if (!session.shown_results()) return "value: found no results; expect problems 0 to see why";
     std::string names;
-    for (const ReadingLine& line : reading(session.model(), *session.solution().results, session.view, *cut)) {
+    for (const ReadingLine& line : reading(session.model(), *session.shown_results(), session.view, *cut)) {
         if (line.name == words[2]) return compared(line.name, line.value, with_minus(joined(words, 6)));
         names += (names.empty() ? "" : ", ") + line.name;
     }
@@ -121,6 +121,14 @@ std::size_t n_loads(const femoop::Model& model)
     return n;
 }
 
+std::string blank_in(const Session& session)
+{
+    std::string names;
+    for (const BlankCase& one : session.solution().blank)
+        names += (names.empty() ? "" : ", ") + session.model().case_name(one.id);
+    return names.empty() ? "nothing" : names;
+}
+
 /// One word that stands for something of the app.
 struct Fact {
     std::string_view name;
@@ -137,6 +145,8 @@ constexpr std::array facts{
     Fact{"selection", [](const Application& a) { return selection_text(a.session()); }},
     Fact{"case", [](const Application& a) { return a.session().model().case_name(a.session().view.load_case); }},
     Fact{"problems", [](const Application& a) { return std::to_string(a.session().solution().faults.size()); }},
+    Fact{"blank", [](const Application& a) { return blank_in(a.session()); }},
+    Fact{"cell", [](const Application& a) { return a.tables().cell(a.desk()).value_or("nothing"); }},
     Fact{"notice",
          [](const Application& a) {
              const auto& notice = a.session().notice;

@@ -49,7 +49,7 @@ private:
     ui::PdfLook pdf_look() const { return {.background = ui::rgb(0xFFFFFF), .title = session_.model().title}; }
     ui::Report report() const
     {
-        ViewOptions view = session_.view;
+        ViewOptions view = session_.results_view();
         view.dimensions = session_.document().companion.dimensions;
         const auto about = session_.hidden ? ReportAbout::Data : ReportAbout::Everything;
         return make_report(session_.model(), session_.solution(),
@@ -58,14 +58,13 @@ private:
 
     std::optional<ui::Phrase> results() const
     {
-        if (const auto reason = session_.why_no_results()) return reason;
-        const auto& results = session_.solution().results;
+        const std::optional<femoop::Results> results = session_.told_results();
+        if (!results) return session_.why_no_results();
         if (session_.view.is_envelope)
-            return text(long_envelope_csv(session_.model(), *results, envelope_cases(session_.model(), session_.view),
+            return text(long_envelope_csv(session_.model(), *results,
+                                          envelope_cases(session_.model(), session_.results_view()),
                                           femoop::usual_n_stations));
-        std::vector<femoop::CaseId> cases;
-        for (std::size_t i = 0; i < results->n_cases(); ++i) cases.emplace_back(i);
-        return text(long_csv(session_.model(), *results, cases, femoop::usual_n_stations));
+        return text(long_csv(session_.model(), *results, session_.solution().solved_cases(), femoop::usual_n_stations));
     }
 
     std::optional<ui::Phrase> text(const std::string& content) const

@@ -4,11 +4,9 @@
 #include <memory>
 
 #include "apps/frame/session/session.h"
-#include "apps/frame/view/results/mechanism_picture.h"
 #include "apps/frame/window/application.h"
 #include "apps/frame/window/stage.h"
 #include "femoop/io/whole_file.h"
-#include "femoop/result/describe.h"
 #include "ui/app/run_app.h"
 #include "ui/app/window_loop.h"
 #include "ui/context/start_program.h"
@@ -38,7 +36,7 @@ Session begin(const Options& options)
 void print(const Notice& notice, const ui::Catalogue& tr)
 {
     std::cerr << "frame: " << tr(notice.sentence) << '\n';
-    for (const femoop::Fault& fault : notice.faults) std::cerr << sentence(fault, tr) << '\n';
+    for (const femoop::Fault& fault : notice.faults) std::cerr << femoop::message(fault, tr) << '\n';
 }
 
 // Puts the case of the options into the session; false, with a sentence on stderr, if there is none of that name.
@@ -91,7 +89,7 @@ int run(Options options)
     }
     if (!choose_case(session, options)) return BadInput;
     if (options.describe) {
-        std::cout << femoop::describe(session.model(), session.solution().results, session.view.tr);
+        std::cout << session.in_words();
         return Done;
     }
     if (options.play) return ui::play_through<Application, OffscreenStage>(options, "frame", session, session.view.tr);

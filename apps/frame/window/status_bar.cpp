@@ -38,6 +38,10 @@ std::vector<std::string> parts_of(const Session& session)
     const auto& results = session.solution().results;
     if (!results) parts.push_back(tr("not solved"));
     else if (!session.model().members.empty()) parts.push_back(degree_text(results->indeterminacy(), tr));
+    std::string blank;
+    for (const BlankCase& one : session.solution().blank)
+        blank += (blank.empty() ? "" : ", ") + session.model().case_name(one.id);
+    if (!blank.empty()) parts.push_back(tr("no results of {cases}", {{"cases", ui::shortened(blank, most_letters)}}));
     return parts;
 }
 

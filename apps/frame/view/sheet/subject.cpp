@@ -1,5 +1,6 @@
 #include "apps/frame/view/sheet/subject.h"
 
+#include "apps/frame/document/fault/sentence.h"
 #include "apps/frame/predict/prediction.h"
 #include "apps/frame/view/frame_view.h"
 #include "apps/frame/view/loads/loads.h"
