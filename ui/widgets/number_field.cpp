@@ -33,6 +33,7 @@ NumberFieldEvent NumberFields::show(std::string_view id, const Look& look)
     const float width = look.width > 0.0F ? look.width : ImGui::GetContentRegionAvail().x;
     ImGui::PushID(static_cast<int>(key));
     if (!is_typing()) typing_ = 0;
+    if (look.begins && typing_ == 0) open(key, look);
     NumberFieldEvent event = typing_ == key ? show_editor(key, width) : show_value(key, look, width);
     ImGui::PopID();
     return event;
@@ -65,15 +66,18 @@ NumberFieldEvent NumberFields::show_value(unsigned id, const Look& look, float w
         drag_path_ = 0.0;
         return drag(drag_start_);
     }
-    if (ImGui::IsItemDeactivated() && ImGui::IsItemHovered()) {
-        typing_ = id;
-        ++n_openings_;
-        last_shown_ = ImGui::GetFrameCount();
-        is_open_ = false;
-        text_ = opening_text_ = look.exact_text;
-        reason_.clear();
-    }
+    if (ImGui::IsItemDeactivated() && ImGui::IsItemHovered()) open(id, look);
     return {};
+}
+
+void NumberFields::open(unsigned id, const Look& look)
+{
+    typing_ = id;
+    ++n_openings_;
+    last_shown_ = ImGui::GetFrameCount();
+    is_open_ = false;
+    text_ = opening_text_ = look.exact_text;
+    reason_.clear();
 }
 
 NumberFieldEvent NumberFields::drag(double start)

@@ -31,6 +31,7 @@ public:
         std::string exact_text;      ///< the value as it is edited: nothing is lost if it is confirmed as it stands
         std::optional<double> value; ///< nothing: the number is not given, and dragging begins at zero
         float width = 0.0F;          ///< physical pixels; 0: all that is left
+        bool begins = false;         ///< it gets the keyboard now, as by a click
     };
 
     /// \pre within a window of Dear ImGui's; `id` is unique there
@@ -42,6 +43,7 @@ public:
     bool is_typing() const;
 
 private:
+    void open(unsigned id, const Look& look);
     NumberFieldEvent show_value(unsigned id, const Look& look, float width);
     NumberFieldEvent show_editor(unsigned id, float width);
     NumberFieldEvent drag(double start);

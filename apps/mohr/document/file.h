@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "apps/mohr/document/document.h"
 #include "ui/text/phrase.h"
@@ -16,8 +17,8 @@ namespace mohr {
 ///      "criterion": "tresca", "strength": {"fy": "250 MPa"}}
 std::string file_text(const Document& document);
 
-/// What a text says, or why it cannot be read. What it does not say is as in `textbook_state`.
-std::variant<Document, ui::Phrase> read_file_text(std::string_view text);
+/// What a text says, or everything that is wrong with it. What it does not say is as in `textbook_state`.
+std::variant<Document, std::vector<ui::Phrase>> read_file_text(std::string_view text);
 
 std::string_view word(Subject subject); ///< "plane_stress"
 

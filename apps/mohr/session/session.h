@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "apps/mohr/document/edit.h"
 #include "apps/mohr/session/hand.h"
@@ -15,6 +16,10 @@ namespace mohr {
 
 using ui::Notice;
 
+/// Why an exercise's state is not changed.
+inline constexpr std::string_view exercise_keeps_state = ui::translatable(
+    "an exercise has this state; type the answers into its fields, or end it: Exercises, End the exercise");
+
 /// What is open and how it is looked at: the app without its window.
 class Session {
 public:
@@ -24,9 +29,9 @@ public:
     const Solution& solution() const { return solution_; }
     const ui::History<Document>& history() const { return history_; }
 
-    /// A step, unless the edit has a fault. \returns why not
+    /// A step, unless the edit has a fault, or an exercise has the state. \returns why not
     std::optional<ui::Phrase> apply(Edit edit, const ui::Phrase& label);
-    /// Goes on with a gesture; an edit with a fault is passed over.
+    /// Goes on with a gesture; an edit that `apply` would refuse is passed over.
     void drag(Edit edit, const ui::Phrase& label);
     void settle(); ///< ends it
     /// A hand takes hold of what is drawn; then it drags it about, until `settle`.
@@ -50,7 +55,8 @@ public:
     void set_rule(femoop::mohr::ShearRule rule);
 
     /// Shows the exercise's state in place of the document, as one step; what would tell an answer is hidden until it
-    /// is finished. Another state ends it.
+    /// is finished. It has the state until `end_exercise`, or until another file is opened: neither an edit nor a step
+    /// back changes it.
     void begin_exercise(ExerciseTopic topic, Difficulty difficulty, std::uint32_t seed);
     const std::optional<Practice>& practice() const { return practice_; }
     /// \returns why the words are no answer
@@ -95,6 +101,7 @@ public:
 
 private:
     Frame frame() const; ///< of what is drawn now
+    bool would_leave_exercise(const Document& next) const;
     void solve_anew();
     void follow_path(double seconds);
     void restart(Document document);
