@@ -26,6 +26,7 @@ struct AppOptions {
     std::filesystem::path pictures = ".";            ///< where a scenario's pictures go
     std::optional<std::filesystem::path> frames;     ///< where every frame of a scenario goes, for a film
     Size size{1280.0, 800.0};                        ///< logical pixels
+    std::optional<std::filesystem::path> link;       ///< folder of a link with the program that has started this one
     double scale = 1.0;                              ///< physical pixels of a logical one, without a screen
     ThemeName theme = ThemeName::Light;
     Language language = Language::English;

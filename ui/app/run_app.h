@@ -30,11 +30,13 @@ template <class Session> void open_first(Session& session, const std::filesystem
 
 /// The same in a window, where it remembers files and unsaved work from one time to the next.
 template <class Application, class Session>
-MakeApp remembering_app_with(const Session& session, const std::optional<DraftFolder>& folder)
+MakeApp remembering_app_with(const Session& session, const std::optional<DraftFolder>& folder,
+                             const std::optional<std::filesystem::path>& link = {})
 {
-    return [session, folder](Context& context, const Fonts& fonts) {
+    return [session, folder, link](Context& context, const Fonts& fonts) {
         auto application = std::make_unique<Application>(context, fonts, session);
         if (folder) application->remember_in(*folder);
+        if (folder && link) application->link_to(Link(*link, folder->write));
         return application;
     };
 }
@@ -76,7 +78,7 @@ int run_with(const AppOptions& options, std::string_view program, const std::opt
     session.look.tr = Catalogue(options.language);
     if (!options.files.empty()) open_first(session, options.files.front());
     return run_app<Application, AppStage>(options, program, session,
-                                          remembering_app_with<Application>(session, folder));
+                                          remembering_app_with<Application>(session, folder, options.link));
 }
 
 } // namespace ui

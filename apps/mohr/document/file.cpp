@@ -208,6 +208,27 @@ std::variant<Document, std::vector<Phrase>> read_file_text(std::string_view text
     return *std::move(document);
 }
 
+Document with_section_of(const Document& document, const Document& other)
+{
+    Document next = document;
+    constexpr auto section = static_cast<std::size_t>(Subject::Section);
+    const std::string fibre = document.numbers[section].back();
+    next.subject = Subject::Section;
+    next.section = other.section;
+    next.elasticity = other.elasticity;
+    next.strengths[static_cast<std::size_t>(StrengthPlace::fy)] =
+        other.strengths[static_cast<std::size_t>(StrengthPlace::fy)];
+    next.numbers[section] = other.numbers[section];
+    Document as_it_was = next;
+    as_it_was.state().back() = fibre;
+    return why_not(as_it_was) ? next : as_it_was;
+}
+
+std::string file_text_of_section(const Document& document)
+{
+    return file_text(with_section_of(textbook_state(), document));
+}
+
 std::string_view word(Subject subject) { return subject_words[static_cast<std::size_t>(subject)]; }
 
 } // namespace mohr

@@ -278,6 +278,24 @@ ui::Unsaved Session::unsaved() const
     return ui::unsaved_text(file_text(document()), path_, femoop::write_whole_file);
 }
 
+bool Session::is_news(const std::string& text) const
+{
+    const auto read = read_file_text(text);
+    const auto* const other = std::get_if<Document>(&read);
+    return other != nullptr && file_text_of_section(with_section_of(document(), *other)) != linked_text();
+}
+
+void Session::take_over(const std::string& text)
+{
+    const auto read = read_file_text(text);
+    const auto* const other = std::get_if<Document>(&read);
+    if (other == nullptr) return;
+    Document next = with_section_of(document(), *other);
+    auto fault = why_not(next);
+    if (const auto reason = apply({std::move(next), std::move(fault)}, translatable("Take over from the frame")))
+        tell(*reason);
+}
+
 std::string Session::file_name() const { return path_ ? path_->filename().string() : tr()(translatable("untitled")); }
 
 void Session::tick(double seconds)

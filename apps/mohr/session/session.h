@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "apps/mohr/document/edit.h"
+#include "apps/mohr/document/file.h"
 #include "apps/mohr/session/hand.h"
 #include "apps/mohr/session/practice.h"
 #include "ui/files/autosave.h"
@@ -72,6 +73,11 @@ public:
     /// Opens a draft of a file's document, or of one that has no file yet, as one that is not saved.
     bool recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original);
     ui::Unsaved unsaved() const;
+    /// A frame that has handed over a section goes on with it in its own window (ui/files/linked_copy.h): it is told
+    /// the section, and tells section, N, V, M and material.
+    std::string linked_text() const { return file_text_of_section(document()); }
+    bool is_news(const std::string& text) const; ///< taking it over would change the document
+    void take_over(const std::string& text);     ///< as a step; the notice tells why not
     const std::optional<std::filesystem::path>& path() const { return path_; }
     bool is_dirty() const { return !saved_ || document() != *saved_; }
     std::string file_name() const;
