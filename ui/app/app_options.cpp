@@ -56,6 +56,8 @@ public:
         add("--screenshot", "PNG", "draw one picture of the window to this PNG file and leave; needs no display",
             [program = name()](AppOptions& to, const std::string& text) { to.screenshot = png_named(program, text); });
         app_.add_flag("--describe", options_.describe, words.describe);
+        add("--link", "FOLDER", "folder in which the program that has started this one offers its changes",
+            [](AppOptions& to, const std::string& text) { to.link = text; });
     }
 
     void add_look()

@@ -25,6 +25,7 @@ struct AppOptions {
     std::optional<std::filesystem::path> play;       ///< a scenario, without a screen
     std::filesystem::path pictures = ".";            ///< where a scenario's pictures go
     std::optional<std::filesystem::path> frames;     ///< where every frame of a scenario goes, for a film
+    std::optional<std::filesystem::path> link;       ///< folder of a link with the program that has started this one
     double scale = 1.0;                              ///< physical pixels of a logical one, without a screen
     Settings settings;                               ///< that were asked for; after `complete` all but the units
 

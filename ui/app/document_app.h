@@ -15,7 +15,9 @@
 #include "ui/app/unsaved_changes.h"
 #include "ui/command/command_table.h"
 #include "ui/context/write_picture.h"
+#include "ui/files/linked_copy.h"
 #include "ui/widgets/command_menu.h"
+#include "ui/widgets/offer.h"
 #include "ui/widgets/panel.h"
 #include "ui/widgets/words_window.h"
 
@@ -51,6 +53,10 @@ public:
     const CommandTable<Desk>& commands() const { return commands_; }
     /// From now on the last files and drafts of unsaved work are kept there. Offers what was left behind.
     void remember_in(const DraftFolder& folder) { kept_files_ = KeptFiles(folder); }
+    /// From now on changes are offered to the program at the other end, and those of that program here. The session
+    /// knows `linked_text()`, `is_news(text)` and `take_over(text)`; what has them not has no links.
+    void link_to(Link link);
+    const std::optional<LinkedCopy>& linked() const { return linked_; }
     /// Writes the picture to a file (.png, .svg or .pdf), or what else the app can write, and tells that it did.
     /// \returns why it cannot
     std::optional<Phrase> export_as(const std::filesystem::path& path);
@@ -90,6 +96,8 @@ private:
     void take(const ChosenFile& file);
     void show_menu_bar();
     std::optional<FootMessage> notice() const;
+    void follow_link(double seconds);
+    void show_link();
     void show_dialogs();
     void ask_about_unsaved();
     void copy_picture();
@@ -111,7 +119,17 @@ private:
     UnsavedChanges unsaved_changes_;
     KeptFiles kept_files_{std::nullopt};
     ThemeName theme_;
+    std::optional<LinkedCopy> linked_;
     bool wants_to_quit_ = false;
+};
+
+/// Sessions of documents that another program can have a copy of.
+template <class Session>
+concept Linkable = requires(Session session, const std::string& text)
+{
+    session.linked_text();
+    session.is_news(text);
+    session.take_over(text);
 };
 
 /// A tab for each topic of a panel: `topics` have a `topic`, an `id` and a `label`.
@@ -132,6 +150,7 @@ template <class Desk> void DocumentApp<Desk>::frame(const Input& input)
     gui_.begin_frame(input);
     take_keys(input);
     desk_.session.tick(input.seconds);
+    follow_link(input.seconds);
     show_menu_bar();
     const auto told = notice();
     begin_body(told ? height(*told) : status_height());
@@ -200,8 +219,32 @@ template <class Desk> void DocumentApp<Desk>::show_menu_bar()
 {
     if (!ImGui::BeginMainMenuBar()) return;
     show_menus(commands_, desk_, Catalogue(session().tr())); // a command may change the language
+    show_link();
     menu_bar_title((session().is_dirty() ? "* " : "") + session().file_name());
     ImGui::EndMainMenuBar();
+}
+
+template <class Desk> void DocumentApp<Desk>::link_to(Link link)
+{
+    if constexpr (Linkable<Session>) linked_.emplace(std::move(link), session().linked_text());
+}
+
+template <class Desk> void DocumentApp<Desk>::follow_link(double seconds)
+{
+    if constexpr (Linkable<Session>)
+        if (linked_)
+            linked_->tick(seconds, {[this] { return session().linked_text(); },
+                                    [this](const std::string& other) { return session().is_news(other); }});
+}
+
+template <class Desk> void DocumentApp<Desk>::show_link()
+{
+    if constexpr (Linkable<Session>) {
+        if (!linked_ || !linked_->offered()) return;
+        const auto answer = show_offer(session().tr()("the frame has changed"), session().tr());
+        if (answer == OfferAnswer::TakeOver) desk_.session.take_over(linked_->take());
+        if (answer == OfferAnswer::Keep) linked_->keep();
+    }
 }
 
 template <class Desk> void DocumentApp<Desk>::show_panels_and_canvas()

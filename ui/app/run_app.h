@@ -48,6 +48,7 @@ MakeApp remembering_app_with(const Session& session, const AppOptions& options,
     return [session, options, folder, prepare](Context& context, const Fonts& fonts) {
         auto application = std::make_unique<Application>(context, fonts, session);
         remember(*application, options, folder);
+        if (folder && options.link) application->link_to(Link(*options.link, folder->write));
         if (prepare) prepare(*application);
         return application;
     };

@@ -115,6 +115,11 @@ private:
         const std::size_t before = place_;
         skip_blanks();
         if (place_ < text_.size() && characters.find(text_[place_]) != std::string_view::npos) return text_[place_++];
+        constexpr std::string_view minus = "−"; // as pictures write it
+        if (text_.substr(place_).starts_with(minus) && characters.find('-') != std::string_view::npos) {
+            place_ += minus.size();
+            return '-';
+        }
         place_ = before;
         return '\0';
     }

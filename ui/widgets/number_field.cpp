@@ -35,6 +35,7 @@ NumberFieldEvent NumberFields::show(std::string_view id, const Look& look)
     const float width = look.width > 0.0F ? look.width : ImGui::GetContentRegionAvail().x;
     ImGui::PushID(static_cast<int>(key));
     if (!is_typing()) typing_ = 0;
+    if (look.begins && typing_ == 0) open_editor(key, look.exact_text);
     NumberFieldEvent event = typing_ == key ? show_editor(key, width, look.width > 0.0F) : show_value(key, look, width);
     ImGui::PopID();
     return event;

@@ -32,6 +32,7 @@ public:
         std::string exact_text;      ///< the value as it is edited: nothing is lost if it is confirmed as it stands
         std::optional<double> value; ///< nothing: the number is not given, and dragging begins at zero
         float width = 0.0F;          ///< physical pixels; 0: all that is left
+        bool begins = false;         ///< it gets the keyboard now, as by a click
     };
 
     /// \pre within a window of Dear ImGui's; `id` is unique there

@@ -6,6 +6,7 @@
 #include "apps/cross/document/file.h"
 #include "apps/frame/document/fault/place.h"
 #include "apps/frame/document/fault/sentence.h"
+#include "femoop/io/model_file.h"
 #include "femoop/io/whole_file.h"
 #include "femoop/result/structure_words.h"
 
@@ -324,6 +325,43 @@ ui::Unsaved Session::unsaved() const
 {
     return ui::unsaved_text(write_document(to_save()), path_, femoop::write_whole_file,
                             femoop::size_words(document().model, tr()));
+}
+
+std::string Session::linked_text() const { return femoop::write_model(document().model); }
+
+namespace {
+
+/// Nothing where the text is none of a structure.
+std::optional<femoop::Model> model_of(const std::string& text)
+{
+    try {
+        return read_document(text).model;
+    } catch (const femoop::ModelError&) {
+        return std::nullopt;
+    }
+}
+
+} // namespace
+
+bool Session::is_news(const std::string& text) const
+{
+    const auto model = model_of(text);
+    return model && femoop::write_model(*model) != linked_text();
+}
+
+void Session::take_over(const std::string& text)
+{
+    auto model = model_of(text);
+    if (!model || refuse_in_exercise()) return;
+    Document next = unworked(document());
+    next.model = std::move(*model);
+    if (next.method.load_case.index >= next.model.n_cases()) next.method.load_case = femoop::CaseId(0);
+    if (const Solution solution = solve(next); !solution.faults.empty())
+        return tell(translatable("moment distribution cannot do what the frame has now; it stays as it was"));
+    is_playing = false;
+    phase_ = 1.0;
+    history_.apply(std::move(next), translatable("Take over from the frame"));
+    solve_anew();
 }
 
 std::string Session::file_name() const { return path_ ? path_->filename().string() : tr()("untitled"); }

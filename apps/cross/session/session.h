@@ -87,6 +87,10 @@ public:
     /// Opens a draft of a file's document, or of one that has no file yet, as one that is not saved.
     bool recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original);
     ui::Unsaved unsaved() const;
+    /// A frame that has handed over its structure goes on with it in its own window (ui/files/linked_copy.h).
+    std::string linked_text() const;
+    bool is_news(const std::string& text) const; ///< taking it over would change the structure
+    void take_over(const std::string& text);     ///< the structure, as a step; the notice tells why not
     const std::optional<std::filesystem::path>& path() const { return path_; }
     bool is_dirty() const { return !saved_ || !is_same_task(document(), *saved_); }
     std::string file_name() const;

@@ -20,6 +20,9 @@
 #include "apps/frame/window/status_bar.h"
 #include "apps/frame/window/tool_bar.h"
 #include "apps/frame/window/transform_bar.h"
+#include "femoop/io/whole_file.h"
+#include "ui/files/link.h"
+#include "ui/widgets/offer.h"
 #include "ui/widgets/panel.h"
 
 namespace frame {
@@ -89,6 +92,7 @@ void Application::frame(const ui::Input& input)
     take_files(input.dropped_files);
     gui_.begin_frame(input);
     take_keys(input);
+    linked_.tick(input.seconds, desk_);
     animate(input.seconds);
     if (desk_.bottom.shows(BottomContent::Solver)) desk_.solver.advance(input.seconds);
     pass_notice(input.seconds);
@@ -223,23 +227,39 @@ void Application::take(const ui::ChosenFile& file)
     }
 }
 
-// The other program speaks and looks as this one does.
+// The other program speaks and looks as this one does, and hears of what changes here.
 void Application::hand_over(ui::Handover handover)
 {
     const ViewOptions& view = desk_.session.view;
     handover.options = {"--lang", std::string(code(view.tr.language())), "--theme", std::string(text(view.theme))};
     handed_ = std::move(handover);
     if (!start_program_) return;
-    if (const auto reason = start_program_(*handed_)) desk_.session.notice = Notice{*reason, {}};
+    auto link = ui::Link::made(femoop::write_whole_file);
+    ui::Handover linked = *handed_;
+    if (link) linked.options.insert(linked.options.end(), {"--link", link->folder().string()});
+    const auto reason = start_program_(linked);
+    if (reason) desk_.session.notice = Notice{*reason, {}};
+    else if (link) linked_.add(*std::move(link), desk_.session, *handed_);
 }
 
 void Application::show_menu_bar()
 {
     if (!ImGui::BeginMainMenuBar()) return;
     ui::show_menus(commands_, desk_, desk_.session.view.tr);
+    show_offer_of_program();
     const std::string name = (desk_.session.is_dirty() ? "* " : "") + desk_.session.file_name();
     ui::menu_bar_title(name);
     ImGui::EndMainMenuBar();
+}
+
+void Application::show_offer_of_program()
+{
+    const auto sentence = linked_.offering(desk_);
+    if (!sentence) return;
+    const ui::Catalogue& tr = desk_.session.view.tr;
+    const auto answer = ui::show_offer(tr(*sentence), tr);
+    if (answer == ui::OfferAnswer::TakeOver) linked_.take_over(desk_);
+    if (answer == ui::OfferAnswer::Keep) linked_.keep(desk_);
 }
 
 void Application::show_body()

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/frame/session/commands.h"
+#include "apps/frame/session/linked_programs.h"
 #include "apps/frame/window/canvas.h"
 #include "apps/frame/window/case_list.h"
 #include "apps/frame/window/context_menu.h"
@@ -77,6 +78,7 @@ private:
     void take(const ui::ChosenFile& file);
     void hand_over(ui::Handover handover);
     void show_menu_bar();
+    void show_offer_of_program();
     void show_body();
     void show_left(float width);
     void show_right(float width);
@@ -112,6 +114,7 @@ private:
     double time_;                ///< of the animation since the middle of a swing [s]
     StartProgram start_program_; ///< none: nothing is started, as in a scenario
     std::optional<ui::Handover> handed_;
+    LinkedPrograms linked_;
     bool wants_to_quit_ = false;
 };
 

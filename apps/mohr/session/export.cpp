@@ -31,6 +31,15 @@ std::string quoted(const std::string& text)
     return out + '"';
 }
 
+/// With the minus signs that spreadsheets read.
+std::string plain(std::string text)
+{
+    constexpr std::string_view minus = "−";
+    for (auto at = text.find(minus); at != std::string::npos; at = text.find(minus))
+        text.replace(at, minus.size(), "-");
+    return text;
+}
+
 using Sign = std::pair<std::string_view, std::string_view>;
 
 /// Letters that take what follows them as an index.
@@ -206,8 +215,8 @@ std::string csv(const Session& session)
     for (const ResultGroup& group : result_groups(session))
         for (const ResultLine& line : group.lines) {
             const std::string value = line.number ? femoop::number_text(*line.number + 0.0) : line.value;
-            text += quoted(group.heading) + "," + quoted(line.name) + "," + quoted(value) + "," + quoted(line.unit) +
-                    "\n";
+            text += quoted(group.heading) + "," + quoted(line.name) + "," + quoted(plain(value)) + "," +
+                    quoted(line.unit) + "\n";
         }
     return text;
 }

@@ -9,6 +9,7 @@
 #include "apps/mohr/window/construction_panel.h"
 #include "apps/mohr/window/results_panel.h"
 #include "ui/widgets/wrapped_text.h"
+#include "ui/widgets/yes_or_no.h"
 
 template class ui::DocumentApp<mohr::Desk>;
 
@@ -39,6 +40,24 @@ void Application::show_right()
 {
     if (session().is_concealing()) ui::wrapped_text(session().tr()("The results are shown when the exercise is done."));
     else results_panel(session(), gui());
+}
+
+void Application::show_body()
+{
+    show_panels_and_canvas();
+    if (desk().after_exercise) ask_about_exercise();
+}
+
+void Application::ask_about_exercise()
+{
+    const ui::Catalogue& tr = session().tr();
+    const auto is_left = ui::ask_yes_or_no({.heading = tr("The exercise"),
+                                            .sentence = tr("The exercise is not done yet. Its answers are not kept."),
+                                            .no = tr("Go on with it"),
+                                            .yes = tr("End the exercise")});
+    if (!is_left) return;
+    const auto then = std::exchange(desk().after_exercise, {});
+    if (*is_left) then(desk());
 }
 
 void Application::show_canvas()
