@@ -61,6 +61,8 @@ int complain(const std::string& sentence)
 int run(const Options& options)
 {
     Session session = begin(options);
+    if (options.is_headless() && session.script_fault)
+        return complain(session.file_name() + ": " + session.tr()(*session.script_fault));
     if (options.is_headless() && session.notice) return complain(session.tr()(session.notice->sentence));
     if (options.describe) {
         std::cout << in_words(session);
