@@ -10,6 +10,7 @@
 #include "ui/app/window_loop.h"
 #include "ui/context/window.h"
 #include "ui/files/draft.h"
+#include "ui/text/printable.h"
 
 namespace ui {
 
@@ -47,12 +48,12 @@ int run_app(const AppOptions& options, std::string_view program, const Session& 
 {
     constexpr int done = 0, bad_input = 2;
     const auto complain = [&](const Phrase& sentence) {
-        std::cerr << program << ": " << session.tr()(sentence) << '\n';
+        std::cerr << program << ": " << printable(session.tr()(sentence)) << '\n';
         return bad_input;
     };
     if (options.is_headless() && session.notice) return complain(session.notice->sentence);
     if (options.describe) {
-        std::cout << in_words(session);
+        std::cout << printable(in_words(session));
         return done;
     }
     if (options.play) return play_through<Application, AppStage>(options, program, session, session.tr());

@@ -12,6 +12,7 @@
 #include "femoop/io/whole_file.h"
 #include "ui/app/window_loop.h"
 #include "ui/context/window.h"
+#include "ui/text/printable.h"
 
 namespace euler {
 
@@ -52,7 +53,7 @@ ui::MakeApp app_to_play_with(Session& session)
 
 int complain(const std::string& sentence)
 {
-    std::cerr << "euler: " << sentence << '\n';
+    std::cerr << "euler: " << ui::printable(sentence) << '\n';
     return BadInput;
 }
 
@@ -65,7 +66,7 @@ int run(const Options& options)
         return complain(session.file_name() + ": " + session.tr()(*session.script_fault));
     if (options.is_headless() && session.notice) return complain(session.tr()(session.notice->sentence));
     if (options.describe) {
-        std::cout << in_words(session);
+        std::cout << ui::printable(in_words(session));
         return Done;
     }
     if (options.play) return ui::play_through<Application, OffscreenStage>(options, "euler", session, session.tr());

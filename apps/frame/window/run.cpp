@@ -12,6 +12,7 @@
 #include "ui/app/window_loop.h"
 #include "ui/context/start_program.h"
 #include "ui/context/window.h"
+#include "ui/text/printable.h"
 
 namespace frame {
 
@@ -35,8 +36,8 @@ Session begin(const Options& options)
 
 void print(const Notice& notice, const ui::Catalogue& tr)
 {
-    std::cerr << "frame: " << tr(notice.sentence) << '\n';
-    for (const femoop::Fault& fault : notice.faults) std::cerr << sentence(fault, tr) << '\n';
+    std::cerr << "frame: " << ui::printable(tr(notice.sentence)) << '\n';
+    for (const femoop::Fault& fault : notice.faults) std::cerr << ui::printable(sentence(fault, tr)) << '\n';
 }
 
 // Puts the case of the options into the session; false, with a sentence on stderr, if there is none of that name.
@@ -51,8 +52,8 @@ bool choose_case(Session& session, const Options& options)
     for (std::size_t i = 0; i < session.model().n_cases(); ++i)
         names += (i > 0 ? ", " : "") + session.model().case_name(femoop::CaseId(i));
     std::cerr << "frame: "
-              << session.view.tr("no load case or combination \"{case}\"; there are: {names}",
-                                 {{"case", *options.load_case}, {"names", names}})
+              << ui::printable(session.view.tr("no load case or combination \"{case}\"; there are: {names}",
+                                               {{"case", *options.load_case}, {"names", names}}))
               << '\n';
     return false;
 }
@@ -87,7 +88,7 @@ int run(const Options& options)
     }
     if (!choose_case(session, options)) return BadInput;
     if (options.describe) {
-        std::cout << femoop::describe(session.model(), session.solution().results, session.view.tr);
+        std::cout << ui::printable(femoop::describe(session.model(), session.solution().results, session.view.tr));
         return Done;
     }
     if (options.play) return ui::play_through<Application, OffscreenStage>(options, "frame", session, session.view.tr);
