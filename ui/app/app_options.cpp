@@ -26,6 +26,13 @@ Size parse_size(const std::string& program, const std::string& text)
                               "\", wanted WxH with sides from 200 to 16384, like 1280x800");
 }
 
+double parse_scale(const std::string& program, const std::string& text)
+{
+    const auto scale = number_typed(text);
+    if (scale && *scale >= 0.5 && *scale <= 4.0) return *scale;
+    throw OptionsEnd::mistake(program + ": --scale: found \"" + text + "\", wanted a number from 0.5 to 4");
+}
+
 // The language of the system, where it is one of ours.
 Language system_language()
 {
@@ -66,10 +73,8 @@ public:
             [program = name()](AppOptions& to, const std::string& text) {
                 to.settings.window = parse_size(program, text);
             });
-        app_.add_option("--scale", options_.scale,
-                        "physical pixels of a logical one in a screenshot, 0.5 to 4; default 1")
-            ->check(CLI::Range(0.5, 4.0))
-            ->option_text("K");
+        add("--scale", "K", "physical pixels of a logical one in a screenshot, 0.5 to 4; default 1",
+            [program = name()](AppOptions& to, const std::string& text) { to.scale = parse_scale(program, text); });
         add("--theme", "NAME", "light, dark, print or projector; default as it was left, at first light",
             [option = name() + ": --theme"](AppOptions& to, const std::string& text) {
                 to.settings.theme = NamedOption<ThemeName>{option, text, "light, dark, print, projector",
@@ -97,8 +102,9 @@ private:
 
     template <class Take> CLI::Option* add(const char* option, const char* value, const char* words, Take take)
     {
-        const auto understand = [&to = options_, take](const std::string& text) {
-            if (!text.empty()) take(to, text);
+        const auto understand = [&to = options_, take, start = name() + ": " + option](const std::string& text) {
+            if (text.empty()) throw OptionsEnd::mistake(start + ": found nothing, wanted a value");
+            take(to, text);
         };
         return app_.add_option_function<std::string>(option, understand, words)->option_text(value);
     }

@@ -11,6 +11,7 @@
 #include "ui/app/window_loop.h"
 #include "ui/context/window.h"
 #include "ui/files/draft.h"
+#include "ui/text/printable.h"
 #include "ui/text/refusal.h"
 
 namespace ui {
@@ -66,16 +67,16 @@ int run_app(const AppOptions& options, std::string_view program, const Session& 
 {
     constexpr int done = 0, bad_input = 2;
     const auto complain = [&](const Phrase& sentence) {
-        std::cerr << program << ": " << session.tr()(sentence) << '\n';
+        std::cerr << program << ": " << printable(session.tr()(sentence)) << '\n';
         return bad_input;
     };
     if (options.is_headless() && session.notice) return complain(session.notice->sentence);
     if (options.describe) {
         if (const auto refusal = why_no_words(session)) {
-            std::cerr << refusal->words;
+            std::cerr << printable(refusal->words);
             return refusal->status;
         }
-        std::cout << in_words(session);
+        std::cout << printable(in_words(session));
         return done;
     }
     if (options.play) return play_through<Application, AppStage>(options, program, session, session.tr());

@@ -1,5 +1,6 @@
 #include "ui/context/window.h"
 
+#include "ui/context/room_to_draw.h"
 #include "ui/paint/text_measure.h"
 
 #define GLFW_INCLUDE_NONE
@@ -29,6 +30,7 @@ class Glfw {
 public:
     Glfw()
     {
+        require_room_to_draw();
         if (!glfwInit())
             throw ContextError("no window can be opened: " + last_error() +
                                "; on a machine without a display use `cremona render` or `--screenshot`");

@@ -13,6 +13,7 @@
 #include "ui/app/run_app.h"
 #include "ui/app/window_loop.h"
 #include "ui/context/window.h"
+#include "ui/text/printable.h"
 
 namespace euler {
 
@@ -53,7 +54,7 @@ ui::MakeApp app_to_play_with(Session& session, const Options& options, const std
 
 int complain(const std::string& sentence)
 {
-    std::cerr << "euler: " << sentence << '\n';
+    std::cerr << "euler: " << ui::printable(sentence) << '\n';
     return BadInput;
 }
 
@@ -64,9 +65,11 @@ int run(Options options)
     const auto folder = ui::draft_folder("euler", ".eul", femoop::write_whole_file);
     ui::complete(options, folder);
     Session session = begin(options);
+    if (options.is_headless() && session.script_fault)
+        return complain(session.file_name() + ": " + session.tr()(*session.script_fault));
     if (options.is_headless() && session.notice) return complain(session.tr()(session.notice->sentence));
     if (options.describe) {
-        std::cout << in_words(session);
+        std::cout << ui::printable(in_words(session));
         return Done;
     }
     if (options.play) return ui::play_through<Application, OffscreenStage>(options, "euler", session, session.tr());

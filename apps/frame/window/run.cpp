@@ -11,6 +11,7 @@
 #include "ui/app/window_loop.h"
 #include "ui/context/start_program.h"
 #include "ui/context/window.h"
+#include "ui/text/printable.h"
 
 namespace frame {
 
@@ -35,8 +36,8 @@ Session begin(const Options& options)
 
 void print(const Notice& notice, const ui::Catalogue& tr)
 {
-    std::cerr << "frame: " << tr(notice.sentence) << '\n';
-    for (const femoop::Fault& fault : notice.faults) std::cerr << femoop::message(fault, tr) << '\n';
+    std::cerr << "frame: " << ui::printable(tr(notice.sentence)) << '\n';
+    for (const femoop::Fault& fault : notice.faults) std::cerr << ui::printable(femoop::message(fault, tr)) << '\n';
 }
 
 // Puts the case of the options into the session; false, with a sentence on stderr, if there is none of that name.
@@ -51,8 +52,8 @@ bool choose_case(Session& session, const Options& options)
     for (std::size_t i = 0; i < session.model().n_cases(); ++i)
         names += (i > 0 ? ", " : "") + session.model().case_name(femoop::CaseId(i));
     std::cerr << "frame: "
-              << session.view.tr("no load case or combination \"{case}\"; there are: {names}",
-                                 {{"case", *options.load_case}, {"names", names}})
+              << ui::printable(session.view.tr("no load case or combination \"{case}\"; there are: {names}",
+                                               {{"case", *options.load_case}, {"names", names}}))
               << '\n';
     return false;
 }
@@ -89,7 +90,7 @@ int run(Options options)
     }
     if (!choose_case(session, options)) return BadInput;
     if (options.describe) {
-        std::cout << session.in_words();
+        std::cout << ui::printable(session.in_words());
         return Done;
     }
     if (options.play) return ui::play_through<Application, OffscreenStage>(options, "frame", session, session.view.tr);
