@@ -7,11 +7,13 @@
 #include <system_error>
 #include <utility>
 
+#include "ui/text/printable.h"
+
 namespace cli {
 
 void Console::message(std::string_view line) const
 {
-    const std::string text = std::string(line) + "\n";
+    const std::string text = ui::printable(std::string(line) + "\n");
     static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
 }
 
@@ -46,7 +48,7 @@ std::string Console::sentence(const femoop::Fault& fault) const { return femoop:
 
 void Console::flush()
 {
-    const std::string results = std::exchange(results_, {});
+    const std::string results = ui::printable(std::exchange(results_, {}));
     errno = 0;
     const bool is_written = std::fwrite(results.data(), 1, results.size(), stdout) == results.size();
     if ((is_written && std::fflush(stdout) == 0) || errno == EPIPE) return;

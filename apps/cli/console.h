@@ -25,7 +25,7 @@ public:
 
     const ui::Catalogue& tr() const { return tr_; }
 
-    void print(std::string_view result) { results_ += result; }
+    void print(std::string result) { results_.empty() ? results_.swap(result) : void(results_ += result); }
     void message(std::string_view line) const; ///< to stderr, a line of its own
     /// "portal.json: error: ..." for each fault, errors and warnings told apart; of many warnings of one kind the first
     /// ones and how many more there are.

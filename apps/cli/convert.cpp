@@ -82,6 +82,17 @@ femoop::Units units_named(const std::string& text, const ui::Catalogue& tr)
     return {*length, *force};
 }
 
+/// Numbers may leave the range in which they are read when they are counted in other units; what is wrong with them is
+/// told, by their new place.
+bool is_sound_in_new_units(const std::string& text, const Console& console)
+{
+    const femoop::ModelReading reading = femoop::examine_model(text);
+    if (reading.is_sound()) return true;
+    console.message(console.tr()("--units: in these units the file could not be read again; choose others"));
+    console.report("--units", reading.faults);
+    return false;
+}
+
 void Convert::deliver(const std::string& text, Console& console) const
 {
     if (out_ == "-") console.print(text);
@@ -99,7 +110,9 @@ ExitStatus Convert::to_json(const femoop::Model& model, Console& console) const
         throw UsageError(
             console.tr()("--units: the block \"{block}\" holds numbers that are not converted; take it out first",
                          {{"block", model.extra.front().key}}));
-    deliver(femoop::write_model(units == model.units ? model : femoop::in_units(model, units)), console);
+    const std::string text = femoop::write_model(units == model.units ? model : femoop::in_units(model, units));
+    if (!is_sound_in_new_units(text, console)) return ExitStatus::BadInput;
+    deliver(text, console);
     return ExitStatus::Done;
 }
 

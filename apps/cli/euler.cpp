@@ -14,6 +14,7 @@
 #include "apps/cli/solid_file.h"
 #include "femoop/io/json/json_writer.h"
 #include "femoop/io/results/text_table.h"
+#include "topology/embedding/ring_plane.h"
 #include "topology/halfedge/check/shells.h"
 #include "topology/halfedge/check/validate.h"
 #include "topology/tables/table_text.h"
@@ -35,7 +36,7 @@ public:
 
 private:
     void require_sensible(const ui::Catalogue& tr) const;
-    std::string run_on(ScriptRunner& runner, const ui::Catalogue& tr) const;
+    std::string run_on(ScriptRunner& runner, const Console& console) const;
     void save(const std::vector<NamedSolid>& solids, const Console& console) const;
 
     std::string script_, step_, obj_, to_script_, from_;
@@ -135,13 +136,12 @@ std::string counts_table(const std::vector<NamedSolid>& solids, std::size_t n_st
 }
 
 /// The tables of every living solid, as the lecture prints them.
-std::string tables(const ScriptRunner& runner)
+void append_tables(std::string& text, const ScriptRunner& runner)
 {
-    std::string text;
     for (std::size_t i = 0; i < runner.solids().size(); ++i)
         if (runner.solids()[i].is_alive())
-            text += topology::table_text(runner.solids()[i].solid, topology::place_among_living(runner.solids(), i));
-    return text;
+            topology::append_table_text(text, runner.solids()[i].solid,
+                                        topology::place_among_living(runner.solids(), i));
 }
 
 void Euler::require_sensible(const ui::Catalogue& tr) const
@@ -160,24 +160,40 @@ void Euler::require_sensible(const ui::Catalogue& tr) const
     }
 }
 
-/// \returns what `--tables` prints
-std::string Euler::run_on(ScriptRunner& runner, const ui::Catalogue& tr) const
+/// A ring that does not lie in the plane of its face is told, not refused.
+void tell_rings_off_plane(const ScriptRunner& now, std::string_view line, const Console& console)
 {
+    if (now.n_steps() == 0 || line.starts_with("undo") || line.starts_with("redo")) return;
+    const NamedSolid& in = now.solids()[now[now.n_steps() - 1].solid];
+    const auto found = off_plane(in.solid, change(in.solid.tables(), in.journal[in.journal.n_done() - 1]));
+    if (!found) return;
+    const std::string sentence = console.tr()(
+        "{vertex} lies outside the plane of face {face}: the links are right, but no flat face has such a ring.",
+        {{"vertex", in.names.vertices.of(found->vertex)}, {"face", in.names.faces.of(found->face)}});
+    console.message(std::string(line) + ": " + sentence);
+}
+
+/// \returns what `--tables` prints
+std::string Euler::run_on(ScriptRunner& runner, const Console& console) const
+{
+    const ui::Catalogue& tr = console.tr();
     topology::ScriptOptions options;
     if (!step_.empty())
         options.most_steps = static_cast<std::size_t>(
             whole_number("--step", step_, {0, std::numeric_limits<long>::max()}, tr));
     std::string printed;
-    if (has_tables_)
-        options.after = [&](const ScriptRunner& now, std::string_view line) {
-            printed += (printed.empty() ? "" : "\n") + std::string(line) + "\n" + tables(now);
-        };
+    options.after = [&](const ScriptRunner& now, std::string_view line) {
+        tell_rings_off_plane(now, line, console);
+        if (!has_tables_) return;
+        printed.append(printed.empty() ? "" : "\n").append(line).append("\n");
+        append_tables(printed, now);
+    };
     try {
         if (!script_.empty()) run_script(runner, text_of(script_, tr), options);
     } catch (const topology::LineError& fault) {
         throw UsageError(display_name(script_, tr) + ": " + fault.sentence(tr));
     }
-    if (has_tables_ && printed.empty()) printed = tables(runner); // no step was run: what it began with
+    if (has_tables_ && printed.empty()) append_tables(printed, runner); // no step was run: what it began with
     return printed;
 }
 
@@ -197,11 +213,11 @@ ExitStatus Euler::run(Console& console)
     ScriptRunner runner;
     if (!from_.empty())
         for (NamedSolid& solid : load_solids(from_, tr)) runner.add(std::move(solid));
-    const std::string printed = run_on(runner, tr);
+    std::string printed = run_on(runner, console);
     const std::vector<NamedSolid> solids = living(runner);
     save(solids, console);
     if (is_json_) console.print(json(solids, runner.n_steps()));
-    else console.print(has_tables_ ? printed : counts_table(solids, runner.n_steps(), tr));
+    else console.print(has_tables_ ? std::move(printed) : counts_table(solids, runner.n_steps(), tr));
     return ExitStatus::Done;
 }
 

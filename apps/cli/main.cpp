@@ -20,6 +20,9 @@ try {
 #ifdef SIGPIPE
     std::signal(SIGPIPE, SIG_IGN); // a reader that goes away is met where the results are written
 #endif
+#ifdef SIGXFSZ
+    std::signal(SIGXFSZ, SIG_IGN); // so is a file that must not grow further
+#endif
     leave(cli::run(std::vector<std::string>(argv + 1, argv + argc)));
 } catch (const std::exception& error) {
     std::cerr << "cremona: " << error.what() << '\n';

@@ -145,7 +145,7 @@ constexpr std::array labels{
     Label{"deviatoric", translatable("principal deviator"), "1 2 3"},
     Label{"octahedral_normal", translatable("octahedral normal component")},
     Label{"octahedral_shear", translatable("octahedral shear")},
-    Label{"lode_deg", translatable("Lode angle [deg]")},
+    Label{"lode_deg", translatable("Lode angle t [deg], cos 3t = 2.598 J3/J2^1.5")},
     Label{"von_mises", translatable("von Mises stress")},
     Label{"stress", translatable("stress"), "x y xy"},
     Label{"principal_stress", translatable("principal stress"), "1 2 3"},
@@ -169,12 +169,21 @@ std::vector<std::string> parts_of(const Label& label, std::size_t n)
     return parts;
 }
 
+/// Of a strain the tensor's shear is half of gamma, and second moments of area have a product instead.
+std::string name_of(const Label& label, Kind kind, const ui::Catalogue& tr)
+{
+    constexpr std::array<std::string_view, 4> shears{"tau_max", "tau_max_absolute", "octahedral_shear", "tau_n"};
+    if (std::ranges::find(shears, label.key) == shears.end()) return tr(label.text);
+    if (kind == Kind::Inertia) return tr("largest product of inertia");
+    return tr(label.text) + (is_strain(kind) ? ", gamma/2" : "");
+}
+
 /// A line for each number; a number keeps six digits of its own, because a table of them mixes every dimension.
-void add_lines(femoop::TextTable& table, const MohrResult& result, const ui::Catalogue& tr)
+void add_lines(femoop::TextTable& table, const MohrResult& result, Kind kind, const ui::Catalogue& tr)
 {
     const auto label = std::find_if(labels.begin(), labels.end(), [&](const Label& l) { return l.key == result.key; });
     if (label == labels.end()) return;
-    const std::string text = tr(label->text);
+    const std::string text = name_of(*label, kind, tr);
     const auto number = [&](double value) {
         std::array<char, 32> buffer{};
         static_cast<void>(std::snprintf(buffer.data(), buffer.size(), "%.6g", value));
@@ -253,7 +262,7 @@ std::string mohr_json(const std::vector<MohrResult>& results, const MohrProblem&
 std::string mohr_table(const std::vector<MohrResult>& results, const MohrProblem& problem, const ui::Catalogue& tr)
 {
     femoop::TextTable table({tr("result"), tr("value")});
-    for (const MohrResult& result : results) add_lines(table, result, tr);
+    for (const MohrResult& result : results) add_lines(table, result, problem.state.kind, tr);
     std::string text = units_line(problem, tr) + table.text();
     if (!is_possible(problem.state))
         text += tr("no section has these second moments: a principal one is negative") + "\n";

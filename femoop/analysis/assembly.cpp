@@ -39,21 +39,39 @@ template <AnalysisKind kind, class Scalar>
 auto Assembly<kind, Scalar>::element(MemberId member, const MemberFrame& frame) const -> Element
 {
     const MemberExtras* extras = structure_.extras_of(member);
-    return element_of(member, frame, extras == nullptr ? all_actions : elastic_actions(*extras));
+    return element_of(member, frame, extras == nullptr ? all_actions : elastic_actions(*extras),
+                      structure_.properties_of(member));
 }
 
 template <AnalysisKind kind, class Scalar>
 auto Assembly<kind, Scalar>::constrained_element(MemberId member, const MemberFrame& frame) const -> Element
 {
-    return element_of(member, frame, constrained_actions(*structure_.extras_of(member)));
+    return element_of(member, frame, constrained_actions(*structure_.extras_of(member)),
+                      structure_.properties_of(member));
 }
 
 template <AnalysisKind kind, class Scalar>
-auto Assembly<kind, Scalar>::element_of(MemberId member, const MemberFrame& frame, ActionSet actions) const -> Element
+auto Assembly<kind, Scalar>::unit_element(MemberId member, const MemberFrame& frame, ActionSet actions) const -> Element
+{
+    static constexpr MemberProperties unit{.axial = {1.0}, .torsion = {1.0}, .xy = {.EI = 1.0}, .xz = {.EI = 1.0}};
+    return element_of(member, frame, actions, unit);
+}
+
+template <AnalysisKind kind, class Scalar>
+auto Assembly<kind, Scalar>::resisting_elements(MemberId member, const MemberFrame& frame) const -> std::vector<Element>
+{
+    std::vector<Element> elements{element(member, frame)};
+    if (is_constrained(member))
+        elements.push_back(unit_element(member, frame, constrained_actions(*structure_.extras_of(member))));
+    return elements;
+}
+
+template <AnalysisKind kind, class Scalar>
+auto Assembly<kind, Scalar>::element_of(MemberId member, const MemberFrame& frame, ActionSet actions,
+                                        const MemberProperties& properties) const -> Element
 {
     const auto& nodes = structure_.members[member.index].nodes;
-    return Element(structure_.properties_of(member), frame, structure_.extras_of(member),
-                   {axes_of(nodes[0]), axes_of(nodes[1])}, actions);
+    return Element(properties, frame, structure_.extras_of(member), {axes_of(nodes[0]), axes_of(nodes[1])}, actions);
 }
 
 template <AnalysisKind kind, class Scalar>
@@ -127,7 +145,7 @@ template <class Scalar> auto node_stiffness(const auto& element)
         PreciseMatrix T = PreciseMatrix::Zero(first.rows() + second.rows(), first.cols() + second.cols());
         T.topLeftCorner(first.rows(), first.cols()) = first;
         T.bottomRightCorner(second.rows(), second.cols()) = second;
-        return stiffness_of(element.local_strains(), T);
+        return stiffness_of(element.strains(), T);
     }
 }
 

@@ -37,6 +37,12 @@ public:
     /// The same with what its constraint takes from it. \pre the member has a constraint
     Element constrained_element(MemberId member, const MemberFrame& frame) const;
 
+    /// An element with stiffnesses 1 in place of its own, for what depends on its shape alone.
+    Element unit_element(MemberId member, const MemberFrame& frame, ActionSet actions) const;
+
+    /// What resists in a member: its stiffness and, if it has one, its constraint.
+    std::vector<Element> resisting_elements(MemberId member, const MemberFrame& frame) const;
+
     /// The equations of a member's nodes, [2n]; Equations::none where a displacement is prescribed.
     std::array<std::int32_t, 2 * n> node_equations(MemberId member) const;
 
@@ -67,7 +73,8 @@ public:
 private:
     bool is_constrained(MemberId member) const;
     bool is_plain(MemberId member) const; ///< without extras, between nodes in global axes
-    Element element_of(MemberId member, const MemberFrame& frame, ActionSet actions) const;
+    Element element_of(MemberId member, const MemberFrame& frame, ActionSet actions,
+                       const MemberProperties& properties) const;
     const NodeMatrix* axes_of(NodeId node) const;
     void add_node_loads(const CaseLoads& loads, Eigen::VectorXd& f) const;
     void add_member_loads(const CaseLoads& loads, Eigen::VectorXd& f) const;

@@ -17,7 +17,7 @@ public:
     /// Reduces a row by those before it and keeps it, or reports what it contradicts.
     void add(const ConstraintRow& row, std::vector<Elimination::Conflict>& conflicts)
     {
-        Reduced reduced{.terms = {}, .value = row.value, .members = {row.member}};
+        Reduced reduced{.terms = {}, .value = row.value, .member = row.member, .used = {}};
         for (const ConstraintRow::Term& term : row.terms) reduced.terms[term.unknown] += term.coefficient;
         double size = 0.0;
         for (const auto& [unknown, c] : reduced.terms) size = std::max(size, std::abs(c) * scale_[unknown]);
@@ -30,8 +30,7 @@ public:
         }
         for (Eigen::Index c = 0; c < reduced.value.size(); ++c)
             if (std::abs(reduced.value[c]) > 1e-9 * value_size)
-                conflicts.push_back({.load_case = static_cast<std::size_t>(c),
-                                     .members = {reduced.members.begin(), reduced.members.end()}});
+                conflicts.push_back({.load_case = static_cast<std::size_t>(c), .members = members_behind(reduced)});
     }
 
     Elimination result(std::size_t n_cases);
@@ -40,9 +39,26 @@ private:
     struct Reduced {
         std::map<std::int32_t, double> terms; ///< of unknowns without the pivot, once kept
         Eigen::VectorXd value;
-        std::set<MemberId> members;
+        MemberId member;
+        std::vector<std::int32_t> used; ///< rows that took part in its reduction
         std::int32_t pivot = -1;
     };
+
+    /// The members of a row and of all that it was reduced by.
+    std::vector<MemberId> members_behind(const Reduced& row) const
+    {
+        std::set<MemberId> members{row.member};
+        std::set<std::int32_t> known(row.used.begin(), row.used.end());
+        std::vector<std::int32_t> open(row.used);
+        while (!open.empty()) {
+            const Reduced& next = rows_[static_cast<std::size_t>(open.back())];
+            open.pop_back();
+            members.insert(next.member);
+            for (const std::int32_t used : next.used)
+                if (known.insert(used).second) open.push_back(used);
+        }
+        return {members.begin(), members.end()};
+    }
 
     /// Replaces unknowns that are pivots of earlier rows; returns the largest value met on the way.
     double substitute(Reduced& row) const
@@ -60,7 +76,7 @@ private:
                 row.value -= c * known.value;
                 if (known.value.size() > 0)
                     largest = std::max(largest, std::abs(c) * known.value.cwiseAbs().maxCoeff());
-                row.members.insert(known.members.begin(), known.members.end());
+                row.used.push_back(pivot);
                 found = true;
                 break;
             }

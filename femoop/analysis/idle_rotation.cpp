@@ -12,22 +12,10 @@ namespace femoop {
 
 namespace {
 
-/// Does a constraint tie a member to the rotation of its node? A rigid joint lets it, and a rigid arm.
-bool is_tied(const MemberExtras& extras, std::size_t end)
-{
-    if (extras.constraint == Constraint::None) return false;
-    if (extras.has_offset) return true;
-    if (extras.is_bar || extras.constraint != Constraint::Rigid) return false;
-    const auto is_rigid = [&](LocalAxis axis) { return extras.joints[end][index(axis)] == rigid_joint; };
-    return is_rigid(LocalAxis::rx) || is_rigid(LocalAxis::ry) || is_rigid(LocalAxis::rz);
-}
-
 NodeJoints node_joints(const Structure& structure)
 {
     const std::size_t n = structure.positions.size();
-    NodeJoints joints{.stiffness = std::vector<double>(n, 0.0),
-                      .is_flexible = std::vector<bool>(n, false),
-                      .is_tied = std::vector<bool>(n, false)};
+    NodeJoints joints{.stiffness = std::vector<double>(n, 0.0), .is_flexible = std::vector<bool>(n, false)};
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
         const MemberExtras* extras = structure.extras_of(MemberId(i));
         const MemberProperties& p = structure.properties_of(MemberId(i));
@@ -35,9 +23,7 @@ NodeJoints node_joints(const Structure& structure)
         for (std::size_t end = 0; end < 2; ++end) {
             const std::size_t node = structure.members[i].nodes[end].index;
             joints.stiffness[node] = std::max({joints.stiffness[node], 4.0 * p.xy.EI / L, 4.0 * p.xz.EI / L});
-            if (extras == nullptr) continue;
-            if (extras->is_bar || extras->has_flexible_joint) joints.is_flexible[node] = true;
-            if (is_tied(*extras, end)) joints.is_tied[node] = true;
+            if (extras != nullptr && (extras->is_bar || extras->has_flexible_joint)) joints.is_flexible[node] = true;
         }
     }
     return joints;
@@ -91,25 +77,35 @@ std::vector<HeldRotation> unfollowed(std::vector<HeldRotation> idle, RotationFol
 
 } // namespace
 
-std::vector<HeldRotation> hold_idle_rotations(const Structure& structure, const Equations& equations, SparseMatrix& K)
+std::vector<HeldRotation> hold_idle_rotations(const Structure& structure, const Equations& equations, SparseMatrix& K,
+                                              std::optional<SparseMatrix> resistance)
 {
     std::vector<HeldRotation> held;
-    const auto keep = [&](HeldRotation rotation, double stiffness) {
-        rotation.stiffness = stiffness;
+    if (is_truss(structure.kind)) return held;
+    const NodeJoints joints = node_joints(structure);
+    SparseMatrix& resisting = resistance ? *resistance : K;
+    NodeJoints measure = joints; // of what resists
+    if (resistance)
+        std::replace_if(
+            measure.stiffness.begin(), measure.stiffness.end(), [](double s) { return s > 0.0; }, 1.0);
+    const auto hold_both = [&](HeldRotation rotation) {
+        const std::size_t node = rotation.parts.front().node.index;
+        rotation.stiffness = measure.stiffness[node];
+        if (resistance) hold(rotation, *resistance);
+        rotation.stiffness = joints.stiffness[node];
         hold(rotation, K);
         held.push_back(std::move(rotation));
     };
-    if (is_truss(structure.kind)) return held;
-    const NodeJoints joints = node_joints(structure);
     RotationFollowers followers(structure);
-    for (std::size_t node = 0; node < joints.stiffness.size(); ++node) {
-        if (!joints.may_turn(node)) continue;
+    for (std::size_t node = 0; node < measure.stiffness.size(); ++node) {
+        if (!measure.may_turn(node)) continue;
         const auto parts = free_rotations(structure, equations, NodeId(node));
-        for (const HeldRotation& rotation : unfollowed(idle_at_node(parts, joints.stiffness[node], K), followers))
-            keep(rotation, joints.stiffness[node]);
+        for (const HeldRotation& rotation :
+             unfollowed(idle_at_node(parts, measure.stiffness[node], resisting), followers))
+            hold_both(rotation);
     }
-    for (const HeldRotation& rotation : spinning_chains(structure, equations, joints, followers, K))
-        keep(rotation, joints.stiffness[rotation.parts.front().node.index]);
+    for (const HeldRotation& rotation : spinning_chains(structure, equations, measure, followers, resisting))
+        hold_both(rotation);
     return held;
 }
 

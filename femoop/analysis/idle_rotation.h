@@ -4,6 +4,7 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "femoop/analysis/equations.h"
@@ -28,9 +29,23 @@ struct HeldRotation {
     double stiffness = 0.0;    ///< that holds it
 };
 
-/// Finds the rotations that nothing takes part in and adds a stiffness to K that holds them; exact, since K does
-/// nothing in their direction. `K` is the lower triangle over all unknowns.
-std::vector<HeldRotation> hold_idle_rotations(const Structure& structure, const Equations& equations, SparseMatrix& K);
+/// An own end of a constrained member that spins between releases.
+struct HeldEnd {
+    std::int32_t equation;
+    double stiffness; ///< that holds it
+};
+
+/// What is held because nothing takes part in it, so that it makes no false mechanism.
+struct Holds {
+    std::vector<HeldRotation> rotations;
+    std::vector<HeldEnd> own_ends;
+};
+
+/// Finds the rotations that nothing takes part in, and adds a stiffness to K that holds them; exact, since K does
+/// nothing in their direction. `K` is the lower triangle over all unknowns. Constrained members resist by more than
+/// stiffness: then `resistance` tells what takes part (femoop/analysis/compatibility.h), else K does.
+std::vector<HeldRotation> hold_idle_rotations(const Structure& structure, const Equations& equations, SparseMatrix& K,
+                                              std::optional<SparseMatrix> resistance);
 
 /// Adds the stiffness of such a rotation. At its first node it is enough: the others cannot turn without it.
 template <class Scalar> void hold(const HeldRotation& rotation, Eigen::SparseMatrix<Scalar>& K)

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <type_traits>
@@ -11,6 +10,7 @@
 
 #include "femoop/analysis/accuracy.h"
 #include "femoop/analysis/assembly.h"
+#include "femoop/analysis/compatibility.h"
 #include "femoop/analysis/constraints.h"
 #include "femoop/analysis/equilibrium.h"
 #include "femoop/analysis/idle_rotation.h"
@@ -34,23 +34,8 @@ constexpr double harmless_pivot = 1e-6;     // of the diagonal: above it no cond
 constexpr double poor_condition = 1e10;     // leaves some six correct digits
 constexpr double unmeant_motion = 1e5;      // of the structure's size; exercises with E I = 1 stay well below
 constexpr double unmeant_soft_motion = 10;  // where a pivot is so small that something is soft beside the rest
-constexpr double zero_eigenvalue = 1e-14;   // of the scaled K: a free motion leaves less
 constexpr Eigen::Index most_modes = 100;    // to look for in a structure that moves in many ways
 constexpr Eigen::Index most_described = 12; // of them: who reads more sentences than that?
-
-/// The part of its diagonal entry that a pivot of a mechanism may keep: its motion strains members by what rounding
-/// moves their nodes, and the energy of that is a square.
-double free_pivot(const Structure& structure)
-{
-    constexpr double digits = std::numeric_limits<double>::epsilon();
-    double farthest = 0.0, shortest = std::numeric_limits<double>::infinity();
-    for (const Eigen::Vector3d& position : structure.positions)
-        farthest = std::max(farthest, position.cwiseAbs().maxCoeff());
-    for (std::size_t i = 0; i < structure.members.size(); ++i)
-        shortest = std::min(shortest, structure.frame(MemberId(i)).length);
-    const double rounding = digits * farthest / shortest;
-    return std::clamp(100.0 * rounding * rounding, 1e-24, 1e-14);
-}
 
 detail::Motions<double> rounded_motions(const detail::Motions<DoubleDouble>& motions)
 {
@@ -150,7 +135,7 @@ public:
         return solutions;
     }
 
-    std::size_t n_held() const override { return held_.size(); }
+    std::size_t n_held() const override { return holds_.rotations.size(); }
 
 private:
     static constexpr int n = Assembly<kind>::n;
@@ -161,7 +146,10 @@ private:
         watch.lap();
         SparseMatrix K = equations.pattern().matrix();
         assembly_.add_stiffness(K);
-        held_ = hold_idle_rotations(*structure, equations, K);
+        std::optional<SparseMatrix> resisting;
+        if (structure->has_constraints) resisting = resistance<kind>(*structure, equations, assembly_);
+        holds_.rotations = hold_idle_rotations(*structure, equations, K, std::move(resisting));
+        holds_.own_ends = hold_loose_own_ends<kind>(*structure, equations, assembly_, K);
         ReducedSystem system(equations, std::move(K));
         if (structure->has_constraints)
             system.constrain(eliminate_constraints<kind>(*structure, equations, assembly_, {}),
@@ -188,8 +176,16 @@ private:
         const Pivots pivots = system_.factorize();
         note_size();
         smallest_pivot = pivots.smallest_ratio;
-        if (!pivots.is_positive_definite || pivots.smallest_ratio <= doubtful_pivot) refuse_mechanism(model);
-        else if (is_soft()) warn_of_condition(model);
+        const bool is_doubtful = !pivots.is_complete || pivots.smallest_ratio <= doubtful_pivot ||
+                                 system_.has_idle_unknown() || has_too_few_members();
+        if (is_doubtful || (is_soft() && system_.condition() >= poor_condition)) look_closely(model);
+    }
+
+    /// Fewer forces than equations: something moves, whatever the pivots say.
+    bool has_too_few_members() const
+    {
+        const Indeterminacy count = count_indeterminacy(*structure, n_held());
+        return !count.has_foundation && count.total() < 0;
     }
 
     void note_size()
@@ -204,27 +200,16 @@ private:
         statistics.solver = solver->name();
     }
 
-    /// Refuses what can move freely, and warns of what nearly can.
-    void refuse_mechanism(const Model& model)
+    /// Small pivots may come from a mechanism or from soft parts: refuses the one, warns of the other.
+    void look_closely(const Model& model)
     {
         require_finite_stiffness(model);
-        const NullModes free = system_.free_motions(zero_eigenvalue, most_modes);
-        if (!free.is_singular()) {
-            warn(model, free.condition, free.softest);
-            return;
-        }
-        if (precise().is_singular(free_pivot(*structure))) refuse(model, free.modes);
-        is_beyond_doubles_ = true;
-    }
-
-    /// Pivots stood, but many small ones after one another lose digits too.
-    void warn_of_condition(const Model& model)
-    {
-        const double condition = system_.condition();
-        if (condition < poor_condition) return;
-        const NullModes free = system_.free_motions(zero_eigenvalue, most_modes);
-        if (free.is_singular() && !unheld_parts(model, *structure).empty()) refuse(model, free.modes);
-        warn(model, condition, free.is_singular() ? free.modes.col(0) : free.softest);
+        const auto compatibility = Compatibility::of<kind>(*structure, equations, assembly_, holds_);
+        const NullModes free = compatibility.free_motions(most_modes);
+        if (free.is_singular()) refuse(model, free.modes);
+        const ReducedSystem::SoftMotion soft = system_.softest_motion();
+        is_beyond_doubles_ = !std::isfinite(soft.condition); // no pivots left to solve with
+        if (!is_beyond_doubles_) warn(model, soft.condition, soft.x);
     }
 
     void warn(const Model& model, double condition, const Eigen::VectorXd& softest)
@@ -288,7 +273,8 @@ private:
         if (precise_) return *precise_;
         PreciseSparseMatrix K = equations.pattern().matrix().template cast<DoubleDouble>();
         precise_assembly_.add_stiffness(K);
-        for (const HeldRotation& rotation : held_) hold(rotation, K);
+        for (const HeldRotation& rotation : holds_.rotations) hold(rotation, K);
+        for (const HeldEnd& end : holds_.own_ends) equations.pattern().add_to_diagonal(K, end.equation, end.stiffness);
         PreciseSparseMatrix own;
         if (structure->has_constraints) own = precise_assembly_.constrained_stiffness();
         return precise_.emplace(system_.precise(std::move(K), std::move(own)));
@@ -381,7 +367,7 @@ private:
     std::vector<Mechanism> driven(const Model& model, const std::vector<CaseLoads>& loads,
                                   const Eigen::MatrixXd& F) const
     {
-        std::vector<Mechanism> mechanisms = driven_spins(model, *structure, F, held_);
+        std::vector<Mechanism> mechanisms = driven_spins(model, *structure, F, holds_.rotations);
         append(mechanisms, driven_twists(model, *structure, assembly_, loads));
         return mechanisms;
     }
@@ -393,10 +379,10 @@ private:
 
     Assembly<kind> assembly_;
     Assembly<kind, DoubleDouble> precise_assembly_;
-    std::vector<HeldRotation> held_;
+    Holds holds_;
     ReducedSystem system_;
     std::optional<PreciseSystem> precise_;
-    bool is_beyond_doubles_ = false; ///< it holds, but doubles take it for a mechanism
+    bool is_beyond_doubles_ = false; ///< it holds, but not in doubles: no pivots are left to solve with
 };
 
 std::unique_ptr<LinearStatic::Parts> make_system(const Model& model, const AnalysisOptions& options)

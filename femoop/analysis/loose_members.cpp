@@ -1,5 +1,6 @@
 #include "femoop/analysis/loose_members.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -11,16 +12,33 @@ namespace femoop {
 
 namespace {
 
-/// Calls visit(member, frame, element) for every member that hangs on a release or spring and that no constraint ties.
-template <AnalysisKind kind, class Visit>
-void visit_jointed_members(const Structure& structure, const Assembly<kind>& assembly, Visit&& visit)
+/// Calls visit(member, frame) for every member that hangs on a release or spring.
+template <class Visit> void visit_jointed_members(const Structure& structure, Visit&& visit)
 {
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
         const MemberExtras* extras = structure.extras_of(MemberId(i));
-        if (extras == nullptr || !extras->has_flexible_joint || extras->constraint != Constraint::None) continue;
-        const MemberFrame frame = structure.frame(MemberId(i));
-        visit(MemberId(i), frame, assembly.element(MemberId(i), frame));
+        if (extras == nullptr || !extras->has_flexible_joint) continue;
+        visit(MemberId(i), structure.frame(MemberId(i)));
     }
+}
+
+/// A rigid member's foundation holds it against bending as its constraint alone would not.
+bool is_held(const Structure& structure, MemberId member, LocalAxis axis)
+{
+    const bool is_rigid = structure.extras_of(member)->constraint == Constraint::Rigid;
+    return is_rigid && structure.properties_of(member).xy.foundation > 0.0 &&
+           (axis == LocalAxis::y || axis == LocalAxis::rz);
+}
+
+template <AnalysisKind kind>
+std::vector<LooseEnd> loose_ends(const Structure& structure, const Assembly<kind>& assembly, MemberId member,
+                                 const MemberFrame& frame)
+{
+    std::vector<LooseEnd> found;
+    for (const auto& element : assembly.resisting_elements(member, frame))
+        for (const LooseEnd& loose : element.loose_ends())
+            if (!is_held(structure, member, loose.axis)) found.push_back(loose);
+    return found;
 }
 
 /// The free twist of a member, if these loads drive it.
@@ -44,11 +62,28 @@ template <AnalysisKind kind>
 std::vector<Mechanism> loose_members(const Model& model, const Structure& structure, const Assembly<kind>& assembly)
 {
     std::vector<Mechanism> mechanisms;
-    visit_jointed_members(structure, assembly, [&](MemberId member, const MemberFrame&, const auto& element) {
-        for (const LooseEnd& loose : element.loose_ends())
+    visit_jointed_members(structure, [&](MemberId member, const MemberFrame& frame) {
+        for (const LooseEnd& loose : loose_ends(structure, assembly, member, frame))
             if (loose.axis != LocalAxis::rx) mechanisms.push_back(flying_member(model, structure, member, loose));
     });
     return mechanisms;
+}
+
+template <AnalysisKind kind>
+std::vector<HeldEnd> hold_loose_own_ends(const Structure& structure, const Equations& equations,
+                                         const Assembly<kind>& assembly, SparseMatrix& K)
+{
+    std::vector<HeldEnd> held;
+    visit_jointed_members(structure, [&](MemberId member, const MemberFrame& frame) {
+        if (equations.own_end_of().empty() || equations.own_end_of()[member.index] < 0) return;
+        const MemberProperties& p = structure.properties_of(member);
+        const double stiffness = std::max({p.axial.EA, p.torsion.EA, p.xy.EI, p.xz.EI}) / frame.length;
+        for (const LooseEnd& loose : loose_ends(structure, assembly, member, frame)) {
+            held.push_back({equations.of_own_end(member, loose.end, loose.axis), stiffness});
+            equations.pattern().add_to_diagonal(K, held.back().equation, stiffness);
+        }
+    });
+    return held;
 }
 
 template <AnalysisKind kind>
@@ -56,30 +91,44 @@ std::vector<Mechanism> driven_twists(const Model& model, const Structure& struct
                                      const std::vector<CaseLoads>& loads)
 {
     std::vector<Mechanism> mechanisms;
-    visit_jointed_members(structure, assembly, [&](MemberId member, const MemberFrame& frame, const auto& element) {
-        const auto& bending = structure.properties_of(member).xy;
-        for (const CaseLoads& each : loads)
-            if (const auto twist = driven_twist(bending, frame.length, element, each.of(member))) {
-                mechanisms.push_back(flying_member(model, structure, member, *twist));
-                return; // the same for every case
-            }
+    const auto twist = [&](MemberId member, const MemberFrame& frame) -> std::optional<LooseEnd> {
+        for (const auto& element : assembly.resisting_elements(member, frame))
+            for (const CaseLoads& each : loads)
+                if (auto driven = driven_twist(structure.properties_of(member).xy, frame.length, element,
+                                               each.of(member)))
+                    return driven; // the same for every case
+        return std::nullopt;
+    };
+    visit_jointed_members(structure, [&](MemberId member, const MemberFrame& frame) {
+        if (const auto driven = twist(member, frame))
+            mechanisms.push_back(flying_member(model, structure, member, *driven));
     });
     return mechanisms;
 }
 
 template std::vector<Mechanism> loose_members(const Model&, const Structure&, const Assembly<AnalysisKind::Truss2d>&);
+template std::vector<HeldEnd> hold_loose_own_ends(const Structure&, const Equations&,
+                                                  const Assembly<AnalysisKind::Truss2d>&, SparseMatrix&);
 template std::vector<Mechanism> driven_twists(const Model&, const Structure&, const Assembly<AnalysisKind::Truss2d>&,
                                               const std::vector<CaseLoads>&);
 template std::vector<Mechanism> loose_members(const Model&, const Structure&, const Assembly<AnalysisKind::Frame2d>&);
+template std::vector<HeldEnd> hold_loose_own_ends(const Structure&, const Equations&,
+                                                  const Assembly<AnalysisKind::Frame2d>&, SparseMatrix&);
 template std::vector<Mechanism> driven_twists(const Model&, const Structure&, const Assembly<AnalysisKind::Frame2d>&,
                                               const std::vector<CaseLoads>&);
 template std::vector<Mechanism> loose_members(const Model&, const Structure&, const Assembly<AnalysisKind::Grillage>&);
+template std::vector<HeldEnd> hold_loose_own_ends(const Structure&, const Equations&,
+                                                  const Assembly<AnalysisKind::Grillage>&, SparseMatrix&);
 template std::vector<Mechanism> driven_twists(const Model&, const Structure&, const Assembly<AnalysisKind::Grillage>&,
                                               const std::vector<CaseLoads>&);
 template std::vector<Mechanism> loose_members(const Model&, const Structure&, const Assembly<AnalysisKind::Truss3d>&);
+template std::vector<HeldEnd> hold_loose_own_ends(const Structure&, const Equations&,
+                                                  const Assembly<AnalysisKind::Truss3d>&, SparseMatrix&);
 template std::vector<Mechanism> driven_twists(const Model&, const Structure&, const Assembly<AnalysisKind::Truss3d>&,
                                               const std::vector<CaseLoads>&);
 template std::vector<Mechanism> loose_members(const Model&, const Structure&, const Assembly<AnalysisKind::Frame3d>&);
+template std::vector<HeldEnd> hold_loose_own_ends(const Structure&, const Equations&,
+                                                  const Assembly<AnalysisKind::Frame3d>&, SparseMatrix&);
 template std::vector<Mechanism> driven_twists(const Model&, const Structure&, const Assembly<AnalysisKind::Frame3d>&,
                                               const std::vector<CaseLoads>&);
 

@@ -22,9 +22,6 @@ public:
     explicit PreciseSystem(Part elastic); ///< without constraints
     PreciseSystem(Part elastic, Part own, const Sparse& T, const Sparse& S);
 
-    /// May the structure move freely? \param free_pivot of the diagonal: what rounding of the data may leave
-    bool is_singular(double free_pivot) { return solver_->is_singular(free_pivot); }
-
     struct Displacements {
         PreciseMatrix all, constraint;
         Eigen::VectorXd out_of_balance; ///< largest force, of every load case

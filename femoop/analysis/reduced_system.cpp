@@ -9,6 +9,8 @@ namespace femoop {
 
 namespace {
 
+constexpr double cancelled = 1e-11; // of the terms that were added up: less may be rounding alone
+
 /// T' A T of a symmetric A, both as lower triangles.
 SparseMatrix reduced(const SparseMatrix& A, const SparseMatrix& T)
 {
@@ -36,6 +38,8 @@ void ReducedSystem::constrain(const Elimination& elimination, SparseMatrix own)
     T_ = elimination.T;
     S_ = picking(elimination.dependent, K_.rows());
     K_reduced_ = reduced(K_, T_);
+    const SparseMatrix T = T_.cwiseAbs(), magnitudes = SparseMatrix(K_.cwiseAbs()).selfadjointView<Eigen::Lower>();
+    terms_ = T.cwiseProduct(magnitudes * T).transpose() * Eigen::VectorXd::Ones(T.rows());
 }
 
 void ReducedSystem::analyse(const AnalysisOptions& options)
@@ -56,7 +60,7 @@ Pivots ReducedSystem::factorize()
 {
     if (S_.cols() > 0) factorize_own();
     const Pivots pivots = solver_ ? solver_->factorize(matrix()) : Pivots{};
-    is_factored_ = pivots.is_complete && pivots.is_positive_definite;
+    is_factored_ = pivots.is_complete;
     return pivots;
 }
 
@@ -67,15 +71,24 @@ void ReducedSystem::factorize_own()
     own_solver_->factorize(picked);
 }
 
+bool ReducedSystem::has_idle_unknown() const
+{
+    const Eigen::VectorXd diagonal = matrix().diagonal();
+    if (diagonal.size() == 0) return false;
+    if (diagonal.minCoeff() <= idle_diagonal * diagonal.maxCoeff()) return true;
+    return is_constrained_ && (diagonal.array() <= cancelled * terms_.array()).any();
+}
+
 double ReducedSystem::condition() const { return condition_estimate(*solver_, matrix()); }
 
-NullModes ReducedSystem::free_motions(double zero_tolerance, Eigen::Index most) const
+ReducedSystem::SoftMotion ReducedSystem::softest_motion() const
 {
-    NullModes free = null_modes(matrix(), zero_tolerance, most);
-    if (!is_constrained_) return free;
-    free.modes = (T_ * free.modes).eval();
-    if (free.softest.size() > 0) free.softest = (T_ * free.softest).eval();
-    return free;
+    constexpr double zero_eigenvalue = 1e-14; // what is less may be rounding alone
+    constexpr Eigen::Index one = 1;
+    const NullModes soft = null_modes(matrix(), zero_eigenvalue, one);
+    const Eigen::VectorXd x = soft.is_singular() ? soft.modes.col(0) : soft.softest;
+    const double condition = soft.is_singular() && is_factored_ ? this->condition() : soft.condition;
+    return {.x = is_constrained_ ? Eigen::VectorXd(T_ * x) : x, .condition = condition};
 }
 
 Eigen::MatrixXd ReducedSystem::solved(const Eigen::MatrixXd& B)

@@ -34,8 +34,13 @@ public:
     const SymmetricSolver* solver() const { return solver_.get(); }
 
     const SparseMatrix& stiffness() const { return K_; } ///< elastic, over all unknowns, lower triangle
-    double condition() const;                            ///< estimate. \pre a factorization that did not break down
-    NullModes free_motions(double zero_tolerance, Eigen::Index most) const; ///< over all unknowns
+    bool has_idle_unknown() const; ///< one with no more stiffness than cos(90 degrees) leaves: its pivot tells nothing
+    double condition() const;      ///< estimate. \pre a factorization that did not break down
+    struct SoftMotion {
+        Eigen::VectorXd x; ///< over all unknowns, largest entry 1
+        double condition;  ///< estimate; infinite if the factorization broke down
+    };
+    SoftMotion softest_motion() const; ///< as far as rounding in K lets see
 
     struct Displacements {
         Eigen::MatrixXd all;        ///< [unknowns x cases]
@@ -60,14 +65,15 @@ private:
     const Equations& equations_;
     SparseMatrix K_, K_reduced_;
     SparseMatrix own_;
-    SparseMatrix T_; ///< all unknowns from the independent
-    SparseMatrix S_; ///< all unknowns from the dependent
+    SparseMatrix T_;        ///< all unknowns from the independent
+    SparseMatrix S_;        ///< all unknowns from the dependent
+    Eigen::VectorXd terms_; ///< magnitudes that add up to the diagonal of the constrained system
     bool is_constrained_ = false;
+    bool is_factored_ = false;
     AnalysisOptions options_;
     double backward_error_ = 0.0;
     int refinements_ = 0;
     std::unique_ptr<SymmetricSolver> solver_, own_solver_;
-    bool is_factored_ = false; ///< with positive pivots
 };
 
 } // namespace femoop

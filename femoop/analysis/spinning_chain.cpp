@@ -15,7 +15,7 @@ bool carries_torque(const MemberExtras* extras)
 {
     if (extras == nullptr) return true;
     const auto is_joined = [&](std::size_t end) { return extras->joints[end][index(LocalAxis::rx)] != 0.0; };
-    return !extras->is_bar && extras->constraint != Constraint::Rigid && is_joined(0) && is_joined(1);
+    return !extras->is_bar && is_joined(0) && is_joined(1);
 }
 
 class ChainSearch {
@@ -75,14 +75,13 @@ private:
         return nodes;
     }
 
-    /// The chain's nodes turning by the same angle; nothing where a support or a constraint stops one of them.
+    /// The chain's nodes turning by the same angle; nothing where a support stops one of them.
     std::optional<HeldRotation> spin_of(const std::vector<NodeId>& nodes, const Eigen::Vector3d& axis) const
     {
         HeldRotation spin;
         std::vector<double> direction;
         const std::span<const Dof> dofs = model_dofs(structure_.kind);
         for (const NodeId node : nodes) {
-            if (joints_.is_tied[node.index]) return std::nullopt;
             for (std::size_t i = 0; i < dofs.size(); ++i) {
                 const auto component = static_cast<Eigen::Index>(index(dofs[i])) - 3;
                 if (component < 0 || std::abs(axis[component]) < square) continue;
@@ -97,7 +96,7 @@ private:
         return spin;
     }
 
-    /// Does K do no work on it?
+    /// Does nothing work against it?
     bool is_idle(const HeldRotation& spin)
     {
         double stiffness = 0.0;

@@ -14,15 +14,14 @@ inline constexpr double idle_stiffness = 1e-12; ///< of the stiffness of the mem
 struct NodeJoints {
     std::vector<double> stiffness; ///< the largest 4 EI / L of its members
     std::vector<bool> is_flexible; ///< has a member with a release, a spring or a hinge at either end
-    std::vector<bool> is_tied;     ///< a constraint ties its rotation to other motions
 
     /// May some joint have left a rotation of the node idle?
-    bool may_turn(std::size_t node) const { return is_flexible[node] && !is_tied[node] && stiffness[node] > 0.0; }
+    bool may_turn(std::size_t node) const { return is_flexible[node] && stiffness[node] > 0.0; }
 };
 
-/// Members in one line, joined against torsion, that K lets spin together about that line because of the joints at
-/// their ends, and that swing no other member. A line without any release or hinge that its supports alone let spin is
-/// not among them.
+/// Members in one line, joined against torsion, that K lets spin together about that line because of the
+/// joints at their ends, and that swing no other member. A line without any release or hinge that its supports alone
+/// let spin is not among them.
 std::vector<HeldRotation> spinning_chains(const Structure& structure, const Equations& equations,
                                           const NodeJoints& joints, RotationFollowers& followers,
                                           const SparseMatrix& K);

@@ -22,7 +22,7 @@ public:
     /// `joints` has one stiffness per displacement of the member, infinite for rigid.
     JointCondensation(const StrainForm& member, const Eigen::VectorXd& joints);
 
-    /// Stiffness at the nodes, B' S B, and what makes it.
+    /// Stiffness at the nodes, and what makes it: B is zero for what strains nothing once the releases have followed.
     Eigen::MatrixXd stiffness() const;
     StrainForm strain_form() const { return {.B = basis_, .S = stiffness_}; }
 

@@ -217,12 +217,14 @@ template <AnalysisKind kind> auto MemberElement<kind>::joint_stiffness() const -
     return joints;
 }
 
-template <AnalysisKind kind> auto MemberElement<kind>::strained_actions() const -> std::vector<StrainedAction>
+template <AnalysisKind kind> auto MemberElement<kind>::action_forms() const -> std::vector<ActionForm>
 {
-    std::vector<StrainedAction> actions;
+    std::vector<ActionForm> actions;
     const double L = frame_.length;
     const auto add_bar = [&](LocalAxis axis, const Bar& bar) {
-        if (const int row = row_of<kind>(axis); row >= 0) actions.push_back({{row, m + row}, strain_form(bar, L)});
+        const double unit = is_rotation(axis) ? 1.0 : L;
+        if (const int row = row_of<kind>(axis); row >= 0)
+            actions.push_back({{row, m + row}, strain_form(bar, L), unit});
     };
     const auto add_beam = [&](BendingPlane plane) {
         if (!bends<kind>(plane)) return;
@@ -230,7 +232,7 @@ template <AnalysisKind kind> auto MemberElement<kind>::strained_actions() const 
         const auto signs = bending_signs(plane);
         StrainForm form = strain_form(own_beam(plane), L, plane);
         form.B *= Eigen::Map<const Eigen::Vector4d>(signs.data()).asDiagonal();
-        actions.push_back({{rows.begin(), rows.end()}, form});
+        actions.push_back({{rows.begin(), rows.end()}, std::move(form), 1.0});
     };
     if (actions_.contains(Action::Axial)) add_bar(LocalAxis::x, properties_.axial);
     if (actions_.contains(Action::Torsion)) add_bar(LocalAxis::rx, properties_.torsion);
@@ -238,9 +240,10 @@ template <AnalysisKind kind> auto MemberElement<kind>::strained_actions() const 
     if (actions_.contains(Action::BendingXZ)) add_beam(BendingPlane::xz);
     if (actions_.contains(Action::RigidOnFoundation) && bends<kind>(BendingPlane::xy) &&
         properties_.xy.foundation > 0.0)
-        actions.push_back({{row_of<kind>(LocalAxis::y), m + row_of<kind>(LocalAxis::y)},
-                           {.B = Eigen::Matrix2d::Identity(),
-                            .S = rigid_on_foundation(properties_.xy.foundation, L)({0, 2}, {0, 2})}});
+        actions.push_back(
+            {{row_of<kind>(LocalAxis::y), m + row_of<kind>(LocalAxis::y)},
+             {.B = Eigen::Matrix2d::Identity(), .S = rigid_on_foundation(properties_.xy.foundation, L)({0, 2}, {0, 2})},
+             L});
     return actions;
 }
 
@@ -248,38 +251,40 @@ template <AnalysisKind kind> auto MemberElement<kind>::jointed_actions() const -
 {
     std::vector<JointedAction> actions;
     const LocalVector joints = joint_stiffness();
-    for (const StrainedAction& action : strained_actions())
-        actions.push_back({action.rows, JointCondensation(action.form, joints(action.rows))});
+    for (ActionForm& action : action_forms()) {
+        const JointCondensation condensation(action.form, joints(action.rows));
+        actions.push_back({.rows = std::move(action.rows), .condensation = condensation});
+    }
     return actions;
 }
 
-namespace {
-
-/// Adds one way of resisting to the strains of a whole member.
-void append(StrainForm& all, const std::vector<int>& rows, const StrainForm& form)
+template <AnalysisKind kind>
+template <class FormOf>
+StrainForm MemberElement<kind>::gathered_strains(FormOf&& form_of) const
 {
-    const Eigen::Index had = all.S.rows(), more = form.S.rows();
-    all.B.conservativeResizeLike(Eigen::MatrixXd::Zero(had + more, all.B.cols()));
-    all.S.conservativeResizeLike(Eigen::MatrixXd::Zero(had + more, had + more));
-    all.B.bottomRows(more)(Eigen::all, rows) = form.B;
-    all.S.bottomRightCorner(more, more) = form.S;
+    StrainForm all{.B = Eigen::MatrixXd(0, 2 * m), .S = Eigen::MatrixXd(0, 0)};
+    for (const ActionForm& action : action_forms()) {
+        const StrainForm form = form_of(action);
+        const Eigen::Index size = all.S.rows() + form.S.rows();
+        all.B.conservativeResizeLike(Eigen::MatrixXd::Zero(size, 2 * m));
+        all.S.conservativeResizeLike(Eigen::MatrixXd::Zero(size, size));
+        all.B.bottomRows(form.B.rows())(Eigen::all, action.rows) = form.B / action.unit;
+        all.S.bottomRightCorner(form.S.rows(), form.S.rows()) = form.S * (action.unit * action.unit);
+    }
+    return all;
 }
-
-} // namespace
 
 template <AnalysisKind kind> StrainForm MemberElement<kind>::rigid_joint_strains() const
 {
-    StrainForm all{.B = Eigen::MatrixXd(0, 2 * m), .S = Eigen::MatrixXd(0, 0)};
-    for (const StrainedAction& action : strained_actions()) append(all, action.rows, action.form);
-    return all;
+    return gathered_strains([](const ActionForm& action) { return action.form; });
 }
 
-template <AnalysisKind kind> StrainForm MemberElement<kind>::local_strains() const
+template <AnalysisKind kind> StrainForm MemberElement<kind>::strains() const
 {
     if (!has_flexible_joint()) return rigid_joint_strains();
-    StrainForm all{.B = Eigen::MatrixXd(0, 2 * m), .S = Eigen::MatrixXd(0, 0)};
-    for (const JointedAction& action : jointed_actions()) append(all, action.rows, action.condensation.strain_form());
-    return all;
+    const LocalVector joints = joint_stiffness();
+    return gathered_strains(
+        [&](const ActionForm& action) { return JointCondensation(action.form, joints(action.rows)).strain_form(); });
 }
 
 template <AnalysisKind kind> auto MemberElement<kind>::local_stiffness() const -> LocalMatrix

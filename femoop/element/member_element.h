@@ -83,9 +83,11 @@ public:
     LocalMatrix local_stiffness() const;
     LocalVector local_fixed_end_forces(const SpanLoading& loading) const;
 
-    /// The two stiffnesses in terms of strains, which loses nothing when displacements are large beside them.
+    /// What strains the member, from the displacements of its ends in its axes: angles, and lengths counted in its own
+    /// length; B is all zero for motions that its stiffness does not feel, whatever the stiffness is. B' S B is the
+    /// stiffness, which loses nothing when displacements are large beside their differences.
     StrainForm rigid_joint_strains() const;
-    StrainForm local_strains() const;
+    StrainForm strains() const; ///< of its nodes, with releases and springs
 
     /// What the nodes feel, in the nodes' axes.
     GlobalMatrix stiffness() const;
@@ -116,17 +118,19 @@ private:
     Beam own_beam(BendingPlane plane) const;
     bool has_flexible_joint() const { return extras_ != nullptr && extras_->has_flexible_joint; }
     /// One way in which the member resists; the ways do not feel one another.
-    struct StrainedAction {
+    struct ActionForm {
         std::vector<int> rows; ///< of the member's displacements
-        StrainForm form;       ///< with rigid joints
+        StrainForm form;
+        double unit; ///< of its strains: 1 where they are angles, else the member's length
     };
-    std::vector<StrainedAction> strained_actions() const;
+    std::vector<ActionForm> action_forms() const;
     /// The same between flexible joints.
     struct JointedAction {
         std::vector<int> rows;
         JointCondensation condensation;
     };
     std::vector<JointedAction> jointed_actions() const;
+    template <class FormOf> StrainForm gathered_strains(FormOf&& form_of) const;
     LocalVector joint_stiffness() const;
     GlobalVector to_nodes(const LocalVector& local) const;
 

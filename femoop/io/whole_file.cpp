@@ -7,6 +7,7 @@
 #include <string>
 
 #if __has_include(<unistd.h>)
+#include <csignal>
 #include <sys/stat.h>
 #include <unistd.h>
 #define FEMOOP_HAS_POSIX_FILES 1
@@ -44,6 +45,26 @@ Draft draft_beside(const fs::path& target)
 /// Waits until the disk has it.
 bool to_disk(std::FILE* file) { return std::fflush(file) == 0 && fsync(fileno(file)) == 0; }
 
+/// A file that grows beyond what is allowed then fails to be written, which is told; else it would end the program and
+/// leave the draft behind.
+class SizeLimitTold {
+public:
+    SizeLimitTold()
+    {
+        struct sigaction ignoring = {};
+        ignoring.sa_handler = SIG_IGN;
+        sigaction(SIGXFSZ, &ignoring, &before_);
+    }
+    ~SizeLimitTold() { sigaction(SIGXFSZ, &before_, nullptr); }
+    SizeLimitTold(const SizeLimitTold&) = delete;
+    SizeLimitTold& operator=(const SizeLimitTold&) = delete;
+
+private:
+    struct sigaction before_ = {};
+};
+
+bool may_write(const fs::path& path) { return access(path.c_str(), W_OK) == 0; }
+
 /// What a new file gets: mkstemp made it for the owner's eyes alone.
 fs::perms usual_permissions()
 {
@@ -63,6 +84,10 @@ Draft draft_beside(const fs::path& target)
 
 bool to_disk(std::FILE* file) { return std::fflush(file) == 0; }
 
+struct SizeLimitTold {};
+
+bool may_write(const fs::path&) { return true; }
+
 fs::perms usual_permissions() { return fs::perms::owner_read | fs::perms::owner_write; }
 
 #endif
@@ -79,6 +104,23 @@ std::error_code write_directly(const fs::path& path, std::string_view text)
     if (!file) return last_error();
     if (const std::error_code error = write_text(file.get(), text)) return error;
     return std::fflush(file.get()) == 0 ? std::error_code() : last_error();
+}
+
+/// A file that no one may write to is meant to stay as it is, even by whom permissions do not bind.
+bool is_protected(const fs::path& path, const fs::file_status& old)
+{
+    constexpr fs::perms any_write = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+    return fs::exists(old) && ((old.permissions() & any_write) == fs::perms::none || !may_write(path));
+}
+
+/// Where a link leads in the end, whether or not something is there. A circle ends at one of its links.
+fs::path end_of_links(fs::path path)
+{
+    constexpr int most_links = 40;
+    std::error_code error;
+    for (int i = 0; i < most_links && fs::is_symlink(fs::symlink_status(path, error)); ++i)
+        path = path.parent_path() / fs::read_symlink(path, error);
+    return path;
 }
 
 std::error_code replace(const fs::path& target, const fs::file_status& old, std::string_view text)
@@ -104,7 +146,11 @@ std::error_code write_whole_file(const fs::path& path, std::string_view text)
     const fs::file_status old = fs::status(path, error);
     if (fs::is_directory(old)) return std::make_error_code(std::errc::is_a_directory);
     if (fs::exists(old) && !fs::is_regular_file(old)) return write_directly(path, text);
-    const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
+    if (is_protected(path, old)) return std::make_error_code(std::errc::permission_denied);
+    const fs::path target = end_of_links(path);
+    if (fs::is_symlink(fs::symlink_status(target, error)))
+        return std::make_error_code(std::errc::too_many_symbolic_link_levels);
+    [[maybe_unused]] const SizeLimitTold told;
     return replace(target, old, text);
 }
 

@@ -425,7 +425,7 @@ std::string indeterminacy_words(const Indeterminacy& degree, const Words& words)
 void add_results(std::string& text, const Model& model, const Results& results, std::span<const CaseId> cases,
                  const Words& words)
 {
-    text += indeterminacy_words(results.indeterminacy(), words) + ".\n";
+    if (!model.members.empty()) text += indeterminacy_words(results.indeterminacy(), words) + ".\n";
     for (const CaseId id : cases) {
         const CaseResult result = results[id];
         std::vector<std::string> lines{largest_displacement(model, result, words)};

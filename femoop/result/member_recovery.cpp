@@ -96,7 +96,7 @@ public:
         const LocalVector d = pack(s.d);
         LocalVector p;
         if (extras_ != nullptr && extras_->has_flexible_joint && !is_constrained) {
-            p = is_precise_ ? LocalVector(precise_forces(elastic, elastic.local_strains(), Part::Elastic) +
+            p = is_precise_ ? LocalVector(precise_forces(elastic, elastic.strains(), Part::Elastic) +
                                           elastic.end_forces(LocalVector::Zero(), f))
                             : elastic.end_forces(d, f);
             unpack(elastic.end_displacements(d, f), s.d);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "femoop/section/area_integrals.h"
 #include "femoop/section/profile.h"
 #include "femoop/section/shape.h"
 
@@ -14,128 +15,217 @@ namespace femoop {
 
 namespace {
 
-using Points = std::vector<OutlinePoint>;
+constexpr int pieces_of_fillet = 6, pieces_of_quarter_circle = 18;
 
 /// From the lower left corner of the box around the figure: z to the right, y up.
 struct Corner {
     double z, y;
 };
 
-Points polygon(std::initializer_list<Corner> corners)
-{
-    Points points;
-    for (const Corner& corner : corners) points.push_back({.y = corner.y, .z = corner.z});
-    return points;
-}
+OutlinePoint point(const Corner& corner) { return {.y = corner.y, .z = corner.z}; }
 
-Points circle(double centre, double radius)
-{
-    constexpr int n = 72;
-    Points points;
-    for (int i = 0; i < n; ++i) {
-        const double t = 2.0 * std::numbers::pi * i / n;
-        points.push_back({.y = centre + radius * std::sin(t), .z = centre + radius * std::cos(t)});
+/// A closed line, walked from side to side.
+class Walk {
+public:
+    explicit Walk(const Corner& begin) : at_(point(begin)), begin_(at_) {}
+
+    Walk& to(const Corner& corner)
+    {
+        if (point(corner) != at_) sides_.push_back({.from = at_, .to = point(corner)});
+        at_ = point(corner);
+        return *this;
     }
-    return points;
+    /// Along a circle; of radius 0 it goes nowhere.
+    Walk& around(const Corner& centre, const Corner& end, int pieces = pieces_of_fillet)
+    {
+        if (point(end) != at_)
+            sides_.push_back({.from = at_, .to = point(end), .centre = point(centre), .pieces = pieces});
+        at_ = point(end);
+        return *this;
+    }
+    std::vector<OutlineSide> closed()
+    {
+        to({begin_.z, begin_.y});
+        return std::move(sides_);
+    }
+
+private:
+    OutlinePoint at_, begin_;
+    std::vector<OutlineSide> sides_;
+};
+
+using Sides = std::vector<OutlineSide>;
+
+Sides polygon(std::initializer_list<Corner> corners)
+{
+    Walk walk(*corners.begin());
+    for (const Corner& corner : corners) walk.to(corner);
+    return walk.closed();
 }
 
-Points reversed(Points points)
+Sides circle(double middle, double radius)
 {
-    std::ranges::reverse(points);
-    return points;
+    const Corner centre{middle, middle};
+    constexpr int n = pieces_of_quarter_circle;
+    return Walk({middle + radius, middle})
+        .around(centre, {middle, middle + radius}, n)
+        .around(centre, {middle - radius, middle}, n)
+        .around(centre, {middle, middle - radius}, n)
+        .around(centre, {middle + radius, middle}, n)
+        .closed();
+}
+
+Sides reversed(Sides sides)
+{
+    std::ranges::reverse(sides);
+    for (OutlineSide& side : sides) std::swap(side.from, side.to);
+    return sides;
 }
 
 struct Flanged {
     double h, bf, tf, tw, r = 0.0;
 };
 
-/// A quarter of a circle of radius r about (z, y), from the angle `begin` on, clockwise: the fillet of an inner corner.
-void add_fillet(Points& points, const Corner& centre, double r, double begin)
+Sides rolled_i(const Flanged& f)
 {
-    const int n = r > 0.0 ? 6 : 0;
-    for (int i = 0; i <= n; ++i) {
-        const double t = begin - 0.5 * std::numbers::pi * i / std::max(n, 1);
-        points.push_back({.y = centre.y + r * std::sin(t), .z = centre.z + r * std::cos(t)});
+    const double web = 0.5 * (f.bf + f.tw), back = 0.5 * (f.bf - f.tw), under = f.h - f.tf, r = f.r;
+    return Walk({0, 0})
+        .to({f.bf, 0})
+        .to({f.bf, f.tf})
+        .to({web + r, f.tf})
+        .around({web + r, f.tf + r}, {web, f.tf + r})
+        .to({web, under - r})
+        .around({web + r, under - r}, {web + r, under})
+        .to({f.bf, under})
+        .to({f.bf, f.h})
+        .to({0, f.h})
+        .to({0, under})
+        .to({back - r, under})
+        .around({back - r, under - r}, {back, under - r})
+        .to({back, f.tf + r})
+        .around({back - r, f.tf + r}, {back - r, f.tf})
+        .to({0, f.tf})
+        .closed();
+}
+
+Sides c(const Flanged& f)
+{
+    const double under = f.h - f.tf;
+    return polygon(
+        {{0, 0}, {f.bf, 0}, {f.bf, f.tf}, {f.tw, f.tf}, {f.tw, under}, {f.bf, under}, {f.bf, f.h}, {0, f.h}});
+}
+
+/// The inner face of a flange falls from the web to the toe; both ends are rounded.
+struct TaperedFlange {
+    TaperedFlange(const Flanged& f, double slope, double at)
+        : root{f.tw + f.r, 0.0}, toe{f.bf - 0.5 * f.r, 0.0}, root_end{}, toe_end{}
+    {
+        const double n = std::hypot(1.0, slope); // (slope, 1)/n is square to the face
+        root.y = f.tf + slope * (at - root.z) + f.r * n;
+        toe.y = f.tf + slope * (at - toe.z) - 0.5 * f.r * n;
+        root_end = {root.z - f.r * slope / n, root.y - f.r / n};
+        toe_end = {toe.z + 0.5 * f.r * slope / n, toe.y + 0.5 * f.r / n};
     }
-}
+    Corner root, toe;         ///< centres
+    Corner root_end, toe_end; ///< where the arcs meet the face
+};
 
-Points rolled_i(const Flanged& f)
+Sides rolled_c(const Flanged& f, double slope, double at)
 {
-    constexpr double right_angle = 0.5 * std::numbers::pi;
-    const double web = 0.5 * (f.bf + f.tw), back = 0.5 * (f.bf - f.tw), under = f.h - f.tf;
-    Points points = polygon({{0, 0}, {f.bf, 0}, {f.bf, f.tf}});
-    add_fillet(points, {web + f.r, f.tf + f.r}, f.r, -right_angle);
-    add_fillet(points, {web + f.r, under - f.r}, f.r, 2.0 * right_angle);
-    for (const Corner& corner : {Corner{f.bf, under}, {f.bf, f.h}, {0, f.h}, {0, under}})
-        points.push_back({.y = corner.y, .z = corner.z});
-    add_fillet(points, {back - f.r, under - f.r}, f.r, right_angle);
-    add_fillet(points, {back - f.r, f.tf + f.r}, f.r, 0.0);
-    points.push_back({.y = f.tf, .z = 0.0});
-    return points;
+    const TaperedFlange low(f, slope, at);
+    const auto high = [&](const Corner& corner) { return Corner{corner.z, f.h - corner.y}; };
+    return Walk({0, 0})
+        .to({f.bf, 0})
+        .to({f.bf, low.toe.y})
+        .around(low.toe, low.toe_end)
+        .to(low.root_end)
+        .around(low.root, {f.tw, low.root.y})
+        .to(high({f.tw, low.root.y}))
+        .around(high(low.root), high(low.root_end))
+        .to(high(low.toe_end))
+        .around(high(low.toe), high({f.bf, low.toe.y}))
+        .to({f.bf, f.h})
+        .to({0, f.h})
+        .closed();
 }
 
-Points rolled_c(const Flanged& f)
-{
-    constexpr double right_angle = 0.5 * std::numbers::pi;
-    Points points = polygon({{0, 0}, {f.bf, 0}, {f.bf, f.tf}});
-    add_fillet(points, {f.tw + f.r, f.tf + f.r}, f.r, -right_angle);
-    add_fillet(points, {f.tw + f.r, f.h - f.tf - f.r}, f.r, 2.0 * right_angle);
-    for (const Corner& corner : {Corner{f.bf, f.h - f.tf}, {f.bf, f.h}, {0, f.h}})
-        points.push_back({.y = corner.y, .z = corner.z});
-    return points;
-}
-
-Points tee(const Flanged& f)
+Sides tee(const Flanged& f)
 {
     const double left = 0.5 * (f.bf - f.tw), right = 0.5 * (f.bf + f.tw), under = f.h - f.tf;
     return polygon(
         {{left, 0}, {right, 0}, {right, under}, {f.bf, under}, {f.bf, f.h}, {0, f.h}, {0, under}, {left, under}});
 }
 
-Points angle(double h, double b, double t) { return polygon({{0, 0}, {b, 0}, {b, t}, {t, t}, {t, h}, {0, h}}); }
+Sides angle(double h, double b, double t) { return polygon({{0, 0}, {b, 0}, {b, t}, {t, t}, {t, h}, {0, h}}); }
 
-Points rectangle(double b, double h, double inset = 0.0)
+Sides rectangle(double b, double h, double inset = 0.0)
 {
     return polygon({{inset, inset}, {b - inset, inset}, {b - inset, h - inset}, {inset, h - inset}});
 }
 
-/// Area and its first moments, by Green's theorem: exact for straight edges.
-struct FirstMoments {
-    double A = 0.0, y = 0.0, z = 0.0;
+/// The same figure with y' and z' exchanged, so that integrals over y' are those over z'; it runs the other way round.
+Sides exchanged(Sides sides)
+{
+    for (OutlineSide& side : sides) {
+        std::swap(side.from.y, side.from.z);
+        std::swap(side.to.y, side.to.z);
+        if (side.centre) std::swap(side.centre->y, side.centre->z);
+    }
+    return sides;
+}
 
-    void add(const Points& points)
-    {
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const auto& [y1, z1] = points[i];
-            const auto& [y2, z2] = points[(i + 1) % points.size()];
-            const double cross = z1 * y2 - z2 * y1;
-            A += cross / 2.0;
-            y += cross * (y1 + y2) / 6.0;
-            z += cross * (z1 + z2) / 6.0;
+/// The centroid's height in a figure that begins at 0; that of a symmetric one has no rounding.
+double centroid(const Sides& sides)
+{
+    double size = 0.0;
+    for (const OutlineSide& side : sides) size = std::max(size, side.to.y);
+    const AreaIntegrals sums = integrals_between(sides, 0.0, size);
+    const double height = sums.first / sums.area, middle = 0.5 * size;
+    return std::abs(height - middle) < 1e-12 * size ? middle : height;
+}
+
+/// Corners, and the points between them along arcs.
+std::vector<OutlinePoint> points_of(const Sides& sides)
+{
+    std::vector<OutlinePoint> points;
+    for (const OutlineSide& side : sides) {
+        points.push_back(side.from);
+        if (!side.centre) continue;
+        const auto [y, z] = *side.centre;
+        const double r = std::hypot(side.from.y - y, side.from.z - z),
+                     begin = std::atan2(side.from.y - y, side.from.z - z),
+                     turn = std::remainder(std::atan2(side.to.y - y, side.to.z - z) - begin, 2.0 * std::numbers::pi);
+        for (int i = 1; i < side.pieces; ++i) {
+            const double t = begin + turn * i / side.pieces;
+            points.push_back({.y = y + r * std::sin(t), .z = z + r * std::cos(t)});
         }
     }
-};
+    return points;
+}
 
-SectionOutline about_centroid(Points outer, Points hole = {})
+SectionOutline about_centroid(Sides outer, Sides hole = {})
 {
-    FirstMoments moments;
-    moments.add(outer);
-    moments.add(hole);
-    for (Points* const points : {&outer, &hole})
-        for (OutlinePoint& point : *points) {
-            point.y -= moments.y / moments.A;
-            point.z -= moments.z / moments.A;
+    Sides all = outer;
+    all.insert(all.end(), hole.begin(), hole.end());
+    const double y = centroid(all), z = centroid(exchanged(all));
+    for (Sides* const sides : {&outer, &hole, &all})
+        for (OutlineSide& side : *sides) {
+            for (OutlinePoint* const point : {&side.from, &side.to}) *point = {point->y - y, point->z - z};
+            if (side.centre) side.centre = OutlinePoint{side.centre->y - y, side.centre->z - z};
         }
-    const auto [bottom, top] = std::ranges::minmax(outer, {}, &OutlinePoint::y);
-    const auto [left, right] = std::ranges::minmax(outer, {}, &OutlinePoint::z);
-    return {std::move(outer), std::move(hole), top.y, bottom.y, left.z, right.z};
+    const auto points = points_of(outer);
+    const auto [bottom, top] = std::ranges::minmax(points, {}, &OutlinePoint::y);
+    const auto [left, right] = std::ranges::minmax(points, {}, &OutlinePoint::z);
+    return {std::move(all), points, points_of(hole), top.y, bottom.y, left.z, right.z};
 }
 
 SectionOutline of_profile(const Profile& p, const Units& units)
 {
     const double k = metres(p.unit) / metres(units.length);
     const Flanged f{k * p.h, k * p.bf, k * p.tf, k * p.tw, k * p.r};
-    return about_centroid(p.family == ProfileFamily::UPN ? rolled_c(f) : rolled_i(f));
+    if (p.family != ProfileFamily::UPN) return about_centroid(rolled_i(f));
+    const bool is_small = p.h < 30.5; // up to UPN 300: the table counts in cm
+    return about_centroid(is_small ? rolled_c(f, 0.08, 0.5 * f.bf) : rolled_c(f, 0.05, 0.5 * (f.bf + f.tw)));
 }
 
 } // namespace
@@ -155,7 +245,7 @@ SectionOutline outline(const Shape& shape)
     case ShapeKind::I: return about_centroid(rolled_i(flanged()));
     case ShapeKind::T: return about_centroid(tee(flanged()));
     case ShapeKind::L: return about_centroid(angle(*shape.h, *shape.b, *shape.t));
-    case ShapeKind::C: return about_centroid(rolled_c(flanged()));
+    case ShapeKind::C: return about_centroid(c(flanged()));
     }
     throw std::invalid_argument("no such shape");
 }

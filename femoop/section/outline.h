@@ -14,15 +14,26 @@ struct OutlinePoint {
     friend bool operator==(const OutlinePoint&, const OutlinePoint&) = default;
 };
 
-/// The outline of a cross-section in its own axes about the centroid, for pictures.
+/// A side of a cross-section's boundary: straight, or an arc of at most a quarter turn that goes neither past the top
+/// or bottom nor past the left or right of its circle.
+struct OutlineSide {
+    OutlinePoint from{}, to{};
+    std::optional<OutlinePoint> centre{}; ///< of an arc
+    int pieces = 1;                       ///< that a picture draws it in
+
+    friend bool operator==(const OutlineSide&, const OutlineSide&) = default;
+};
+
+/// The outline of a cross-section in its own axes about the centroid.
 ///
 ///        y' ^  ============      looking along +x', y' is up and z' points right
 ///           |       ||
-///           o---> z'            `outer` runs counter-clockwise as seen, a hole clockwise
+///           o---> z'            sides and `outer` run counter-clockwise as seen, a hole clockwise
 ///
-/// Circles are polygons of 72 sides, root radii of rolled profiles arcs of six; the flanges of UPN do not taper, so a
-/// profile's centroid is that of the outline and within a few percent of the table's.
+/// For pictures circles are polygons of 72 sides and root radii of rolled profiles arcs of six. The flanges of UPN
+/// taper as their standard says: 8 % up to UPN 300, 5 % beyond, with root radius r and toe radius r/2.
 struct SectionOutline {
+    std::vector<OutlineSide> sides; ///< the figure as it is, of a hole too
     std::vector<OutlinePoint> outer;
     std::vector<OutlinePoint> hole; ///< of a tube or a box, else empty
     double top = 0.0, bottom = 0.0; ///< y' of the extreme fibres

@@ -11,9 +11,8 @@ namespace femoop {
 
 namespace {
 
-constexpr double least_diagonal = 1e-18; // of the largest: what cos(90 degrees) leaves is less, any real stiffness more
-constexpr double least_shift = 1e-14;    // keeps the factorization of a singular matrix alive
-constexpr double largest_block = 5e7;    // entries of a block of vectors
+constexpr double least_shift = 1e-14; // keeps the factorization of a singular matrix alive
+constexpr double largest_block = 5e7; // entries of a block of vectors
 
 /// 1 / sqrt(K_ii), bounded where K_ii is nothing.
 Eigen::VectorXd unit_diagonal_scale(const SparseMatrix& K)
@@ -21,7 +20,7 @@ Eigen::VectorXd unit_diagonal_scale(const SparseMatrix& K)
     const Eigen::VectorXd diagonal = K.diagonal();
     const double largest = diagonal.maxCoeff();
     if (!(largest > 0.0)) return Eigen::VectorXd::Ones(K.cols());
-    return diagonal.cwiseMax(least_diagonal * largest).cwiseSqrt().cwiseInverse();
+    return diagonal.cwiseMax(idle_diagonal * largest).cwiseSqrt().cwiseInverse();
 }
 
 /// The sum of absolute values in the worst column: no eigenvalue is larger.
@@ -77,6 +76,7 @@ public:
 
     const Eigen::MatrixXd& vectors() const { return vectors_; }
     const Eigen::VectorXd& values() const { return values_; }
+    const SymmetricSolver& inverse() const { return *inverse_; }
     Eigen::Index n_zeros() const { return (values_.array() <= zero_).count(); }
 
 private:
@@ -121,6 +121,50 @@ private:
     Eigen::MatrixXd vectors_;
     Eigen::VectorXd values_;
 };
+
+using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+/// Columns of like size: K = A' A then has a unit diagonal, but for columns that are rounding alone.
+struct Balanced {
+    RowMatrix A;
+    Eigen::VectorXd scale; ///< of each column
+};
+
+Balanced balanced(const RowMatrix& A)
+{
+    Eigen::VectorXd sizes = Eigen::VectorXd::Zero(A.cols());
+    for (Eigen::Index row = 0; row < A.rows(); ++row)
+        for (RowMatrix::InnerIterator entry(A, row); entry; ++entry)
+            sizes[entry.col()] = std::hypot(sizes[entry.col()], entry.value());
+    const double least = std::sqrt(idle_diagonal) * sizes.maxCoeff();
+    const Eigen::VectorXd scale = least > 0.0 ? Eigen::VectorXd(sizes.cwiseMax(least).cwiseInverse())
+                                              : Eigen::VectorXd::Ones(A.cols());
+    return {.A = A * scale.asDiagonal(), .scale = scale};
+}
+
+/// Takes from soft motions what stiffer ones rounding has left in them.
+Eigen::MatrixXd corrected(const RowMatrix& A, const SymmetricSolver& inverse, Eigen::MatrixXd motions)
+{
+    constexpr int passes = 3;
+    for (int pass = 0; pass < passes && motions.cols() > 0; ++pass) {
+        const Eigen::MatrixXd strains = A * motions;
+        motions = orthonormal(motions - inverse.solve(A.transpose() * strains));
+    }
+    return motions;
+}
+
+/// Combinations of motions by how little they strain, one column each.
+Eigen::MatrixXd by_strain(const RowMatrix& A, const Eigen::MatrixXd& motions)
+{
+    if (motions.cols() == 0) return motions;
+    Eigen::MatrixXd strains = A * motions;
+    const Eigen::Index n = strains.cols();
+    if (strains.rows() < n) strains.conservativeResizeLike(Eigen::MatrixXd::Zero(n, n));
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(strains);
+    const Eigen::MatrixXd R = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(R, Eigen::ComputeFullV);
+    return motions * svd.matrixV();
+}
 
 /// Row and column of the largest entry at or right of a column; of nearly equal ones the first.
 std::pair<Eigen::Index, Eigen::Index> pivot(const Eigen::MatrixXd& modes, Eigen::Index from)
@@ -184,6 +228,30 @@ NullModes null_modes(const SparseMatrix& K, double zero_tolerance, Eigen::Index 
     }
     result.condition = zeros > 0 ? std::numeric_limits<double>::infinity()
                                  : norm_1(scaled) / result.smallest_eigenvalue;
+    return result;
+}
+
+NullModes null_modes(const RowMatrix& A, double zero_tolerance, Eigen::Index most,
+                     const std::function<bool(const Eigen::VectorXd&)>& is_free)
+{
+    NullModes result{.modes = Eigen::MatrixXd(A.cols(), 0), .softest = Eigen::VectorXd::Zero(A.cols())};
+    if (A.cols() == 0) return result;
+    const Balanced whole = balanced(A);
+    const SparseMatrix K = SparseMatrix(whole.A.transpose() * whole.A).triangularView<Eigen::Lower>();
+    const SoftMotions soft(K, zero_tolerance, most);
+    const Eigen::Index n_soft = soft.n_zeros();
+    const Eigen::MatrixXd motions = by_strain(whole.A,
+                                              corrected(whole.A, soft.inverse(), soft.vectors().leftCols(n_soft)));
+    Eigen::MatrixXd free(A.cols(), 0);
+    for (const auto candidate : motions.colwise()) {
+        if (!is_free(motion(whole.scale, candidate))) continue;
+        free.conservativeResize(Eigen::NoChange, free.cols() + 1);
+        free.rightCols<1>() = candidate;
+    }
+    separate(free);
+    result.modes.resize(A.cols(), free.cols());
+    for (Eigen::Index i = 0; i < free.cols(); ++i) result.modes.col(i) = motion(whole.scale, free.col(i));
+    result.is_complete = n_soft < soft.values().size() || n_soft == A.cols();
     return result;
 }
 

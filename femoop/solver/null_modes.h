@@ -1,12 +1,16 @@
 #pragma once
 
-#include <limits>
-
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <functional>
+#include <limits>
 
 #include "femoop/solver/symmetric_solver.h"
 
 namespace femoop {
+
+/// Of the largest diagonal entry of K: what cos(90 degrees) leaves is less, any real stiffness more.
+inline constexpr double idle_diagonal = 1e-18;
 
 /// The motions that a symmetric positive semidefinite matrix leaves free, or nearly so.
 ///
@@ -35,6 +39,15 @@ struct NullModes {
 /// Source    [Parlett1998, ch. 14]
 NullModes null_modes(const SparseMatrix& K, double zero_tolerance = 1e-14,
                      Eigen::Index most = std::numeric_limits<Eigen::Index>::max() - 1);
+
+/// The motions x of A x = 0, looked at in A itself: what K = A' A leaves of a small strain is its square, which
+/// rounding hides from null_modes. Of soft motions of K those count that `is_free` says so.
+///
+/// Method    null_modes of K, each motion corrected by x -= K^-1 A' A x until only rounding is left of A x; then
+/// singular
+///           values of A among those motions tell the free ones from the soft ones
+NullModes null_modes(const Eigen::SparseMatrix<double, Eigen::RowMajor>& A, double zero_tolerance, Eigen::Index most,
+                     const std::function<bool(const Eigen::VectorXd&)>& is_free);
 
 /// Estimate of the condition number in the 1-norm of K scaled to a unit diagonal, from a few solves; seldom less than a
 /// third of the true number, never more.

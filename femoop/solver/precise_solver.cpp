@@ -72,12 +72,4 @@ bool PreciseSolver::factorize()
     return *is_positive_;
 }
 
-bool PreciseSolver::is_singular(double free_pivot)
-{
-    if (!factorize()) return true;
-    const PreciseVector in_order = factorization_.vectorD();
-    const PreciseVector D = factorization_.permutationPinv() * in_order;
-    return (rounded(D).array() <= free_pivot * rounded(K_.diagonal()).array()).any();
-}
-
 } // namespace femoop

@@ -23,9 +23,6 @@ public:
     /// Nothing where K is too ill-conditioned, or too large to be factored in 32 digits.
     std::optional<PreciseMatrix> solve(const PreciseMatrix& B);
 
-    /// Is a pivot no larger than that part of its diagonal entry? Rounding of 32 digits alone leaves 1e-32.
-    bool is_singular(double free_pivot);
-
 private:
     struct Factorization : Eigen::SimplicialLDLT<PreciseSparseMatrix> {
         double work() const; ///< multiplications, twice. \pre analyzePattern, and no factorize yet

@@ -57,6 +57,12 @@ void Sketch::load(MemberId member, double qy, bool is_projected)
             {member, DistributedLoad{.values = {{.dof = Dof::uy, .start = qy}}, .projected = is_projected}});
 }
 
+void Sketch::load_down(MemberId member, double qz)
+{
+    if (qz != 0.0)
+        model_.load_cases[0].members.push_back({member, DistributedLoad{.values = {{.dof = Dof::uz, .start = qz}}}});
+}
+
 std::string letter_name(int i)
 {
     const std::string letter(1, static_cast<char>('A' + i % 26));

@@ -19,6 +19,7 @@ public:
     void hinge(NodeId node) { model_.nodes[node.index].hinge = true; }
     void load(NodeId node, Dof dof, double value);                    ///< none for a value of 0
     void load(MemberId member, double qy, bool is_projected = false); ///< global, none for a value of 0
+    void load_down(MemberId member, double qz);                       ///< in space, global, none for a value of 0
 
     Model model() && { return std::move(model_); }
 

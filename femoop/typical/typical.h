@@ -96,6 +96,35 @@ struct GrillageFloor {
     Model model() const;
 };
 
+///      +------+------+
+///     /|     /|     /|     bays along x and along y, storeys, columns on fixed or pinned feet; a uniform load on every
+///    +------+------+ |     beam, wind along x on every joint of the face at x = 0
+///    | +----|-+----|-+
+struct SpaceFrame {
+    int bays_x = 2;      ///< 1 to 10
+    int bays_y = 1;      ///< 1 to 10
+    int storeys = 2;     ///< 1 to 20
+    double bay_x = 6.0;  ///< > 0
+    double bay_y = 5.0;  ///< > 0
+    double storey = 3.0; ///< > 0
+    double load = 15.0;  ///< down [kN/m]
+    double wind = 8.0;   ///< along +x [kN]
+    Base base = Base::Fixed;
+    Model model() const;
+};
+
+/// A tower on four feet that lean towards each other, with a square of rigid beams at every level and a pull of wind
+/// along x on its top.
+struct Tower {
+    int levels = 4;       ///< 1 to 30
+    double height = 20.0; ///< > 0
+    double foot = 6.0;    ///< side of the square on the ground, > 0
+    double top = 2.0;     ///< side of the highest square, > 0
+    double wind = 10.0;   ///< along +x, on each corner of the top [kN]
+    double load = 20.0;   ///< down, on each corner of the top [kN]
+    Model model() const;
+};
+
 /// A double-layer grid: square upon square, half a panel apart, joined by four diagonals at each node of the top; the
 /// edge of the bottom layer is supported, the top is loaded.
 struct SpaceTruss {

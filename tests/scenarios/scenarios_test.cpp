@@ -67,7 +67,7 @@ TEST_CASE("Every frame of a scenario can be kept for a film")
             options.play = folder.write("film.scenario", "wait 0.05\npicture end\n");
             options.frames = folder.path("film");
             options.pictures = folder.path("pictures");
-            options.size = {320.0, 240.0};
+            options.settings.window = {320.0, 240.0};
             CHECK(run(options) == 0);
             for (const char* frame : {"film/frame_00001.png", "film/frame_00003.png", "pictures/end.png"})
                 CHECK(ui::read_png(folder.path(frame)).size == ui::PixelSize{320, 240});

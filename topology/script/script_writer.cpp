@@ -9,11 +9,11 @@ namespace topology {
 
 namespace {
 
-/// Plays a journal from the beginning and writes down each step: the corners as they are named before it, what it makes
-/// after it.
+/// Plays the last operators of a journal again and writes down each step: the corners as they are named before it, what
+/// it makes after it.
 class Writer {
 public:
-    explicit Writer(const NamedSolid& solid)
+    Writer(const NamedSolid& solid, std::size_t n_operators)
         : names_(solid.names),
           name_(solid.name),
           solid_(solid.solid),
@@ -21,12 +21,12 @@ public:
           op_(solid_, journal_),
           say_({solid_, names_, name_})
     {
-        while (journal_.n_done() != 0) op_.undo();
+        for (; n_left_ != n_operators; ++n_left_) op_.undo();
     }
 
     std::string take()
     {
-        while (journal_.n_undone() != 0) write(journal_[journal_.n_done()]);
+        for (; n_left_ != 0; --n_left_) write(journal_[journal_.n_done()]);
         return std::move(text_);
     }
 
@@ -89,12 +89,18 @@ private:
     Journal journal_;
     EulerOperator op_;
     Wording say_;
+    std::size_t n_left_ = 0;
     std::string text_;
 };
 
 } // namespace
 
-std::string journal_script(const NamedSolid& solid) { return Writer(solid).take(); }
+std::string journal_script(const NamedSolid& solid) { return journal_script(solid, solid.journal.n_done()); }
+
+std::string journal_script(const NamedSolid& solid, std::size_t n_operators)
+{
+    return Writer(solid, n_operators).take();
+}
 
 std::string construction_script(const NamedSolid& solid)
 {

@@ -17,6 +17,7 @@ namespace topology {
 ///
 /// entity_tables() says what stands in the cells.
 std::string table_text(const Solid& solid, const SolidPlace& place = {});
+void append_table_text(std::string& text, const Solid& solid, const SolidPlace& place = {});
 std::string line_text(const TableRow& row); ///< "V = 1 (H = 1) N = 0 P = 2"
 
 } // namespace topology

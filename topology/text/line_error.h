@@ -22,6 +22,7 @@ public:
     std::string sentence(const PatternTranslator& tr) const;
     std::string_view pattern() const { return pattern_; } ///< of the reason, without its line
     const std::vector<std::string>& words() const { return words_; }
+    std::size_t number() const { return number_; }                 ///< of the line, from 1; 0 while none is known
     LineError at(std::size_t number, std::string_view line) const; ///< the same fault with its place
 
 private:

@@ -11,8 +11,6 @@ namespace ui {
 
 namespace {
 
-constexpr double smallest_side = 200.0, largest_side = 16384.0;
-
 Size parse_size(const std::string& program, const std::string& text)
 {
     const std::size_t cross = text.find('x');
@@ -20,12 +18,19 @@ Size parse_size(const std::string& program, const std::string& text)
         const auto width = number_typed(text.substr(0, cross));
         const auto height = number_typed(text.substr(cross + 1));
         const auto is_side = [](const std::optional<double>& side) {
-            return side && *side >= smallest_side && *side <= largest_side;
+            return side && *side >= Settings::smallest_side && *side <= Settings::largest_side;
         };
         if (is_side(width) && is_side(height)) return {*width, *height};
     }
     throw OptionsEnd::mistake(program + ": --size: found \"" + text +
                               "\", wanted WxH with sides from 200 to 16384, like 1280x800");
+}
+
+double parse_scale(const std::string& program, const std::string& text)
+{
+    const auto scale = number_typed(text);
+    if (scale && *scale >= 0.5 && *scale <= 4.0) return *scale;
+    throw OptionsEnd::mistake(program + ": --scale: found \"" + text + "\", wanted a number from 0.5 to 4");
 }
 
 // The language of the system, where it is one of ours.
@@ -58,23 +63,26 @@ public:
         add("--screenshot", "PNG", "draw one picture of the window to this PNG file and leave; needs no display",
             [program = name()](AppOptions& to, const std::string& text) { to.screenshot = png_named(program, text); });
         app_.add_flag("--describe", options_.describe, words.describe);
+        add("--link", "FOLDER", "folder in which the program that has started this one offers its changes",
+            [](AppOptions& to, const std::string& text) { to.link = text; });
     }
 
     void add_look()
     {
-        add("--size", "WxH", "size of the window in logical pixels, WxH; default 1280x800",
-            [program = name()](AppOptions& to, const std::string& text) { to.size = parse_size(program, text); });
-        app_.add_option("--scale", options_.scale,
-                        "physical pixels of a logical one in a screenshot, 0.5 to 4; default 1")
-            ->check(CLI::Range(0.5, 4.0))
-            ->option_text("K");
-        add("--theme", "NAME", "light, dark, print or projector",
-            [option = name() + ": --theme"](AppOptions& to, const std::string& text) {
-                to.theme = NamedOption<ThemeName>{option, text, "light, dark, print, projector", theme_named(text)}();
+        add("--size", "WxH", "size of the window in logical pixels, WxH; default as it was left, at first 1280x800",
+            [program = name()](AppOptions& to, const std::string& text) {
+                to.settings.window = parse_size(program, text);
             });
-        add("--lang", "LANG", "language: en or pt; default that of the system",
+        add("--scale", "K", "physical pixels of a logical one in a screenshot, 0.5 to 4; default 1",
+            [program = name()](AppOptions& to, const std::string& text) { to.scale = parse_scale(program, text); });
+        add("--theme", "NAME", "light, dark, print or projector; default as it was left, at first light",
+            [option = name() + ": --theme"](AppOptions& to, const std::string& text) {
+                to.settings.theme = NamedOption<ThemeName>{option, text, "light, dark, print, projector",
+                                                           theme_named(text)}();
+            });
+        add("--lang", "LANG", "language: en or pt; default as it was left, at first that of the system",
             [option = name() + ": --lang"](AppOptions& to, const std::string& text) {
-                to.language = NamedOption<Language>{option, text, "en, pt", language_named(text)}();
+                to.settings.language = NamedOption<Language>{option, text, "en, pt", language_named(text)}();
             });
     }
 
@@ -94,8 +102,9 @@ private:
 
     template <class Take> CLI::Option* add(const char* option, const char* value, const char* words, Take take)
     {
-        const auto understand = [&to = options_, take](const std::string& text) {
-            if (!text.empty()) take(to, text);
+        const auto understand = [&to = options_, take, start = name() + ": " + option](const std::string& text) {
+            if (text.empty()) throw OptionsEnd::mistake(start + ": found nothing, wanted a value");
+            take(to, text);
         };
         return app_.add_option_function<std::string>(option, understand, words)->option_text(value);
     }
@@ -108,12 +117,21 @@ private:
 
 void add_app_options(CLI::App& app, AppOptions& options, const OptionWords& words)
 {
-    options.language = system_language();
     TextOptions add(app, options);
     add.add_document(words);
     add.add_look();
     add.add_scenario();
 }
+
+void complete(AppOptions& options, const std::optional<DraftFolder>& folder)
+{
+    if (folder && !options.is_headless())
+        options.settings = options.settings.or_else(read_settings(settings_file(*folder)));
+    options.settings = options.settings.or_else(
+        {.theme = ThemeName::Light, .language = system_language(), .has_panels = true, .window = Size{1280.0, 800.0}});
+}
+
+std::filesystem::path settings_file(const DraftFolder& folder) { return folder.path / "settings"; }
 
 void parse(CLI::App& app, int argc, const char* const* argv)
 {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "ui/app/settings.h"
+#include "ui/files/draft.h"
 #include "ui/paint/geometry.h"
-#include "ui/paint/theme.h"
-#include "ui/text/catalogue.h"
 
 namespace CLI { // NOLINT(readability-identifier-naming): the library's own name
 class App;
@@ -25,13 +25,18 @@ struct AppOptions {
     std::optional<std::filesystem::path> play;       ///< a scenario, without a screen
     std::filesystem::path pictures = ".";            ///< where a scenario's pictures go
     std::optional<std::filesystem::path> frames;     ///< where every frame of a scenario goes, for a film
-    Size size{1280.0, 800.0};                        ///< logical pixels
+    std::optional<std::filesystem::path> link;       ///< folder of a link with the program that has started this one
     double scale = 1.0;                              ///< physical pixels of a logical one, without a screen
-    ThemeName theme = ThemeName::Light;
-    Language language = Language::English;
+    Settings settings;                               ///< that were asked for; after `complete` all but the units
 
     bool is_headless() const { return screenshot || play || describe; }
 };
+
+/// What is not asked for is as it was left in a window, for a window alone: pictures, scenarios and descriptions are
+/// the same for everybody. The rest is what suits a first time. \param folder  where it is kept
+void complete(AppOptions& options, const std::optional<DraftFolder>& folder);
+/// The file of it in that folder.
+std::filesystem::path settings_file(const DraftFolder& folder);
 
 /// The command line was a question (`--help`, `--version`) or a mistake: what to print, and the exit status.
 class OptionsEnd : public std::runtime_error {

@@ -15,7 +15,9 @@
 #include "ui/app/unsaved_changes.h"
 #include "ui/command/command_table.h"
 #include "ui/context/write_picture.h"
+#include "ui/files/linked_copy.h"
 #include "ui/widgets/command_menu.h"
+#include "ui/widgets/offer.h"
 #include "ui/widgets/panel.h"
 #include "ui/widgets/words_window.h"
 
@@ -51,7 +53,11 @@ public:
     const CommandTable<Desk>& commands() const { return commands_; }
     /// From now on the last files and drafts of unsaved work are kept there. Offers what was left behind.
     void remember_in(const DraftFolder& folder) { kept_files_ = KeptFiles(folder); }
-    /// Writes the picture to a file (.png, .svg or .pdf), or what else the app can write, and tells how it went.
+    /// From now on changes are offered to the program at the other end, and those of that program here. The session
+    /// knows `linked_text()`, `is_news(text)` and `take_over(text)`; what has them not has no links.
+    void link_to(Link link);
+    const std::optional<LinkedCopy>& linked() const { return linked_; }
+    /// Writes the picture to a file (.png, .svg or .pdf), or what else the app can write, and tells that it did.
     /// \returns why it cannot
     std::optional<Phrase> export_as(const std::filesystem::path& path);
 
@@ -81,14 +87,6 @@ protected:
     virtual void take_own_requests() {}
 
     void show_panels_and_canvas();
-    /// The picture with what is told over it, above a bar of a height [px].
-    template <class Show> void show_picture(float bar, const Show& show)
-    {
-        picture_area(bar, [&] {
-            show();
-            show_notice();
-        });
-    }
     const Fonts& fonts() const { return fonts_; }
 
 private:
@@ -97,7 +95,9 @@ private:
     void take_common(Request request);
     void take(const ChosenFile& file);
     void show_menu_bar();
-    void show_notice();
+    std::optional<FootMessage> notice() const;
+    void follow_link(double seconds);
+    void show_link();
     void show_dialogs();
     void ask_about_unsaved();
     void copy_picture();
@@ -119,7 +119,17 @@ private:
     UnsavedChanges unsaved_changes_;
     KeptFiles kept_files_{std::nullopt};
     ThemeName theme_;
+    std::optional<LinkedCopy> linked_;
     bool wants_to_quit_ = false;
+};
+
+/// Sessions of documents that another program can have a copy of.
+template <class Session>
+concept Linkable = requires(Session session, const std::string& text)
+{
+    session.linked_text();
+    session.is_news(text);
+    session.take_over(text);
 };
 
 /// A tab for each topic of a panel: `topics` have a `topic`, an `id` and a `label`.
@@ -140,14 +150,17 @@ template <class Desk> void DocumentApp<Desk>::frame(const Input& input)
     gui_.begin_frame(input);
     take_keys(input);
     desk_.session.tick(input.seconds);
+    follow_link(input.seconds);
     show_menu_bar();
-    begin_body();
+    const auto told = notice();
+    begin_body(told ? height(*told) : status_height());
     show_body();
     end_body();
-    status_bar(status());
+    if (!told) status_bar(status());
+    else if (show(*told)) desk_.session.notice.reset();
     show_dialogs();
     take_requests();
-    kept_files_.tick(desk_, input.seconds);
+    kept_files_.tick(desk_, logical_size(context_), input.seconds);
     gui_.end_frame();
 }
 
@@ -187,8 +200,12 @@ template <class Desk> void DocumentApp<Desk>::take(const ChosenFile& file)
     using enum ChosenFile::Purpose;
     switch (file.purpose) {
     case Open: desk_.session.open(file.path); break;
-    case Save: desk_.session.save(file.path); break;
-    case Export: export_as(file.path); break;
+    case Save:
+        if (!desk_.session.save(file.path)) overlays_.refuse(desk_.session.notice->sentence);
+        break;
+    case Export:
+        if (const auto reason = export_as(file.path)) overlays_.refuse(*reason);
+        break;
     }
 }
 
@@ -202,8 +219,32 @@ template <class Desk> void DocumentApp<Desk>::show_menu_bar()
 {
     if (!ImGui::BeginMainMenuBar()) return;
     show_menus(commands_, desk_, Catalogue(session().tr())); // a command may change the language
+    show_link();
     menu_bar_title((session().is_dirty() ? "* " : "") + session().file_name());
     ImGui::EndMainMenuBar();
+}
+
+template <class Desk> void DocumentApp<Desk>::link_to(Link link)
+{
+    if constexpr (Linkable<Session>) linked_.emplace(std::move(link), session().linked_text());
+}
+
+template <class Desk> void DocumentApp<Desk>::follow_link(double seconds)
+{
+    if constexpr (Linkable<Session>)
+        if (linked_)
+            linked_->tick(seconds, {[this] { return session().linked_text(); },
+                                    [this](const std::string& other) { return session().is_news(other); }});
+}
+
+template <class Desk> void DocumentApp<Desk>::show_link()
+{
+    if constexpr (Linkable<Session>) {
+        if (!linked_ || !linked_->offered()) return;
+        const auto answer = show_offer(session().tr()("the frame has changed"), session().tr());
+        if (answer == OfferAnswer::TakeOver) desk_.session.take_over(linked_->take());
+        if (answer == OfferAnswer::Keep) linked_->keep();
+    }
 }
 
 template <class Desk> void DocumentApp<Desk>::show_panels_and_canvas()
@@ -219,9 +260,11 @@ template <class Desk> void DocumentApp<Desk>::show_panels_and_canvas()
                      [this] { show_canvas(); });
 }
 
-template <class Desk> void DocumentApp<Desk>::show_notice()
+template <class Desk> std::optional<FootMessage> DocumentApp<Desk>::notice() const
 {
-    if (session().notice && closes_notice(session().notice->sentence, session().tr())) desk_.session.notice.reset();
+    if (!session().notice) return std::nullopt;
+    const Catalogue& tr = session().tr();
+    return FootMessage{{tr(session().notice->sentence)}, {tr("Close") + "###close notice"}};
 }
 
 template <class Desk> void DocumentApp<Desk>::show_dialogs()
@@ -252,7 +295,7 @@ template <class Desk> std::optional<Phrase> DocumentApp<Desk>::export_as(const s
 {
     const auto reason = write(path);
     context_.make_current(); // a PNG is drawn in a context of its own
-    desk_.tell(reason.value_or(Phrase(translatable("{file} was written"), {{"file", path.filename().string()}})));
+    if (!reason) desk_.tell({translatable("{file} was written"), {{"file", path.filename().string()}}});
     return reason;
 }
 

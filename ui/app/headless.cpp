@@ -14,7 +14,8 @@ namespace ui {
 Offscreen::Setup offscreen_setup(const AppOptions& options)
 {
     const auto pixels = [&](double side) { return static_cast<int>(side * options.scale); };
-    return {.size = {pixels(options.size.width), pixels(options.size.height)}, .scale = options.scale};
+    const Size size = *options.settings.window;
+    return {.size = {pixels(size.width), pixels(size.height)}, .scale = options.scale};
 }
 
 void take_screenshot(const AppOptions& options, const MakeApp& make)
@@ -46,6 +47,7 @@ public:
         Input input;
         input.pointer = Point{frame.pointer.x, frame.pointer.y};
         input.is_button_down[static_cast<std::size_t>(PointerButton::Left)] = frame.is_left_down;
+        input.is_button_down[static_cast<std::size_t>(PointerButton::Right)] = frame.is_right_down;
         input.wheel = {0.0, frame.wheel};
         input.seconds = Player::time_step;
         input.text = frame.text;

@@ -15,6 +15,7 @@ namespace ui {
 
 /// An app without a screen.
 
+/// \pre the settings are complete
 Offscreen::Setup offscreen_setup(const AppOptions& options);
 
 /// Draws the app once it has come to rest, and writes the picture. \pre options.screenshot

@@ -3,7 +3,9 @@
 #include <imgui.h>
 
 #include <string>
+#include <system_error>
 
+#include "ui/app/app_options.h"
 #include "ui/widgets/item_label.h"
 #include "ui/widgets/modal_turn.h"
 
@@ -15,6 +17,7 @@ KeptFiles::KeptFiles(const std::optional<DraftFolder>& folder)
     autosave_.emplace(*folder);
     recent_.emplace(folder->path / "recent", folder->write);
     leftovers_ = autosave_->new_leftovers();
+    settings_ = kept_settings_ = read_settings(settings_file(*folder));
 }
 
 std::optional<Phrase> KeptFiles::keep(const std::function<std::vector<Unsaved>()>& unsaved, double seconds)
@@ -27,6 +30,25 @@ void KeptFiles::note(const std::optional<std::filesystem::path>& file)
     if (!recent_ || !file || *file == noted_) return;
     noted_ = *file;
     recent_->add(*file);
+}
+
+// While a window is drawn larger nothing is written.
+void KeptFiles::note(const Settings& settings, double seconds)
+{
+    constexpr double patience = 1.0; // s
+    unkept_ = settings == settings_ ? unkept_ + seconds : 0.0;
+    settings_ = settings;
+    if (unkept_ > patience) keep_settings();
+}
+
+void KeptFiles::keep_settings()
+{
+    if (!autosave_ || settings_ == kept_settings_) return;
+    kept_settings_ = settings_; // what cannot be written is no reason to stop
+    const DraftFolder& folder = autosave_->folder();
+    std::error_code error;
+    std::filesystem::create_directories(folder.path, error);
+    (void)folder.write(settings_file(folder), settings_text(settings_));
 }
 
 // Who starts the program again right after it was killed must not miss the draft that the dying one still holds; later
@@ -43,6 +65,7 @@ void KeptFiles::look_for_leftovers(double seconds)
 
 void KeptFiles::end()
 {
+    keep_settings();
     if (autosave_) autosave_->forget_all();
     autosave_.reset(); // else the frame that ends the program would begin again
 }
@@ -68,6 +91,14 @@ bool begin_modal(const std::string& heading, const char* id)
 std::string name_and_folder(const std::filesystem::path& path)
 {
     return path.filename().string() + "   –   " + path.parent_path().string();
+}
+
+// Documents without a name are told apart by when they were kept, and by what they hold.
+std::string name_of(const Leftover& leftover, const Catalogue& tr)
+{
+    std::string name = time_of(leftover) + "   ";
+    name += leftover.original ? name_and_folder(*leftover.original) : tr("Untitled");
+    return leftover.about.empty() ? name : name + "   –   " + leftover.about;
 }
 
 bool is_escaped() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)); }
@@ -103,7 +134,7 @@ std::optional<Leftover> KeptFiles::chosen_leftover(const Catalogue& tr)
         ImGui::SameLine();
         if (ImGui::Button((tr("Delete") + "###delete").c_str())) deleted = leftover;
         ImGui::SameLine();
-        ImGui::TextUnformatted((leftover.original ? name_and_folder(*leftover.original) : tr("Untitled")).c_str());
+        ImGui::TextUnformatted(name_of(leftover, tr).c_str());
         ImGui::PopID();
     }
     if (deleted)

@@ -25,9 +25,7 @@ void Overlays::open_dialog(Purpose purpose, const std::optional<std::filesystem:
     purpose_ = purpose;
     if (purpose == Purpose::Export) {
         std::filesystem::path picture = file.value_or("picture");
-        path_dialog_.open(PathDialog::Purpose::Save, picture.replace_extension(files_.picture_extension),
-                          files_.picture_extension);
-        return;
+        return path_dialog_.open_export(picture.replace_extension(files_.exports.front()), files_.exports);
     }
     const bool opens = purpose == Purpose::Open;
     path_dialog_.open(opens ? PathDialog::Purpose::Open : PathDialog::Purpose::Save, file.value_or(""),

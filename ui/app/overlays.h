@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ui/desk/desk.h"
 #include "ui/text/catalogue.h"
@@ -15,9 +16,9 @@ namespace ui {
 
 /// The files of an app, as its dialogs list them.
 struct FileKind {
-    std::string extension;         ///< of its documents: ".json"
-    std::string left_out{};        ///< ending of those that are no documents: ".view.json"
-    std::string picture_extension; ///< of an export whose name is not typed: ".png"
+    std::string extension;            ///< of its documents: ".json"
+    std::string left_out{};           ///< ending of those that are no documents: ".view.json"
+    std::vector<std::string> exports; ///< endings that it exports with, the first where none is typed: ".png"
 };
 
 /// A file that the user chose, and what for.
@@ -42,6 +43,8 @@ public:
 
     /// A file, in the frame in which it is chosen.
     std::optional<ChosenFile> show_dialog(const Catalogue& tr);
+    /// What was chosen cannot be written: asks again, with the reason.
+    void refuse(const Phrase& reason) { path_dialog_.refuse(reason); }
     template <class Desk> void show_palette_and_keys(const CommandTable<Desk>& commands, Desk& desk)
     {
         const Catalogue tr = desk.tr(); // a command may change the language

@@ -28,14 +28,6 @@ void bar_below_picture(float height, const std::function<void()>& content)
     ImGui::PopStyleVar();
 }
 
-bool closes_notice(const Phrase& sentence, const Catalogue& tr)
-{
-    begin_message_box({tr(sentence)});
-    const bool is_closed = ImGui::Button((tr("Close") + "###close notice").c_str());
-    end_message_box();
-    return is_closed;
-}
-
 void status_bar(const std::string& text)
 {
     begin_status_bar();

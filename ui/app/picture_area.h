@@ -12,9 +12,6 @@ void picture_area(float bar, const std::function<void()>& picture);
 /// The bar below the picture: the player's buttons.
 void bar_below_picture(float height, const std::function<void()>& content);
 
-/// A sentence in a box over the picture. \returns true when it is closed
-bool closes_notice(const Phrase& sentence, const Catalogue& tr);
-
 /// The line at the window's foot.
 void status_bar(const std::string& text);
 

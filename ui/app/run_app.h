@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -10,6 +11,8 @@
 #include "ui/app/window_loop.h"
 #include "ui/context/window.h"
 #include "ui/files/draft.h"
+#include "ui/text/printable.h"
+#include "ui/text/refusal.h"
 
 namespace ui {
 
@@ -28,31 +31,52 @@ template <class Session> void open_first(Session& session, const std::filesystem
     else session.open(file);
 }
 
-/// The same in a window, where it remembers files and unsaved work from one time to the next.
-template <class Application, class Session>
-MakeApp remembering_app_with(const Session& session, const std::optional<DraftFolder>& folder)
+/// What an app in a window remembers from one time to the next: files, unsaved work, how it was left.
+/// \pre the settings are complete
+template <class Application>
+void remember(Application& application, const AppOptions& options, const std::optional<DraftFolder>& folder)
 {
-    return [session, folder](Context& context, const Fonts& fonts) {
+    application.desk().has_panels = *options.settings.has_panels;
+    if (folder) application.remember_in(*folder);
+}
+
+/// The same in a window. \param prepare  what else an app is told there
+template <class Application, class Session>
+MakeApp remembering_app_with(const Session& session, const AppOptions& options,
+                             const std::optional<DraftFolder>& folder,
+                             const std::function<void(Application&)>& prepare = {})
+{
+    return [session, options, folder, prepare](Context& context, const Fonts& fonts) {
         auto application = std::make_unique<Application>(context, fonts, session);
-        if (folder) application->remember_in(*folder);
+        remember(*application, options, folder);
+        if (folder && options.link) application->link_to(Link(*options.link, folder->write));
+        if (prepare) prepare(*application);
         return application;
     };
 }
 
+/// Why a session cannot be told in words: of most apps any can; one whose own cannot has a function of this name.
+template <class Session> std::optional<Refusal> why_no_words(const Session& /*session*/) { return std::nullopt; }
+
 /// Runs an app of one document as the options say: in a window, which `in_window` makes, for one screenshot, in words,
 /// or through a scenario. What the options ask for is in the session; of a file that could not be opened its notice
-/// tells. \returns the exit status: 0 done, 1 a scenario did not go as it expects, 2 bad input or no display
+/// tells. \returns the exit status: 0 done, 1 a scenario did not go as it expects, 2 bad input or no display, and
+/// what a refusal to tell it in words has
 template <class Application, class AppStage, class Session>
 int run_app(const AppOptions& options, std::string_view program, const Session& session, const MakeApp& in_window)
 {
     constexpr int done = 0, bad_input = 2;
     const auto complain = [&](const Phrase& sentence) {
-        std::cerr << program << ": " << session.tr()(sentence) << '\n';
+        std::cerr << program << ": " << printable(session.tr()(sentence)) << '\n';
         return bad_input;
     };
     if (options.is_headless() && session.notice) return complain(session.notice->sentence);
     if (options.describe) {
-        std::cout << in_words(session);
+        if (const auto refusal = why_no_words(session)) {
+            std::cerr << printable(refusal->words);
+            return refusal->status;
+        }
+        std::cout << printable(in_words(session));
         return done;
     }
     if (options.play) return play_through<Application, AppStage>(options, program, session, session.tr());
@@ -67,16 +91,18 @@ int run_app(const AppOptions& options, std::string_view program, const Session& 
     return done;
 }
 
-/// The same of an app whose options name a file at most. `folder`: where it keeps its drafts
+/// The same of an app whose options name a file at most. `folder`: where it keeps its drafts and how it was left
 template <class Application, class AppStage, class Session>
-int run_with(const AppOptions& options, std::string_view program, const std::optional<DraftFolder>& folder)
+int run_with(AppOptions options, std::string_view program, const std::optional<DraftFolder>& folder,
+             const std::function<void(Application&)>& prepare = {})
 {
+    complete(options, folder);
     Session session;
-    session.look.theme = options.theme;
-    session.look.tr = Catalogue(options.language);
+    session.look.theme = *options.settings.theme;
+    session.look.tr = Catalogue(*options.settings.language);
     if (!options.files.empty()) open_first(session, options.files.front());
     return run_app<Application, AppStage>(options, program, session,
-                                          remembering_app_with<Application>(session, folder));
+                                          remembering_app_with<Application>(session, options, folder, prepare));
 }
 
 } // namespace ui

@@ -20,7 +20,7 @@ bool is_quiet(const Input& input, const std::optional<Point>& pointer_before)
 void show_in_window(const AppOptions& options, const MakeApp& make)
 {
     const Fonts fonts;
-    Window window({.title = "Cremona", .size = options.size});
+    Window window({.title = "Cremona", .size = *options.settings.window});
     const std::unique_ptr<App> app = make(window, fonts);
     app->gui().set_clipboard({.text = [&] { return window.clipboard(); },
                               .set_text = [&](const std::string& text) { window.set_clipboard(text); }});

@@ -76,21 +76,37 @@ public:
         return first([&](const Entry& command) { return std::ranges::count(command.shortcuts, chord) > 0; });
     }
 
-    /// Those whose label, in the catalogue's language, goes with what was typed, the best first.
+    /// Those whose label, in the catalogue's language or in English, goes with what was typed, the best first. Where a
+    /// label has the words themselves, those with mere letters of them are left out.
     std::vector<const Entry*> matching(std::string_view typed, const Session& session, const Catalogue& tr) const
     {
         std::vector<std::pair<int, const Entry*>> ranked;
         for (const Entry& command : commands_) {
-            const std::string name = tr(command.menu) + ' ' + ui::label(command, session, tr);
-            if (const std::optional<int> rank = match_rank(typed, name)) ranked.emplace_back(*rank, &command);
+            if (const std::optional<int> rank = best_rank(typed, command, session, tr))
+                ranked.emplace_back(*rank, &command);
         }
         std::ranges::stable_sort(ranked, {}, [](const auto& pair) { return pair.first; });
         std::vector<const Entry*> found;
-        for (const auto& [rank, command] : ranked) found.push_back(command);
+        for (const auto& [rank, command] : ranked) {
+            if (rank > worst_rank_of_words && ranked.front().first <= worst_rank_of_words) break;
+            found.push_back(command);
+        }
         return found;
     }
 
 private:
+    static std::optional<int> best_rank(std::string_view typed, const Entry& command, const Session& session,
+                                        const Catalogue& tr)
+    {
+        std::optional<int> best;
+        for (const Catalogue& words : {tr, Catalogue()}) {
+            const std::string name = words(command.menu) + ' ' + ui::label(command, session, words);
+            const std::optional<int> rank = match_rank(typed, name);
+            if (rank && (!best || *rank < *best)) best = rank;
+        }
+        return best;
+    }
+
     template <class Predicate> const Entry* first(Predicate&& predicate) const
     {
         const auto found = std::ranges::find_if(commands_, predicate);

@@ -1,8 +1,9 @@
 #include "ui/command/match.h"
 
-#include <array>
+#include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <sstream>
 #include <string>
 
 namespace ui {
@@ -39,16 +40,42 @@ std::string folded(std::string_view utf8)
     return plain;
 }
 
-} // namespace
+bool is_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
-std::optional<int> match_rank(std::string_view typed, std::string_view name)
+int rank_at(std::size_t at, std::string_view word, std::string_view text)
 {
-    const std::string wanted = folded(typed);
-    const std::string text = folded(name);
-    if (const std::size_t at = text.find(wanted); at != std::string::npos) {
-        const bool begins_word = at == 0 || text[at - 1] == ' ';
-        return begins_word ? 0 : 1;
+    const std::size_t end = at + word.size();
+    const bool begins = at == 0 || !is_letter(text[at - 1]);
+    const bool ends = end == text.size() || !is_letter(text[end]);
+    if (!begins) return worst_rank_of_words;
+    return ends ? 0 : 1;
+}
+
+// Of all places where the word stands, the best.
+std::optional<int> rank_of_word(std::string_view word, std::string_view text)
+{
+    std::optional<int> best;
+    for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+        const int rank = rank_at(at, word, text);
+        if (!best || rank < *best) best = rank;
     }
+    return best;
+}
+
+std::optional<int> rank_of_words(const std::string& wanted, const std::string& text)
+{
+    std::istringstream words(wanted);
+    int worst = 0;
+    for (std::string word; words >> word;) {
+        const std::optional<int> rank = rank_of_word(word, text);
+        if (!rank) return std::nullopt;
+        worst = std::max(worst, *rank);
+    }
+    return worst;
+}
+
+std::optional<int> rank_of_letters(const std::string& wanted, const std::string& text)
+{
     std::size_t place = 0;
     std::size_t first = 0;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
@@ -57,7 +84,17 @@ std::optional<int> match_rank(std::string_view typed, std::string_view name)
         if (i == 0) first = place;
         ++place;
     }
-    return 2 + static_cast<int>(place - first - wanted.size());
+    return worst_rank_of_words + 1 + static_cast<int>(place - first - wanted.size());
+}
+
+} // namespace
+
+std::optional<int> match_rank(std::string_view typed, std::string_view name)
+{
+    const std::string wanted = folded(typed);
+    const std::string text = folded(name);
+    const std::optional<int> rank = rank_of_words(wanted, text);
+    return rank ? rank : rank_of_letters(wanted, text);
 }
 
 } // namespace ui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/context/gl.h"
+#include "ui/paint/geometry.h"
 
 namespace ui {
 
@@ -33,5 +34,11 @@ public:
 protected:
     Context() = default;
 };
+
+inline Size logical_size(const Context& context)
+{
+    const PixelSize pixels = context.size();
+    return {pixels.width / context.scale(), pixels.height / context.scale()};
+}
 
 } // namespace ui

@@ -1,5 +1,6 @@
 #include "ui/context/offscreen.h"
 
+#include "ui/context/room_to_draw.h"
 #include "ui/context/shared_library.h"
 
 #include <algorithm>
@@ -155,6 +156,7 @@ std::string reason_against(OffscreenKind kind, std::unique_ptr<Offscreen::Backen
 
 Offscreen::Offscreen(const Setup& setup) : setup_(setup), kind_(OffscreenKind::OsMesa)
 {
+    require_room_to_draw();
     const std::string without_osmesa = reason_against(OffscreenKind::OsMesa, backend_);
     if (!backend_) {
         kind_ = OffscreenKind::Egl;

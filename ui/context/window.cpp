@@ -1,10 +1,12 @@
 #include "ui/context/window.h"
 
+#include "ui/context/room_to_draw.h"
 #include "ui/paint/text_measure.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
@@ -28,6 +30,7 @@ class Glfw {
 public:
     Glfw()
     {
+        require_room_to_draw();
         if (!glfwInit())
             throw ContextError("no window can be opened: " + last_error() +
                                "; on a machine without a display use `cremona render` or `--screenshot`");
@@ -133,6 +136,24 @@ struct Window::Parts {
     static Parts& of(GLFWwindow* window) { return *static_cast<Parts*>(glfwGetWindowUserPointer(window)); }
 };
 
+namespace {
+
+// No larger than the screen: it may have been a larger one the last time.
+Size on_screen(Size wanted)
+{
+    GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+    if (monitor == nullptr) return wanted;
+    int x = 0, y = 0, width = 0, height = 0;
+    glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
+    float scale_x = 1.0F, scale_y = 1.0F;
+    glfwGetMonitorContentScale(monitor, &scale_x, &scale_y);
+    if (width <= 0 || height <= 0 || scale_x <= 0.0F || scale_y <= 0.0F) return wanted;
+    return {std::min(wanted.width, width / static_cast<double>(scale_x)),
+            std::min(wanted.height, height / static_cast<double>(scale_y))};
+}
+
+} // namespace
+
 void Window::Parts::open(const Setup& setup)
 {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
@@ -140,8 +161,9 @@ void Window::Parts::open(const Setup& setup)
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    window = glfwCreateWindow(static_cast<int>(setup.size.width), static_cast<int>(setup.size.height),
-                              setup.title.c_str(), nullptr, nullptr);
+    const Size size = on_screen(setup.size);
+    window = glfwCreateWindow(static_cast<int>(size.width), static_cast<int>(size.height), setup.title.c_str(), nullptr,
+                              nullptr);
     if (!window) throw ContextError("no window with OpenGL 3.3 can be opened: " + last_error());
     glfwMakeContextCurrent(window);
     glfwSwapInterval(1);

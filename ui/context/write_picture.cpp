@@ -1,13 +1,13 @@
 #include "ui/context/write_picture.h"
 
-#include <algorithm>
-#include <cctype>
+#include <array>
 #include <exception>
 #include <system_error>
 #include <unistd.h>
 
 #include "ui/context/image_clipboard.h"
 #include "ui/context/rasterize.h"
+#include "ui/files/ending.h"
 #include "ui/paint/surface/pdf.h"
 #include "ui/paint/surface/svg.h"
 #include "ui/paint/surface/write_file.h"
@@ -16,12 +16,6 @@
 namespace ui {
 
 namespace {
-
-std::string in_small_letters(std::string text)
-{
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 Phrase not_written(const std::filesystem::path& path, const std::string& reason)
 {
@@ -51,15 +45,12 @@ private:
 std::optional<Phrase> write_picture(const std::filesystem::path& path, const Picture& picture, const Fonts& fonts,
                                     const PictureLook& look)
 {
-    const std::string name = in_small_letters(path.filename().string());
+    static const std::array<std::string, 3> endings{".png", ".svg", ".pdf"};
+    if (const auto reason = why_not_ending(path, endings)) return reason;
     try {
-        if (name.ends_with(".pdf")) write_pdf(path, picture, fonts, {look.background, look.title});
-        else if (name.ends_with(".svg")) write_file(path, svg_document(picture, fonts, look.background));
-        else if (name.ends_with(".png"))
-            write_png(path, rasterized(picture, fonts, {.scale = look.png_scale, .background = look.background}));
-        else
-            return Phrase(translatable("{file} was not written: wanted .png, .svg or .pdf"),
-                          {{"file", path.filename().string()}});
+        if (has_ending(path, ".pdf")) write_pdf(path, picture, fonts, {look.background, look.title});
+        else if (has_ending(path, ".svg")) write_file(path, svg_document(picture, fonts, look.background));
+        else write_png(path, rasterized(picture, fonts, {.scale = look.png_scale, .background = look.background}));
     } catch (const std::exception& error) {
         return not_written(path, error.what());
     }

@@ -2,7 +2,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
+
+#include "ui/text/display_units.h"
 
 namespace ui {
 
@@ -37,6 +40,9 @@ struct Desk {
     std::vector<Request> asked{}; ///< the window takes them once a frame
     bool has_panels = true;
     double export_scale = 2.0; ///< pixels of a PNG for a logical one
+
+    /// What numbers are shown in, of an app that has a choice.
+    static std::optional<UnitSystem> units() { return std::nullopt; }
 };
 
 /// A command that asks the window for something.

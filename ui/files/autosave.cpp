@@ -7,11 +7,15 @@
 
 namespace ui {
 
-Unsaved unsaved_text(std::string text, const std::optional<std::filesystem::path>& original, WriteWhole write)
+Unsaved unsaved_text(std::string text, const std::optional<std::filesystem::path>& original, WriteWhole write,
+                     std::string about)
 {
-    return {.state = std::hash<std::string>()(text), .original = original, .copy = [text = std::move(text), write] {
-                return [text, write](const std::filesystem::path& draft) { return write(draft, text); };
-            }};
+    return {
+        .state = std::hash<std::string>()(text),
+        .original = original,
+        .copy = [text = std::move(text),
+                 write] { return [text, write](const std::filesystem::path& draft) { return write(draft, text); }; },
+        .about = std::move(about)};
 }
 
 std::optional<Phrase> Autosave::tick(const std::function<std::vector<Unsaved>()>& unsaved, double seconds)
@@ -32,9 +36,8 @@ void Autosave::keep(const Unsaved& document)
     if (kept.is_writing() || kept.state == document.state) return;
     if (!kept.draft) kept.draft = std::make_unique<Draft>(folder_);
     kept.state = document.state;
-    const auto write = [draft = kept.draft.get(), copy = document.copy(), original = document.original] {
-        return draft->keep(copy, original);
-    };
+    const auto write = [draft = kept.draft.get(), copy = document.copy(), original = document.original,
+                        about = document.about] { return draft->keep(copy, original, about); };
     kept.writing = std::async(std::launch::async, write);
 }
 

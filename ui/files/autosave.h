@@ -24,10 +24,12 @@ struct Unsaved {
     std::uint64_t state = 0;    ///< another one when there is something new to keep
     std::optional<std::filesystem::path> original{};
     std::function<WriteDocument()> copy{}; ///< takes a copy, which is written while the document goes on changing
+    std::string about{};                   ///< what it holds, in a few words: "4 nodes, 3 members"
 };
 
 /// The one document of a program, which is small enough to be written as a text whenever it may have changed.
-Unsaved unsaved_text(std::string text, const std::optional<std::filesystem::path>& original, WriteWhole write);
+Unsaved unsaved_text(std::string text, const std::optional<std::filesystem::path>& original, WriteWhole write,
+                     std::string about = {});
 
 /// Keeps drafts of all documents of a program that are not saved, a few seconds after each change, and finds those that
 /// a program left behind when it was killed. They are written beside the program's work, which waits for no disk.

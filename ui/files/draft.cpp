@@ -5,8 +5,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -19,7 +22,7 @@ namespace {
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
-/// Beside 7-0.json: 7-0.json.lock, 7-0.json.path
+/// Beside 7-0.json: 7-0.json.lock, 7-0.json.path, 7-0.json.about
 fs::path beside(fs::path draft, const char* extension) { return draft += extension; }
 
 /// A descriptor that holds the lock of a draft, or -1 if another program holds it.
@@ -52,10 +55,15 @@ void remove_all_of(const fs::path& draft)
     for (const fs::path& file : files) fs::remove(file, ignored);
 }
 
+std::string text_beside(const fs::path& draft, const char* extension)
+{
+    std::ifstream file(beside(draft, extension), std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
 std::optional<fs::path> original_of(const fs::path& draft)
 {
-    std::ifstream file(beside(draft, ".path"), std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::string text = text_beside(draft, ".path");
     return text.empty() ? std::nullopt : std::optional<fs::path>(text);
 }
 
@@ -91,9 +99,23 @@ std::vector<Leftover> leftovers(const DraftFolder& folder)
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder.path, error))
         if (is_draft(entry.path(), folder.extension) && !is_in_use(entry.path()))
-            found.push_back({entry.path(), original_of(entry.path())});
+            found.push_back({entry.path(), original_of(entry.path()), text_beside(entry.path(), ".about")});
     std::ranges::sort(found, std::ranges::greater(), age);
     return found;
+}
+
+std::string time_of(const Leftover& leftover)
+{
+    std::error_code error;
+    const fs::file_time_type time = fs::last_write_time(leftover.draft, error);
+    if (error) return {};
+    const auto system = std::chrono::file_clock::to_sys(time);
+    const std::time_t seconds = std::chrono::system_clock::to_time_t(
+        std::chrono::time_point_cast<std::chrono::system_clock::duration>(system));
+    std::tm here{};
+    localtime_r(&seconds, &here);
+    std::array<char, 32> text{};
+    return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", &here)};
 }
 
 std::unique_ptr<Draft> Draft::taken_over(DraftFolder folder, const Leftover& leftover)
@@ -130,21 +152,29 @@ std::error_code Draft::lock()
     return {};
 }
 
-std::error_code Draft::keep(const WriteDocument& write, const std::optional<fs::path>& original)
+std::error_code Draft::keep(const WriteDocument& write, const std::optional<fs::path>& original,
+                            const std::string& about)
 {
     if (path_.empty())
         if (const std::error_code error = lock()) return error;
     if (const std::error_code error = keep_path(original)) return error;
+    if (const std::error_code error = keep_beside(".about", about)) return error;
     return write(path_);
 }
 
 std::error_code Draft::keep_path(const std::optional<fs::path>& original) const
 {
-    const fs::path file = beside(path_, ".path");
     std::error_code error;
     const fs::path whole = original ? fs::absolute(*original, error) : fs::path();
-    if (error) return error;
-    if (original) return folder_.write(file, whole.string());
+    return error ? error : keep_beside(".path", whole.string());
+}
+
+// What is nothing has no file.
+std::error_code Draft::keep_beside(const char* extension, const std::string& text) const
+{
+    const fs::path file = beside(path_, extension);
+    if (!text.empty()) return folder_.write(file, text);
+    std::error_code error;
     fs::remove(file, error);
     return error;
 }

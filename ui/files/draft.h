@@ -29,8 +29,11 @@ std::optional<DraftFolder> draft_folder(std::string_view app, std::string extens
 struct Leftover {
     std::filesystem::path draft;                   ///< a file of the app's kind
     std::optional<std::filesystem::path> original; ///< the file that was being edited
+    std::string about{};                           ///< what it holds, in a few words
 };
 std::vector<Leftover> leftovers(const DraftFolder& folder); ///< the newest first
+/// When it was kept last, as people here write it: "2026-11-23 14:05"; empty where it is gone.
+std::string time_of(const Leftover& leftover);
 
 /// Writes a document as it stood when this was made. What stands beside it has its name with another ending:
 /// 7-0.view.json beside 7-0.json. \returns what hindered it
@@ -49,14 +52,16 @@ public:
     Draft& operator=(const Draft&) = delete;
     ~Draft(); ///< the lock goes, the draft stays
 
-    /// Writes it, whole or not at all. \returns what hindered it
-    std::error_code keep(const WriteDocument& write, const std::optional<std::filesystem::path>& original);
+    /// Writes it, whole or not at all. \param about  what it holds, in a few words. \returns what hindered it
+    std::error_code keep(const WriteDocument& write, const std::optional<std::filesystem::path>& original,
+                         const std::string& about = {});
     /// The document is saved or given up: no draft is needed.
     void forget();
 
 private:
     std::error_code lock();
     std::error_code keep_path(const std::optional<std::filesystem::path>& original) const;
+    std::error_code keep_beside(const char* extension, const std::string& text) const;
 
     DraftFolder folder_;
     std::filesystem::path path_; ///< empty until the lock is held

@@ -63,9 +63,9 @@ void Player::glide_to(PointerPlace to)
     }
 }
 
-void Player::hold_button(bool is_down)
+void Player::hold(bool InputFrame::*button, bool is_down)
 {
-    state_.is_left_down = is_down;
+    state_.*button = is_down;
     push();
     push();
 }
@@ -79,27 +79,33 @@ void Player::begin(const ScenarioStep& step, Stage& stage)
         else move_to(place);
     };
     state_.held = {};
+    constexpr auto left = &InputFrame::is_left_down;
     std::visit(Overloaded{
                    [&](const step::Click& click) {
                        move_there(click);
-                       hold_button(true);
-                       hold_button(false);
+                       hold(left, true);
+                       hold(left, false);
+                   },
+                   [&](const step::RightClick& click) {
+                       move_there(click);
+                       hold(&InputFrame::is_right_down, true);
+                       hold(&InputFrame::is_right_down, false);
                    },
                    [&](const step::Hover& hover) { move_there(hover); },
                    [&](const step::Drag& drag) {
                        const PointerPlace to = found(step, drag.to, stage);
                        move_there(step::Hover{drag.from, drag.held});
-                       hold_button(true);
+                       hold(left, true);
                        glide_to(to);
-                       hold_button(false);
+                       hold(left, false);
                    },
                    [&](const step::PressButton& press) {
                        move_there(press);
-                       hold_button(true);
+                       hold(left, true);
                    },
                    [&](const step::ReleaseButton& release) {
                        state_.held = release.held;
-                       hold_button(false);
+                       hold(left, false);
                    },
                    [&](const step::Wheel& wheel) {
                        move_there(wheel);

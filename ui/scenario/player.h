@@ -25,6 +25,7 @@ struct PointerPlace {
 struct InputFrame {
     PointerPlace pointer;
     bool is_left_down = false;
+    bool is_right_down = false;
     double wheel = 0.0;
     Modifiers held{};           ///< with the mouse; those of `key` come with it
     std::optional<Chord> key{}; ///< pressed in this frame and released in the next
@@ -69,7 +70,7 @@ private:
     void begin(const ScenarioStep& step, Stage& stage);
     void move_to(PointerPlace place);
     void glide_to(PointerPlace place);
-    void hold_button(bool is_down);
+    void hold(bool InputFrame::*button, bool is_down);
     void push(double wheel = 0.0);
 
     std::vector<ScenarioStep> steps_;

@@ -122,6 +122,10 @@ constexpr std::array verbs{
          [](const Line& l) -> Step {
              return step::Click{l.words(a_place), l.held};
          }},
+    Verb{"rightclick", true,
+         [](const Line& l) -> Step {
+             return step::RightClick{l.words(a_place), l.held};
+         }},
     Verb{"hover", true,
          [](const Line& l) -> Step {
              return step::Hover{l.words(a_place), l.held};

@@ -14,6 +14,7 @@ namespace ui {
 /// A script of user input, one step a line; blank lines and those that begin with # are left out.
 ///
 ///     click PLACE              presses and releases the left button
+///     rightclick PLACE         the same with the right button, which opens a menu
 ///     hover PLACE              moves the pointer
 ///     drag PLACE to PLACE      presses, moves in small steps, releases
 ///     press PLACE              presses and goes on holding the button
@@ -31,6 +32,10 @@ namespace ui {
 /// courseware/reference/scenarios.md says it all.
 namespace step {
 struct Click {
+    std::string at;
+    Modifiers held{};
+};
+struct RightClick {
     std::string at;
     Modifiers held{};
 };
@@ -76,8 +81,8 @@ struct Expect {
 
 struct ScenarioStep {
     std::size_t line = 0; ///< of the script, from 1
-    std::variant<step::Click, step::Hover, step::Drag, step::PressButton, step::ReleaseButton, step::Wheel, step::Press,
-                 step::Type, step::RunCommand, step::Wait, step::TakePicture, step::Expect>
+    std::variant<step::Click, step::RightClick, step::Hover, step::Drag, step::PressButton, step::ReleaseButton,
+                 step::Wheel, step::Press, step::Type, step::RunCommand, step::Wait, step::TakePicture, step::Expect>
         what;
 };
 

@@ -20,6 +20,7 @@ public:
     }
     std::size_t place() const { return place_; }
     bool is_computed() const { return is_computed_; }
+    bool divides_by_zero() const { return divides_by_zero_; }
 
 private:
     using Part = std::optional<double> (Reader::*)();
@@ -44,7 +45,10 @@ private:
 
     std::optional<double> product()
     {
-        return chain("*/", &Reader::factor, [](char sign, double a, double b) { return sign == '*' ? a * b : a / b; });
+        return chain("*/", &Reader::factor, [this](char sign, double a, double b) {
+            divides_by_zero_ = divides_by_zero_ || (sign == '/' && b == 0.0);
+            return sign == '*' ? a * b : a / b;
+        });
     }
 
     std::optional<double> factor()
@@ -111,6 +115,11 @@ private:
         const std::size_t before = place_;
         skip_blanks();
         if (place_ < text_.size() && characters.find(text_[place_]) != std::string_view::npos) return text_[place_++];
+        constexpr std::string_view minus = "−"; // as pictures write it
+        if (text_.substr(place_).starts_with(minus) && characters.find('-') != std::string_view::npos) {
+            place_ += minus.size();
+            return '-';
+        }
         place_ = before;
         return '\0';
     }
@@ -119,7 +128,10 @@ private:
     std::size_t place_ = 0;
     int depth_ = 0;
     bool is_computed_ = false;
+    bool divides_by_zero_ = false;
 };
+
+constexpr std::size_t longest = 1000; // of what a person types; each number copies the rest
 
 bool mixes_marks(std::string_view text)
 {
@@ -130,12 +142,19 @@ bool mixes_marks(std::string_view text)
 
 std::optional<LeadingNumber> leading_number(std::string_view text)
 {
-    constexpr std::size_t longest = 1000; // of what a person types; each number copies the rest
     if (text.size() > longest) return std::nullopt;
     Reader reader(text);
     const std::optional<double> value = reader.sum();
     if (!value || !std::isfinite(*value) || mixes_marks(text.substr(0, reader.place()))) return std::nullopt;
     return LeadingNumber{*value, reader.place(), reader.is_computed()};
+}
+
+bool divides_by_zero(std::string_view text)
+{
+    if (text.size() > longest) return false;
+    Reader reader(text);
+    reader.sum();
+    return reader.divides_by_zero();
 }
 
 } // namespace ui

@@ -25,4 +25,7 @@ struct LeadingNumber {
 /// not finite, such as 1/0.
 std::optional<LeadingNumber> leading_number(std::string_view text);
 
+/// The calculation at the beginning of the text divides by zero, so that it has no value: 1/0, 3/(2-2) kN.
+bool divides_by_zero(std::string_view text);
+
 } // namespace ui

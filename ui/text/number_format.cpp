@@ -57,6 +57,13 @@ std::string number_text(double value, const NumberFormat& format)
     return text;
 }
 
+std::string with_minus_signs(std::string_view number)
+{
+    std::string text;
+    for (const char c : number) text += c == '-' ? std::string("−") : std::string(1, c);
+    return text;
+}
+
 std::optional<double> number_typed(std::string_view text)
 {
     const std::optional<LeadingNumber> number = leading_number(text);

@@ -21,6 +21,9 @@ struct NumberFormat {
 /// Powers of ten are used below 1e-4 and from 1e7 on. Minus zero is 0, what is not finite is a dash.
 std::string number_text(double value, const NumberFormat& format = {});
 
+/// The same with true minus signs, as a picture writes it: −12.5, 1.2e−5.
+std::string with_minus_signs(std::string_view number);
+
 /// A number that a person typed, with a decimal point or a decimal comma, or a small calculation
 /// (ui/text/arithmetic.h), blanks around it allowed; nothing for anything else, for what is not finite, and for a text
 /// with both marks.

@@ -15,6 +15,8 @@ namespace {
 constexpr double pixels_per_step = 3.0;
 constexpr float click_distance = 3.0F; ///< the mouse moved farther: a drag
 
+unsigned key_of(std::string_view id) { return ImGui::GetID(id.data(), id.data() + id.size()); }
+
 } // namespace
 
 double drag_step(double value)
@@ -29,11 +31,12 @@ bool NumberFields::is_typing() const { return typing_ != 0 && ImGui::GetFrameCou
 
 NumberFieldEvent NumberFields::show(std::string_view id, const Look& look)
 {
-    const unsigned key = ImGui::GetID(id.data(), id.data() + id.size());
+    const unsigned key = key_of(id);
     const float width = look.width > 0.0F ? look.width : ImGui::GetContentRegionAvail().x;
     ImGui::PushID(static_cast<int>(key));
     if (!is_typing()) typing_ = 0;
-    NumberFieldEvent event = typing_ == key ? show_editor(key, width) : show_value(key, look, width);
+    if (look.begins && typing_ == 0) open_editor(key, look.exact_text);
+    NumberFieldEvent event = typing_ == key ? show_editor(key, width, look.width > 0.0F) : show_value(key, look, width);
     ImGui::PopID();
     return event;
 }
@@ -65,16 +68,23 @@ NumberFieldEvent NumberFields::show_value(unsigned id, const Look& look, float w
         drag_path_ = 0.0;
         return drag(drag_start_);
     }
-    if (ImGui::IsItemDeactivated() && ImGui::IsItemHovered()) {
-        typing_ = id;
-        ++n_openings_;
-        last_shown_ = ImGui::GetFrameCount();
-        is_open_ = false;
-        text_ = opening_text_ = look.exact_text;
-        reason_.clear();
-    }
+    if (ImGui::IsItemDeactivated() && ImGui::IsItemHovered()) open_editor(id, look.exact_text);
     return {};
 }
+
+void NumberFields::open_editor(unsigned id, std::string text)
+{
+    typing_ = id;
+    ++n_openings_;
+    last_shown_ = ImGui::GetFrameCount();
+    is_open_ = false;
+    text_ = opening_text_ = std::move(text);
+    reason_.clear();
+}
+
+void NumberFields::open(std::string_view id, std::string text) { open_editor(key_of(id), std::move(text)); }
+
+bool NumberFields::is_open(std::string_view id) const { return is_typing() && typing_ == key_of(id); }
 
 NumberFieldEvent NumberFields::drag(double start)
 {
@@ -94,7 +104,19 @@ NumberFieldEvent NumberFields::drag(double start)
     return {.kind = NumberFieldEvent::Kind::Dragged, .value = tidy, .text = {}};
 }
 
-NumberFieldEvent NumberFields::show_editor(unsigned id, float width)
+// A row has no room beneath it.
+void NumberFields::show_reason(bool is_in_row) const
+{
+    if (!is_in_row) return wrapped_text(reason_);
+    const float em = ImGui::GetFontSize();
+    const ImVec2 corner(ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + 0.3F * em);
+    ImGui::SetNextWindowPos(corner);
+    ImGui::BeginTooltip();
+    wrapped_text(reason_, 25.0F * em);
+    ImGui::EndTooltip();
+}
+
+NumberFieldEvent NumberFields::show_editor(unsigned id, float width, bool is_in_row)
 {
     last_shown_ = ImGui::GetFrameCount();
     ImGui::SetNextItemWidth(width);
@@ -108,7 +130,7 @@ NumberFieldEvent NumberFields::show_editor(unsigned id, float width)
     if (has_reason) ImGui::PopStyleColor();
     const bool is_left = ImGui::IsItemDeactivated();
     const bool is_given_up = is_left && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-    if (has_reason) wrapped_text(reason_);
+    if (has_reason) show_reason(is_in_row);
     if (!is_confirmed && !is_left) return {};
 
     typing_ = 0;

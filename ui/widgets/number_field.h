@@ -21,7 +21,8 @@ struct NumberFieldEvent {
 };
 
 /// Number fields: drag left or right to change the value (Shift: finer), click to type, Enter or a click elsewhere to
-/// confirm, Esc to leave the value as it was. What cannot be understood stays in the field with the reason beneath it.
+/// confirm, Esc to leave the value as it was. What cannot be understood stays in the field with the reason beneath it,
+/// in a window of its own where the field stands in a row with others.
 ///
 /// One object serves all fields of a window: only one can be edited at a time.
 class NumberFields {
@@ -31,11 +32,16 @@ public:
         std::string exact_text;      ///< the value as it is edited: nothing is lost if it is confirmed as it stands
         std::optional<double> value; ///< nothing: the number is not given, and dragging begins at zero
         float width = 0.0F;          ///< physical pixels; 0: all that is left
+        bool begins = false;         ///< it gets the keyboard now, as by a click
     };
 
     /// \pre within a window of Dear ImGui's; `id` is unique there
     NumberFieldEvent show(std::string_view id, const Look& look);
 
+    /// Opens the field of this name with a text, as a click does. \pre in the same window of Dear ImGui's as `show`
+    void open(std::string_view id, std::string text);
+    /// Its text is being edited. \pre as for `open`
+    bool is_open(std::string_view id) const;
     /// Says why what was typed last was not taken; the field is opened again with the text.
     void reject(const NumberFieldEvent& event, std::string reason);
     /// A field has the keyboard. One that is no longer shown has lost it.
@@ -43,7 +49,9 @@ public:
 
 private:
     NumberFieldEvent show_value(unsigned id, const Look& look, float width);
-    NumberFieldEvent show_editor(unsigned id, float width);
+    void open_editor(unsigned id, std::string text);
+    NumberFieldEvent show_editor(unsigned id, float width, bool is_in_row);
+    void show_reason(bool is_in_row) const;
     NumberFieldEvent drag(double start);
 
     unsigned typing_ = 0;  ///< the field whose text is edited, 0 for none

@@ -7,12 +7,11 @@
 
 namespace ui {
 
-void begin_body()
+void begin_body(float foot)
 {
     const ImGuiViewport& viewport = *ImGui::GetMainViewport();
-    const float status = ImGui::GetFrameHeight();
     ImGui::SetNextWindowPos(viewport.WorkPos);
-    ImGui::SetNextWindowSize({viewport.WorkSize.x, viewport.WorkSize.y - status});
+    ImGui::SetNextWindowSize({viewport.WorkSize.x, viewport.WorkSize.y - foot});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
@@ -112,51 +111,88 @@ bool TabRow::show(const std::string& title, bool is_chosen)
     return is_clicked;
 }
 
-void begin_status_bar()
+namespace {
+
+float foot_padding() { return std::round(0.7F * ImGui::GetFontSize()); }
+
+// Whole pixels: Dear ImGui cuts a window's size down to them, and then scrolls what was cut off.
+void begin_foot(float height, ImGuiCol background)
 {
     const ImGuiViewport& viewport = *ImGui::GetMainViewport();
-    const float height = ImGui::GetFrameHeight();
     ImGui::SetNextWindowPos({viewport.WorkPos.x, viewport.WorkPos.y + viewport.WorkSize.y - height});
     ImGui::SetNextWindowSize({viewport.WorkSize.x, height});
-    const float em = ImGui::GetFontSize();
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.7F * em, 0.15F * em});
+    const float above = std::round(0.15F * ImGui::GetFontSize());
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {foot_padding(), above});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0F, 1.0F});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
-    ImGui::Begin("###status", nullptr, fixed_panel | ImGuiWindowFlags_NoScrollbar);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(background));
 }
 
-void end_status_bar()
+void end_foot()
 {
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(3);
 }
 
-void begin_message_box(const std::vector<std::string>& lines)
+float width_of_button(const std::string& label)
 {
-    const float em = ImGui::GetFontSize();
-    const ImVec2 corner = ImGui::GetWindowPos();
-    const float width = ImGui::GetWindowWidth();
-    ImGui::SetNextWindowPos({corner.x + em, corner.y + em});
-    ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {width - 2.0F * em, 20.0F * em});
-    // Whole pixels: Dear ImGui cuts a window's size down to them, and then scrolls what was cut off.
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {std::round(em), std::round(0.7F * em)});
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.6F * em, 0.35F * em});
-    constexpr ImGuiWindowFlags flags = fixed_panel | ImGuiWindowFlags_AlwaysAutoResize |
-                                       ImGuiWindowFlags_NoFocusOnAppearing;
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg)); // the canvas has none
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
-    ImGui::Begin("###banner", nullptr, flags & ~ImGuiWindowFlags_NoBringToFrontOnFocus);
-    ImGui::PopStyleVar();
-    ImGui::PopStyleColor();
-    for (const std::string& line : lines) wrapped_text(line, width - 4.0F * em);
+    return ImGui::CalcTextSize(label.c_str(), nullptr, true).x + 2.0F * ImGui::GetStyle().FramePadding.x;
 }
 
-void end_message_box()
+float width_of_buttons(const FootMessage& message)
 {
-    ImGui::End();
-    ImGui::PopStyleVar(2);
+    float width = 0.0F;
+    for (const std::string& button : message.buttons) width += width_of_button(button) + 0.5F * ImGui::GetFontSize();
+    return width;
+}
+
+// The words end here, so that the buttons have their room.
+float room_for_words(const FootMessage& message)
+{
+    const float all = ImGui::GetMainViewport()->WorkSize.x - 2.0F * foot_padding();
+    return std::max(all - width_of_buttons(message) - ImGui::GetFontSize(), 0.3F * all);
+}
+
+} // namespace
+
+float status_height() { return ImGui::GetFrameHeight(); }
+
+void begin_status_bar()
+{
+    begin_foot(status_height(), ImGuiCol_MenuBarBg);
+    ImGui::Begin("###status", nullptr, fixed_panel | ImGuiWindowFlags_NoScrollbar);
+}
+
+void end_status_bar() { end_foot(); }
+
+float height(const FootMessage& message)
+{
+    const float room = room_for_words(message);
+    float words = 0.0F;
+    for (const std::string& line : message.lines) words += ImGui::CalcTextSize(line.c_str(), nullptr, false, room).y;
+    const float gaps = status_height() - ImGui::GetTextLineHeight();
+    const float most = 0.4F * ImGui::GetMainViewport()->WorkSize.y; // what is longer is scrolled
+    return std::round(std::clamp(words + gaps, status_height(), std::max(status_height(), most)));
+}
+
+std::optional<std::size_t> show(const FootMessage& message)
+{
+    begin_foot(height(message), ImGuiCol_PopupBg);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.5F * ImGui::GetFontSize(), 0.0F});
+    ImGui::Begin("###message", nullptr, fixed_panel | ImGuiWindowFlags_NoFocusOnAppearing);
+    const ImVec2 corner = ImGui::GetCursorPos();
+    const float room = room_for_words(message);
+    for (const std::string& line : message.lines) wrapped_text(line, corner.x + room);
+    ImGui::SetCursorPos({ImGui::GetMainViewport()->WorkSize.x - foot_padding() - width_of_buttons(message), corner.y});
+    std::optional<std::size_t> pressed;
+    for (std::size_t i = 0; i < message.buttons.size(); ++i) {
+        if (ImGui::SmallButton(message.buttons[i].c_str())) pressed = i;
+        ImGui::SameLine();
+    }
+    ImGui::PopStyleVar();
+    end_foot();
+    return pressed;
 }
 
 } // namespace ui

@@ -2,7 +2,9 @@
 
 #include <imgui.h>
 
+#include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,8 +16,8 @@ inline constexpr ImGuiWindowFlags fixed_panel = ImGuiWindowFlags_NoTitleBar | Im
                                                 ImGuiWindowFlags_NoSavedSettings |
                                                 ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-/// What fills the window between the menu bar and the status bar; its parts touch one another.
-void begin_body();
+/// What fills the window between the menu bar and its foot, of a height [px]; its parts touch one another.
+void begin_body(float foot);
 void end_body();
 
 /// A part with the spacing of panels, whatever that of the window around it is.
@@ -58,11 +60,18 @@ private:
 void menu_bar_title(const std::string& name);
 
 /// The line at the window's foot.
+float status_height(); ///< [px]
 void begin_status_bar();
 void end_status_bar();
 
-/// Sentences in a box at the top of the present window; buttons can follow within it.
-void begin_message_box(const std::vector<std::string>& lines);
-void end_message_box();
+/// What is told at the window's foot, in the status bar's place: it lies over nothing, and where it needs more than one
+/// line the body gives way to it.
+struct FootMessage {
+    std::vector<std::string> lines;
+    std::vector<std::string> buttons; ///< at the right, with their ids: "Close###close notice"
+};
+float height(const FootMessage& message); ///< [px]
+/// \returns which button is pressed
+std::optional<std::size_t> show(const FootMessage& message);
 
 } // namespace ui

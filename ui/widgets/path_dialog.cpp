@@ -1,5 +1,6 @@
 #include "ui/widgets/path_dialog.h"
 #include "ui/widgets/item_label.h"
+#include "ui/widgets/wrapped_text.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -28,19 +29,36 @@ fs::path expanded(const std::string& typed)
 
 void PathDialog::open(Purpose purpose, const fs::path& start, std::string extension, std::string left_out)
 {
-    is_open_ = is_fresh_ = true;
+    is_open_ = is_fresh_ = wants_keyboard_ = selects_all_ = true;
     must_confirm_overwrite_ = false;
+    refusal_.reset();
     purpose_ = purpose;
     extension_ = std::move(extension);
     left_out_ = std::move(left_out);
+    endings_.clear();
     std::error_code error;
     start_ = fs::absolute(start.empty() ? fs::current_path(error) / "" : start, error);
     enter(start_.has_filename() ? start_.parent_path() : start_);
-    typed_ = purpose == Purpose::Save ? start_.filename().string() : "";
+    typed_ = is_opening() ? "" : start_.filename().string();
+}
+
+void PathDialog::open_export(const fs::path& start, std::vector<std::string> endings)
+{
+    open(Purpose::Export, start, endings.front());
+    endings_ = std::move(endings);
+    enter(folder_); // what has one of the endings is listed
+}
+
+void PathDialog::refuse(const Phrase& reason)
+{
+    is_open_ = is_fresh_ = wants_keyboard_ = true;
+    selects_all_ = must_confirm_overwrite_ = false;
+    refusal_ = reason;
 }
 
 bool PathDialog::is_listed(const fs::path& file) const
 {
+    if (!endings_.empty()) return !why_not_ending(file, endings_);
     return file.extension() == extension_ && (left_out_.empty() || !file.filename().string().ends_with(left_out_));
 }
 
@@ -75,11 +93,36 @@ bool PathDialog::show_list()
         if (entry.is_folder) entered = folder_ / entry.name;
         if (!entry.is_folder) typed_ = entry.name;
         must_confirm_overwrite_ = false;
+        refusal_.reset();
         is_confirmed = !entry.is_folder && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     }
     ImGui::EndChild();
     if (!entered.empty()) enter(entered);
     return is_confirmed;
+}
+
+// The ending that the name has gives way to this one.
+void PathDialog::take_ending(const std::string& ending)
+{
+    const auto had = std::ranges::max(endings_, {},
+                                      [&](const std::string& one) { return has_ending(typed_, one) ? one.size() : 0; });
+    if (has_ending(typed_, had)) typed_.resize(typed_.size() - had.size());
+    else typed_ = fs::path(typed_).replace_extension().string();
+    typed_ += ending;
+    extension_ = ending;
+    refusal_.reset();
+    must_confirm_overwrite_ = false;
+    wants_keyboard_ = true;
+}
+
+void PathDialog::show_endings()
+{
+    const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    for (std::size_t i = 0; i < endings_.size(); ++i) {
+        const float width = ImGui::CalcTextSize(endings_[i].c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+        if (i > 0 && ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <= end) ImGui::SameLine();
+        if (ImGui::Button(endings_[i].c_str())) take_ending(endings_[i]);
+    }
 }
 
 std::optional<fs::path> PathDialog::confirm()
@@ -93,7 +136,8 @@ std::optional<fs::path> PathDialog::confirm()
         return std::nullopt;
     }
     if (!path.has_extension()) path += extension_;
-    const bool would_overwrite = purpose_ == Purpose::Save && path != start_ && fs::exists(path, error);
+    if (refusal_ = endings_.empty() ? std::nullopt : why_not_ending(path, endings_); refusal_) return std::nullopt;
+    const bool would_overwrite = !is_opening() && path != start_ && fs::exists(path, error);
     if (would_overwrite && !must_confirm_overwrite_) {
         must_confirm_overwrite_ = true;
         return std::nullopt;
@@ -102,12 +146,31 @@ std::optional<fs::path> PathDialog::confirm()
     return path.lexically_normal();
 }
 
+// A question that was answered for one name is none for another.
+bool PathDialog::show_field(const Catalogue& tr)
+{
+    ImGui::SetNextItemWidth(-1.0F);
+    if (std::exchange(wants_keyboard_, false)) ImGui::SetKeyboardFocusHere();
+    const ImGuiInputTextFlags selects = selects_all_ ? ImGuiInputTextFlags_AutoSelectAll : ImGuiInputTextFlags_None;
+    const bool is_confirmed = ImGui::InputTextWithHint("###typed", tr("Path of the file").c_str(), &typed_,
+                                                       ImGuiInputTextFlags_EnterReturnsTrue | selects);
+    if (ImGui::IsItemActive()) selects_all_ = false;
+    if (ImGui::IsItemEdited()) {
+        must_confirm_overwrite_ = false;
+        refusal_.reset();
+    }
+    return is_confirmed;
+}
+
 std::optional<fs::path> PathDialog::show(const Catalogue& tr)
 {
     if (!is_open_) return std::nullopt;
-    const bool is_opening = purpose_ == Purpose::Open;
-    const std::string title = (is_opening ? tr("Open a file") : tr("Save as")) + "###path dialog";
-    if (is_fresh_) ImGui::OpenPopup("###path dialog");
+    const auto verb = [&](std::string_view open, std::string_view save, std::string_view exported) {
+        return tr(is_opening() ? open : purpose_ == Purpose::Save ? save : exported);
+    };
+    const std::string title = verb(translatable("Open a file"), translatable("Save as"), translatable("Export")) +
+                              "###path dialog";
+    if (std::exchange(is_fresh_, false)) ImGui::OpenPopup("###path dialog");
     const ImVec2 middle = ImGui::GetMainViewport()->GetCenter();
     ImGui::SetNextWindowPos(middle, ImGuiCond_Appearing, {0.5F, 0.5F});
     ImGui::SetNextWindowSize({36.0F * ImGui::GetFontSize(), 0.0F});
@@ -118,17 +181,17 @@ std::optional<fs::path> PathDialog::show(const Catalogue& tr)
     }
     ImGui::TextDisabled("%s", folder_.string().c_str());
     bool is_confirmed = show_list();
-    ImGui::SetNextItemWidth(-1.0F);
-    if (std::exchange(is_fresh_, false)) ImGui::SetKeyboardFocusHere();
-    if (ImGui::InputTextWithHint("###typed", tr("Path of the file").c_str(), &typed_,
-                                 ImGuiInputTextFlags_EnterReturnsTrue))
-        is_confirmed = true;
-    if (must_confirm_overwrite_) ImGui::TextWrapped("%s", tr("This file exists. Save again to replace it.").c_str());
-    if (ImGui::Button((is_opening ? tr("Open") : tr("Save")).c_str())) is_confirmed = true;
+    show_endings();
+    if (show_field(tr)) is_confirmed = true;
+    if (must_confirm_overwrite_) wrapped_text(tr("This file exists. Save again to replace it."));
+    if (refusal_) wrapped_text(tr(*refusal_));
+    const std::string button = verb(translatable("Open"), translatable("Save"), translatable("Export"));
+    if (ImGui::Button((button + "###confirm").c_str())) is_confirmed = true;
     ImGui::SameLine();
     const bool is_escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
     if (ImGui::Button(tr("Cancel").c_str()) || is_escaped || !stays_open) is_open_ = false;
-    std::optional<fs::path> path = is_confirmed ? confirm() : std::nullopt;
+    std::optional<fs::path> path = is_confirmed && is_open_ ? confirm() : std::nullopt;
+    if (is_confirmed && !path) wants_keyboard_ = true;
     if (!is_open_) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
     return path;

@@ -201,11 +201,47 @@ private:
         std::size_t n_lines = 0;
         for (const Column& column : columns_of(problem, solution_.sheets[stage]))
             if (problem.is_on_sheet(column.end)) n_lines = std::max(n_lines, column.n_levels);
-        figure(Part::Sheet, n_lines,
-               [&](ui::Painter& painter, const Panel& panel) { draw_sheet(painter, panel, scene()); });
+        if (is_beam(frame::shape_of(document_.model))) beam_sheet(n_lines);
+        else frame_sheet(n_lines);
         table(table_of(scene(), Topic::Sheet));
         const TextTable history = table_of(scene(), Topic::Convergence);
         for (const std::string& note : history.notes) text(note);
+    }
+
+    /// Broader until every column has room, then page after page; those that a page cuts are whole on the next.
+    void beam_sheet(std::size_t n_lines)
+    {
+        constexpr double most = 40.0, step = 1.25, overlap = 110.0;
+        const frame::StructureShape shape = frame::shape_of(document_.model);
+        const ui::Theme theme = look_.full_theme();
+        const ui::Size page{width, height_alone(Part::Sheet, shape, width, n_lines, theme)};
+        const auto drawn = [&](double whole, double left) {
+            ui::Painter painter(page, fonts_);
+            const std::size_t n_missing = draw_sheet(painter, stretch_of_sheet(shape, page, whole, left, theme),
+                                                     scene());
+            return std::pair(n_missing, painter.picture());
+        };
+        double whole = width;
+        while (drawn(whole, 0.0).first > 0 && whole < most * width) whole *= step;
+        for (double left = 0.0; left < std::max(1.0, whole - overlap); left += width - overlap)
+            report_.blocks.push_back(ui::ReportFigure{drawn(whole, std::min(left, whole - width)).second, ""});
+    }
+
+    /// Drawn larger until every column has room, and so printed smaller.
+    void frame_sheet(std::size_t n_lines)
+    {
+        const frame::StructureShape shape = frame::shape_of(document_.model);
+        const ui::Theme theme = look_.full_theme();
+        const double height = height_alone(Part::Sheet, shape, width, n_lines, theme);
+        for (double larger = 1.0;; larger *= 1.25) {
+            constexpr double most = 4.0;
+            const ui::Size size{larger * width, larger * height};
+            ui::Painter painter(size, fonts_);
+            const std::size_t n_missing = draw_sheet(painter, panel_alone(Part::Sheet, shape, size, theme), scene());
+            if (n_missing > 0 && larger < most) continue;
+            report_.blocks.push_back(ui::ReportFigure{painter.picture(), ""});
+            return;
+        }
     }
 
     void write_diagrams()

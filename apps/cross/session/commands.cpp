@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "apps/cross/document/file.h"
 #include "apps/cross/session/beam_edit.h"
 #include "apps/cross/session/exercise_commands.h"
 #include "apps/cross/session/own_order.h"
@@ -77,6 +78,53 @@ void add_structure_commands(CommandTable& table)
                .why_not = [](const Desk& desk) -> std::optional<Phrase> {
                    if (with_span_removed(desk.session.document().model)) return std::nullopt;
                    return Phrase(translatable("there is no span that could go"));
+               }});
+}
+
+std::optional<Phrase> why_no_load(const Session& session)
+{
+    if (session.paper() != nullptr) return Phrase(translatable("an exercise is of one structure; end it first"));
+    if (!session.solution().task) return Phrase(translatable("this structure cannot be distributed"));
+    return std::nullopt;
+}
+
+void add_load_commands(CommandTable& table)
+{
+    struct LoadEntry {
+        Tool tool;
+        std::string_view id, label;
+        ui::Chord chord;
+    };
+    for (const LoadEntry& entry :
+         {LoadEntry{
+              Tool::UniformLoad, "edit.uniform_load", translatable("Add a uniform load: click a member"), {Key::Q, {}}},
+          LoadEntry{Tool::PointLoad,
+                    "edit.point_load",
+                    translatable("Add a force: click a member or a node"),
+                    {Key::Q, {.shift = true}}}})
+        table.add({.id = entry.id,
+                   .menu = edit_menu,
+                   .label = entry.label,
+                   .shortcuts = {entry.chord},
+                   .run = [tool = entry.tool](
+                              Desk& desk) { desk.session.tool = desk.session.tool == tool ? Tool::None : tool; },
+                   .why_not = [](const Desk& desk) { return why_no_load(desk.session); },
+                   .is_on = [tool = entry.tool](const Desk& desk) { return desk.session.tool == tool; }});
+    table.add({.id = "edit.no_tool",
+               .menu = edit_menu,
+               .label = translatable("Put the load away"),
+               .shortcuts = {{Key::Escape, {}}},
+               .run = [](Desk& desk) { desk.session.tool = Tool::None; },
+               .why_not = [](const Desk& desk) -> std::optional<Phrase> {
+                   if (desk.session.tool != Tool::None) return std::nullopt;
+                   return Phrase(translatable("no load is in hand"));
+               }});
+    table.add({.id = "edit.in_frame",
+               .menu = edit_menu,
+               .label = translatable("Edit in the frame app"),
+               .run = [](Desk& desk) {
+                   desk.handed.push_back({.program = "frame", .document = write_document(desk.session.document())});
+                   desk.tell(translatable("the structure is edited in a window of its own, as a copy"));
                }});
 }
 
@@ -324,6 +372,7 @@ CommandTable command_table()
                                             .described = translatable("Sheet in words")});
     ui::standard::add_undo_and_redo(table);
     add_structure_commands(table);
+    add_load_commands(table);
     add_work_commands(table);
     add_method_commands(table);
     add_show_commands(table);

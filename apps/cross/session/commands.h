@@ -4,10 +4,12 @@
 #include <span>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "apps/cross/session/session.h"
 #include "ui/command/command_table.h"
 #include "ui/desk/document_desk.h"
+#include "ui/desk/handover.h"
 
 namespace cross {
 
@@ -20,8 +22,9 @@ struct Desk : ui::DocumentDesk<Desk, Session> {
     void give_room_to_the_picture(bool all) { has_panels = !all; }
 
     Topic topic = Topic::Sheet;
-    std::size_t first_column = 1; ///< beside the names, of a table that is too broad to be shown whole
-    Seeded next_exercise{};       ///< what "New exercise" begins
+    std::size_t first_column = 1;       ///< beside the names, of a table that is too broad to be shown whole
+    std::vector<ui::Handover> handed{}; ///< what other programs are to go on with
+    Seeded next_exercise{};             ///< what "New exercise" begins
 };
 
 using CommandTable = ui::CommandTable<Desk>;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "apps/cross/document/file.h"
 #include "apps/frame/document/command.h"
 #include "apps/frame/document/loading.h"
 #include "femoop/model/check/check.h"
@@ -12,8 +14,27 @@ namespace cross {
 using femoop::Model;
 using femoop::NodeId;
 
+namespace {
+
+/// What the notes say of checks, from the sentence on that begins with it.
+void drop_source_of_checks(std::string& notes)
+{
+    const std::size_t at = notes.find("Source of the checks:");
+    if (at == std::string::npos) return;
+    notes.erase(at);
+    notes.erase(std::min(notes.size(), notes.find_last_not_of(" \n") + 1));
+}
+
+} // namespace
+
 Model unverified(Model model)
 {
+    static const Document start = starting_document();
+    if (model.title == start.model.title && model.notes == start.model.notes) {
+        model.title.clear();
+        model.notes.clear();
+    }
+    drop_source_of_checks(model.notes);
     model.expected.clear();
     std::erase_if(model.extra, [](const femoop::ExtraBlock& block) { return block.key == "cross"; });
     return model;

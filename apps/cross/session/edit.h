@@ -24,7 +24,8 @@ std::optional<femoop::NodeId> end_node(const femoop::Model& model, Side side);
 
 /// All nodes on one level: a beam.
 bool is_level(const femoop::Model& model);
-/// Without results that are expected of the structure as it was.
+/// Without results that are expected of the structure as it was, their source in the notes, and, of the beam that the
+/// app begins with, its title and notes.
 femoop::Model unverified(femoop::Model model);
 bool is_sound(const femoop::Model& model); ///< `check` finds no error
 std::vector<femoop::MemberId> members_at(const femoop::Model& model, femoop::NodeId node);

@@ -3,9 +3,13 @@
 #include "apps/cross/session/exercise_report.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include "apps/cross/view/numbers.h"
+#include "apps/cross/view/sheet_parts.h"
 #include "apps/frame/view/sketch/scene.h"
 #include "femoop/io/cross/cross_table.h"
 #include "femoop/io/cross/half_text.h"
@@ -43,6 +47,7 @@ public:
         }
         table.rows.push_back(std::move(factors));
         if (sheet_ == nullptr) {
+            add_parts(table);
             table.rows.push_back(row(tr_("together"), task_.all->moments));
             return table;
         }
@@ -50,6 +55,12 @@ public:
             table.rows.push_back(row(name_of(written), written.values, written.kind));
         add_drift(table);
         return table;
+    }
+
+    /// The loads, and so many times each sway.
+    void add_parts(TextTable& table) const
+    {
+        for (const SheetPart& part : parts_of(scene_)) table.rows.push_back(row(words_of(part, scene_), part.moments));
     }
 
     TextTable comparison() const
@@ -306,31 +317,49 @@ private:
 
 std::string in_quotes(const std::string& text, char mark)
 {
-    return text.find(mark) == std::string::npos ? text : '"' + text + '"';
+    if (text.find_first_of(std::string("\"\r\n") + mark) == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + '"';
 }
 
 /// Characters that mean something to LaTeX, and those that it writes in mathematics.
-std::string in_latex(const std::string& text)
+constexpr std::array<std::pair<std::string_view, std::string_view>, 18> latex_signs{{{"&", "\\&"},
+                                                                                     {"%", "\\%"},
+                                                                                     {"#", "\\#"},
+                                                                                     {"_", "\\_"},
+                                                                                     {"$", "\\$"},
+                                                                                     {"{", "\\{"},
+                                                                                     {"}", "\\}"},
+                                                                                     {"^", "\\textasciicircum{}"},
+                                                                                     {"~", "\\textasciitilde{}"},
+                                                                                     {"\\", "\\textbackslash{}"},
+                                                                                     {"<", "\\textless{}"},
+                                                                                     {">", "\\textgreater{}"},
+                                                                                     {"−", "$-$"},
+                                                                                     {"Σ", "$\\Sigma$"},
+                                                                                     {"θ", "$\\theta$"},
+                                                                                     {"Δ", "$\\Delta$"},
+                                                                                     {"μ", "$\\mu$"},
+                                                                                     {"″", "$''$"}}};
+
+std::string in_latex(std::string_view text)
 {
-    std::string out = text;
-    const auto replace = [&](std::string_view from, std::string_view to) {
-        for (std::size_t at = 0; (at = out.find(from, at)) != std::string::npos; at += to.size())
-            out.replace(at, from.size(), to);
-    };
-    for (const char* const special : {"&", "%", "#", "_"}) replace(special, std::string("\\") + special);
-    replace("−", "$-$");
-    replace("Σ", "$\\Sigma$");
-    replace("θ", "$\\theta$");
-    replace("Δ", "$\\Delta$");
-    replace("μ", "$\\mu$");
-    replace("″", "$''$");
+    std::string out;
+    while (!text.empty()) {
+        const auto* const sign = std::ranges::find_if(latex_signs,
+                                                      [&](const auto& one) { return text.starts_with(one.first); });
+        const bool is_plain = sign == latex_signs.end();
+        out += is_plain ? text.substr(0, 1) : sign->second;
+        text.remove_prefix(is_plain ? 1 : sign->first.size());
+    }
     return out;
 }
 
-std::string faults_of(const Session& session)
+std::string in_lines(const std::vector<femoop::Fault>& faults, const ui::Catalogue& tr)
 {
     std::string words;
-    for (const femoop::Fault& fault : session.solution().faults) words += fault_text(fault, session.tr()) + "\n";
+    for (const femoop::Fault& fault : faults) words += fault_text(fault, tr) + "\n";
     return words;
 }
 
@@ -395,14 +424,20 @@ std::string in_words(const Session& session)
 {
     if (session.hides_results()) return exercise_in_words(session);
     const auto& task = session.solution().task;
-    if (!task) return faults_of(session);
-    if (!task->all || !task->comparison) {
-        std::string words;
-        for (const femoop::Fault& fault : task->remarks) words += fault_text(fault, session.tr()) + "\n";
-        return words;
-    }
+    if (!task) return in_lines(session.solution().faults, session.tr());
+    if (!task->all || !task->comparison) return in_lines(task->remarks, session.tr());
     const fc::Worked worked{session.document().model, task->problem, task->procedure, *task->all, *task->comparison};
     return fc::sheet_text(worked, [&](std::string_view text) { return session.tr()(text); });
+}
+
+std::optional<ui::Refusal> why_no_words(const Session& session)
+{
+    constexpr int bad_input = 2, mechanism = 3;
+    if (session.hides_results()) return std::nullopt;
+    const auto& task = session.solution().task;
+    if (!task) return ui::Refusal{in_words(session), bad_input};
+    if (!task->all || !task->comparison) return ui::Refusal{in_words(session), mechanism};
+    return std::nullopt;
 }
 
 std::string status_text(const Session& session)

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "apps/cross/session/commands.h"
+#include "ui/text/refusal.h"
 
 namespace cross {
 
@@ -23,6 +25,8 @@ std::string as_latex(const TextTable& table);
 
 /// Every number of the automatic distribution, as `cremona cross` prints it; or why there is none.
 std::string in_words(const Session& session);
+/// That there is none: status 2 where the structure cannot be distributed, 3 where nothing resists its sways.
+std::optional<ui::Refusal> why_no_words(const Session& session);
 /// The line at the window's foot.
 std::string status_text(const Session& session);
 

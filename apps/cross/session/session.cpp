@@ -4,7 +4,11 @@
 #include <utility>
 
 #include "apps/cross/document/file.h"
+#include "apps/frame/document/fault/place.h"
+#include "apps/frame/document/fault/sentence.h"
+#include "femoop/io/model_file.h"
 #include "femoop/io/whole_file.h"
+#include "femoop/result/structure_words.h"
 
 namespace cross {
 
@@ -19,7 +23,7 @@ constexpr std::size_t most_turns = 2000; // by "finish"
 
 Phrase not_opened(const std::filesystem::path& path, const femoop::ModelError& error, const ui::Catalogue& tr)
 {
-    const std::string why = message(error.faults().front(), [&](std::string_view text) { return tr(text); });
+    const std::string why = frame::sentence(error.faults().front(), tr);
     return {translatable("{file} was not opened: {reason}"), {{"file", path.filename().string()}, {"reason", why}}};
 }
 
@@ -33,6 +37,7 @@ void Session::solve_anew(Haste haste)
     hover.reset(); // its joint may be gone
     ++n_solved_;
     solution_ = solve(document(), haste);
+    solution_.faults = frame::named(std::move(solution_.faults), document().model);
     judge_paper();
     find_state();
 }
@@ -318,7 +323,45 @@ Document Session::to_save() const
 
 ui::Unsaved Session::unsaved() const
 {
-    return ui::unsaved_text(write_document(to_save()), path_, femoop::write_whole_file);
+    return ui::unsaved_text(write_document(to_save()), path_, femoop::write_whole_file,
+                            femoop::size_words(document().model, tr()));
+}
+
+std::string Session::linked_text() const { return femoop::write_model(document().model); }
+
+namespace {
+
+/// Nothing where the text is none of a structure.
+std::optional<femoop::Model> model_of(const std::string& text)
+{
+    try {
+        return read_document(text).model;
+    } catch (const femoop::ModelError&) {
+        return std::nullopt;
+    }
+}
+
+} // namespace
+
+bool Session::is_news(const std::string& text) const
+{
+    const auto model = model_of(text);
+    return model && femoop::write_model(*model) != linked_text();
+}
+
+void Session::take_over(const std::string& text)
+{
+    auto model = model_of(text);
+    if (!model || refuse_in_exercise()) return;
+    Document next = unworked(document());
+    next.model = std::move(*model);
+    if (next.method.load_case.index >= next.model.n_cases()) next.method.load_case = femoop::CaseId(0);
+    if (const Solution solution = solve(next); !solution.faults.empty())
+        return tell(translatable("moment distribution cannot do what the frame has now; it stays as it was"));
+    is_playing = false;
+    phase_ = 1.0;
+    history_.apply(std::move(next), translatable("Take over from the frame"));
+    solve_anew();
 }
 
 std::string Session::file_name() const { return path_ ? path_->filename().string() : tr()("untitled"); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -17,6 +18,9 @@
 namespace cross {
 
 using ui::Notice;
+
+/// What a click on a member adds.
+enum class Tool : std::uint8_t { None, UniformLoad, PointLoad };
 
 /// What is open, how far it is worked and how it is looked at: the app without its window.
 class Session {
@@ -83,6 +87,10 @@ public:
     /// Opens a draft of a file's document, or of one that has no file yet, as one that is not saved.
     bool recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original);
     ui::Unsaved unsaved() const;
+    /// A frame that has handed over its structure goes on with it in its own window (ui/files/linked_copy.h).
+    std::string linked_text() const;
+    bool is_news(const std::string& text) const; ///< taking it over would change the structure
+    void take_over(const std::string& text);     ///< the structure, as a step; the notice tells why not
     const std::optional<std::filesystem::path>& path() const { return path_; }
     bool is_dirty() const { return !saved_ || !is_same_task(document(), *saved_); }
     std::string file_name() const;
@@ -92,6 +100,7 @@ public:
     void tick(double seconds); ///< time goes by
     bool is_moving() const { return is_playing || phase_ < 1.0 || notice.has_value(); }
     bool is_playing = false; ///< turn after turn by itself
+    Tool tool = Tool::None;
     double phase() const { return phase_; }
 
     Look look;

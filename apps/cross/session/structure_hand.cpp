@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/canvas/click.h"
+
 namespace cross {
 
 using femoop::MemberId;
@@ -12,7 +14,6 @@ using ui::translatable;
 
 namespace {
 
-constexpr double slack = 4.0;   // of a hand that clicks [px]
 constexpr double off = 42.0;    // so far from a beam a support has left it
 constexpr double beyond = 34.0; // of the sign from the end
 
@@ -58,6 +59,27 @@ bool has_met_neighbour(const Model& model, femoop::NodeId node, Side side, doubl
 
 } // namespace
 
+std::optional<SpanAim> member_at(const Model& model, const Drawn& drawn, ui::Point at)
+{
+    constexpr double near = 20.0;
+    if (drawn.nodes.size() != model.nodes.size() || !drawn.is_in_structure(at)) return std::nullopt;
+    std::optional<SpanAim> nearest;
+    double least = near;
+    for (std::size_t m = 0; m < model.members.size(); ++m) {
+        const auto& nodes = model.members[m].nodes;
+        const ui::Point a = on_sheet(drawn, nodes[0]), b = on_sheet(drawn, nodes[1]), along = ui::direction(b - a);
+        const double length = ui::distance(a, b), s = ui::dot(at - a, along);
+        const double across = std::abs(ui::dot(at - a, ui::left_normal(along)));
+        if (s <= 0.0 || s >= length || across >= least) continue;
+        const double whole = (place_of(model, nodes[1]) - place_of(model, nodes[0])).norm();
+        const double round = round_place(whole * s / length);
+        const double x = round > 0.0 && round < whole ? round : whole * s / length;
+        least = across;
+        nearest = SpanAim{MemberId(m), x, a + (x / whole) * (b - a)};
+    }
+    return nearest;
+}
+
 std::optional<ui::Point> sign_beyond(const Model& model, const Drawn& drawn, Side side, double scale)
 {
     const auto node = is_level(model) ? end_node(model, side) : std::nullopt;
@@ -92,7 +114,7 @@ bool StructureHand::press(const Session& session, const Drawn& drawn, ui::Point 
 
 void StructureHand::pull(Session& session, ui::Point at)
 {
-    if (!held_ || (!held_->has_moved && ui::distance(at, held_->pressed) < slack)) return;
+    if (!held_ || (!held_->has_moved && ui::distance(at, held_->pressed) <= ui::click_reach)) return;
     held_->has_moved = true;
     std::visit([&](const auto& aim) { pull(session, aim, at); }, held_->aim);
 }

@@ -29,6 +29,9 @@ using Aim = std::variant<std::monostate, NodeAim, LoadAim, SpanAim, EndAim>;
 /// \param scale  of symbols: how large a hand's reach is
 Aim aim_at(const femoop::Model& model, const Drawn& drawn, ui::Point at, double scale);
 
+/// The place of a member, wherever it lies between its ends; round.
+std::optional<SpanAim> member_at(const femoop::Model& model, const Drawn& drawn, ui::Point at);
+
 /// Where the signs stand at which a span more begins; nothing at an end where several members meet.
 std::optional<ui::Point> sign_beyond(const femoop::Model& model, const Drawn& drawn, Side side, double scale);
 

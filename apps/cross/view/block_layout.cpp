@@ -9,6 +9,7 @@ namespace cross {
 
 namespace {
 
+constexpr double past_middle = 0.7;
 constexpr std::size_t last_resort = 3; // the fixed-end moment, what left, the last number
 
 /// Columns of one size, put beside their ends one after the other.
@@ -42,17 +43,21 @@ private:
     std::optional<ui::Box> found(const EndPlace& place) const
     {
         for (std::size_t row = 0; row < n_rows_; ++row)
-            if (const auto box = found_in(row, place)) return box;
+            for (const double apart : {0.3, 1.0}) {
+                if (const auto box = found_in(row, apart, place)) return box;
+                if (row == 0) break;
+            }
         return std::nullopt;
     }
 
-    std::optional<ui::Box> found_in(std::size_t row, const EndPlace& place) const
+    std::optional<ui::Box> found_in(std::size_t row, double apart, const EndPlace& place) const
     {
-        const double most = std::max(0.0, 0.5 * place.length - 0.5 * extent(place.along));
+        const double share = n_rows_ > 1 ? past_middle : 0.5; // of the member: how far from its joint
+        const double most = std::max(0.0, share * place.length - 0.5 * extent(place.along));
         for (const double shift : {0.0, 0.5, 1.0, 1.6, 2.4, 3.5, 5.0, 7.0}) {
             if (shift > 0.0 && shift * type_ > most) break;
             for (const ui::Point side : sides(place)) {
-                const double drop = static_cast<double>(row) * (extent(side) + 0.3 * type_);
+                const double drop = static_cast<double>(row) * (extent(side) + apart * type_);
                 const ui::Box box = at(place, side, shift * type_, drop);
                 if (is_free(box)) return box;
             }
@@ -152,7 +157,6 @@ BlockLayout laid_out(const BlockRequest& request)
     std::vector<std::optional<ui::Box>> boxes(request.places.size());
     for (std::size_t i = 0; i < kept.size(); ++i) boxes[kept[i]] = layout.boxes[i];
     layout.boxes = std::move(boxes);
-    layout.n_outside = request.places.size() - kept.size();
     return layout;
 }
 

@@ -19,10 +19,10 @@ struct EndPlace {
 
 /// Where the columns stand.
 struct BlockLayout {
-    std::vector<std::optional<ui::Box>> boxes; ///< of every place; nothing where there was no room
+    std::vector<std::optional<ui::Box>> boxes; ///< of every place; nothing where there was no room, or the
+                                               ///< place lies beyond it
     double type = 13.0;                        ///< size of the numbers
     std::size_t n_lines = 0;                   ///< between the box of the factor and the sum
-    std::size_t n_outside = 0;                 ///< of the places: beyond the room, where nothing is sought
 };
 
 struct BlockRequest {

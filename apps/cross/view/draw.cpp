@@ -1,11 +1,17 @@
 #include <algorithm>
 #include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "apps/cross/view/exercise_picture.h"
 #include "apps/cross/view/numbers.h"
 #include "apps/cross/view/scene.h"
 #include "apps/cross/view/sheet_picture.h"
 #include "apps/cross/view/structure_pictures.h"
+#include "ui/paint/surface.h"
+#include "ui/paint/text_measure.h"
 #include "ui/paint/wrapped_lines.h"
 
 namespace cross {
@@ -25,6 +31,33 @@ void draw_faults(ui::Painter& painter, const Scene& scene)
         }
 }
 
+/// Remembers every string.
+class TextCollector : public ui::Surface {
+public:
+    explicit TextCollector(const ui::Fonts& fonts) : fonts_(fonts) {}
+    void clip(const ui::Box& /*box*/) override {}
+    void stroke(const ui::Path& /*path*/, const ui::Stroke& /*stroke*/) override {}
+    void fill(std::span<const ui::Point> /*polygon*/, ui::Color /*color*/) override {}
+    void stroke_arc(const ui::Arc& /*arc*/, const ui::Stroke& /*stroke*/) override {}
+    void fill_disc(ui::Point /*center*/, double /*radius*/, ui::Color /*color*/) override {}
+    void text(ui::Point at, std::string_view utf8, const ui::TextStyle& style) override
+    {
+        texts.push_back({std::string(utf8), ui::text_box(fonts_, at, utf8, style)});
+    }
+
+    std::vector<WrittenText> texts;
+
+private:
+    const ui::Fonts& fonts_;
+};
+
+std::vector<WrittenText> texts_of(const ui::Painter& painter)
+{
+    TextCollector collector(painter.fonts());
+    painter.picture().draw_on(collector);
+    return std::move(collector.texts);
+}
+
 } // namespace
 
 Drawn draw(ui::Painter& painter, const Scene& scene)
@@ -37,10 +70,11 @@ Drawn draw(ui::Painter& painter, const Scene& scene)
     if (scene.paper != nullptr) return draw_exercise(painter, scene);
     const ui::Theme theme = scene.look.full_theme();
     const frame::StructureShape shape = frame::shape_of(scene.document.model);
-    Panels panels = panels_for(shape, painter.size(), theme, scene.look.zoom);
+    Panels panels = panels_for(shape, painter.size(), theme, scene.look.zoom, share_of_small_pictures(shape));
     if (scene.look.shears) make_room_for_reactions(panels, shape, theme);
     draw_borders(painter, panels, theme);
     drawn.loads = draw_loaded(painter, panels.structure, scene).loads;
+    drawn.texts = texts_of(painter);
     drawn.corner = panels.structure.box.min;
     drawn.camera = panels.structure.camera;
     for (std::size_t n = 0; n < shape.nodes.size(); ++n)

@@ -1,5 +1,7 @@
 #include "apps/cross/view/hint.h"
 
+#include <algorithm>
+
 namespace cross {
 
 namespace {
@@ -23,6 +25,14 @@ void draw_roller(ui::Painter& painter, ui::Point at, double size, const ui::Stro
     painter.line({left.x - 3.0, left.y + 0.35 * size}, {right.x + 3.0, right.y + 0.35 * size}, stroke);
 }
 
+/// An arrow that ends there.
+void draw_arrow(ui::Painter& painter, ui::Point at, double size, const ui::Stroke& stroke)
+{
+    painter.line({at.x, at.y - 2.2 * size}, {at.x, at.y - 0.5 * size}, stroke);
+    painter.polygon({at, {at.x - 0.35 * size, at.y - 0.8 * size}, {at.x + 0.35 * size, at.y - 0.8 * size}},
+                    stroke.color);
+}
+
 } // namespace
 
 void draw(ui::Painter& painter, const Hint& hint, const Look& look)
@@ -34,12 +44,15 @@ void draw(ui::Painter& painter, const Hint& hint, const Look& look)
     stroke.width = 1.8 * scale;
     stroke.dash = {};
     if (hint.kind == Hint::Kind::Span) draw_sign(painter, hint.at, 9.0 * scale, stroke);
+    else if (hint.kind == Hint::Kind::Load) draw_arrow(painter, hint.at, 14.0 * scale, stroke);
     else draw_roller(painter, hint.at, 12.0 * scale, stroke);
     if (hint.words.empty()) return;
     ui::TextStyle text = theme.text(ui::Role::Label, ui::Anchor::Top);
     text.size = theme.type().small;
     text.plate = theme.background();
-    painter.text(hint.at + ui::Point{0.0, 20.0 * scale}, hint.words, text);
+    const double half = 0.5 * painter.measure(hint.words, text).width + 4.0;
+    const double x = std::max(half, std::min(hint.at.x, painter.size().width - half)); // not beyond the edge
+    painter.text({x, hint.at.y + 20.0 * scale}, hint.words, text);
 }
 
 } // namespace cross

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "apps/frame/view/results/mechanism_picture.h"
+#include "apps/frame/document/fault/sentence.h"
 #include "apps/frame/view/sketch/scene.h"
 #include "femoop/methods/cross/fraction.h"
 

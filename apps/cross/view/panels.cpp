@@ -32,10 +32,12 @@ Extent extent_of(const frame::StructureShape& shape)
 
 ui::PlaneCamera camera_over(const Extent& extent, ui::Size panel, ui::Margins margins)
 {
-    constexpr double most = 0.24; // of a small panel
+    constexpr double most = 0.24, most_left = 0.36, most_above = 0.3; // of a small panel
     ui::PlaneCamera camera;
-    for (double* const side : {&margins.left, &margins.right}) *side = std::min(*side, most * panel.width);
-    for (double* const side : {&margins.top, &margins.bottom}) *side = std::min(*side, most * panel.height);
+    margins.left = std::min(margins.left, most_left * panel.width);
+    margins.right = std::min(margins.right, most * panel.width);
+    margins.top = std::min(margins.top, most_above * panel.height);
+    margins.bottom = std::min(margins.bottom, most * panel.height);
     camera.fit(std::array{extent.low, extent.high}, panel, margins);
     return camera;
 }
@@ -49,11 +51,11 @@ ui::PlaneCamera beam_camera(const Extent& extent, ui::Size panel, double margin,
 }
 
 /// The sheet needs room for its columns, so a low frame is drawn higher and a slender one broader.
-/// \param beside  ems left and right of the frame
-void draw_out(Panel& panel, Extent extent, double em, double beside = 6.5)
+/// \param beside, above  ems left and right of the frame, and over it
+void draw_out(Panel& panel, Extent extent, double em, double beside = 6.5, double above = 9.0)
 {
     constexpr double least = 0.6, most = 1.7;
-    const ui::Margins margins{beside * em, 9.0 * em, beside * em, 4.0 * em};
+    const ui::Margins margins{beside * em, above * em, beside * em, 4.0 * em};
     const double width = panel.box.width() - margins.left - margins.right;
     const double height = panel.box.height() - margins.top - margins.bottom;
     const double natural = width / std::max(extent.width(), 1e-9) * extent.height();
@@ -85,20 +87,24 @@ Panels stacked(const Extent& extent, ui::Size sheet, const ui::Theme& theme)
     return panels;
 }
 
-Panels beside(const Extent& extent, ui::Size sheet, const ui::Theme& theme)
+Panels beside(const Extent& extent, ui::Size sheet, const ui::Theme& theme, double small_share)
 {
-    const double em = theme.type().normal, left = 0.34 * sheet.width, height = sheet.height / 3.0;
+    const bool is_large = small_share < 0.3;
+    const double em = theme.type().normal, left = small_share * sheet.width, height = sheet.height / 3.0;
     Panels panels;
     const ui::Margins tight{5.0 * em, 5.2 * em, 5.0 * em, 3.6 * em};
+    ui::Margins dimensioned = tight;
+    dimensioned.left = 9.0 * em; // of the loads, then of the heights
     double top = 0.0;
     for (Panel* const panel : {&panels.structure, &panels.deformed, &panels.moments}) {
         panel->box = ui::box_at({0.0, top}, {left, height});
-        panel->camera = camera_over(extent, panel->box.size(), tight);
+        panel->camera = camera_over(extent, panel->box.size(), panel == &panels.structure ? dimensioned : tight);
         top += height;
     }
     panels.sheet.box = {{left, 0.0}, {sheet.width, sheet.height}};
     panels.structure.ems_high = panels.deformed.ems_high = panels.moments.ems_high = 13.0;
-    draw_out(panels.sheet, extent, em);
+    if (is_large) draw_out(panels.sheet, extent, em, 10.5, 11.0);
+    else draw_out(panels.sheet, extent, em);
     return panels;
 }
 
@@ -126,7 +132,8 @@ Panel panel_alone(Part part, const frame::StructureShape& shape, ui::Size sheet,
     const Extent extent = extent_of(shape);
     const double em = theme.type().normal;
     const double foot = part == Part::Moments ? 7.0 * em : 3.6 * em; // arrows of reactions
-    Panel panel{.box = ui::box_at({0.0, 0.0}, sheet), .ems_high = 7.0};
+    const ui::Box box = ui::box_at({0.0, 0.0}, sheet);
+    Panel panel{.box = box, .whole = box, .ems_high = 7.0};
     if (is_flat(extent)) {
         const double middle = part == Part::Sheet       ? 2.9 * em
                               : part == Part::Structure ? sheet.height - 6.4 * em
@@ -137,6 +144,18 @@ Panel panel_alone(Part part, const frame::StructureShape& shape, ui::Size sheet,
     } else {
         panel.camera = camera_over(extent, sheet, {7.0 * em, 5.2 * em, 7.0 * em, foot});
     }
+    return panel;
+}
+
+bool is_beam(const frame::StructureShape& shape) { return is_flat(extent_of(shape)); }
+
+Panel stretch_of_sheet(const frame::StructureShape& shape, ui::Size page, double whole_width, double left,
+                       const ui::Theme& theme)
+{
+    Panel panel = panel_alone(Part::Sheet, shape, {whole_width, page.height}, theme);
+    panel.box = ui::box_at({0.0, 0.0}, page);
+    panel.whole = ui::box_at({-left, 0.0}, {whole_width, page.height});
+    panel.camera.pan({-left, 0.0});
     return panel;
 }
 
@@ -185,21 +204,39 @@ void look_closer(Panel& panel, const Eigen::Vector2d& own, const Zoom& zoom)
     const ui::Point middle = panel.camera.to_sheet({own.x(), panel.stretch * own.y()});
     const Eigen::Vector2d at = zoom.middle.value_or(own);
     const double scale = zoom.factor * panel.camera.scale();
+    const ui::Point corner = panel.box.min, end = panel.box.max - corner;
+    const ui::World2 low = panel.camera.to_world({}), high = panel.camera.to_world(end);
     panel.is_zoomed = true;
+    panel.zoom = zoom.factor;
     panel.camera = ui::PlaneCamera({middle.x - scale * at.x(), middle.y + scale * panel.stretch * at.y()}, scale);
+    panel.whole = {corner + panel.camera.to_sheet(low), corner + panel.camera.to_sheet(high)};
 }
 
 } // namespace
 
-Panels panels_for(const frame::StructureShape& shape, ui::Size sheet, const ui::Theme& theme, const Zoom& zoom)
+double share_of_small_pictures(const frame::StructureShape& shape)
+{
+    constexpr std::size_t of_a_portal = 4;
+    return shape.members.size() <= of_a_portal ? 0.34 : 0.26;
+}
+
+Panels panels_for(const frame::StructureShape& shape, ui::Size sheet, const ui::Theme& theme, const Zoom& zoom,
+                  double small_share)
 {
     const Extent extent = extent_of(shape);
-    Panels panels = is_flat(extent) ? stacked(extent, sheet, theme) : beside(extent, sheet, theme);
+    Panels panels = is_flat(extent) ? stacked(extent, sheet, theme) : beside(extent, sheet, theme, small_share);
+    for (Panel* const panel : {&panels.structure, &panels.deformed, &panels.moments, &panels.sheet})
+        panel->whole = panel->box;
     Zoom look = zoom;
     const Eigen::Vector2d own = middle_of(shape);
     if (look.middle && panels.is_stacked) look.middle->y() = own.y();
     for (Panel* const panel : {&panels.structure, &panels.deformed, &panels.moments, &panels.sheet})
         if (look.factor != 1.0 || look.middle) look_closer(*panel, own, look);
+    if (panels.is_stacked) { // a beam's columns hang down, however long it is
+        panels.sheet.whole.min.y = panels.sheet.box.min.y;
+        panels.sheet.whole.max.y = panels.sheet.box.max.y;
+        for (Panel* const panel : {&panels.structure, &panels.deformed, &panels.moments}) panel->zoom = 1.0;
+    }
     return panels;
 }
 
@@ -232,6 +269,12 @@ ui::Theme theme_in(const Panel& panel, const Look& look)
     return theme.scaled(std::clamp(room / em, least, 1.0));
 }
 
+ui::Theme theme_of_marks(const Panel& panel, const Look& look)
+{
+    constexpr double most = 2.0;
+    return theme_in(panel, look).scaled(std::clamp(panel.zoom, 1.0, most));
+}
+
 void draw_borders(ui::Painter& painter, const Panels& panels, const ui::Theme& theme)
 {
     const ui::LayerScope layer(painter, ui::Layer::Grid);
@@ -255,7 +298,7 @@ double draw_title(ui::Painter& painter, const Panel& panel, const std::string& t
     const double shrunk = room / std::max(1.0, painter.measure(title, style).width);
     constexpr double least = 0.85; // of the size of type; else there are two lines
     style.size *= std::clamp(shrunk, least, 1.0);
-    const ui::LayerScope layer(painter, ui::Layer::Labels);
+    const ui::LayerScope layer(painter, panel.is_zoomed ? ui::Layer::Overlay : ui::Layer::Labels);
     ui::Point at = panel.box.min + ui::Point{0.6 * style.size, 0.4 * style.size};
     for (const std::string& line : ui::wrapped_lines(painter.fonts(), title, style, room + 1.0)) {
         painter.text(at, line, style);
@@ -268,7 +311,7 @@ frame::Grips draw_structure_in(ui::Painter& painter, const Panel& panel, const S
                                const std::function<void(const frame::Scene&)>& marks)
 {
     const ui::ClipScope clip(painter, panel.box);
-    const ui::Theme theme = theme_in(panel, scene.look);
+    const ui::Theme theme = theme_of_marks(panel, scene.look);
     femoop::Model model = scene.document.model;
     for (femoop::Node& node : model.nodes)
         if (panel.stretch != 1.0) node.at[1] = femoop::Quantity(panel.stretch * node.at[1].value());
@@ -281,7 +324,7 @@ frame::Grips draw_structure_in(ui::Painter& painter, const Panel& panel, const S
     const frame::Projection projection(panel.camera, panel.box.min);
     const frame::Crowding crowding(shape, projection);
     ui::Box room = panel.box.grown(-3.0);
-    room.min.y += 1.7 * theme.type().normal; // of the title
+    room.min.y += 1.7 * theme_in(panel, scene.look).type().normal; // of the title
     frame::Sketch sketch({.painter = &painter,
                           .theme = &theme,
                           .room = room,

@@ -14,6 +14,8 @@ struct Panel {
     ui::PlaneCamera camera; ///< within the box
     double stretch = 1.0;   ///< of heights: a calculation's sketch need not be to scale
     bool is_zoomed = false;
+    double zoom = 1.0;     ///< how much larger than the whole structure would be
+    ui::Box whole;         ///< what of the picture would be seen of the whole structure, at this zoom
     double ems_high = 1.0; ///< how many of the usual lines of type its marks need
 
     ui::Point at(const Eigen::Vector3d& place) const
@@ -29,8 +31,12 @@ struct Panels {
     const Panel& operator[](Part part) const;
 };
 
+/// The left share of the width that the small pictures of a frame take: less where the sheet has many columns.
+double share_of_small_pictures(const frame::StructureShape& shape);
+
 /// A structure so much longer than high is drawn as a beam, each picture below the other, which zooms along its axis.
-Panels panels_for(const frame::StructureShape& shape, ui::Size sheet, const ui::Theme& theme, const Zoom& zoom = {});
+Panels panels_for(const frame::StructureShape& shape, ui::Size sheet, const ui::Theme& theme, const Zoom& zoom = {},
+                  double small_share = 0.34);
 /// The picture of the moments drawn smaller or higher, so that arrows of reactions find room; a zoomed one stays.
 void make_room_for_reactions(Panels& panels, const frame::StructureShape& shape, const ui::Theme& theme);
 /// The sheet of a frame with so many ems left and right of it for columns.
@@ -38,14 +44,21 @@ void make_room_beside(Panel& sheet, const frame::StructureShape& shape, const ui
 /// The middle of the structure's extent.
 Eigen::Vector2d middle_of(const frame::StructureShape& shape);
 
+/// A structure so much longer than high that its pictures stand one below the other.
+bool is_beam(const frame::StructureShape& shape);
 /// One of the pictures alone on a sheet.
 Panel panel_alone(Part part, const frame::StructureShape& shape, ui::Size sheet, const ui::Theme& theme);
+/// The sheet of a beam drawn so much broader than the page, and what a page that begins at `left` shows of it.
+Panel stretch_of_sheet(const frame::StructureShape& shape, ui::Size page, double whole_width, double left,
+                       const ui::Theme& theme);
 /// How high such a sheet is to be: a beam is flat, and the calculation has so many lines of numbers.
 double height_alone(Part part, const frame::StructureShape& shape, double width, std::size_t n_lines,
                     const ui::Theme& theme);
 
 /// Where a panel is small, type, lines and symbols are smaller, as far as they can still be read.
 ui::Theme theme_in(const Panel& panel, const Look& look);
+/// Of the structure's marks, which a zoomed frame has larger.
+ui::Theme theme_of_marks(const Panel& panel, const Look& look);
 
 /// The lines between the pictures.
 void draw_borders(ui::Painter& painter, const Panels& panels, const ui::Theme& theme);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "apps/cross/document/solution.h"
@@ -48,14 +49,21 @@ struct CellMark {
     ui::Box box;
 };
 
+/// A string and where it was written, so that a hand can choose what it says.
+struct WrittenText {
+    std::string text;
+    ui::Box box;
+};
+
 /// What a picture shows, for a hand.
 struct Drawn {
     std::vector<CellMark> cells;
     std::vector<JointMark> joints;
     std::vector<NodeMark> nodes;
     std::vector<frame::LoadMark> loads;
-    ui::Point corner;       ///< of the structure's picture
-    ui::PlaneCamera camera; ///< within it
+    std::vector<WrittenText> texts; ///< of the structure's picture
+    ui::Point corner;               ///< of the structure's picture
+    ui::PlaneCamera camera;         ///< within it
 
     /// One of the pictures, for a hand that zooms.
     struct View {

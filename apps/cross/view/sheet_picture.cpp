@@ -6,6 +6,7 @@
 #include "apps/cross/view/block_layout.h"
 #include "apps/cross/view/columns.h"
 #include "apps/cross/view/numbers.h"
+#include "apps/cross/view/sheet_parts.h"
 #include "apps/cross/view/sheet_places.h"
 #include "apps/frame/view/sheet/legend.h"
 #include "apps/frame/view/structure/members.h"
@@ -19,6 +20,8 @@ using fc::RowKind;
 
 namespace {
 
+constexpr std::size_t most_ends_at_once = 80;
+constexpr double most_magnified = 4.0; // of numbers that a zoom enlarges
 constexpr double balances_until = 0.6; // of a turn's phase; then the carry-overs fly
 
 /// Writes one sheet into its boxes.
@@ -30,12 +33,12 @@ public:
           scene_(scene),
           problem_(scene.solution.sheet_problem(scene.document)),
           sheet_(scene.solution.sheet(scene.document)),
-          theme_(theme_in(panel, scene.look)),
+          theme_(theme_of_marks(panel, scene.look)),
           numbers_(scene.document, scene.solution, scene.look),
           shape_(frame::shape_of(scene.document.model)),
           moments_(present_moments(scene.document, scene.solution))
     {
-        if (sheet_ != nullptr) columns_ = columns_of(problem_, *sheet_);
+        columns_ = sheet_ != nullptr ? columns_of(problem_, *sheet_) : columns_together();
         factors_ = fc::factors_of(problem_, scene.document.method.digits);
         widest_ = widest();
         lay_out();
@@ -52,12 +55,30 @@ public:
         draw_left_out();
     }
 
+    std::size_t n_left_out() const
+    {
+        return static_cast<std::size_t>(std::ranges::count_if(layout_.boxes, [](const auto& box) { return !box; }));
+    }
+
 private:
     /// Numbers are written there: of the sheet's half, where it is one.
-    bool is_worked(fc::EndId end) const { return sheet_ != nullptr && problem_.is_on_sheet(end); }
+    bool is_worked(fc::EndId end) const { return sheet_ == nullptr || problem_.is_on_sheet(end); }
     bool has_factor(fc::EndId end) const
     {
         return problem_.is_on_sheet(end) && problem_[end].joint && problem_.is_balanced(*problem_[end].joint);
+    }
+
+    /// Line by line the loads and so much of every sway.
+    std::vector<Column> columns_together() const
+    {
+        const std::vector<SheetPart> parts = parts_of(scene_);
+        std::vector<Column> columns;
+        for (std::size_t e = 0; e < problem_.ends.size(); ++e) {
+            Column& column = columns.emplace_back(Column{.end = fc::EndId(e), .cells = {}, .n_levels = parts.size()});
+            for (std::size_t i = 0; i < parts.size(); ++i)
+                column.cells.push_back({.kind = RowKind::CarryOver, .value = parts[i].moments[e], .level = i});
+        }
+        return columns;
     }
 
     // ---- where everything stands
@@ -71,10 +92,13 @@ private:
             request.places.push_back(place_of_end(panel_, shape_, problem_, fc::EndId(e), theme_));
         const auto is_balanced = [this](const EndPlace& place) { return has_factor(place.end); };
         std::stable_partition(request.places.begin(), request.places.end(), is_balanced); // joints have most to write
-        request.room = panel_.box.grown(-0.3 * theme_.type().normal);
-        request.room.min.y += 1.8 * theme_.type().normal;
+        const double em = theme_in(panel_, scene_.look).type().normal;
+        request.room = panel_.whole.grown(-0.3 * em);
+        request.room.min.y += 1.8 * em;
+        if (request.places.size() > most_ends_at_once) request.room = in_sight();
         request.obstacles = obstacles_in(panel_, shape_, scene_.document.model, theme_);
-        request.largest_type = 1.05 * theme_.type().normal;
+        request.largest_type = 1.05 * em * std::clamp(panel_.zoom, 1.0, most_magnified);
+        request.n_rows = 3;
         request.most_lines = wanted_lines();
         request.width_of = [this](double type) { return column_width(type); };
         request.middle = middle_of(panel_, shape_);
@@ -82,6 +106,14 @@ private:
         std::vector<std::optional<ui::Box>> by_end(problem_.ends.size());
         for (std::size_t i = 0; i < request.places.size(); ++i) by_end[request.places[i].end.index] = layout_.boxes[i];
         layout_.boxes = std::move(by_end);
+    }
+
+    /// Of a large structure only what is seen is laid out.
+    ui::Box in_sight() const
+    {
+        const ui::Box seen = panel_.box.grown(0.25 * panel_.box.width());
+        return {{std::max(seen.min.x, panel_.whole.min.x), std::max(seen.min.y, panel_.whole.min.y)},
+                {std::min(seen.max.x, panel_.whole.max.x), std::min(seen.max.y, panel_.whole.max.y)}};
     }
 
     /// So many that columns grow, and move, only now and then.
@@ -132,7 +164,7 @@ private:
     {
         std::size_t most = 0;
         for (const Column& column : columns_)
-            if (problem_.is_on_sheet(column.end)) most = std::max(most, column.n_levels);
+            if (sheet_ == nullptr || problem_.is_on_sheet(column.end)) most = std::max(most, column.n_levels);
         return most;
     }
     std::size_t n_shown() const { return std::min(n_levels(), layout_.n_lines); }
@@ -167,7 +199,10 @@ private:
         return cell.level == 0 || cell.level >= first_shown(column);
     }
 
-    bool is_last_turn(const Cell& cell) const { return cell.step > 0 && cell.step == sheet_->steps.size(); }
+    bool is_last_turn(const Cell& cell) const
+    {
+        return sheet_ != nullptr && cell.step > 0 && cell.step == sheet_->steps.size();
+    }
 
     void draw_column(fc::EndId id)
     {
@@ -359,8 +394,9 @@ private:
 
     void draw_left_out()
     {
-        const auto n_missing = std::ranges::count_if(layout_.boxes, [](const auto& box) { return !box; });
-        const std::size_t n = static_cast<std::size_t>(n_missing) - layout_.n_outside;
+        std::size_t n = 0;
+        for (std::size_t e = 0; e < layout_.boxes.size(); ++e)
+            n += !layout_.boxes[e] && panel_.box.contains(joint_place(problem_.ends[e].node)) ? 1 : 0;
         if (n == 0) return;
         write_below(
             painter_, panel_, theme_,
@@ -394,13 +430,21 @@ std::string stage_name(const Scene& scene)
     return tr("Sheet of the sway at {node}", {{"node", scene.document.model[prop].id}});
 }
 
+/// "loads + 0.312 × sway at B".
+std::string sum_in_words(const Scene& scene)
+{
+    std::string words;
+    for (const SheetPart& part : parts_of(scene)) words += (words.empty() ? "" : " + ") + words_of(part, scene);
+    return words;
+}
+
 std::string title_of(const Scene& scene)
 {
     const ui::Catalogue& tr = scene.look.tr;
     const Numbers numbers(scene.document, scene.solution, scene.look);
     std::string title = stage_name(scene) + " [" + numbers.moment_unit() + "]";
     const fc::Sheet* const sheet = scene.solution.sheet(scene.document);
-    if (sheet == nullptr) return title;
+    if (sheet == nullptr) return title + ": " + sum_in_words(scene);
     if (sheet->steps.empty()) return title + tr(": every joint locked");
     const auto joint = sheet->steps.back().joint;
     const std::string step = std::to_string(sheet->steps.size());
@@ -411,7 +455,7 @@ std::string title_of(const Scene& scene)
 
 } // namespace
 
-void draw_sheet(ui::Painter& painter, const Panel& panel, const Scene& scene)
+std::size_t draw_sheet(ui::Painter& painter, const Panel& panel, const Scene& scene)
 {
     draw_title(painter, panel, title_of(scene), theme_in(panel, scene.look));
     draw_structure_in(painter, panel, scene, {}, [](const frame::Scene& in) {
@@ -423,7 +467,9 @@ void draw_sheet(ui::Painter& painter, const Panel& panel, const Scene& scene)
         frame::draw_joints(in);
     });
     const ui::ClipScope clip(painter, panel.box);
-    SheetWriter(painter, panel, scene).draw();
+    SheetWriter writer(painter, panel, scene);
+    writer.draw();
+    return writer.n_left_out();
 }
 
 } // namespace cross

@@ -8,6 +8,7 @@ namespace cross {
 /// its fixed-end moment, balances and carry-overs downwards, each balance underlined, and the sum. Where a column is
 /// full the oldest numbers leave it. The last turn stands out, and while it is on its way its numbers fly to their
 /// places: balances from the joint, carry-overs from the near end.
-void draw_sheet(ui::Painter& painter, const Panel& panel, const Scene& scene);
+/// \returns how many member ends have no room for their columns, seen or not
+std::size_t draw_sheet(ui::Painter& painter, const Panel& panel, const Scene& scene);
 
 } // namespace cross

@@ -4,6 +4,7 @@
 
 #include "apps/cross/view/lock.h"
 #include "apps/cross/view/numbers.h"
+#include "apps/cross/view/stiffness.h"
 #include "apps/frame/view/loads/loads.h"
 #include "apps/frame/view/results/deformed.h"
 #include "apps/frame/view/results/diagram.h"
@@ -151,6 +152,30 @@ std::string bracketed(const std::string& words, const Scene& scene)
 
 } // namespace
 
+namespace {
+
+constexpr std::size_t most_stiffnesses = 24; // of members that have theirs written
+
+/// "EI", "2EI" at the middle of every member.
+void write_stiffnesses(const Scene& scene, const frame::Scene& in)
+{
+    const std::size_t n = scene.document.model.members.size();
+    for (std::size_t m = 0; m < n && n <= most_stiffnesses; ++m) {
+        const femoop::MemberId id(m);
+        const ui::Point a = in.projection(in.shape[id].start_node), b = in.projection(in.shape[id].end_node);
+        const ui::Point below = std::abs(b.x - a.x) > std::abs(b.y - a.y) ? ui::Point{0.0, 1.0} : ui::Point{1.0, 0.0};
+        in.sketch.caption({.text = stiffness_text(*scene.solution.task, id, in.units.format()),
+                           .role = ui::Role::FaintLabel,
+                           .target = 0.5 * (a + b),
+                           .toward = below,
+                           .rank = frame::Rank::Minor,
+                           .size = in.sketch.theme().type().small,
+                           .reach = 16.0});
+    }
+}
+
+} // namespace
+
 frame::Grips draw_loaded(ui::Painter& painter, const Panel& panel, const Scene& scene)
 {
     const ui::Theme theme = theme_in(panel, scene.look);
@@ -158,11 +183,12 @@ frame::Grips draw_loaded(ui::Painter& painter, const Panel& panel, const Scene& 
     const std::string& name = scene.document.model.case_name(scene.document.method.load_case);
     draw_title(painter, panel, tr("Structure and loads: {case}", {{"case", name}}), theme);
     const frame::ShowSet show{Show::Loads, Show::Values, Show::NodeNames, Show::Dimensions};
-    return draw_structure_in(painter, panel, scene, show, [](const frame::Scene& in) {
+    return draw_structure_in(painter, panel, scene, show, [&](const frame::Scene& in) {
         frame::draw_members(in, frame::Presence::Subject);
         draw_supports_and_joints(in);
         frame::draw_loads(in);
         frame::draw_names(in);
+        write_stiffnesses(scene, in);
         frame::draw_dimensions(in);
     });
 }

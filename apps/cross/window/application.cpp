@@ -10,6 +10,7 @@
 #include "apps/cross/window/player_bar.h"
 #include "apps/cross/window/results_panel.h"
 #include "femoop/io/whole_file.h"
+#include "ui/files/ending.h"
 #include "ui/report/html.h"
 #include "ui/report/pages.h"
 
@@ -20,11 +21,12 @@ namespace cross {
 using ui::translatable;
 
 Application::Application(ui::Context& context, const ui::Fonts& fonts, Session session)
-    : DocumentApp(context, fonts, std::move(session), command_table(),
-                  {.name = translatable("Cremona: moment distribution"),
-                   .description = translatable("Sheet in words"),
-                   .files = {.extension = ".json", .picture_extension = ".svg"},
-                   .sides = {{17.0F, 24.0F}, {0.22F, 0.28F}}}),
+    : DocumentApp(
+          context, fonts, std::move(session), command_table(),
+          {.name = translatable("Cremona: moment distribution"),
+           .description = translatable("Sheet in words"),
+           .files = {.extension = ".json", .exports = {".svg", ".png", ".pdf", ".report.pdf", ".html", ".csv", ".tex"}},
+           .sides = {{17.0F, 24.0F}, {0.22F, 0.28F}}}),
       canvas_(fonts)
 {}
 
@@ -47,7 +49,7 @@ void Application::show_canvas()
 {
     const bool has_bar = session().paper() == nullptr; // a pupil has nothing to play
     const float bar = has_bar ? ImGui::GetFrameHeight() + 0.8F * ImGui::GetFontSize() : 0.0F;
-    show_picture(bar, [this] { canvas_.show(desk().session, gui()); });
+    ui::picture_area(bar, [this] { canvas_.show(desk().session, gui()); });
     if (has_bar) ui::bar_below_picture(bar, [this] { player_bar(desk(), commands()); });
 }
 
@@ -58,22 +60,32 @@ void Application::take(ui::Request request)
     if (request == ui::Request::ZoomOut) canvas_.zoom(desk().session, 0.8);
 }
 
+void Application::take_own_requests()
+{
+    for (ui::Handover& handover : std::exchange(desk().handed, {})) {
+        const Look& look = session().look;
+        handover.options = {"--lang", std::string(code(look.tr.language())), "--theme", std::string(text(look.theme))};
+        handed_ = std::move(handover);
+        if (!start_program_) continue;
+        if (const auto reason = start_program_(*handed_)) desk().tell(*reason);
+    }
+}
+
 std::string Application::status() const { return status_text(session()); }
 
 std::string Application::words() const { return in_words(session()); }
 
 std::optional<ui::Phrase> Application::write(const std::filesystem::path& path)
 {
-    const std::string kind = path.extension().string();
-    const bool is_report_on_paper = path.filename().string().ends_with(".report.pdf");
-    if (kind == ".html" || is_report_on_paper) {
+    const auto is_a = [&](std::string_view ending) { return ui::has_ending(path, ending); };
+    if (is_a(".html") || is_a(".report.pdf")) {
         if (session().hides_results()) return ui::Phrase(translatable("the exercise is not solved yet"));
         return write_report(path);
     }
-    if (kind != ".csv" && kind != ".tex") return DocumentApp::write(path);
+    if (!is_a(".csv") && !is_a(".tex")) return DocumentApp::write(path);
     if (!session().solution().task) return ui::Phrase(translatable("this structure cannot be distributed"));
     const TextTable table = table_of(session(), desk().topic);
-    const std::string text = kind == ".csv" ? as_csv(table, session().tr().language()) : as_latex(table);
+    const std::string text = is_a(".csv") ? as_csv(table, session().tr().language()) : as_latex(table);
     const std::error_code error = femoop::write_whole_file(path, text);
     if (!error) return std::nullopt;
     return ui::Phrase(translatable("{file} was not saved: {reason}"),
@@ -88,7 +100,7 @@ std::optional<ui::Phrase> Application::write_report(const std::filesystem::path&
     };
     try {
         const ui::Report report = calculation(session().document(), session().look, fonts());
-        if (path.extension() == ".html") {
+        if (ui::has_ending(path, ".html")) {
             const std::error_code error = femoop::write_whole_file(path, ui::report_html(report, fonts()));
             return error ? std::optional(not_saved(error.message())) : std::nullopt;
         }

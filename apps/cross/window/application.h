@@ -22,6 +22,11 @@ public:
 
     const Canvas& canvas() const { return canvas_; }
 
+    /// How another program is started, which says why it could not be; without it none is.
+    using StartProgram = std::function<std::optional<ui::Phrase>(const ui::Handover&)>;
+    void start_programs_by(StartProgram start) { start_program_ = std::move(start); }
+    const std::optional<ui::Handover>& handed() const { return handed_; } ///< the last
+
 private:
     ui::Picture picture() override { return canvas_.picture_of(session()); }
     /// The picture (.png, .svg or .pdf), the table that is shown (.csv or .tex), or the whole calculation as a report
@@ -33,10 +38,13 @@ private:
     void show_right() override;
     void show_canvas() override;
     void take(ui::Request request) override;
+    void take_own_requests() override;
     std::string status() const override;
     std::string words() const override;
 
     Canvas canvas_;
+    StartProgram start_program_;
+    std::optional<ui::Handover> handed_;
     MethodPanel method_panel_;
     ExercisePanel exercise_panel_;
 };

@@ -20,7 +20,8 @@ void Canvas::show(Session& session, ui::ImGuiSession& gui)
     corner_ = {static_cast<double>(corner.x / scale), static_cast<double>(corner.y / scale)};
     sheet_ = {static_cast<double>(room.x / scale), static_cast<double>(room.y / scale)};
     ImGui::InvisibleButton("canvas", room);
-    if (session.paper() != nullptr) ImGui::SetItemAllowOverlap(); // the field of a cell lies on it
+    // The field of a cell or of a value lies on it.
+    if (session.paper() != nullptr || value_field_.is_open()) ImGui::SetItemAllowOverlap();
     const ImGuiIO& io = ImGui::GetIO();
     if (session.n_solved() != drawn_of_) {
         drawn_ = {}; // what was drawn is not there any more
@@ -38,6 +39,7 @@ void Canvas::show(Session& session, ui::ImGuiSession& gui)
     gui.show(*picture_, list, {static_cast<double>(corner.x), static_cast<double>(corner.y)});
     list.PopClipRect();
     cell_field_.show(session, drawn_, corner_, scale);
+    value_field_.show(session, corner_, scale);
 }
 
 void Canvas::follow(Session& session, ui::Point at)
@@ -48,6 +50,7 @@ void Canvas::follow(Session& session, ui::Point at)
     session.hover = is_over ? pick(drawn_, at, reach) : std::nullopt;
     pointer_ = is_over ? std::optional(at) : std::nullopt;
     move_about(session, at);
+    if (!hand_.is_holding() && is_over && follow_values(session, at)) return;
     const double scale = ui::Theme(session.look.theme).symbol_scale();
     const Aim aim = is_over ? aim_at(session.document().model, drawn_, at, scale) : Aim{};
     const bool can_pull = !std::holds_alternative<std::monostate>(aim);
@@ -56,9 +59,37 @@ void Canvas::follow(Session& session, ui::Point at)
     const bool is_right = is_over && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
     if (node != nullptr && (is_right || (ImGui::IsItemActivated() && ImGui::GetIO().KeyShift)))
         change_support(session, node->node);
+    else if (ImGui::IsItemActivated() && session.tool != Tool::None) put_load(session, aim, at);
     else if (ImGui::IsItemActivated()) press(session, at);
     else if (hand_.is_holding() && ImGui::IsItemActive()) hand_.pull(session, at);
     else if (hand_.is_holding()) release(session);
+}
+
+/// A double click opens a field; nothing else is done where a value is written.
+bool Canvas::follow_values(Session& session, ui::Point at)
+{
+    const auto written = written_at(session, drawn_, at);
+    if (written) session.hover.reset();
+    if (written) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
+    if (!ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return written.has_value();
+    const auto value = value_at(session, drawn_, at);
+    if (value) value_field_.open(session, *value, at);
+    return value.has_value();
+}
+
+/// Of a usual size, with a field for another.
+void Canvas::put_load(Session& session, const Aim& aim, ui::Point at)
+{
+    const bool is_force = session.tool == Tool::PointLoad;
+    const auto* const node = std::get_if<NodeAim>(&aim);
+    const auto member = member_at(session.document().model, drawn_, at);
+    if (!(is_force && node != nullptr) && !member) return;
+    const NewLoad added = is_force && node != nullptr ? with_node_load(session, node->node)
+                          : is_force                  ? with_point_load(session, member->member, member->x)
+                                                      : with_uniform_load(session, member->member);
+    session.tool = Tool::None;
+    session.change(added.model, is_force ? ui::translatable("Add a force") : ui::translatable("Add a uniform load"));
+    value_field_.open(session, added.number, at);
 }
 
 void Canvas::zoom(Session& session, double factor)
@@ -117,8 +148,9 @@ bool Canvas::is_over_structure(ui::Point beam) const
 
 void Canvas::draw_hint(ui::Painter& painter, const Session& session) const
 {
-    if (!pointer_ || hand_.is_holding()) return;
+    if (!pointer_ || hand_.is_holding() || value_field_.is_open() || written_at(session, drawn_, *pointer_)) return;
     const femoop::Model& model = session.document().model;
+    if (session.tool != Tool::None) return draw_load_hint(painter, session);
     const double scale = ui::Theme(session.look.theme).symbol_scale();
     const Aim aim = aim_at(model, drawn_, *pointer_, scale);
     for (const Side side : {Side::Left, Side::Right})
@@ -134,6 +166,16 @@ void Canvas::draw_hint(ui::Painter& painter, const Session& session) const
     const std::string parts = units.text(span->x, ui::Measure::Length) + " | " +
                               units.text(length - span->x, ui::Measure::Length);
     draw(painter, Hint{Hint::Kind::Support, span->at, parts}, session.look);
+}
+
+void Canvas::draw_load_hint(ui::Painter& painter, const Session& session) const
+{
+    const auto member = member_at(session.document().model, drawn_, *pointer_);
+    if (!member) return;
+    const ui::DisplayUnits units = units_of(session.document().model, session.tr());
+    const std::string words = session.tool == Tool::PointLoad ? units.text(member->x, ui::Measure::Length)
+                                                              : session.tr()("a uniform load");
+    draw(painter, Hint{Hint::Kind::Load, member->at, words}, session.look);
 }
 
 ui::Picture Canvas::picture_of(const Session& session) const

@@ -5,6 +5,7 @@
 
 #include "apps/cross/session/structure_hand.h"
 #include "apps/cross/window/cell_field.h"
+#include "apps/cross/window/value_field.h"
 #include "ui/context/imgui_session.h"
 #include "ui/paint/text_measure.h"
 
@@ -12,7 +13,8 @@ namespace cross {
 
 /// The picture of a session, and what a hand does on it: a click on a joint balances it; in the
 /// picture of the structure a hand changes it (structure_hand.h); Shift and a click, or the right button, changes what
-/// holds a node. While a pupil fills the sheet a click chooses a cell.
+/// holds a node; a double click on a value opens a field for it; with a tool in hand a click puts a load. While a pupil
+/// fills the sheet a click chooses a cell.
 class Canvas {
 public:
     explicit Canvas(const ui::Fonts& fonts) : fonts_(fonts) {}
@@ -34,11 +36,14 @@ public:
 private:
     void follow(Session& session, ui::Point at);
     void follow_pupil(Session& session, ui::Point at);
+    bool follow_values(Session& session, ui::Point at);
+    void put_load(Session& session, const Aim& aim, ui::Point at);
     void press(Session& session, ui::Point at);
     void release(Session& session);
     void move_about(Session& session, ui::Point at);
     bool is_over_structure(ui::Point beam) const;
     void draw_hint(ui::Painter& painter, const Session& session) const;
+    void draw_load_hint(ui::Painter& painter, const Session& session) const;
 
     const ui::Fonts& fonts_;
     ui::Point corner_{};
@@ -50,6 +55,7 @@ private:
     std::optional<ui::Point> dragged_; ///< where the hand that moves the pictures was last
     std::optional<ui::Picture> picture_;
     CellField cell_field_;
+    ValueField value_field_;
 };
 
 } // namespace cross

@@ -5,13 +5,16 @@
 #include "apps/cross/window/stage.h"
 #include "femoop/io/whole_file.h"
 #include "ui/app/run_app.h"
+#include "ui/context/start_program.h"
 
 namespace cross {
 
 int run(const ui::AppOptions& options)
 {
     return ui::run_with<Application, OffscreenStage, Session>(
-        options, "cross", ui::draft_folder("cross", ".json", femoop::write_whole_file));
+        options, "cross", ui::draft_folder("cross", ".json", femoop::write_whole_file), [](Application& application) {
+            application.start_programs_by([](const ui::Handover& handover) { return ui::start_program(handover); });
+        });
 }
 
 } // namespace cross

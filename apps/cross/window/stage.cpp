@@ -73,6 +73,12 @@ std::optional<ui::Point> in_structure(const Application& application, const std:
         if (const auto sign = sign_beyond(application.session().document().model, drawn, side, scale))
             return corner + *sign;
     }
+    if (words.size() > 1 && words[0] == "value") {
+        std::string wanted;
+        for (std::size_t i = 1; i < words.size(); ++i) wanted += (i > 1 ? " " : "") + words[i];
+        for (const WrittenText& written : drawn.texts)
+            if (written.text == wanted) return corner + written.box.center();
+    }
     const auto number = [&](std::size_t i) { return i < words.size() ? ui::number_typed(words[i]) : std::nullopt; };
     if (words.size() == 2 && words[0] == "load" && number(1) && *number(1) >= 1.0 &&
         *number(1) <= static_cast<double>(drawn.loads.size())) {
@@ -149,7 +155,7 @@ ui::Stage::Sought OffscreenStage::find(std::string_view place)
     }
     const std::string what =
         "cell factor BA, joint NAME, joint NAME in structure, deformed, moments or sheet, node NAME, load 1, "
-        "end left, at 2 0, or pixel 400 300";
+        "end left, value 8 kN/m, at 2 0, or pixel 400 300";
     if (words.size() < 2 || words[0] != "joint") return what;
     const auto joint = joint_named(application().session(), words[1]);
     if (!joint) return "a joint that can be balanced";

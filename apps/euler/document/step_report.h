@@ -23,6 +23,7 @@ struct StepReport : StepSummary {
     std::vector<topology::Change> changes; ///< one for each operator
     std::string inverse_name;              ///< "KEV"; of a sweep, and where one is not enough, "KEF, KEV"
     std::vector<std::string> inverse;      ///< the lines that would take the step back: "kev s1 v1 v2"
+    ui::Phrase warning;                    ///< what is odd about places, though all links are right; may be empty
     ui::Phrase meaning;                    ///< what the line did, in a sentence
     ui::Phrase explanation;                ///< the comment just above the step and at its end; may be empty
 };

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <utility>
 
 #include "apps/euler/document/comment.h"
 #include "apps/euler/document/meaning.h"
+#include "topology/embedding/ring_plane.h"
 #include "topology/script/inverse.h"
+#include "topology/script/script_writer.h"
 #include "topology/text/line_error.h"
 #include "topology/text/words.h"
+#include "ui/text/catalogue.h"
 
 namespace euler {
 
@@ -18,6 +22,7 @@ using topology::Change;
 using topology::EulerCounts;
 using topology::LineKind;
 using topology::OperatorKind;
+using ui::translatable;
 
 class Recorder : public topology::Observer {
 public:
@@ -32,11 +37,11 @@ std::string upper(std::string_view word)
     return text;
 }
 
-bool is_sweep(std::string_view line) { return topology::words(line).front() == "sweep"; }
+bool sweeps(std::string_view line) { return topology::words(line).front() == "sweep"; }
 
 std::string operator_name(std::string_view line, OperatorKind kind)
 {
-    return is_sweep(line) ? "SWEEP" : std::string(name(kind)); // "split" is a MEV
+    return sweeps(line) ? "SWEEP" : std::string(name(kind)); // "split" is a MEV
 }
 
 /// The names of the operators that the lines begin with, each once.
@@ -76,14 +81,27 @@ ui::Phrase reason(const topology::LineError& error)
 
 Stepper::Stepper(std::string_view script)
 {
+    if (const auto fault = run_all(script)) throw topology::LineError(*fault);
+}
+
+Stepper::Begun Stepper::as_far_as_it_goes(std::string_view script)
+{
+    Begun begun;
+    begun.fault = begun.lesson.run_all(script);
+    return begun;
+}
+
+std::optional<topology::LineError> Stepper::run_all(std::string_view script)
+{
+    heading_ = std::string_view(first_comment(script));
     for (topology::Lines lines(script); lines.next();) {
         try {
             if (run(lines.line()) == LineKind::Empty) above_ += std::string(lines.line()) + "\n";
         } catch (const topology::LineError& fault) {
-            throw fault.at(lines.number(), lines.line());
+            return fault.at(lines.number(), lines.line());
         }
     }
-    heading_ = std::string_view(first_comment(script));
+    return std::nullopt;
 }
 
 /// A step takes the place of those that were undone.
@@ -122,6 +140,13 @@ EulerCounts Stepper::counts_after(std::size_t step) const
     return step == 0 ? EulerCounts{} : steps_[step - 1]->after;
 }
 
+EulerCounts Stepper::counts(std::size_t solid) const
+{
+    const std::vector<std::size_t>& steps = steps_of_[solid];
+    const auto beyond = std::ranges::upper_bound(steps, place());
+    return beyond == steps.begin() ? EulerCounts{} : counts_after(*std::prev(beyond));
+}
+
 StepSummary Stepper::summary(std::size_t i) const
 {
     const Entry& step = *steps_[i - 1];
@@ -143,9 +168,22 @@ StepReport Stepper::report(std::size_t i) const
     report.changes = changes();
     report.inverse = inverse_lines(runner_.solids()[report.solid], n_operators(i));
     report.inverse_name = names_of(report.inverse);
+    report.warning = warning(report.changes, report.solid);
     report.meaning = meaning(report.line, report.before, report.after);
     report.explanation = std::string_view(comment(steps_[i - 1]->above(), report.line));
     return report;
+}
+
+// The last operator's ring is told; those of a sweep make none.
+ui::Phrase Stepper::warning(const std::vector<Change>& changes, std::size_t solid) const
+{
+    const topology::NamedSolid& in = runner_.solids()[solid];
+    const auto found = off_plane(in.solid, changes.back());
+    if (!found) return ui::Phrase("");
+    return {
+        translatable("{vertex} lies outside the plane of face {face}: the links are right, but no flat face has such "
+                     "a ring."),
+        {{"vertex", in.names.vertices.of(found->vertex)}, {"face", in.names.faces.of(found->face)}}};
 }
 
 /// One operator is read off the tables that it left; of several each was followed by others, so they are done again.
@@ -182,6 +220,25 @@ std::optional<ui::Phrase> Stepper::apply(std::string_view line)
         return reason(fault);
     }
     return std::nullopt;
+}
+
+bool Stepper::is_sweep(std::size_t i) const { return sweeps(steps_[i - 1]->line()); }
+
+// The line stays as a comment that tells what its operators are.
+void Stepper::open_sweep()
+{
+    const std::size_t place = this->place();
+    const std::string lines = journal_script(runner_.solids()[steps_[place - 1]->solid], n_operators(place));
+    std::string text;
+    for (std::size_t i = 1; i <= n_steps(); ++i) {
+        const Entry& step = *steps_[i - 1];
+        if (i == place) text.append(step.above()).append("#     ").append(step.line()).append("\n").append(lines);
+        else text.append(step.text) += '\n';
+    }
+    ui::Phrase heading = heading_;
+    *this = Stepper(text + above_);
+    heading_ = std::move(heading);
+    go_to(place - 1);
 }
 
 std::size_t Stepper::next_line() const

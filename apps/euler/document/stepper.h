@@ -23,6 +23,9 @@ public:
     Stepper() = default;
     /// Runs the whole script, so that the place is its end.   \throws topology::LineError with the line's number
     explicit Stepper(std::string_view script);
+    /// As far as it can be run, and what stops it.
+    struct Begun;
+    static Begun as_far_as_it_goes(std::string_view script);
 
     std::size_t place() const { return runner_.n_steps(); } ///< how many steps are done
     std::size_t n_steps() const { return steps_.size(); }   ///< with those beyond the place
@@ -36,7 +39,12 @@ public:
     StepSummary summary(std::size_t i) const; ///< \pre 1 <= i <= n_steps(), likewise of the next
     /// Read off the solid as the step left it: at once at the place, on a copy that goes there elsewhere.
     StepReport report(std::size_t i) const;
+    topology::EulerCounts counts(std::size_t solid) const; ///< of one of the runner's solids, at the place
     std::size_t n_operators(std::size_t i) const { return runner_[i - 1].n_operators; } ///< of step i
+
+    bool is_sweep(std::size_t i) const; ///< whether step i is many operators
+    /// Writes out the step that was done last, a sweep, as its operators, and goes to before the first of them.
+    void open_sweep();
 
     std::size_t next_line() const; ///< number that one more line would have here, from 1
 
@@ -60,7 +68,9 @@ private:
         std::string_view line() const { return std::string_view(text).substr(line_at); }
         std::string_view above() const { return std::string_view(text).substr(0, line_at); }
     };
+    std::optional<topology::LineError> run_all(std::string_view script);
     topology::LineKind run(std::string_view line);
+    ui::Phrase warning(const std::vector<topology::Change>& changes, std::size_t solid) const;
     void forget_undone();
     std::shared_ptr<const Entry> entry(std::string_view line);
     topology::EulerCounts counts_after(std::size_t step) const; ///< all 0 of step 0
@@ -71,6 +81,11 @@ private:
     std::vector<std::vector<std::size_t>> steps_of_;  ///< by solid: which steps are its, in order
     std::string above_; ///< of the step that is read next; in the end, what follows the last step
     ui::Phrase heading_;
+};
+
+struct Stepper::Begun {
+    Stepper lesson;
+    std::optional<topology::LineError> fault; ///< with its line's number
 };
 
 /// The text of a lesson as it stood. It has the steps in common with the lesson, which never changes them, so that it

@@ -16,7 +16,7 @@ namespace euler {
 
 /// What the user asks this app's window for, beside what every app's is asked for: where to look from, the keyboard
 /// for the script.
-enum class Request : std::uint8_t { LookIsometric, LookFront, LookSide, LookTop, WriteScript };
+enum class Request : std::uint8_t { LookFront, LookSide, LookTop, WriteScript };
 
 /// What the panel at the left shows.
 enum class Topic : std::uint8_t { Script, Operators, Gallery, Challenges };
@@ -28,12 +28,18 @@ enum class Structure : std::uint8_t { HalfEdges, WingedEdges };
 /// once a frame.
 struct Desk : ui::DocumentDesk<Desk, Session> {
     using DocumentDesk::DocumentDesk;
+    void show_table(topology::TableKind kind)
+    {
+        table = wanted_table = kind;
+        structure = Structure::HalfEdges;
+    }
     void give_room_to_the_picture(bool all) { has_panels = has_tables = !all; }
 
     std::vector<Request> requests{};
     Topic topic = Topic::Script;
     Structure structure = Structure::HalfEdges;
-    topology::TableKind table = topology::TableKind::HalfEdges; ///< that is seen below
+    topology::TableKind table = topology::TableKind::HalfEdges; ///< that is seen below: one that the step changes
+    topology::TableKind wanted_table = table;                   ///< that is seen wherever the step changes it
     std::uint32_t next_challenge = 1;                           ///< what the next one is drawn from
     bool has_tables = true;
 };

@@ -33,7 +33,6 @@ struct DirectionEntry {
     Key key;
 };
 constexpr std::array directions{
-    DirectionEntry{Request::LookIsometric, "view.isometric", translatable("From a corner"), Key::Digit7},
     DirectionEntry{Request::LookFront, "view.front", translatable("From the front"), Key::Digit8},
     DirectionEntry{Request::LookSide, "view.side", translatable("From the side"), Key::Digit9},
     DirectionEntry{Request::LookTop, "view.top", translatable("From the top"), Key::Digit0},
@@ -49,6 +48,11 @@ void add_views(CommandTable& table)
                    .run = [kind = entry.kind](Desk& desk) { desk.session.show_as(kind); },
                    .is_on = [kind = entry.kind](const Desk& desk) { return desk.session.view() == kind; }});
     ui::standard::add_zoom(table, translatable("Show everything"), {{Key::F, {}}});
+    table.add({.id = "view.isometric",
+               .menu = view_menu,
+               .label = translatable("From a corner"),
+               .shortcuts = {{Key::Digit7, {}}},
+               .run = [](Desk& desk) { desk.session.look_from_corner(); }});
     for (const DirectionEntry& entry : directions)
         table.add({.id = entry.id,
                    .menu = view_menu,
@@ -136,8 +140,7 @@ void add_panels(CommandTable& table)
              .label = entry.label,
              .run =
                  [kind = entry.table](Desk& desk) {
-                     desk.table = kind;
-                     desk.structure = Structure::HalfEdges;
+                     desk.show_table(kind);
                      desk.has_tables = true;
                  },
              .is_on = [kind = entry.table](

@@ -34,6 +34,12 @@ Reason why_not_accept(const Desk& desk)
 
 } // namespace
 
+void show_operators(Desk& desk)
+{
+    desk.topic = Topic::Operators;
+    desk.has_panels = true;
+}
+
 std::string command_id(const OperatorForm& form) { return std::string(ids[static_cast<std::size_t>(form.verb)]); }
 
 void add_operator_commands(CommandTable& table)
@@ -45,7 +51,7 @@ void add_operator_commands(CommandTable& table)
                    .run =
                        [verb = form.verb](Desk& desk) {
                            desk.session.begin(verb);
-                           desk.topic = Topic::Operators;
+                           show_operators(desk);
                        },
                    .is_on =
                        [verb = form.verb](const Desk& desk) {

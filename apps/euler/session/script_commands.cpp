@@ -9,14 +9,14 @@ namespace {
 
 constexpr std::string_view menu = translatable("Step");
 
+} // namespace
+
 void show_script(Desk& desk)
 {
     desk.topic = Topic::Script;
     desk.has_panels = true;
     desk.requests.push_back(Request::WriteScript);
 }
-
-} // namespace
 
 void add_script_commands(CommandTable& table)
 {
@@ -40,10 +40,7 @@ void add_script_commands(CommandTable& table)
                .menu = menu,
                .label = translatable("Apply the text"),
                .shortcuts = {{Key::Enter, ui::ctrl}},
-               .run =
-                   [](Desk& desk) {
-                       if (!desk.session.accept_text()) show_script(desk);
-                   },
+               .run = [](Desk& desk) { desk.session.accept_text(); },
                .why_not = [](const Desk& desk) -> std::optional<ui::Phrase> {
                    if (desk.session.edited_text) return std::nullopt;
                    return translatable("the script is not edited as text");

@@ -1,4 +1,5 @@
-// The script as it is written: line by line, or as a whole.
+#include "apps/euler/session/script_text.h"
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -10,6 +11,19 @@
 namespace euler {
 
 using ui::translatable;
+
+bool can_be_edited(std::string_view text)
+{
+    bool is_short = text.size() <= Session::most_letters_of_text;
+    for (topology::Lines lines(text); is_short && lines.next();)
+        is_short = lines.line().size() <= Session::most_letters_of_line;
+    return is_short && topology::is_utf8(text) && text.find('\0') == std::string_view::npos;
+}
+
+ui::Phrase sentence(const topology::LineError& fault, const ui::Catalogue& tr)
+{
+    return ui::Phrase(fault.sentence([&](std::string_view pattern) { return tr(pattern); }));
+}
 
 bool Session::write(std::string_view line)
 {
@@ -27,12 +41,8 @@ bool Session::write(std::string_view line)
 std::optional<ui::Phrase> Session::why_not_edit_text() const
 {
     constexpr std::size_t least = 8; // letters of a line: asked in every frame, so a long script is not written out
-    bool is_short = stepper_.n_steps() <= most_letters_of_text / least;
-    const std::string whole = is_short && !edited_text ? stepper_.script() : "";
-    is_short = is_short && whole.size() <= most_letters_of_text;
-    for (topology::Lines lines(whole); is_short && lines.next();)
-        is_short = lines.line().size() <= most_letters_of_line;
-    if (is_short || edited_text) return std::nullopt;
+    if (edited_text) return std::nullopt;
+    if (stepper_.n_steps() <= most_letters_of_text / least && can_be_edited(stepper_.script())) return std::nullopt;
     return translatable("the script is too long to be edited here; open its file in a text editor");
 }
 
@@ -42,6 +52,7 @@ void Session::edit_text()
     is_playing = false;
     give_up();
     script_fault.reset();
+    faulty_line.reset();
     edited_text = stepper_.script();
 }
 
@@ -53,17 +64,37 @@ bool Session::accept_text()
         if (place() < n_steps()) written.go_to(std::min(place(), written.n_steps()));
         stepper_ = std::move(written);
     } catch (const topology::LineError& fault) {
-        script_fault = ui::Phrase(fault.sentence([this](std::string_view pattern) { return tr()(pattern); }));
+        tell_fault(fault);
         return false;
     }
     edited_text.reset();
+    faulty_line.reset();
+    if (faulty_path_) path_ = std::exchange(faulty_path_, std::nullopt);
     note_change();
     return true;
+}
+
+// The steps before the fault are open, and the text to mend it in, where that has room.
+void Session::show_fault(const std::filesystem::path& path, const std::string& text, const topology::LineError& fault)
+{
+    faulty_path_ = path;
+    if (can_be_edited(text)) edited_text = text;
+    tell_fault(fault);
+    tell({translatable("{file} is open up to its fault: {reason}"),
+          {{"file", path.filename().string()}, {"reason", *script_fault}}});
+}
+
+void Session::tell_fault(const topology::LineError& fault)
+{
+    script_fault = sentence(fault, tr());
+    faulty_line = fault.number();
+    is_fault_new = true;
 }
 
 void Session::give_up_text()
 {
     edited_text.reset();
+    faulty_line.reset();
     script_fault.reset();
 }
 

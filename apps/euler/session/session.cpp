@@ -8,6 +8,8 @@
 
 #include "apps/euler/document/drawing/drawn_line.h"
 #include "apps/euler/session/argument_pick.h"
+#include "apps/euler/session/script_text.h"
+#include "apps/euler/view/solid/clear_view.h"
 #include "femoop/io/whole_file.h"
 #include "ui/text/catalogue.h"
 
@@ -42,13 +44,7 @@ bool lives(const topology::Solid& solid, topology::Entity e)
     return false;
 }
 
-Session::Session()
-{
-    // From a corner, but so that no two corners of a cube are seen at one place.
-    constexpr double azimuth = -1.1, elevation = 0.42;
-    eye.look(azimuth, elevation);
-    restart(Stepper());
-}
+Session::Session() { restart(Stepper()); }
 
 void Session::restart(Stepper lesson)
 {
@@ -63,9 +59,36 @@ void Session::restart(Stepper lesson)
     hover.reset();
     notice.reset();
     edited_text.reset();
+    faulty_line.reset();
+    faulty_path_.reset();
     is_fitted = true;
     look_at_end();
     look_at_place();
+    look_anew();
+}
+
+// From a side above. Lines go on being drawn from the top.
+void Session::look_anew()
+{
+    constexpr double azimuth = -1.1, elevation = 0.42;
+    if (is_drawing_) return;
+    eye.look(azimuth, elevation);
+    look_clearly();
+}
+
+void Session::look_from_corner()
+{
+    eye.look(ui::StandardView::Isometric);
+    look_clearly();
+    show_as(ViewKind::Space);
+}
+
+// At what is seen now and at what it comes to.
+void Session::look_clearly()
+{
+    std::vector<Subject> subjects = this->subjects();
+    for (const Snapshot& snapshot : at_end_) subjects.push_back({snapshot.solid.get(), snapshot.names.get(), {}});
+    eye = clear_view(eye, subjects);
 }
 
 void Session::begin_anew() { restart(Stepper()); }
@@ -89,13 +112,12 @@ bool Session::open(const std::filesystem::path& path)
     if (!has_end) return refuse(translatable("it is no regular file"));
     std::ifstream file(path, std::ios::binary);
     if (!file) return refuse(translatable("it cannot be read"));
-    try {
-        Stepper lesson(std::string{std::istreambuf_iterator<char>(file), {}});
-        restart(std::move(lesson));
-    } catch (const topology::LineError& fault) {
-        return refuse(ui::Phrase(fault.sentence([this](std::string_view pattern) { return tr()(pattern); })));
-    }
-    path_ = path;
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    auto [lesson, fault] = Stepper::as_far_as_it_goes(text);
+    if (fault && lesson.n_steps() == 0 && !can_be_edited(text)) return refuse(sentence(*fault, tr()));
+    restart(std::move(lesson));
+    if (fault) show_fault(path, text, *fault);
+    else path_ = path;
     return true;
 }
 
@@ -108,6 +130,7 @@ bool Session::save(const std::filesystem::path& path)
         return false;
     }
     path_ = path;
+    faulty_path_.reset();
     saved_ = script;
     is_dirty_ = false;
     notice = passing_notice({translatable("{file} was written"), {{"file", path.filename().string()}}});
@@ -117,7 +140,7 @@ bool Session::save(const std::filesystem::path& path)
 bool Session::recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original)
 {
     if (!open(draft)) return false;
-    path_ = original;
+    (faulty_path_ ? faulty_path_ : path_) = original;
     saved_.reset();
     is_dirty_ = true;
     return true;
@@ -125,14 +148,22 @@ bool Session::recover(const std::filesystem::path& draft, const std::optional<st
 
 ui::Unsaved Session::unsaved() const
 {
-    return {.state = n_changes_, .original = path_, .copy = [this] {
-                return [script = stepper_.whole()](const std::filesystem::path& draft) {
-                    return femoop::write_whole_file(draft, script.text());
-                };
-            }};
+    return {.state = n_changes_,
+            .original = path_,
+            .copy =
+                [this] {
+                    return [script = stepper_.whole()](const std::filesystem::path& draft) {
+                        return femoop::write_whole_file(draft, script.text());
+                    };
+                },
+            .about = tr()("steps: {count}", {{"count", std::to_string(n_steps())}})};
 }
 
-std::string Session::file_name() const { return path_ ? path_->filename().string() : tr()("Untitled"); }
+std::string Session::file_name() const
+{
+    const auto& path = path_ ? path_ : faulty_path_;
+    return path ? path->filename().string() : tr()("Untitled");
+}
 
 // Takes the last step back and does it again, to see what was before it.
 void Session::look_at_place()
@@ -401,7 +432,16 @@ std::optional<ui::Phrase> Session::apply(std::string_view line)
     if (auto reason = stepper_.apply(line)) return reason;
     note_change();
     if (place() == here + 1) motion_ = Motion{.is_back = false};
+    if (report_ && !report_->warning.sentence.empty()) tell(report_->warning);
     return std::nullopt;
+}
+
+void Session::open_sweep()
+{
+    is_playing = false;
+    motion_.reset();
+    stepper_.open_sweep();
+    note_change();
 }
 
 // The script is another one.
@@ -421,6 +461,7 @@ void Session::play(Game game)
     game_ = std::move(game);
     side_ = Side::Before;
     exhibit();
+    look_anew();
 }
 
 void Session::show_side(Side side)

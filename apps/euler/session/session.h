@@ -53,7 +53,8 @@ public:
 
     /// An empty script.
     void begin_anew();
-    /// Opens a script. Where it has a fault the open one stays as it is and `notice` says why; false then.
+    /// Opens a script; one with a fault up to that, with its text, where `faulty_line` is to be mended. Where nothing
+    /// can be opened all stays as it is, and `notice` says why; false then.
     bool open(const std::filesystem::path& path);
     /// A lesson that comes from no file of the user's, shown before its first step.
     void show(Stepper lesson);
@@ -114,6 +115,7 @@ public:
     void pick(const Part& part); ///< selects it, or gives it to the operator that asks
     void take_back_choice();     ///< the last one; without one the operator is given up
     void give_up();
+    void open_sweep();                                      ///< into its MEV and MEF \pre it is the last step done
     bool accept();                                          ///< does what the operator would do
     std::optional<ui::Phrase> apply(std::string_view line); ///< one more line. \returns why not, nothing being changed
 
@@ -126,6 +128,8 @@ public:
     bool accept_text(); ///< \pre it is edited
     void give_up_text();
     std::optional<std::string> edited_text; ///< while it is edited
+    std::optional<std::size_t> faulty_line; ///< of the text, from 1, where it could not be run
+    bool is_fault_new = false;              ///< the line is to be brought into sight
     std::optional<ui::Phrase> script_fault; ///< of what was written last; nothing once something was done
     static constexpr std::size_t most_letters_of_text = 100'000, most_letters_of_line = 1000; ///< to be edited
 
@@ -152,6 +156,7 @@ public:
     Look look;
     ViewKind view() const { return view_; }
     void show_as(ViewKind kind);
+    void look_from_corner();      ///< so that no vertex covers another
     ui::OrbitCamera eye, map_eye; ///< in space, and on the map in the plane
     ui::PlaneCamera polygon_eye;  ///< on the plane model
     bool is_fitted = true;        ///< the camera shows everything, until it is moved by hand
@@ -169,6 +174,10 @@ private:
     void look_at_place();
     void look_at_end();
     void restart(Stepper lesson);
+    void show_fault(const std::filesystem::path& path, const std::string& text, const topology::LineError& fault);
+    void tell_fault(const topology::LineError& fault);
+    void look_anew();
+    void look_clearly();
     void note_change();
     void fill_in_suggestions();
     void exhibit();
@@ -182,6 +191,8 @@ private:
     Stepper stepper_;
     std::optional<Stepper::Script> saved_; ///< none of what a crash has left
     std::optional<std::filesystem::path> path_;
+    std::optional<std::filesystem::path>
+        faulty_path_; ///< of a file that is open up to its fault: it is not written over
     bool is_dirty_ = false;
     std::uint64_t n_changes_ = 0; ///< of the script
     std::vector<Snapshot> before_, after_, at_end_;

@@ -98,6 +98,23 @@ void add_walk(CommandTable& table)
                .why_not = why_not_forward});
 }
 
+Reason why_not_open_sweep(const Desk& desk)
+{
+    const Session& session = desk.session;
+    if (session.place() > 0 && session.stepper().is_sweep(session.place())) return std::nullopt;
+    return translatable("the step that was done last is no sweep");
+}
+
+void add_opening(CommandTable& table)
+{
+    table.add({.id = "step.open_sweep",
+               .menu = menu,
+               .label = translatable("Open the sweep into MEV and MEF"),
+               .shortcuts = {{Key::O, {}}},
+               .run = [](Desk& desk) { desk.session.open_sweep(); },
+               .why_not = why_not_open_sweep});
+}
+
 void add_player(CommandTable& table)
 {
     table.add({.id = "step.play",
@@ -127,6 +144,7 @@ void add_player(CommandTable& table)
 void add_step_commands(CommandTable& table)
 {
     add_walk(table);
+    add_opening(table);
     add_player(table);
 }
 

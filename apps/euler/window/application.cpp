@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "apps/euler/session/operator_commands.h"
+#include "apps/euler/session/script_commands.h"
 #include "apps/euler/window/challenges_panel.h"
 #include "apps/euler/window/describe.h"
 #include "apps/euler/window/entity_panel.h"
@@ -22,7 +24,7 @@ Application::Application(ui::Context& context, const ui::Fonts& fonts, Session s
     : DocumentApp(context, fonts, std::move(session), command_table(),
                   {.name = translatable("Cremona: Euler operators"),
                    .description = translatable("Script and solids in words"),
-                   .files = {.extension = ".eul", .picture_extension = ".svg"},
+                   .files = {.extension = ".eul", .exports = {".svg", ".png", ".pdf"}},
                    .sides = {{17.0F, 23.0F}, {0.25F, 0.32F}}}),
       canvas_(fonts)
 {}
@@ -40,7 +42,6 @@ void Application::take_own_requests()
     using enum ui::StandardView;
     for (const Request request : std::exchange(desk().requests, {})) {
         switch (request) {
-        case Request::LookIsometric: Canvas::look(desk().session, Isometric); break;
         case Request::LookFront: Canvas::look(desk().session, Front); break;
         case Request::LookSide: Canvas::look(desk().session, Side); break;
         case Request::LookTop: Canvas::look(desk().session, Top); break;
@@ -49,9 +50,28 @@ void Application::take_own_requests()
     }
 }
 
+// While an operator is begun what is typed is its: letters bring its field back, Enter and Backspace end it where
+// nothing is asked any more.
+void Application::follow_draft()
+{
+    if (!session().draft() || ui::do_keys_go_elsewhere()) return;
+    if (!session().draft()->is_complete()) {
+        if (!ImGui::GetIO().InputQueueCharacters.empty()) show_operators(desk());
+        return;
+    }
+    const auto is_pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); };
+    if (is_pressed(ImGuiKey_Enter)) run(*commands().find("operator.accept"), desk());
+    else if (is_pressed(ImGuiKey_Backspace)) run(*commands().find("operator.take_back"), desk());
+}
+
 void Application::show_body()
 {
     desk().session.hover.reset(); // a row or the picture names it anew
+    follow_draft();
+    if (session().edited_text && std::exchange(desk().session.is_fault_new, false)) {
+        script_.go_to_line(*session().faulty_line);
+        show_script(desk());
+    }
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float below = desk().has_tables ? std::min(tables_height_ * ImGui::GetFontSize(), 0.4F * room.y) : 0.0F;
     if (below > 0.0F) ui::show_below(below, [this] { tables_.show(desk()); });
@@ -75,7 +95,7 @@ void Application::show_left()
 
 void Application::show_right()
 {
-    step_panel(session(), gui());
+    step_panel(desk(), commands(), gui());
     entity_panel(desk().session, gui(), fonts());
 }
 
@@ -83,7 +103,7 @@ void Application::show_canvas()
 {
     const float bar = 1.25F * ImGui::GetFrameHeight() + 0.6F * ImGui::GetFontSize();
     if (!desk().has_panels) step_caption(session(), gui());
-    show_picture(bar, [this] { canvas_.show(desk().session, gui()); });
+    ui::picture_area(bar, [this] { canvas_.show(desk().session, gui()); });
     ui::bar_below_picture(bar, [this] { player_bar(desk(), commands(), gui(), fonts()); });
 }
 

@@ -23,13 +23,15 @@ public:
 
 private:
     ui::Picture picture() override { return canvas_.picture_of(session()); }
-    bool is_typing() const override { return operators_.is_typing() || script_.is_typing(); }
+    /// An operator that asks has the keyboard until it is done or given up.
+    bool is_typing() const override { return session().draft() || script_.is_typing(); }
     void take(ui::Request request) override;
     void take_own_requests() override;
     void show_body() override;
     void show_left() override;
     void show_right() override;
     void show_canvas() override;
+    void follow_draft();
     std::string status() const override;
     std::string words() const override;
 

@@ -15,6 +15,7 @@
 #include "apps/euler/view/polygons/plane_model.h"
 #include "apps/euler/view/shapes/outline.h"
 #include "apps/euler/view/solid/solid_shapes.h"
+#include "ui/canvas/click.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace euler {
@@ -102,15 +103,24 @@ std::string_view kind_name(EntityKind kind)
     return "";
 }
 
-// On an empty sheet: how to begin.
-void draw_invitation(ui::Painter& painter, const Look& look)
+// On an empty sheet: how to begin, or how to go on from before the first step.
+std::vector<std::string> invitation(const Session& session)
 {
+    const ui::Catalogue& tr = session.tr();
+    if (session.n_steps() > 0)
+        return {tr("Before the first of {count} steps.", {{"count", std::to_string(session.n_steps())}}),
+                tr("Page down or → takes a step, Space plays.")};
+    return {tr("Choose an example in the gallery, or begin with the operator MVFS."),
+            tr("Ctrl+O opens a script, Ctrl+K finds a command.")};
+}
+
+void draw_invitation(ui::Painter& painter, const Session& session)
+{
+    const Look& look = session.look;
     const ui::Theme theme = look.full_theme();
     ui::TextStyle style = theme.text(ui::Role::FaintLabel);
     style.size = theme.type().large;
-    const std::array<std::string, 2> lines{
-        look.tr("Choose an example in the gallery, or begin with the operator MVFS."),
-        look.tr("Ctrl+O opens a script, Ctrl+K finds a command.")};
+    const std::vector<std::string> lines = invitation(session);
     const double room = 0.94 * painter.sheet().width();
     for (const std::string& line : lines) style.size *= std::min(1.0, room / painter.measure(line, style).width);
     const ui::Point middle = 0.5 * painter.sheet().max;
@@ -338,7 +348,13 @@ topology::Point Canvas::place(const Session& session, ui::Point at) const
 void Canvas::draw_line(Session& session, ui::Point at)
 {
     line_end_ = place(session, at);
-    if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) line_start_ = line_end_;
+    if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        line_start_ = line_end_;
+        pressed_ = at;
+    }
+    const bool is_click = ui::distance(pressed_, at) <=
+                          ui::click_reach; // over the border of two places of the grid too
+    if (line_start_ && is_click) line_end_ = line_start_;
     if (!line_start_ || !ImGui::IsMouseReleased(ImGuiMouseButton_Left)) return;
     if (const auto reason = session.draw(*std::exchange(line_start_, std::nullopt), *line_end_))
         session.notice = passing_notice(*reason);
@@ -390,7 +406,7 @@ void Canvas::paint(const Session& session)
     ui::Painter painter(sheet_, fonts_);
     draw(painter, shapes_, subjects, session.look);
     const bool is_empty = std::ranges::all_of(subjects, [](const Subject& s) { return s.solid->is_empty(); });
-    if (is_empty && !session.is_drawing()) draw_invitation(painter, session.look);
+    if (is_empty && !session.is_drawing()) draw_invitation(painter, session);
     if (session.is_drawing()) paint_drawing(session, painter);
     picture_ = painter.picture();
 }

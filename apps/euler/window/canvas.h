@@ -119,6 +119,7 @@ private:
     std::optional<ui::Picture> picture_;
     bool is_dragging_ = false;
     std::optional<topology::Point> line_start_{}, line_end_{}; ///< of a line that is being drawn
+    ui::Point pressed_{};                                      ///< where the hand began it
 };
 
 /// "vertex v1", in the language of the session.

@@ -13,12 +13,18 @@ ui::Phrase sentence(const topology::Breach& breach, const Snapshot& in)
             {{"0", in.names->of(breach.entities[0], *in.solid)}, {"1", in.names->of(breach.entities[1], *in.solid)}}};
 }
 
+// "s1: V = 8, E = 12, F = 6, L = 6, S = 1, G = 0"
+std::string counts_text(const std::string& solid, const topology::EulerCounts& n)
+{
+    const auto s = [](std::size_t count) { return std::to_string(count); };
+    return solid + ": V = " + s(n.V) + ", E = " + s(n.E) + ", F = " + s(n.F) + ", L = " + s(n.L) + ", S = " + s(n.S) +
+           ", G = " + s(n.G);
+}
+
 std::string solid_words(const Snapshot& in, const ui::Catalogue& tr)
 {
     const topology::EulerCounts n = topology::euler_counts(*in.solid);
-    const auto s = [](std::size_t count) { return std::to_string(count); };
-    std::string words = in.name + ": V = " + s(n.V) + ", E = " + s(n.E) + ", F = " + s(n.F) + ", L = " + s(n.L) +
-                        ", S = " + s(n.S) + ", G = " + s(n.G) + "\n    " + formula_text(n) + "\n    ";
+    const std::string words = counts_text(in.name, n) + "\n    " + formula_text(n) + "\n    ";
     const auto breach = topology::why_not_valid(*in.solid);
     return words + (breach ? tr(sentence(*breach, in)) : tr("every link is sound")) + '\n';
 }
@@ -43,12 +49,12 @@ std::string status_text(const Session& session)
 {
     const ui::Catalogue& tr = session.tr();
     std::string text;
-    for (const Snapshot& in : session.present()) {
+    for (std::size_t i = 0; i < session.present().size(); ++i) {
+        const Snapshot& in = session.present()[i];
         if (!in.is_alive()) continue;
-        const topology::Counts n = in.solid->counts();
-        const auto s = [](std::size_t count) { return std::to_string(count); };
-        text += (text.empty() ? "" : "   ·   ") + in.name + ": V = " + s(n.vertices) + ", E = " + s(n.edges) +
-                ", F = " + s(n.faces) + ", L = " + s(n.loops);
+        // Asked for in every frame, so of a script they are not counted anew.
+        const auto counts = session.is_exhibiting() ? topology::euler_counts(*in.solid) : session.stepper().counts(i);
+        text += (text.empty() ? "" : "   ·   ") + counts_text(in.name, counts);
     }
     return text.empty() ? tr("no solid") : text;
 }

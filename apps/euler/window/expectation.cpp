@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 #include "topology/halfedge/check/validate.h"
 #include "ui/app/expectation.h"
@@ -64,6 +65,16 @@ std::string hint(const Session& session)
     return has_one ? ui::Catalogue()(session.game()->hints().back()) : "nothing";
 }
 
+// "half-edges"
+std::string table_seen(const Desk& desk)
+{
+    if (desk.structure == Structure::WingedEdges) return "winged edges";
+    const auto entry = std::ranges::find(tables(), desk.table, &TableEntry::table);
+    std::string name(entry->label);
+    name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
+    return name;
+}
+
 const ui::Facts<Session>& facts()
 {
     static const ui::Facts<Session> all(
@@ -80,16 +91,18 @@ const ui::Facts<Session>& facts()
             {"fault", [](const Session& s) { return s.script_fault ? ui::Catalogue()(*s.script_fault) : "nothing"; }},
             {"points", [](const Session& s) { return std::to_string(s.points()); }},
         },
-        "");
+        ", table");
     return all;
 }
 
 } // namespace
 
-std::optional<std::string> why_not(std::string_view expectation, const Application& application)
+std::optional<std::string> why_not(std::string_view expectation, Application& application)
 {
     if (const auto complaint = ui::common_complaint(expectation, application, application.canvas().picture()))
         return *complaint;
+    if (constexpr std::string_view table = "table"; ui::first_word(expectation).first == table)
+        return ui::compared(table, table_seen(application.desk()), std::string(ui::first_word(expectation).second));
     return facts().complaint(expectation, application.session());
 }
 

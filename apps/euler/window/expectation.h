@@ -17,12 +17,13 @@ namespace euler {
 ///     deltas 0 +1 +1 +1 0 0     what it changes
 ///     valid yes                 every link of every solid is sound
 ///     selection face f1         or `nothing`
+///     table loops               the table that is seen below
 ///     asked the new face's name what the operator asks for next; `nothing` where none does
 ///     verdict Right: it was MEV.   hint look among the loops   points 3   of a challenge
 ///     fault line 2: v9 is not there   why what was written last into the script was not taken; `nothing`
 ///     notice nothing     file cube.eul     changed no
 ///
 /// \returns what was found instead and what was wanted
-std::optional<std::string> why_not(std::string_view expectation, const Application& application);
+std::optional<std::string> why_not(std::string_view expectation, Application& application);
 
 } // namespace euler

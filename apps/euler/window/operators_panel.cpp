@@ -1,7 +1,8 @@
 #include "apps/euler/window/operators_panel.h"
 
 #include <imgui.h>
-#include <imgui_stdlib.h>
+
+#include <string>
 
 #include "apps/euler/session/operator_commands.h"
 #include "topology/text/words.h"
@@ -42,7 +43,6 @@ void operator_button(Desk& desk, const CommandTable& commands, const OperatorFor
 
 void OperatorsPanel::show(Desk& desk, const CommandTable& commands)
 {
-    is_typing_ = false;
     if (desk.session.draft()) show_draft(desk, commands);
     else list(desk, commands);
 }
@@ -83,22 +83,21 @@ void OperatorsPanel::show_draft(Desk& desk, const CommandTable& commands)
 }
 
 // What is likely typed stands there already.
-bool OperatorsPanel::suggest(const Session& session)
+void OperatorsPanel::suggest(const Session& session)
 {
     const Draft& draft = *session.draft();
-    if (asked_ == draft.chosen().size() && verb_ == draft.form().verb) return false;
+    if (asked_ == draft.chosen().size() && verb_ == draft.form().verb) return;
     asked_ = draft.chosen().size();
     verb_ = draft.form().verb;
     reason_.reset();
     const std::optional<Choice> likely = draft.suggestion(session.stepper().runner());
-    typed_ = likely ? text_of(session, *likely) : "";
-    return true;
+    field_.offer(likely ? text_of(session, *likely) : "");
 }
 
 void OperatorsPanel::ask(Session& session)
 {
     const ui::Catalogue& tr = session.tr();
-    const bool is_new = suggest(session);
+    suggest(session);
     const Argument& argument = session.draft()->next();
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(tr(argument.prompt).c_str());
@@ -106,16 +105,22 @@ void OperatorsPanel::ask(Session& session)
         ImGui::TextDisabled("%s", tr("Click it in the picture, or type its name.").c_str());
     if (argument.kind == ArgumentKind::Point) ImGui::TextDisabled("%s", tr("Type x y z: 1 0 0").c_str());
     if (argument.kind == ArgumentKind::Vector) ImGui::TextDisabled("%s", tr("Type dx dy dz: 0 0 1").c_str());
-    if (!is_pointed_at(argument.kind) && is_new) ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(-1.0F);
-    const bool is_entered = ImGui::InputText("###argument", &typed_,
-                                             ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-    is_typing_ = ImGui::IsItemActive();
-    if (is_entered) reason_ = session.choose_typed(typed_);
-    if (is_entered && reason_) ImGui::SetKeyboardFocusHere(-1);
-    if (is_entered && !reason_) typed_.clear();
+    take_typed(session);
     if (reason_) ui::wrapped_text(tr(*reason_));
     ImGui::PopTextWrapPos();
+}
+
+// Where nothing is typed, Backspace takes back what was chosen before. What is refused is typed anew.
+void OperatorsPanel::take_typed(Session& session)
+{
+    field_.take_keyboard();
+    const bool was_empty = field_.text().empty();
+    if (field_.show("###argument")) {
+        reason_ = session.choose_typed(field_.text());
+        if (reason_) field_.offer(field_.text());
+    } else if (was_empty && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Backspace), false)) {
+        session.take_back_choice();
+    }
 }
 
 } // namespace euler

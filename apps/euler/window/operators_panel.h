@@ -1,29 +1,30 @@
 #pragma once
 
-#include <string>
+#include <cstddef>
+#include <optional>
 
 #include "apps/euler/session/commands.h"
+#include "ui/widgets/kept_field.h"
 
 namespace euler {
 
-/// The palette: every operator; once one is chosen its arguments, asked for one by one, and what it would do.
+/// The palette: every operator; once one is chosen its arguments, asked for one by one, and what it would do. While it
+/// asks its field has the keyboard.
 class OperatorsPanel {
 public:
     void show(Desk& desk, const CommandTable& commands);
-    /// Something is typed into it.
-    bool is_typing() const { return is_typing_; }
 
 private:
     void list(Desk& desk, const CommandTable& commands);
     void show_draft(Desk& desk, const CommandTable& commands);
     void ask(Session& session);
-    bool suggest(const Session& session); ///< \returns whether another argument is asked for than before
+    void take_typed(Session& session);
+    void suggest(const Session& session);
 
-    std::string typed_;
-    std::optional<std::size_t> asked_; ///< argument that `typed_` is for
+    ui::KeptField field_{ui::KeptField::Hold::UntilDone};
+    std::optional<std::size_t> asked_; ///< argument that the field is for
     std::optional<Verb> verb_;
     std::optional<ui::Phrase> reason_; ///< why what was typed last was not taken
-    bool is_typing_ = false;
 };
 
 } // namespace euler

@@ -10,8 +10,10 @@
 #include "apps/euler/window/describe.h"
 #include "apps/euler/window/stage.h"
 #include "femoop/io/whole_file.h"
+#include "ui/app/run_app.h"
 #include "ui/app/window_loop.h"
 #include "ui/context/window.h"
+#include "ui/text/printable.h"
 
 namespace euler {
 
@@ -23,8 +25,8 @@ enum ExitStatus : int { Done = 0, BadInput = 2 };
 Session begin(const Options& options)
 {
     Session session;
-    session.look.theme = options.theme;
-    session.look.tr = ui::Catalogue(options.language);
+    session.look.theme = *options.settings.theme;
+    session.look.tr = ui::Catalogue(*options.settings.language);
     if (!options.files.empty()) session.open(options.files.front());
     if (options.step) session.go_to(std::min(*options.step, session.n_steps()));
     return session;
@@ -40,30 +42,34 @@ ui::MakeApp app_with(Session& session)
 
 // By hand the challenges are others each time, and files and unsaved work are remembered from one time to the next;
 // scenarios and pictures are always the same.
-ui::MakeApp app_to_play_with(Session& session)
+ui::MakeApp app_to_play_with(Session& session, const Options& options, const std::optional<ui::DraftFolder>& folder)
 {
-    return [&session](ui::Context& context, const ui::Fonts& fonts) {
+    return [&session, &options, &folder](ui::Context& context, const ui::Fonts& fonts) {
         auto app = std::make_unique<Application>(context, fonts, std::move(session));
         app->desk().next_challenge = std::random_device{}();
-        if (const auto kept = ui::draft_folder("euler", ".eul", femoop::write_whole_file)) app->remember_in(*kept);
+        ui::remember(*app, options, folder);
         return app;
     };
 }
 
 int complain(const std::string& sentence)
 {
-    std::cerr << "euler: " << sentence << '\n';
+    std::cerr << "euler: " << ui::printable(sentence) << '\n';
     return BadInput;
 }
 
 } // namespace
 
-int run(const Options& options)
+int run(Options options)
 {
+    const auto folder = ui::draft_folder("euler", ".eul", femoop::write_whole_file);
+    ui::complete(options, folder);
     Session session = begin(options);
+    if (options.is_headless() && session.script_fault)
+        return complain(session.file_name() + ": " + session.tr()(*session.script_fault));
     if (options.is_headless() && session.notice) return complain(session.tr()(session.notice->sentence));
     if (options.describe) {
-        std::cout << in_words(session);
+        std::cout << ui::printable(in_words(session));
         return Done;
     }
     if (options.play) return ui::play_through<Application, OffscreenStage>(options, "euler", session, session.tr());
@@ -74,7 +80,7 @@ int run(const Options& options)
     if (!ui::Window::has_display())
         return complain(
             session.tr()("there is no display to open a window on; --screenshot OUT.png draws without one"));
-    ui::show_in_window(options, app_to_play_with(session));
+    ui::show_in_window(options, app_to_play_with(session, options, folder));
     return Done;
 }
 

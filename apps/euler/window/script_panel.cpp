@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "apps/euler/window/step_panel.h"
@@ -114,26 +115,52 @@ float height_of(const std::string& fault)
 
 } // namespace
 
+ScriptPanel::ScriptPanel() : line_(ui::KeptField::Hold::UntilLeft, shorten) {}
+
 // It keeps the keyboard, so that line after line is written.
 void ScriptPanel::write_line(Session& session)
 {
-    if (std::exchange(wants_keyboard_, false)) ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(-1.0F);
-    const bool is_entered = ImGui::InputTextWithHint(
-        "###line", session.tr()("one more line").c_str(), &line_,
-        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackEdit, shorten);
-    is_typing_ = ImGui::IsItemActive();
-    if (!is_entered) return;
-    wants_keyboard_ = true;
-    if (session.write(line_)) line_.clear();
+    if (std::exchange(wants_keyboard_, false)) line_.take_keyboard();
+    if (line_.show("###line", session.tr()("one more line")) && session.write(line_.text())) line_.offer("");
+    is_typing_ = line_.has_keyboard();
+}
+
+// The cursor goes to a line's end once the text has the keyboard.
+int ScriptPanel::on_text_event(ImGuiInputTextCallbackData* data)
+{
+    if (data->EventFlag == ImGuiInputTextFlags_CallbackEdit) return shorten(data);
+    const auto line = std::exchange(static_cast<ScriptPanel*>(data->UserData)->line_to_go_to_, std::nullopt);
+    if (!line) return 0;
+    const std::string_view text(data->Buf, static_cast<std::size_t>(data->BufTextLen));
+    std::size_t end = text.find('\n');
+    for (std::size_t i = 1; i < *line && end < text.size(); ++i) end = text.find('\n', end + 1);
+    data->CursorPos = static_cast<int>(std::min(end, text.size()));
+    data->ClearSelection();
+    return 0;
 }
 
 void ScriptPanel::edit_text(Session& session, float height)
 {
     if (std::exchange(wants_keyboard_, false)) ImGui::SetKeyboardFocusHere();
-    ImGui::InputTextMultiline("###text", &*session.edited_text, {-1.0F, height}, ImGuiInputTextFlags_CallbackEdit,
-                              shorten);
+    ImGui::InputTextMultiline("###text", &*session.edited_text, {-1.0F, height},
+                              ImGuiInputTextFlags_CallbackEdit | ImGuiInputTextFlags_CallbackAlways, on_text_event,
+                              this);
     is_typing_ = ImGui::IsItemActive();
+    if (session.faulty_line) mark_faulty_line(session);
+}
+
+// In the window that the field lies in, which goes on with what is drawn there.
+void ScriptPanel::mark_faulty_line(const Session& session) const
+{
+    ImGui::BeginChild("###text", ImGui::GetItemRectSize());
+    const float height = ImGui::GetFontSize();
+    const ImVec2 corner = ImGui::GetWindowPos();
+    const float top = corner.y + ImGui::GetStyle().FramePadding.y - ImGui::GetScrollY() +
+                      height * static_cast<float>(*session.faulty_line - 1);
+    const ui::Color color = ui::with_opacity(ui::Theme(session.look.theme)[ui::Role::Killed].stroke.color, 0.3);
+    ImGui::GetWindowDrawList()->AddRectFilled({corner.x, top}, {corner.x + ImGui::GetWindowWidth(), top + height},
+                                              IM_COL32(color.r, color.g, color.b, color.a));
+    ImGui::EndChild();
 }
 
 void ScriptPanel::show(Desk& desk, const CommandTable& commands)

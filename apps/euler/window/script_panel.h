@@ -1,8 +1,10 @@
 #pragma once
 
-#include <string>
+#include <cstddef>
+#include <optional>
 
 #include "apps/euler/session/commands.h"
+#include "ui/widgets/kept_field.h"
 
 namespace euler {
 
@@ -10,16 +12,21 @@ namespace euler {
 /// them. While the script is edited as text, that text stands in their place.
 class ScriptPanel {
 public:
+    ScriptPanel();
     void show(Desk& desk, const CommandTable& commands);
     void take_keyboard() { wants_keyboard_ = true; }
+    void go_to_line(std::size_t line) { line_to_go_to_ = line; } ///< of the text, from 1, with the cursor
     /// Something is written into it.
     bool is_typing() const { return is_typing_; }
 
 private:
     void write_line(Session& session);
     void edit_text(Session& session, float height);
+    void mark_faulty_line(const Session& session) const;
+    static int on_text_event(ImGuiInputTextCallbackData* data);
 
-    std::string line_;
+    ui::KeptField line_;
+    std::optional<std::size_t> line_to_go_to_;
     bool wants_keyboard_ = false;
     bool is_typing_ = false;
 };

@@ -6,6 +6,7 @@
 #include <array>
 #include <string>
 
+#include "ui/widgets/command_menu.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace euler {
@@ -42,7 +43,19 @@ void faint(const std::string& text)
     ImGui::PopStyleColor();
 }
 
-void count_row(const std::string& name, const std::array<std::string, counts_shown.size()>& cells)
+using Cells = std::array<std::string, counts_shown.size()>;
+
+Cells changes(const StepReport& step)
+{
+    Cells cells;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const std::size_t was = step.before.*counts_shown[i].count, is = step.after.*counts_shown[i].count;
+        cells[i] = with_sign(static_cast<long>(is) - static_cast<long>(was));
+    }
+    return cells;
+}
+
+void count_row(const std::string& name, const Cells& cells)
 {
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(name.c_str());
@@ -65,12 +78,10 @@ void headings(const ui::Catalogue& tr)
 // Before, the operator's own row, after: the middle one is what defines an operator.
 void count_table(const StepReport& step, const ui::ImGuiSession& gui, const ui::Catalogue& tr)
 {
-    std::array<std::string, counts_shown.size()> before, change, after;
+    Cells before, after;
     for (std::size_t i = 0; i < counts_shown.size(); ++i) {
-        const std::size_t was = step.before.*counts_shown[i].count, is = step.after.*counts_shown[i].count;
-        before[i] = std::to_string(was);
-        change[i] = with_sign(static_cast<long>(is) - static_cast<long>(was));
-        after[i] = std::to_string(is);
+        before[i] = std::to_string(step.before.*counts_shown[i].count);
+        after[i] = std::to_string(step.after.*counts_shown[i].count);
     }
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoHostExtendX |
                                       ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV;
@@ -80,7 +91,7 @@ void count_table(const StepReport& step, const ui::ImGuiSession& gui, const ui::
     headings(tr);
     count_row(tr("before"), before);
     ImGui::PushFont(gui.bold());
-    count_row(step.name, change);
+    count_row(step.name, changes(step));
     ImGui::PopFont();
     count_row(tr("after"), after);
     ImGui::EndTable();
@@ -133,25 +144,77 @@ std::string formula_text(const EulerCounts& n)
            s(n.G) + ") = " + (sum < 0 ? "−" + std::to_string(-sum) : std::to_string(sum));
 }
 
+namespace {
+
+// The six letters, and below them what the step changes.
+void caption_table(const StepReport& step, const ui::ImGuiSession& gui)
+{
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoHostExtendX |
+                                      ImGuiTableFlags_NoSavedSettings;
+    if (!ImGui::BeginTable("changes", 1 + static_cast<int>(counts_shown.size()), flags)) return;
+    ImGui::PushFont(gui.large());
+    const float width = ImGui::CalcTextSize("+00").x;
+    ImGui::TableSetupColumn("", 0, ImGui::CalcTextSize(step.name.c_str()).x + width);
+    for (const CountEntry& entry : counts_shown) ImGui::TableSetupColumn(entry.letter, 0, width);
+    ImGui::TableNextColumn();
+    for (const CountEntry& entry : counts_shown) {
+        ImGui::TableNextColumn();
+        ImGui::TextDisabled("%s", entry.letter);
+    }
+    count_row(step.name, changes(step));
+    ImGui::PopFont();
+    ImGui::EndTable();
+}
+
+// What the script says of the step, or of itself before the first.
+std::string caption_comment(const Session& session)
+{
+    const ui::Catalogue& tr = session.tr();
+    const StepReport* const step = session.report();
+    if (step == nullptr) return tr(session.stepper().heading());
+    const std::string odd = tr(step->warning), why = tr(step->explanation);
+    return odd + (odd.empty() || why.empty() ? "" : " ") + why;
+}
+
+// The same from step to step, so that the picture rests; a long comment makes it higher.
+float caption_height(const std::string& comment, const ui::ImGuiSession& gui)
+{
+    constexpr float usual_lines = 2.0F;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float room = ImGui::GetContentRegionAvail().x - 2.0F * style.WindowPadding.x;
+    const float lines = ImGui::CalcTextSize(comment.c_str(), nullptr, false, room).y;
+    const float row = gui.large()->FontSize + 2.0F * style.CellPadding.y;
+    return 2.0F * (row + style.WindowPadding.y) + std::max(usual_lines * ImGui::GetTextLineHeight(), lines);
+}
+
+} // namespace
+
 void step_caption(const Session& session, const ui::ImGuiSession& gui)
 {
     const StepReport* const step = session.report();
+    const std::string comment = caption_comment(session);
     const float em = ImGui::GetFontSize();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.7F * em, 0.4F * em});
-    ImGui::BeginChild("###caption", {0.0F, 3.4F * em}, false,
+    ImGui::BeginChild("###caption", {0.0F, caption_height(comment, gui)}, false,
                       ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
     if (step != nullptr) {
+        caption_table(*step, gui);
+        ImGui::SameLine(0.0F, 2.0F * em);
+        ImGui::BeginGroup();
         ImGui::PushFont(gui.large());
-        ImGui::TextUnformatted((deltas(*step) + "        " + formula_text(step->after)).c_str());
+        ImGui::TextUnformatted(formula_text(step->after).c_str());
         ImGui::PopFont();
-        ImGui::TextUnformatted(session.tr()(step->meaning).c_str());
+        ui::wrapped_text(session.tr()(step->meaning));
+        ImGui::EndGroup();
     }
+    if (!comment.empty()) ui::wrapped_text(comment);
     ImGui::EndChild();
     ImGui::PopStyleVar();
 }
 
-void step_panel(const Session& session, const ui::ImGuiSession& gui)
+void step_panel(Desk& desk, const CommandTable& commands, const ui::ImGuiSession& gui)
 {
+    const Session& session = desk.session;
     const StepReport* const step = session.report();
     if (step == nullptr) return before_the_first(session);
     const ui::Catalogue& tr = session.tr();
@@ -165,6 +228,7 @@ void step_panel(const Session& session, const ui::ImGuiSession& gui)
     ui::wrapped_text(code(*step));
     ImGui::Spacing();
     ui::wrapped_text(tr(step->meaning));
+    if (const std::string odd = tr(step->warning); !odd.empty()) ui::wrapped_text(odd);
     if (const std::string why = tr(step->explanation); !why.empty()) faint(why);
     ImGui::Spacing();
     count_table(*step, gui, tr);
@@ -172,6 +236,8 @@ void step_panel(const Session& session, const ui::ImGuiSession& gui)
     show_formula(step->after);
     ImGui::Spacing();
     show_inverse(*step, tr);
+    ImGui::Spacing();
+    if (session.stepper().is_sweep(session.step())) ui::command_button(desk, commands, "step.open_sweep");
 }
 
 } // namespace euler

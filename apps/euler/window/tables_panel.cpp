@@ -86,8 +86,19 @@ private:
 
 } // namespace
 
-void TablesPanel::follow(const Session& session)
+void TablesPanel::bring_changed_forward(Desk& desk) const
 {
+    desk.table = desk.wanted_table;
+    const auto changes = [&](const TableEntry& entry) { return tables_.first_changed(entry.table).has_value(); };
+    if (tables_.first_changed(desk.table)) return;
+    const auto first = std::ranges::find_if(euler::tables(), changes);
+    if (first != euler::tables().end()) desk.table = first->table;
+}
+
+void TablesPanel::follow(Desk& desk)
+{
+    const Session& session = desk.session;
+    if (std::exchange(seen_, desk.table) != desk.table) is_new_ = true;
     if (std::exchange(generation_, session.generation()) == session.generation()) return;
     const StepReport* const step = session.report();
     solid_ = step == nullptr ? 0 : step->solid;
@@ -97,12 +108,13 @@ void TablesPanel::follow(const Session& session)
                   ? topology::EntityRows(std::get<BrokenPointer>(session.game()->task()).broken)
                   : topology::EntityRows();
     winged_ = step == nullptr ? topology::WingedTables() : topology::WingedTables(*session.after()[solid_].solid);
+    bring_changed_forward(desk);
     is_new_ = true;
 }
 
 void TablesPanel::show(Desk& desk)
 {
-    follow(desk.session);
+    follow(desk);
     const float em = ImGui::GetFontSize();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.6F * em, 0.3F * em});
     ImGui::BeginChild("###tables", {}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
@@ -123,9 +135,7 @@ void TablesPanel::show_tabs(Desk& desk) const
         const bool is_changed = tables_.first_changed(entry.table).has_value();
         const std::string title = desk.session.tr()(entry.label) + (is_changed ? " •" : "");
         const bool is_chosen = desk.structure == Structure::HalfEdges && entry.table == desk.table;
-        if (!row.show(title + "###" + std::string(entry.id), is_chosen)) continue;
-        desk.table = entry.table;
-        desk.structure = Structure::HalfEdges;
+        if (row.show(title + "###" + std::string(entry.id), is_chosen)) desk.show_table(entry.table);
     }
     const std::string winged = desk.session.tr()("Winged edges") + "###table.winged";
     if (row.show(winged, desk.structure == Structure::WingedEdges)) desk.structure = Structure::WingedEdges;

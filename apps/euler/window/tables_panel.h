@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "apps/euler/session/commands.h"
 #include "topology/tables/compared_tables.h"
@@ -10,13 +11,15 @@
 namespace euler {
 
 /// The tables of the half-edge structure before and after the step that is looked at, side by side: what it made is
-/// green, what it killed red, each cell that it changed lit up. A number leads to its entity, which it selects.
+/// green, what it killed red, each cell that it changed lit up. A table that the step changes comes forward: the one
+/// that was asked for last, else the first. A number leads to its entity, which it selects.
 class TablesPanel {
 public:
     void show(Desk& desk);
 
 private:
-    void follow(const Session& session);
+    void follow(Desk& desk);
+    void bring_changed_forward(Desk& desk) const;
     void show_tabs(Desk& desk) const;
     void show_table(Session& session, topology::TableKind kind);
     void headings(const Session& session, const topology::TableRow& like) const;
@@ -37,8 +40,9 @@ private:
     topology::WingedTables winged_;
     topology::EntityRows broken_; ///< of a structure with a wrong pointer, alone; no rows where none is to be mended
     std::size_t solid_ = 0;
-    std::uint64_t generation_ = 0; ///< that the tables belong to
-    bool is_new_ = false;          ///< the first row that the step changed is to be brought into sight
+    std::uint64_t generation_ = 0;            ///< that the tables belong to
+    std::optional<topology::TableKind> seen_; ///< last
+    bool is_new_ = false;                     ///< the first row that the step changed is to be brought into sight
 };
 
 } // namespace euler

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/frame/document/drawing.h"
+#include "apps/frame/document/fault/place.h"
 #include "femoop/edit/condense.h"
 #include "femoop/edit/erase.h"
 #include "femoop/edit/insert.h"
@@ -145,8 +146,8 @@ std::vector<femoop::Fault> weightless(const Model& model, const Clipping& clippi
 {
     Document trial{.model = model, .companion = {}};
     if (clipping.holds == Clipping::Holds::Structure) paste(trial, clipping, Vector2d::Zero());
-    std::vector<femoop::Fault> faults = femoop::check(trial.model);
-    const std::vector<femoop::Fault> known = femoop::check(model);
+    std::vector<femoop::Fault> faults = named(femoop::check(trial.model), trial.model);
+    const std::vector<femoop::Fault> known = named(femoop::check(model), model);
     std::erase_if(faults, [&](const femoop::Fault& fault) {
         return fault.kind != femoop::FaultKind::MissingDensity || std::ranges::find(known, fault) != known.end();
     });

@@ -75,6 +75,18 @@ void set_hold(Document& document, NodeId node, Dof dof, Hold hold)
     support = std::move(next);
 }
 
+void set_spring(Document& document, NodeId node, const Spring& spring)
+{
+    std::optional<Support>& support = at(document, node).support;
+    Support next = support.value_or(Support{});
+    next.fixed = next.blocked(document.model.analysis);
+    next.kind = SupportKind::Custom;
+    next.fixed.erase(spring.dof);
+    std::erase_if(next.springs, [&](const Spring& there) { return there.dof == spring.dof; });
+    next.springs.push_back(spring);
+    support = std::move(next);
+}
+
 void set_joint(Document& document, NodeId node, Joint joint) { at(document, node).hinge = joint == Joint::Hinged; }
 
 void set_material(Document& document, MemberId member, MaterialId material)
@@ -144,5 +156,7 @@ void set_projected(Document& document, const MemberLoadPlace& place, Switch stat
 }
 
 void set_title(Document& document, std::string title) { document.model.title = std::move(title); }
+
+void set_notes(Document& document, std::string notes) { document.model.notes = std::move(notes); }
 
 } // namespace frame

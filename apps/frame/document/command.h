@@ -22,6 +22,10 @@ void set_hold(Document& document, femoop::NodeId node, femoop::Dof dof, Hold hol
 /// keyword becomes one of the object form. \pre there is a support, in a model whose supports can be inclined
 void set_support_angle(Document& document, femoop::NodeId node, double degrees);
 
+/// Lets the support yield along or about a degree of freedom: the spring takes the place of a spring or a block there.
+/// A node that was free gets a support of it.
+void set_spring(Document& document, femoop::NodeId node, const femoop::Spring& spring);
+
 enum class Joint : std::uint8_t { Rigid, Hinged };
 void set_joint(Document& document, femoop::NodeId node, Joint joint);
 
@@ -45,5 +49,6 @@ void set_load_axes(Document& document, const MemberLoadPlace& load, femoop::Load
 void set_projected(Document& document, const MemberLoadPlace& load, Switch state);
 
 void set_title(Document& document, std::string title);
+void set_notes(Document& document, std::string notes);
 
 } // namespace frame

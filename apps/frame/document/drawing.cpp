@@ -19,7 +19,16 @@ namespace {
 Eigen::Vector3d in_space(const Eigen::Vector2d& place) { return {place.x(), place.y(), 0.0}; }
 
 /// The material and the section that the first member of a new model gets, in the model's units.
-Model first_properties(const Model& model) { return in_units(starting_document().model, model.units); }
+Model first_properties(const Model& model)
+{
+    Model plane = starting_document().model;
+    femoop::Section& section = plane.sections.front();
+    const bool twists = model.analysis == femoop::AnalysisKind::Grillage ||
+                        model.analysis == femoop::AnalysisKind::Frame3d;
+    if (twists) section.J = 3e-6;
+    if (model.analysis == femoop::AnalysisKind::Frame3d) section.Iy = 7e-5;
+    return in_units(plane, model.units);
+}
 
 /// What the next member is made like; of the first material and section where the model has none.
 femoop::Member pattern(Model& model)
@@ -137,15 +146,23 @@ femoop::Member like_last_member(const Model& model)
     return member;
 }
 
-void add_node(Document& document, const Eigen::Vector2d& place) { femoop::place_node(document.model, in_space(place)); }
+void add_node(Document& document, const Eigen::Vector2d& place) { add_node_in_space(document, in_space(place)); }
+
+void add_node_in_space(Document& document, const Eigen::Vector3d& place) { femoop::place_node(document.model, place); }
 
 void draw_member(Document& document, const Eigen::Vector2d& start, const Eigen::Vector2d& end,
                  femoop::Crossings crossings)
 {
+    draw_member_in_space(document, in_space(start), in_space(end), crossings);
+}
+
+void draw_member_in_space(Document& document, const Eigen::Vector3d& start, const Eigen::Vector3d& end,
+                          femoop::Crossings crossings)
+{
     if ((end - start).norm() <= femoop::nearness_of(document.model)) return;
     Model next = document.model;
     const femoop::Member like = pattern(next);
-    femoop::draw_member(next, in_space(start), in_space(end), like, crossings);
+    femoop::draw_member(next, start, end, like, crossings);
     document.model = std::move(next);
 }
 

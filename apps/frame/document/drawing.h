@@ -12,10 +12,12 @@
 
 namespace frame {
 
-/// Commands that change what a structure consists of. Places are in the plane of the model, in its unit of length.
+/// Commands that change what a structure consists of. Places are in the plane of the model, in its unit of length;
+/// those of a model in space have three coordinates.
 
 /// A node where there is none yet; a member that passes there is cut.
 void add_node(Document& document, const Eigen::Vector2d& place);
+void add_node_in_space(Document& document, const Eigen::Vector3d& place);
 
 /// A member of the last one's material, section and theory, else of the last material and section that there are.
 femoop::Member like_last_member(const femoop::Model& model);
@@ -25,6 +27,8 @@ femoop::Member like_last_member(const femoop::Model& model);
 /// where the places are one.
 void draw_member(Document& document, const Eigen::Vector2d& start, const Eigen::Vector2d& end,
                  femoop::Crossings crossings = femoop::Crossings::Cut);
+void draw_member_in_space(Document& document, const Eigen::Vector3d& start, const Eigen::Vector3d& end,
+                          femoop::Crossings crossings = femoop::Crossings::Cut);
 
 /// Takes these parts out, and what cannot be without them; where a node goes at which two equal members go on straight,
 /// they become one member. Materials and sections in use stay.

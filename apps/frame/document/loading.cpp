@@ -18,15 +18,32 @@ LoadCasePlace load_case_for(Document& document, CaseId wanted)
     return {wanted.index < cases.size() ? wanted.index : 0};
 }
 
+namespace {
+
+/// Adds a component to the entry of the node, which it gets where it has none. \returns the entry's place
+template <class Entry> std::size_t add_at_node(std::vector<Entry>& list, NodeId node, const Component& component)
+{
+    auto found = std::ranges::find(list, node, &Entry::node);
+    if (found == list.end()) found = list.insert(list.end(), Entry{node, {}});
+    const auto there = std::ranges::find(found->components, component.dof, &Component::dof);
+    if (there == found->components.end()) found->components.push_back(component);
+    else there->value = Quantity(there->value + component.value);
+    return static_cast<std::size_t>(found - list.begin());
+}
+
+} // namespace
+
 Part add_node_load(Document& document, LoadCasePlace load_case, NodeId node, const Component& load)
 {
-    std::vector<NodeLoad>& loads = document.model.load_cases.at(load_case.load_case).nodes;
-    auto found = std::ranges::find(loads, node, &NodeLoad::node);
-    if (found == loads.end()) found = loads.insert(loads.end(), NodeLoad{node, {}});
-    const auto there = std::ranges::find(found->components, load.dof, &Component::dof);
-    if (there == found->components.end()) found->components.push_back(load);
-    else there->value = Quantity(there->value + load.value);
-    return NodeLoadPlace{load_case.load_case, static_cast<std::size_t>(found - loads.begin())};
+    return NodeLoadPlace{load_case.load_case,
+                         add_at_node(document.model.load_cases.at(load_case.load_case).nodes, node, load)};
+}
+
+Part add_settlement(Document& document, LoadCasePlace load_case, NodeId node, const Component& displacement)
+{
+    return SettlementPlace{
+        load_case.load_case,
+        add_at_node(document.model.load_cases.at(load_case.load_case).settlements, node, displacement)};
 }
 
 Part add_member_load(Document& document, LoadCasePlace load_case, MemberId member,

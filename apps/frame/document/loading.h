@@ -15,6 +15,10 @@ Part add_node_load(Document& document, LoadCasePlace load_case, femoop::NodeId n
 Part add_member_load(Document& document, LoadCasePlace load_case, femoop::MemberId member,
                      const decltype(femoop::MemberLoad::load)& load);
 
+/// A settlement of the node's support, added to what is imposed on it in this case. \returns the settlement
+Part add_settlement(Document& document, LoadCasePlace load_case, femoop::NodeId node,
+                    const femoop::Component& displacement);
+
 /// Multiplies the load's values along or about a degree of freedom, and rounds them to about three digits of what they
 /// were. Temperatures, misfits and settlements stay.
 void scale_load(Document& document, const Part& load, femoop::Dof dof, double factor);

@@ -322,18 +322,33 @@ void clear_number(Document& document, const NumberId& number)
     });
 }
 
-std::variant<Quantity, Fault> quantity_typed(std::string_view text, Measure measure, const Units& file,
-                                             const ui::DisplayUnits& shown)
+namespace {
+
+std::variant<Quantity, Fault> typed(std::string_view text, Dimension dimension, const Units& file,
+                                    const ui::DisplayUnit& unit, AngleUnit angle)
 {
-    const ui::DisplayUnit unit = shown.unit(measure);
     const std::optional<double> bare = ui::number_typed(text);
     if (bare && unit.factor == 1.0) return Quantity(*bare);
     const std::string full = bare ? femoop::number_text(*bare) + ' ' + unit_in_file(unit.name) : as_in_file(text);
-    const AngleUnit angle = measure == Measure::Angle ? AngleUnit::Degrees : AngleUnit::Radians;
-    auto parsed = parse_quantity(full, dimension_of(measure), file, angle);
+    auto parsed = parse_quantity(full, dimension, file, angle);
     if (auto* const fault = std::get_if<Fault>(&parsed)) return std::move(*fault);
     const double value = std::get<double>(parsed);
-    return measure == Measure::Plain ? Quantity(value) : Quantity(value, full);
+    return dimension == Dimension{} ? Quantity(value) : Quantity(value, full);
+}
+
+} // namespace
+
+std::variant<Quantity, Fault> quantity_typed(std::string_view text, Measure measure, const Units& file,
+                                             const ui::DisplayUnits& shown)
+{
+    return typed(text, dimension_of(measure), file, shown.unit(measure),
+                 measure == Measure::Angle ? AngleUnit::Degrees : AngleUnit::Radians);
+}
+
+std::variant<Quantity, Fault> quantity_typed(std::string_view text, Dimension dimension, const Units& file,
+                                             const ui::DisplayUnit& shown)
+{
+    return typed(text, dimension, file, shown, AngleUnit::Radians);
 }
 
 ui::BaseUnits base_units(const Units& units)

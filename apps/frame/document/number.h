@@ -60,6 +60,10 @@ void clear_number(Document& document, const NumberId& number);
 std::variant<femoop::Quantity, femoop::Fault> quantity_typed(std::string_view text, ui::Measure measure,
                                                              const femoop::Units& file, const ui::DisplayUnits& shown);
 
+/// The same of what has no measure of its own, such as E I.
+std::variant<femoop::Quantity, femoop::Fault> quantity_typed(std::string_view text, femoop::Dimension dimension,
+                                                             const femoop::Units& file, const ui::DisplayUnit& shown);
+
 /// The names and sizes of the file's base units, for ui::DisplayUnits.
 ui::BaseUnits base_units(const femoop::Units& units);
 

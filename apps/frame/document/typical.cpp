@@ -97,6 +97,20 @@ constexpr std::array space_numbers{
     count("panels_y", translatable("Panels along y"), 3, 1, 30), length("panel", translatable("Panel"), 3, 10),
     length("height", translatable("Height"), 2, 10), force("load", translatable("Load on each node"), 10)};
 
+constexpr std::array space_frame_numbers{count("bays_x", translatable("Bays along x"), 2, 1, 10),
+                                         count("bays_y", translatable("Bays along y"), 1, 1, 10),
+                                         count("storeys", translatable("Storeys"), 2, 1, 20),
+                                         length("bay_x", translatable("Bay along x"), 6, 20),
+                                         length("bay_y", translatable("Bay along y"), 5, 20),
+                                         length("storey", translatable("Height of a storey"), 3, 10),
+                                         line_load("load", translatable("Load on the beams"), 15),
+                                         force("wind", translatable("Wind on each joint"), 8),
+                                         choice("base", translatable("Feet"), 0, bases)};
+constexpr std::array tower_numbers{
+    count("levels", translatable("Levels"), 4, 1, 30),         length("height", translatable("Height"), 20, 100),
+    length("foot", translatable("Side on the ground"), 6, 30), length("top", translatable("Side of the top"), 2, 30),
+    force("wind", translatable("Wind on each joint"), 10),     force("load", translatable("Load on each node"), 20)};
+
 int whole(double number) { return static_cast<int>(std::lround(number)); }
 
 Base base_of(double number) { return static_cast<Base>(whole(number)); }
@@ -149,6 +163,24 @@ Model space_truss(Numbers v)
         .model();
 }
 
+Model space_frame(Numbers v)
+{
+    return SpaceFrame{.bays_x = whole(v[0]),
+                      .bays_y = whole(v[1]),
+                      .storeys = whole(v[2]),
+                      .bay_x = v[3],
+                      .bay_y = v[4],
+                      .storey = v[5],
+                      .load = v[6],
+                      .wind = v[7],
+                      .base = base_of(v[8])}
+        .model();
+}
+Model tower(Numbers v)
+{
+    return Tower{.levels = whole(v[0]), .height = v[1], .foot = v[2], .top = v[3], .wind = v[4], .load = v[5]}.model();
+}
+
 constexpr std::array structures{
     TypicalStructure{"beam", translatable("Continuous beam"), beam_numbers, continuous_beam},
     TypicalStructure{"portal", translatable("Portal frame"), portal_numbers, portal},
@@ -162,6 +194,8 @@ constexpr std::array structures{
     TypicalStructure{"arch", translatable("Arch"), arch_numbers, arch},
     TypicalStructure{"grillage", translatable("Grillage"), grillage_numbers, grillage},
     TypicalStructure{"space_truss", translatable("Space truss"), space_numbers, space_truss},
+    TypicalStructure{"space_frame", translatable("Space frame"), space_frame_numbers, space_frame},
+    TypicalStructure{"tower", translatable("Tower"), tower_numbers, tower},
 };
 
 std::string text_of(double whole_number) { return std::to_string(whole(whole_number)); }

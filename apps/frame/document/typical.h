@@ -32,7 +32,8 @@ struct TypicalStructure {
     femoop::Model (*model)(std::span<const double> numbers);
 };
 
-/// Continuous beam, portal, storey frame, gable, Vierendeel, Pratt, Howe, Warren, K-truss, arch, grillage, space truss.
+/// Continuous beam, portal, storey frame, gable, Vierendeel, Pratt, Howe, Warren, K-truss, arch, grillage, space truss,
+/// space frame, tower.
 std::span<const TypicalStructure> typical_structures();
 
 /// The numbers that each of them starts with.

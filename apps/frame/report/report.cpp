@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "apps/frame/document/fault/sentence.h"
 #include "apps/frame/document/measures.h"
 #include "apps/frame/report/calculated_sections.h"
 #include "apps/frame/tables/data_table.h"
@@ -13,7 +14,6 @@
 #include "apps/frame/view/results/case_numbers.h"
 #include "apps/frame/view/results/diagram.h"
 #include "apps/frame/view/results/envelope_cases.h"
-#include "apps/frame/view/results/mechanism_picture.h"
 #include "apps/frame/view/sketch/scene.h"
 #include "femoop/analysis/trace.h"
 #include "femoop/model/member_ends.h"
@@ -144,7 +144,8 @@ private:
     }
     std::string degree() const
     {
-        if (!solution_.results || solution_.results->indeterminacy().has_foundation) return "";
+        const bool has_degree = solution_.results && !model_.members.empty();
+        if (!has_degree || solution_.results->indeterminacy().has_foundation) return "";
         return ", " + tr_("degree of indeterminacy {total}",
                           {{"total", std::to_string(solution_.results->indeterminacy().total())}});
     }
@@ -171,9 +172,18 @@ private:
 
     void write_results()
     {
-        for (std::size_t i = 0; i < solution_.results->n_cases(); ++i) write_case(CaseId(i));
-        if (solution_.results->n_cases() < 2) return;
-        write_envelope();
+        const std::vector<CaseId> solved = solution_.solved_cases();
+        for (const CaseId id : solved) write_case(id);
+        for (const BlankCase& blank : solution_.blank) write_blank(blank);
+        if (solved.size() > 1) write_envelope();
+    }
+
+    void write_blank(const BlankCase& blank)
+    {
+        const std::string& name = model_.case_name(blank.id);
+        heading(2, tr_("Case {case}", {{"case", name}}));
+        text(tr_("Case {case} has no results.", {{"case", name}}));
+        for (const Fault& fault : blank.faults) text(sentence(fault, tr_));
     }
 
     void write_envelope()
@@ -271,8 +281,9 @@ private:
         heading(2, tr_("Matrices of the members"));
         text(tr_(
             "In the file's base units and radians; rows and columns in the order of the named degrees of freedom."));
+        const Model solved = solved_model(model_, solution_);
         for (std::size_t i = 0; i < model_.members.size(); ++i) {
-            const MemberTrace traced = trace(model_, MemberId(i));
+            const MemberTrace traced = trace(solved, MemberId(i));
             heading(3, tr_("Member {id}", {{"id", traced.member}}));
             heading(4, tr_("Stiffness in the member's own axes"));
             matrix(traced, traced.local_stiffness);

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 
+#include "apps/frame/document/part.h"
 #include "apps/frame/tables/table_kind.h"
 
 namespace frame {
@@ -13,11 +16,18 @@ enum class BottomContent : std::uint8_t {
     Solver  ///< the front that walks over the structure
 };
 
+/// A cell that the table's cursor is sent to.
+struct WantedCell {
+    Part row;
+    std::size_t column = 0;
+};
+
 /// What the panel at the bottom of the window shows.
 struct BottomView {
     bool is_open = false;
     TableKind table = TableKind::Nodes; ///< where it is one
     BottomContent content = BottomContent::Table;
+    std::optional<WantedCell> wanted{}; ///< until the panel has gone there
 
     bool shows(BottomContent what) const { return is_open && content == what; }
 };

@@ -22,7 +22,7 @@ bool is_in_plane(const Desk& desk) { return femoop::n_coordinates(desk.session.m
 Reason why_not_copy(const Desk& desk)
 {
     if (!is_in_plane(desk))
-        return translatable("a structure in space is not drawn with the mouse; change its numbers instead");
+        return translatable("a structure in space is not moved with the mouse; change its numbers instead");
     if (std::ranges::none_of(desk.session.selection.parts(), can_be_clipped))
         return translatable("nothing is selected that can be copied");
     return std::nullopt;

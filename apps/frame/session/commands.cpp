@@ -1,7 +1,11 @@
 #include "apps/frame/session/commands.h"
 
+#include "apps/frame/session/case_commands.h"
 #include "apps/frame/session/edit_commands.h"
+#include "apps/frame/session/load_commands.h"
+#include "apps/frame/session/new_commands.h"
 #include "apps/frame/session/other_programs.h"
+#include "apps/frame/session/plane_commands.h"
 #include "apps/frame/session/predict_commands.h"
 #include "apps/frame/session/property_commands.h"
 #include "apps/frame/session/set_commands.h"
@@ -38,7 +42,7 @@ std::function<void(Desk&)> asks(Request request)
 
 void add_document_commands(CommandTable& table)
 {
-    ui::standard::add_new<Desk>(table, new_document);
+    add_new_commands(table);
     ui::standard::add_open<Desk>(table, ui::asks(ui::Request::OpenDialog));
     ui::standard::add_recent(table);
     ui::standard::add_save(table);
@@ -254,6 +258,9 @@ CommandTable command_table()
     add_property_commands(table);
     add_set_commands(table);
     add_tool_commands(table);
+    add_plane_commands(table);
+    add_case_commands(table);
+    add_load_commands(table);
     add_show_commands(table);
     add_camera_commands(table);
     add_view_commands(table);

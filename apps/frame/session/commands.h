@@ -23,7 +23,17 @@
 namespace frame {
 
 /// What the user asks this app's window for, beside what every app's is asked for.
-enum class Request : std::uint8_t { ImportDialog, KeepView, ViewList, CloseTab, ExportTable };
+enum class Request : std::uint8_t {
+    ImportDialog,
+    KeepView,
+    ViewList,
+    CloseTab,
+    ExportTable,
+    AskKind,    ///< of the structure that was begun
+    EditTitle,  ///< of the model
+    RenameCase, ///< the name of the case that is shown is typed in the list of cases
+    ContextMenu ///< of what is selected
+};
 
 /// What the panel at the right shows.
 enum class Topic : std::uint8_t { Properties, Results, Problems, History };
@@ -35,6 +45,7 @@ struct Desk : ui::Desk {
     ui::ThemeName& theme() { return session.view.theme; }
     ui::ThemeName theme() const { return session.view.theme; }
     const ui::Catalogue& tr() const { return session.view.tr; }
+    std::optional<ui::UnitSystem> units() const { return session.view.units; }
     void set_language(ui::Language language) { session.set_language(language); }
     void give_room_to_the_picture(bool all) { has_panels = !all; }
     void open(const std::filesystem::path& path);

@@ -3,6 +3,7 @@
 #include "apps/frame/session/tabs.h"
 #include "femoop/io/model_file.h"
 #include "femoop/io/whole_file.h"
+#include "femoop/result/structure_words.h"
 
 namespace frame {
 
@@ -16,12 +17,16 @@ std::error_code write_draft(const Document& document, const std::filesystem::pat
 
 ui::Unsaved unsaved_of(const Session& session)
 {
-    return {
-        .document = session.number(), .state = session.generation(), .original = session.path(), .copy = [&session] {
-            return [document = session.document()](const std::filesystem::path& draft) {
-                return write_draft(document, draft);
-            };
-        }};
+    return {.document = session.number(),
+            .state = session.generation(),
+            .original = session.path(),
+            .copy =
+                [&session] {
+                    return [document = session.document()](const std::filesystem::path& draft) {
+                        return write_draft(document, draft);
+                    };
+                },
+            .about = femoop::size_words(session.model(), session.view.tr)};
 }
 
 } // namespace

@@ -37,9 +37,8 @@ bool is_in_plane(const Desk& desk) { return femoop::n_coordinates(desk.session.m
 Reason why_not_take(const Desk& desk, ToolKind tool)
 {
     if (tool == ToolKind::Predict) return why_not_predict(desk);
-    const bool draws = tool == ToolKind::Member || tool == ToolKind::Node || tool == ToolKind::Dimension;
-    if (!draws || is_in_plane(desk)) return std::nullopt;
-    return translatable("a structure in space is not drawn with the mouse; change its numbers instead");
+    if (tool != ToolKind::Dimension || is_in_plane(desk)) return std::nullopt;
+    return translatable("dimension lines stand in plane structures alone");
 }
 
 Reason needs_selection(const Desk& desk)
@@ -52,7 +51,7 @@ Reason needs_plane_selection(const Desk& desk)
 {
     if (const Reason reason = needs_selection(desk)) return reason;
     if (is_in_plane(desk)) return std::nullopt;
-    return translatable("a structure in space is not drawn with the mouse; change its numbers instead");
+    return translatable("a structure in space is not moved with the mouse; change its numbers instead");
 }
 
 std::vector<Part> selected(const Desk& desk)
@@ -164,6 +163,11 @@ void add_selection_commands(CommandTable& table)
                    desk.session.pin.reset();
                    desk.session.notice.reset();
                }});
+    table.add({.id = "edit.menu",
+               .menu = edit_menu,
+               .label = translatable("Menu of the selection"),
+               .shortcuts = {{Key::F10, ui::shift}},
+               .run = [](Desk& desk) { desk.requests.push_back(Request::ContextMenu); }});
     table.add({.id = "edit.delete",
                .menu = edit_menu,
                .label = translatable("Delete the selection"),
@@ -235,6 +239,37 @@ void cancel_transform(Desk& desk)
     desk.transform.reset();
 }
 
+namespace {
+
+// What places are drawn to while the hand draws or drags.
+struct SnapSwitch {
+    std::string_view id, label;
+    Key key;
+    bool ToolSettings::*is_on;
+};
+constexpr std::array snap_switches{
+    SnapSwitch{"draw.grid", translatable("Snap to the grid"), Key::F7, &ToolSettings::draws_to_grid},
+    SnapSwitch{"draw.snap", translatable("Snap to nodes and lines"), Key::F9, &ToolSettings::draws_to_parts},
+};
+
+void add_snap_commands(CommandTable& table)
+{
+    for (const SnapSwitch& entry : snap_switches) {
+        table.add({.id = entry.id,
+                   .menu = draw_menu,
+                   .label = entry.label,
+                   .shortcuts = {{entry.key, {}}},
+                   .run =
+                       [is_on = entry.is_on](Desk& desk) {
+                           ToolSettings& settings = desk.hand.settings();
+                           settings.*is_on = !(settings.*is_on);
+                       },
+                   .is_on = [is_on = entry.is_on](const Desk& desk) { return desk.hand.settings().*is_on; }});
+    }
+}
+
+} // namespace
+
 void add_tool_commands(CommandTable& table)
 {
     for (const ToolEntry& entry : tool_entries) {
@@ -250,6 +285,7 @@ void add_tool_commands(CommandTable& table)
                    .why_not = [tool = entry.tool](const Desk& desk) { return why_not_take(desk, tool); },
                    .is_on = [tool = entry.tool](const Desk& desk) { return desk.hand.kind() == tool; }});
     }
+    add_snap_commands(table);
 }
 
 void add_edit_commands(CommandTable& table)

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <sstream>
 #include <utility>
 #include <vector>
 
 #include "apps/cross/document/file.h"
 #include "apps/cross/document/solution.h"
+#include "apps/frame/document/fault/place.h"
 #include "apps/mohr/document/file.h"
 #include "apps/mohr/document/section_text.h"
 #include "femoop/edit/excerpt.h"
@@ -16,6 +18,7 @@
 #include "femoop/methods/mohr/section_stress.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/quantity_parser.h"
+#include "femoop/section/profile.h"
 #include "femoop/section/shape.h"
 #include "ui/desk/standard_commands.h"
 
@@ -32,6 +35,14 @@ namespace {
 
 // ---- moment distribution
 
+femoop::Excerpt excerpt(const Session& session, const std::vector<MemberId>& members)
+{
+    if (members.size() == session.model().members.size()) return {.model = session.model(), .held = {}};
+    return excerpt_of(session.model(), members);
+}
+
+} // namespace
+
 std::vector<MemberId> chosen_members(const Session& session)
 {
     std::vector<MemberId> members;
@@ -42,32 +53,28 @@ std::vector<MemberId> chosen_members(const Session& session)
     return members;
 }
 
-femoop::Excerpt chosen_excerpt(const Session& session)
+Offer moment_distribution(const Session& session, const std::vector<MemberId>& members, femoop::CaseId load_case)
 {
-    const std::vector<MemberId> members = chosen_members(session);
-    if (members.size() == session.model().members.size()) return {.model = session.model(), .held = {}};
-    return excerpt_of(session.model(), members);
+    const femoop::Model model = excerpt(session, members).model;
+    cross::Document document{.model = model};
+    document.method.load_case = load_case;
+    if (auto solution = cross::solve(document); !solution.faults.empty())
+        return Notice{translatable("moment distribution cannot do this"), named(std::move(solution.faults), model)};
+    document = cross::read_document(femoop::write_model(model)); // with the method that the file asks for
+    document.method.load_case = load_case;
+    return ui::Handover{.program = "cross", .document = cross::write_document(document)};
 }
-
-} // namespace
 
 Offer moment_distribution(const Session& session)
 {
-    const femoop::Model model = chosen_excerpt(session).model;
-    cross::Document document{.model = model};
-    document.method.load_case = session.view.load_case;
-    if (auto solution = cross::solve(document); !solution.faults.empty())
-        return Notice{translatable("moment distribution cannot do this"), std::move(solution.faults)};
-    document = cross::read_document(femoop::write_model(model)); // with the method that the file asks for
-    document.method.load_case = session.view.load_case;
-    return ui::Handover{.program = "cross", .document = cross::write_document(document)};
+    return moment_distribution(session, chosen_members(session), session.view.load_case);
 }
 
 std::string held_nodes(const Session& session)
 {
-    const femoop::Excerpt excerpt = chosen_excerpt(session);
+    const femoop::Excerpt chosen = excerpt(session, chosen_members(session));
     std::string names;
-    for (const femoop::NodeId node : excerpt.held) names += (names.empty() ? "" : ", ") + excerpt.model[node].id;
+    for (const femoop::NodeId node : chosen.held) names += (names.empty() ? "" : ", ") + chosen.model[node].id;
     return names;
 }
 
@@ -142,11 +149,11 @@ std::optional<Phrase> why_no_forces(const Session& session)
     return std::nullopt;
 }
 
-mohr::Document section_document(const Session& session, const Cut& cut, const mohr::Document& begun,
-                                const femoop::mohr::SectionFigure& figure)
+mohr::Document section_document(const Session& session, const Cut& cut, femoop::CaseId load_case,
+                                const mohr::Document& begun, const femoop::mohr::SectionFigure& figure)
 {
     const femoop::Units& units = session.model().units;
-    const femoop::CaseResult result = (*session.solution().results)[session.view.load_case];
+    const femoop::CaseResult result = (*session.solution().results)[load_case];
     const femoop::SectionForces f = result.curve(cut.member).forces(cut.x);
     const femoop::Magnitudes largest = result.magnitudes();
     const auto in_mohr = [&](double value, femoop::Dimension kind) {
@@ -171,13 +178,25 @@ mohr::Document section_document(const Session& session, const Cut& cut, const mo
 
 } // namespace
 
+std::optional<Cut> cut_for_circle(const Session& session)
+{
+    if (why_no_forces(session)) return std::nullopt;
+    return session.pin ? session.pin : session.hover ? session.hover : worst_cut(session);
+}
+
 Offer circle_at_section(const Session& session)
 {
     if (const auto reason = why_no_forces(session)) return passing_notice(*reason);
-    const std::optional<Cut> cut = session.pin ? session.pin : session.hover ? session.hover : worst_cut(session);
+    const auto cut = cut_for_circle(session);
     if (!cut || cut->member.index >= session.model().members.size())
         return passing_notice(translatable("point at a section of a member, or select one member"));
-    const femoop::Member& member = session.model()[cut->member];
+    return circle_at(session, *cut, session.view.load_case);
+}
+
+Offer circle_at(const Session& session, const Cut& cut, femoop::CaseId load_case)
+{
+    if (const auto reason = why_no_forces(session)) return passing_notice(*reason);
+    const femoop::Member& member = session.model()[cut.member];
     if (!member.section || !member.material)
         return passing_notice({translatable("member {id} has no section: it is rigid"), {{"id", member.id}}});
     const femoop::Section& section = session.model()[*member.section];
@@ -190,8 +209,35 @@ Offer circle_at_section(const Session& session)
     if (const auto* const reason = std::get_if<Phrase>(&figure)) return passing_notice(*reason);
     mohr::Document document = mohr::textbook_state();
     document.section = *words;
-    document = section_document(session, *cut, document, std::get<femoop::mohr::SectionFigure>(figure));
+    document = section_document(session, cut, load_case, document, std::get<femoop::mohr::SectionFigure>(figure));
     return ui::Handover{.program = "mohr", .document = mohr::file_text(document)};
+}
+
+std::optional<femoop::Section> section_named(const std::string& words, const femoop::Section& section,
+                                             const femoop::Units& units)
+{
+    if (std::holds_alternative<Phrase>(mohr::section_figure(words))) return std::nullopt;
+    femoop::Section next{.id = section.id};
+    if (femoop::find_profile(words) != nullptr) {
+        next.profile = words;
+        return next;
+    }
+    std::istringstream parts(words);
+    std::string part;
+    parts >> part;
+    next.shape.emplace();
+    for (const femoop::ShapeKind kind : femoop::shape_kinds())
+        if (name(kind) == part) next.shape->kind = kind;
+    while (parts >> part) {
+        const std::string key = part.substr(0, part.find('=')), typed = part.substr(part.find('=') + 1);
+        const bool is_bare = typed.find_first_not_of("0123456789.e+-") == std::string::npos;
+        const std::string text = is_bare ? typed + " mm" : typed;
+        const auto value = femoop::parse_quantity(text, dimension::length, units);
+        if (!std::holds_alternative<double>(value)) return std::nullopt;
+        for (const femoop::ShapeDimension& side : femoop::shape_dimensions())
+            if (side.key == key) *next.shape.*side.value = femoop::Quantity(std::get<double>(value), text);
+    }
+    return next;
 }
 
 namespace {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "apps/frame/session/commands.h"
 #include "ui/desk/handover.h"
@@ -13,12 +15,22 @@ using Offer = std::variant<ui::Handover, Notice>;
 
 /// The selected members, or all where none is selected, for moment distribution, in the case that is shown.
 Offer moment_distribution(const Session& session);
+Offer moment_distribution(const Session& session, const std::vector<femoop::MemberId>& members,
+                          femoop::CaseId load_case);
+std::vector<femoop::MemberId> chosen_members(const Session& session); ///< that they would be
 /// The nodes that are held fixed there, since selected members meet others at them: "B, D".
 std::string held_nodes(const Session& session);
 
 /// The section at the reading that is pinned or under the pointer, else where the only selected member has its largest
 /// moment, in the case that is shown, at its hardest stressed fibre.
 Offer circle_at_section(const Session& session);
+Offer circle_at(const Session& session, const Cut& cut, femoop::CaseId load_case);
+std::optional<Cut> cut_for_circle(const Session& session); ///< where it would be
+
+/// The section with the profile or the shape of words such as "IPE 300" and "rectangle b=90mm h=210mm" in place of what
+/// it has; nothing where they name none.
+std::optional<femoop::Section> section_named(const std::string& words, const femoop::Section& section,
+                                             const femoop::Units& units);
 
 void add_method_commands(CommandTable& table);
 

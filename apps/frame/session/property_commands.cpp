@@ -5,8 +5,12 @@
 #include <utility>
 #include <vector>
 
+#include "apps/frame/document/command.h"
 #include "apps/frame/document/companion/companion_file.h"
+#include "apps/frame/document/fault/place.h"
+#include "apps/frame/document/load_cases.h"
 #include "apps/frame/document/section_command.h"
+#include "apps/frame/session/case_commands.h"
 #include "femoop/edit/condense.h"
 #include "femoop/io/model_file.h"
 #include "femoop/typical/steel.h"
@@ -48,6 +52,11 @@ void add_property_commands(CommandTable& table)
     table.add({.id = "edit.new_material", .menu = menu, .label = translatable("New material"), .run = [](Desk& desk) {
                    new_material(desk.session);
                }});
+    table.add({.id = "edit.title", .menu = menu, .label = translatable("Title and notes…"), .run = [](Desk& desk) {
+                   desk.session.selection.clear();
+                   desk.topic = Topic::Properties;
+                   desk.requests.push_back(Request::EditTitle);
+               }});
     table.add({.id = "edit.import_properties",
                .menu = menu,
                .label = translatable("Import materials and sections…"),
@@ -87,7 +96,8 @@ bool import_properties(Session& session, const std::filesystem::path& path)
     if (!reading.is_sound()) {
         std::erase_if(reading.faults,
                       [](const auto& fault) { return femoop::severity(fault.kind) != femoop::Severity::Error; });
-        session.notice = Notice{{translatable("nothing was imported from {file}"), {file}}, std::move(reading.faults)};
+        session.notice = Notice{{translatable("nothing was imported from {file}"), {file}},
+                                named(std::move(reading.faults), reading.model)};
         return false;
     }
     Companion beside = read_companion_of(path, reading.model).companion;
@@ -99,6 +109,18 @@ bool import_properties(Session& session, const std::filesystem::path& path)
     session.notice = passing_notice(
         {translatable("Property sets that came from {file}: {count}"), {{"count", text_of(n)}, file}});
     return true;
+}
+
+void set_title(Session& session, const std::string& title)
+{
+    if (session.model().title == title) return;
+    session.change({translatable("Change the title"), [&](Document& document) { set_title(document, title); }});
+}
+
+void set_notes(Session& session, const std::string& notes)
+{
+    if (session.model().notes == notes) return;
+    session.change({translatable("Change the notes"), [&](Document& document) { set_notes(document, notes); }});
 }
 
 void select_members_with(Session& session, const Part& property)
@@ -113,6 +135,12 @@ void select_members_with(Session& session, const Part& property)
 void duplicate(Session& session, const Part& property)
 {
     const ui::Phrase label{translatable("Duplicate: {part}"), {{"part", title(session.model(), property)}}};
+    if (const auto id = case_id_of(session.model(), property)) {
+        femoop::CaseId added;
+        session.change({label, [&](Document& document) { added = copy_case(document, *id); }});
+        session.selection = part_of(session.model(), added);
+        return show_case(session, added);
+    }
     if (const auto* const material = std::get_if<MaterialId>(&property)) {
         session.change({label, [&](Document& document) { add_material(document, document.model[*material]); }});
         session.selection = Part(MaterialId(session.model().materials.size() - 1));
@@ -125,6 +153,7 @@ void duplicate(Session& session, const Part& property)
 
 std::optional<ui::Phrase> rename(Session& session, const Part& property, const std::string& name)
 {
+    if (const auto id = case_id_of(session.model(), property)) return rename(session, *id, name);
     const auto rename_it = [&](auto id) -> std::optional<ui::Phrase> {
         if (auto reason = why_not_rename(session.model(), id, name)) return reason;
         session.change({{translatable("Rename: {part}"), {{"part", title(session.model(), property)}}},
@@ -138,6 +167,7 @@ std::optional<ui::Phrase> rename(Session& session, const Part& property, const s
 
 const std::string& name_of(const Model& model, const Part& property)
 {
+    if (const auto id = case_id_of(model, property)) return model.case_name(*id);
     const auto* const material = std::get_if<MaterialId>(&property);
     return material != nullptr ? model[*material].id : model[std::get<SectionId>(property)].id;
 }

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "apps/frame/document/companion/companion_file.h"
+#include "apps/frame/document/fault/place.h"
+#include "apps/frame/document/fault/sentence.h"
 #include "apps/frame/document/loss.h"
 #include "apps/frame/document/number.h"
 #include "apps/frame/document/reach.h"
@@ -72,14 +74,14 @@ void Session::refresh()
     if (pin && is_lost(*pin)) pin.reset();
     if (hover && is_lost(*hover)) hover.reset();
     if (view.load_case.index >= model().n_cases()) view.load_case = femoop::CaseId(0);
-    if (mechanism >= solution_.mechanisms.size()) mechanism = 0;
+    if (mechanism >= shown_mechanisms().size()) mechanism = 0;
 }
 
 bool Session::change_soundly(const Change& wanted)
 {
     Outcome outcome = outcome_of(wanted);
     if (refuse(outcome)) return false;
-    std::vector<femoop::Fault> faults = femoop::check(outcome.document.model);
+    std::vector<femoop::Fault> faults = named(femoop::check(outcome.document.model), outcome.document.model);
     std::erase_if(faults, [&](const femoop::Fault& fault) {
         const bool is_error = femoop::severity(fault.kind) == femoop::Severity::Error;
         return !is_error || std::ranges::find(solution_.faults, fault) != solution_.faults.end();
@@ -130,6 +132,7 @@ void Session::take(const Change& change, Outcome outcome)
     if (is_new || change.after_selecting) selection = std::move(outcome.companions.selection);
     if (is_new) prediction = std::move(outcome.companions.prediction);
     hold_scales(change.step);
+    follow_case(model(), outcome.document.model);
     if (change.step == Step::Click) {
         tell_loss(model(), outcome.document.model);
         history_.apply(std::move(outcome.document), change.label);
@@ -143,9 +146,22 @@ void Session::follow(const Document& before)
 {
     selection.follow(before, document());
     prediction.follow(before.model, model());
+    follow_case(before.model, model());
     const std::optional<ui::Phrase> brought_back = unseen_loss(model(), before.model);
     if (notice && brought_back && notice->sentence == *brought_back) notice.reset();
     refresh();
+}
+
+// Where it is gone the one that takes its place is shown, a load case for a load case.
+void Session::follow_case(const femoop::Model& before, const femoop::Model& after)
+{
+    const std::size_t shown = view.load_case.index, n = after.load_cases.size(), n_before = before.load_cases.size();
+    const bool is_as_before = n == n_before && after.n_cases() == before.n_cases();
+    if (is_as_before || shown >= before.n_cases()) return;
+    const auto last_of = [](std::size_t count) { return std::max<std::size_t>(count, 1) - 1; };
+    if (const auto there = after.find_case(before.case_name(view.load_case))) view.load_case = *there;
+    else if (shown < n_before) view.load_case = femoop::CaseId(std::min(shown, last_of(n)));
+    else view.load_case = femoop::CaseId(std::min(shown - n_before + n, last_of(after.n_cases())));
 }
 
 void Session::hold_scales(Step step)
@@ -221,7 +237,9 @@ bool Session::open(const std::filesystem::path& path, Purpose purpose)
                   [](const auto& fault) { return femoop::severity(fault.kind) != femoop::Severity::Error; });
     const bool can_be_mended = is_understood(reading);
     if (!reading.faults.empty() && !(purpose == Purpose::Mend && can_be_mended)) {
-        refuse(path, {{}, std::move(reading.faults), can_be_mended ? std::optional(path) : std::nullopt});
+        refuse(
+            path,
+            {{}, named(std::move(reading.faults), reading.model), can_be_mended ? std::optional(path) : std::nullopt});
         return false;
     }
     notice.reset();
@@ -319,18 +337,54 @@ std::optional<ui::Phrase> Session::why_no_results() const
 {
     if (hidden) return translatable("The results are hidden; H reveals them.");
     if (!solution_.results) return translatable("There are no results: see the problems.");
+    if (const BlankCase* const blank = shown_blank())
+        return ui::Phrase(translatable("Case {case} has no results: see the problems."),
+                          {{"case", model().case_name(blank->id)}});
     return std::nullopt;
+}
+
+const BlankCase* Session::shown_blank() const
+{
+    return view.is_envelope ? nullptr : solution_.blank_case(view.load_case);
+}
+
+const femoop::Results* Session::shown_results() const
+{
+    return solution_.results && shown_blank() == nullptr ? &*solution_.results : nullptr;
+}
+
+const std::vector<femoop::Mechanism>& Session::shown_mechanisms() const
+{
+    const BlankCase* const blank = shown_blank();
+    return blank ? blank->mechanisms : solution_.mechanisms;
+}
+
+ViewOptions Session::results_view() const
+{
+    ViewOptions shown = view;
+    for (const BlankCase& one : solution_.blank) shown.left_out.insert(model().case_name(one.id));
+    return shown;
 }
 
 std::optional<femoop::Results> Session::told_results() const { return hidden ? std::nullopt : solution_.results; }
 
 std::string Session::in_words() const
 {
-    std::string words = femoop::describe(model(), told_results(), view.tr);
-    if (view.is_envelope && told_results())
-        words += "\n" + envelope_words(model(), view) + "\n" +
-                 femoop::envelope_text(model(), *solution_.results, envelope_cases(model(), view), view.tr);
-    return hidden ? words + "\n" + view.tr(*why_no_results()) + "\n" : words;
+    const std::optional<femoop::Results> told = told_results();
+    if (!told) {
+        const std::string words = femoop::describe(model(), told, view.tr);
+        return hidden ? words + "\n" + view.tr(*why_no_results()) + "\n" : words;
+    }
+    const ViewOptions shown = results_view();
+    std::string words = femoop::describe(model(), *told, solution_.solved_cases(), view.tr);
+    for (const BlankCase& one : solution_.blank) {
+        words += "\n" + view.tr("Case {case} has no results.", {{"case", model().case_name(one.id)}}) + "\n";
+        for (const femoop::Fault& fault : one.faults) words += sentence(fault, view.tr) + "\n";
+    }
+    if (view.is_envelope)
+        words += "\n" + envelope_words(model(), shown) + "\n" +
+                 femoop::envelope_text(model(), *told, envelope_cases(model(), shown), view.tr);
+    return words;
 }
 
 ui::DisplayUnits Session::units() const

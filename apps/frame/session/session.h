@@ -84,6 +84,14 @@ public:
 
     /// Why no results are to be read: there are none, or they are kept from the class; nothing where they can be.
     std::optional<ui::Phrase> why_no_results() const;
+    /// The load case or combination that is shown, if it alone has no results; null where it has, and in an envelope.
+    const BlankCase* shown_blank() const;
+    /// What the picture can show: null where there are no results, or none of the case that is shown.
+    const femoop::Results* shown_results() const;
+    /// Each way in which the structure can move, or is moved by the case that is shown.
+    const std::vector<femoop::Mechanism>& shown_mechanisms() const;
+    /// The view with an envelope of those cases alone that have results.
+    ViewOptions results_view() const;
     /// The results as far as they may be told: nothing while they are kept from the class.
     std::optional<femoop::Results> told_results() const;
     /// Model and results in words, and the envelope's numbers where one is shown; of hidden results it says that they
@@ -125,6 +133,8 @@ private:
     void refresh();
     void tell_loss(const femoop::Model& before, const femoop::Model& after);
     void follow(const Document& before);
+    /// The case that is shown is known by its name.
+    void follow_case(const femoop::Model& before, const femoop::Model& after);
     /// While a number is dragged, diagrams keep the scale that they had before: one sees them grow.
     void hold_scales(Step step);
     void restart(Document document);

@@ -14,8 +14,8 @@ namespace {
 std::vector<double> worth_reading(const Session& session, const Cut& cut, double length)
 {
     std::vector<double> places{0.0, 0.5 * length, length};
-    const auto& results = session.solution().results;
-    if (!results || results->n_cases() == 0) return places;
+    const femoop::Results* const results = session.shown_results();
+    if (results == nullptr || results->n_cases() == 0) return places;
     const femoop::Curve curve = (*results)[session.view.load_case].curve(cut.member);
     for (const double load_point : curve.breaks()) places.push_back(load_point);
     const femoop::Extremes extremes = curve.extremes(femoop::MemberComponent::Mz);

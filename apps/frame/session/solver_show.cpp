@@ -33,7 +33,7 @@ void SolverShow::follow(const Session& session)
     made_for_ = now;
     why_none_ = why_not_trace(session);
     trace_.reset();
-    if (!why_none_) trace_ = femoop::trace_solver(session.model());
+    if (!why_none_) trace_ = femoop::trace_solver(solved_model(session.model(), session.solution()));
     if (n_steps() > 0) go_to(step_); // else it waits for the front to come back
 }
 

@@ -105,7 +105,12 @@ void close_tab(Desk& desk)
     desk.tab = next;
 }
 
-void new_document(Desk& desk) { add_tab(desk, Session{Document{}}); }
+void new_document(Desk& desk, femoop::AnalysisKind kind)
+{
+    Document document;
+    document.model.analysis = kind;
+    add_tab(desk, Session(std::move(document)));
+}
 
 namespace {
 

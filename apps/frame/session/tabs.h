@@ -18,7 +18,7 @@ void add_tab(Desk& desk, Session session);
 void close_tab(Desk& desk);
 
 /// An empty sheet in a tab of its own.
-void new_document(Desk& desk);
+void new_document(Desk& desk, femoop::AnalysisKind kind = femoop::AnalysisKind::Frame2d);
 /// Shows the file's document, in a tab of its own, or in the one where it is open already. Where it has an error the
 /// open document stays as it is and its `notice` says why; false then.
 bool open_file(Desk& desk, const std::filesystem::path& path, Session::Purpose purpose = Session::Purpose::Work);

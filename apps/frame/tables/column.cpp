@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "apps/frame/document/fault/sentence.h"
 #include "femoop/model/quantity/number_text.h"
 #include "ui/text/catalogue.h"
 #include "ui/text/number_format.h"
@@ -78,7 +79,7 @@ std::variant<std::optional<Quantity>, std::string> quantity_of(const CellText& e
     if (text.starts_with("−")) text.replace(0, std::string_view("−").size(), "-"); // as tables show it
     auto typed = quantity_typed(text, measure, units, entry.manner.units);
     if (auto* const quantity = std::get_if<Quantity>(&typed)) return std::optional(std::move(*quantity));
-    std::string reason = femoop::message(std::get<femoop::Fault>(typed), entry.manner.tr);
+    std::string reason = sentence(std::get<femoop::Fault>(typed), entry.manner.tr);
     if (reason.starts_with(": ")) reason.erase(0, 2); // the place, which whoever asked knows
     return reason;
 }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "apps/frame/tools/dimension_tool.h"
+#include "apps/frame/tools/load_tool.h"
 #include "apps/frame/tools/member_tool.h"
 #include "apps/frame/tools/node_tool.h"
 #include "apps/frame/tools/part_tools.h"
@@ -92,8 +93,20 @@ std::optional<Eigen::Vector2d> Hand::typed_place(const Work& work) const
         {.from = tool_->from(), .pointer = aim_.snap.place, .file = work.document.model.units, .shown = work.units});
 }
 
+std::optional<Eigen::Vector3d> Hand::typed_place_in_space(const Work& work) const
+{
+    return place_typed_in_space(typed_, {.from = tool_->from_in_space(),
+                                         .pointer = aim_.is_lost ? std::nullopt : aim_.in_space,
+                                         .plane = settings_->plane,
+                                         .file = work.document.model.units,
+                                         .shown = work.units});
+}
+
 ui::Phrase Hand::why_not_enter(const Work& work) const
 {
+    if (femoop::is_3d(work.document.model.analysis))
+        return {ui::translatable("{text} is no place; type 6,4,3 or @0,0,3, or 6,4 in the working plane"),
+                {{"text", typed_}}};
     const auto place = typed_place(work);
     const auto reason = place ? tool_->why_not_type(work, *place) : std::nullopt;
     return reason.value_or(
@@ -102,6 +115,12 @@ ui::Phrase Hand::why_not_enter(const Work& work) const
 
 std::optional<Change> Hand::enter(const Work& work)
 {
+    if (femoop::is_3d(work.document.model.analysis)) {
+        const auto place = typed_place_in_space(work);
+        if (!place) return std::nullopt;
+        typed_.clear();
+        return tool_->type_in_space(work, *place);
+    }
     const auto place = typed_place(work);
     if (!place || tool_->why_not_type(work, *place)) return std::nullopt;
     typed_.clear();

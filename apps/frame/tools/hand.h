@@ -51,6 +51,7 @@ public:
 
 private:
     std::optional<Eigen::Vector2d> typed_place(const Work& work) const;
+    std::optional<Eigen::Vector3d> typed_place_in_space(const Work& work) const;
 
     std::unique_ptr<ToolSettings> settings_; ///< the tools know where it is
     ToolKind kind_ = ToolKind::Select;

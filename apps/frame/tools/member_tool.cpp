@@ -3,52 +3,72 @@
 #include <utility>
 
 #include "apps/frame/document/drawing.h"
+#include "ui/canvas/click.h"
 #include "ui/text/catalogue.h"
 
 namespace frame {
 
 using Eigen::Vector2d;
+using Eigen::Vector3d;
 using femoop::Crossings;
 
 std::optional<Change> MemberTool::press(const Work&, const Aim& at)
 {
-    const Vector2d& place = at.snap.place;
+    if (at.is_lost) return std::nullopt;
+    const Vector3d place = at.place();
     pointer_ = place;
-    if (start_ && *start_ == place) { // the second click at one place ends the line
+    if (ends_at(at)) {
         start_.reset();
         return std::nullopt;
     }
     if (start_) return draw_to(place, at.crossings());
     start_ = place;
-    may_drag_ = true;
+    press_ = at;
     return std::nullopt;
+}
+
+// The second click at one place ends the line; nobody means a member of a few pixels.
+bool MemberTool::ends_at(const Aim& at) const
+{
+    return start_ && (at.place() - *start_).norm() <= ui::click_reach * at.pixel;
 }
 
 std::optional<Change> MemberTool::move(const Work&, const Aim& to)
 {
-    pointer_ = to.snap.place;
+    if (!to.is_lost) pointer_ = to.place();
     return std::nullopt;
 }
 
 std::optional<Change> MemberTool::release(const Work&, const Aim& at)
 {
-    const bool was_dragged = std::exchange(may_drag_, false) && start_ && *start_ != at.snap.place;
-    if (!was_dragged) return std::nullopt;
-    std::optional<Change> change = draw_to(at.snap.place, at.crossings());
+    const std::optional<Aim> press = std::exchange(press_, std::nullopt);
+    const bool was_dragged = press && at.is_dragged_from(*press);
+    if (!was_dragged || !start_ || at.is_lost || ends_at(at)) return std::nullopt;
+    std::optional<Change> change = draw_to(at.place(), at.crossings());
     start_.reset();
     return change;
 }
 
-std::optional<Change> MemberTool::type(const Work&, const Vector2d& place)
+std::optional<Change> MemberTool::type(const Work& work, const Vector2d& place)
+{
+    return type_in_space(work, {place.x(), place.y(), 0.0});
+}
+
+std::optional<Change> MemberTool::type_in_space(const Work&, const Vector3d& place)
 {
     if (start_ && *start_ != place) return draw_to(place, Crossings::Cut);
     start_ = place;
     return std::nullopt;
 }
 
+std::optional<Vector2d> MemberTool::from() const
+{
+    return start_ ? std::optional<Vector2d>(start_->head<2>()) : std::nullopt;
+}
+
 bool MemberTool::escape()
 {
-    may_drag_ = false;
+    press_.reset();
     const bool had_begun = start_.has_value();
     start_.reset();
     return had_begun;
@@ -60,11 +80,12 @@ Preview MemberTool::preview() const
     return {.lines = {{*start_, pointer_}}};
 }
 
-std::optional<Change> MemberTool::draw_to(const Vector2d& place, Crossings crossings)
+std::optional<Change> MemberTool::draw_to(const Vector3d& place, Crossings crossings)
 {
-    const Vector2d start = *std::exchange(start_, place);
-    return Change{ui::translatable("Draw a member"),
-                  [start, place, crossings](Document& document) { draw_member(document, start, place, crossings); }};
+    const Vector3d start = *std::exchange(start_, place);
+    return Change{ui::translatable("Draw a member"), [start, place, crossings](Document& document) {
+                      draw_member_in_space(document, start, place, crossings);
+                  }};
 }
 
 } // namespace frame

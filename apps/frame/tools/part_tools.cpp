@@ -4,7 +4,6 @@
 
 #include "apps/frame/document/command.h"
 #include "apps/frame/document/drawing.h"
-#include "apps/frame/document/loading.h"
 #include "femoop/edit/member_line.h"
 #include "ui/text/catalogue.h"
 
@@ -43,58 +42,6 @@ std::optional<Change> SupportTool::press(const Work& work, const Aim& at)
     if (there && there->kind == kind) return freed(work.document, node);
     return Change{about(work.document, translatable("Support: {part}"), node),
                   [=](Document& changed) { set_support(changed, node, kind); }};
-}
-
-namespace {
-
-/// The force or moment of the settings, in the degrees of freedom of a model of this kind.
-std::optional<Component> component(const ToolSettings& settings, AnalysisKind kind)
-{
-    const bool is_upright = kind == AnalysisKind::Grillage || is_3d(kind); // z is up
-    Component load;
-    switch (settings.load) {
-    case LoadKind::ForceDown: load = {is_upright ? Dof::uz : Dof::uy, Quantity(-settings.force)}; break;
-    case LoadKind::ForceRight: load = {Dof::ux, settings.force}; break;
-    case LoadKind::Moment: load = {kind == AnalysisKind::Grillage ? Dof::rx : Dof::rz, settings.moment}; break;
-    case LoadKind::UniformDown:
-    case LoadKind::UniformAcross: return std::nullopt;
-    }
-    return dofs(kind).contains(load.dof) ? std::optional(load) : std::nullopt;
-}
-
-std::optional<decltype(MemberLoad::load)> member_load(const ToolSettings& settings, AnalysisKind kind, double x)
-{
-    if (const auto load = component(settings, kind)) return PointLoad{.at = Quantity(x), .components = {*load}};
-    const bool is_upright = kind == AnalysisKind::Grillage || is_3d(kind);
-    const Quantity down(-settings.line_load);
-    if (settings.load == LoadKind::UniformDown)
-        return DistributedLoad{.values = {{is_upright ? Dof::uz : Dof::uy, down, std::nullopt}}};
-    if (settings.load == LoadKind::UniformAcross)
-        return DistributedLoad{.values = {{Dof::uy, down, std::nullopt}}, .axes = LoadAxes::Local};
-    return std::nullopt;
-}
-
-} // namespace
-
-std::optional<Change> LoadTool::press(const Work& work, const Aim& at)
-{
-    const AnalysisKind kind = work.document.model.analysis;
-    const CaseId wanted = settings_.load_case;
-    if (at.node) {
-        const auto load = component(settings_, kind);
-        if (!load) return std::nullopt;
-        return Change{about(work.document, translatable("Load: {part}"), *at.node),
-                      [=, node = *at.node](Document& changed) {
-                          add_node_load(changed, load_case_for(changed, wanted), node, *load);
-                      }};
-    }
-    if (!at.cut) return std::nullopt;
-    const auto load = member_load(settings_, kind, at.cut->x);
-    if (!load) return std::nullopt;
-    return Change{about(work.document, translatable("Load: {part}"), at.cut->member),
-                  [=, member = at.cut->member](Document& changed) {
-                      add_member_load(changed, load_case_for(changed, wanted), member, *load);
-                  }};
 }
 
 std::optional<Change> HingeTool::press(const Work& work, const Aim& at)

@@ -15,16 +15,6 @@ private:
     const ToolSettings& settings_;
 };
 
-/// Puts the chosen load on a node or a member that is clicked.
-class LoadTool : public Tool {
-public:
-    explicit LoadTool(const ToolSettings& settings) : settings_(settings) {}
-    std::optional<Change> press(const Work& work, const Aim& at) override;
-
-private:
-    const ToolSettings& settings_;
-};
-
 /// Hinges a node that is clicked, or the nearer end of a member; makes it rigid where it is hinged.
 class HingeTool : public Tool {
 public:

@@ -16,6 +16,8 @@ using femoop::MemberId;
 std::optional<Change> PredictTool::press(const Work& work, const Aim& at)
 {
     path_.clear();
+    press_ = at;
+    is_drawing_ = false;
     if (work.prediction != nullptr) path_.push_back(at.pointer);
     return std::nullopt;
 }
@@ -23,6 +25,7 @@ std::optional<Change> PredictTool::press(const Work& work, const Aim& at)
 std::optional<Change> PredictTool::move(const Work& work, const Aim& to)
 {
     if (!path_.empty() && (to.pointer - path_.back()).norm() >= to.pixel) path_.push_back(to.pointer);
+    is_drawing_ = is_drawing_ || to.is_dragged_from(press_);
     const std::vector<Vector2d> seen = path_.empty() ? std::vector<Vector2d>{to.pointer} : path_;
     member_ = work.prediction != nullptr ? member_beside(work.document.model, seen) : std::nullopt;
     return std::nullopt;
@@ -33,7 +36,7 @@ std::optional<Change> PredictTool::release(const Work& work, const Aim&)
     const std::vector<Vector2d> path = std::exchange(path_, {});
     const femoop::Model& model = work.document.model;
     const auto member = member_beside(model, path);
-    if (work.prediction == nullptr || !member) return std::nullopt;
+    if (work.prediction == nullptr || !member || !is_drawing_) return std::nullopt;
     work.prediction->draw(model, settings_.load_case, *member,
                           stroke_along(model, *member, settings_.moment_side, path));
     return std::nullopt;

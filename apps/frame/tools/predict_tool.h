@@ -25,6 +25,8 @@ public:
 private:
     const ToolSettings& settings_;
     std::vector<Eigen::Vector2d> path_; ///< while the button is held
+    Aim press_;                         ///< the last one
+    bool is_drawing_ = false;           ///< the hand has gone so far since then that it is no click
     std::optional<femoop::MemberId> member_;
 };
 

@@ -19,8 +19,6 @@ using ui::translatable;
 
 namespace {
 
-constexpr double click_reach = 4.0; // [px] that a hand trembles
-
 Vector2d place_of(const Model& model, femoop::NodeId node) { return {model[node].at[0], model[node].at[1]}; }
 
 /// A rectangle along the axes.
@@ -77,7 +75,7 @@ std::optional<Change> SelectTool::move(const Work& work, const Aim& to)
 {
     if (gesture_ == Gesture::None) return std::nullopt;
     now_ = to;
-    is_dragging_ = is_dragging_ || (to.pointer - start_.pointer).norm() > click_reach * to.pixel;
+    is_dragging_ = is_dragging_ || to.is_dragged_from(start_);
     if (!is_dragging_) return std::nullopt;
     if (gesture_ == Gesture::Move) return moved(work, to);
     if (gesture_ == Gesture::Pull) return pulled(work, to);

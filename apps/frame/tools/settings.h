@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "apps/frame/document/moment_side.h"
+#include "apps/frame/tools/working_plane.h"
 #include "femoop/model/model.h"
 
 namespace frame {
@@ -11,9 +13,10 @@ namespace frame {
 enum class LoadKind : std::uint8_t {
     ForceDown, ///< on a node, or at a place of a member
     ForceRight,
-    Moment,        ///< counter-clockwise
-    UniformDown,   ///< along a whole member
-    UniformAcross, ///< along a whole member, square to it, against its y'
+    Moment,         ///< counter-clockwise
+    UniformDown,    ///< along a whole member
+    UniformAcross,  ///< along a whole member, square to it, against its y'
+    TriangularDown, ///< from nothing at one end to the value at the other
 };
 
 /// How the tools that put something on a part do it.
@@ -23,7 +26,11 @@ struct ToolSettings {
     femoop::Quantity force{10.0}, moment{10.0}, line_load{10.0};
     femoop::CaseId load_case;                     ///< that is shown
     MomentSide moment_side = MomentSide::Tension; ///< on which a positive moment is drawn
-    double grid = 1.0;                            ///< distance of the grid's lines [length]
+    WorkingPlane plane{};                         ///< of what is drawn in space
+    std::optional<femoop::Quantity> spacing;      ///< of the grid's lines as it was typed; a round one when absent
+    double grid = 1.0;                            ///< their distance at the scale of the picture [length]
+    bool draws_to_grid = true;
+    bool draws_to_parts = true; ///< nodes, members, and rays from where drawing began
 };
 
 } // namespace frame

@@ -76,9 +76,6 @@ private:
 double rounded(double x, double step) { return step > 0.0 ? step * std::round(x / step) : x; }
 Vector2d rounded(const Vector2d& place, double step) { return {rounded(place.x(), step), rounded(place.y(), step)}; }
 
-// Places that nothing draws to itself are round all the same, though the hand hardly feels it.
-double fine(const SnapOptions& options) { return 0.1 * options.grid; }
-
 void offer_crossings(Magnet& magnet, const std::vector<Line>& near)
 {
     for (std::size_t i = 0; i < near.size(); ++i)
@@ -90,7 +87,7 @@ void offer_crossings(Magnet& magnet, const std::vector<Line>& near)
 void offer_line(Magnet& magnet, const Line& line, const Vector2d& pointer, const SnapOptions& options)
 {
     magnet.offer(line.at(0.5), SnapKind::Midpoint);
-    const double along = rounded(line.foot(pointer) * line.length(), fine(options)) / line.length();
+    const double along = rounded(line.foot(pointer) * line.length(), options.fine) / line.length();
     if (is_inside(along)) magnet.offer(line.at(along), SnapKind::OnMember);
     if (!options.from) return;
     const double share = line.foot(*options.from);
@@ -109,12 +106,8 @@ void offer_ray(Magnet& magnet, const Vector2d& pointer, const Vector2d& from, do
     magnet.offer(from + along * direction, SnapKind::Ray);
 }
 
-} // namespace
-
-Snap snap(const Model& model, const Vector2d& pointer, const SnapOptions& options)
+void offer_parts(Magnet& magnet, const Model& model, const Vector2d& pointer, const SnapOptions& options)
 {
-    if (options.is_off) return {pointer, SnapKind::Free};
-    Magnet magnet(pointer, options.reach);
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
         const femoop::NodeId node(i);
         if (!moves(options, node)) magnet.offer(place_of(model, node), SnapKind::Node);
@@ -126,9 +119,19 @@ Snap snap(const Model& model, const Vector2d& pointer, const SnapOptions& option
     }
     for (const Line& line : near) offer_line(magnet, line, pointer, options);
     offer_crossings(magnet, near);
+}
+
+} // namespace
+
+Snap snap(const Model& model, const Vector2d& pointer, const SnapOptions& options)
+{
+    if (options.is_off) return {pointer, SnapKind::Free};
+    Magnet magnet(pointer, options.reach);
+    if (options.from) magnet.offer(*options.from, SnapKind::Node);
+    if (options.to_parts) offer_parts(magnet, model, pointer, options);
     if (options.grid > 0.0) magnet.offer(rounded(pointer, options.grid), SnapKind::Grid);
-    if (options.from) offer_ray(magnet, pointer, *options.from, options.grid);
-    return magnet.best().value_or(Snap{rounded(pointer, fine(options)), SnapKind::Free});
+    if (options.from && options.to_parts) offer_ray(magnet, pointer, *options.from, options.grid);
+    return magnet.best().value_or(Snap{rounded(pointer, options.fine), SnapKind::Free});
 }
 
 double round_grid(double smallest)

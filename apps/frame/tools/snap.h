@@ -11,14 +11,14 @@ namespace frame {
 
 /// What a place that is pointed at was drawn to, the strongest first.
 enum class SnapKind : std::uint8_t {
-    Node,
+    Node,          ///< or the place where drawing began
     Intersection,  ///< of two members that cross without a node
     Midpoint,      ///< of a member
     Perpendicular, ///< the foot on a member of a line from the place where drawing began
-    OnMember,      ///< at a multiple of a tenth of the grid from its start
+    OnMember,      ///< at a round distance from its start
     Grid,
     Ray, ///< a multiple of 15 degrees from the place where drawing began, a round length along it
-    Free ///< nothing: the place is rounded to a tenth of the grid, so that its numbers are short
+    Free ///< nothing: the place is rounded, so that its numbers are short
 };
 
 /// A place in the plane of a model, in its unit of length, and what it was drawn to.
@@ -30,10 +30,12 @@ struct Snap {
 };
 
 struct SnapOptions {
-    double reach = 0.1;                       ///< how near the pointer must be to what it is drawn to [length]
-    double grid = 1.0;                        ///< distance of the grid's lines [length]; 0: there is none
-    std::optional<Eigen::Vector2d> from{};    ///< where drawing began
+    double reach = 0.1;                    ///< how near the pointer must be to what it is drawn to [length]
+    double grid = 1.0;                     ///< distance of the grid's lines [length]; 0: there is none
+    double fine = 0.1;                     ///< to which places are rounded that nothing draws [length]; 0: to nothing
+    std::optional<Eigen::Vector2d> from{}; ///< where drawing began
     std::span<const femoop::NodeId> moving{}; ///< are being dragged: neither they nor their members draw to themselves
+    bool to_parts = true;                     ///< and to rays; else to the grid alone
     bool is_off = false;                      ///< the place is where the pointer is
 };
 

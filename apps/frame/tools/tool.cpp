@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "ui/canvas/click.h"
+
 namespace frame {
 
 double direction_of(const Eigen::Vector2d& arm) { return std::atan2(arm.y(), arm.x()) * 180.0 / std::numbers::pi; }
@@ -16,5 +18,7 @@ std::optional<Part> Aim::part() const
     if (grip) return grip->load;
     return std::nullopt;
 }
+
+bool Aim::is_dragged_from(const Aim& press) const { return (pointer - press.pointer).norm() > ui::click_reach * pixel; }
 
 } // namespace frame

@@ -45,6 +45,8 @@ struct Aim {
     std::optional<SupportGrip> support;                ///< under it, where there is neither
     std::optional<DimensionPlace> dimension;           ///< the line under it, where there is none of these
     std::optional<LoadGrip> grip;                      ///< of the load under it, where there is none of these
+    std::optional<Eigen::Vector3d> in_space;           ///< the place that is meant in a model in space
+    bool is_lost = false;                              ///< none is: the working plane is seen edge-on
     double pixel = 0.01;                               ///< one logical pixel [length]
     bool adds = false;                                 ///< Shift is held
     bool is_exact = false;                             ///< Alt is held: nothing is rounded or cut that need not be
@@ -52,8 +54,12 @@ struct Aim {
     /// Of what comes to cross: Alt holds off the cutting too.
     femoop::Crossings crossings() const { return is_exact ? femoop::Crossings::Keep : femoop::Crossings::Cut; }
     bool points_at_support() const { return support && !node && !cut; } ///< at its symbol, not at its node
+    /// The place that is meant, in space: that of the snap in a plane model.
+    Eigen::Vector3d place() const { return in_space.value_or(Eigen::Vector3d(snap.place.x(), snap.place.y(), 0.0)); }
     /// The part under the pointer.
     std::optional<Part> part() const;
+    /// The hand has gone farther from a press to here than it trembles, whatever the places were drawn to.
+    bool is_dragged_from(const Aim& press) const;
 };
 
 /// What tools work on.
@@ -64,9 +70,9 @@ struct Work {
     ui::DisplayUnits units{};         ///< of what is typed
 };
 
-/// What a tool shows before it changes anything, in the plane of the model.
+/// What a tool shows before it changes anything, in the plane of the model but for the lines.
 struct Preview {
-    std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> lines;
+    std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> lines;
     /// What will have come when the hand lets go of what it carries: members, and nodes as lines of no length, each
     /// with its name.
     struct Carried {
@@ -95,6 +101,8 @@ public:
     virtual std::optional<ui::Phrase> why_not_type(const Work&, const Eigen::Vector2d&) const { return std::nullopt; }
     /// A place that was typed, as if it had been clicked; tools that draw nothing have no use for it.
     virtual std::optional<Change> type(const Work&, const Eigen::Vector2d&) { return std::nullopt; }
+    /// The same in a model in space.
+    virtual std::optional<Change> type_in_space(const Work&, const Eigen::Vector3d&) { return std::nullopt; }
     /// Gives up what was begun; false where nothing was, so that the tool itself is left.
     virtual bool escape() { return false; }
 
@@ -102,7 +110,8 @@ public:
     virtual bool snaps() const { return true; }                                  ///< a place is drawn to what is there
     virtual bool draws() const { return false; }                                 ///< places that are snapped and typed
     virtual std::optional<Eigen::Vector2d> from() const { return std::nullopt; } ///< where drawing began
-    virtual std::span<const femoop::NodeId> moving() const { return {}; }        ///< nodes that the hand drags
+    virtual std::optional<Eigen::Vector3d> from_in_space() const { return std::nullopt; }
+    virtual std::span<const femoop::NodeId> moving() const { return {}; } ///< nodes that the hand drags
     virtual Preview preview() const { return {}; }
 
 protected:

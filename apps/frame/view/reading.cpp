@@ -133,8 +133,12 @@ public:
     enum class Side : std::uint8_t { Free, Sketch }; ///< what stands at the left hand of the lines
 
     ReadingBox(ui::Painter& painter, const ui::Theme& theme, std::string title, std::vector<ReadingLine> lines,
-               Side left)
-        : painter_(painter), theme_(theme), title_(std::move(title)), lines_(std::move(lines))
+               Side left, double top)
+        : painter_(painter),
+          theme_(theme),
+          title_(std::move(title)),
+          lines_(std::move(lines)),
+          room_{{0.0, top}, painter.sheet().max}
     {
         if (left == Side::Sketch) sketch_width_ = 114.0 * theme.symbol_scale();
         for (const ReadingLine& line : lines_) {
@@ -220,21 +224,20 @@ private:
         return sum;
     }
 
-    // All over the sheet, the nearest first.
+    // All over the room, the nearest first.
     std::vector<ui::Point> places_from(ui::Point beside) const
     {
         constexpr double step = 24.0; // [px]
-        const ui::Box room = painter_.sheet();
         std::vector<ui::Point> places;
-        for (double x = room.min.x; x <= room.max.x; x += step)
-            for (double y = room.min.y; y <= room.max.y; y += step) places.push_back({x, y});
+        for (double x = room_.min.x; x <= room_.max.x; x += step)
+            for (double y = room_.min.y; y <= room_.max.y; y += step) places.push_back({x, y});
         std::ranges::stable_sort(places, {}, [&](ui::Point place) { return ui::distance(place, beside); });
         return places;
     }
 
     ui::Box on_sheet(ui::Point center) const
     {
-        const ui::Box room = painter_.sheet().grown(-4.0);
+        const ui::Box room = room_.grown(-4.0);
         const ui::Point corner = center - 0.5 * ui::Point{size_.width, size_.height};
         return ui::box_at({std::max(room.min.x, std::min(corner.x, room.max.x - size_.width)),
                            std::max(room.min.y, std::min(corner.y, room.max.y - size_.height))},
@@ -252,6 +255,7 @@ private:
     const ui::Theme& theme_;
     std::string title_;
     std::vector<ReadingLine> lines_;
+    ui::Box room_; ///< that the card may cover
     double sketch_width_ = 0.0;
     double name_width_ = 0.0;
     double value_width_ = 0.0;
@@ -336,7 +340,7 @@ std::vector<ReadingLine> reading(const femoop::Model& model, const femoop::Resul
 }
 
 void draw_reading(ui::Painter& painter, const femoop::Model& model, const femoop::Results& results,
-                  const ViewOptions& options, const Cut& cut, ui::Point beside)
+                  const ViewOptions& options, const Cut& cut, ui::Point beside, double top)
 {
     if (!has(model, results, options, cut)) return;
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
@@ -348,10 +352,10 @@ void draw_reading(ui::Painter& painter, const femoop::Model& model, const femoop
     const std::string title = options.tr("member {member}", {{"member", model[cut.member].id}});
     if (options.is_envelope)
         return ReadingBox(painter, theme, title, lines_of_envelope(subject, results, options, read),
-                          ReadingBox::Side::Free)
+                          ReadingBox::Side::Free, top)
             .draw(beside, std::nullopt);
     ReadingBox(painter, theme, title, lines(subject, result, display_units(model, options), read),
-               ReadingBox::Side::Sketch)
+               ReadingBox::Side::Sketch, top)
         .draw(beside, result.curve(cut.member).forces(read.x));
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "femoop/edit/member_line.h"
+
 namespace frame {
 
 using Eigen::Vector2d;
@@ -80,11 +82,43 @@ std::optional<Vector2d> place_in_plane(const Projection& projection, ui::Point a
     return Vector2d(r.x * y.y - r.y * y.x, x.x * r.y - x.y * r.x) / determinant;
 }
 
+std::optional<Eigen::Vector3d> place_in_working_plane(const Projection& projection, const WorkingPlane& plane,
+                                                      ui::Point at)
+{
+    const ui::Point origin = projection(plane.in_space({0.0, 0.0})), u = projection.direction(plane.first()),
+                    v = projection.direction(plane.second());
+    constexpr double flattest = 0.05; // of the area that is seen from the front
+    const double determinant = u.x * v.y - v.x * u.y;
+    if (std::abs(determinant) < flattest) return std::nullopt;
+    const ui::Point r = (1.0 / (projection.scale() * determinant)) * (at - origin);
+    return plane.in_space({r.x * v.y - r.y * v.x, u.x * r.y - u.y * r.x});
+}
+
+namespace {
+
+/// In space a hand means the node under the pointer, else a place of the member there, else one of the working plane.
+void aim_in_space(Aim& aim, const femoop::Model& model, const Hand& hand, const Projection& projection, ui::Point at)
+{
+    const WorkingPlane& plane = hand.settings().plane;
+    if (aim.node) aim.in_space = femoop::position_of(model, *aim.node);
+    else if (aim.cut) aim.in_space = femoop::line_of(model, model[aim.cut->member]).at(aim.cut->x);
+    else aim.in_space = place_in_working_plane(projection, plane, at);
+    aim.is_lost = !aim.in_space;
+    aim.snap.kind = aim.node ? SnapKind::Node : aim.cut ? SnapKind::OnMember : SnapKind::Grid;
+    if (aim.node || aim.cut || aim.is_lost || aim.is_exact) return;
+    const double grid = grid_of(projection);
+    const Vector2d steps = (plane.in_plane(*aim.in_space) / grid).array().round();
+    aim.in_space = plane.in_space(grid * steps);
+}
+
+} // namespace
+
 double grid_of(const Projection& projection) { return round_grid(grid_spacing / projection.scale()); }
 
-Aim aim_at(const Session& session, const Tool& tool, const Projection& projection, const Pointer& pointer,
+Aim aim_at(const Session& session, const Hand& hand, const Projection& projection, const Pointer& pointer,
            const Pick& under, const Grips& grips)
 {
+    const Tool& tool = hand.tool();
     Aim aim;
     aim.node = under.node;
     aim.cut = under.cut;
@@ -100,12 +134,19 @@ Aim aim_at(const Session& session, const Tool& tool, const Projection& projectio
     }
     const Document& document = session.history().settled();
     aim.pointer = place_in_plane(projection, pointer.at).value_or(Vector2d::Zero());
+    if (femoop::is_3d(document.model.analysis)) {
+        aim_in_space(aim, document.model, hand, projection, pointer.at);
+        return aim;
+    }
+    const ToolSettings& settings = hand.settings();
     aim.snap = snap(document.model, aim.pointer,
                     {.reach = snap_reach * aim.pixel,
-                     .grid = grid_of(projection),
-                     .from = tool.from(),
-                     .moving = tool.moving(),
-                     .is_off = pointer.is_exact || !tool.snaps()});
+                     .grid = settings.draws_to_grid ? settings.grid : 0.0,
+                     .fine = 0.1 * std::min(settings.grid, grid_of(projection)), // the hand hardly feels it
+                     .from = hand.tool().from(),
+                     .moving = hand.tool().moving(),
+                     .to_parts = settings.draws_to_parts,
+                     .is_off = pointer.is_exact || !hand.tool().snaps()});
     return aim;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/frame/session/session.h"
-#include "apps/frame/tools/tool.h"
+#include "apps/frame/tools/hand.h"
 #include "apps/frame/view/geometry/projection.h"
 #include "apps/frame/view/geometry/structure_shape.h"
 #include "apps/frame/view/pick.h"
@@ -20,11 +20,16 @@ struct Pointer {
     bool is_exact = false; ///< Alt is held: nothing draws the place to it
 };
 
-/// What a tool is told of the pointer. Places are drawn to the model as it was before the gesture that is under way.
-Aim aim_at(const Session& session, const Tool& tool, const Projection& projection, const Pointer& pointer,
+/// The place of the working plane that is seen at a point of the sheet; nothing where the plane is seen edge-on.
+std::optional<Eigen::Vector3d> place_in_working_plane(const Projection& projection, const WorkingPlane& plane,
+                                                      ui::Point at);
+
+/// What the tool in the hand is told of the pointer. Places are drawn to the model as it was before the gesture that is
+/// under way.
+Aim aim_at(const Session& session, const Hand& hand, const Projection& projection, const Pointer& pointer,
            const Pick& under, const Grips& grips);
 
-/// The distance of the grid's lines at this scale [length].
+/// The distance of the grid's lines at this scale, where none was typed [length].
 double grid_of(const Projection& projection);
 
 } // namespace frame

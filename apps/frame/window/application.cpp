@@ -14,13 +14,15 @@
 #include "apps/frame/window/banner.h"
 #include "apps/frame/window/description_window.h"
 #include "apps/frame/window/document_tabs.h"
-#include "apps/frame/window/export.h"
 #include "apps/frame/window/properties_panel.h"
 #include "apps/frame/window/results_panel.h"
 #include "apps/frame/window/show_panel.h"
 #include "apps/frame/window/status_bar.h"
 #include "apps/frame/window/tool_bar.h"
 #include "apps/frame/window/transform_bar.h"
+#include "femoop/io/whole_file.h"
+#include "ui/files/link.h"
+#include "ui/widgets/offer.h"
 #include "ui/widgets/panel.h"
 
 namespace frame {
@@ -55,10 +57,7 @@ bool Application::is_moving() const
     return is_swinging() || is_walking || has_passing_notice;
 }
 
-bool Application::is_swinging() const
-{
-    return desk_.session.is_animated || !desk_.session.solution().mechanisms.empty();
-}
+bool Application::is_swinging() const { return desk_.session.is_animated || !desk_.session.shown_mechanisms().empty(); }
 
 std::string Application::window_title() const
 {
@@ -93,6 +92,7 @@ void Application::frame(const ui::Input& input)
     take_files(input.dropped_files);
     gui_.begin_frame(input);
     take_keys(input);
+    linked_.tick(input.seconds, desk_);
     animate(input.seconds);
     if (desk_.bottom.shows(BottomContent::Solver)) desk_.solver.advance(input.seconds);
     pass_notice(input.seconds);
@@ -101,7 +101,7 @@ void Application::frame(const ui::Input& input)
     show_dialogs();
     take_requests();
     if (desk_.transform && !desk_.session.history().is_dragging()) desk_.transform.reset(); // something else ended it
-    kept_files_.tick(desk_, input.seconds);
+    kept_files_.tick(desk_, ui::logical_size(context_), input.seconds);
     gui_.end_frame();
 }
 
@@ -139,6 +139,7 @@ void Application::take_keys(const ui::Input& all)
     const bool types_place = !types && !input.modifiers.ctrl && desk_.hand.type(input.text);
     for (const ui::KeyEvent& event : input.keys) {
         if (!event.is_down || (types && !event.modifiers.ctrl)) continue;
+        if (!types && kind_question_.take(desk_, commands_, event.key)) continue;
         if (!types && take_typing(event.key)) continue;
         if (types_place && writes(event.key) && !event.modifiers.ctrl) continue;
         if (event.key == ui::Key::Escape && put_away_a_window()) continue;
@@ -199,6 +200,16 @@ void Application::take(Request request)
     case Request::ExportTable: tables_.ask_for_file(desk_); break;
     case Request::KeepView: keep_view(session, canvas_.region(session)); break;
     case Request::ViewList: view_list_.toggle(); break;
+    case Request::AskKind: kind_question_.open(); break;
+    case Request::EditTitle:
+        desk_.has_panels = true;
+        title_rows_.begin();
+        break;
+    case Request::RenameCase:
+        desk_.has_panels = true;
+        case_list_.rename_shown();
+        break;
+    case Request::ContextMenu: context_menu_.open(); break;
     }
 }
 
@@ -207,33 +218,54 @@ void Application::take(const ui::ChosenFile& file)
     using enum ui::ChosenFile::Purpose;
     switch (file.purpose) {
     case Open: open_file(desk_, file.path); break;
-    case Save: save_as(desk_, file.path); break;
-    case Export: export_as(file.path); break;
+    case Save:
+        if (!save_as(desk_, file.path)) overlays_.refuse(desk_.session.notice->sentence);
+        break;
+    case Export:
+        if (const auto reason = export_as(file.path)) overlays_.refuse(*reason);
+        break;
     }
 }
 
-// The other program speaks and looks as this one does.
+// The other program speaks and looks as this one does, and hears of what changes here.
 void Application::hand_over(ui::Handover handover)
 {
     const ViewOptions& view = desk_.session.view;
     handover.options = {"--lang", std::string(code(view.tr.language())), "--theme", std::string(text(view.theme))};
     handed_ = std::move(handover);
     if (!start_program_) return;
-    if (const auto reason = start_program_(*handed_)) desk_.session.notice = Notice{*reason, {}};
+    auto link = ui::Link::made(femoop::write_whole_file);
+    ui::Handover linked = *handed_;
+    if (link) linked.options.insert(linked.options.end(), {"--link", link->folder().string()});
+    const auto reason = start_program_(linked);
+    if (reason) desk_.session.notice = Notice{*reason, {}};
+    else if (link) linked_.add(*std::move(link), desk_.session, *handed_);
 }
 
 void Application::show_menu_bar()
 {
     if (!ImGui::BeginMainMenuBar()) return;
     ui::show_menus(commands_, desk_, desk_.session.view.tr);
+    show_offer_of_program();
     const std::string name = (desk_.session.is_dirty() ? "* " : "") + desk_.session.file_name();
     ui::menu_bar_title(name);
     ImGui::EndMainMenuBar();
 }
 
+void Application::show_offer_of_program()
+{
+    const auto sentence = linked_.offering(desk_);
+    if (!sentence) return;
+    const ui::Catalogue& tr = desk_.session.view.tr;
+    const auto answer = ui::show_offer(tr(*sentence), tr);
+    if (answer == ui::OfferAnswer::TakeOver) linked_.take_over(desk_);
+    if (answer == ui::OfferAnswer::Keep) linked_.keep(desk_);
+}
+
 void Application::show_body()
 {
-    ui::begin_body();
+    const auto told = banner(desk_);
+    ui::begin_body(told ? ui::height(*told) : ui::status_height());
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float below = tables_.height(desk_, room.y);
     if (below > 0.0F) ui::show_below(below, [this] { tables_.show(desk_, gui_, fonts_); });
@@ -247,13 +279,14 @@ void Application::show_body()
     else picture();
     ImGui::EndChild();
     ui::end_body();
-    status_bar(desk_.session);
+    if (told) show_banner(desk_, *told);
+    else status_bar(desk_.session);
 }
 
 void Application::show_left(float width)
 {
     ui::begin_panel("###left", width);
-    show_panel(desk_, commands_);
+    show_panel(desk_, commands_, case_list_, fields_);
     ui::end_panel();
 }
 
@@ -263,7 +296,7 @@ void Application::show_right(float width)
     show_tabs();
     ImGui::Separator();
     switch (desk_.topic) {
-    case Topic::Properties: properties_panel(desk_, fields_, property_sets_); break;
+    case Topic::Properties: properties_panel(desk_, commands_, {fields_, property_sets_, title_rows_}); break;
     case Topic::Results: results_panel(desk_); break;
     case Topic::Problems: problems_panel(desk_); break;
     case Topic::History: history_panel(desk_); break;
@@ -301,7 +334,6 @@ void Application::show_canvas()
     document_tabs(desk_);
     ImGui::BeginChild("###picture", {}, false, ImGuiWindowFlags_NoNav); // its keys are the tools'
     canvas_.show(desk_, gui_);
-    banner(desk_);
     ImGui::EndChild();
 }
 
@@ -315,6 +347,8 @@ void Application::show_dialogs()
     typical_window_.show(desk_, gui_, fields_);
     section_window_.show(desk_, gui_, fields_);
     view_list_.show(desk_);
+    context_menu_.show(desk_, commands_);
+    kind_question_.show(desk_, commands_);
     tables_.show_dialog(desk_);
     if (overlays_.shows_description()) description_window(desk_, overlays_.shows_description());
     kept_files_.show(desk_);
@@ -328,10 +362,7 @@ std::optional<ui::Phrase> Application::export_as(const std::filesystem::path& pa
     std::optional<ui::Phrase> reason = export_to(path, desk_.session, fonts_, canvas_.picture_of(desk_),
                                                  desk_.export_scale);
     context_.make_current(); // a PNG is drawn in a context of its own
-    if (reason) {
-        desk_.session.notice = Notice{*reason, {}};
-        return reason;
-    }
+    if (reason) return reason;
     const std::string_view done = desk_.session.hidden
                                       ? translatable("{file} was written without the results, which are hidden; H "
                                                      "reveals them")

@@ -7,11 +7,17 @@
 #include <vector>
 
 #include "apps/frame/session/commands.h"
+#include "apps/frame/session/linked_programs.h"
 #include "apps/frame/window/canvas.h"
+#include "apps/frame/window/case_list.h"
+#include "apps/frame/window/context_menu.h"
+#include "apps/frame/window/export.h"
+#include "apps/frame/window/kind_question.h"
 #include "apps/frame/window/property_sets.h"
 #include "apps/frame/window/questions.h"
 #include "apps/frame/window/section_window.h"
 #include "apps/frame/window/tables_panel.h"
+#include "apps/frame/window/title_rows.h"
 #include "apps/frame/window/typical_window.h"
 #include "apps/frame/window/view_list.h"
 #include "ui/app/app.h"
@@ -52,12 +58,13 @@ public:
     void start_programs_by(StartProgram start) { start_program_ = std::move(start); }
     /// What another program was given last.
     const std::optional<ui::Handover>& handed() const { return handed_; }
-    /// Writes the picture, the results or a report to a file (export.h), and tells how it went. \returns why it cannot
+    /// Writes the picture, the results or a report to a file (export.h), and tells that it did. \returns why it cannot
     std::optional<ui::Phrase> export_as(const std::filesystem::path& path);
     std::optional<ui::Phrase> copy_picture(); ///< to the system's clipboard. \returns why it cannot
     std::string window_title() const override;
     ui::ImGuiSession& gui() override { return gui_; }
     TablesPanel& tables() { return tables_; }
+    const TablesPanel& tables() const { return tables_; }
 
 private:
     void take_keys(const ui::Input& all);
@@ -71,6 +78,7 @@ private:
     void take(const ui::ChosenFile& file);
     void hand_over(ui::Handover handover);
     void show_menu_bar();
+    void show_offer_of_program();
     void show_body();
     void show_left(float width);
     void show_right(float width);
@@ -92,9 +100,13 @@ private:
     SectionWindow section_window_;
     ViewList view_list_;
     PropertySets property_sets_;
+    TitleRows title_rows_;
+    CaseList case_list_;
+    ContextMenu context_menu_;
+    KindQuestion kind_question_;
     ui::PathDialog import_dialog_;
     ui::NumberFields fields_;
-    ui::Overlays overlays_{{.extension = ".json", .left_out = ".view.json", .picture_extension = ".png"}};
+    ui::Overlays overlays_{{.extension = ".json", .left_out = ".view.json", .exports = export_endings()}};
     Questions questions_;
     ui::KeptFiles kept_files_{std::nullopt};
     ui::ThemeName theme_;
@@ -102,6 +114,7 @@ private:
     double time_;                ///< of the animation since the middle of a swing [s]
     StartProgram start_program_; ///< none: nothing is started, as in a scenario
     std::optional<ui::Handover> handed_;
+    LinkedPrograms linked_;
     bool wants_to_quit_ = false;
 };
 

@@ -1,56 +1,87 @@
 #include "apps/frame/window/banner.h"
 
-#include <imgui.h>
-
+#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "apps/frame/document/fault/sentence.h"
+#include "apps/frame/session/fault_target.h"
 #include "apps/frame/session/tabs.h"
-#include "apps/frame/view/results/mechanism_picture.h"
-#include "ui/widgets/panel.h"
 
 namespace frame {
 
 namespace {
 
-void show_notice_buttons(Desk& desk)
+std::string button(const ui::Catalogue& tr, std::string_view label, const char* id) { return tr(label) + id; }
+
+ui::FootMessage message_of(const Notice& notice, const ui::Catalogue& tr)
 {
-    if (!desk.session.notice) return;
-    const ui::Catalogue& tr = desk.session.view.tr;
-    const bool is_closed = ImGui::Button((tr("Close") + "###close notice").c_str());
-    const std::optional<std::filesystem::path> to_mend = desk.session.notice->to_mend;
-    ImGui::SameLine();
-    const bool is_opened = to_mend && ImGui::Button((tr("Open all the same") + "###open notice").c_str());
-    if (is_closed || is_opened) desk.session.notice.reset();
-    if (is_opened) open_file(desk, *to_mend, Session::Purpose::Mend);
+    ui::FootMessage message{{tr(notice.sentence)}, {button(tr, ui::translatable("Close"), "###close notice")}};
+    for (const femoop::Fault& fault : notice.faults) message.lines.push_back("• " + sentence(fault, tr));
+    if (notice.to_mend) message.buttons.push_back(button(tr, ui::translatable("Open all the same"), "###open notice"));
+    return message;
+}
+
+/// What keeps the picture from showing results, with its head; nothing where it shows them, or says it itself.
+struct Hindrance {
+    std::string head; ///< "" where the faults say all
+    std::vector<femoop::Fault> faults;
+};
+
+Hindrance hindrance(const Session& session)
+{
+    const ui::Catalogue& tr = session.view.tr;
+    if (!session.shown_mechanisms().empty()) return {}; // the picture itself says how a mechanism moves
+    if (const BlankCase* const blank = session.shown_blank())
+        return {tr("Case {case} has no results.", {{"case", session.model().case_name(blank->id)}}) + " ",
+                blank->faults};
+    if (session.solution().results) return {};
+    std::vector<femoop::Fault> errors = session.solution().faults;
+    std::erase_if(errors, [](const auto& fault) { return femoop::severity(fault.kind) != femoop::Severity::Error; });
+    return {"", std::move(errors)};
+}
+
+// One line, so that the picture keeps its room while a model is mended.
+ui::FootMessage message_of(const Hindrance& hindrance, const ui::Catalogue& tr)
+{
+    const std::size_t n_more = hindrance.faults.size() - 1;
+    std::string line = hindrance.head + sentence(hindrance.faults.front(), tr);
+    if (n_more > 0) line += "   " + tr("… and {count} more", {{"count", std::to_string(n_more)}});
+    return {{std::move(line)},
+            {button(tr, ui::translatable("Go there"), "###go to fault"),
+             button(tr, ui::translatable("Problems"), "###problems")}};
+}
+
+void show_problems(Desk& desk)
+{
+    desk.topic = Topic::Problems;
+    desk.has_panels = true;
 }
 
 } // namespace
 
-void banner(Desk& desk)
+std::optional<ui::FootMessage> banner(const Desk& desk)
 {
-    Session& session = desk.session;
-    const ui::Catalogue& tr = session.view.tr;
-    std::vector<std::string> lines;
-    if (session.notice) {
-        lines.push_back(tr(session.notice->sentence));
-        for (const femoop::Fault& fault : session.notice->faults) lines.push_back("• " + sentence(fault, tr));
-    } else if (session.solution().mechanisms.empty()) { // the picture itself says how a mechanism moves
-        for (const femoop::Fault& fault : session.solution().faults) {
-            const bool is_error = femoop::severity(fault.kind) == femoop::Severity::Error;
-            if (is_error) lines.push_back("• " + sentence(fault, tr));
-        }
+    const ui::Catalogue& tr = desk.session.view.tr;
+    if (desk.session.notice) return message_of(*desk.session.notice, tr);
+    const Hindrance found = hindrance(desk.session);
+    return found.faults.empty() ? std::nullopt : std::optional(message_of(found, tr));
+}
+
+void show_banner(Desk& desk, const ui::FootMessage& message)
+{
+    const auto pressed = ui::show(message);
+    if (!pressed) return;
+    if (!desk.session.notice) {
+        const Hindrance found = hindrance(desk.session);
+        if (*pressed == 0 && !found.faults.empty()) go_to(desk, found.faults.front());
+        else show_problems(desk);
+        return;
     }
-    if (lines.empty()) return;
-    constexpr std::size_t most_lines = 8;
-    if (lines.size() > most_lines) {
-        const std::size_t n_more = lines.size() - most_lines;
-        lines.resize(most_lines);
-        lines.push_back(tr("… and {count} more", {{"count", std::to_string(n_more)}}));
-    }
-    ui::begin_message_box(lines);
-    show_notice_buttons(desk);
-    ui::end_message_box();
+    const std::optional<std::filesystem::path> to_mend = desk.session.notice->to_mend;
+    desk.session.notice.reset();
+    if (*pressed == 1 && to_mend) open_file(desk, *to_mend, Session::Purpose::Mend);
 }
 
 } // namespace frame

@@ -1,10 +1,15 @@
 #pragma once
 
+#include <optional>
+
 #include "apps/frame/session/commands.h"
+#include "ui/widgets/panel.h"
 
 namespace frame {
 
-/// What went wrong, over the picture: a notice, or the errors of the model.
-void banner(Desk& desk);
+/// What went wrong: a notice, or the first error of the model with the way to the others.
+std::optional<ui::FootMessage> banner(const Desk& desk);
+/// Shows it at the window's foot.
+void show_banner(Desk& desk, const ui::FootMessage& message);
 
 } // namespace frame

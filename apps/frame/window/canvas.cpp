@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <variant>
@@ -22,7 +23,7 @@ constexpr double zoom_per_turn = 1.15;
 // An envelope belongs to no case, so it has neither loads nor a deformed shape.
 ViewOptions looked_at(const Session& session)
 {
-    ViewOptions options = session.view;
+    ViewOptions options = session.results_view();
     options.dimensions = session.document().companion.dimensions;
     if (session.hidden || !session.prediction.is_empty()) options.prediction = &session.prediction;
     if (options.is_envelope) options.show = options.show - ShowSet{Show::Loads, Show::Deformed};
@@ -32,25 +33,16 @@ ViewOptions looked_at(const Session& session)
 // While members are drawn the structure is not complete yet, so no motion is played.
 std::optional<std::size_t> shown_mechanism(const Desk& desk)
 {
-    return desk.hand.can_type() || desk.session.solution().mechanisms.empty() ? std::nullopt
-                                                                              : std::optional(desk.session.mechanism);
+    const std::size_t n = desk.session.shown_mechanisms().size();
+    return desk.hand.can_type() || n == 0 ? std::nullopt : std::optional(std::min(desk.session.mechanism, n - 1));
 }
 
 Subject subject(const Desk& desk, const ViewOptions& options)
 {
     const Session& session = desk.session;
-    const Solution& solution = session.solution();
-    if (const auto i = shown_mechanism(desk)) return {session.model(), MotionChoice{solution.mechanisms, *i}, options};
-    return {session.model(), solution.results ? &*solution.results : nullptr, options};
-}
-
-// Something was solved that loads act on.
-bool has_diagrams(const Session& session)
-{
-    const auto is_loaded = [](const femoop::LoadCase& load_case) {
-        return !load_case.nodes.empty() || !load_case.members.empty() || load_case.self_weight != 0.0;
-    };
-    return session.solution().results && std::ranges::any_of(session.model().load_cases, is_loaded);
+    if (const auto i = shown_mechanism(desk))
+        return {session.model(), MotionChoice{session.shown_mechanisms(), *i}, options};
+    return {session.model(), session.shown_results(), options};
 }
 
 ui::World3 middle_of(const StructureShape& shape)
@@ -69,45 +61,66 @@ void Canvas::fit(Session& session)
     fitted_for_.reset();
 }
 
-void Canvas::follow_structure(const Desk& desk)
+bool Canvas::FittedFor::serves(const FittedFor& wanted) const
 {
-    const Session& session = desk.session;
-    const bool is_known = session_ == session.number() && generation_ == session.generation();
-    if (!is_known) shape_ = shape_of(session.model());
+    const bool has_room = has_pencil || !wanted.has_pencil;
+    return session == wanted.session && sheet == wanted.sheet && layout == wanted.layout && theme == wanted.theme &&
+           is_in_space == wanted.is_in_space && has_room;
+}
+
+Canvas::FittedFor Canvas::wanted_fit(const Session& session) const
+{
+    const ViewOptions options = looked_at(session);
+    return {session.number(),
+            sheet_,
+            options.layout,
+            options.theme,
+            is_seen_in_space(session.model().analysis),
+            options.prediction != nullptr};
+}
+
+void Canvas::follow_structure(Desk& desk)
+{
+    Session& session = desk.session;
+    const bool is_same = session_ == session.number();
+    if (!is_same || generation_ != session.generation()) shape_ = shape_of(session.model());
     session_ = session.number();
     generation_ = session.generation();
     ViewOptions options = looked_at(session);
     options.phase = 1.0; // room for the whole motion
-    const bool is_drawn = desk.hand.can_type();
-    const FittedFor wanted{session_,
-                           sheet_,
-                           options.show,
-                           options.layout,
-                           options.theme,
-                           session.model().analysis,
-                           shown_mechanism(desk),
-                           is_drawn,
-                           options.prediction != nullptr,
-                           desk.hand.kind() != ToolKind::Select || has_diagrams(session)};
+    const FittedFor wanted = wanted_fit(session);
     const bool must_rest = is_working_ || session.history().is_dragging();
     const bool can_rest = fitted_for_ && fitted_for_->session == session_ && fitted_for_->sheet == sheet_;
     const bool is_resting = must_rest && can_rest;
-    const bool is_fitted = is_resting || (fitted_for_ == wanted && is_all_in_sight());
+    const bool is_fitted = is_resting || (fitted_for_ && fitted_for_->serves(wanted) && is_all_in_sight(desk));
     is_just_fitted_ = !options.camera && !is_fitted;
     if (!options.camera && is_fitted) options.camera = plan_.camera;
-    if (!session.view.camera && !is_resting) fitted_for_ = wanted;
-    plan_ = subject(desk, options).plan(sheet_, fonts_);
+    if (is_just_fitted_) fitted_for_ = wanted;
+    if (session.view.camera) fitted_for_.reset();
+    const Subject::Plan before = std::exchange(plan_, subject(desk, options).plan(sheet_, fonts_));
+    if (is_same && !is_just_fitted_) hold_still(session, before);
 }
 
-// Drawing and dragging must not move the picture under the hand; it moves where it would lose something.
-bool Canvas::is_all_in_sight() const
+// Where the legend takes a line more or less the picture stays where it is.
+void Canvas::hold_still(Session& session, const Subject::Plan& before)
 {
-    if (plan_.panels.empty() || (was_whole_ && !drawn_.is_whole)) return false;
+    if (before.panels.size() != plan_.panels.size() || plan_.panels.empty()) return;
+    const ui::Point shift = before.panels.front().box.min - plan_.panels.front().box.min;
+    if (shift == ui::Point{}) return;
+    std::visit([&](auto& camera) { camera.pan(shift); }, plan_.camera);
+    if (session.view.camera) session.view.camera = plan_.camera;
+}
+
+// Drawing must not move the picture under the hand; it moves where a node would be lost, and with no tool in the hand
+// where other marks would be.
+bool Canvas::is_all_in_sight(const Desk& desk) const
+{
+    if (plan_.panels.empty()) return false;
+    const bool is_at_rest = desk.hand.kind() == ToolKind::Select && !shown_mechanism(desk);
+    if (is_at_rest && was_whole_ && !drawn_.is_whole) return false;
     const ui::Box box = plan_.panels.front().box;
     const Projection projection(plan_.camera, box.min);
-    constexpr double border = 20.0; // [px] within which a node counts as lost
-    const ui::Box sight = box.grown(-border);
-    return std::ranges::all_of(shape_.nodes, [&](const auto& node) { return sight.contains(projection(node)); });
+    return std::ranges::all_of(shape_.nodes, [&](const auto& node) { return box.contains(projection(node)); });
 }
 
 ui::Point Canvas::corner_of_panel(ui::Point at) const
@@ -201,15 +214,18 @@ void Canvas::follow(Desk& desk, const Pointer& pointer)
     session.view.hover = {};
     if (!pointer.is_over) return;
     const Projection projection = projection_at(pointer.at);
-    desk.hand.settings().grid = grid_of(projection);
-    desk.hand.settings().load_case = session.view.load_case;
-    desk.hand.settings().moment_side = session.view.moment_side;
-    Pick under = pick(shape_, projection, pointer.at, session.solution().results ? session.view.show : ShowSet{});
+    ToolSettings& settings = desk.hand.settings();
+    settings.grid = settings.spacing ? settings.spacing->value() : grid_of(projection);
+    settings.load_case = session.view.load_case;
+    settings.moment_side = session.view.moment_side;
+    Pick under = pick(shape_, projection, pointer.at, session.shown_results() ? session.view.show : ShowSet{});
     if (under.cut) under.cut = snapped(session, shape_, *under.cut, pixels_along(projection, *under.cut));
     turn_wheel(session, pointer.at);
+    const bool asks_for_menu = ImGui::IsMouseReleased(ImGuiMouseButton_Right) && !is_panning_;
     move_camera(session);
-    const Aim aim = aim_at(session, desk.hand.tool(), projection, pointer, under, drawn_.grips);
+    const Aim aim = aim_at(session, desk.hand, projection, pointer, under, drawn_.grips);
     desk.hand.point_at(aim);
+    if (asks_for_menu) ask_for_menu(desk, aim);
     if (is_panning_) return;
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && under.is_nothing() && !desk.hand.can_type()) fit(session);
     if (under.node) session.view.hover.nodes.push_back(*under.node);
@@ -220,6 +236,19 @@ void Canvas::follow(Desk& desk, const Pointer& pointer)
     hover_panel_ = corner_of_panel(pointer.at);
     work(desk, aim, under);
     if (const auto member = desk.hand.tool().preview().member) session.view.hover.members = {*member};
+}
+
+// A right click that was no drag: the menu of what lies there, and of what is selected together with it.
+void Canvas::ask_for_menu(Desk& desk, const Aim& aim)
+{
+    Selection& selection = desk.session.selection;
+    const bool is_busy = desk.transform || desk.session.history().is_dragging() ||
+                         desk.hand.kind() == ToolKind::Predict || desk.hand.tool().preview().window;
+    if (is_busy) return;
+    const std::optional<Part> part = aim.part();
+    if (!part) selection.clear();
+    else if (!selection.contains(*part)) selection = *part;
+    desk.requests.push_back(Request::ContextMenu);
 }
 
 void Canvas::turn_wheel(Session& session, ui::Point at) const
@@ -274,6 +303,7 @@ void Canvas::release(Desk& desk, const Aim& aim, const Pick& under)
 // In space the left button turns the model, so a tool gets clicks alone.
 void Canvas::click_in_space(Desk& desk, const Aim& aim, const Pick& under)
 {
+    if (desk.hand.can_type()) carry_out(desk.session, desk.hand.tool().move(work_of(desk.session), aim));
     if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left)) return;
     press(desk, aim);
     release(desk, aim, under);
@@ -359,17 +389,17 @@ Subject::Picture Canvas::draw(const Desk& desk, const ViewOptions& options, ui::
     }
     Subject::Picture picture = subject(desk, options).draw(painter);
     if (session.pin && !plan_.panels.empty())
-        draw_cut(session, options, *session.pin, plan_.panels.front().box.min, painter);
+        draw_cut(session, options, *session.pin, {plan_.panels.front().box.min, picture.legend_bottom}, painter);
     return picture;
 }
 
-void Canvas::draw_cut(const Session& session, const ViewOptions& options, const Cut& cut, ui::Point panel,
+void Canvas::draw_cut(const Session& session, const ViewOptions& options, const Cut& cut, const CardPlace& place,
                       ui::Painter& painter) const
 {
-    const auto& results = session.solution().results;
-    if (!results || session.hidden) return;
-    const ui::Point at = Projection(*options.camera, panel)(shape_[cut.member].at(cut.x));
-    draw_reading(painter, session.model(), *results, options, cut, at);
+    const femoop::Results* const results = session.shown_results();
+    if (results == nullptr || session.hidden) return;
+    const ui::Point at = Projection(*options.camera, place.panel)(shape_[cut.member].at(cut.x));
+    draw_reading(painter, session.model(), *results, options, cut, at, place.top);
 }
 
 ui::Picture Canvas::picture_of(const Desk& desk) const
@@ -389,9 +419,11 @@ void Canvas::paint(const Desk& desk)
     drawn_ = draw(desk, shown, painter);
     if (std::exchange(is_just_fitted_, false)) was_whole_ = drawn_.is_whole;
     if (session.hover && session.hover != session.pin && !is_working_)
-        draw_cut(session, shown, *session.hover, hover_panel_, painter);
+        draw_cut(session, shown, *session.hover, {hover_panel_, drawn_.legend_bottom}, painter);
+    const ui::Theme theme(shown.theme);
     if (is_over_ && !plan_.panels.empty())
-        draw_hand(painter, session, desk.hand, Projection(*shown.camera, hover_panel_), ui::Theme(shown.theme));
+        draw_hand(painter, session, desk.hand, Projection(*shown.camera, hover_panel_), theme);
+    else if (!desk.hand.typed().empty()) draw_typed(painter, desk.hand, theme);
     picture_ = painter.picture();
 }
 

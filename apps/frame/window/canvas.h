@@ -18,6 +18,7 @@ namespace frame {
 ///
 ///     wheel: zoom to the cursor      middle or right button, or the space bar held: pan
 ///     left button in space: orbit    double click on nothing: show the whole model
+///     right click: the menu of what lies there
 class Canvas {
 public:
     explicit Canvas(const ui::Fonts& fonts) : fonts_(fonts) {}
@@ -45,16 +46,21 @@ private:
     void press(Desk& desk, const Aim& aim);
     void release(Desk& desk, const Aim& aim, const Pick& under);
     void click_in_space(Desk& desk, const Aim& aim, const Pick& under);
+    static void ask_for_menu(Desk& desk, const Aim& aim);
     void turn_wheel(Session& session, ui::Point at) const;
     void move_camera(Session& session);
     void paint(const Desk& desk);
     Subject::Picture draw(const Desk& desk, const ViewOptions& options, ui::Painter& painter) const;
     ViewOptions options(const Session& session) const;
-    void draw_cut(const Session& session, const ViewOptions& options, const Cut& cut, ui::Point panel,
+    struct CardPlace {
+        ui::Point panel; ///< corner of the panel that is read
+        double top;      ///< of what the card may cover
+    };
+    void draw_cut(const Session& session, const ViewOptions& options, const Cut& cut, const CardPlace& place,
                   ui::Painter& painter) const;
     void look_at_region(Desk& desk);
-    void follow_structure(const Desk& desk);
-    bool is_all_in_sight() const;
+    void follow_structure(Desk& desk);
+    bool is_all_in_sight(const Desk& desk) const;
     /// The panel of the sheet under a point, the first one where there is none.
     Projection projection_at(ui::Point at) const;
     double pixels_along(const Projection& projection, const Cut& cut) const;
@@ -63,20 +69,20 @@ private:
     const ui::Fonts& fonts_;
     ui::Size sheet_{};
     ui::Point corner_{}; ///< of the sheet in the window [logical pixels]
-    /// What the fitted camera was made for: it is made anew when one of these changes, and not when a load or a node
-    /// does, so that the picture rests under the hand.
+    /// What the fitted camera was made for: it is made anew when one of these changes, and not when a part, a load or
+    /// what is shown does, so that the picture rests under the hand.
     struct FittedFor {
         std::uint64_t session;
         ui::Size sheet;
-        ShowSet show;
         Layout layout;
         ui::ThemeName theme;
-        femoop::AnalysisKind kind;
-        std::optional<std::size_t> mechanism;
-        bool is_drawn, is_guessed, has_diagrams; ///< while something is drawn diagrams come and go
+        bool is_in_space;
+        bool has_pencil; ///< a guess needs room beside the structure
 
-        friend bool operator==(const FittedFor&, const FittedFor&) = default;
+        bool serves(const FittedFor& wanted) const;
     };
+    FittedFor wanted_fit(const Session& session) const;
+    void hold_still(Session& session, const Subject::Plan& before);
 
     StructureShape shape_;
     Subject::Plan plan_; ///< how the sheet is divided, and the camera of its panels

@@ -27,9 +27,10 @@ void choose_cases(Session& session)
     const std::size_t n_chosen = envelope_cases(model, session.view).size();
     for (std::size_t i = 0; i < model.n_cases(); ++i) {
         const std::string& name = model.case_name(CaseId(i));
-        bool takes_part = n_chosen == model.n_cases() || !session.view.left_out.contains(name);
+        const bool is_blank = session.solution().blank_case(CaseId(i)) != nullptr;
+        bool takes_part = !is_blank && (n_chosen == model.n_cases() || !session.view.left_out.contains(name));
         const bool is_last = takes_part && n_chosen == 1;
-        ImGui::BeginDisabled(is_last);
+        ImGui::BeginDisabled(is_last || is_blank);
         if (ImGui::Checkbox(ui::item_label(name, "part " + std::to_string(i)).c_str(), &takes_part)) {
             if (takes_part) session.view.left_out.erase(name);
             else session.view.left_out.insert(name);
@@ -44,7 +45,7 @@ public:
     explicit EnvelopeTables(Session& session)
         : session_(session),
           units_(session.units()),
-          envelope_(*session.solution().results, envelope_cases(session.model(), session.view)),
+          envelope_(*session.solution().results, envelope_cases(session.model(), session.results_view())),
           numbers_(*session.solution().results, units_)
     {}
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <sstream>
 
 #include "apps/frame/session/edit_commands.h"
@@ -10,6 +11,7 @@
 #include "apps/frame/view/reading.h"
 #include "apps/frame/view/sketch/scene.h"
 #include "ui/app/expectation.h"
+#include "ui/app/headless.h"
 #include "ui/scenario/words.h"
 #include "ui/text/number_format.h"
 
@@ -43,26 +45,40 @@ Complaint value(const Application& application, std::string_view text)
     const Session& session = application.session();
     const auto cut = cut_at(session.model(), words[1], words[4]);
     if (!cut) return "value: found no place " + words[4] + " of a member \"" + words[1] + "\"";
-    if (!session.solution().results) return "value: found no results; expect problems 0 to see why";
+    if (!session.shown_results()) return "value: found no results; expect problems 0 to see why";
     std::string names;
-    for (const ReadingLine& line : reading(session.model(), *session.solution().results, session.view, *cut)) {
+    for (const ReadingLine& line : reading(session.model(), *session.shown_results(), session.view, *cut)) {
         if (line.name == words[2]) return compared(line.name, line.value, with_minus(joined(words, 6)));
         names += (names.empty() ? "" : ", ") + line.name;
     }
     return "value: found \"" + words[2] + "\", wanted one of " + names;
 }
 
-// B at (2, 4)
+// Where it lies in the window; half a pixel is nothing.
+Complaint at_pixel(std::string_view what, const std::optional<ui::Point>& found, const ui::PointerPlace& wanted)
+{
+    if (!found) return std::string(what) + ": found no picture yet";
+    if (std::hypot(found->x - wanted.x, found->y - wanted.y) <= 0.5) return std::nullopt;
+    std::ostringstream words;
+    words << what << ": found at pixel " << found->x << ' ' << found->y << ", wanted pixel " << wanted.x << ' '
+          << wanted.y;
+    return words.str();
+}
+
+// B at (2, 4), or B at pixel 302 609
 Complaint node(const Application& application, std::string_view text)
 {
     const std::vector<std::string> words = words_of(text);
     const femoop::Model& model = application.session().model();
     const auto id = words.empty() ? std::nullopt : model.find_node(words[0]);
     if (!id) return "node: found no node \"" + (words.empty() ? "" : words[0]) + "\" in the model";
-    const auto wanted = words.size() >= 3 && words[1] == "at" ? point_in(joined(words, 2)) : std::nullopt;
-    if (!wanted) return "node: wanted NAME at (X, Y)";
-    constexpr double tolerance = 1e-3; // places are written with few digits
+    const std::string place_words = words.size() >= 3 && words[1] == "at" ? joined(words, 2) : "";
     const Eigen::Vector3d found = shape_of(model)[*id];
+    if (const auto pixel = ui::pixel_place(place_words))
+        return at_pixel("node " + words[0], application.canvas().in_window(found), *pixel);
+    const auto wanted = point_in(place_words);
+    if (!wanted) return "node: wanted NAME at (X, Y) or NAME at pixel X Y";
+    constexpr double tolerance = 1e-3; // places are written with few digits
     if ((found - *wanted).norm() <= tolerance) return std::nullopt;
     std::ostringstream place;
     place << '(' << found.x() << ", " << found.y();
@@ -105,6 +121,14 @@ std::size_t n_loads(const femoop::Model& model)
     return n;
 }
 
+std::string blank_in(const Session& session)
+{
+    std::string names;
+    for (const BlankCase& one : session.solution().blank)
+        names += (names.empty() ? "" : ", ") + session.model().case_name(one.id);
+    return names.empty() ? "nothing" : names;
+}
+
 /// One word that stands for something of the app.
 struct Fact {
     std::string_view name;
@@ -121,6 +145,8 @@ constexpr std::array facts{
     Fact{"selection", [](const Application& a) { return selection_text(a.session()); }},
     Fact{"case", [](const Application& a) { return a.session().model().case_name(a.session().view.load_case); }},
     Fact{"problems", [](const Application& a) { return std::to_string(a.session().solution().faults.size()); }},
+    Fact{"blank", [](const Application& a) { return blank_in(a.session()); }},
+    Fact{"cell", [](const Application& a) { return a.tables().cell(a.desk()).value_or("nothing"); }},
     Fact{"notice",
          [](const Application& a) {
              const auto& notice = a.session().notice;

@@ -1,9 +1,6 @@
 #include "apps/frame/window/export.h"
 
-#include <algorithm>
-#include <cctype>
 #include <stdexcept>
-#include <string>
 #include <system_error>
 
 #include "apps/frame/report/report.h"
@@ -11,6 +8,7 @@
 #include "femoop/io/results/results_csv.h"
 #include "femoop/io/whole_file.h"
 #include "ui/context/write_picture.h"
+#include "ui/files/ending.h"
 #include "ui/paint/surface/pdf.h"
 #include "ui/report/html.h"
 #include "ui/report/pages.h"
@@ -20,12 +18,6 @@ namespace frame {
 using ui::translatable;
 
 namespace {
-
-std::string in_small_letters(std::string text)
-{
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 ui::PictureLook picture_look(const Session& session, double png_scale)
 {
@@ -43,17 +35,13 @@ public:
 
     std::optional<ui::Phrase> write(const ui::Picture& picture, double png_scale)
     {
-        const std::string name = in_small_letters(path_.filename().string());
-        if (name.ends_with(".report.pdf")) write_pdf(path_, ui::report_pages(report(), fonts_), fonts_, pdf_look());
-        else if (name.ends_with(".pdf") || name.ends_with(".svg") || name.ends_with(".png"))
-            return write_picture(path_, picture, fonts_, picture_look(session_, png_scale));
-        else if (name.ends_with(".html")) return text(ui::report_html(report(), fonts_));
-        else if (name.ends_with(".txt")) return text(session_.in_words());
-        else if (name.ends_with(".csv")) return results();
-        else
-            return ui::Phrase(
-                translatable("{file} was not written: wanted .png, .svg, .pdf, .report.pdf, .html, .csv or .txt"),
-                {{"file", path_.filename().string()}});
+        if (const auto reason = ui::why_not_ending(path_, export_endings())) return reason;
+        const auto is_a = [this](std::string_view ending) { return ui::has_ending(path_, ending); };
+        if (is_a(".report.pdf")) write_pdf(path_, ui::report_pages(report(), fonts_), fonts_, pdf_look());
+        else if (is_a(".html")) return text(ui::report_html(report(), fonts_));
+        else if (is_a(".txt")) return text(session_.in_words());
+        else if (is_a(".csv")) return results();
+        else return write_picture(path_, picture, fonts_, picture_look(session_, png_scale));
         return std::nullopt;
     }
 
@@ -61,7 +49,7 @@ private:
     ui::PdfLook pdf_look() const { return {.background = ui::rgb(0xFFFFFF), .title = session_.model().title}; }
     ui::Report report() const
     {
-        ViewOptions view = session_.view;
+        ViewOptions view = session_.results_view();
         view.dimensions = session_.document().companion.dimensions;
         const auto about = session_.hidden ? ReportAbout::Data : ReportAbout::Everything;
         return make_report(session_.model(), session_.solution(),
@@ -70,14 +58,13 @@ private:
 
     std::optional<ui::Phrase> results() const
     {
-        if (const auto reason = session_.why_no_results()) return reason;
-        const auto& results = session_.solution().results;
+        const std::optional<femoop::Results> results = session_.told_results();
+        if (!results) return session_.why_no_results();
         if (session_.view.is_envelope)
-            return text(long_envelope_csv(session_.model(), *results, envelope_cases(session_.model(), session_.view),
+            return text(long_envelope_csv(session_.model(), *results,
+                                          envelope_cases(session_.model(), session_.results_view()),
                                           femoop::usual_n_stations));
-        std::vector<femoop::CaseId> cases;
-        for (std::size_t i = 0; i < results->n_cases(); ++i) cases.emplace_back(i);
-        return text(long_csv(session_.model(), *results, cases, femoop::usual_n_stations));
+        return text(long_csv(session_.model(), *results, session_.solution().solved_cases(), femoop::usual_n_stations));
     }
 
     std::optional<ui::Phrase> text(const std::string& content) const
@@ -94,6 +81,8 @@ private:
 };
 
 } // namespace
+
+std::vector<std::string> export_endings() { return {".png", ".svg", ".pdf", ".report.pdf", ".html", ".csv", ".txt"}; }
 
 std::optional<ui::Phrase> copy_to_clipboard(const ui::Picture& picture, const Session& session, const ui::Fonts& fonts,
                                             double png_scale)

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "apps/frame/tools/grid.h"
+#include "apps/frame/view/geometry/structure_shape.h"
 #include "apps/frame/view/sketch/scene.h"
 #include "apps/frame/window/aim.h"
 #include "ui/text/number_format.h"
@@ -17,16 +18,28 @@ using ui::Role;
 
 namespace {
 
+ui::TextStyle note_style(const ui::Theme& theme, ui::Anchor anchor)
+{
+    ui::TextStyle style = theme.text(Role::Label, anchor);
+    style.weight = ui::Weight::Bold;
+    style.plate = theme.background();
+    return style;
+}
+
+std::string typed_so_far(const Hand& hand) { return hand.typed() + "▏"; }
+
 class HandPicture {
 public:
     HandPicture(ui::Painter& painter, const Session& session, const Projection& projection, const ui::Theme& theme)
         : painter_(painter), projection_(projection), theme_(theme), units_(session.units())
     {}
 
-    void grid()
+    /// Every line of it, or every tenth, hundredth ... where they would lie too near.
+    void grid(double step)
     {
+        constexpr double nearest = 6.0; // [px]
         const ui::LayerScope layer(painter_, ui::Layer::Grid);
-        const double step = grid_of(projection_);
+        while (step * projection_.scale() < nearest) step *= 10.0;
         const auto least = place_in_plane(projection_, {0.0, painter_.size().height});
         const auto most = place_in_plane(projection_, {painter_.size().width, 0.0});
         if (!least || !most || !projection_.is_plane()) return;
@@ -36,13 +49,33 @@ public:
             for (const double y : rows) painter_.rectangle(dot(at({x, y})), ink);
     }
 
-    void glyph(const Snap& snap)
+    /// Of the working plane in space: its lines as far as the structure goes.
+    void grid_in_space(const WorkingPlane& plane, const std::vector<Eigen::Vector3d>& nodes)
     {
-        const Point p = at(snap.place);
+        const ui::LayerScope layer(painter_, ui::Layer::Grid);
+        Vector2d least(0.0, 0.0), most(8.0, 8.0);
+        if (!nodes.empty()) least = most = plane.in_plane(nodes.front());
+        for (const Eigen::Vector3d& node : nodes) {
+            least = least.cwiseMin(plane.in_plane(node));
+            most = most.cwiseMax(plane.in_plane(node));
+        }
+        const double step = grid_of(projection_);
+        least.array() = ((least.array() / step).floor() - 2.0) * step;
+        most.array() = ((most.array() / step).ceil() + 2.0) * step;
+        const ui::Stroke line{.color = ui::with_opacity(theme_[Role::FaintLabel].text, 0.35), .width = 0.75};
+        const auto place = [&](double u, double v) { return projection_(plane.in_space({u, v})); };
+        for (const double u : multiples_between(least.x(), most.x(), step))
+            painter_.line(place(u, least.y()), place(u, most.y()), line);
+        for (const double v : multiples_between(least.y(), most.y(), step))
+            painter_.line(place(least.x(), v), place(most.x(), v), line);
+    }
+
+    void glyph(Point p, SnapKind kind)
+    {
         const double r = 6.0 * theme_.symbol_scale();
         const ui::Stroke stroke = theme_.stroke(Role::Member);
         const ui::Stroke line{.color = stroke.color, .width = 2.0};
-        switch (snap.kind) {
+        switch (kind) {
         case SnapKind::Node:
             painter_.polyline({p + Point{-r, -r}, p + Point{r, -r}, p + Point{r, r}, p + Point{-r, r}}, line,
                               ui::PathEnds::Closed);
@@ -67,14 +100,17 @@ public:
         }
     }
 
-    void line(const Vector2d& start, const Vector2d& end)
+    /// Its length beside its end, and in the plane its angle.
+    void line(const Eigen::Vector3d& start, const Eigen::Vector3d& end, bool is_in_space)
     {
         const ui::Stroke stroke{.color = theme_.stroke(Role::Selection).color, .width = 2.5, .dash = {8.0, 5.0}};
-        painter_.line(at(start), at(end), stroke);
-        const Vector2d arm = end - start;
+        painter_.line(projection_(start), projection_(end), stroke);
+        const Eigen::Vector3d arm = end - start;
         if (arm.norm() == 0.0) return;
-        note(at(end), units_.text(arm.norm(), ui::Measure::Length) + "   " +
-                          with_minus(ui::number_text(direction_of(arm), units_.format())) + "°");
+        std::string text = units_.text(arm.norm(), ui::Measure::Length);
+        if (!is_in_space)
+            text += "   " + with_minus(ui::number_text(direction_of(arm.head<2>()), units_.format())) + "°";
+        note(projection_(end), text);
     }
 
     /// Members that are carried, and as a point a node.
@@ -132,13 +168,22 @@ public:
     /// A text beside a place, on a plate: at its right hand, at its left where the sheet ends.
     void note(Point beside, const std::string& text)
     {
-        ui::TextStyle style = theme_.text(Role::Label, ui::Anchor::BottomLeft);
-        style.weight = ui::Weight::Bold;
-        style.plate = theme_.background();
+        ui::TextStyle style = note_style(theme_, ui::Anchor::BottomLeft);
         constexpr double away = 14.0; // [px]
         const bool has_room = beside.x + 2.0 * away + painter_.measure(text, style).width < painter_.size().width;
         if (!has_room) style.anchor = ui::Anchor::BottomRight;
-        painter_.text(beside + Point{has_room ? away : -away, -away}, text, style);
+        const double y = std::min(beside.y, painter_.size().height) - away;
+        painter_.text({beside.x + (has_room ? away : -away), y}, text, style);
+    }
+
+    /// The coordinates that are meant, below the pointer.
+    void coordinates(const Eigen::Vector3d& place)
+    {
+        std::string text;
+        for (const Eigen::Index i : {0, 1, 2})
+            text += (i > 0 ? "; " : "(") +
+                    with_minus(ui::number_text(units_.shown(place[i], ui::Measure::Length), units_.format()));
+        note(projection_(place) + Point{0.0, 40.0}, text + ") " + units_.unit(ui::Measure::Length).name);
     }
 
     Point at(const Vector2d& place) const { return projection_({place.x(), place.y(), 0.0}); }
@@ -163,10 +208,14 @@ void draw_hand(ui::Painter& painter, const Session& session, const Hand& hand, c
                const ui::Theme& theme)
 {
     HandPicture picture(painter, session, projection, theme);
-    if (hand.can_type()) picture.grid();
+    const bool is_in_space = femoop::is_3d(session.model().analysis);
+    if (hand.can_type() && hand.settings().draws_to_grid) {
+        if (is_in_space) picture.grid_in_space(hand.settings().plane, shape_of(session.model()).nodes);
+        else picture.grid(hand.settings().grid);
+    }
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
     const Preview preview = hand.tool().preview();
-    for (const auto& [start, end] : preview.lines) picture.line(start, end);
+    for (const auto& [start, end] : preview.lines) picture.line(start, end, is_in_space);
     for (const Preview::Carried& part : preview.carried) picture.carried(part);
     for (const Preview::Carried& part : preview.carried) picture.name(part, session.view.show);
     picture.stroke(preview.stroke);
@@ -174,8 +223,18 @@ void draw_hand(ui::Painter& painter, const Session& session, const Hand& hand, c
     if (dimension) picture.dimension(*dimension);
     if (preview.window) picture.window(preview.window->first, preview.window->second);
     const bool is_placing = (hand.can_type() && hand.tool().snaps()) || !hand.tool().moving().empty();
-    if (is_placing) picture.glyph(hand.aim().snap);
-    if (!hand.typed().empty()) picture.note(picture.at(hand.aim().snap.place) + Point{0.0, 40.0}, hand.typed() + "▏");
+    const Aim& aim = hand.aim();
+    const Point meant = projection(aim.place());
+    if (is_placing && !aim.is_lost) picture.glyph(meant, aim.snap.kind);
+    if (!hand.typed().empty()) picture.note(meant + Point{0.0, 40.0}, typed_so_far(hand));
+    else if (is_in_space && is_placing && !aim.is_lost) picture.coordinates(aim.place());
+}
+
+void draw_typed(ui::Painter& painter, const Hand& hand, const ui::Theme& theme)
+{
+    const ui::LayerScope layer(painter, ui::Layer::Overlay);
+    const ui::Size sheet = painter.size();
+    painter.text({0.5 * sheet.width, sheet.height - 16.0}, typed_so_far(hand), note_style(theme, ui::Anchor::Bottom));
 }
 
 } // namespace frame

@@ -12,5 +12,7 @@ namespace frame {
 /// line with its length and angle, the window of a selection, what is typed.
 void draw_hand(ui::Painter& painter, const Session& session, const Hand& hand, const Projection& projection,
                const ui::Theme& theme);
+/// What is typed alone, in the middle of the picture's foot: while the pointer is elsewhere.
+void draw_typed(ui::Painter& painter, const Hand& hand, const ui::Theme& theme);
 
 } // namespace frame

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "apps/frame/document/fault/sentence.h"
 #include "ui/text/number_format.h"
 #include "ui/widgets/wrapped_text.h"
 
@@ -51,7 +52,7 @@ std::string exact_text(const std::optional<femoop::Quantity>& value, ui::Measure
 
 std::string reason(const femoop::Fault& fault, const ui::Catalogue& tr)
 {
-    std::string text = femoop::message(fault, tr);
+    std::string text = sentence(fault, tr);
     if (text.starts_with(": ")) text.erase(0, 2); // the place, which the field itself shows
     return text;
 }

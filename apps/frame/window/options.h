@@ -5,13 +5,11 @@
 
 #include "apps/frame/document/companion/show.h"
 #include "ui/app/app_options.h"
-#include "ui/text/display_units.h"
 
 namespace frame {
 
 /// What the command line asks for.
 struct Options : ui::AppOptions { ///< files: one at most without a screen
-    std::optional<ui::UnitSystem> units;
     std::optional<ShowSet> show;
     std::optional<std::string> load_case;
 };

@@ -1,4 +1,7 @@
 #include "apps/frame/window/parts_list.h"
+
+#include "apps/frame/document/load_cases.h"
+#include "apps/frame/session/case_commands.h"
 #include "ui/widgets/item_label.h"
 
 #include <imgui.h>
@@ -14,6 +17,13 @@ using ui::translatable;
 
 namespace {
 
+// A case that is chosen is shown too.
+void select(Session& session, const Part& part)
+{
+    session.selection = part;
+    if (const auto id = case_id_of(session.model(), part)) show_case(session, *id);
+}
+
 void show_list(Desk& desk, std::string_view heading, const std::vector<Part>& list)
 {
     const ui::Catalogue& tr = desk.session.view.tr;
@@ -26,7 +36,7 @@ void show_list(Desk& desk, std::string_view heading, const std::vector<Part>& li
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const Part& part = list[static_cast<std::size_t>(i)];
             const std::string name = ui::item_label(tr(title(desk.session.model(), part)), std::to_string(i));
-            if (ImGui::Selectable(name.c_str())) desk.session.selection = part;
+            if (ImGui::Selectable(name.c_str())) select(desk.session, part);
         }
     }
     ImGui::PopID();
@@ -43,8 +53,9 @@ template <class... Types> std::vector<Part> of_type(const std::vector<Part>& all
 
 } // namespace
 
-void parts_list(Desk& desk, PropertySets& sets)
+void parts_list(Desk& desk, PropertySets& sets, TitleRows& title)
 {
+    title.show(desk);
     const std::vector<Part> all = parts(desk.session.model());
     ImGui::TextWrapped("%s", desk.session.view.tr("Click a part in the picture or in this list to change it.").c_str());
     ImGui::Spacing();

@@ -2,10 +2,11 @@
 
 #include "apps/frame/session/commands.h"
 #include "apps/frame/window/property_sets.h"
+#include "apps/frame/window/title_rows.h"
 
 namespace frame {
 
-/// All parts of the model by their kinds; a click selects one.
-void parts_list(Desk& desk, PropertySets& sets);
+/// What the whole model has, and all its parts by their kinds; a click selects one.
+void parts_list(Desk& desk, PropertySets& sets, TitleRows& title);
 
 } // namespace frame

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "apps/frame/document/dimensioning.h"
+#include "apps/frame/session/load_commands.h"
 #include "apps/frame/window/choices.h"
+#include "apps/frame/window/context_menu.h"
 #include "apps/frame/window/number_row.h"
 #include "apps/frame/window/parts_list.h"
 #include "ui/widgets/item_label.h"
@@ -60,9 +62,15 @@ void show_loads_on(Desk& desk, ui::NumberFields& fields, const Part& part)
     }
 }
 
-// From a member to its material and section, so that their numbers are one click away.
+// From a member to its material and section and from a load to what bears it, so that their numbers are one click away.
 void show_ways_on(Session& session, const Part& part)
 {
+    if (has(session.model(), part) && is_load(part)) {
+        const Part bearer = bearer_of(session.model(), part);
+        ImGui::Spacing();
+        if (ImGui::Button(ui::item_label(session.view.tr(title(session.model(), bearer)), "bearer").c_str()))
+            session.selection = bearer;
+    }
     const auto* const id = std::get_if<MemberId>(&part);
     if (id == nullptr) return;
     const Member member = session.model()[*id];
@@ -75,17 +83,19 @@ void show_ways_on(Session& session, const Part& part)
         session.selection = Part(*member.material);
 }
 
-void show_one(Desk& desk, ui::NumberFields& fields, PropertySets& sets, const Part& part)
+void show_one(Desk& desk, const CommandTable& commands, const PropertyFields& fields, const Part& part)
 {
     Session& session = desk.session;
     const ui::Catalogue& tr = session.view.tr;
     ImGui::TextUnformatted(tr(title(session.document(), part)).c_str());
     ImGui::Separator();
-    sets.show(desk, part);
-    if (session.selection.only() != part) return; // the panel shows what it was before
-    show_parts(desk, fields, std::array{part});
+    fields.sets.show(desk, part);
+    if (session.selection.only() != part || !has(session.document(), part))
+        return; // the panel shows what it was before
+    show_parts(desk, fields.numbers, std::array{part});
     show_ways_on(session, part);
-    if (has(session.model(), part)) show_loads_on(desk, fields, part);
+    if (session.selection.only() == part && has(session.model(), part)) show_loads_on(desk, fields.numbers, part);
+    add_load_button(desk, commands);
 }
 
 std::string_view heading_of(const Part& part)
@@ -96,7 +106,7 @@ std::string_view heading_of(const Part& part)
 }
 
 // Parts of one kind are shown and changed together.
-void show_many(Desk& desk, ui::NumberFields& fields)
+void show_many(Desk& desk, const CommandTable& commands, ui::NumberFields& fields)
 {
     const ui::Catalogue& tr = desk.session.view.tr;
     ImGui::TextUnformatted(tr("Selected: {count}", {{"count", std::to_string(desk.session.selection.size())}}).c_str());
@@ -110,15 +120,16 @@ void show_many(Desk& desk, ui::NumberFields& fields)
             show_parts(desk, fields, parts);
         ImGui::PopID();
     }
+    add_load_button(desk, commands);
 }
 
 } // namespace
 
-void properties_panel(Desk& desk, ui::NumberFields& fields, PropertySets& sets)
+void properties_panel(Desk& desk, const CommandTable& commands, const PropertyFields& fields)
 {
     Selection& selection = desk.session.selection;
     if (selection.is_empty()) {
-        parts_list(desk, sets);
+        parts_list(desk, fields.sets, fields.title);
         return;
     }
     if (ImGui::SmallButton((desk.session.view.tr("All parts") + "###all").c_str())) {
@@ -126,8 +137,8 @@ void properties_panel(Desk& desk, ui::NumberFields& fields, PropertySets& sets)
         return;
     }
     ImGui::SameLine();
-    if (const std::optional<Part> only = selection.only()) show_one(desk, fields, sets, *only);
-    else show_many(desk, fields);
+    if (const std::optional<Part> only = selection.only()) show_one(desk, commands, fields, *only);
+    else show_many(desk, commands, fields.numbers);
 }
 
 } // namespace frame

@@ -3,6 +3,9 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <array>
+
+#include "apps/frame/document/drawing.h"
 #include "apps/frame/document/section_command.h"
 #include "apps/frame/session/property_commands.h"
 #include "ui/widgets/wrapped_text.h"
@@ -16,6 +19,11 @@ namespace {
 bool is_property(const Part& part)
 {
     return std::holds_alternative<femoop::MaterialId>(part) || std::holds_alternative<femoop::SectionId>(part);
+}
+
+bool is_case(const Part& part)
+{
+    return std::holds_alternative<LoadCasePlace>(part) || std::holds_alternative<CombinationPlace>(part);
 }
 
 std::size_t n_users(const femoop::Model& model, const Part& part)
@@ -38,8 +46,22 @@ bool button(const Desk& desk, std::string_view words, bool is_first = false)
 
 } // namespace
 
+void PropertySets::show_case(Desk& desk, const Part& part)
+{
+    show_name(desk, part);
+    const bool duplicates = button(desk, translatable("Duplicate"), true);
+    const bool deletes = button(desk, translatable("Delete"));
+    ImGui::Spacing();
+    Session& session = desk.session;
+    if (duplicates) duplicate(session, part);
+    if (deletes)
+        session.change({{translatable("Delete: {part}"), {{"part", title(session.model(), part)}}},
+                        [&](Document& document) { remove(document, std::array{part}); }});
+}
+
 void PropertySets::show(Desk& desk, const Part& part)
 {
+    if (is_case(part)) return show_case(desk, part);
     if (!is_property(part)) return;
     show_name(desk, part);
     Session& session = desk.session;

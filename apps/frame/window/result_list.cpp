@@ -23,9 +23,9 @@ void result_list(const char* id, const std::vector<std::string>& headings, std::
 {
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_ScrollX |
                                       ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit;
-    const float line = ImGui::GetTextLineHeightWithSpacing() + 2.0F * ImGui::GetStyle().CellPadding.y;
-    const float height = std::min(static_cast<float>(n_rows + 1) * line, 12.0F * line) +
-                         ImGui::GetStyle().ScrollbarSize;
+    const float line = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
+    float& bar = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID(id)); // where the table was too wide
+    const float height = std::min(static_cast<float>(n_rows + 1) * line, 12.0F * line) + bar + 2.0F;
     if (!ImGui::BeginTable(id, static_cast<int>(headings.size()), flags, {0.0F, height})) return;
     ImGui::TableSetupScrollFreeze(1, 1);
     for (const std::string& heading : headings) ImGui::TableSetupColumn(heading.c_str());
@@ -41,6 +41,7 @@ void result_list(const char* id, const std::vector<std::string>& headings, std::
             ImGui::PopID();
         }
     }
+    bar = ImGui::GetScrollMaxX() > 0.0F ? ImGui::GetStyle().ScrollbarSize : 0.0F;
     ImGui::EndTable();
 }
 

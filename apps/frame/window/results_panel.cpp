@@ -3,13 +3,16 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 #include <string>
 #include <vector>
 
+#include "apps/frame/document/fault/sentence.h"
 #include "apps/frame/document/measures.h"
+#include "apps/frame/session/fault_target.h"
 #include "apps/frame/view/results/case_numbers.h"
 #include "apps/frame/view/results/diagram.h"
-#include "apps/frame/view/results/mechanism_picture.h"
 #include "apps/frame/window/envelope_panel.h"
 #include "apps/frame/window/no_results.h"
 #include "apps/frame/window/result_list.h"
@@ -65,15 +68,32 @@ void reactions(const ShownCase& shown)
     });
 }
 
-// How many columns of numbers find room beside names of members.
-int n_number_columns(const Model& model)
+float width_of(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
+
+/// The section force at the two ends of a member, its largest value and its smallest.
+std::array<std::string, 4> force_texts(const ShownCase& shown, MemberComponent component, std::size_t member)
 {
-    float names = 0.0F;
-    for (const Member& member : model.members) names = std::max(names, ImGui::CalcTextSize(member.id.c_str()).x);
-    const float pad = 2.0F * ImGui::GetStyle().CellPadding.x;
-    const float number = ImGui::CalcTextSize("−00.00").x + pad;
-    const float room = ImGui::GetContentRegionAvail().x - std::max(names, 4.0F * ImGui::GetFontSize()) - pad;
-    return static_cast<int>(room / number);
+    const Curve curve = shown.result.curve(MemberId(member));
+    const Extremes extremes = curve.extremes(component);
+    const auto text = [&](double value) { return shown.numbers.number(value, measure_of(component)); };
+    return {text(curve.value(component, 0.0)), text(curve.value(component, curve.length(), Side::Before)),
+            text(extremes.max.value), text(extremes.min.value)};
+}
+
+/// Whether the panel is broad enough for all four beside the members' names; of many the first ones tell.
+bool have_room(const ShownCase& shown, MemberComponent component, const std::vector<std::string>& headings)
+{
+    constexpr std::size_t most_measured = 12;
+    std::array<float, 5> widths{};
+    for (std::size_t j = 0; j < widths.size(); ++j) widths[j] = width_of(headings[j]);
+    for (std::size_t i = 0; i < std::min(shown.model().members.size(), most_measured); ++i) {
+        widths[0] = std::max(widths[0], width_of(shown.model().members[i].id));
+        const auto texts = force_texts(shown, component, i);
+        for (std::size_t j = 0; j < texts.size(); ++j) widths[j + 1] = std::max(widths[j + 1], width_of(texts[j]));
+    }
+    const float pads = 2.0F * ImGui::GetStyle().CellPadding.x * static_cast<float>(widths.size());
+    const float bar = shown.model().members.size() + 1 > most_measured ? ImGui::GetStyle().ScrollbarSize : 0.0F;
+    return std::accumulate(widths.begin(), widths.end(), pads + bar) <= ImGui::GetContentRegionAvail().x;
 }
 
 // For each member its largest and its smallest value of one section force, and where there is room those at its ends;
@@ -81,19 +101,13 @@ int n_number_columns(const Model& model)
 void member_forces(const ShownCase& shown, MemberComponent component, const std::string& id)
 {
     const ui::Catalogue& tr = shown.tr();
-    const bool has_ends = n_number_columns(shown.model()) >= 4;
-    std::vector<std::string> headings{tr("Member")};
-    if (has_ends) headings.insert(headings.end(), {tr("start"), tr("end")});
-    headings.insert(headings.end(), {tr("max"), tr("min")});
+    std::vector<std::string> headings{tr("Member"), tr("start"), tr("end"), tr("max"), tr("min")};
+    const bool has_ends = have_room(shown, component, headings);
+    if (!has_ends) headings.erase(headings.begin() + 1, headings.begin() + 3);
     result_list(id.c_str(), headings, shown.model().members.size(), [&](std::size_t i) {
         part_cell(shown.session, MemberId(i), shown.model().members[i].id);
-        const Curve curve = shown.result.curve(MemberId(i));
-        const Extremes extremes = curve.extremes(component);
-        const auto value = [&](double v) { number_cell(shown.numbers.number(v, measure_of(component))); };
-        if (has_ends) value(curve.value(component, 0.0));
-        if (has_ends) value(curve.value(component, curve.length(), Side::Before));
-        value(extremes.max.value);
-        value(extremes.min.value);
+        const auto texts = force_texts(shown, component, i);
+        for (std::size_t j = has_ends ? 0 : 2; j < texts.size(); ++j) number_cell(texts[j]);
     });
 }
 
@@ -144,20 +158,39 @@ void results_panel(Desk& desk)
     if (result_section(tr("Equilibrium"), "equilibrium")) show_equilibrium(shown);
 }
 
+namespace {
+
+/// A problem as a button of the panel's width. \returns whether it is clicked
+bool problem_button(const Fault& fault, const ui::Catalogue& tr)
+{
+    const bool is_error = severity(fault.kind) == Severity::Error;
+    const std::string words = (is_error ? tr("Error") : tr("Warning")) + "\n" + sentence(fault, tr);
+    const ImVec2 corner = ImGui::GetCursorPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const ImVec2 size = ImGui::CalcTextSize(words.c_str(), nullptr, false, width);
+    const bool is_clicked = ImGui::Selectable("###go", false, ImGuiSelectableFlags_None, {width, size.y});
+    ImGui::SetCursorPos(corner);
+    ui::wrapped_text(words);
+    ImGui::Separator();
+    return is_clicked;
+}
+
+} // namespace
+
 void problems_panel(Desk& desk)
 {
     Session& session = desk.session;
     const ui::Catalogue& tr = session.view.tr;
-    const Solution& solution = session.solution();
-    if (solution.faults.empty()) ui::wrapped_text(tr("Nothing is wrong with the model."));
-    for (std::size_t i = 0; i < solution.faults.size(); ++i) {
-        const Fault& fault = solution.faults[i];
-        const bool is_error = severity(fault.kind) == Severity::Error;
-        ImGui::TextUnformatted((is_error ? tr("Error") : tr("Warning")).c_str());
-        ui::wrapped_text(sentence(fault, tr));
-        ImGui::Separator();
+    const std::vector<Fault>& faults = session.solution().faults;
+    if (faults.empty()) ui::wrapped_text(tr("Nothing is wrong with the model."));
+    else ImGui::TextDisabled("%s", tr("A click goes to the place.").c_str());
+    for (std::size_t i = 0; i < faults.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (problem_button(faults[i], tr)) go_to(desk, faults[i]);
+        ImGui::PopID();
     }
-    for (std::size_t i = 0; i < solution.mechanisms.size() && solution.mechanisms.size() > 1; ++i) {
+    const std::size_t n_mechanisms = session.shown_mechanisms().size();
+    for (std::size_t i = 0; i < n_mechanisms && n_mechanisms > 1; ++i) {
         const std::string label = tr("Mechanism {number}", {{"number", std::to_string(i + 1)}});
         if (ImGui::RadioButton(label.c_str(), session.mechanism == i)) session.mechanism = i;
     }

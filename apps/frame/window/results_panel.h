@@ -7,7 +7,7 @@ namespace frame {
 /// Tables of displacements, reactions and section forces of the case that is shown; a row that is clicked is selected.
 void results_panel(Desk& desk);
 
-/// Errors, warnings and mechanisms, each a sentence.
+/// Errors, warnings and mechanisms, each a sentence; a click goes to its place.
 void problems_panel(Desk& desk);
 
 /// The steps of the history; a click jumps there.

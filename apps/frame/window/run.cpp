@@ -4,14 +4,14 @@
 #include <memory>
 
 #include "apps/frame/session/session.h"
-#include "apps/frame/view/results/mechanism_picture.h"
 #include "apps/frame/window/application.h"
 #include "apps/frame/window/stage.h"
 #include "femoop/io/whole_file.h"
-#include "femoop/result/describe.h"
+#include "ui/app/run_app.h"
 #include "ui/app/window_loop.h"
 #include "ui/context/start_program.h"
 #include "ui/context/window.h"
+#include "ui/text/printable.h"
 
 namespace frame {
 
@@ -23,20 +23,21 @@ enum ExitStatus : int { Done = 0, BadInput = 2 };
 Session begin(const Options& options)
 {
     Session session(starting_document());
-    session.set_language(options.language);
-    session.view.theme = options.theme;
+    session.set_language(*options.settings.language);
+    session.view.theme = *options.settings.theme;
     session.view.layout = Layout::Overlay;
-    if (!options.files.empty()) session.open(options.files.front());
+    if (!options.files.empty() && options.files.front() == "-") session.recover("/dev/stdin", std::nullopt);
+    else if (!options.files.empty()) session.open(options.files.front());
     const bool is_truss = femoop::is_truss(session.model().analysis); // M says nothing there
     session.view.show = options.show.value_or(shown_by_default | ShowSet{is_truss ? Show::N : Show::M});
-    session.view.units = options.units;
+    session.view.units = options.settings.units;
     return session;
 }
 
 void print(const Notice& notice, const ui::Catalogue& tr)
 {
-    std::cerr << "frame: " << tr(notice.sentence) << '\n';
-    for (const femoop::Fault& fault : notice.faults) std::cerr << sentence(fault, tr) << '\n';
+    std::cerr << "frame: " << ui::printable(tr(notice.sentence)) << '\n';
+    for (const femoop::Fault& fault : notice.faults) std::cerr << ui::printable(femoop::message(fault, tr)) << '\n';
 }
 
 // Puts the case of the options into the session; false, with a sentence on stderr, if there is none of that name.
@@ -51,8 +52,8 @@ bool choose_case(Session& session, const Options& options)
     for (std::size_t i = 0; i < session.model().n_cases(); ++i)
         names += (i > 0 ? ", " : "") + session.model().case_name(femoop::CaseId(i));
     std::cerr << "frame: "
-              << session.view.tr("no load case or combination \"{case}\"; there are: {names}",
-                                 {{"case", *options.load_case}, {"names", names}})
+              << ui::printable(session.view.tr("no load case or combination \"{case}\"; there are: {names}",
+                                               {{"case", *options.load_case}, {"names", names}}))
               << '\n';
     return false;
 }
@@ -65,21 +66,23 @@ ui::MakeApp app_with(const Session& session)
 }
 
 // The same, which remembers files and unsaved work from one time to the next.
-ui::MakeApp remembering_app_with(const Session& session)
+ui::MakeApp remembering_app_with(const Session& session, const Options& options,
+                                 const std::optional<ui::DraftFolder>& folder)
 {
-    return [session](ui::Context& context, const ui::Fonts& fonts) {
+    return [session, options, folder](ui::Context& context, const ui::Fonts& fonts) {
         auto application = std::make_unique<Application>(context, fonts, session);
         application->start_programs_by([](const ui::Handover& handover) { return ui::start_program(handover); });
-        if (const auto folder = ui::draft_folder("frame", ".json", femoop::write_whole_file))
-            application->remember_in(*folder);
+        ui::remember(*application, options, folder);
         return application;
     };
 }
 
 } // namespace
 
-int run(const Options& options)
+int run(Options options)
 {
+    const auto folder = ui::draft_folder("frame", ".json", femoop::write_whole_file);
+    ui::complete(options, folder);
     Session session = begin(options);
     if (options.is_headless() && session.notice) {
         print(*session.notice, session.view.tr);
@@ -87,7 +90,7 @@ int run(const Options& options)
     }
     if (!choose_case(session, options)) return BadInput;
     if (options.describe) {
-        std::cout << femoop::describe(session.model(), session.solution().results, session.view.tr);
+        std::cout << ui::printable(session.in_words());
         return Done;
     }
     if (options.play) return ui::play_through<Application, OffscreenStage>(options, "frame", session, session.view.tr);
@@ -102,7 +105,7 @@ int run(const Options& options)
                   << '\n';
         return BadInput;
     }
-    ui::show_in_window(options, remembering_app_with(session));
+    ui::show_in_window(options, remembering_app_with(session, options, folder));
     return Done;
 }
 

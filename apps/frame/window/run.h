@@ -6,6 +6,6 @@ namespace frame {
 
 /// Runs the app as the options say: in a window, for one screenshot, or through a scenario. The exit status: 0 done,
 /// 1 a scenario did not go as it expects, 2 bad input or no display.
-int run(const Options& options);
+int run(Options options);
 
 } // namespace frame

@@ -143,22 +143,46 @@ void show_properties_of(const femoop::SectionProperties& s, const ui::DisplayUni
     ImGui::EndTable();
 }
 
-void show_buttons(Desk& desk, const ui::NumberFields& fields)
+} // namespace
+
+void SectionWindow::show_buttons(Desk& desk, const ui::NumberFields& fields) const
 {
     SectionDraft& draft = desk.section;
     const ui::Catalogue& tr = desk.session.view.tr;
     const auto is_pressed = [&](int key) { return !fields.is_typing() && ui::is_pressed_outside_fields(key); };
-    if (ImGui::Button("OK###accept") || is_pressed(ImGuiKey_Enter)) draft.accept(desk.session);
+    const std::optional<ui::Phrase> reason = why_not_accept(draft);
+    ImGui::BeginDisabled(reason.has_value());
+    const bool is_accepted = ImGui::Button("OK###accept") || (!reason && is_pressed(ImGuiKey_Enter));
+    ImGui::EndDisabled();
     ImGui::SameLine();
-    if (ImGui::Button((tr("Cancel") + "###cancel").c_str()) || is_pressed(ImGuiKey_Escape)) draft.cancel(desk.session);
+    const bool is_cancelled = ImGui::Button((tr("Cancel") + "###cancel").c_str()) || is_pressed(ImGuiKey_Escape);
+    if (reason) {
+        ImGui::SameLine();
+        ui::wrapped_text(tr(*reason));
+    }
+    if (is_accepted) draft.accept(desk.session);
+    else if (is_cancelled) draft.cancel(desk.session);
 }
 
-} // namespace
+std::optional<ui::Phrase> SectionWindow::why_not_accept(const SectionDraft& draft) const
+{
+    if (!lists_profiles(draft)) return std::nullopt;
+    const auto& chosen = draft.section().profile;
+    if (!chosen) return translatable("no profile is chosen; click one in the list, or a shape");
+    const std::vector<const femoop::Profile*> listed = listed_profiles();
+    if (std::ranges::find(listed, femoop::find_profile(*chosen)) != listed.end()) return std::nullopt;
+    return ui::Phrase(translatable("the list does not show {profile}, which is chosen; click one in the list"),
+                      {{"profile", *chosen}});
+}
 
 void SectionWindow::show(Desk& desk, ui::ImGuiSession& gui, ui::NumberFields& fields)
 {
     SectionDraft& draft = desk.section;
-    if (!draft.is_open()) is_listing_ = false;
+    if (!draft.is_open()) {
+        is_listing_ = false;
+        family_.reset();
+        filter_.clear();
+    }
     if (!window_.begin(draft.is_open(), "###section", desk.session.view.tr("Section"))) return;
     show_name(desk);
     show_target(desk);
@@ -234,24 +258,38 @@ void SectionWindow::show_families(Desk& desk)
         if (is_chosen) ImGui::PopStyleColor();
         if (!is_clicked) continue;
         family_ = is_chosen ? std::nullopt : std::optional(family);
+        filter_.clear();
         is_listing_ = true;
     }
+}
+
+std::vector<const femoop::Profile*> SectionWindow::listed_profiles() const
+{
+    const std::string wanted = plain(filter_);
+    std::vector<const femoop::Profile*> listed;
+    for (const femoop::Profile& profile : family_ ? femoop::profiles(*family_) : femoop::profiles())
+        if (profile.name.find(wanted) != std::string_view::npos) listed.push_back(&profile);
+    return listed;
 }
 
 void SectionWindow::show_profiles(Desk& desk)
 {
     SectionDraft& draft = desk.section;
+    const ui::Catalogue& tr = desk.session.view.tr;
     ImGui::SetNextItemWidth(-1.0F);
-    ImGui::InputTextWithHint("###filter", desk.session.view.tr("Type a part of its name: 300").c_str(), &filter_);
+    ImGui::PushID(family_ ? static_cast<int>(*family_) : -1); // another family's field is another: it keeps no text
+    ImGui::InputTextWithHint("###filter", tr("Type a part of its name: 300").c_str(), &filter_,
+                             ImGuiInputTextFlags_AutoSelectAll);
+    ImGui::PopID();
     ImGui::BeginChild("###profiles", {0.0F, 4.0F * ImGui::GetTextLineHeightWithSpacing()}, true);
-    const std::string wanted = plain(filter_);
     const femoop::Profile* const chosen = draft.section().profile ? femoop::find_profile(*draft.section().profile)
                                                                   : nullptr;
-    for (const femoop::Profile& profile : family_ ? femoop::profiles(*family_) : femoop::profiles()) {
-        if (profile.name.find(wanted) == std::string_view::npos) continue;
-        const std::string label(profile.name);
-        if (ImGui::Selectable(label.c_str(), &profile == chosen)) draft.choose_profile(desk.session, profile.name);
-        if (&profile == chosen && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
+    const std::vector<const femoop::Profile*> listed = listed_profiles();
+    if (listed.empty()) ui::wrapped_text(tr("no profile has {text} in its name", {{"text", filter_}}));
+    for (const femoop::Profile* const profile : listed) {
+        const std::string label(profile->name);
+        if (ImGui::Selectable(label.c_str(), profile == chosen)) draft.choose_profile(desk.session, profile->name);
+        if (profile == chosen && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
     }
     ImGui::EndChild();
 }

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "apps/frame/session/commands.h"
 #include "femoop/section/profile.h"
@@ -27,7 +28,10 @@ private:
     void show_families(Desk& desk);
     void show_profiles(Desk& desk);
     void show_picture(Desk& desk, ui::ImGuiSession& gui, float height) const;
+    void show_buttons(Desk& desk, const ui::NumberFields& fields) const;
     bool lists_profiles(const SectionDraft& draft) const { return is_listing_ || draft.section().profile; }
+    std::vector<const femoop::Profile*> listed_profiles() const; ///< of the family, with the filter in their names
+    std::optional<ui::Phrase> why_not_accept(const SectionDraft& draft) const;
 
     const ui::Fonts& fonts_;
     ui::SideWindow window_;

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include "apps/frame/window/factor_slider.h"
 #include "ui/text/number_format.h"
-#include "ui/widgets/item_label.h"
 
 namespace frame {
 
@@ -20,26 +20,6 @@ void heading(const std::string& text)
     ImGui::Spacing();
     ImGui::TextDisabled("%s", text.c_str());
     ImGui::Separator();
-}
-
-void choose_case(Session& session)
-{
-    const femoop::Model& model = session.model();
-    if (model.n_cases() == 0) {
-        ImGui::TextWrapped("%s", session.view.tr("The model has no load case.").c_str());
-        return;
-    }
-    bool& is_envelope = session.view.is_envelope;
-    for (std::size_t i = 0; i < model.n_cases(); ++i) {
-        const bool is_combination = i >= model.load_cases.size();
-        const std::string& name = model.case_name(femoop::CaseId(i));
-        const std::string label = ui::item_label(
-            is_combination ? session.view.tr("{case} (combination)", {{"case", name}}) : name, std::to_string(i));
-        if (!ImGui::RadioButton(label.c_str(), !is_envelope && session.view.load_case == femoop::CaseId(i))) continue;
-        session.view.load_case = femoop::CaseId(i);
-        is_envelope = false;
-    }
-    if (model.n_cases() > 1 && ImGui::RadioButton(session.view.tr("Envelope").c_str(), is_envelope)) is_envelope = true;
 }
 
 void toggle(Desk& desk, const CommandTable& commands, Show item)
@@ -70,56 +50,51 @@ void named_value(const std::string& name, const std::string& value)
     ImGui::TextDisabled("%s", value.c_str());
 }
 
-// A slider over powers of ten; true while it moves.
-bool power_slider(const char* id, double& factor, float least, float most)
-{
-    float power = static_cast<float>(std::log10(factor));
-    ImGui::SetNextItemWidth(-1.0F);
-    if (!ImGui::SliderFloat(id, &power, least, most, "")) return false;
-    factor = std::pow(10.0, static_cast<double>(power));
-    return true;
-}
-
 void step_slider(Session& session)
 {
     constexpr int most = 20;
     named_value(session.view.tr("Steps of a member"), std::to_string(session.view.steps));
     ImGui::SetNextItemWidth(-1.0F);
-    ImGui::SliderInt("###steps", &session.view.steps, 2, most, "", ImGuiSliderFlags_AlwaysClamp);
+    ImGui::SliderInt("###steps", &session.view.steps, 2, most, "",
+                     ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
 }
 
-// A factor from a tenth to ten times the automatic size; a double click brings the automatic size back.
-void factor_slider(const std::string& name, const char* id, double& factor, const ui::NumberFormat& format)
+double with_two_digits(double x)
 {
-    named_value(name, "× " + ui::number_text(factor, format));
-    power_slider(id, factor, -1.0F, 1.0F);
-    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) factor = 1.0;
+    const double decade = std::pow(10.0, std::floor(std::log10(x)) - 1.0);
+    return std::round(x / decade) * decade;
 }
 
-void deformation_slider(Session& session, const ui::NumberFormat& format)
+void deformation_slider(Session& session, const FactorLook& look)
 {
+    constexpr double usual = 100.0;
     std::optional<double>& scale = session.view.deformation_scale;
-    const ui::Catalogue& tr = session.view.tr;
-    named_value(tr("Deformed shape"), scale ? "× " + ui::number_text(*scale, format) : "");
+    if (!scale) ImGui::TextUnformatted(look.tr("Deformed shape").c_str());
+    else {
+        const FactorSlider slider{.id = "###deformation",
+                                  .name = look.tr("Deformed shape"),
+                                  .usual = usual,
+                                  .least = 1.0,
+                                  .most = 1e4,
+                                  .least_typed = 1e-3,
+                                  .most_typed = 1e9};
+        if (show(slider, look, *scale)) scale = with_two_digits(*scale); // as on the label
+    }
     bool is_automatic = !scale;
-    if (ImGui::Checkbox(tr("automatic").c_str(), &is_automatic))
-        scale = is_automatic ? std::nullopt : std::optional(100.0);
-    if (!scale || !power_slider("###deformation", *scale, 0.0F, 4.0F)) return;
-    const double decade = std::pow(10.0, std::floor(std::log10(*scale)) - 1.0);
-    scale = std::round(*scale / decade) * decade; // two digits, as on the label
+    if (ImGui::Checkbox(look.tr("automatic").c_str(), &is_automatic))
+        scale = is_automatic ? std::nullopt : std::optional(usual);
 }
 
 } // namespace
 
-void show_panel(Desk& desk, const CommandTable& commands)
+void show_panel(Desk& desk, const CommandTable& commands, CaseList& cases, ui::NumberFields& fields)
 {
     using enum Show;
     Session& session = desk.session;
     const ui::Catalogue& tr = session.view.tr;
     const ImGuiStyle& style = ImGui::GetStyle();
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {style.FramePadding.x, 0.3F * style.FramePadding.y});
-    heading(tr("Load case"));
-    choose_case(session);
+    cases.show(desk, commands);
     heading(tr("Results"));
     show_toggles(desk, commands, {N, V, M});
     const femoop::AnalysisKind kind = session.model().analysis;
@@ -130,12 +105,12 @@ void show_panel(Desk& desk, const CommandTable& commands)
     if (!session.document().companion.dimensions.empty()) toggle(desk, commands, DrawnDimensions);
     show_toggles(desk, commands, {LocalAxes, Legend});
     heading(tr("Scales"));
-    const ui::NumberFormat format{.digits = 2, .mark = session.view.numbers.mark};
-    factor_slider(tr("Diagrams"), "###diagrams", session.view.diagram_factor, format);
+    const FactorLook look{fields, tr, {.digits = 2, .mark = session.view.numbers.mark}};
+    show({.id = "###diagrams", .name = tr("Diagrams")}, look, session.view.diagram_factor);
     if (session.view.show.contains(StepValues)) step_slider(session);
-    factor_slider(tr("Load arrows"), "###loads", session.view.load_factor, format);
-    factor_slider(tr("Symbols"), "###symbols", session.view.symbol_factor, format);
-    deformation_slider(session, format);
+    show({.id = "###loads", .name = tr("Load arrows")}, look, session.view.load_factor);
+    show({.id = "###symbols", .name = tr("Symbols")}, look, session.view.symbol_factor);
+    deformation_slider(session, look);
     if (const auto* const animate = commands.find("view.animate")) {
         bool is_on = animate->is_on(desk);
         if (ImGui::Checkbox(tr(animate->label).c_str(), &is_on)) run(*animate, desk);

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "apps/frame/session/commands.h"
-#include "ui/widgets/number_field.h"
+#include "apps/frame/window/case_list.h"
 
 namespace frame {
 
 /// What is shown and how large: the load case, what the picture shows, the scales.
-void show_panel(Desk& desk, const CommandTable& commands);
+void show_panel(Desk& desk, const CommandTable& commands, CaseList& cases, ui::NumberFields& fields);
 
 } // namespace frame

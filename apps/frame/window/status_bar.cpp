@@ -36,7 +36,12 @@ std::vector<std::string> parts_of(const Session& session)
         parts.push_back(ui::shortened(views[*session.shown_view].name, most_letters));
     parts.push_back(femoop::size_words(session.model(), tr));
     const auto& results = session.solution().results;
-    parts.push_back(results ? degree_text(results->indeterminacy(), tr) : tr("not solved"));
+    if (!results) parts.push_back(tr("not solved"));
+    else if (!session.model().members.empty()) parts.push_back(degree_text(results->indeterminacy(), tr));
+    std::string blank;
+    for (const BlankCase& one : session.solution().blank)
+        blank += (blank.empty() ? "" : ", ") + session.model().case_name(one.id);
+    if (!blank.empty()) parts.push_back(tr("no results of {cases}", {{"cases", ui::shortened(blank, most_letters)}}));
     return parts;
 }
 

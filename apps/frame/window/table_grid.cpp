@@ -49,11 +49,13 @@ void TableGrid::measure(const Table& table)
     }
 }
 
-void TableGrid::go_to(std::size_t row)
+void TableGrid::go_to(std::size_t row, std::optional<std::size_t> column)
 {
     const auto found = std::ranges::find(order_, row);
     if (found == order_.end()) return;
     cursor_.row = anchor_.row = static_cast<std::size_t>(found - order_.begin());
+    if (column && *column < n_columns_) cursor_.column = anchor_.column = *column;
+    tabs_from_.reset();
     must_scroll_ = true;
 }
 
@@ -130,6 +132,7 @@ void TableGrid::take_mouse(const Table& table)
         return;
     }
     if (!place) return;
+    tabs_from_.reset();
     const bool is_row = mouse.x < layout_.view_left + layout_.gutter;
     const bool extends = ImGui::GetIO().KeyShift;
     cursor_ = is_row ? Place{place->row, n_columns_ - 1} : *place;

@@ -22,6 +22,8 @@ struct GridEdit {
 ///
 ///     click, arrows: a cell       Shift, drag: a block      row number: a row      heading: sort, again: the other way
 ///     a letter, F2, double click: edit      Enter: down      Tab: right      Esc: the cell as it was
+///
+/// Enter after Tabs goes to where they began, one row down; after a new row that is its first cell.
 class TableGrid {
 public:
     struct Look {
@@ -50,8 +52,8 @@ public:
     void reset();
     /// Makes the grid fit a table that has changed.
     void follow(const Table& table, bool can_grow);
-    /// Goes to a row of the table (not as it is seen).
-    void go_to(std::size_t row);
+    /// Goes to a row of the table (not as it is seen); to the cell of a column, where one is named.
+    void go_to(std::size_t row, std::optional<std::size_t> column = std::nullopt);
 
     bool is_editing() const { return is_editing_; }
     /// Rows in the order in which they are seen; those of the block lie within the table.
@@ -61,6 +63,7 @@ public:
     bool has_whole_rows(const Table& table) const;
     bool is_single() const;
     std::size_t n_rows_of_block() const; ///< the one for new rows counted too
+    std::size_t column() const { return cursor_.column; }
 
     /// Texts of the row at the end, until it is complete.
     std::vector<std::string> draft;
@@ -85,6 +88,7 @@ private:
     void open(std::string text);
     void confirm(Way then);
     void move(Way way, bool extends);
+    void advance(Way way);
     bool take_editing(const ui::Chord& chord);
     bool take_moving(const ui::Chord& chord);
     std::string typed_text(const Table& table, Place place) const;
@@ -102,6 +106,7 @@ private:
     int n_openings_ = 0;    ///< of the editor
     std::string text_;
     Way then_ = Way::Stay;
+    std::optional<std::size_t> tabs_from_; ///< the column in which a row is filled from, by Tab
     std::optional<GridEdit> edit_;
 
     bool must_scroll_ = false;

@@ -36,6 +36,7 @@ void TableGrid::confirm(Way then)
     is_editing_ = false;
     ImGui::ClearActiveID();
     then_ = then;
+    if (cursor_.row >= order_.size()) tabs_from_ = 0; // a new row is filled from its first cell
     edit_ = GridEdit{cursor_.row, cursor_.column, {{text_}}};
 }
 
@@ -45,7 +46,17 @@ void TableGrid::reject(const GridEdit& edit)
     open(edit.texts.front().front());
 }
 
-void TableGrid::accept() { move(std::exchange(then_, Way::Stay), false); }
+void TableGrid::accept() { advance(std::exchange(then_, Way::Stay)); }
+
+// By Tab and Enter, which fill one row after the other from the same column.
+void TableGrid::advance(Way way)
+{
+    if (way == Way::Right && !tabs_from_) tabs_from_ = cursor_.column;
+    const bool ends_row = way == Way::Down && cursor_.row + 1 < n_rows_;
+    if (ends_row && tabs_from_) cursor_.column = *tabs_from_;
+    if (way == Way::Down || way == Way::Up) tabs_from_.reset();
+    move(way, false);
+}
 
 void TableGrid::move(Way way, bool extends)
 {
@@ -100,6 +111,8 @@ bool TableGrid::take_moving(const ui::Chord& chord)
 {
     const bool extends = chord.modifiers.shift;
     if (chord.modifiers.alt) return false;
+    const bool fills_row = chord.key == Key::Enter || chord.key == Key::Tab;
+    if (!fills_row) tabs_from_.reset();
     const auto jump = [&](Place to) {
         cursor_ = to;
         if (!extends) anchor_ = cursor_;
@@ -115,8 +128,8 @@ bool TableGrid::take_moving(const ui::Chord& chord)
     case Key::Down: return has_ctrl ? jump({last_row, cursor_.column}) : (move(Way::Down, extends), true);
     case Key::Left: return has_ctrl ? jump({cursor_.row, 0}) : (move(Way::Left, extends), true);
     case Key::Right: return has_ctrl ? jump({cursor_.row, n_columns_ - 1}) : (move(Way::Right, extends), true);
-    case Key::Enter: move(extends ? Way::Up : Way::Down, false); return true;
-    case Key::Tab: move(extends ? Way::Left : Way::Right, false); return true;
+    case Key::Enter: advance(extends ? Way::Up : Way::Down); return true;
+    case Key::Tab: advance(extends ? Way::Left : Way::Right); return true;
     case Key::Home: return jump({has_ctrl ? 0 : cursor_.row, 0});
     case Key::End: return jump({has_ctrl ? last_row : cursor_.row, n_columns_ - 1});
     case Key::PageUp: return jump({cursor_.row - std::min(page, cursor_.row), cursor_.column});

@@ -34,7 +34,7 @@ Table table_of(const Session& session, TableKind kind)
     if (!is_result(kind)) return data_table(session.model(), kind, session.manner());
     const auto& results = session.solution().results;
     if (session.why_no_results() || results->n_cases() == 0) return {};
-    const std::vector<femoop::CaseId> chosen = envelope_cases(session.model(), session.view);
+    const std::vector<femoop::CaseId> chosen = envelope_cases(session.model(), session.results_view());
     return result_table({session.model(), *results, session.view.load_case, chosen}, kind, session.manner());
 }
 
@@ -65,7 +65,7 @@ void TablesPanel::follow(const Desk& desk)
                             ' ' + std::string(code(session.units().system())) + ' ' +
                             std::string(code(session.view.tr.language())) + ' ' +
                             std::to_string(static_cast<int>(desk.bottom.table)) + (session.hidden ? " hidden " : " ") +
-                            envelope_words(session.model(), session.view);
+                            envelope_words(session.model(), session.results_view());
     const std::string document = std::to_string(desk.tab) + ' ' + session.file_name();
     if (kind_ != desk.bottom.table || document_ != document) {
         grid_.reset();
@@ -94,6 +94,24 @@ void TablesPanel::follow_selection(const Desk& desk)
     }
 }
 
+// What is opened has the keyboard, though the click on a menu took it away.
+void TablesPanel::take_keyboard_if_opened(const Desk& desk)
+{
+    const std::pair now{desk.bottom.content, desk.bottom.table};
+    const bool is_other = std::exchange(shown_, now) != now;
+    if (!std::exchange(was_open_, true) || is_other) has_keyboard_ = true;
+}
+
+void TablesPanel::go_to_wanted(Desk& desk)
+{
+    const std::optional<WantedCell> wanted = std::exchange(desk.bottom.wanted, std::nullopt);
+    if (!wanted) return;
+    has_keyboard_ = true;
+    chosen_ = desk.session.selection; // which would be gone to
+    const auto row = std::ranges::find(table_.rows, std::optional(wanted->row), &Row::part);
+    if (row != table_.rows.end()) grid_.go_to(static_cast<std::size_t>(row - table_.rows.begin()), wanted->column);
+}
+
 void TablesPanel::show(Desk& desk, ui::ImGuiSession& gui, const ui::Fonts& fonts)
 {
     const float em = ImGui::GetFontSize();
@@ -103,7 +121,8 @@ void TablesPanel::show(Desk& desk, ui::ImGuiSession& gui, const ui::Fonts& fonts
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.4F * em, 0.3F * em});
     if (desk.bottom.content != BottomContent::Solver) show_tabs(desk);
     follow(desk);
-    if (!std::exchange(was_open_, true)) has_keyboard_ = true;
+    take_keyboard_if_opened(desk);
+    go_to_wanted(desk);
     switch (desk.bottom.content) {
     case BottomContent::Table: show_table(desk); break;
     case BottomContent::Member: member_.show(desk, gui, fonts); break;
@@ -168,7 +187,7 @@ void TablesPanel::show_footer(const Session& session) const
     }
     std::string text = tr("Type to change a cell: 25 kN/m, 2*3.5, 1/3. New rows at the end, or pasted from a "
                           "spreadsheet.");
-    if (is_envelope(kind_)) text = envelope_words(session.model(), session.view);
+    if (is_envelope(kind_)) text = envelope_words(session.model(), session.results_view());
     else if (is_result(kind_)) text = tr("Case {case}", {{"case", session.model().case_name(session.view.load_case)}});
     ImGui::TextDisabled("%s", text.c_str());
 }
@@ -190,6 +209,7 @@ ui::Input TablesPanel::take(Desk& desk, const ui::Input& input)
         if (std::exchange(was_open_, false)) leave();
         return input;
     }
+    take_keyboard_if_opened(desk);
     if (!has_keyboard_ || (table_.headings.empty() && shows_table(desk))) return input;
     ImGui::GetIO().ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard; // the arrows are the table's
     ui::Input rest = input;
@@ -227,6 +247,14 @@ bool TablesPanel::take_key(Desk& desk, const ui::Chord& chord)
     else if (chord == ui::Chord{Key::Delete, {}} || chord == ui::Chord{Key::Backspace, {}}) clear_block(desk);
     else return !chord.modifiers.ctrl && (chord.key < Key::F1 || chord.key > Key::F12);
     return true;
+}
+
+std::optional<std::string> TablesPanel::cell(const Desk& desk) const
+{
+    if (!shows_table(desk) || table_.headings.empty()) return std::nullopt;
+    const std::size_t row = grid_.first_row();
+    const std::string name = row < grid_.order().size() ? table_.rows[grid_.order()[row]].cells.front().shown : "new";
+    return ui::Catalogue()(title(kind_)) + ": " + name + ", " + table_.headings[grid_.column()].label;
 }
 
 // ---- files ----

@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "apps/frame/document/selection.h"
 #include "apps/frame/session/commands.h"
@@ -30,6 +31,9 @@ public:
     /// Takes what is meant for the table. \returns what is left for others
     ui::Input take(Desk& desk, const ui::Input& input);
 
+    /// Where the cursor is, in English: "Sections: column, Depth h [mm]"; nothing where no table is shown.
+    std::optional<std::string> cell(const Desk& desk) const;
+
     void ask_for_file(const Desk& desk);
     bool is_asking() const { return path_dialog_.is_open(); }
     void show_dialog(Desk& desk);
@@ -39,6 +43,8 @@ public:
 private:
     void follow(const Desk& desk);
     void follow_selection(const Desk& desk);
+    void take_keyboard_if_opened(const Desk& desk);
+    void go_to_wanted(Desk& desk);
     void show_splitter(float room);
     void show_tabs(Desk& desk);
     void show_group(Desk& desk, std::string_view label, std::initializer_list<TableKind> kinds);
@@ -64,6 +70,7 @@ private:
     std::string made_for_; ///< what the table was made for: another state of it makes it anew
     TableKind kind_ = TableKind::Nodes;
     std::string document_; ///< whose rows the cursor is in
+    std::pair<BottomContent, TableKind> shown_{};
     bool was_open_ = false;
     bool has_keyboard_ = false;
     Selection chosen_; ///< that rows and selection agreed upon

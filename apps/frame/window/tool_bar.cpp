@@ -6,6 +6,7 @@
 #include <string>
 
 #include "apps/frame/session/edit_commands.h"
+#include "apps/frame/session/plane_commands.h"
 #include "apps/frame/window/number_row.h"
 #include "apps/frame/window/tool_icon.h"
 
@@ -67,6 +68,8 @@ const std::array loads{
     LoadChoice{LoadKind::ForceDown, translatable("Force ↓"), ui::Measure::Force, &ToolSettings::force},
     LoadChoice{LoadKind::ForceRight, translatable("Force →"), ui::Measure::Force, &ToolSettings::force},
     LoadChoice{LoadKind::Moment, translatable("Moment"), ui::Measure::Moment, &ToolSettings::moment},
+    LoadChoice{LoadKind::TriangularDown, translatable("Triangular load ↓"), ui::Measure::ForcePerLength,
+               &ToolSettings::line_load},
 };
 
 void support_settings(Desk& desk)
@@ -98,14 +101,76 @@ void load_settings(Desk& desk, ui::NumberFields& fields)
     ImGui::SameLine();
 }
 
-std::string_view hint(ToolKind tool)
+// The distance of the grid's lines: a round one that suits the scale where nothing was typed.
+void spacing_field(Desk& desk, ui::NumberFields& fields)
 {
+    const Session& session = desk.session;
+    const ui::DisplayUnits units = session.units();
+    std::optional<femoop::Quantity>& spacing = desk.hand.settings().spacing;
+    const std::string shown = spacing ? units.number(*spacing, ui::Measure::Length) : session.view.tr("automatic");
+    const ui::NumberFieldEvent event = fields.show("grid spacing", {.text = shown,
+                                                                    .exact_text = spacing ? shown : "",
+                                                                    .value = std::nullopt,
+                                                                    .width = 6.0F * ImGui::GetFontSize()});
+    if (event.kind != ui::NumberFieldEvent::Kind::Typed) return;
+    if (event.text.find_first_not_of(' ') == std::string::npos) return spacing.reset();
+    const auto typed = quantity_typed(event.text, ui::Measure::Length, session.model().units, units);
+    const auto* const wanted = std::get_if<femoop::Quantity>(&typed);
+    if (wanted != nullptr && wanted->value() > 0.0) spacing = *wanted;
+    else
+        fields.reject(event, session.view.tr("{text} is no distance of the grid's lines; type a length above zero, or "
+                                             "nothing for a round one",
+                                             {{"text", event.text}}));
+}
+
+void snap_settings(Desk& desk, const CommandTable& commands, ui::NumberFields& fields)
+{
+    const ui::Catalogue& tr = desk.session.view.tr;
+    const auto tick = [&](const char* id, std::string_view label) {
+        const auto& command = *commands.find(id);
+        bool is_on = command.is_on(desk);
+        if (ImGui::Checkbox((tr(label) + "###" + id).c_str(), &is_on)) run(command, desk);
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("%s", (tr(command.label) + "  (" + text(command.shortcuts.front()) + ")").c_str());
+        ImGui::SameLine();
+    };
+    tick("draw.grid", translatable("Grid"));
+    spacing_field(desk, fields);
+    ImGui::SameLine();
+    ImGui::TextUnformatted(desk.session.units().unit(ui::Measure::Length).name.c_str());
+    ImGui::SameLine();
+    tick("draw.snap", translatable("Snap"));
+}
+
+// In space: the plane that a click means a place of.
+void plane_settings(Desk& desk, ui::NumberFields& fields)
+{
+    WorkingPlane& plane = desk.hand.settings().plane;
+    for (const PlaneEntry& entry : working_planes()) {
+        const std::string label = std::string(entry.name) + "###" + std::string(entry.id);
+        if (ImGui::RadioButton(label.c_str(), plane.normal == entry.normal)) plane.normal = entry.normal;
+        ImGui::SameLine();
+    }
+    constexpr std::array<const char*, 3> names{"x =", "y =", "z ="};
+    ImGui::TextUnformatted(names.at(static_cast<std::size_t>(plane.index())));
+    ImGui::SameLine();
+    edit_quantity(desk, fields, {"working plane", ui::Measure::Length, 5.0F * ImGui::GetFontSize()}, plane.level);
+    ImGui::SameLine();
+    ImGui::TextUnformatted(desk.session.units().unit(ui::Measure::Length).name.c_str());
+    ImGui::SameLine();
+}
+
+std::string_view hint(ToolKind tool, bool is_in_space)
+{
+    if (is_in_space && tool == ToolKind::Member)
+        return translatable("Click nodes or places of the plane, or type: 6,4,3  @0,0,3");
+    if (is_in_space && tool == ToolKind::Node) return translatable("Click a place of the plane, or type it: 6,4,3");
     switch (tool) {
     case ToolKind::Select: return translatable("Click, drag, or draw a window; Shift adds.");
     case ToolKind::Member: return translatable("Click from place to place, or type: 4  4<30  @3,2  6,4");
     case ToolKind::Node: return translatable("Click a place, or type it: 6,4");
     case ToolKind::Support: return translatable("Click nodes.");
-    case ToolKind::Load: return translatable("Click members or nodes.");
+    case ToolKind::Load: return translatable("Click members or nodes; draw along a member to load a part of it.");
     case ToolKind::Hinge: return translatable("Click nodes or the ends of members.");
     case ToolKind::Dimension: return translatable("Click two nodes, then a place; more nodes go on.");
     case ToolKind::Predict: return translatable("Draw the moments beside the members; H reveals.");
@@ -141,7 +206,10 @@ void tool_bar(Desk& desk, const CommandTable& commands, ui::ImGuiSession& gui, c
     const ToolKind tool = desk.hand.kind();
     if (tool == ToolKind::Support) support_settings(desk);
     if (tool == ToolKind::Load) load_settings(desk, fields);
-    show_hint(desk.session.view.tr(hint(tool)));
+    const bool is_in_space = femoop::is_3d(desk.session.model().analysis);
+    if (is_in_space && desk.hand.can_type()) plane_settings(desk, fields);
+    if (desk.hand.can_type() && tool != ToolKind::Dimension) snap_settings(desk, commands, fields);
+    show_hint(desk.session.view.tr(hint(tool, is_in_space)));
     ImGui::PopStyleVar();
 }
 

@@ -30,83 +30,6 @@ const auto criterion_words = [] {
 }();
 constexpr std::array<std::string_view, n_strengths> strength_words{"fy", "ft", "fc", "c", "phi", "sci", "m", "s"};
 
-/// What a key's value was and should have been.
-struct Refusal {
-    Phrase reason;
-};
-
-[[noreturn]] void refuse(std::string_view key, JsonValue found, std::string_view wanted)
-{
-    const std::string what = found.is_present() ? femoop::compact_json(found) : "-";
-    throw Refusal{Phrase(translatable("\"{key}\": found {found}, wanted {wanted}"),
-                         {{"key", std::string(key)}, {"found", what}, {"wanted", Phrase(wanted)}})};
-}
-
-template <std::size_t N>
-std::size_t choice(JsonValue value, std::string_view key, const std::array<std::string_view, N>& words)
-{
-    if (value.is(JsonKind::String))
-        if (const auto at = std::ranges::find(words, value.text()); at != words.end())
-            return static_cast<std::size_t>(at - words.begin());
-    std::string list;
-    for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + std::string(word);
-    throw Refusal{Phrase(translatable("\"{key}\": found {found}, wanted one of {list}"),
-                         {{"key", std::string(key)},
-                          {"found", value.is_present() ? femoop::compact_json(value) : "-"},
-                          {"list", list}})};
-}
-
-std::string number_text_of(JsonValue value, std::string_view key)
-{
-    if (value.is(JsonKind::Number)) return femoop::number_text(value.number());
-    if (value.is(JsonKind::String) && value.text().size() < 64) return std::string(value.text());
-    refuse(key, value, translatable("a number, or a text such as \"50 MPa\""));
-}
-
-double number_of(JsonValue value, std::string_view key)
-{
-    if (!value.is(JsonKind::Number)) refuse(key, value, translatable("a number"));
-    return value.number();
-}
-
-void read_list(JsonValue value, std::string_view key, std::vector<std::string>& texts)
-{
-    if (!value.is(JsonKind::Array) || value.size() != texts.size())
-        refuse(key, value, translatable("a list of as many numbers as the state has"));
-    std::size_t i = 0;
-    for (const JsonValue number : value) texts[i++] = number_text_of(number, key);
-}
-
-void read_normal(JsonValue value, std::array<double, 3>& normal)
-{
-    if (!value.is(JsonKind::Array) || value.size() != 3)
-        refuse("normal", value, translatable("a list of three numbers"));
-    std::size_t i = 0;
-    for (const JsonValue number : value) normal[i++] = number_of(number, "normal");
-}
-
-void read_strengths(JsonValue object, Document& document)
-{
-    if (!object.is(JsonKind::Object)) refuse("strength", object, translatable("an object"));
-    for (const JsonValue value : object) {
-        const auto at = std::ranges::find(strength_words, value.key());
-        if (at == strength_words.end())
-            throw Refusal{Phrase(translatable("there is no key \"{key}\""), {{"key", std::string(value.key())}})};
-        document.strengths[static_cast<std::size_t>(at - strength_words.begin())] = number_text_of(value, value.key());
-    }
-}
-
-void read_path(JsonValue value, Document& document)
-{
-    if (!value.is(JsonKind::Array) || !has_path(document.subject))
-        refuse("path", value, translatable("a list of states, of a plane stress or strain"));
-    for (const JsonValue state : value) {
-        std::vector<std::string> texts(document.state().size());
-        read_list(state, "path", texts);
-        document.path().push_back(std::move(texts));
-    }
-}
-
 JsonValue member(JsonValue object, std::string_view key)
 {
     for (const JsonValue value : object)
@@ -114,29 +37,129 @@ JsonValue member(JsonValue object, std::string_view key)
     return {};
 }
 
-Document read(JsonValue root)
-{
-    if (!root.is(JsonKind::Object) || !member(root, "cremona").is(JsonKind::Number))
-        throw Refusal{Phrase(translatable("it is no file of Mohr's circle: {example} is missing"),
-                             {{"example", "\"cremona\": 1"}})};
-    Document document = textbook_state();
-    document.subject = static_cast<Subject>(choice(member(root, "mohr"), "mohr", subject_words));
-    for (const JsonValue value : root) {
-        const std::string_view key = value.key();
-        if (key == "state") read_list(value, key, document.state());
-        else if (key == "angle") document.angle = number_of(value, key);
-        else if (key == "normal") read_normal(value, document.normal);
-        else if (key == "E") document.elasticity[0] = number_text_of(value, key);
-        else if (key == "nu") document.elasticity[1] = number_text_of(value, key);
-        else if (key == "criterion") document.criterion = static_cast<Criterion>(choice(value, key, criterion_words));
-        else if (key == "section") document.section = number_text_of(value, key);
-        else if (key == "path") read_path(value, document);
-        else if (key == "strength") read_strengths(value, document);
-        else if (key != "cremona" && key != "mohr")
-            throw Refusal{Phrase(translatable("there is no key \"{key}\""), {{"key", std::string(key)}})};
+std::string compact(JsonValue found) { return found.is_present() ? femoop::compact_json(found) : "-"; }
+
+/// Goes on after what it cannot read, and lists it.
+class FileReader {
+public:
+    std::vector<Phrase> faults;
+
+    std::optional<Document> read(JsonValue root)
+    {
+        if (!root.is(JsonKind::Object) || !member(root, "cremona").is(JsonKind::Number)) {
+            faults.push_back(Phrase(translatable("it is no file of Mohr's circle: {example} is missing"),
+                                    {{"example", "\"cremona\": 1"}}));
+            return std::nullopt;
+        }
+        document_ = textbook_state();
+        const auto subject = choice(member(root, "mohr"), "mohr", subject_words);
+        if (subject) document_.subject = static_cast<Subject>(*subject);
+        for (const JsonValue value : root)
+            if (subject || (value.key() != "state" && value.key() != "path")) read_member(value);
+        return subject ? std::optional(document_) : std::nullopt;
     }
-    return document;
-}
+
+private:
+    void refuse(std::string_view key, JsonValue found, std::string_view wanted)
+    {
+        faults.push_back(Phrase(translatable("\"{key}\": found {found}, wanted {wanted}"),
+                                {{"key", std::string(key)}, {"found", compact(found)}, {"wanted", Phrase(wanted)}}));
+    }
+
+    void refuse_key(std::string_view key)
+    {
+        faults.push_back(Phrase(translatable("there is no key \"{key}\""), {{"key", std::string(key)}}));
+    }
+
+    template <std::size_t N>
+    std::optional<std::size_t> choice(JsonValue value, std::string_view key,
+                                      const std::array<std::string_view, N>& words)
+    {
+        if (value.is(JsonKind::String))
+            if (const auto at = std::ranges::find(words, value.text()); at != words.end())
+                return static_cast<std::size_t>(at - words.begin());
+        std::string list;
+        for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + std::string(word);
+        faults.push_back(Phrase(translatable("\"{key}\": found {found}, wanted one of {list}"),
+                                {{"key", std::string(key)}, {"found", compact(value)}, {"list", list}}));
+        return std::nullopt;
+    }
+
+    void read_text(JsonValue value, std::string_view key, std::string& text)
+    {
+        if (value.is(JsonKind::Number)) text = femoop::number_text(value.number());
+        else if (value.is(JsonKind::String) && value.text().size() < 64) text = std::string(value.text());
+        else refuse(key, value, translatable("a number, or a text such as \"50 MPa\""));
+    }
+
+    void read_number(JsonValue value, std::string_view key, double& number)
+    {
+        if (value.is(JsonKind::Number)) number = value.number();
+        else refuse(key, value, translatable("a number"));
+    }
+
+    void read_list(JsonValue value, std::string_view key, std::vector<std::string>& texts)
+    {
+        if (!value.is(JsonKind::Array) || value.size() != texts.size())
+            return refuse(key, value, translatable("a list of as many numbers as the state has"));
+        std::size_t i = 0;
+        for (const JsonValue number : value) read_text(number, key, texts[i++]);
+    }
+
+    void read_normal(JsonValue value)
+    {
+        if (!value.is(JsonKind::Array) || value.size() != 3)
+            return refuse("normal", value, translatable("a list of three numbers"));
+        std::size_t i = 0;
+        for (const JsonValue number : value) read_number(number, "normal", document_.normal[i++]);
+    }
+
+    void read_strengths(JsonValue object)
+    {
+        if (!object.is(JsonKind::Object)) return refuse("strength", object, translatable("an object"));
+        for (const JsonValue value : object) {
+            const auto at = std::ranges::find(strength_words, value.key());
+            if (at == strength_words.end()) refuse_key(value.key());
+            else
+                read_text(value, value.key(),
+                          document_.strengths[static_cast<std::size_t>(at - strength_words.begin())]);
+        }
+    }
+
+    void read_path(JsonValue value)
+    {
+        if (!value.is(JsonKind::Array) || !has_path(document_.subject))
+            return refuse("path", value, translatable("a list of states, of a plane stress or strain"));
+        for (const JsonValue state : value) {
+            std::vector<std::string> texts(document_.state().size(), "0");
+            read_list(state, "path", texts);
+            document_.path().push_back(std::move(texts));
+        }
+    }
+
+    void read_criterion(JsonValue value)
+    {
+        if (const auto criterion = choice(value, "criterion", criterion_words))
+            document_.criterion = static_cast<Criterion>(*criterion);
+    }
+
+    void read_member(JsonValue value)
+    {
+        const std::string_view key = value.key();
+        if (key == "state") read_list(value, key, document_.state());
+        else if (key == "angle") read_number(value, key, document_.angle);
+        else if (key == "normal") read_normal(value);
+        else if (key == "E") read_text(value, key, document_.elasticity[0]);
+        else if (key == "nu") read_text(value, key, document_.elasticity[1]);
+        else if (key == "criterion") read_criterion(value);
+        else if (key == "section") read_text(value, key, document_.section);
+        else if (key == "path") read_path(value);
+        else if (key == "strength") read_strengths(value);
+        else if (key != "cremona" && key != "mohr") refuse_key(key);
+    }
+
+    Document document_;
+};
 
 void write(femoop::JsonWriter& json, const std::vector<std::string>& texts)
 {
@@ -172,23 +195,38 @@ std::string file_text(const Document& document)
     return json.take();
 }
 
-std::variant<Document, Phrase> read_file_text(std::string_view text)
+std::variant<Document, std::vector<Phrase>> read_file_text(std::string_view text)
 {
     const femoop::JsonReading reading = femoop::parse_json(text);
-    if (!reading.document || !reading.faults.empty()) {
-        const femoop::Fault& fault = reading.faults.front();
-        Phrase reason(femoop::pattern(fault.kind));
-        for (std::size_t i = 0; i < fault.arguments.size(); ++i)
-            reason.arguments.emplace_back(std::to_string(i), fault.arguments[i]);
-        return reason;
-    }
-    try {
-        Document document = read(reading.document->root());
-        if (auto fault = why_not(document)) return std::move(fault->reason);
-        return document;
-    } catch (const Refusal& refusal) {
-        return refusal.reason;
-    }
+    FileReader reader;
+    for (const femoop::Fault& fault : reading.faults) reader.faults.push_back(phrase(fault));
+    const bool is_json = reading.document && reader.faults.empty();
+    std::optional<Document> document = is_json ? reader.read(reading.document->root()) : std::nullopt;
+    if (document)
+        for (Fault& fault : faults(*document)) reader.faults.push_back(std::move(fault.reason));
+    if (!document || !reader.faults.empty()) return std::move(reader.faults);
+    return *std::move(document);
+}
+
+Document with_section_of(const Document& document, const Document& other)
+{
+    Document next = document;
+    constexpr auto section = static_cast<std::size_t>(Subject::Section);
+    const std::string fibre = document.numbers[section].back();
+    next.subject = Subject::Section;
+    next.section = other.section;
+    next.elasticity = other.elasticity;
+    next.strengths[static_cast<std::size_t>(StrengthPlace::fy)] =
+        other.strengths[static_cast<std::size_t>(StrengthPlace::fy)];
+    next.numbers[section] = other.numbers[section];
+    Document as_it_was = next;
+    as_it_was.state().back() = fibre;
+    return why_not(as_it_was) ? next : as_it_was;
+}
+
+std::string file_text_of_section(const Document& document)
+{
+    return file_text(with_section_of(textbook_state(), document));
 }
 
 std::string_view word(Subject subject) { return subject_words[static_cast<std::size_t>(subject)]; }

@@ -58,12 +58,8 @@ std::variant<femoop::mohr::SectionFigure, Phrase> figure_of(const Shape& shape)
 
 std::variant<femoop::mohr::SectionFigure, Phrase> section_figure(std::string_view text)
 {
-    if (femoop::find_profile(text) != nullptr) {
-        femoop::Section section;
-        section.profile = std::string(text);
-        if (auto outline = femoop::outline(section, newtons_and_mm))
-            return femoop::mohr::SectionFigure(std::move(*outline));
-    }
+    if (const femoop::Profile* const profile = femoop::find_profile(text))
+        return femoop::mohr::SectionFigure(*profile, newtons_and_mm);
     std::istringstream words{std::string(text)};
     std::string kind;
     words >> kind;

@@ -1,5 +1,6 @@
 #include "apps/mohr/document/solution.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -25,12 +26,12 @@ namespace {
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double micro = 1e-6; // what strains count in
 
-/// Collects what the document's numbers say, or the first fault.
+/// Collects what the document's numbers say, and every fault, one a number.
 class Reader {
 public:
     explicit Reader(const Document& document) : document_(document) {}
 
-    std::optional<Fault> fault;
+    std::vector<Fault> faults;
 
     Components read(std::size_t first, std::size_t count)
     {
@@ -44,13 +45,14 @@ public:
     Components read(std::span<const std::string> texts, std::span<const std::string_view> parts,
                     femoop::Dimension dimension, NumberId first)
     {
+        const std::size_t n_before = faults.size();
         for (std::size_t i = 0; i < texts.size(); ++i) { // one by one, so that a fault names its number
             const auto one = fm::parse_components(texts.subspan(i, 1), parts.subspan(i, 1), "", dimension);
             if (const auto* bad = std::get_if<femoop::Fault>(&one)) refuse(*bad, {first.group, first.place + i});
         }
         const auto all = fm::parse_components(texts, parts, "", dimension);
         if (const auto* components = std::get_if<Components>(&all)) return *components;
-        refuse(std::get<femoop::Fault>(all), first);
+        if (n_before == faults.size()) refuse(std::get<femoop::Fault>(all), first);
         return {std::vector<double>(texts.size(), 0.0), ""};
     }
 
@@ -63,17 +65,10 @@ public:
         return both.values.back();
     }
 
-    void refuse(const femoop::Fault& bad, NumberId number)
-    {
-        if (fault) return;
-        Phrase reason(femoop::pattern(bad.kind));
-        for (std::size_t i = 0; i < bad.arguments.size(); ++i)
-            reason.arguments.emplace_back(std::to_string(i), bad.arguments[i]);
-        fault = Fault{std::move(reason), number};
-    }
+    void refuse(const femoop::Fault& bad, NumberId number) { refuse(phrase(bad), number); }
     void refuse(const Phrase& reason, NumberId number)
     {
-        if (!fault) fault = Fault{reason, number};
+        if (std::ranges::find(faults, number, &Fault::number) == faults.end()) faults.push_back({reason, number});
     }
 
 private:
@@ -104,7 +99,9 @@ void read_path(const Document& document, Reader& reader, Solution& solution)
         texts.insert(texts.end(), state.begin(), state.end());
         if (texts.size() != parts.size())
             return reader.refuse(translatable("a number of the state is missing"), {Group::State, 0});
-        const auto v = reader.read(texts, parts, dimension_of(document.subject, 0), {Group::State, 0}).values;
+        Reader one(document); // its numbers have no fields
+        const auto v = one.read(texts, parts, dimension_of(document.subject, 0), {Group::State, 0}).values;
+        for (Fault& fault : one.faults) reader.faults.push_back({std::move(fault.reason)});
         solution.path.push_back(fm::plane(fm::plane_state(kind_of(document.subject), v[1], v[2], v[3])));
     }
 }
@@ -114,6 +111,7 @@ void read_rosette(const Document&, Reader& reader, Solution& solution)
     const auto t = reader.read(0, 3).values, e = reader.read(3, 3).values;
     solution.rosette = fm::Rosette{{t[0] * degree, t[1] * degree, t[2] * degree}, {e[0], e[1], e[2]}};
     solution.state.kind = fm::Kind::Strain;
+    if (!reader.faults.empty()) return;
     if (const auto same = why_not(*solution.rosette)) {
         constexpr std::array<const char*, 3> gauges{"a", "b", "c"};
         reader.refuse(Phrase(translatable("gauges {first} and {second} measure along one direction; turn one of them"),
@@ -128,14 +126,15 @@ void read_rosette(const Document&, Reader& reader, Solution& solution)
 void read_section(const Document& document, Reader& reader, Solution& solution)
 {
     auto figure = section_figure(document.section);
-    if (auto* reason = std::get_if<Phrase>(&figure)) return reader.refuse(*reason, {Group::Section, 0});
+    if (auto* reason = std::get_if<Phrase>(&figure)) reader.refuse(*reason, {Group::Section, 0});
     std::array<double, 4> v{};
     for (std::size_t i = 0; i < v.size(); ++i) {
         const auto value = femoop::parse_quantity(document.state()[i], dimension_of(Subject::Section, i),
                                                   newtons_and_mm);
-        if (const auto* fault = std::get_if<femoop::Fault>(&value)) return reader.refuse(*fault, {Group::State, i});
-        v[i] = std::get<double>(value);
+        if (const auto* fault = std::get_if<femoop::Fault>(&value)) reader.refuse(*fault, {Group::State, i});
+        else v[i] = std::get<double>(value);
     }
+    if (!reader.faults.empty()) return;
     const fm::SectionFigure& section = std::get<fm::SectionFigure>(figure);
     const double rounding = 1e-9 * (section.top() - section.bottom());
     if (!(v[3] >= section.bottom() - rounding && v[3] <= section.top() + rounding))
@@ -258,17 +257,35 @@ void solve_space(Solution& s, const std::array<double, 3>& normal)
 
 } // namespace
 
-std::optional<Fault> why_not(const Document& document)
+Phrase phrase(const femoop::Fault& fault)
 {
-    const bool has_all = document.state().size() == names(document.subject).size();
-    if (!has_all) return Fault{Phrase(translatable("a number of the state is missing"))};
+    Phrase words(femoop::pattern(fault.kind));
+    for (std::size_t i = 0; i < fault.arguments.size(); ++i)
+        words.arguments.emplace_back(std::to_string(i), fault.arguments[i]);
+    return words;
+}
+
+std::vector<Fault> faults(const Document& document)
+{
+    std::vector<Fault> all;
     const auto& n = document.normal;
     if (!(std::hypot(n[0], n[1], n[2]) > 0.0) || !std::isfinite(std::hypot(n[0], n[1], n[2])))
-        return Fault{Phrase(translatable("the normal of the plane has no direction"))};
-    if (!std::isfinite(document.angle)) return Fault{Phrase(translatable("the angle of the plane is no number"))};
+        all.push_back({translatable("the normal of the plane has no direction")});
+    if (!std::isfinite(document.angle)) all.push_back({translatable("the angle of the plane is no number")});
+    if (document.state().size() != names(document.subject).size()) {
+        all.push_back({translatable("a number of the state is missing")});
+        return all;
+    }
     Reader reader(document);
     read(document, reader);
-    return reader.fault;
+    all.insert(all.end(), reader.faults.begin(), reader.faults.end());
+    return all;
+}
+
+std::optional<Fault> why_not(const Document& document)
+{
+    const std::vector<Fault> all = faults(document);
+    return all.empty() ? std::nullopt : std::optional(all.front());
 }
 
 Solution solve(const Document& document, fm::ShearRule rule)

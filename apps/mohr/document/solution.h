@@ -11,9 +11,13 @@
 #include "femoop/methods/mohr/rosette.h"
 #include "femoop/methods/mohr/section_stress.h"
 #include "femoop/methods/mohr/state.h"
+#include "femoop/model/fault/fault.h"
 #include "ui/text/phrase.h"
 
 namespace mohr {
+
+/// A library's fault as a sentence.
+ui::Phrase phrase(const femoop::Fault& fault);
 
 /// A reason why a document cannot be shown, with the number that is at fault.
 struct Fault {
@@ -57,8 +61,9 @@ struct Solution {
     std::optional<femoop::mohr::Safety> safety{};
 };
 
-/// Why the document's numbers cannot be used; nothing if they can.
-std::optional<Fault> why_not(const Document& document);
+/// Why the document's numbers cannot be used, everything that is wrong with them; empty if they can.
+std::vector<Fault> faults(const Document& document);
+std::optional<Fault> why_not(const Document& document); ///< the first of them
 
 /// \pre `why_not` has nothing to say
 Solution solve(const Document& document, femoop::mohr::ShearRule rule = femoop::mohr::ShearRule::ClockwiseUp);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <utility>
 
 #include "ui/desk/file_commands.h"
 
@@ -41,6 +42,12 @@ constexpr std::array criterion_entries{
     CriterionEntry{Criterion::HoekBrown, "criterion.hoek_brown", "Hoek–Brown"},
 };
 
+std::optional<Phrase> why_not_another_state(const Desk& desk)
+{
+    if (!desk.session.practice()) return std::nullopt;
+    return exercise_keeps_state;
+}
+
 void add_state_commands(CommandTable& table)
 {
     for (std::size_t i = 0; i < subject_entries.size(); ++i) {
@@ -51,6 +58,7 @@ void add_state_commands(CommandTable& table)
                    .label = entry.label,
                    .shortcuts = {{key, {}}},
                    .run = [subject = entry.subject](Desk& desk) { desk.session.set_subject(subject); },
+                   .why_not = why_not_another_state,
                    .is_on = [subject = entry.subject](
                                 const Desk& desk) { return desk.session.document().subject == subject; }});
     }
@@ -73,7 +81,7 @@ void add_rosette_commands(CommandTable& table)
                    .label = entry.label,
                    .run = [gauges = entry.gauges](Desk& desk) { desk.session.set_gauges(gauges); },
                    .why_not = [](const Desk& desk) -> std::optional<Phrase> {
-                       if (desk.session.document().subject == Subject::Rosette) return std::nullopt;
+                       if (desk.session.document().subject == Subject::Rosette) return why_not_another_state(desk);
                        return translatable("only a rosette has gauges");
                    }});
 }
@@ -214,6 +222,14 @@ void add_exercise_topic_commands(CommandTable& table)
                    .is_on = [topic = entry.topic](const Desk& desk) { return desk.exercise_topic == topic; }});
 }
 
+void begin_exercise(Desk& desk, Difficulty difficulty)
+{
+    desk.session.begin_exercise(desk.exercise_topic, difficulty, desk.next_exercise++);
+    desk.topic = Topic::Exercises;
+    desk.has_panels = true;
+    desk.is_asking_next = true;
+}
+
 void add_exercise_commands(CommandTable& table)
 {
     struct Entry {
@@ -229,8 +245,7 @@ void add_exercise_commands(CommandTable& table)
     for (const Entry& entry : entries)
         table.add(
             {.id = entry.id, .menu = menu, .label = entry.label, .run = [difficulty = entry.difficulty](Desk& desk) {
-                 desk.session.begin_exercise(desk.exercise_topic, difficulty, desk.next_exercise++);
-                 desk.topic = Topic::Exercises;
+                 desk.leave_exercise([difficulty](Desk& left) { begin_exercise(left, difficulty); });
              }});
     const auto why_not = [](const Desk& desk) -> std::optional<Phrase> {
         if (desk.session.is_concealing()) return std::nullopt;
@@ -244,7 +259,7 @@ void add_exercise_commands(CommandTable& table)
     table.add({.id = "exercise.end",
                .menu = menu,
                .label = translatable("End the exercise"),
-               .run = [](Desk& desk) { desk.session.end_exercise(); },
+               .run = [](Desk& desk) { desk.leave_exercise([](Desk& left) { left.session.end_exercise(); }); },
                .why_not = [](const Desk& desk) -> std::optional<Phrase> {
                    if (desk.session.practice()) return std::nullopt;
                    return translatable("there is no exercise to be done");
@@ -319,6 +334,22 @@ void add_view_commands(CommandTable& table)
 }
 
 } // namespace
+
+void Desk::leave_exercise(std::function<void(Desk&)> then)
+{
+    if (session.is_concealing()) after_exercise = std::move(then);
+    else then(*this);
+}
+
+void Desk::leave_document(std::function<void(Desk&)> then)
+{
+    leave_exercise([then = std::move(then)](Desk& desk) { desk.DocumentDesk::leave_document(then); });
+}
+
+void Desk::open(const std::filesystem::path& path)
+{
+    leave_document([path](Desk& desk) { desk.session.open(path); });
+}
 
 std::span<const TopicEntry> topics() { return topic_entries; }
 std::span<const SubjectEntry> subjects() { return subject_entries; }

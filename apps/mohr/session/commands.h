@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <span>
@@ -21,9 +22,17 @@ struct Desk : ui::DocumentDesk<Desk, Session> {
     using DocumentDesk::DocumentDesk;
     void give_room_to_the_picture(bool all) { has_panels = !all; }
 
+    /// Goes on with what would lose an exercise: at once where none is being done, else the window asks first.
+    void leave_exercise(std::function<void(Desk&)> then);
+    void leave_document(std::function<void(Desk&)> then); ///< as every app does, once the exercise is left
+    void open(const std::filesystem::path& path);
+
     Topic topic = Topic::State;
     ExerciseTopic exercise_topic = ExerciseTopic::PlaneStress;
     std::uint32_t next_exercise = 1; ///< what the next one is drawn from
+    bool is_asking_next = false;     ///< the next question's field gets the keyboard once it is shown
+    /// What is to be done once the user has said that the exercise ends.
+    std::function<void(Desk&)> after_exercise{};
 };
 
 using CommandTable = ui::CommandTable<Desk>;

@@ -14,6 +14,7 @@
 #include "apps/mohr/view/names.h"
 #include "femoop/io/whole_file.h"
 #include "femoop/model/quantity/number_text.h"
+#include "ui/files/ending.h"
 
 namespace mohr {
 
@@ -28,6 +29,15 @@ std::string quoted(const std::string& text)
     std::string out = "\"";
     for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
     return out + '"';
+}
+
+/// With the minus signs that spreadsheets read.
+std::string plain(std::string text)
+{
+    constexpr std::string_view minus = "−";
+    for (auto at = text.find(minus); at != std::string::npos; at = text.find(minus))
+        text.replace(at, minus.size(), "-");
+    return text;
 }
 
 using Sign = std::pair<std::string_view, std::string_view>;
@@ -205,8 +215,8 @@ std::string csv(const Session& session)
     for (const ResultGroup& group : result_groups(session))
         for (const ResultLine& line : group.lines) {
             const std::string value = line.number ? femoop::number_text(*line.number + 0.0) : line.value;
-            text += quoted(group.heading) + "," + quoted(line.name) + "," + quoted(value) + "," + quoted(line.unit) +
-                    "\n";
+            text += quoted(group.heading) + "," + quoted(line.name) + "," + quoted(plain(value)) + "," +
+                    quoted(line.unit) + "\n";
         }
     return text;
 }
@@ -228,11 +238,11 @@ std::string latex(const Session& session)
 
 std::optional<Exported> export_results(const Session& session, const std::filesystem::path& path)
 {
-    const std::string ending = path.extension().string();
-    if (ending != ".csv" && ending != ".tex") return std::nullopt;
+    const bool is_csv = ui::has_ending(path, ".csv");
+    if (!is_csv && !ui::has_ending(path, ".tex")) return std::nullopt;
     if (session.is_concealing())
         return Exported{ui::Phrase(translatable("The results are shown when the exercise is done."))};
-    const std::error_code error = femoop::write_whole_file(path, ending == ".csv" ? csv(session) : latex(session));
+    const std::error_code error = femoop::write_whole_file(path, is_csv ? csv(session) : latex(session));
     if (!error) return Exported{};
     return Exported{ui::Phrase(translatable("{file} cannot be written: {reason}"),
                                {{"file", path.filename().string()}, {"reason", error.message()}})};

@@ -42,6 +42,13 @@ bool Practice::is_finished() const
     return true;
 }
 
+std::optional<std::size_t> Practice::first_open() const
+{
+    const auto open = std::ranges::find(judgements_, Verdict::Open, &Judgement::verdict);
+    if (open == judgements_.end()) return std::nullopt;
+    return static_cast<std::size_t>(open - judgements_.begin());
+}
+
 int Practice::points() const
 {
     int points = 0;

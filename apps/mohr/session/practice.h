@@ -21,8 +21,9 @@ public:
     void answer(std::size_t place, double value);
     void give_up(); ///< the right answers stand there, without a point
 
-    bool is_finished() const; ///< every answer is right, or follows
-    int points() const;       ///< one for each answer that was right the first time
+    bool is_finished() const;                      ///< every answer is right, or follows
+    std::optional<std::size_t> first_open() const; ///< the first question without an answer
+    int points() const;                            ///< one for each answer that was right the first time
     /// How far the construction may be shown without telling an answer.
     std::size_t steps_shown() const;
 

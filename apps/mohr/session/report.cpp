@@ -41,21 +41,15 @@ private:
         double value;
         std::string unit;
     };
-    Amount amount(double value, const std::string& unit) const { return {clean(value), unit}; }
-    Amount amount(double value) const { return amount(value, s_.unit); }
-    double clean(double value) const
-    {
-        const double largest = std::max(std::abs(s_.principal.first), std::abs(s_.principal.second));
-        return std::abs(value) < 1e-12 * largest ? 0.0 : value;
-    }
+    static Amount amount(double value, const std::string& unit) { return {value, unit}; }
+    Amount amount(double value) const { return {value, s_.unit}; }
     std::string degrees(std::optional<double> angle) const
     {
         return angle ? look_.number(*angle * per_degree) + "°" : tr_("undefined");
     }
     std::string vector(const Eigen::Vector3d& v) const
     {
-        const auto part = [&](double p) { return look_.number(std::abs(p) < 1e-12 ? 0.0 : p); };
-        return "(" + part(v[0]) + "; " + part(v[1]) + "; " + part(v[2]) + ")";
+        return "(" + look_.number(v[0]) + "; " + look_.number(v[1]) + "; " + look_.number(v[2]) + ")";
     }
 
     void begin(const std::string& heading) { groups_.push_back({heading, {}}); }
@@ -71,6 +65,14 @@ private:
         if (!angle) return;
         groups_.back().lines.back().number = *angle * per_degree;
         groups_.back().lines.back().unit = "°";
+    }
+
+    /// Of a strain both what the tensor has and what a gauge or a book means.
+    void add_shear(const std::string& name, double value)
+    {
+        if (!fm::is_strain(s_.state.kind)) return add(name, amount(value));
+        add(name + ", γ/2", amount(value));
+        add(name + ", γ", amount(2.0 * value));
     }
 
     void add_circle()
@@ -127,17 +129,17 @@ private:
         begin(tr_("In space"));
         if (!is_in_space(document_.subject)) {
             add(names_.normal + "z", amount(s_.space->z));
-            add(tr_("largest shear in the plane"), amount(s_.circle.radius));
+            add_shear(tr_("largest shear in the plane"), s_.circle.radius);
         }
-        add(tr_("largest shear in space"), amount(fm::absolute_largest_shear(s_.space_principal)));
+        add_shear(tr_("largest shear in space"), fm::absolute_largest_shear(s_.space_principal));
         add("I1", amount(s_.invariants.I1));
         add("I2", amount(s_.invariants.I2, unit_power(s_.unit, 2)));
         add("I3", amount(s_.invariants.I3, unit_power(s_.unit, 3)));
         add("J2", amount(s_.deviator.J2, unit_power(s_.unit, 2)));
         add("J3", amount(s_.deviator.J3, unit_power(s_.unit, 3)));
         add(tr_("octahedral normal"), amount(s_.deviator.mean));
-        add(tr_("octahedral shear"), amount(s_.deviator.octahedral_shear));
-        add_angle(tr_("Lode angle"), s_.deviator.lode);
+        add_shear(tr_("octahedral shear"), s_.deviator.octahedral_shear);
+        add_angle(tr_("Lode angle θ: cos 3θ = 3√3 J3 / (2 J2 √J2), 0° in axial tension"), s_.deviator.lode);
         for (std::size_t i = 0; i < 3; ++i)
             add(tr_("deviator, {n}", {{"n", std::to_string(i + 1)}}), amount(s_.deviator.values[i]));
         if (fm::is_stress(s_.state.kind)) add("von Mises", amount(s_.deviator.equivalent));
@@ -194,7 +196,8 @@ std::string in_words(const Session& session)
         if (entry.subject == session.document().subject) words += tr(entry.label) + ":";
     const auto parts = names(session.document().subject);
     for (std::size_t i = 0; i < parts.size(); ++i)
-        words += (i == 0 ? " " : ", ") + std::string(parts[i]) + " = " + session.document().state()[i];
+        words += (i == 0 ? " " : ", ") + std::string(parts[i]) + " = " +
+                 ui::with_minus_signs(session.document().state()[i]);
     words += "\n";
     if (session.is_concealing()) return words + "\n" + tr("The results are shown when the exercise is done.") + "\n";
     for (const ResultGroup& group : result_groups(session)) {

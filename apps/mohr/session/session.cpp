@@ -4,8 +4,10 @@
 #include <fstream>
 #include <iterator>
 #include <utility>
+#include <vector>
 
 #include "apps/mohr/document/file.h"
+#include "apps/mohr/session/report.h"
 #include "femoop/io/whole_file.h"
 #include "femoop/model/quantity/number_text.h"
 #include "ui/text/number_format.h"
@@ -33,6 +35,15 @@ std::optional<std::string> text_of(const std::filesystem::path& path)
     return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
+/// Line by line. \pre there is one
+Phrase listed(const std::vector<Phrase>& sentences)
+{
+    Phrase list = sentences.front();
+    for (std::size_t i = 1; i < sentences.size(); ++i)
+        list = Phrase("{list}\n{next}", {{"list", std::move(list)}, {"next", sentences[i]}});
+    return list;
+}
+
 } // namespace
 
 Session::Session() : history_(textbook_state()), saved_(textbook_state())
@@ -41,19 +52,19 @@ Session::Session() : history_(textbook_state()), saved_(textbook_state())
     solve_anew();
 }
 
-void Session::solve_anew()
+void Session::solve_anew() { solution_ = solve(document(), look.rule); }
+
+bool Session::would_leave_exercise(const Document& next) const
 {
-    solution_ = solve(document(), look.rule);
-    if (!practice_) return;
+    if (!practice_) return false;
     const Document given = document_of(practice_->exercise());
-    if (document().subject != given.subject || document().state() != given.state() ||
-        document().elasticity != given.elasticity)
-        practice_.reset();
+    return next.subject != given.subject || next.state() != given.state() || next.elasticity != given.elasticity;
 }
 
 std::optional<Phrase> Session::apply(Edit edit, const Phrase& label)
 {
     path_time_.reset(); // what is done by hand ends what moves by itself
+    if (would_leave_exercise(edit.document)) return Phrase(exercise_keeps_state);
     if (edit.fault) return edit.fault->reason;
     history_.apply(std::move(edit.document), label);
     solve_anew();
@@ -62,7 +73,7 @@ std::optional<Phrase> Session::apply(Edit edit, const Phrase& label)
 
 void Session::drag(Edit edit, const Phrase& label)
 {
-    if (edit.fault) return;
+    if (edit.fault || would_leave_exercise(edit.document)) return;
     history_.drag(std::move(edit.document), label);
     solve_anew();
 }
@@ -88,6 +99,10 @@ void Session::undo()
 {
     path_time_.reset();
     history_.undo();
+    if (would_leave_exercise(document())) {
+        history_.redo();
+        tell(exercise_keeps_state);
+    }
     solve_anew();
 }
 
@@ -95,6 +110,10 @@ void Session::redo()
 {
     path_time_.reset();
     history_.redo();
+    if (would_leave_exercise(document())) {
+        history_.undo();
+        tell(exercise_keeps_state);
+    }
     solve_anew();
 }
 
@@ -141,7 +160,8 @@ void Session::set_gauges(const std::array<double, 3>& degrees)
 {
     Document next = document();
     for (std::size_t i = 0; i < 3; ++i) next.state()[i] = femoop::number_text(degrees[i]);
-    apply({std::move(next)}, translatable("Turn the gauges"));
+    Edit edit{next, why_not(next)};
+    if (const auto reason = apply(std::move(edit), translatable("Turn the gauges"))) tell(*reason);
 }
 
 void Session::set_subject(Subject subject)
@@ -195,6 +215,7 @@ void Session::restart(Document document)
     history_ = ui::History<Document>(std::move(document));
     is_playing = false;
     path_time_.reset();
+    practice_.reset();
     grip_.reset();
     solve_anew();
 }
@@ -214,8 +235,8 @@ bool Session::open(const std::filesystem::path& path)
         return false;
     }
     auto read = read_file_text(*text);
-    if (auto* reason = std::get_if<Phrase>(&read)) {
-        notice = Notice{Phrase(translatable("{file}: {reason}"), {{"file", name}, {"reason", std::move(*reason)}})};
+    if (const auto* faults = std::get_if<std::vector<Phrase>>(&read)) {
+        tell(Phrase(translatable("{file}: {reason}"), {{"file", name}, {"reason", listed(*faults)}}));
         return false;
     }
     path_ = path;
@@ -255,7 +276,26 @@ bool Session::recover(const std::filesystem::path& draft, const std::optional<st
 
 ui::Unsaved Session::unsaved() const
 {
-    return ui::unsaved_text(file_text(document()), path_, femoop::write_whole_file);
+    return ui::unsaved_text(file_text(document()), path_, femoop::write_whole_file,
+                            is_concealing() ? std::string() : status_text(*this));
+}
+
+bool Session::is_news(const std::string& text) const
+{
+    const auto read = read_file_text(text);
+    const auto* const other = std::get_if<Document>(&read);
+    return other != nullptr && file_text_of_section(with_section_of(document(), *other)) != linked_text();
+}
+
+void Session::take_over(const std::string& text)
+{
+    const auto read = read_file_text(text);
+    const auto* const other = std::get_if<Document>(&read);
+    if (other == nullptr) return;
+    Document next = with_section_of(document(), *other);
+    auto fault = why_not(next);
+    if (const auto reason = apply({std::move(next), std::move(fault)}, translatable("Take over from the frame")))
+        tell(*reason);
 }
 
 std::string Session::file_name() const { return path_ ? path_->filename().string() : tr()(translatable("untitled")); }

@@ -3,8 +3,10 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "apps/mohr/document/edit.h"
+#include "apps/mohr/document/file.h"
 #include "apps/mohr/session/hand.h"
 #include "apps/mohr/session/practice.h"
 #include "ui/files/autosave.h"
@@ -15,6 +17,10 @@ namespace mohr {
 
 using ui::Notice;
 
+/// Why an exercise's state is not changed.
+inline constexpr std::string_view exercise_keeps_state = ui::translatable(
+    "an exercise has this state; type the answers into its fields, or end it: Exercises, End the exercise");
+
 /// What is open and how it is looked at: the app without its window.
 class Session {
 public:
@@ -24,9 +30,9 @@ public:
     const Solution& solution() const { return solution_; }
     const ui::History<Document>& history() const { return history_; }
 
-    /// A step, unless the edit has a fault. \returns why not
+    /// A step, unless the edit has a fault, or an exercise has the state. \returns why not
     std::optional<ui::Phrase> apply(Edit edit, const ui::Phrase& label);
-    /// Goes on with a gesture; an edit with a fault is passed over.
+    /// Goes on with a gesture; an edit that `apply` would refuse is passed over.
     void drag(Edit edit, const ui::Phrase& label);
     void settle(); ///< ends it
     /// A hand takes hold of what is drawn; then it drags it about, until `settle`.
@@ -50,7 +56,8 @@ public:
     void set_rule(femoop::mohr::ShearRule rule);
 
     /// Shows the exercise's state in place of the document, as one step; what would tell an answer is hidden until it
-    /// is finished. Another state ends it.
+    /// is finished. It has the state until `end_exercise`, or until another file is opened: neither an edit nor a step
+    /// back changes it.
     void begin_exercise(ExerciseTopic topic, Difficulty difficulty, std::uint32_t seed);
     const std::optional<Practice>& practice() const { return practice_; }
     /// \returns why the words are no answer
@@ -66,6 +73,11 @@ public:
     /// Opens a draft of a file's document, or of one that has no file yet, as one that is not saved.
     bool recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original);
     ui::Unsaved unsaved() const;
+    /// A frame that has handed over a section goes on with it in its own window (ui/files/linked_copy.h): it is told
+    /// the section, and tells section, N, V, M and material.
+    std::string linked_text() const { return file_text_of_section(document()); }
+    bool is_news(const std::string& text) const; ///< taking it over would change the document
+    void take_over(const std::string& text);     ///< as a step; the notice tells why not
     const std::optional<std::filesystem::path>& path() const { return path_; }
     bool is_dirty() const { return !saved_ || document() != *saved_; }
     std::string file_name() const;
@@ -95,6 +107,7 @@ public:
 
 private:
     Frame frame() const; ///< of what is drawn now
+    bool would_leave_exercise(const Document& next) const;
     void solve_anew();
     void follow_path(double seconds);
     void restart(Document document);

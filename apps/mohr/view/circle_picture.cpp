@@ -42,10 +42,7 @@ struct Diagram {
     double sense() const { return solution().rule == fm::ShearRule::ClockwiseUp ? 1.0 : -1.0; }
     std::string pair(const std::string& name, ui::World2 p) const
     {
-        const Look& look = scene.look;
-        const double tiny = 1e-12 * std::max(std::abs(p.x), std::abs(p.y));
-        const auto number = [&](double v) { return look.number(std::abs(v) <= tiny ? 0.0 : v); };
-        return name + " (" + number(p.x) + "; " + number(sense() * p.y) + ")";
+        return name + " (" + scene.look.number(p.x) + "; " + scene.look.number(sense() * p.y) + ")";
     }
 };
 
@@ -244,7 +241,9 @@ void draw_ticks(ui::Painter& painter, const Scene& scene, const ui::Box& box, co
 
 ui::PlaneCamera circle_camera(const Frame& frame, const ui::Box& box, const Look& look)
 {
-    const double margin = std::min(4.2 * look.full_theme().type().normal, 0.18 * std::min(box.width(), box.height()));
+    const bool is_projected = look.theme == ui::ThemeName::Projector; // large type takes room from the circle
+    const double ems = is_projected ? 3.8 : 4.2, most = is_projected ? 0.15 : 0.18;
+    const double margin = std::min(ems * look.full_theme().type().normal, most * std::min(box.width(), box.height()));
     const double across = std::max(10.0, box.width() - 2.0 * margin),
                  high = std::max(10.0, box.height() - 2.0 * margin);
     const double scale = std::min(across / (frame.high - frame.low), high / (2.0 * frame.reach));

@@ -1,7 +1,6 @@
 #include "apps/mohr/view/construction_picture.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "apps/mohr/view/circle_picture.h"
 #include "apps/mohr/view/construction_words.h"
@@ -98,9 +97,7 @@ private:
     std::string coordinates(const fm::CirclePoint& p) const
     {
         const double sense = scene_.solution.rule == fm::ShearRule::ClockwiseUp ? 1.0 : -1.0;
-        const double tiny = 1e-12 * std::max(std::abs(p.normal), std::abs(p.shear));
-        const auto number = [&](double v) { return scene_.look.number(std::abs(v) <= tiny ? 0.0 : v); };
-        return " (" + number(p.normal) + "; " + number(sense * p.shear) + ")";
+        return " (" + scene_.look.number(p.normal) + "; " + scene_.look.number(sense * p.shear) + ")";
     }
 
     static constexpr int n_pieces = 48; ///< of an arc that labels keep clear of

@@ -93,9 +93,7 @@ void draw_cursor(const Graph& g, Drawn& drawn)
     g.labels.obstacles().add_segment({g.x(t), g.box.min.y}, {g.x(t), g.box.max.y}, 1.0, ui::Firmness::Soft);
     draw_mark(g.painter, g.scene, g.at(t, s), Handle::Cursor, Role::BendingMoment);
     draw_mark(g.painter, g.scene, g.at(t, q), Handle::Cursor, Role::ShearForce);
-    const auto number = [&](double v) {
-        return g.scene.look.number(std::abs(v) < 1e-9 * g.scene.frame.largest ? 0.0 : v);
-    };
+    const auto number = [&](double v) { return g.scene.look.number(v); };
     g.labels.add(g.at(t, s), {1.0, -0.6}, names.normal + " = " + number(s), g.theme.text(Role::BendingMoment), 6.0);
     g.labels.add(g.at(t, q), {1.0, 0.6}, names.shear + " = " + number(q), g.theme.text(Role::ShearForce), 6.0);
     drawn.places.push_back({Handle::Cursor, g.at(t, s)});

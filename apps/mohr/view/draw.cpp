@@ -62,12 +62,21 @@ struct PlaneRooms {
     ui::Box element, circle, row; ///< what is below both
 };
 
+/// What stands below is left out where it would tell an answer, and where large type and a construction's caption leave
+/// little for the circle.
+bool has_row(const Scene& scene)
+{
+    return !scene.conceals && !(scene.steps_shown && scene.look.theme == ui::ThemeName::Projector);
+}
+
 PlaneRooms plane_rooms(const ui::Box& sheet, const Scene& scene)
 {
     const double w = sheet.width(), h = sheet.height();
-    const double foot = scene.conceals ? 1.0 : 0.70; // the curves would tell
+    const bool is_whole = !has_row(scene);
+    const bool is_projected = scene.look.theme == ui::ThemeName::Projector; // large type takes room from the circle
+    const double foot = is_whole ? 1.0 : is_projected ? 0.78 : 0.70;
     if (w < 0.8 * h) {
-        const double below = scene.conceals ? 1.0 : 0.78, middle = scene.conceals ? 0.4 : 0.36;
+        const double below = is_whole ? 1.0 : 0.78, middle = is_whole ? 0.4 : 0.36;
         return {without_gap({{0.0, 0.0}, {w, middle * h}}), without_gap({{0.0, middle * h}, {w, below * h}}),
                 without_gap({{0.0, below * h}, {w, h}})};
     }
@@ -85,8 +94,8 @@ void draw_plane(ui::Painter& painter, const Scene& scene, Drawn& drawn)
     else if (shows_both_rules(scene)) draw_both_rules(painter, scene, rooms.circle, drawn);
     else draw_circle(painter, scene, rooms.circle, drawn);
     const ui::Box& row = rooms.row;
+    if (!has_row(scene)) return;
     if (scene.solution.section) return draw_section(painter, scene, row, drawn);
-    if (scene.conceals) return;
     const double right_of_curves = has_locus(scene) ? row.min.x + 0.66 * row.width() : row.max.x;
     draw_curves(painter, scene, {row.min, {right_of_curves, row.max.y}}, drawn);
     if (has_locus(scene)) draw_locus(painter, scene, {{right_of_curves + gap, row.min.y}, row.max});

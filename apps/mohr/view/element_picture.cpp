@@ -142,7 +142,7 @@ private:
         keep_clear(labels);
         const Names names = names_of(scene_.document.subject);
         const auto text = [&](const char* part, const std::string& name, double value) {
-            const std::string number = scene_.look.number(std::abs(value) < 1e-9 * scene_.frame.largest ? 0.0 : value);
+            const std::string number = scene_.look.number(value);
             return words == Words::All ? name + part + " = " + number : number;
         };
         ui::TextStyle normal = theme_.text(Role::BendingMoment), shear = theme_.text(Role::ShearForce);
@@ -281,7 +281,7 @@ void draw_special(ui::Painter& painter, const Scene& scene, const ui::Box& box)
     draw_small(painter, scene, {box.min, {middle, box.max.y}}, *s.principal.angle,
                scene.look.tr("principal directions"));
     draw_small(painter, scene, {{middle, box.min.y}, box.max}, *s.shear_angle,
-               is_strain                           ? scene.look.tr("largest shear strain")
+               is_strain                           ? scene.look.tr("largest shear strain γ")
                : s.state.kind == fm::Kind::Inertia ? scene.look.tr("largest product")
                                                    : scene.look.tr("largest shear in this plane"));
 }

@@ -24,7 +24,7 @@ struct Look {
     {
         return {4, tr.language() == ui::Language::Portuguese ? ui::DecimalMark::Comma : ui::DecimalMark::Point};
     }
-    std::string number(double value) const { return ui::number_text(value, format()); }
+    std::string number(double value) const { return ui::with_minus_signs(ui::number_text(value, format())); }
 };
 
 } // namespace mohr

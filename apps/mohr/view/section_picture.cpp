@@ -85,6 +85,8 @@ void draw_fibre(const Depth& d, const ui::Box& box, Drawn& drawn)
     draw_mark(d.painter, d.scene, at, Handle::Fibre, Role::LocalAxes);
     drawn.places.push_back({Handle::Fibre, at});
     ui::TextStyle style = d.theme.text(Role::LocalAxes, ui::Anchor::BottomLeft);
+    style.plate = d.theme.background();
+    const ui::LayerScope layer(d.painter, ui::Layer::Labels);
     d.painter.text(at + ui::Point{0.7 * style.size, -4.0},
                    "y′ = " + d.scene.look.number(d.section().fibre.cut.y) + " mm", style);
 }
@@ -98,7 +100,7 @@ void draw_section(ui::Painter& painter, const Scene& scene, const ui::Box& box, 
     const double scale = std::min(0.9 * box.height() / depth, 0.5 * third / std::max(figure.outline().width(), 1e-9));
     drawn.section = {box.center().y + 0.5 * scale * (figure.top() + figure.bottom()), scale};
     const Depth d{painter, scene, scene.look.full_theme(), drawn.section};
-    draw_outline(d, box.min.x + 0.58 * third);
+    draw_outline(d, box.min.x + 0.7 * third); // the fibre's height is written at its left
     const double middle = box.min.x + 2.0 * third - 4.0;
     draw_diagram(d,
                  {box.min.x + 1.36 * third, 0.24 * third, middle, &fm::FibreStress::sigma, Role::BendingMoment, "σ"});

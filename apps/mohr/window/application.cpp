@@ -9,6 +9,7 @@
 #include "apps/mohr/window/construction_panel.h"
 #include "apps/mohr/window/results_panel.h"
 #include "ui/widgets/wrapped_text.h"
+#include "ui/widgets/yes_or_no.h"
 
 template class ui::DocumentApp<mohr::Desk>;
 
@@ -20,7 +21,7 @@ Application::Application(ui::Context& context, const ui::Fonts& fonts, Session s
     : DocumentApp(context, fonts, std::move(session), command_table(),
                   {.name = translatable("Cremona: Mohr's circle"),
                    .description = translatable("State in words"),
-                   .files = {.extension = ".mohr", .picture_extension = ".svg"},
+                   .files = {.extension = ".mohr", .exports = {".svg", ".png", ".pdf", ".csv", ".tex"}},
                    .sides = {{17.0F, 20.0F}, {0.25F, 0.3F}}}),
       canvas_(fonts)
 {}
@@ -41,9 +42,27 @@ void Application::show_right()
     else results_panel(session(), gui());
 }
 
+void Application::show_body()
+{
+    show_panels_and_canvas();
+    if (desk().after_exercise) ask_about_exercise();
+}
+
+void Application::ask_about_exercise()
+{
+    const ui::Catalogue& tr = session().tr();
+    const auto is_left = ui::ask_yes_or_no({.heading = tr("The exercise"),
+                                            .sentence = tr("The exercise is not done yet. Its answers are not kept."),
+                                            .no = tr("Go on with it"),
+                                            .yes = tr("End the exercise")});
+    if (!is_left) return;
+    const auto then = std::exchange(desk().after_exercise, {});
+    if (*is_left) then(desk());
+}
+
 void Application::show_canvas()
 {
-    show_picture(0.0F, [this] { canvas_.show(desk().session, gui()); });
+    ui::picture_area(0.0F, [this] { canvas_.show(desk().session, gui()); });
 }
 
 std::string Application::status() const

@@ -30,6 +30,8 @@ private:
     void show_left() override;
     void show_right() override;
     void show_canvas() override;
+    void show_body() override;
+    void ask_about_exercise();
     std::string status() const override;
     std::string words() const override;
 

@@ -2,7 +2,15 @@
 
 #include <imgui.h>
 
+#include "ui/canvas/click.h"
+
 namespace mohr {
+
+namespace {
+
+bool is_dragging() { return ImGui::IsMouseDragging(ImGuiMouseButton_Left, static_cast<float>(ui::click_reach)); }
+
+} // namespace
 
 void Canvas::show(Session& session, ui::ImGuiSession& gui)
 {
@@ -32,7 +40,7 @@ void Canvas::follow(Session& session, ui::Point at)
         if (session.hover && ImGui::IsItemActivated()) session.grip(*session.hover, drawn_);
         else if (ImGui::IsItemActive()) turn_eye(session);
     } else if (ImGui::IsItemActive()) {
-        if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1.0F)) session.drag_to(at, ImGui::GetIO().KeyShift);
+        if (is_dragging()) session.drag_to(at, ImGui::GetIO().KeyShift);
     } else {
         session.settle();
     }
@@ -41,7 +49,7 @@ void Canvas::follow(Session& session, ui::Point at)
 
 void Canvas::turn_eye(Session& session)
 {
-    if (!is_in_space(session.document().subject) || !ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1.0F)) return;
+    if (!is_in_space(session.document().subject) || !is_dragging()) return;
     const ImVec2 delta = ImGui::GetIO().MouseDelta;
     session.eye.orbit({static_cast<double>(delta.x), static_cast<double>(delta.y)}, {});
 }

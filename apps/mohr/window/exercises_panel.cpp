@@ -35,7 +35,7 @@ std::string given_words(const Session& session)
     for (std::size_t i = 0; i < document.state().size(); ++i) {
         const std::string unit(bare_unit(document.subject, i));
         words += (i == 0 ? "" : "\n") + std::string(names(document.subject)[i]) + " = " +
-                 with_unit(document.state()[i], unit);
+                 with_unit(ui::with_minus_signs(document.state()[i]), unit);
     }
     if (session.tr().language() == ui::Language::Portuguese) std::ranges::replace(words, '.', ',');
     return words;
@@ -84,9 +84,15 @@ void ExercisesPanel::show_question(Desk& desk, std::size_t place)
     ui::wrapped_text(question(practice.exercise().asked[place], practice.exercise(), session.tr()));
     const auto& answer = practice.answers()[place];
     const std::string text = answer ? session.look.number(*answer) : "";
-    const auto event = fields_.show("###answer" + std::to_string(place), {text, text, std::nullopt});
-    if (event.kind == Kind::Typed)
-        if (const auto reason = session.answer(place, event.text)) fields_.reject(event, session.tr()(*reason));
+    const bool begins = desk.is_asking_next && practice.first_open() == place;
+    if (begins) desk.is_asking_next = false;
+    const auto event = fields_.show("###answer" + std::to_string(place),
+                                    {.text = text, .exact_text = text, .value = std::nullopt, .begins = begins});
+    if (event.kind == Kind::Typed) {
+        const auto reason = session.answer(place, event.text);
+        if (reason) fields_.reject(event, session.tr()(*reason));
+        else desk.is_asking_next = true;
+    }
     const Judgement& judgement = practice.judgements()[place];
     ImGui::PushStyleColor(ImGuiCol_Text, color_of(judgement.verdict, session.look.theme));
     const std::string words = verdict_words(judgement, session.tr());

@@ -2,7 +2,6 @@
 
 #include <imgui.h>
 
-#include <cmath>
 #include <string>
 
 #include "apps/mohr/session/report.h"
@@ -17,7 +16,6 @@ namespace {
 template <class Matrix>
 void show_matrix(const Session& session, const char* id, const std::string& title, const Matrix& matrix)
 {
-    const double largest = matrix.cwiseAbs().maxCoeff();
     ImGui::TextUnformatted(title.c_str());
     if (!ImGui::BeginTable(id, static_cast<int>(matrix.cols()),
                            ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_BordersInnerV))
@@ -26,8 +24,7 @@ void show_matrix(const Session& session, const char* id, const std::string& titl
         ImGui::TableNextRow();
         for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
             ImGui::TableNextColumn();
-            const double value = matrix(i, j);
-            const std::string text = session.look.number(std::abs(value) < 1e-12 * largest ? 0.0 : value);
+            const std::string text = session.look.number(matrix(i, j));
             const float shift = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
             if (shift > 0.0F) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + shift);
             ImGui::TextUnformatted(text.c_str());

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
 #include <numbers>
 #include <optional>
@@ -122,7 +121,8 @@ void StatePanel::number_row(Desk& desk, const std::string& label, NumberId numbe
     std::string shown = text;
     if (session.tr().language() == ui::Language::Portuguese && number.group != Group::Section)
         for (char& c : shown) c = c == '.' ? ',' : c;
-    const auto event = fields_.show(id, {shown, shown, leading ? std::optional(leading->value) : std::nullopt});
+    const auto event = fields_.show(
+        id, {ui::with_minus_signs(shown), shown, leading ? std::optional(leading->value) : std::nullopt});
     if (event.kind == Kind::Dragged && leading)
         session.drag(with_number(session.document(), number, femoop::number_text(event.value)),
                      translatable("Change a number"));
@@ -190,11 +190,10 @@ void StatePanel::show_direction(Desk& desk, int direction)
     const auto text = [&](int digits) {
         std::string all;
         for (const double part : d)
-            all += (all.empty() ? "" : "; ") +
-                   ui::number_text(std::abs(part) < 1e-12 ? 0.0 : part, {digits, session.look.format().mark});
+            all += (all.empty() ? "" : "; ") + ui::number_text(part, {digits, session.look.format().mark});
         return all;
     };
-    const auto event = fields_.show("###along" + n, {text(3), text(12), std::nullopt});
+    const auto event = fields_.show("###along" + n, {ui::with_minus_signs(text(3)), text(12), std::nullopt});
     if (event.kind != Kind::Typed) return;
     const auto along = vector_typed(event.text);
     if (!along) fields_.reject(event, session.tr()("write three numbers, such as 1; 0; 0"));

@@ -1,6 +1,7 @@
 #include "femoop/io/cross/cross_block.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "femoop/io/json/json_document.h"
@@ -48,8 +49,9 @@ private:
         block.sheet_atol = number(member(value, "sheet_atol")).value_or(block.sheet_atol);
         block.last = labelled(member(value, "final"));
         block.rtol = number(member(value, "rtol")).value_or(block.rtol);
+        const Place stages = place_.key("stages");
         for (const JsonValue stage : list(member(value, "stages"), JsonKind::Array))
-            block.stages.push_back(read_stage(stage));
+            block.stages.push_back(read_stage(stage, stages.entry(block.stages.size())));
     }
 
     std::optional<double> number(JsonValue value)
@@ -102,35 +104,76 @@ private:
             Block::Row& read = rows.emplace_back();
             for (const JsonValue one : list(row, JsonKind::Object))
                 if (one.key() == "step") read.step = reader_.text(one, place_).value_or("");
-                else if (one.is(JsonKind::Number)) read.values.emplace_back(one.key(), one.number());
+                else if (one.key() == "joint" || one.is(JsonKind::Null)) continue; // whose balance; an empty cell
+                else if (const auto number = reader_.number(one, place_)) read.values.emplace_back(one.key(), *number);
         }
         return rows;
     }
 
-    Block::Stage read_stage(JsonValue value)
+    Block::Stage read_stage(JsonValue value, const Place& place)
     {
         Block::Stage stage;
-        const JsonValue prop = member(list(value, JsonKind::Object), "prop"), sway = member(value, "sway");
-        if (prop.is(JsonKind::Object)) add_prop(stage, prop);
-        else if (prop.is_present()) add_prop(stage, value);
-        for (const JsonValue one : list(member(value, "props"), JsonKind::Array)) add_prop(stage, one);
-        if (sway.is(JsonKind::Object)) stage.sway = reader_.text(member(sway, "node"), place_);
+        if (!reader_.is_object(value, place)) return stage;
+        const JsonValue prop = member(value, "prop"), props = member(value, "props"), sway = member(value, "sway");
+        stage.is_propped = prop.is_present() || props.is_present();
+        if (prop.is_present()) stage.props.push_back(read_prop(prop, place.key("prop")));
+        const Place list_place = place.key("props");
+        std::size_t i = 0;
+        for (const JsonValue one : list(props, JsonKind::Array))
+            stage.props.push_back(read_prop(one, list_place.entry(i++)));
+        if (sway.is_present()) stage.sway = read_prop(sway, place.key("sway"));
         stage.fixed_end = labelled(member(value, "fixed_end_moments"));
         stage.sheet = sheet(member(value, "sheet"));
+        stage.last = labelled(member(value, "final"));
+        stage.reactions = numbers(member(value, "reaction"), place);
         return stage;
     }
 
-    void add_prop(Block::Stage& stage, JsonValue prop)
+    Block::Prop read_prop(JsonValue value, const Place& place)
     {
-        const JsonValue object = list(prop, JsonKind::Object);
-        if (const auto reaction = reader_.number(member(object, "reaction"), place_))
-            stage.props.push_back({reader_.text(member(object, "node"), place_), *reaction});
+        constexpr std::array<std::string_view, 2> dofs{"ux", "uy"};
+        Block::Prop prop;
+        if (!value.is(JsonKind::Object)) {
+            reader_.not_an_object(value, place);
+            return prop;
+        }
+        prop.node = reader_.text(member(value, "node"), place);
+        if (const auto dof = reader_.choice(member(value, "dof"), dofs, place))
+            prop.dof = *dof == 0 ? Dof::ux : Dof::uy;
+        const std::vector<double> direction = numbers(member(value, "direction"), place);
+        if (direction.size() == 2 && std::hypot(direction[0], direction[1]) > 0.0)
+            prop.direction = Eigen::Vector2d(direction[0], direction[1]);
+        prop.reaction = reader_.number(member(value, "reaction"), place);
+        return prop;
+    }
+
+    /// A number, or a list of them.
+    std::vector<double> numbers(JsonValue value, const Place& place)
+    {
+        std::vector<double> found;
+        if (!value.is(JsonKind::Array)) {
+            if (const auto number = reader_.number(value, place)) found.push_back(*number);
+            return found;
+        }
+        const Place own = place.key(value.key());
+        std::size_t i = 0;
+        for (const JsonValue one : value)
+            if (const auto number = reader_.number(one, own.entry(i++))) found.push_back(*number);
+        return found;
     }
 
     Place top_;
     Place place_ = top_.key("cross");
     ValueReader reader_;
 };
+
+/// Of the loads: the block's own, or those of its first stage.
+const Labelled& fixed_end_of(const Block& block)
+{
+    if (!block.fixed_end.empty() || block.stages.empty()) return block.fixed_end;
+    const Block::Stage& first = block.stages.front();
+    return first.fixed_end.empty() && !first.sheet.empty() ? first.sheet.front().values : first.fixed_end;
+}
 
 /// How far a problem's fixed-end moments are from a file's.
 double distance(const Problem& problem, const Labelled& wanted)
@@ -187,8 +230,8 @@ CaseId case_of(const Model& model, const std::optional<Block>& block)
 FarEnds far_ends_of(const Model& model, CaseId load_case, const Block& block)
 {
     if (!block.is_modified) return FarEnds::Plain;
-    const double modified = distance(problem_of(model, load_case, FarEnds::Modified), block.fixed_end);
-    const double on_sheet = distance(problem_of(model, load_case, FarEnds::ReleasedOnSheet), block.fixed_end);
+    const double modified = distance(problem_of(model, load_case, FarEnds::Modified), fixed_end_of(block));
+    const double on_sheet = distance(problem_of(model, load_case, FarEnds::ReleasedOnSheet), fixed_end_of(block));
     return on_sheet < modified ? FarEnds::ReleasedOnSheet : FarEnds::Modified;
 }
 

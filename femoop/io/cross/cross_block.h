@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,16 +19,22 @@ struct Block {
         std::string step; ///< FEM, BAL, CO, TOTAL
         Labelled values;
     };
+    /// What holds a sway, or moves in it.
     struct Prop {
-        std::optional<std::string> node; ///< that it holds; may be left out where there is one prop
-        double reaction = 0.0;
+        std::optional<std::string> node;          ///< may be left out where there is one sway
+        std::optional<Dof> dof;                   ///< ux or uy, in the axes of the node's support
+        std::optional<Eigen::Vector2d> direction; ///< in place of `dof`
+        std::optional<double> reaction;           ///< force on the structure that follows from the row TOTAL
     };
     /// A sheet of a structure that sways: with its props, or a sway alone.
     struct Stage {
-        std::vector<Prop> props;         ///< none: a sway alone
-        std::optional<std::string> sway; ///< the node whose prop moves in it; else in the order of the sways
+        bool is_propped = false; ///< it names a prop
+        std::vector<Prop> props;
+        std::optional<Prop> sway; ///< the prop that moves in it; else in the order of the sways
         Labelled fixed_end;
         std::vector<Row> sheet;
+        Labelled last;                 ///< `final`: exact, of this stage alone
+        std::vector<double> reactions; ///< exact, of every prop; of a sway that of its own prop may stand alone
     };
     std::optional<std::string> load_case, order;
     std::optional<std::size_t> balances;

@@ -348,7 +348,8 @@ std::string heading_text(const Model& model, const Results& results, const Trans
                  {kind_words(model.analysis, tr), std::string(name(model.units.length)),
                   std::string(name(model.units.force))}) +
             "\n";
-    text += counts(model, tr) + "\n" + indeterminacy_text(results.indeterminacy(), tr) + "\n";
+    text += counts(model, tr) + "\n";
+    if (!model.members.empty()) text += indeterminacy_text(results.indeterminacy(), tr) + "\n";
     for (const Fault& warning : results.warnings()) text += tr("warning") + ": " + message(warning, tr) + "\n";
     return text;
 }

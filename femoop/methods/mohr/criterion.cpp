@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "femoop/methods/mohr/rounding.h"
+
 namespace femoop::mohr {
 
 namespace {
@@ -26,16 +28,23 @@ std::optional<double> least(std::optional<double> a, std::optional<double> b)
     return std::min(*a, *b);
 }
 
+/// Of a unit vector.
+Eigen::Vector3d clean(const Eigen::Vector3d& v)
+{
+    return v.unaryExpr([](double part) { return without_rounding(part, 1.0); });
+}
+
 /// The two planes whose normals lie at `angle` from the first direction, in the plane of the first and the third.
 std::vector<Eigen::Vector3d> planes_at(const SpacePrincipal& stress, double angle)
 {
     const Eigen::Vector3d first = stress.directions.col(0), third = stress.directions.col(2);
-    return {std::cos(angle) * first + std::sin(angle) * third, std::cos(angle) * first - std::sin(angle) * third};
+    const Eigen::Vector3d along = std::cos(angle) * first, across = std::sin(angle) * third;
+    return {clean(along + across), clean(along - across)};
 }
 
 std::vector<Eigen::Vector3d> octahedral_plane(const SpacePrincipal& stress)
 {
-    return {stress.directions * Eigen::Vector3d::Ones().normalized()};
+    return {clean(stress.directions * Eigen::Vector3d::Ones().normalized())};
 }
 
 struct Cone {
@@ -63,7 +72,7 @@ double hoek_brown_slope(const Strength& k, double p3)
 /// The multiple k with k d = sqrt(m sci k p3 + s sci^2), d = p1 - p3.
 std::optional<double> hoek_brown_factor(const Strength& k, double p1, double p3)
 {
-    const double d = p1 - p3, b = k.m * k.sci * p3, c = k.s * k.sci * k.sci;
+    const double d = sum_of({p1, -p3}), b = k.m * k.sci * p3, c = k.s * k.sci * k.sci;
     const double root = std::hypot(b, 2.0 * d * std::sqrt(c));
     // Of the two forms of the root the one without cancellation.
     if (b <= 0.0) return ratio(2.0 * c, root - b);
@@ -90,7 +99,7 @@ Safety rankine(const Strength& strength, const SpacePrincipal& stress)
 Safety mohr_coulomb(const Strength& strength, const SpacePrincipal& stress)
 {
     const auto [centre, radius] = circles(stress)[0];
-    const auto factor = ratio(strength.c * std::cos(strength.phi), radius + centre * std::sin(strength.phi));
+    const auto factor = ratio(strength.c * std::cos(strength.phi), sum_of({radius, centre * std::sin(strength.phi)}));
     if (!factor) return {};
     return {factor, planes_at(stress, 0.25 * pi - 0.5 * strength.phi)};
 }
@@ -199,7 +208,7 @@ Safety safety(Criterion criterion, const Strength& strength, const SpacePrincipa
 {
     switch (criterion) {
     case Criterion::Tresca: {
-        const auto factor = ratio(strength.fy, stress.values[0] - stress.values[2]);
+        const auto factor = ratio(strength.fy, 2.0 * absolute_largest_shear(stress));
         return factor ? Safety{factor, planes_at(stress, 0.25 * pi)} : Safety{};
     }
     case Criterion::VonMises: return of_energy(ratio(strength.fy, deviator(stress).equivalent), stress);
@@ -208,7 +217,7 @@ Safety safety(Criterion criterion, const Strength& strength, const SpacePrincipa
     case Criterion::DruckerPrager: {
         const Deviator d = deviator(stress);
         const auto [a, k] = drucker_prager(strength);
-        return of_energy(ratio(k, d.equivalent / sqrt3 + 3.0 * a * d.mean), stress);
+        return of_energy(ratio(k, sum_of({d.equivalent / sqrt3, 3.0 * a * d.mean})), stress);
     }
     case Criterion::HoekBrown: return hoek_brown(strength, stress);
     }

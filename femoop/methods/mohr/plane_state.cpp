@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "femoop/methods/mohr/rounding.h"
+
 namespace femoop::mohr {
 
 namespace {
@@ -13,14 +15,14 @@ constexpr double pi = std::numbers::pi;
 
 double positive_zero(double value) { return value + 0.0; }
 
-double half_difference(const PlaneState& state) { return 0.5 * state.x - 0.5 * state.y; }
+double half_difference(const PlaneState& state) { return sum_of({0.5 * state.x, -0.5 * state.y}); }
 
-/// a b - c d with one rounding of each product made good, after Kahan.
+/// a b - c d with one rounding of each product made good, after Kahan; 0 where the factors' own rounding is left alone.
 double difference_of_products(double a, double b, double c, double d)
 {
     const double cd = c * d;
     const double error = std::fma(-c, d, cd);
-    return std::fma(a, b, -cd) + error;
+    return without_rounding(std::fma(a, b, -cd) + error, std::abs(a * b) + std::abs(cd));
 }
 
 /// The exponent that brings the largest component near 1, so that products neither overflow nor vanish.
@@ -55,7 +57,7 @@ double as_direction(double angle)
 
 Circle circle(const PlaneState& state)
 {
-    return {positive_zero(0.5 * state.x + 0.5 * state.y), std::hypot(half_difference(state), state.xy)};
+    return {sum_of({0.5 * state.x, 0.5 * state.y}), std::hypot(half_difference(state), state.xy)};
 }
 
 PlanePrincipal principal(const PlaneState& state)
@@ -76,16 +78,19 @@ std::optional<double> largest_shear_angle(const PlaneState& state)
 {
     const auto angle = principal(state).angle;
     if (!angle) return std::nullopt;
-    return as_direction(*angle - 0.25 * pi);
+    return as_direction(sum_of({*angle, -0.25 * pi}));
 }
 
 PlaneState rotated(const PlaneState& state, double angle)
 {
-    const double centre = circle(state).centre;
-    const double a = half_difference(state);
     const auto [c, s] = turn(2.0 * angle);
-    const double along = a * c + state.xy * s;
-    return {positive_zero(centre + along), positive_zero(centre - along), positive_zero(state.xy * c - a * s)};
+    if (s == 0.0 && c > 0.0) return {positive_zero(state.x), positive_zero(state.y), positive_zero(state.xy)};
+    if (s == 0.0) return {positive_zero(state.y), positive_zero(state.x), positive_zero(-state.xy)};
+    const double centre = circle(state).centre, a = half_difference(state);
+    const double along = sum_of({a * c, state.xy * s}), across = sum_of({state.xy * c, -a * s});
+    const double largest = std::max({std::abs(state.x), std::abs(state.y), std::abs(state.xy)});
+    const auto clean = [&](double value) { return without_rounding(value, largest); };
+    return {clean(centre + along), clean(centre - along), clean(across)};
 }
 
 PlaneState from_principal(double first, double second, double angle) { return rotated({first, second, 0.0}, -angle); }

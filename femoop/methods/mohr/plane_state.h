@@ -43,7 +43,8 @@ PlanePrincipal principal(const PlaneState& state);
 /// point circle.
 std::optional<double> largest_shear_angle(const PlaneState& state);
 
-/// The components in axes turned by `angle` [rad], counter-clockwise positive.
+/// The components in axes turned by `angle` [rad], counter-clockwise positive. Here as in all that follows from a
+/// state, what is rounding alone beside the terms that it is the sum of is 0 (rounding.h).
 PlaneState rotated(const PlaneState& state, double angle);
 /// What is largest and least and the angle of the first direction [rad] make a state.
 PlaneState from_principal(double first, double second, double angle);

@@ -31,10 +31,12 @@ PlaneState strain(const Rosette& rosette)
         {std::abs(rosette.readings[0]), std::abs(rosette.readings[1]), std::abs(rosette.readings[2])});
     const double condition = 1.0 / std::abs(determinant * std::sin(t[1]) * std::sin(t[2]));
     const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * condition * largest;
-    if (std::abs(a) <= rounding) a = 0.0;
-    if (std::abs(b) <= rounding) b = 0.0;
-    const double c = rosette.readings[0] - a;
-    return rotated({c + a, c - a, b}, -rosette.angles[0]);
+    const auto clean = [&](double value) { return std::abs(value) <= rounding ? 0.0 : value; };
+    a = clean(a);
+    b = clean(b);
+    const double c = clean(rosette.readings[0] - a);
+    const PlaneState strain = rotated({clean(c + a), clean(c - a), b}, -rosette.angles[0]);
+    return {clean(strain.x), clean(strain.y), clean(strain.xy)};
 }
 
 } // namespace femoop::mohr

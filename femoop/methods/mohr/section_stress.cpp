@@ -2,100 +2,59 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <string>
+
+#include "femoop/methods/mohr/rounding.h"
+#include "femoop/section/area_integrals.h"
+#include "femoop/section/section_properties.h"
 
 namespace femoop::mohr {
 
 namespace {
 
-using Points = std::vector<OutlinePoint>;
-
-/// Integrals over a polygon that runs counter-clockwise as seen with y' up and z' to the right.
-struct Moments {
-    double area = 0.0, first = 0.0, second = 0.0; ///< of 1, y and y^2
-};
-
-Moments moments(const Points& points)
-{
-    Moments m;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const OutlinePoint &p = points[i], &q = points[(i + 1) % points.size()];
-        const double cross = p.z * q.y - q.z * p.y;
-        m.area += 0.5 * cross;
-        m.first += cross * (p.y + q.y) / 6.0;
-        m.second += cross * (p.y * p.y + p.y * q.y + q.y * q.y) / 12.0;
-    }
-    return m;
-}
-
-/// The part of a polygon above a height.
-Points above(const Points& points, double y)
-{
-    Points part;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const OutlinePoint &p = points[i], &q = points[(i + 1) % points.size()];
-        if (p.y >= y) part.push_back(p);
-        if ((p.y >= y) == (q.y >= y)) continue;
-        const double t = (y - p.y) / (q.y - p.y);
-        part.push_back({.y = y, .z = p.z + t * (q.z - p.z)});
-    }
-    return part;
-}
-
-/// The length of a horizontal line inside a polygon, just above or just below a height.
-double width(const Points& points, double y, CutSide side)
+/// The length of a horizontal line inside a figure, just above or just below a height.
+double width(const std::vector<OutlineSide>& sides, double y, CutSide where)
 {
     double sum = 0.0; // sides that go up bound the figure on the right, sides that go down on the left
-    const auto is_over = [&](double corner) { return side == CutSide::Above ? corner > y : corner >= y; };
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const OutlinePoint &p = points[i], &q = points[(i + 1) % points.size()];
-        if (is_over(p.y) == is_over(q.y)) continue;
-        const double z = p.z + (y - p.y) / (q.y - p.y) * (q.z - p.z);
-        sum += is_over(q.y) ? z : -z;
-    }
+    const auto is_over = [&](double corner) { return where == CutSide::Above ? corner > y : corner >= y; };
+    for (const OutlineSide& side : sides)
+        if (is_over(side.from.y) != is_over(side.to.y)) sum += (is_over(side.to.y) ? 1.0 : -1.0) * z_at(side, y);
     return std::abs(sum);
 }
 
-/// Chord and first moment of the part of a disc above a height.
-Cut disc_cut(double radius, double y)
-{
-    const double half = std::sqrt(std::max(0.0, radius * radius - y * y));
-    return {y, 2.0 * half, 2.0 / 3.0 * half * half * half};
-}
+Section profile_section(const Profile& profile) { return {.id = "", .profile = std::string(profile.name)}; }
 
 } // namespace
 
 SectionFigure::SectionFigure(SectionOutline outline) : outline_(std::move(outline))
 {
-    const Moments outer = moments(outline_.outer), hole = moments(outline_.hole); // the hole runs the other way round
-    area_ = outer.area + hole.area;
-    Iz_ = outer.second + hole.second;
+    const AreaIntegrals all = integrals_between(outline_.sides, bottom(), top());
+    area_ = all.area;
+    Iz_ = all.second;
 }
 
-SectionFigure::SectionFigure(const Shape& shape) : SectionFigure(femoop::outline(shape))
+SectionFigure::SectionFigure(const Shape& shape) : SectionFigure(femoop::outline(shape)) {}
+
+SectionFigure::SectionFigure(const Profile& profile, const Units& units)
+    : outline_(femoop::outline(profile_section(profile), units).value())
 {
-    if (shape.kind != ShapeKind::Circle && shape.kind != ShapeKind::Tube) return;
-    const double outer = 0.5 * *shape.d, inner = shape.kind == ShapeKind::Tube ? outer - *shape.t : 0.0;
-    ring_ = Ring{outer, inner};
-    area_ = std::numbers::pi * (outer * outer - inner * inner);
-    Iz_ = 0.25 * std::numbers::pi * (std::pow(outer, 4) - std::pow(inner, 4));
+    const SectionProperties published = section_properties(profile_section(profile), units);
+    area_ = published.A;
+    Iz_ = published.Iz;
 }
 
 Cut SectionFigure::cut(double y, CutSide side) const
 {
-    if (ring_) {
-        const Cut outer = disc_cut(ring_->outer, y), inner = disc_cut(ring_->inner, y);
-        return {y, outer.width - inner.width, outer.Q - inner.Q};
-    }
-    const double Q = moments(above(outline_.outer, y)).first + moments(above(outline_.hole, y)).first;
-    return {y, width(outline_.outer, y, side) - width(outline_.hole, y, side), Q};
+    // About the centroid the whole has no first moment, so that the smaller part tells it: 0 at either edge.
+    const double Q = y >= 0.0 ? integrals_between(outline_.sides, std::min(y, top()), top()).first
+                              : -integrals_between(outline_.sides, bottom(), std::max(y, bottom())).first;
+    return {y, width(outline_.sides, y, side), Q};
 }
 
 std::vector<double> SectionFigure::corners() const
 {
-    if (ring_) return {-ring_->outer, ring_->outer};
     std::vector<double> all;
-    for (const Points* points : {&outline_.outer, &outline_.hole})
+    for (const std::vector<OutlinePoint>* points : {&outline_.outer, &outline_.hole})
         for (const OutlinePoint& p : *points) all.push_back(p.y);
     std::sort(all.begin(), all.end());
     const double near = 1e-9 * outline_.height();
@@ -106,7 +65,7 @@ std::vector<double> SectionFigure::corners() const
 FibreStress stress(const SectionFigure& section, const SectionForces& forces, double y, CutSide side)
 {
     const Cut cut = section.cut(y, side);
-    FibreStress s{cut, forces.N / section.area() - forces.M * y / section.Iz() + 0.0};
+    FibreStress s{cut, sum_of({forces.N / section.area(), -forces.M * y / section.Iz()})};
     const double thinnest = 1e-9 * (section.top() - section.bottom()); // at a round top there is no width, and no shear
     if (cut.width > thinnest) s.tau = -forces.V * cut.Q / (section.Iz() * cut.width) + 0.0;
     return s;

@@ -1,8 +1,11 @@
 #include "femoop/methods/mohr/space_construction.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "femoop/methods/mohr/rounding.h"
 
 namespace femoop::mohr {
 
@@ -14,7 +17,8 @@ constexpr double pi = std::numbers::pi;
 
 CirclePoint on(const Circle& circle, double angle)
 {
-    return {circle.centre + circle.radius * std::cos(angle), circle.radius * std::sin(angle)};
+    return {sum_of({circle.centre, circle.radius * std::cos(angle)}),
+            without_rounding(circle.radius * std::sin(angle), circle.radius)};
 }
 
 Step circle_step(ConstructionStage stage, const Circle& circle)
@@ -59,8 +63,9 @@ std::vector<ConstructionStep> construction(const SpacePrincipal& principal, cons
     steps.push_back({FromThird, {{Mark::Helper, c}, {Mark::Helper, d}}, {{{v[2], 0.0}, c}}, {arc(upper.centre, d, c)}});
     const Eigen::Vector3d n = principal.directions.transpose() * normal.stableNormalized();
     const Eigen::Vector3d traction(v[0] * n[0], v[1] * n[1], v[2] * n[2]);
-    const double along = n.dot(traction);
-    steps.push_back({ArcsMeet, {{Mark::N, {along, (traction - along * n).norm()}}}});
+    const double along = sum_of({n[0] * traction[0], n[1] * traction[1], n[2] * traction[2]});
+    const double across = without_rounding((traction - along * n).norm(), std::max(std::abs(v[0]), std::abs(v[2])));
+    steps.push_back({ArcsMeet, {{Mark::N, {along, across}}}});
     return steps;
 }
 

@@ -3,8 +3,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
+
+#include "femoop/methods/mohr/rounding.h"
 
 namespace femoop::mohr {
 
@@ -43,20 +46,45 @@ void make_largest_positive(Eigen::Ref<Eigen::Vector3d> direction)
     if (direction[largest] < 0.0) direction = -direction;
 }
 
+/// A unit vector; what is rounding beside its length is 0.
+Eigen::Vector3d unit(const Eigen::Vector3d& v)
+{
+    return v.normalized().unaryExpr([](double part) { return without_rounding(part, 1.0) + 0.0; });
+}
+
+/// A principal direction along an axis has the component of that axis, to the last digit.
+double principal_value(const Eigen::Matrix3d& A, const Eigen::Matrix3d& V, int i)
+{
+    const bool is_untouched = V.col(i).cwiseAbs().maxCoeff() == 1.0;
+    return is_untouched ? A(i, i) : without_rounding(A(i, i), A.cwiseAbs().maxCoeff());
+}
+
 SpacePrincipal in_order(const Eigen::Matrix3d& A, const Eigen::Matrix3d& V, int power)
 {
     std::array<int, 3> order{0, 1, 2};
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return A(a, a) > A(b, b); });
     SpacePrincipal result;
     for (int i = 0; i < 3; ++i) {
-        result.values[i] = std::ldexp(A(order[i], order[i]), power) + 0.0;
-        result.directions.col(i) = V.col(order[i]).normalized();
+        result.values[i] = std::ldexp(principal_value(A, V, order[i]), power) + 0.0;
+        result.directions.col(i) = unit(V.col(order[i]));
     }
     make_largest_positive(result.directions.col(0));
     make_largest_positive(result.directions.col(1));
-    result.directions.col(2) = result.directions.col(0).cross(result.directions.col(1)).normalized();
+    result.directions.col(2) = unit(result.directions.col(0).cross(result.directions.col(1)));
     return result;
 }
+
+/// Of a state with a principal direction z: to a few roundings each, as `principal` of the plane state.
+std::array<double, 3> values_of_plane(const SpaceState& state)
+{
+    const PlanePrincipal plane = principal(PlaneState{state.x, state.y, state.xy});
+    std::array<double, 3> values{plane.first, plane.second, state.z + 0.0};
+    std::ranges::sort(values, std::greater{});
+    return values;
+}
+
+/// What two principal values differ by.
+double difference(double larger, double smaller) { return sum_of({larger, -smaller}); }
 
 } // namespace
 
@@ -85,13 +113,17 @@ SpacePrincipal principal(const SpaceState& state)
     constexpr int most_sweeps = 20; // convergence is quadratic: five do for any tensor that was ever met
     for (int sweep = 0; sweep < most_sweeps && off_diagonal(A) > std::numeric_limits<double>::min(); ++sweep)
         for (const auto& [p, q] : {std::pair{0, 1}, {0, 2}, {1, 2}}) annihilate(A, V, p, q);
-    return in_order(A, V, power);
+    SpacePrincipal result = in_order(A, V, power);
+    if (state.yz == 0.0 && state.zx == 0.0) result.values = values_of_plane(state);
+    return result;
 }
 
 SpaceState from_principal(const SpacePrincipal& principal)
 {
     const Eigen::Vector3d values(principal.values[0], principal.values[1], principal.values[2]);
-    return from_tensor(principal.directions * values.asDiagonal() * principal.directions.transpose());
+    const Eigen::Matrix3d T = principal.directions * values.asDiagonal() * principal.directions.transpose();
+    const double largest = values.cwiseAbs().maxCoeff();
+    return from_tensor(T.unaryExpr([&](double part) { return without_rounding(part, largest); }));
 }
 
 SpacePrincipal with_direction(const SpacePrincipal& principal, int direction, const Eigen::Vector3d& along)
@@ -111,30 +143,30 @@ std::array<Circle, 3> circles(const SpacePrincipal& principal)
 {
     const auto between = [&](int a, int b) {
         const double first = principal.values[a], second = principal.values[b];
-        return Circle{0.5 * first + 0.5 * second, 0.5 * first - 0.5 * second};
+        return Circle{sum_of({0.5 * first, 0.5 * second}), 0.5 * difference(first, second)};
     };
     return {between(0, 2), between(0, 1), between(1, 2)};
 }
 
-double absolute_largest_shear(const SpacePrincipal& principal)
-{
-    return 0.5 * principal.values[0] - 0.5 * principal.values[2];
-}
+double absolute_largest_shear(const SpacePrincipal& principal) { return circles(principal)[0].radius; }
 
 Invariants invariants(const SpaceState& s)
 {
-    return {s.x + s.y + s.z, s.x * s.y + s.y * s.z + s.z * s.x - s.xy * s.xy - s.yz * s.yz - s.zx * s.zx,
-            s.x * (s.y * s.z - s.yz * s.yz) - s.xy * (s.xy * s.z - s.yz * s.zx) + s.zx * (s.xy * s.yz - s.y * s.zx)};
+    return {sum_of({s.x, s.y, s.z}),
+            sum_of({s.x * s.y, s.y * s.z, s.z * s.x, -s.xy * s.xy, -s.yz * s.yz, -s.zx * s.zx}),
+            sum_of({s.x * s.y * s.z, -s.x * s.yz * s.yz, -s.y * s.zx * s.zx, -s.z * s.xy * s.xy,
+                    2.0 * s.xy * s.yz * s.zx})};
 }
 
 Deviator deviator(const SpacePrincipal& principal)
 {
     const auto& s = principal.values;
     Deviator d;
-    d.mean = s[0] / 3.0 + s[1] / 3.0 + s[2] / 3.0;
+    d.mean = sum_of({s[0] / 3.0, s[1] / 3.0, s[2] / 3.0});
     // Differences of principal values, so that a deviator small beside its mean keeps its digits.
-    const double a = s[0] - s[1], b = s[1] - s[2], c = s[0] - s[2];
-    d.values = {(a + c) / 3.0, (b - a) / 3.0, -(b + c) / 3.0};
+    const double a = difference(s[0], s[1]), b = difference(s[1], s[2]), c = difference(s[0], s[2]);
+    const double largest = std::max(std::abs(s[0]), std::abs(s[2]));
+    d.values = {(a + c) / 3.0, without_rounding(b - a, largest) / 3.0, -(b + c) / 3.0};
     const double size = std::hypot(a, b, c);
     d.octahedral_shear = size / 3.0;
     d.equivalent = size / std::numbers::sqrt2;
@@ -148,13 +180,14 @@ OnPlane on_plane(const SpaceState& state, const Eigen::Vector3d& normal)
 {
     OnPlane result;
     result.normal = normal.stableNormalized();
-    result.traction = tensor(state) * result.normal;
-    result.normal_component = result.normal.dot(result.traction);
+    const Eigen::Matrix3d parts = tensor(state) * result.normal.asDiagonal();
+    for (int i = 0; i < 3; ++i) result.traction[i] = sum_of({parts(i, 0), parts(i, 1), parts(i, 2)});
+    const Eigen::Vector3d along = result.normal.cwiseProduct(result.traction);
+    result.normal_component = sum_of({along[0], along[1], along[2]});
     const Eigen::Vector3d in_plane = result.traction - result.normal_component * result.normal;
     result.shear = in_plane.stableNorm();
-    const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * tensor(state).cwiseAbs().maxCoeff();
-    if (result.shear <= rounding) result.shear = 0.0;
-    else result.shear_direction = in_plane / result.shear;
+    result.shear = without_rounding(result.shear, tensor(state).cwiseAbs().maxCoeff());
+    if (result.shear > 0.0) result.shear_direction = in_plane / result.shear;
     return result;
 }
 

@@ -223,7 +223,8 @@ void Checker::check_coincident_nodes()
     const Box box = box_around(points);
     const double extent = std::max(box.diagonal(), std::numeric_limits<double>::min());
     if (!std::isfinite(extent)) return;
-    const double tolerance = 1e-9 * extent;
+    constexpr double largest_structure = 1e4; // one node that is far away moves no others together
+    const double tolerance = 1e-9 * std::min(extent, largest_structure);
     const Grid grid(box.low, 1e-5 * extent);
     std::unordered_map<Cell, std::vector<std::uint32_t>> nodes_in;
     nodes_in.reserve(points.size());

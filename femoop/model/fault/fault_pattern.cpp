@@ -176,7 +176,8 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::QuantityUnknownUnitNear: return "{0}: \"{1}\": no unit \"{2}\"; did you mean \"{3}\"?";
     case FaultKind::QuantityWrongDimension: return "{0}: \"{1}\" measures {2}, wanted {3}, in {4} for example";
     case FaultKind::QuantityUnwantedUnit: return "{0}: \"{1}\" measures {2}, wanted a plain number; take the unit away";
-    case FaultKind::QuantityTooLarge: return "{0}: \"{1}\" is beyond the range of numbers; write a smaller one";
+    case FaultKind::QuantityTooLarge:
+        return "{0}: \"{1}\" is beyond the range of numbers; write 0, or one that is nearer to 1";
 
     case FaultKind::EmptyId: return "{0}: \"id\" is empty; give it a name";
     case FaultKind::ControlCharacterInId:

@@ -97,6 +97,17 @@ TEST_CASE("Units are two names, and a mistyped one is answered")
     CHECK(has(cremona({"convert", "-", "-", "--units", "mm,KN"}, cantilever()).err, "did you mean \"kN\"?"));
 }
 
+TEST_CASE("What could not be read again in other units is not written")
+{
+    std::string large = cantilever();
+    const std::string place = "[4, 0]";
+    REQUIRE(large.find(place) != std::string::npos);
+    large.replace(large.find(place), place.size(), "[1e308, 0]");
+    const Run run = cremona({"convert", "-", "-", "--units", "mm,N"}, large);
+    CHECK(run.status == 2);
+    CHECK(run.out.empty());
+}
+
 TEST_CASE("A block whose numbers are not understood is not converted to other units")
 {
     const Run run = cremona({"convert", "tests/cases/cross/MD-001.json", "-", "--units", "mm,N"});

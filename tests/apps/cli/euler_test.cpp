@@ -39,6 +39,16 @@ TEST_CASE("A script's solids are counted, validated, and the lengths of their lo
     CHECK(has(cremona({"euler", "-", "--lang", "pt"}, lamina).out, "passos: 4\n"));
 }
 
+TEST_CASE("A ring outside the plane of its face is told on stderr, and the script goes on")
+{
+    const Run run = cremona({"euler", "-", "--json"}, lamina + "mvr s1 f2 w 3 1 0.5\n");
+    CHECK(run.status == 0);
+    CHECK(run.err ==
+          "mvr s1 f2 w 3 1 0.5: w lies outside the plane of face f2: the links are right, but no flat face has "
+          "such a ring.\n");
+    CHECK(cremona({"euler", "-"}, lamina + "mvr s1 f2 w 3 1 0\n").err.empty());
+}
+
 TEST_CASE(
     "--tables prints each step's line and then the lecture's tables; --step runs the first lines that are operators")
 {

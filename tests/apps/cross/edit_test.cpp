@@ -158,3 +158,12 @@ TEST_CASE("Every table has rows as long as its head for a frame that sways")
         for (const auto& row : table.rows) CHECK(row.size() == table.head.size());
     }
 }
+
+TEST_CASE("CSV doubles quotation marks and LaTeX gets no character that means something to it")
+{
+    const TextTable table{.notes = {}, .head = {"joint \"A\"", "a,b"}, .rows = {{"$ { } ^ ~ \\ & % # _", "−1"}}};
+    CHECK(as_csv(table, ui::Language::English) == "\"joint \"\"A\"\"\",\"a,b\"\n$ { } ^ ~ \\ & % # _,-1\n");
+    CHECK(as_latex(table).find(
+              "\\$ \\{ \\} \\textasciicircum{} \\textasciitilde{} \\textbackslash{} \\& \\% \\# \\_ & $-$1") !=
+          std::string::npos);
+}

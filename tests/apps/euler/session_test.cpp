@@ -44,6 +44,35 @@ TEST_SUITE("euler session")
         CHECK(!desk.session.is_dirty());
     }
 
+    TEST_CASE("A script with a fault is open up to it, under no path until its text is mended")
+    {
+        const Folder folder;
+        const auto file = folder.write("late.eul", "mvfs s1 f1 v1 0 0 0\nmev s1 f1 v9 v2 1 0 0\nkvfs s1 f1\n");
+        Desk desk{Session()};
+        REQUIRE(desk.session.open(file));
+        CHECK(desk.session.n_steps() == 1);
+        CHECK(desk.session.faulty_line == 2);
+        CHECK(desk.session.file_name() == "late.eul");
+        CHECK(!desk.session.path());
+        CHECK(!desk.session.accept_text());
+        CHECK(!desk.session.path());
+        desk.session.edited_text = "mvfs s1 f1 v1 0 0 0\nmev s1 f1 v1 v2 1 0 0\n";
+        REQUIRE(desk.session.accept_text());
+        CHECK(desk.session.n_steps() == 2);
+        CHECK(desk.session.path() == file);
+        CHECK(!desk.session.faulty_line);
+    }
+
+    TEST_CASE("What is neither a script nor a text that can be edited is not opened")
+    {
+        const Folder folder;
+        Desk desk{Session()};
+        desk.session.apply("mvfs s1 f1 v1 0 0 0");
+        CHECK(!desk.session.open(folder.write("picture.eul", "\x89PNG\r\n\xff\xfe")));
+        CHECK(desk.session.n_steps() == 1);
+        CHECK(desk.session.notice);
+    }
+
     const std::string line_of_two = "# A line\nmvfs s1 f1 v1 0 0 0\n\n# grows\nmev s1 f1 v1 v2 1 0 0\n";
 
     TEST_CASE("A written line that cannot be applied is told with the number that it would have, comments counted")

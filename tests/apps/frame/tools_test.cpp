@@ -9,10 +9,12 @@
 #include <vector>
 
 #include "apps/frame/document/drawing.h"
+#include "apps/frame/document/load_cases.h"
 #include "apps/frame/document/number.h"
 #include "apps/frame/tools/dimension_tool.h"
 #include "apps/frame/tools/grid.h"
 #include "apps/frame/tools/hand.h"
+#include "apps/frame/tools/load_tool.h"
 #include "apps/frame/tools/member_tool.h"
 #include "apps/frame/tools/node_tool.h"
 #include "apps/frame/tools/part_tools.h"
@@ -203,6 +205,29 @@ TEST_SUITE("frame tools")
         CHECK(!frame::place_typed("3 kN,2", hand));
     }
 
+    TEST_CASE("In space a place is typed as three coordinates, or in the working plane")
+    {
+        const Eigen::Vector3d from(1.0, 2.0, 3.0), pointer(1.0, 2.0, 8.0);
+        const frame::WorkingPlane upright{.normal = frame::WorkingPlane::Normal::Y, .level = 7.0};
+        const frame::SpaceHand hand{.from = from, .pointer = pointer, .plane = upright};
+        const auto typed = [&](const char* text) { return frame::place_typed_in_space(text, hand); };
+        CHECK(typed("6,4,-5")->isApprox(Eigen::Vector3d(6, 4, -5)));
+        CHECK(typed("6,5;4;2*1.5")->isApprox(Eigen::Vector3d(6.5, 4, 3)));
+        CHECK(typed("@0,0,3")->isApprox(Eigen::Vector3d(1, 2, 6)));
+        CHECK(typed("6,4")->isApprox(Eigen::Vector3d(6, 7, 4)));   // x and z, at the level of the plane
+        CHECK(typed("@6,4")->isApprox(Eigen::Vector3d(7, 2, 7)));  // x and z from where drawing began
+        CHECK(typed("4<90")->isApprox(Eigen::Vector3d(1, 2, 7)));  // up
+        CHECK(typed("2.5")->isApprox(Eigen::Vector3d(1, 2, 5.5))); // towards the pointer
+        for (const char* text : {"", "6,4,5,3", "a,b,c", "@", "1,2,x"}) {
+            CAPTURE(text);
+            CHECK(!typed(text));
+        }
+        for (const char* text : {"@1,2,3", "@3,2", "4<30", "4"}) {
+            CAPTURE(text);
+            CHECK(!frame::place_typed_in_space(text, {}));
+        }
+    }
+
     TEST_CASE("Clicks draw a line that goes on from its last place until a second click there")
     {
         Bench bench;
@@ -222,6 +247,29 @@ TEST_SUITE("frame tools")
         bench.release(tool, at(4, 2));
         CHECK(bench.model().members.size() == 1);
         CHECK(!tool.from());
+    }
+
+    TEST_CASE("A hand that trembles clicks, though its place is drawn elsewhere when the button is released")
+    {
+        Bench bench;
+        frame::MemberTool tool;
+        frame::Aim pressed = at(7.263, 5.114), released = at(7.28, 5.1);
+        pressed.snap.place = {7.25, 5.1};
+        released.snap.place = {7.272, 5.078};
+        bench.press(tool, pressed);
+        bench.release(tool, released);
+        CHECK(bench.model().members.empty());
+        CHECK(tool.from() == Vector2d(7.25, 5.1));
+        bench.click(tool, at(9, 6));
+        CHECK(bench.model().members.size() == 1);
+    }
+
+    TEST_CASE("Drawing is drawn to where it began, and without parts to the grid alone")
+    {
+        CHECK(snapped(10.63, 9.57, {.reach = 0.3, .from = Vector2d(10.5, 9.5)}) == Snap{{10.5, 9.5}, SnapKind::Node});
+        CHECK(snapped(0.1, 0.2, {.reach = 0.3, .to_parts = false}) == Snap{{0, 0}, SnapKind::Grid});
+        CHECK(snapped(4.1, 3.2, {.reach = 0.3, .grid = 0.0, .to_parts = false}).kind == SnapKind::Free);
+        CHECK(snapped(2.46, 5.93, {.reach = 0.3, .grid = 0.0, .fine = 0.25}).place.isApprox(Vector2d(2.5, 6.0)));
     }
 
     TEST_CASE("Esc gives up the line, and then the tool")
@@ -506,6 +554,55 @@ TEST_SUITE("frame tools")
         REQUIRE(loads.nodes.size() == 1);
         CHECK(loads.nodes[0].components[0].value == 14.0);
         CHECK(std::get<femoop::PointLoad>(loads.members[1].load).at == femoop::Position(femoop::Quantity(2.0)));
+    }
+
+    TEST_CASE("A stroke along a member loads that part of it; a triangle grows the way of the stroke")
+    {
+        Bench bench(frame::starting_document());
+        frame::ToolSettings settings{.load = frame::LoadKind::TriangularDown, .line_load = 7.0};
+        frame::LoadTool tool(settings);
+        const auto on_beam = [](double x, double pixel = 0.01) {
+            frame::Aim aim = at(x, 4.0);
+            aim.cut = frame::Cut{femoop::MemberId(1), x};
+            aim.pixel = pixel;
+            return aim;
+        };
+        bench.press(tool, on_beam(5.0));
+        bench.move(tool, on_beam(2.0));
+        CHECK(tool.preview().lines.size() == 1);
+        bench.release(tool, on_beam(2.0));
+        const auto& loads = bench.model().load_cases[0].members;
+        REQUIRE(loads.size() == 2);
+        const auto part = std::get<femoop::DistributedLoad>(loads[1].load);
+        CHECK(std::get<femoop::Quantity>(*part.from).value() == 2.0);
+        CHECK(std::get<femoop::Quantity>(*part.to).value() == 5.0);
+        CHECK(part.values[0].start.value() == -7.0);
+        CHECK(part.values[0].end->value() == 0.0);
+        bench.press(tool, on_beam(5.0));
+        bench.move(tool, on_beam(5.04)); // a hand trembles
+        bench.release(tool, on_beam(5.04));
+        REQUIRE(loads.size() == 3);
+        const auto whole = std::get<femoop::DistributedLoad>(loads[2].load);
+        CHECK((!whole.from && !whole.to));
+        CHECK(whole.values[0].end->value() == -7.0); // the nearer end
+    }
+
+    TEST_CASE("A combination of all load cases follows them, and a copy has a name of its own")
+    {
+        frame::Document document = frame::starting_document();
+        CHECK(document.model.case_name(add_load_case(document)) == "1");
+        CHECK(document.model.case_name(add_combination(document)) == "C");
+        REQUIRE(document.model.combinations[0].terms.size() == 2);
+        const femoop::CaseId copy = copy_case(document, femoop::CaseId(0)); // goes before the combination
+        CHECK(document.model.case_name(copy) == "G2");
+        CHECK(document.model.load_cases[2].members == document.model.load_cases[0].members);
+        CHECK(document.model.case_name(copy_case(document, femoop::CaseId(3))) == "C2");
+        CHECK(document.model.combinations[1].terms == document.model.combinations[0].terms);
+        CHECK(why_not_rename(document.model, copy, "C"));
+        CHECK(why_not_rename(document.model, copy, "  "));
+        CHECK_FALSE(why_not_rename(document.model, copy, "G2"));
+        rename(document, copy, "W");
+        CHECK(document.model.load_cases[2].id == "W");
     }
 
     TEST_CASE("The delete tool takes out what is clicked")

@@ -202,8 +202,8 @@ TEST_CASE("A file that is none of Mohr's circle is refused with the place")
 {
     const auto refusal = [](std::string_view text) {
         const auto read = read_file_text(text);
-        const auto* reason = std::get_if<ui::Phrase>(&read);
-        return reason != nullptr ? ui::Catalogue()(*reason) : "";
+        const auto* reasons = std::get_if<std::vector<ui::Phrase>>(&read);
+        return reasons != nullptr ? ui::Catalogue()(reasons->front()) : "";
     };
     CHECK(refusal("{").find("line 1") != std::string::npos);
     CHECK(refusal("[]").find("it is no file of Mohr's circle") == 0);
@@ -218,4 +218,33 @@ TEST_CASE("A file that is none of Mohr's circle is refused with the place")
           std::string::npos);
     CHECK(refusal(R"({"cremona": 1, "mohr": "strain", "normal": [0, 0, 0]})") ==
           "the normal of the plane has no direction");
+}
+
+TEST_CASE("Everything that is wrong with a file is told at once, each thing once")
+{
+    const auto refusals = [](std::string_view text) {
+        const auto read = read_file_text(text);
+        const auto* reasons = std::get_if<std::vector<ui::Phrase>>(&read);
+        std::vector<std::string> told;
+        if (reasons != nullptr)
+            for (const ui::Phrase& reason : *reasons) told.push_back(ui::Catalogue()(reason));
+        return told;
+    };
+    const auto many = refusals(
+        R"({"cremona": 1, "mohr": "strain", "state": ["1 kN", 2, true], "angel": 3, "E": "-2 GPa",
+        "nu": 0.7, "normal": [1, "x", 0], "criterion": "trezca", "strength": {"fy": [], "fz": "3 MPa"}})");
+    const std::vector<std::string> begins{"\"state\": found true",   "there is no key \"angel\"",
+                                          "\"normal\": found \"x\"", "\"criterion\": found \"trezca\"",
+                                          "\"fy\": found []",        "there is no key \"fz\""};
+    REQUIRE(many.size() == begins.size() + 3); // 1 kN, nu and E
+    for (std::size_t i = 0; i < begins.size(); ++i) CHECK(many[i].find(begins[i]) == 0);
+    CHECK(
+        refusals(R"({"cremona": 1, "mohr": "section", "section": "IPE 301", "state": ["1", "2 kN", "3 kN*m", "4 kN"]})")
+            .size() == 3);
+    CHECK(refusals(
+              R"({"cremona": 1, "mohr": "plane_stress", "criterion": "rankine", "strength": {"ft": "0", "fc": "x"}})")
+              .size() == 2);
+    CHECK(refusals(R"({"cremona": 1, "mohr": "plane_stress", "state": ["1 MPa", "x", "y"], "path": [["1", "2", "z"]]})")
+              .size() == 3);
+    CHECK(refusals(R"({"cremona": 1, "mohr": "what", "nu": true})").size() == 2);
 }

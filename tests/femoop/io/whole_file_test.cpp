@@ -1,6 +1,11 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <string>
+
+#if __has_include(<sys/resource.h>)
+#include <sys/resource.h>
+#endif
 
 #include "femoop/io/whole_file.h"
 #include "tests/folder.h"
@@ -31,6 +36,43 @@ TEST_SUITE("io")
         CHECK(fs::is_symlink(folder.path("link.json")));
         CHECK(folder.read("target.json") == "new");
     }
+
+    TEST_CASE("A link that leads to nothing stays a link, and what it leads to is made")
+    {
+        const Folder folder;
+        fs::create_symlink("target.json", folder.path("link.json"));
+        REQUIRE_FALSE(femoop::write_whole_file(folder.path("link.json"), "new"));
+        CHECK(fs::is_symlink(folder.path("link.json")));
+        CHECK(folder.read("target.json") == "new");
+        fs::create_symlink("round.json", folder.path("round.json"));
+        CHECK(femoop::write_whole_file(folder.path("round.json"), "x") == std::errc::too_many_symbolic_link_levels);
+        CHECK(fs::is_symlink(folder.path("round.json")));
+    }
+
+    TEST_CASE("A write-protected file is left alone, whoever asks")
+    {
+        const Folder folder;
+        REQUIRE_FALSE(femoop::write_whole_file(folder.path("kept.json"), "old"));
+        fs::permissions(folder.path("kept.json"), fs::perms::owner_read);
+        CHECK(femoop::write_whole_file(folder.path("kept.json"), "new") == std::errc::permission_denied);
+        CHECK(folder.read("kept.json") == "old");
+        CHECK(folder.n_entries() == 1);
+    }
+
+#if __has_include(<sys/resource.h>)
+    TEST_CASE("A file that must not grow so far is not written, and nothing is left behind")
+    {
+        const Folder folder;
+        rlimit before{};
+        REQUIRE(getrlimit(RLIMIT_FSIZE, &before) == 0);
+        const rlimit small{.rlim_cur = 1000, .rlim_max = before.rlim_max};
+        REQUIRE(setrlimit(RLIMIT_FSIZE, &small) == 0);
+        const std::error_code error = femoop::write_whole_file(folder.path("large.json"), std::string(5000, 'x'));
+        REQUIRE(setrlimit(RLIMIT_FSIZE, &before) == 0);
+        CHECK(error == std::errc::file_too_large);
+        CHECK(folder.n_entries() == 0);
+    }
+#endif
 
     TEST_CASE("What cannot be written is said, and nothing is left behind")
     {

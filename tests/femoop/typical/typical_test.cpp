@@ -40,6 +40,10 @@ TEST_SUITE("typical structures")
             check_is_sound(Arch{.chords = 2, .hinges = hinges}.model());
         check_is_sound(GrillageFloor{.panels_x = 2, .panels_y = 2}.model());
         check_is_sound(GrillageFloor{}.model());
+        check_is_sound(SpaceFrame{}.model());
+        check_is_sound(SpaceFrame{.bays_x = 5, .bays_y = 7, .storeys = 3, .base = Base::Pinned}.model());
+        check_is_sound(Tower{.levels = 1}.model());
+        check_is_sound(Tower{.levels = 30}.model());
         for (int panels_x = 1; panels_x < 7; ++panels_x)
             for (int panels_y = 1; panels_y < 6; ++panels_y)
                 check_is_sound(SpaceTruss{.panels_x = panels_x, .panels_y = panels_y}.model());
@@ -51,6 +55,16 @@ TEST_SUITE("typical structures")
         CHECK(steel.alpha->value() == 1.2e-5);
         CHECK(steel.density->value() == 7.85);
         CHECK(steel.density->text() == "7850 kg/m^3");
+    }
+
+    TEST_CASE("The feet of a space frame carry its beams' load, and hold its wind")
+    {
+        const SpaceFrame frame{
+            .bays_x = 3, .bays_y = 2, .storeys = 2, .bay_x = 7.0, .bay_y = 4.0, .load = 11.0, .wind = 5.0};
+        const Equilibrium equilibrium = analyse(frame.model()).at("G").equilibrium();
+        const double beams = 3.0 * 7.0 * 3.0 + 4.0 * 4.0 * 2.0; // m on a floor: three rows along x, four along y
+        CHECK(equilibrium.sum_reactions[2] == doctest::Approx(2.0 * 11.0 * beams));
+        CHECK(equilibrium.sum_reactions[0] == doctest::Approx(-2.0 * 3.0 * 5.0)); // three joints of the face at x = 0
     }
 
     TEST_CASE("Plane trusses of every pattern are statically determinate")

@@ -8,6 +8,8 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <iostream>
+#include <sstream>
 #include <string>
 
 namespace fs = std::filesystem;
@@ -56,6 +58,26 @@ TEST_CASE("A sheet is described without a screen and a broken file is told")
     CHECK(run(options) == 2);
     options.files = {"/dev/zero"}; // it has no end
     CHECK(run(options) == 2);
+}
+
+TEST_CASE("What cannot be distributed is refused in words on stderr: a truss with status 2, a mechanism with 3")
+{
+    ui::AppOptions options;
+    options.describe = true;
+    const auto described = [&](const std::string& file) {
+        options.files = {file};
+        std::ostringstream out, err;
+        auto* const cout = std::cout.rdbuf(out.rdbuf());
+        auto* const cerr = std::cerr.rdbuf(err.rdbuf());
+        const int status = run(options);
+        std::cout.rdbuf(cout);
+        std::cerr.rdbuf(cerr);
+        CHECK(out.str().empty());
+        CHECK(!err.str().empty());
+        return status;
+    };
+    CHECK(described(CREMONA_SOURCE_DIR "/examples/truss.json") == 2);
+    CHECK(described(CREMONA_SOURCE_DIR "/examples/mechanism.json") == 3);
 }
 
 TEST_CASE("Every scenario of moment distribution begins with its claim and is played to its end")

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/mohr/document/file.h"
@@ -75,7 +76,9 @@ private:
         const bool leaves = command.id.starts_with("file.") || command.id.starts_with("help.");
         if (leaves) return;
         last_ = command.id;
-        run(command, application_.desk());
+        Desk& desk = application_.desk();
+        run(command, desk);
+        if (const auto then = std::exchange(desk.after_exercise, {})) then(desk); // the question is answered
     }
 
     void type_number()
@@ -114,7 +117,7 @@ private:
 bool has_no_number(const std::string& text)
 {
     return text.find("nan") != std::string::npos || text.find("inf\"") != std::string::npos ||
-           text.find("-0\"") != std::string::npos;
+           text.find("−0\"") != std::string::npos;
 }
 
 void play(std::uint32_t seed, int n_acts, ui::PixelSize size)
@@ -141,6 +144,7 @@ void play(std::uint32_t seed, int n_acts, ui::PixelSize size)
             }
             Session& session = application.desk().session;
             session.settle();
+            session.end_exercise(); // else it keeps its state
             while (session.history().can_undo()) session.undo();
             CHECK(session.document() == textbook_state());
             return context.pixels();

@@ -2,13 +2,17 @@
 // what it keeps looks as it did.
 #include "apps/mohr/window/run.h"
 #include "apps/mohr/window/stage.h"
+#include "tests/golden/scene.h"
 #include "tests/scenarios/played.h"
 #include "tests/scenarios/script_files.h"
+#include "ui/context/offscreen.h"
 
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <initializer_list>
 #include <string>
+#include <string_view>
 
 namespace fs = std::filesystem;
 using namespace mohr;
@@ -52,6 +56,32 @@ TEST_CASE("A state is described without a screen and a broken file is told")
     CHECK(run(options) == 2);
     options.files = {"/dev/zero"}; // it has no end
     CHECK(run(options) == 2);
+}
+
+TEST_CASE("The projector makes no circle smaller, nor one that is being constructed")
+{
+    const Workplace workplace;
+    for (const ui::PixelSize size : {ui::PixelSize{1280, 800}, {1920, 1080}, {1024, 768}})
+        golden::if_drawn([&] {
+            const ui::Fonts fonts;
+            ui::Offscreen context({.size = size});
+            for (const SubjectEntry& subject : subjects())
+                for (const char* const steps : {"construction.whole", "construction.last"}) {
+                    Application application(context, fonts, Session());
+                    const auto do_all = [&](std::initializer_list<std::string_view> ids) {
+                        for (const std::string_view id : ids) run(*application.commands().find(id), application.desk());
+                        application.frame({});
+                        application.frame({});
+                        return application.canvas().drawn().circle.scale();
+                    };
+                    CAPTURE(size.width);
+                    CAPTURE(subject.id);
+                    CAPTURE(steps);
+                    const double before = do_all({subject.id, steps});
+                    CHECK(do_all({"view.project"}) >= before);
+                }
+            return context.pixels();
+        });
 }
 
 TEST_CASE("Every scenario of Mohr's circle begins with its claim and is played to its end")

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "topology/embedding/embedding.h"
+#include "topology/embedding/ring_plane.h"
 #include "topology/modeling/lamina.h"
 #include "topology/modeling/primitives.h"
 
@@ -36,6 +37,29 @@ VertexId at(const Solid& solid, const Point& p)
 
 TEST_SUITE("embedding")
 {
+    TEST_CASE("A ring out of the plane of its face is told by its farthest vertex, one that lies in it is not")
+    {
+        class Last : public Observer {
+        public:
+            void changed(const Change& change) override { last = change; }
+            Change last;
+        } seen;
+        Solid solid;
+        EulerOperator op(solid);
+        op.observe(seen);
+        const auto base = op.mvfs({0, 0, 0});
+        const auto far = op.mev(solid.half_edge(base.vertex), {4, 0, 0});
+        const auto corner = op.mev(far.plus, {4, 3, 0});
+        op.mef(corner.plus, solid.next(corner.plus));
+        const FaceId f = base.face;
+        op.mvr(f, {3, 1, 0});
+        CHECK(!off_plane(solid, seen.last));
+        const auto above = op.mvr(f, {3, 1, 0.5});
+        REQUIRE(off_plane(solid, seen.last));
+        CHECK(off_plane(solid, seen.last)->vertex == above.vertex);
+        CHECK(off_plane(solid, seen.last)->face == f);
+    }
+
     TEST_CASE("Nothing is wrong with blocks, prisms, tori, the Platonic solids, through holes and voids")
     {
         Solid solid;

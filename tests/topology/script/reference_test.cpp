@@ -1,8 +1,10 @@
-// The reference page of the scripts: what it shows runs, and it leaves no operator out.
+// The reference pages of the scripts: what they show runs, and they leave no operator out.
 #include <doctest/doctest.h>
 
+#include <cctype>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -15,11 +17,14 @@ using namespace topology;
 
 namespace {
 
-std::string page()
+std::string text_of(const std::string& file_name)
 {
-    std::ifstream file(CREMONA_SOURCE_DIR "/courseware/reference/euler-scripts.md");
+    std::ifstream file(CREMONA_SOURCE_DIR "/" + file_name);
     return {std::istreambuf_iterator<char>(file), {}};
 }
+
+std::string page() { return text_of("courseware/reference/euler-scripts.md"); }
+std::string page_of_arguments() { return text_of("courseware/reference/euler-operators.md"); }
 
 std::vector<std::string> scripts_of(const std::string& text)
 {
@@ -36,16 +41,54 @@ std::vector<std::string> scripts_of(const std::string& text)
 
 TEST_SUITE("script reference")
 {
-    TEST_CASE("Every script on the page runs and leaves a sound solid")
+    TEST_CASE("Every script on the pages runs and leaves a sound solid")
     {
-        const std::vector<std::string> scripts = scripts_of(page());
+        std::vector<std::string> scripts = scripts_of(page());
         REQUIRE(scripts.size() == 4);
+        for (const std::string& script : scripts_of(page_of_arguments())) scripts.push_back(script);
+        REQUIRE(scripts.size() == 6);
         for (const std::string& script : scripts) {
             CAPTURE(script);
             ScriptRunner runner;
             REQUIRE_NOTHROW(run_script(runner, script, {}));
             for (const NamedSolid& solid : runner.solids()) CHECK_NOTHROW(validate(solid.solid));
         }
+    }
+
+    TEST_CASE("Each line that the page of arguments sets beside Mantyla's is one of the scripts' page")
+    {
+        const std::string text = page_of_arguments(), scripts = page();
+        std::size_t n_lines = 0;
+        for (std::size_t begin = text.find("| `"); begin != std::string::npos; begin = text.find("| `", begin + 1)) {
+            const std::string line = text.substr(begin + 3, text.find('`', begin + 3) - begin - 3);
+            if (line.find("::") != std::string::npos) continue; // a link of a class
+            CAPTURE(line);
+            CHECK(scripts.find("`" + (line == "kvfs S [F]" ? "kvfs S F" : line) + "`") != std::string::npos);
+            ++n_lines;
+        }
+        CHECK(n_lines == 13);
+    }
+
+    TEST_CASE("The drawing of the classes and its table show every link that the entities have")
+    {
+        const std::string drawing = text_of("courseware/reference/half-edge-classes.svg"), table = page_of_arguments();
+        std::istringstream entities(text_of("topology/halfedge/entities.h"));
+        std::string name;
+        for (std::string line; std::getline(entities, line);) {
+            if (line.starts_with("struct ")) name = line.substr(7, line.find(' ', 7) - 7);
+            if (!line.starts_with("    ") || line.find(" = nothing<") == std::string::npos) continue;
+            CHECK(drawing.find(">" + name + "<") != std::string::npos);
+            CHECK(table.find("`" + name + "::") != std::string::npos);
+            for (std::istringstream words(line.substr(0, line.find("; "))); words >> line;) {
+                const bool is_field = std::islower(static_cast<unsigned char>(line.front())) != 0 &&
+                                      !line.starts_with("nothing");
+                if (!is_field) continue;
+                CAPTURE(line);
+                CHECK(drawing.find(">" + line + "<") != std::string::npos);
+                CHECK(table.find(line + "`") != std::string::npos);
+            }
+        }
+        CHECK(name == "Face");
     }
 
     TEST_CASE("The page shows each operator's line as the program asks for it")

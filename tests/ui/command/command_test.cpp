@@ -71,12 +71,22 @@ TEST_SUITE("ui command")
         CHECK(table.matching("apagar", {}, tr).at(0)->id == "lamp.switch");
     }
 
-    TEST_CASE("A match at a word's beginning is better than inside a word, and that better than scattered letters")
+    TEST_CASE("In Portuguese the palette finds commands by their English words too")
     {
-        CHECK(ui::match_rank("mom", "Bending moment") == 0);
-        CHECK(ui::match_rank("omen", "Bending moment") == 1);
-        CHECK(ui::match_rank("bnm", "Bending moment").value() > 1);
+        const auto table = lamp_commands();
+        const ui::Catalogue tr(ui::Language::Portuguese, {{"Take the bulb out", "Retirar a lâmpada", 3}});
+        CHECK(table.matching("bulb", {}, tr).at(0)->id == "lamp.unscrew");
+    }
+
+    TEST_CASE("A whole word is better than its beginning, that better than its middle, and that than scattered letters")
+    {
+        CHECK(ui::match_rank("moment", "Bending moment") == 0);
+        CHECK(ui::match_rank("mom", "Bending moment") == 1);
+        CHECK(ui::match_rank("omen", "Bending moment") == 2);
+        CHECK(ui::match_rank("bnm", "Bending moment").value() > ui::worst_rank_of_words);
         CHECK(ui::match_rank("acao", "Reação").value() >= 1);
+        CHECK(ui::match_rank("case", "New case (load cases)") == 0); // also behind a worse place
+        CHECK(ui::match_rank("moment bending", "Bending moment") == 0);
         CHECK_FALSE(ui::match_rank("xyz", "Bending moment"));
     }
 

@@ -61,6 +61,22 @@ TEST_SUITE("ui files")
         CHECK(fs::is_empty(folder.path()));
     }
 
+    TEST_CASE("Drafts without a name are told apart by when they were kept and what they hold")
+    {
+        const Folder folder;
+        {
+            ui::Draft draft(drafts_in(folder.path()));
+            REQUIRE_FALSE(draft.keep(document("a bridge"), std::nullopt, "7 nodes, 11 members"));
+        }
+        const auto found = ui::leftovers(drafts_in(folder.path()));
+        REQUIRE(found.size() == 1);
+        CHECK(found[0].about == "7 nodes, 11 members");
+        const std::string time = ui::time_of(found[0]);
+        REQUIRE(time.size() == std::string("2026-11-23 14:05").size());
+        CHECK(time[4] == '-');
+        CHECK(time[13] == ':');
+    }
+
     TEST_CASE("What was half written when the program was killed goes with its draft")
     {
         const Folder folder;

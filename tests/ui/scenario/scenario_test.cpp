@@ -66,6 +66,16 @@ TEST_SUITE("ui scenario")
         CHECK_FALSE(frames[4].is_left_down);
     }
 
+    TEST_CASE("A right click is one of the right button alone")
+    {
+        Recorder stage;
+        const auto frames = played("rightclick node A", stage);
+        REQUIRE(frames.size() == 6);
+        CHECK(frames[2].is_right_down);
+        CHECK_FALSE(frames[2].is_left_down);
+        CHECK_FALSE(frames[4].is_right_down);
+    }
+
     TEST_CASE("A drag holds the button from its first place to its last")
     {
         Recorder stage;
@@ -149,7 +159,8 @@ TEST_SUITE("ui scenario")
               "line 1: click: found \"Hyper\", wanted Ctrl, Shift or Alt before a step of the mouse");
         CHECK(complaint("Shift+key A") ==
               "line 1: key: found \"Shift+key\", wanted a step of the mouse after a key that is held");
-        CHECK(complaint("jump") == "line 1: found \"jump\", wanted a step: click, hover, drag, press, release, wheel, "
-                                   "key, type, command, wait, picture or expect");
+        CHECK(complaint("jump") ==
+              "line 1: found \"jump\", wanted a step: click, rightclick, hover, drag, press, release, wheel, "
+              "key, type, command, wait, picture or expect");
     }
 }

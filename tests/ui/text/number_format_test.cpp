@@ -7,6 +7,14 @@
 
 TEST_SUITE("ui text")
 {
+    TEST_CASE("A picture writes true minus signs, also in the exponent, and they can be typed again")
+    {
+        CHECK(ui::with_minus_signs(ui::number_text(-12.5)) == "−12.5");
+        CHECK(ui::with_minus_signs(ui::number_text(-1.2e-5)) == "−1.2e−5");
+        CHECK(ui::number_typed("−12,5") == -12.5);
+        CHECK(ui::number_typed("3 − 5") == -2.0);
+    }
+
     TEST_CASE("A number is rounded to its significant digits and loses its trailing zeros")
     {
         CHECK(ui::number_text(12.3456) == "12.35");

@@ -8,22 +8,30 @@
 
 TEST_SUITE_BEGIN("panel");
 
-TEST_CASE("A message box is as high as what it holds, at every size of type")
+TEST_CASE(
+    "A message at the window's foot is as high as what it holds, at every size of type, and leaves the rest alone")
 {
     if (!ui_test::has_renderer()) return;
     ui_test::WidgetStage stage{1.0};
-    for (const float scale : {0.8F, 1.0F, 1.1F, 1.3F, 1.45F, 1.6F, 2.0F}) {
+    const ui::FootMessage message{{"a sentence that is longer than a line of a small window has room for, twice over"},
+                                  {"Close###close"}};
+    for (const float scale : {0.8F, 1.0F, 1.1F, 1.3F}) {
         CAPTURE(scale);
-        float hidden = 0.0F;
+        float hidden = 0.0F, body_ends = 0.0F, message_begins = 0.0F;
         for (int i = 0; i < 3; ++i)
             stage.frame({}, [&] {
                 ImGui::GetIO().FontGlobalScale = scale;
-                ui::begin_message_box({"a sentence"});
-                ImGui::Button("Close");
+                ui::begin_body(ui::height(message));
+                body_ends = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
+                ui::end_body();
+                ui::show(message);
+                ImGui::Begin("###message");
                 hidden = ImGui::GetScrollMaxY();
-                ui::end_message_box();
+                message_begins = ImGui::GetWindowPos().y;
+                ImGui::End();
             });
         CHECK(hidden == 0.0F);
+        CHECK(body_ends <= message_begins);
     }
 }
 

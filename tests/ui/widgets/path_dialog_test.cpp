@@ -57,6 +57,52 @@ TEST_CASE("A file that exists is replaced only when asked twice")
     CHECK(stage.dialog.is_open());
 }
 
+TEST_CASE("Saving begins with the old name selected: what is typed takes its place")
+{
+    if (!ui_test::has_renderer()) return;
+    const Folder folder;
+    DialogStage stage;
+    stage.dialog.open(ui::PathDialog::Purpose::Save, folder.path() / "old.json", ".json");
+    stage.rest();
+    stage.type("other");
+    stage.key(ui::Key::Enter);
+    CHECK(stage.chosen == folder.path() / "other.json");
+}
+
+TEST_CASE("An export with a wrong ending keeps the dialog and the keyboard, and the ending can be mended")
+{
+    if (!ui_test::has_renderer()) return;
+    const Folder folder;
+    DialogStage stage;
+    stage.dialog.open_export(folder.path() / "beam.svg", {".svg", ".report.pdf"});
+    stage.rest();
+    stage.type("beam.doc");
+    stage.key(ui::Key::Enter);
+    CHECK(!stage.chosen);
+    REQUIRE(stage.dialog.is_open());
+    for (int i = 0; i < 4; ++i) stage.key(ui::Key::Backspace);
+    stage.type(".report.pdf");
+    stage.key(ui::Key::Enter);
+    CHECK(stage.chosen == folder.path() / "beam.report.pdf");
+}
+
+TEST_CASE("What cannot be written is asked for again, with the name that was typed")
+{
+    if (!ui_test::has_renderer()) return;
+    const Folder folder;
+    DialogStage stage;
+    stage.dialog.open_export(folder.path() / "beam.svg", {".svg"});
+    stage.rest();
+    stage.key(ui::Key::Enter);
+    REQUIRE(stage.chosen);
+    stage.chosen.reset();
+    stage.dialog.refuse(ui::Phrase("the disk is full"));
+    stage.rest();
+    CHECK(stage.dialog.is_open());
+    stage.key(ui::Key::Enter);
+    CHECK(stage.chosen == folder.path() / "beam.svg");
+}
+
 TEST_CASE("Esc closes the dialog and chooses nothing")
 {
     if (!ui_test::has_renderer()) return;

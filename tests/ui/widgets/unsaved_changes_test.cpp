@@ -34,7 +34,7 @@ struct Sheet {
 /// An app with one changed document whose end was asked for.
 struct Ending : ui_test::Hand {
     ui_test::WidgetStage stage{1.0};
-    ui::Overlays overlays{{.extension = ".eul", .picture_extension = ".png"}};
+    ui::Overlays overlays{{.extension = ".eul", .exports = {".png"}}};
     ui::UnsavedChanges changes;
     Sheet sheet;
     std::optional<ui::UnsavedChanges::Fate> fate;

@@ -30,9 +30,13 @@ topology::Point point(const Words& words)
     return {coordinates[0], coordinates[1], coordinates[2]};
 }
 
-/// "f1 v1" as a corner of the face; "v1>v2", "%7", or the one half-edge that starts at "v1" in any face.
+/// "v1 v2" as an edge of a script, "f1 v1 v2" as one in a face; "f1 v1" as a corner of the face; "v1>v2", "%7", or the
+/// one half-edge that starts at "v1" in any face.
 HalfEdgeId half_edge(const Named& in, const Words& words)
 {
+    if (words.size() == 3) return find_half_edge(in, find_face(in, words[0]), words[1], words[2]);
+    const bool is_edge = words.size() == 2 && !in.names.faces.find(words[0], in.solid);
+    if (is_edge) return find_half_edge(in, std::nullopt, words[0], words[1]);
     if (words.size() == 2) return find_corner(in, find_face(in, words[0]), words[1]);
     return find_half_edge(in, words.front());
 }

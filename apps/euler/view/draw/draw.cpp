@@ -64,7 +64,7 @@ public:
         Turns vertices(shapes_.vertices);
         const auto draw_one = [&](const auto& shape) { draw(shape); };
         for (std::size_t turn = 0; turn <= shapes_.pieces.size(); ++turn) {
-            if (turn > 0 && look_.faces) draw(shapes_.pieces[turn - 1]);
+            if (turn > 0 && look_.faces) draw_piece(turn - 1);
             edges.take(turn, draw_one);
             if (look_.half_edges) arrows.take(turn, draw_one);
             vertices.take(turn, draw_one);
@@ -72,16 +72,29 @@ public:
     }
 
 private:
-    void draw(const Shapes::Piece& piece)
+    void draw_piece(std::size_t place)
     {
+        const Shapes::Piece& piece = shapes_.pieces[place];
         const Shapes::Face& face = shapes_.faces[piece.face];
         ui::Color color = palette_.face(face.subject, face.face);
         if (face.is_bent) color = ui::with_opacity(color, pale * color.a / 255.0);
         if (piece.area.size() == 1) painter_.polygon(piece.area.front(), color);
         else painter_.region(piece.area, color);
         if (!piece.is_back || face.is_bent || !look_.hatching || is_small(piece.area)) return;
-        hatch(painter_, piece.area, hatch_spacing * symbol_,
+        hatch(painter_, piece.area, front_pieces_over(place), hatch_spacing * symbol_,
               {.color = palette_.hatching(face.subject, face.face), .width = symbol_});
+    }
+
+    /// Whoever looks at these from outside must not take them for what lies behind.
+    std::vector<const Region*> front_pieces_over(std::size_t place)
+    {
+        if (bounds_.empty())
+            for (const Shapes::Piece& piece : shapes_.pieces) bounds_.push_back(bounds_of(piece.area));
+        std::vector<const Region*> covers;
+        for (std::size_t i = place + 1; i < bounds_.size(); ++i)
+            if (!shapes_.pieces[i].is_back && bounds_[i].overlaps(bounds_[place]))
+                covers.push_back(&shapes_.pieces[i].area);
+        return covers;
     }
 
     bool is_small(const Region& area) const
@@ -153,6 +166,7 @@ private:
     double symbol_;
     double thinning_;
     bool is_crowded_;
+    std::vector<ui::Box> bounds_{}; ///< by piece, once something is hatched
 };
 
 void write_sentences(ui::Painter& painter, const Shapes& shapes, const ui::Theme& theme)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace euler {
@@ -24,9 +25,38 @@ std::vector<double> crossings(const Region& area, double line)
     return found;
 }
 
+// Lies a place on a line between an odd crossing and the next?
+bool is_within(const std::vector<double>& crossings, double x)
+{
+    return (std::upper_bound(crossings.begin(), crossings.end(), x) - crossings.begin()) % 2 != 0;
+}
+
+// The stretches of a line, from one place to the next, that are in the area and behind no cover.
+std::vector<std::pair<double, double>> stretches(const Region& area, std::span<const Region* const> covers, double line)
+{
+    const std::vector<double> own = crossings(area, line);
+    std::vector<std::vector<double>> others;
+    std::vector<double> ends = own;
+    for (const Region* cover : covers) {
+        others.push_back(crossings(*cover, line));
+        ends.insert(ends.end(), others.back().begin(), others.back().end());
+    }
+    std::sort(ends.begin(), ends.end());
+    std::vector<std::pair<double, double>> free;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        const double middle = 0.5 * (ends[i] + ends[i + 1]);
+        const auto covers_it = [&](const std::vector<double>& other) { return is_within(other, middle); };
+        if (!is_within(own, middle) || std::ranges::any_of(others, covers_it)) continue;
+        if (!free.empty() && free.back().second == ends[i]) free.back().second = ends[i + 1];
+        else free.emplace_back(ends[i], ends[i + 1]);
+    }
+    return free;
+}
+
 } // namespace
 
-void hatch(ui::Painter& painter, const Region& area, double spacing, const ui::Stroke& stroke)
+void hatch(ui::Painter& painter, const Region& area, std::span<const Region* const> covers, double spacing,
+           const ui::Stroke& stroke)
 {
     constexpr double most_lines = 400.0;
     const double step = spacing * std::numbers::sqrt2;
@@ -36,9 +66,8 @@ void hatch(ui::Painter& painter, const Region& area, double spacing, const ui::S
     if (!(last - first < most_lines)) return;
     for (double k = first; k <= last; k += 1.0) {
         const double line = k * step;
-        const std::vector<double> xs = crossings(area, line);
-        for (std::size_t i = 0; i + 1 < xs.size(); i += 2)
-            painter.line({xs[i], line - xs[i]}, {xs[i + 1], line - xs[i + 1]}, stroke);
+        for (const auto& [from, to] : stretches(area, covers, line))
+            painter.line({from, line - from}, {to, line - to}, stroke);
     }
 }
 

@@ -212,7 +212,7 @@ private:
             sketch().disc(at(x, value), sketch().px(2.0), sketch().stroke(role_).color, Clearance::None);
             Caption caption = value_at(x, value);
             caption.rank = Rank::Minor;
-            caption.size = sketch().theme().type().small;
+            caption.size = sketch().lesser_value_size();
             caption.reach = 14.0; // farther off it would seem to belong to another step
             sketch().caption(std::move(caption));
         }
@@ -230,6 +230,23 @@ bool has_one_force(const Curve& curve, double largest)
 {
     const femoop::Extremes N = curve.extremes(MemberComponent::N);
     return N.max.value - N.min.value <= noise * largest;
+}
+
+// The force of a bar, written beside it.
+void write_force(const Scene& scene, femoop::MemberId id, double N, double half, Rank rank)
+{
+    const MemberShape& member = scene.shape[id];
+    const ui::Point along = scene.projection.direction(member.x());
+    const double length = member.length * scene.projection.scale();
+    const auto target = [&](double x) { return scene.projection(member.start) + x * length * along; };
+    scene.sketch.caption({.text = value_text(scene, MemberComponent::N, N),
+                          .role = ui::Role::AxialForce,
+                          .target = target(0.5),
+                          .toward = ui::left_normal(ui::direction(along)),
+                          .gap = 4.0 + half,
+                          .rank = rank,
+                          .others = {target(0.4), target(0.6), target(0.3), target(0.7), target(0.2), target(0.8)},
+                          .along = along});
 }
 
 // The bar as broad as its force is large; tension is filled, compression is hatched.
@@ -261,15 +278,27 @@ void draw_band(const Scene& scene, femoop::MemberId id, const Curve& curve, cons
                 sketch.line(corner(x - half, -half), corner(x, half), stroke, Clearance::None);
     }
     if (!scene.shows(Show::Values)) return;
-    const auto target = [&](double x) { return corner(x * length, 0.0); };
-    sketch.caption({.text = value_text(scene, MemberComponent::N, is_zero ? 0.0 : N),
-                    .role = ui::Role::AxialForce,
-                    .target = target(0.5),
-                    .toward = across,
-                    .gap = 4.0 + half,
-                    .rank = share >= 1.0 - noise ? Rank::Largest : Rank::Value,
-                    .others = {target(0.4), target(0.6), target(0.3), target(0.7), target(0.2), target(0.8)},
-                    .along = along});
+    write_force(scene, id, is_zero ? 0.0 : N, half, share >= 1.0 - noise ? Rank::Largest : Rank::Value);
+}
+
+bool is_hinged(const Scene& scene, const femoop::MemberEnd& end, femoop::NodeId node)
+{
+    return scene.model[node].hinge || end.release.contains(femoop::Dof::rz);
+}
+
+// Made as a bar, or hinged at both ends: the bars of a truss in a plane frame.
+bool acts_as_bar(const Scene& scene, femoop::MemberId id)
+{
+    const femoop::Member& member = scene.model[id];
+    return is_bar(scene.model, id) ||
+           (is_hinged(scene, member.start, member.nodes[0]) && is_hinged(scene, member.end, member.nodes[1]));
+}
+
+bool is_zero_bar(const Scene& scene, femoop::MemberId id, const Curve& curve, const Diagram& diagram)
+{
+    if (diagram.component != MemberComponent::N || !acts_as_bar(scene, id)) return false;
+    const femoop::Extremes N = curve.extremes(MemberComponent::N);
+    return std::max(std::abs(N.max.value), std::abs(N.min.value)) <= noise * diagram.largest;
 }
 
 } // namespace
@@ -321,6 +350,8 @@ void draw_diagram(const Scene& scene, const SolvedCase& solved, const Diagram& d
     for (std::size_t i = 0; i < scene.shape.members.size(); ++i) {
         const femoop::MemberId id{i};
         if (is_truss && has_one_force(solved[id], diagram.largest)) draw_band(scene, id, solved[id], diagram);
+        else if (scene.shows(Show::Values) && is_zero_bar(scene, id, solved[id], diagram))
+            write_force(scene, id, 0.0, 0.0, Rank::Value);
         else if (!diagram.is_zero()) MemberDiagram(scene, scene.shape[id], solved[id], diagram).draw();
     }
 }

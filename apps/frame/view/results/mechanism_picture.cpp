@@ -56,6 +56,4 @@ void draw_motion(const Scene& scene, const femoop::Mechanism& mechanism)
         draw_node_motion(scene, femoop::NodeId{i}, mechanism.motion[i], factor);
 }
 
-std::string sentence(const femoop::Fault& fault, const ui::Catalogue& tr) { return femoop::message(fault, tr); }
-
 } // namespace frame

@@ -3,15 +3,10 @@
 #include "apps/frame/view/sketch/scene.h"
 #include "femoop/analysis/mechanism.h"
 
-#include <string>
-
 namespace frame {
 
 /// The structure in its free motion, with an arrow at every node that moves. Members stay straight, since nothing is
 /// strained; the phase of the options moves it to and fro.
 void draw_motion(const Scene& scene, const femoop::Mechanism& mechanism);
-
-/// The sentence of a fault in the language of the options.
-std::string sentence(const femoop::Fault& fault, const ui::Catalogue& tr);
 
 } // namespace frame

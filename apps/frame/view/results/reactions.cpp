@@ -65,9 +65,8 @@ struct Reaction {
 };
 
 /// Where an arrow clears the symbol: beyond it if they lie on one line, beside it else.
-ForcePicture placed(const Scene& scene, const Reaction& reaction)
+ForcePicture placed(const Scene& scene, const Reaction& reaction, const Vector3d& direction)
 {
-    const Vector3d direction = reaction.direction();
     ForcePicture force{.at = scene.shape[reaction.node], .direction = direction, .length = scene.sketch.px(36.0)};
     force.role = ui::Role::Reaction;
     force.touches = free_end(scene, reaction.node, direction);
@@ -101,8 +100,30 @@ void draw_reaction(const Scene& scene, const Reaction& reaction)
                             .text_side = text_side(scene, reaction.node)});
         return;
     }
-    ForcePicture force = placed(scene, reaction);
+    ForcePicture force = placed(scene, reaction, reaction.direction());
     force.text = scene.text(size, ui::Measure::Force);
+    draw_force(scene, force);
+}
+
+/// The direction in which a support holds, where it holds in one alone and that is slanting.
+std::optional<Vector3d> slanting_normal(const Scene& scene, femoop::NodeId node)
+{
+    const femoop::Support& support = *scene.model[node].support;
+    const femoop::DofSet blocked = support.blocked(scene.model.analysis);
+    if (!scene.is_flat() || blocked.contains(Dof::ux) == blocked.contains(Dof::uy) || !support.springs.empty())
+        return std::nullopt;
+    const Vector3d normal = plane_support_axes(support).at(blocked.contains(Dof::ux) ? 0 : 1);
+    constexpr double upright = 1e-6;
+    const bool is_slanting = std::abs(normal.x()) > upright && std::abs(normal.y()) > upright;
+    return is_slanting ? std::optional(normal) : std::nullopt;
+}
+
+/// Both components as the one force that they are.
+void draw_resultant(const Scene& scene, const Reaction& along_normal, const Vector3d& normal)
+{
+    const double value = along_normal.value;
+    ForcePicture force = placed(scene, along_normal, value < 0.0 ? Vector3d(-normal) : normal);
+    force.text = "R = " + scene.text(std::abs(value), ui::Measure::Force);
     draw_force(scene, force);
 }
 
@@ -123,6 +144,9 @@ void draw_reactions(const Scene& scene, const SolvedCase& solved)
         const bool has_moment = scene.is_flat() && is_there(Dof::rz);
         for (const Dof dof : femoop::all_dofs)
             if (is_there(dof)) draw_reaction(scene, {node, dof, r[femoop::index(dof)], has_moment});
+        const auto normal = slanting_normal(scene, node);
+        const double along = normal ? normal->x() * r[0] + normal->y() * r[1] : 0.0;
+        if (std::abs(along) > noise * largest.force) draw_resultant(scene, {node, Dof::ux, along, has_moment}, *normal);
     }
 }
 

@@ -114,7 +114,7 @@ SheetHead sheet_head(const femoop::Model& model, const femoop::Results* results,
     SheetHead head{.title = ui::shortened(model.title, longest_title), .line = {}};
     join(head.line, case_text(model, options));
     join(head.line, self_weight_text(model, options));
-    if (results) join(head.line, indeterminacy_text(*results, options.tr));
+    if (results && !model.members.empty()) join(head.line, indeterminacy_text(*results, options.tr));
     join(head.line, units_text(model, options));
     head.line = capitalized(head.line);
     return head;

@@ -39,6 +39,7 @@ public:
     }
 
     std::size_t n_lines() const { return line_ + 1; }
+    double width() const { return left_border + widest_; }
 
 private:
     void write_name(const PanelHead& head)
@@ -54,7 +55,7 @@ private:
         const double width = head.bar + bar_gap + measure(head.bar_text, style);
         if (!find_room(width)) return;
         if (painter_) draw_bar(head, style);
-        x_ += width + gap;
+        go_on(width);
     }
 
     /// On one line with the rest, or on lines of its own below.
@@ -108,7 +109,14 @@ private:
             if (i > 0) next_line();
             if (painter_) painter_->text(pen(), lines[i], style);
         }
-        if (!lines.empty()) x_ += measure(lines.back(), style) + gap;
+        for (const std::string& line : lines) widest_ = std::max(widest_, measure(line, style));
+        if (!lines.empty()) go_on(measure(lines.back(), style));
+    }
+
+    void go_on(double width)
+    {
+        widest_ = std::max(widest_, x_ + width);
+        x_ += width + gap;
     }
 
     void draw_bar(const PanelHead& head, const ui::TextStyle& style)
@@ -127,7 +135,8 @@ private:
     ui::Box row_;
     double width_;
     std::size_t line_ = 0;
-    double x_ = 0.0; // of the pen, from the left border
+    double x_ = 0.0;      // of the pen, from the left border
+    double widest_ = 0.0; // of the lines so far
 };
 
 } // namespace
@@ -142,6 +151,9 @@ double head_height(const PanelHead& head, const ui::Theme& theme, const ui::Font
 void draw_panel_head(ui::Painter& painter, const PanelHead& head, const ui::Theme& theme, const ui::Box& row)
 {
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
+    HeadWriter measuring(nullptr, theme, painter.fonts(), row);
+    measuring.write(head);
+    painter.rectangle({row.min, {row.min.x + measuring.width() + right_border, row.max.y}}, theme.background());
     HeadWriter(&painter, theme, painter.fonts(), row).write(head);
 }
 

@@ -1,5 +1,6 @@
 #include "apps/frame/view/sheet/subject.h"
 
+#include "apps/frame/document/fault/sentence.h"
 #include "apps/frame/predict/prediction.h"
 #include "apps/frame/view/frame_view.h"
 #include "apps/frame/view/loads/loads.h"
@@ -29,6 +30,7 @@ namespace {
 constexpr std::array diagrams{Show::N, Show::V, Show::Vy, Show::Vz, Show::M, Show::T, Show::My, Show::Mz};
 constexpr double edge = 14.0;                                        // [px] kept free around a fitted picture
 constexpr ui::World2 empty_least{-1.0, -1.0}, empty_most{11.0, 7.0}; // corners of an empty sheet
+constexpr ui::World3 empty_corner{-1.0, -1.0, 0.0}, full_corner{9.0, 9.0, 5.0}; // of one in space
 
 bool shows_any(const ShowSet& show, std::span<const Show> items)
 {
@@ -185,10 +187,12 @@ ShowSet without_absent(ShowSet show, femoop::AnalysisKind kind)
 }
 
 /// Where panels get small, so do type, lines and symbols, as far as they can still be read.
+/// On the projector they do not: a class reads the numbers of the picture, not those of the window around it.
 /// \param aspect  of the structure: the side of the panel that it does not fill may be shorter
 ui::Theme theme_for(const ui::Theme& theme, ui::Size panel, double aspect)
 {
     constexpr double least_share = 0.75, least_type = 11.0;
+    if (theme.name() == ui::ThemeName::Projector) return theme;
     const bool is_wide = aspect * panel.height > panel.width;
     const ui::Size ample = is_wide ? ui::Size{400.0, 180.0} : ui::Size{250.0, 280.0}; // for symbols of scale 1
     const double share = std::min(panel.width / ample.width, panel.height / ample.height) / theme.symbol_scale();
@@ -295,6 +299,7 @@ void Subject::fit(Camera& camera, ui::Size panel, const ui::Margins& margins) co
     }
     std::vector<ui::World3> points;
     for (const Eigen::Vector3d& p : fitted_points()) points.push_back({p.x(), p.y(), p.z()});
+    if (points.empty()) points = {empty_corner, full_corner};
     std::get<ui::OrbitCamera>(camera).fit(points, panel, margins);
 }
 
@@ -425,6 +430,7 @@ Subject::Picture Subject::draw(ui::Painter& painter) const
     Picture picture;
     for (const Panel& panel : sheet.panels) {
         const Drawn drawn = draw_panel(painter, panel, sheet.camera, Pass::Write);
+        if (&panel == &sheet.panels.front()) picture.legend_bottom = panel.box.min.y + drawn.heads_height;
         n_left_out += drawn.n_left_out;
         append(picture.grips, drawn.grips);
         picture.is_whole = picture.is_whole && holds(panel.box, drawn.tight_bounds);

@@ -30,8 +30,9 @@ public:
     Plan plan(ui::Size sheet, const ui::Fonts& fonts) const;
     /// What was drawn.
     struct Picture {
-        Grips grips;          ///< what a hand can take hold of, where it is on the sheet
-        bool is_whole = true; ///< no mark of the structure runs out of its panel
+        Grips grips;                ///< what a hand can take hold of, where it is on the sheet
+        bool is_whole = true;       ///< no mark of the structure runs out of its panel
+        double legend_bottom = 0.0; ///< of the title and of what stands over the first panel [logical pixels]
     };
     Picture draw(ui::Painter& painter) const;
 

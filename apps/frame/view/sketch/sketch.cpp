@@ -36,9 +36,16 @@ Sketch::Sketch(const Setup& setup)
     : painter_(setup.painter),
       theme_(setup.theme),
       symbol_scale_(setup.theme->symbol_scale() * setup.symbol_factor),
+      room_(setup.room),
       is_crowded_(setup.is_crowded),
       placer_({.room = setup.room})
 {}
+
+double Sketch::lesser_value_size() const
+{
+    const bool is_read_from_afar = theme_->name() == ui::ThemeName::Projector;
+    return is_read_from_afar ? theme_->type().normal : theme_->type().small;
+}
 
 ui::Stroke Sketch::stroke(ui::Role role) const
 {
@@ -217,6 +224,12 @@ void Sketch::add_turned(ui::Label& label, const Caption& caption)
     for (const ui::Point target : targets) label.turned.push_back(target - away);
 }
 
+bool Sketch::is_in_sight(const Caption& caption) const
+{
+    const auto is_seen = [&](ui::Point target) { return room_.contains(target); };
+    return is_seen(caption.target) || std::any_of(caption.others.begin(), caption.others.end(), is_seen);
+}
+
 void Sketch::write(const Request& request, const ui::PlacedLabel& place)
 {
     ui::TextStyle style = request.style;
@@ -231,7 +244,8 @@ void Sketch::write_captions()
     labels.reserve(requests_.size());
     for (const Request& request : requests_) labels.push_back(label_of(request));
     const ui::LabelPlacement placed = placer_.place(labels);
-    n_left_out_ += placed.n_left_out;
+    for (std::size_t i = 0; i < requests_.size(); ++i)
+        if (!placed.labels[i] && is_in_sight(requests_[i].caption)) ++n_left_out_;
     const ui::LayerScope layer(*painter_, ui::Layer::Labels);
     for (const auto& place : placed.labels)
         if (place && place->leader)

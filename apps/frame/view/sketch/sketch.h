@@ -88,6 +88,8 @@ public:
     const ui::Theme& theme() const { return *theme_; }
     /// A length in the theme's symbol size.
     double px(double logical) const { return logical * symbol_scale_; }
+    /// Em of values beside those at extremes; on the projector a class reads them all.
+    double lesser_value_size() const;
     ui::Stroke stroke(ui::Role role) const;
     ui::Stroke thin(ui::Role role) const; ///< 0.7 of the role's width, solid
 
@@ -120,7 +122,7 @@ public:
     void include(ui::Point point);
     /// Labels keep out of a part of the sheet, which counts to no bounds.
     void reserve(const ui::Box& box) { placer_.obstacles().add_box(box); }
-    std::size_t n_left_out() const { return n_left_out_; } ///< captions for which there was no room
+    std::size_t n_left_out() const { return n_left_out_; } ///< captions of what is in sight for which there was no room
 
 private:
     struct Request {
@@ -137,6 +139,7 @@ private:
     std::vector<PlacedSign> placed_signs();
     void draw(const PlacedSign& sign);
     void write(const Request& request, const ui::PlacedLabel& place);
+    bool is_in_sight(const Caption& caption) const;
     static void unite(std::optional<ui::Box>& bounds, const ui::Box& box);
     ui::TextStyle style_of(const Caption& caption) const;
     ui::Label label_of(const Request& request) const;
@@ -146,6 +149,7 @@ private:
     ui::Painter* painter_;
     const ui::Theme* theme_;
     double symbol_scale_;
+    ui::Box room_;
     bool is_crowded_;
     ui::LabelPlacer placer_;
     std::vector<Request> requests_;

@@ -32,7 +32,7 @@ void draw(const Scene& scene, const DimensionSymbol& symbol)
                     .toward = symbol.outward,
                     .gap = 3.0,
                     .rank = Rank::Load,
-                    .size = sketch.theme().type().small,
+                    .size = sketch.lesser_value_size(),
                     .reach = reach,
                     .along = along});
 }

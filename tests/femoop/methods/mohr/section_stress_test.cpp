@@ -3,8 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <numbers>
+#include <string>
 
+#include "femoop/section/profile.h"
 #include "femoop/section/section_properties.h"
 
 using namespace femoop;
@@ -54,10 +55,10 @@ Shape t_shape()
 }
 
 /// Integrals of the distribution over the depth by the trapezoidal rule: N, V, M again.
-SectionForces resultants(const SectionFigure& section)
+SectionForces resultants(const SectionFigure& section, std::size_t n = 4001)
 {
     SectionForces sum;
-    const auto all = distribution(section, forces, 4001);
+    const auto all = distribution(section, forces, n);
     for (std::size_t i = 1; i < all.size(); ++i) {
         const FibreStress &a = all[i - 1], &b = all[i];
         const double step = 0.5 * (b.cut.y - a.cut.y);
@@ -138,4 +139,80 @@ TEST_CASE("Bending alone stresses the extreme fibre most and shear alone the neu
     CHECK(std::abs(most_stressed(section, {.N = 0.0, .V = 0.0, .M = 19e6})) == Approx(105.0));
     CHECK(most_stressed(section, {.N = 0.0, .V = -70e3, .M = 0.0}) == Approx(0.0));
     CHECK(most_stressed(section, {.N = 30e3, .V = 0.0, .M = 19e6}) == Approx(-105.0)); // tension adds to tension
+}
+
+namespace {
+
+constexpr Units newtons_and_mm{.length = LengthUnit::mm, .force = ForceUnit::N};
+
+/// How far printed numbers of a family may be from those of the outline: the figures that its table prints.
+double rounding_of(ProfileFamily family)
+{
+    return family == ProfileFamily::W ? 0.0105 : family == ProfileFamily::UPN ? 0.004 : 0.00055;
+}
+
+} // namespace
+
+TEST_CASE("An IPE 400 under 100 kN m has 86.47 MPa at its edge, by the second moment that its standard publishes")
+{
+    const SectionFigure section(*find_profile("IPE 400"), newtons_and_mm);
+    const double sigma = stress(section, {.M = 100e6}, 200.0).sigma;
+    CHECK(sigma == Approx(-100e6 * 200.0 / 23130e4).epsilon(1e-12));
+    CHECK(std::round(100.0 * sigma) == -8647.0);
+}
+
+TEST_CASE("Every rolled profile is stressed by the area and the second moment that the analysis has of it")
+{
+    for (const Profile& profile : profiles()) {
+        CAPTURE(profile.name);
+        const SectionProperties s = section_properties({.id = "s", .profile = std::string(profile.name)},
+                                                       newtons_and_mm);
+        const SectionFigure section(profile, newtons_and_mm);
+        CHECK(section.area() == s.A);
+        CHECK(section.Iz() == s.Iz);
+        const double y = -0.31 * *s.h;
+        CHECK(stress(section, forces, y).sigma == Approx(forces.N / s.A - forces.M * y / s.Iz).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("Above the axis of every rolled profile lies half its plastic modulus, and its outline has its second moment")
+{
+    for (const Profile& profile : profiles()) {
+        CAPTURE(profile.name);
+        const double k = metres(profile.unit) * 1e3, tolerance = rounding_of(profile.family);
+        const SectionFigure published(profile, newtons_and_mm), drawn(published.outline());
+        const double misprint = profile.name == "UPN350" ? 0.022 : tolerance;
+        CHECK(2.0 * published.cut(0.0).Q == Approx(profile.Zz * k * k * k).epsilon(misprint));
+        CHECK(drawn.Iz() == Approx(published.Iz()).epsilon(tolerance));
+        CHECK(drawn.area() == Approx(published.area()).epsilon(profile.family == ProfileFamily::W ? 0.0075 : 0.003));
+    }
+}
+
+TEST_CASE("The shear stresses of every rolled profile add up to V, but for the rounding of its table")
+{
+    for (const Profile& profile : profiles()) {
+        CAPTURE(profile.name);
+        const SectionForces sum = resultants(SectionFigure(profile, newtons_and_mm), 401);
+        CHECK(sum.V == Approx(forces.V).epsilon(rounding_of(profile.family) + 5e-4));
+    }
+}
+
+TEST_CASE("At both edges of every rolled profile there is no shear, to the last digit")
+{
+    for (const Profile& profile : profiles()) {
+        CAPTURE(profile.name);
+        const SectionFigure section(profile, newtons_and_mm);
+        for (const double y : {section.top(), section.bottom()}) {
+            CHECK(stress(section, forces, y).tau == 0.0);
+            CHECK(stress(section, forces, y, CutSide::Above).tau == 0.0);
+        }
+    }
+}
+
+TEST_CASE("A normal force and a moment that cancel at a fibre leave nothing there")
+{
+    const SectionFigure section(rectangle());
+    const double y = 35.0, M = 19e6, N = M * y * section.area() / section.Iz();
+    CHECK(stress(section, {.N = N, .M = M}, y).sigma == 0.0);
+    CHECK(stress(section, {.N = 1e-20, .M = 0.0}, y).sigma == Approx(1e-20 / section.area()).epsilon(1e-12));
 }

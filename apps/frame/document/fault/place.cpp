@@ -1,0 +1,190 @@
+#include "apps/frame/document/fault/place.h"
+
+#include <charconv>
+
+namespace frame {
+
+using femoop::CaseId;
+using femoop::Fault;
+using femoop::FaultKind;
+using femoop::Model;
+
+namespace {
+
+/// Reads the words of the file from left to right.
+class PlaceReader {
+public:
+    explicit PlaceReader(std::string_view text) : rest_(text) {}
+
+    std::optional<FaultPlace> read()
+    {
+        FaultPlace place;
+        do {
+            auto step = this->step();
+            if (!step) return std::nullopt;
+            place.steps.push_back(std::move(*step));
+        } while (take("."));
+        return rest_.empty() ? std::optional(std::move(place)) : std::nullopt;
+    }
+
+private:
+    bool take(std::string_view sign)
+    {
+        if (!rest_.starts_with(sign)) return false;
+        rest_.remove_prefix(sign.size());
+        return true;
+    }
+
+    std::optional<FaultPlace::Step> step()
+    {
+        FaultPlace::Step step;
+        const std::size_t key_ends = std::min({rest_.find('.'), rest_.find('['), rest_.find(" \""), rest_.size()});
+        step.key = rest_.substr(0, key_ends);
+        rest_.remove_prefix(key_ends);
+        if (take("[")) {
+            step.index = number();
+            if (!step.index || !take("]")) return std::nullopt;
+        }
+        if (take(" \"")) step.name = name();
+        const bool is_empty = step.key.empty() && !step.index;
+        return is_empty ? std::nullopt : std::optional(std::move(step));
+    }
+
+    std::optional<std::size_t> number()
+    {
+        std::size_t value = 0;
+        const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
+        if (error != std::errc()) return std::nullopt;
+        rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
+        return value;
+    }
+
+    // A quotation mark may be part of the name: the one that ends it stands before a point or at the end.
+    std::string name()
+    {
+        std::size_t end = rest_.find("\".");
+        if (end == std::string_view::npos) end = rest_.empty() ? 0 : rest_.size() - 1;
+        std::string name(rest_.substr(0, end));
+        rest_.remove_prefix(std::min(end + 1, rest_.size()));
+        return name;
+    }
+
+    std::string_view rest_;
+};
+
+template <class Entries> std::string name_in(const Entries& list, std::size_t i)
+{
+    return i < list.size() ? list[i].id : std::string();
+}
+
+std::string name_of(const Model& model, std::string_view list, std::size_t i)
+{
+    if (list == "materials") return name_in(model.materials, i);
+    if (list == "sections") return name_in(model.sections, i);
+    if (list == "nodes") return name_in(model.nodes, i);
+    if (list == "members") return name_in(model.members, i);
+    if (list == "load_cases") return name_in(model.load_cases, i);
+    if (list == "combinations") return name_in(model.combinations, i);
+    return "";
+}
+
+/// The name of the node or member that a load acts on.
+std::string bearer_of(const Model& model, const femoop::LoadCase& load_case, std::string_view list, std::size_t i)
+{
+    if (list == "nodes" && i < load_case.nodes.size()) return name_in(model.nodes, load_case.nodes[i].node.index);
+    if (list == "settlements" && i < load_case.settlements.size())
+        return name_in(model.nodes, load_case.settlements[i].node.index);
+    if (list == "members" && i < load_case.members.size())
+        return name_in(model.members, load_case.members[i].member.index);
+    return "";
+}
+
+void add_names(FaultPlace& place, const Model& model)
+{
+    FaultPlace::Step& first = place.steps.front();
+    if (!first.index) return;
+    if (first.name.empty()) first.name = name_of(model, first.key, *first.index);
+    if (!place.is_load() || *first.index >= model.load_cases.size()) return;
+    FaultPlace::Step& load = place.steps[1];
+    if (load.name.empty()) load.name = bearer_of(model, model.load_cases[*first.index], load.key, *load.index);
+}
+
+bool is_about_its_name(FaultKind kind)
+{
+    return kind == FaultKind::EmptyId || kind == FaultKind::ControlCharacterInId || kind == FaultKind::RepeatedId;
+}
+
+std::optional<Part> load_at(std::size_t load_case, const FaultPlace::Step& load)
+{
+    if (load.key == "nodes") return NodeLoadPlace{load_case, *load.index};
+    if (load.key == "settlements") return SettlementPlace{load_case, *load.index};
+    return MemberLoadPlace{load_case, *load.index};
+}
+
+std::optional<Part> any_part_at(const FaultPlace& place)
+{
+    const FaultPlace::Step& first = place.steps.front();
+    if (!first.index) return std::nullopt;
+    const std::size_t i = *first.index;
+    if (first.key == "materials") return femoop::MaterialId(i);
+    if (first.key == "sections") return femoop::SectionId(i);
+    if (first.key == "nodes") return femoop::NodeId(i);
+    if (first.key == "members") return femoop::MemberId(i);
+    if (first.key == "combinations") return CombinationPlace{i};
+    if (first.key != "load_cases") return std::nullopt;
+    return place.is_load() ? load_at(i, place.steps[1]) : LoadCasePlace{i};
+}
+
+} // namespace
+
+bool FaultPlace::is_load() const
+{
+    if (steps.size() < 2 || steps[0].key != "load_cases" || !steps[0].index || !steps[1].index) return false;
+    return steps[1].key == "nodes" || steps[1].key == "settlements" || steps[1].key == "members";
+}
+
+std::string FaultPlace::text() const
+{
+    std::string text;
+    for (const Step& step : steps) {
+        text += (text.empty() ? "" : ".") + step.key;
+        if (step.index) text += '[' + std::to_string(*step.index) + ']';
+        if (!step.name.empty()) text += " \"" + step.name + '"';
+    }
+    return text;
+}
+
+std::optional<FaultPlace> place_of(const Fault& fault)
+{
+    const bool has_place = femoop::pattern(fault.kind).starts_with("{0}: ") && !fault.arguments.empty();
+    return has_place ? PlaceReader(fault.arguments.front()).read() : std::nullopt;
+}
+
+std::vector<Fault> named(std::vector<Fault> faults, const Model& model)
+{
+    for (Fault& fault : faults) {
+        std::optional<FaultPlace> place = place_of(fault);
+        if (!place) continue;
+        add_names(*place, model);
+        fault.arguments.front() = place->text();
+    }
+    return faults;
+}
+
+std::optional<CaseId> case_of(const Fault& fault, const Model& model)
+{
+    const std::optional<FaultPlace> place = place_of(fault);
+    if (!place || !place->steps.front().index || is_about_its_name(fault.kind)) return std::nullopt;
+    const auto& [key, index, name] = place->steps.front();
+    if (key == "load_cases" && *index < model.load_cases.size()) return CaseId(*index);
+    if (key == "combinations" && *index < model.combinations.size()) return CaseId(model.load_cases.size() + *index);
+    return std::nullopt;
+}
+
+std::optional<Part> part_at(const FaultPlace& place, const Model& model)
+{
+    const std::optional<Part> part = any_part_at(place);
+    return part && has(model, *part) ? part : std::nullopt;
+}
+
+} // namespace frame

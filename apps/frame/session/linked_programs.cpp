@@ -1,0 +1,169 @@
+#include "apps/frame/session/linked_programs.h"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "apps/cross/document/file.h"
+#include "apps/frame/session/other_programs.h"
+#include "apps/mohr/document/file.h"
+#include "femoop/io/model_file.h"
+
+namespace frame {
+
+using ui::Phrase;
+using ui::translatable;
+
+namespace {
+
+constexpr std::string_view circle = "mohr";
+
+std::optional<mohr::Document> state_of(const std::string& text)
+{
+    const auto read = mohr::read_file_text(text);
+    const auto* const document = std::get_if<mohr::Document>(&read);
+    return document != nullptr ? std::optional(*document) : std::nullopt;
+}
+
+/// Nothing where the text is none of a structure.
+std::optional<femoop::Model> model_of(const std::string& text)
+{
+    try {
+        return cross::read_document(text).model;
+    } catch (const femoop::ModelError&) {
+        return std::nullopt;
+    }
+}
+
+std::vector<femoop::MemberId> members_named(const femoop::Model& model, const std::vector<std::string>& names)
+{
+    std::vector<femoop::MemberId> members;
+    for (std::size_t m = 0; m < model.members.size(); ++m)
+        if (names.empty() || std::ranges::find(names, model.members[m].id) != names.end()) members.emplace_back(m);
+    return members;
+}
+
+} // namespace
+
+void LinkedPrograms::add(ui::Link link, const Session& session, const ui::Handover& handed)
+{
+    const femoop::Model& model = session.model();
+    Handed what{session.number(), handed.program, {}, 0.0, model.case_name(session.view.load_case)};
+    if (handed.program == circle) {
+        const auto cut = cut_for_circle(session);
+        if (!cut) return;
+        what.members = {model[cut->member].id};
+        what.x = cut->x;
+    } else if (const auto members = chosen_members(session); members.size() < model.members.size()) {
+        for (const femoop::MemberId member : members) what.members.push_back(model[member].id);
+    }
+    all_.push_back(
+        {std::move(what), ui::LinkedCopy(std::move(link), handed.document), session.generation(), handed.document});
+}
+
+std::string LinkedPrograms::text_now(const Linked& linked, const Session& session)
+{
+    const Handed& handed = linked.handed;
+    const auto members = members_named(session.model(), handed.members);
+    const auto load_case = session.model().find_case(handed.load_case);
+    if (members.empty() || !load_case) return linked.text; // it has gone: what was handed over stays
+    const Offer offer = handed.program == circle ? circle_at(session, {members.front(), handed.x}, *load_case)
+                                                 : moment_distribution(session, members, *load_case);
+    const auto* const handover = std::get_if<ui::Handover>(&offer);
+    return handover != nullptr ? handover->document : linked.text;
+}
+
+bool LinkedPrograms::is_news(const Linked& linked, const Session& session, const std::string& other)
+{
+    if (linked.handed.program == circle) {
+        const auto theirs = state_of(other), ours = state_of(linked.text);
+        return theirs && ours && theirs->section != ours->section &&
+               !members_named(session.model(), linked.handed.members).empty();
+    }
+    const auto theirs = model_of(other), ours = model_of(linked.text);
+    return theirs && ours && femoop::write_model(*theirs) != femoop::write_model(*ours);
+}
+
+void LinkedPrograms::tick(double seconds, const Desk& desk)
+{
+    std::erase_if(all_, [](const Linked& linked) { return linked.copy.is_cut(); });
+    for (Linked& linked : all_) {
+        const Session& session = desk.session;
+        if (linked.handed.session != session.number() || session.history().is_dragging()) continue;
+        if (linked.generation != session.generation()) {
+            linked.text = text_now(linked, session);
+            linked.generation = session.generation();
+        }
+        linked.copy.tick(seconds, {[&] { return linked.text; },
+                                   [&](const std::string& other) { return is_news(linked, session, other); }});
+    }
+}
+
+const LinkedPrograms::Linked* LinkedPrograms::offering_one(const Desk& desk) const
+{
+    const auto found = std::ranges::find_if(all_, [&](const Linked& linked) {
+        return linked.handed.session == desk.session.number() && linked.copy.offered();
+    });
+    return found == all_.end() ? nullptr : &*found;
+}
+
+std::optional<std::string_view> LinkedPrograms::offering(const Desk& desk) const
+{
+    const Linked* const linked = offering_one(desk);
+    if (linked == nullptr) return std::nullopt;
+    return linked->handed.program == circle ? translatable("Mohr's circle has changed the section")
+                                            : translatable("moment distribution has changed the structure");
+}
+
+void LinkedPrograms::keep(const Desk& desk)
+{
+    const Linked* const offering = offering_one(desk);
+    for (Linked& linked : all_)
+        if (&linked == offering) linked.copy.keep();
+}
+
+void LinkedPrograms::take_over(Desk& desk)
+{
+    const Linked* const offering = offering_one(desk);
+    for (Linked& linked : all_) {
+        if (&linked != offering) continue;
+        const std::string text = linked.copy.take();
+        if (linked.handed.program == circle) take_section(desk.session, linked.handed, text);
+        else take_structure(desk.session, linked.handed, text);
+        return;
+    }
+}
+
+void LinkedPrograms::take_section(Session& session, const Handed& handed, const std::string& text)
+{
+    const auto members = members_named(session.model(), handed.members);
+    const auto state = state_of(text);
+    if (members.empty() || !state) return;
+    const auto id = session.model()[members.front()].section;
+    if (!id) return;
+    const femoop::Section& now = session.model()[*id];
+    const auto next = section_named(state->section, now, session.model().units);
+    if (!next) {
+        session.notice = passing_notice(translatable("the section of the circle is none that a frame can have"));
+        return;
+    }
+    session.change_soundly(
+        {{translatable("Section {name} from Mohr's circle"), {{"name", now.id}}},
+         [id = *id, next = *next](Document& document) { document.model.sections[id.index] = next; }});
+}
+
+void LinkedPrograms::take_structure(Session& session, const Handed& handed, const std::string& text)
+{
+    auto model = model_of(text);
+    if (!model) return;
+    if (!handed.members.empty()) {
+        session.notice = passing_notice(translatable(
+            "moment distribution has a part of the structure alone, which is not taken back; hand over the "
+            "whole structure instead"));
+        return;
+    }
+    session.change_soundly({translatable("Structure from moment distribution"),
+                            [next = *std::move(model)](Document& document) { document.model = next; }});
+}
+
+} // namespace frame

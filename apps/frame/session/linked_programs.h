@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "apps/frame/session/commands.h"
+#include "ui/files/linked_copy.h"
+
+namespace frame {
+
+/// The programs that this one has handed something to, and what they offer back: of moment distribution the structure,
+/// of Mohr's circle the section. Nothing is copied until it is taken over; a link sleeps while another tab is shown.
+class LinkedPrograms {
+public:
+    /// \param handed  to a program of the present session, by the selection, the pin and the pointer that it has now
+    void add(ui::Link link, const Session& session, const ui::Handover& handed);
+    void tick(double seconds, const Desk& desk); ///< time goes by
+    /// What the first program that offers something is called: "Mohr's circle"; nothing where none does.
+    std::optional<std::string_view> offering(const Desk& desk) const;
+    void take_over(Desk& desk); ///< as a step, or a notice says why not. \pre something is offered
+    void keep(const Desk& desk);
+
+private:
+    /// What was handed over, by names, so that it is found again after the model has changed.
+    struct Handed {
+        std::uint64_t session = 0;
+        std::string program;
+        std::vector<std::string> members; ///< empty: all
+        double x = 0.0;                   ///< of the section, on the only member
+        std::string load_case;
+    };
+    struct Linked {
+        Handed handed;
+        ui::LinkedCopy copy;
+        std::uint64_t generation = 0; ///< of the solution that `text` is of
+        std::string text;
+    };
+    static std::string text_now(const Linked& linked, const Session& session);
+    static bool is_news(const Linked& linked, const Session& session, const std::string& other);
+    static void take_section(Session& session, const Handed& handed, const std::string& text);
+    static void take_structure(Session& session, const Handed& handed, const std::string& text);
+    const Linked* offering_one(const Desk& desk) const;
+
+    std::vector<Linked> all_;
+};
+
+} // namespace frame

@@ -1,0 +1,368 @@
+#include "apps/frame/session/load_commands.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/frame/document/command.h"
+#include "apps/frame/document/loading.h"
+#include "apps/frame/tools/load_tool.h"
+#include "femoop/model/quantity/quantity_parser.h"
+
+namespace frame {
+
+using namespace femoop;
+using ui::Phrase;
+using ui::translatable;
+
+namespace {
+
+using Reason = std::optional<Phrase>;
+constexpr std::string_view menu = translatable("Loads");
+
+/// The nodes and members that are meant by the selection: themselves, and those whose loads are selected.
+struct Targets {
+    std::vector<NodeId> nodes;
+    std::vector<MemberId> members;
+
+    explicit Targets(const Session& session)
+    {
+        for (const Part& part : session.selection.parts())
+            take(is_load(part) ? bearer_of(session.model(), part) : part);
+    }
+    bool is_empty() const { return nodes.empty() && members.empty(); }
+
+private:
+    void take(const Part& part)
+    {
+        const auto add = [](auto& list, auto id) {
+            if (std::ranges::find(list, id) == list.end()) list.push_back(id);
+        };
+        if (const auto* const node = std::get_if<NodeId>(&part)) add(nodes, *node);
+        if (const auto* const member = std::get_if<MemberId>(&part)) add(members, *member);
+    }
+};
+
+/// A quantity that is begun with, as a person would write it.
+Quantity typed(std::string_view text, Dimension dimension, const Units& units)
+{
+    return {std::get<double>(parse_quantity(text, dimension, units)), std::string(text)};
+}
+
+/// The directions of a model of this kind in the order in which a hand means them: down first.
+std::vector<Dof> directions(AnalysisKind kind)
+{
+    const bool is_upright = kind == AnalysisKind::Grillage || is_3d(kind);
+    std::vector<Dof> order{is_upright ? Dof::uz : Dof::uy};
+    for (const Dof dof : all_dofs)
+        if (dofs(kind).contains(dof) && dof != order.front()) order.push_back(dof);
+    return order;
+}
+
+// ---- why not ----
+
+Reason needs_own_case(const Desk& desk)
+{
+    const Session& session = desk.session;
+    if (session.view.is_envelope)
+        return translatable("the envelope is shown; choose a load case or a combination first");
+    if (session.view.load_case.index < session.model().load_cases.size() || session.model().n_cases() == 0)
+        return std::nullopt;
+    return translatable("a combination has no loads of its own; choose a load case first");
+}
+
+Reason needs_members(const Desk& desk)
+{
+    if (const Reason reason = needs_own_case(desk)) return reason;
+    if (!Targets(desk.session).members.empty()) return std::nullopt;
+    return translatable("select members first");
+}
+
+// A direction in which the support is held or sprung, and nothing is imposed in this case yet.
+std::optional<Dof> dof_to_settle(const Session& session, NodeId node)
+{
+    const Model& model = session.model();
+    const std::optional<Support>& support = model[node].support;
+    if (!support) return std::nullopt;
+    DofSet there;
+    if (session.view.load_case.index < model.load_cases.size())
+        for (const Settlement& settlement : model.load_cases[session.view.load_case.index].settlements)
+            for (const Component& component : settlement.components)
+                if (settlement.node == node) there.insert(component.dof);
+    for (const Dof dof : directions(model.analysis)) {
+        const bool is_sprung = std::ranges::find(support->springs, dof, &Spring::dof) != support->springs.end();
+        if ((is_sprung || support->blocked(model.analysis).contains(dof)) && !there.contains(dof)) return dof;
+    }
+    return std::nullopt;
+}
+
+std::optional<Dof> dof_to_spring(const Model& model, NodeId node)
+{
+    for (const Dof dof : directions(model.analysis)) {
+        const std::optional<Support>& support = model[node].support;
+        if (!support || std::ranges::find(support->springs, dof, &Spring::dof) == support->springs.end()) return dof;
+    }
+    return std::nullopt;
+}
+
+Reason why_not_settle(const Desk& desk)
+{
+    if (const Reason reason = needs_own_case(desk)) return reason;
+    const Targets targets(desk.session);
+    if (targets.nodes.empty()) return translatable("select supported nodes first");
+    for (const NodeId node : targets.nodes) {
+        const Phrase::Argument name{"node", desk.session.model()[node].id};
+        if (!desk.session.model()[node].support)
+            return Phrase(translatable("node {node} has no support that could settle"), {name});
+        if (!dof_to_settle(desk.session, node))
+            return Phrase(translatable("node {node} settles in every direction that its support holds already"),
+                          {name});
+    }
+    return std::nullopt;
+}
+
+Reason why_not_spring(const Desk& desk)
+{
+    const Targets targets(desk.session);
+    if (targets.nodes.empty()) return translatable("select nodes first");
+    for (const NodeId node : targets.nodes)
+        if (!dof_to_spring(desk.session.model(), node))
+            return Phrase(translatable("node {node} has a spring in every direction already"),
+                          {{"node", desk.session.model()[node].id}});
+    return std::nullopt;
+}
+
+Reason why_not_warm(const Desk& desk)
+{
+    if (const Reason reason = needs_members(desk)) return reason;
+    const Model& model = desk.session.model();
+    for (const MemberId member : Targets(desk.session).members) {
+        const auto material = model[member].material;
+        if (material && !model[*material].alpha)
+            return Phrase(translatable("material {material} has no thermal expansion; give it one first"),
+                          {{"material", model[*material].id}});
+    }
+    return std::nullopt;
+}
+
+Reason why_not_turn_ends(const Desk& desk)
+{
+    if (is_truss(desk.session.model().analysis))
+        return translatable("the members of a truss have no moments at their ends");
+    return needs_members(desk);
+}
+
+// ---- what is done ----
+
+Phrase about(const Session& session, std::string_view what, std::span<const Part> parts)
+{
+    if (parts.size() != 1) return what;
+    return {"{what}: {part}", {{"what", Phrase(what)}, {"part", title(session.document(), parts.front())}}};
+}
+
+/// Adds one load to each part, and selects what came.
+void add_loads(Desk& desk, std::string_view what, std::span<const Part> parts,
+               const std::function<Part(Document&, LoadCasePlace, const Part&)>& add)
+{
+    Session& session = desk.session;
+    Selection added;
+    const bool is_done = session.change_soundly({about(session, what, parts), [&](Document& document) {
+                                                     added.clear();
+                                                     const auto place = load_case_for(document, session.view.load_case);
+                                                     for (const Part& part : parts)
+                                                         added.add(add(document, place, part));
+                                                 }});
+    if (!is_done) return;
+    session.selection = added;
+    desk.topic = Topic::Properties;
+}
+
+void add_to_members(Desk& desk, std::string_view what, const MemberLoadValue& load)
+{
+    const std::vector<MemberId> members = Targets(desk.session).members;
+    add_loads(desk, what, std::vector<Part>(members.begin(), members.end()),
+              [&](Document& document, LoadCasePlace place, const Part& part) {
+                  return add_member_load(document, place, std::get<MemberId>(part), load);
+              });
+}
+
+void settle(Desk& desk, std::string_view what)
+{
+    const std::vector<NodeId> nodes = Targets(desk.session).nodes;
+    const Units& units = desk.session.model().units;
+    const Quantity down = typed("-10 mm", dimension::length, units), turn(0.001);
+    std::vector<Component> settlements; // told from the document as it was
+    for (const NodeId node : nodes) {
+        const Dof dof = dof_to_settle(desk.session, node).value();
+        settlements.push_back({dof, is_rotation(dof) ? turn : down});
+    }
+    add_loads(desk, what, std::vector<Part>(nodes.begin(), nodes.end()),
+              [&](Document& document, LoadCasePlace place, const Part& part) {
+                  const auto i = std::ranges::find(nodes, std::get<NodeId>(part)) - nodes.begin();
+                  return add_settlement(document, place, std::get<NodeId>(part),
+                                        settlements[static_cast<std::size_t>(i)]);
+              });
+}
+
+void spring(Desk& desk, std::string_view what)
+{
+    Session& session = desk.session;
+    const std::vector<NodeId> nodes = Targets(session).nodes;
+    const std::vector<Part> parts(nodes.begin(), nodes.end());
+    const Units& units = session.model().units;
+    const Quantity along = typed("1000 kN/m", dimension::force_per_length, units),
+                   about_axis = typed("1000 kN*m/rad", dimension::moment_per_angle, units);
+    const bool is_done = session.change_soundly(
+        {about(session, what, parts), [&](Document& document) {
+             for (const NodeId node : nodes) {
+                 const Dof dof = dof_to_spring(document.model, node).value();
+                 set_spring(document, node, {dof, is_rotation(dof) ? about_axis : along});
+             }
+         }});
+    if (!is_done) return;
+    session.selection.clear();
+    for (const Part& part : parts) session.selection.add(part);
+    desk.topic = Topic::Properties;
+}
+
+void add_part_load(Desk& desk, std::string_view what)
+{
+    ToolSettings settings = desk.hand.settings();
+    settings.load = LoadKind::UniformDown;
+    const LoadReach middle{.from = Percent{25.0}, .to = Percent{75.0}};
+    add_to_members(desk, what, member_load_of(settings, desk.session.model().analysis, middle).value());
+}
+
+void add_temperature(Desk& desk, std::string_view what)
+{
+    add_to_members(desk, what, TemperatureLoad{.top = Quantity(20.0), .bottom = Quantity(20.0)});
+}
+
+void add_misfit(Desk& desk, std::string_view what)
+{
+    add_to_members(desk, what, Misfit{typed("1 mm", dimension::length, desk.session.model().units)});
+}
+
+void add_end_moments(Desk& desk, std::string_view what)
+{
+    const Quantity& moment = desk.hand.settings().moment;
+    add_to_members(
+        desk, what,
+        EndLoads{.start = {{Dof::rz, Quantity(-moment)}}, .end = {{Dof::rz, moment}}, .axes = LoadAxes::Local});
+}
+
+// ---- the loads that the tool has too ----
+
+struct ToolLoad {
+    std::string_view id, label;
+    LoadKind kind;
+};
+constexpr std::array tool_loads{
+    ToolLoad{"load.force_down", translatable("Add a force ↓"), LoadKind::ForceDown},
+    ToolLoad{"load.force_right", translatable("Add a force →"), LoadKind::ForceRight},
+    ToolLoad{"load.moment", translatable("Add a moment"), LoadKind::Moment},
+    ToolLoad{"load.uniform", translatable("Add a uniform load ↓"), LoadKind::UniformDown},
+    ToolLoad{"load.across", translatable("Add a uniform load across"), LoadKind::UniformAcross},
+    ToolLoad{"load.triangular", translatable("Add a triangular load ↓"), LoadKind::TriangularDown},
+};
+
+ToolSettings set_to(const Desk& desk, LoadKind kind)
+{
+    ToolSettings settings = desk.hand.settings();
+    settings.load = kind;
+    return settings;
+}
+
+Reason why_not_load(const Desk& desk, LoadKind kind)
+{
+    if (const Reason reason = needs_own_case(desk)) return reason;
+    const Targets targets(desk.session);
+    const ToolSettings settings = set_to(desk, kind);
+    const AnalysisKind analysis = desk.session.model().analysis;
+    if (!member_load_of(settings, analysis, {})) return translatable("a structure of this kind has no such load");
+    if (targets.members.empty() && !targets.nodes.empty() && !force_of(settings, analysis))
+        return translatable("a node bears forces and moments alone; select members");
+    return std::nullopt;
+}
+
+void load(Desk& desk, const ToolLoad& entry)
+{
+    const Targets targets(desk.session);
+    const ToolSettings settings = set_to(desk, entry.kind);
+    const AnalysisKind analysis = desk.session.model().analysis;
+    if (targets.is_empty()) {
+        desk.hand.settings().load = entry.kind;
+        return desk.hand.take(ToolKind::Load);
+    }
+    const auto force = force_of(settings, analysis);
+    const MemberLoadValue on_member = member_load_of(settings, analysis, {}).value();
+    std::vector<Part> parts(targets.members.begin(), targets.members.end());
+    if (force) parts.insert(parts.end(), targets.nodes.begin(), targets.nodes.end());
+    add_loads(desk, entry.label, parts, [&](Document& document, LoadCasePlace place, const Part& part) {
+        if (const auto* const node = std::get_if<NodeId>(&part)) return add_node_load(document, place, *node, *force);
+        return add_member_load(document, place, std::get<MemberId>(part), on_member);
+    });
+}
+
+// ---- the others ----
+
+struct OtherLoad {
+    std::string_view id, label;
+    void (*run)(Desk&, std::string_view);
+    Reason (*why_not)(const Desk&);
+};
+constexpr std::array other_loads{
+    OtherLoad{"load.part", translatable("Add a load on a part of the member"), add_part_load, needs_members},
+    OtherLoad{"load.end_moments", translatable("Add end moments"), add_end_moments, why_not_turn_ends},
+    OtherLoad{"load.temperature", translatable("Add a temperature"), add_temperature, why_not_warm},
+    OtherLoad{"load.misfit", translatable("Add a misfit"), add_misfit, needs_members},
+    OtherLoad{"load.settlement", translatable("Add a settlement"), settle, why_not_settle},
+    OtherLoad{"load.spring", translatable("Add a spring"), spring, why_not_spring},
+};
+
+constexpr std::array<std::string_view, 5> for_nodes{"load.force_down", "load.force_right", "load.moment",
+                                                    "load.settlement", "load.spring"};
+constexpr std::array<std::string_view, 10> for_members{
+    "load.uniform",     "load.across", "load.triangular",  "load.part",        "load.force_down",
+    "load.force_right", "load.moment", "load.end_moments", "load.temperature", "load.misfit"};
+
+} // namespace
+
+void add_load_commands(CommandTable& table)
+{
+    for (const ToolLoad& entry : tool_loads)
+        table.add({.id = entry.id,
+                   .menu = menu,
+                   .label = entry.label,
+                   .run = [entry](Desk& desk) { load(desk, entry); },
+                   .why_not = [kind = entry.kind](const Desk& desk) { return why_not_load(desk, kind); }});
+    for (const OtherLoad& entry : other_loads)
+        table.add({.id = entry.id,
+                   .menu = menu,
+                   .label = entry.label,
+                   .run = [entry](Desk& desk) { entry.run(desk, entry.label); },
+                   .why_not = entry.why_not});
+}
+
+std::span<const std::string_view> loads_for_nodes() { return for_nodes; }
+std::span<const std::string_view> loads_for_members() { return for_members; }
+
+bool is_load(const Part& part)
+{
+    return std::holds_alternative<NodeLoadPlace>(part) || std::holds_alternative<SettlementPlace>(part) ||
+           std::holds_alternative<MemberLoadPlace>(part);
+}
+
+Part bearer_of(const Model& model, const Part& load)
+{
+    if (const auto* const place = std::get_if<NodeLoadPlace>(&load))
+        return model.load_cases.at(place->load_case).nodes.at(place->load).node;
+    if (const auto* const place = std::get_if<SettlementPlace>(&load))
+        return model.load_cases.at(place->load_case).settlements.at(place->settlement).node;
+    const auto& place = std::get<MemberLoadPlace>(load);
+    return model.load_cases.at(place.load_case).members.at(place.load).member;
+}
+
+} // namespace frame

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "apps/frame/session/commands.h"
+
+namespace frame {
+
+/// The commands that put loads, settlements and springs on the selected nodes and members, each as one step. Without
+/// any selected the forces and line loads are taken up as the load tool.
+void add_load_commands(CommandTable& table);
+
+/// The ids of those that nodes can have, and members.
+std::span<const std::string_view> loads_for_nodes();
+std::span<const std::string_view> loads_for_members();
+
+/// The node or member that a load or settlement acts on. \pre the part is one
+Part bearer_of(const femoop::Model& model, const Part& load);
+bool is_load(const Part& part);
+
+} // namespace frame

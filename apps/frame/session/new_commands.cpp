@@ -1,0 +1,46 @@
+#include "apps/frame/session/new_commands.h"
+
+#include <algorithm>
+#include <array>
+
+#include "apps/frame/session/tabs.h"
+#include "ui/desk/standard_commands.h"
+
+namespace frame {
+
+using femoop::AnalysisKind;
+using ui::translatable;
+
+namespace {
+
+constexpr std::array kind_entries{
+    KindEntry{AnalysisKind::Truss2d, "file.new_truss2d", translatable("Plane truss")},
+    KindEntry{AnalysisKind::Frame2d, "file.new_frame2d", translatable("Plane frame")},
+    KindEntry{AnalysisKind::Grillage, "file.new_grillage", translatable("Grillage")},
+    KindEntry{AnalysisKind::Truss3d, "file.new_truss3d", translatable("Space truss")},
+    KindEntry{AnalysisKind::Frame3d, "file.new_frame3d", translatable("Space frame")},
+};
+
+} // namespace
+
+std::span<const KindEntry> kinds() { return kind_entries; }
+
+std::string_view label_of(AnalysisKind kind) { return std::ranges::find(kind_entries, kind, &KindEntry::kind)->label; }
+
+void add_new_commands(CommandTable& table)
+{
+    ui::standard::add_new<Desk>(table, [](Desk& desk) {
+        new_document(desk, AnalysisKind::Frame2d);
+        desk.requests.push_back(Request::AskKind);
+    });
+    for (const KindEntry& entry : kind_entries)
+        table.add({.id = entry.id,
+                   .menu = ui::standard::file_menu,
+                   .label = entry.label,
+                   .run = [kind = entry.kind](Desk& desk) { new_document(desk, kind); },
+                   .live_label = [label = entry.label](const Desk&) -> ui::Phrase {
+                       return {translatable("New: {kind}"), {{"kind", ui::Phrase(label)}}};
+                   }});
+}
+
+} // namespace frame

@@ -1,0 +1,51 @@
+#include "apps/frame/session/plane_commands.h"
+
+#include <array>
+
+namespace frame {
+
+using ui::translatable;
+using Normal = WorkingPlane::Normal;
+
+namespace {
+
+constexpr std::array entries{
+    PlaneEntry{Normal::Z, "draw.plane_xy", translatable("Draw in the plane xy"), "xy"},
+    PlaneEntry{Normal::Y, "draw.plane_xz", translatable("Draw in the plane xz"), "xz"},
+    PlaneEntry{Normal::X, "draw.plane_yz", translatable("Draw in the plane yz"), "yz"},
+};
+
+std::optional<ui::Phrase> why_not_in_space(const Desk& desk)
+{
+    if (femoop::is_3d(desk.session.model().analysis)) return std::nullopt;
+    return translatable("the structure is plane; a working plane is for structures in space");
+}
+
+void work_in(Desk& desk, Normal normal)
+{
+    WorkingPlane& plane = desk.hand.settings().plane;
+    plane.normal = normal;
+    const auto part = desk.session.selection.only();
+    const auto* const node = part ? std::get_if<femoop::NodeId>(&*part) : nullptr;
+    if (node != nullptr) plane.level = desk.session.model()[*node].at[static_cast<std::size_t>(plane.index())];
+}
+
+} // namespace
+
+std::span<const PlaneEntry> working_planes() { return entries; }
+
+void add_plane_commands(CommandTable& table)
+{
+    for (const PlaneEntry& entry : entries)
+        table.add({.id = entry.id,
+                   .menu = translatable("Draw"),
+                   .label = entry.label,
+                   .run = [normal = entry.normal](Desk& desk) { work_in(desk, normal); },
+                   .why_not = why_not_in_space,
+                   .is_on =
+                       [normal = entry.normal](const Desk& desk) {
+                           return !why_not_in_space(desk) && desk.hand.settings().plane.normal == normal;
+                       }});
+}
+
+} // namespace frame

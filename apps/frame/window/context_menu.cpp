@@ -1,0 +1,88 @@
+#include "apps/frame/window/context_menu.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "apps/frame/session/load_commands.h"
+#include "ui/widgets/command_menu.h"
+
+namespace frame {
+
+using ui::translatable;
+
+namespace {
+
+using Ids = std::span<const std::string_view>;
+
+constexpr std::array<std::string_view, 6> beginnings{"edit.paste",  "edit.template", "case.new",
+                                                     "draw.member", "draw.load",     "edit.select_all"};
+constexpr std::array<std::string_view, 4> changes{"edit.move", "edit.copy", "edit.rotate", "edit.mirror"};
+constexpr std::array<std::string_view, 3> methods{"edit.section", "methods.distribution", "methods.circle"};
+constexpr std::array<std::string_view, 5> ends{"edit.keep_under_name", "edit.select_similar", "edit.cut", "edit.clip",
+                                               "edit.delete"};
+
+template <class Id> bool is_any(const Selection& selection)
+{
+    return std::ranges::any_of(selection.parts(), [](const Part& part) { return std::holds_alternative<Id>(part); });
+}
+
+void show(Desk& desk, const CommandTable& commands, Ids ids)
+{
+    const ui::Catalogue tr = desk.session.view.tr; // a command may change the language
+    for (const std::string_view id : ids) ui::show_command(*commands.find(id), desk, tr);
+}
+
+Ids loads_for(const Selection& selection)
+{
+    if (is_any<femoop::MemberId>(selection) || is_any<MemberLoadPlace>(selection)) return loads_for_members();
+    const bool has_nodes = is_any<femoop::NodeId>(selection) || is_any<NodeLoadPlace>(selection) ||
+                           is_any<SettlementPlace>(selection);
+    return has_nodes ? loads_for_nodes() : Ids{};
+}
+
+} // namespace
+
+void ContextMenu::show(Desk& desk, const CommandTable& commands)
+{
+    if (std::exchange(opens_, false)) ImGui::OpenPopup("###context");
+    if (!ImGui::BeginPopup("###context")) return;
+    const Selection selection = desk.session.selection; // a command may change it
+    if (selection.is_empty()) {
+        frame::show(desk, commands, beginnings);
+        return ImGui::EndPopup();
+    }
+    if (const Ids loads = loads_for(selection); !loads.empty()) {
+        frame::show(desk, commands, loads);
+        ImGui::Separator();
+    }
+    if (is_any<femoop::NodeId>(selection) || is_any<femoop::MemberId>(selection)) {
+        frame::show(desk, commands, changes);
+        ImGui::Separator();
+    }
+    if (is_any<femoop::MemberId>(selection)) {
+        frame::show(desk, commands, methods);
+        ImGui::Separator();
+    }
+    frame::show(desk, commands, ends);
+    ImGui::EndPopup();
+}
+
+void add_load_button(Desk& desk, const CommandTable& commands)
+{
+    const Ids loads = loads_for(desk.session.selection);
+    if (loads.empty()) return;
+    const std::string_view label = is_any<femoop::MemberId>(desk.session.selection)
+                                       ? translatable("Add a load or temperature…")
+                                       : translatable("Add a load, settlement or spring…");
+    if (ImGui::Button((desk.session.view.tr(label) + "###add load").c_str())) ImGui::OpenPopup("###loads");
+    if (!ImGui::BeginPopup("###loads")) return;
+    show(desk, commands, loads);
+    ImGui::EndPopup();
+}
+
+} // namespace frame

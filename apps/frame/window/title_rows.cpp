@@ -1,0 +1,52 @@
+#include "apps/frame/window/title_rows.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <utility>
+
+#include "apps/frame/session/new_commands.h"
+#include "apps/frame/session/property_commands.h"
+
+namespace frame {
+
+using ui::translatable;
+
+void TitleRows::show(Desk& desk)
+{
+    const ui::Catalogue& tr = desk.session.view.tr;
+    ImGui::TextUnformatted(tr(label_of(desk.session.model().analysis)).c_str());
+    ImGui::Separator();
+    show_title(desk);
+    show_notes(desk);
+    ImGui::Spacing();
+}
+
+void TitleRows::show_title(Desk& desk)
+{
+    const std::string words = desk.session.view.tr(translatable("Title"));
+    ImGui::SetNextItemWidth(-1.0F);
+    if (std::exchange(begins_, false)) ImGui::SetKeyboardFocusHere();
+    const auto flags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll;
+    const bool is_confirmed = ImGui::InputTextWithHint("###title", words.c_str(), &title_, flags);
+    if (is_confirmed || ImGui::IsItemDeactivatedAfterEdit()) set_title(desk.session, title_);
+    if (!ImGui::IsItemActive()) title_ = desk.session.model().title;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", words.c_str());
+}
+
+// Two lines of them are seen.
+void TitleRows::show_notes(Desk& desk)
+{
+    const std::string words = desk.session.view.tr(translatable("Notes"));
+    const float line = ImGui::GetTextLineHeight(), pad = 2.0F * ImGui::GetStyle().FramePadding.y;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::InputTextMultiline("###notes", &notes_, {-1.0F, 2.0F * line + pad});
+    if (ImGui::IsItemDeactivatedAfterEdit()) set_notes(desk.session, notes_);
+    if (ImGui::IsItemActive()) return;
+    notes_ = desk.session.model().notes;
+    if (!notes_.empty()) return;
+    const ImVec2 at{corner.x + ImGui::GetStyle().FramePadding.x, corner.y + ImGui::GetStyle().FramePadding.y};
+    ImGui::GetWindowDrawList()->AddText(at, ImGui::GetColorU32(ImGuiCol_TextDisabled), words.c_str());
+}
+
+} // namespace frame

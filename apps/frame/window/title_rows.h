@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "apps/frame/session/commands.h"
+
+namespace frame {
+
+/// What the whole model has, where nothing is selected: its kind, its title and its notes, each typed anew as one step.
+class TitleRows {
+public:
+    void show(Desk& desk);
+    /// The title is typed next.
+    void begin() { begins_ = true; }
+
+private:
+    void show_title(Desk& desk);
+    void show_notes(Desk& desk);
+
+    std::string title_, notes_; ///< as they are typed
+    bool begins_ = false;
+};
+
+} // namespace frame

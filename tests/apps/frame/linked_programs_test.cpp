@@ -1,0 +1,210 @@
+// A frame and the programs that it has handed something to, at both ends of their links.
+#include <doctest/doctest.h>
+
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "apps/cross/session/session.h"
+#include "apps/frame/session/linked_programs.h"
+#include "apps/frame/session/other_programs.h"
+#include "apps/mohr/session/session.h"
+#include "femoop/io/whole_file.h"
+#include "tests/folder.h"
+#include "ui/files/linked_copy.h"
+
+using namespace frame;
+using femoop::MemberId;
+
+namespace {
+
+/// A document at the other end, as `ui::DocumentApp` links it.
+template <class Other> struct Taker {
+    Taker(Other other, ui::Link link) : session(std::move(other)), copy(std::move(link), session.linked_text()) {}
+    void tick()
+    {
+        copy.tick(0.6, {[this] { return session.linked_text(); },
+                        [this](const std::string& text) { return session.is_news(text); }});
+    }
+    void take_over() { session.take_over(copy.take()); }
+
+    Other session;
+    ui::LinkedCopy copy;
+};
+
+template <class Other> Taker<Other> started(Desk& desk, LinkedPrograms& linked, const Offer& offer)
+{
+    const auto& handover = std::get<ui::Handover>(offer);
+    const Folder folder;
+    Other other;
+    REQUIRE(other.open_copy(folder.write("handed", handover.document)));
+    ui::Link link = *ui::Link::made(femoop::write_whole_file);
+    ui::Link end(link.folder(), femoop::write_whole_file);
+    linked.add(std::move(link), desk.session, handover);
+    return Taker<Other>(std::move(other), std::move(end));
+}
+
+template <class Other> void exchange(Desk& desk, LinkedPrograms& linked, Taker<Other>& other)
+{
+    for (int i = 0; i < 3; ++i) {
+        linked.tick(0.6, desk);
+        other.tick();
+    }
+}
+
+/// Two spans of IPE 300, the first fixed and under 12 kN/m.
+Desk desk_with_beam()
+{
+    using enum femoop::SupportKind;
+    femoop::Model model;
+    const auto steel = model.add(femoop::Material{.id = "steel", .E = 205e6, .fy = 250e3});
+    const auto of = model.add(femoop::Section{.id = "S", .profile = "IPE 300"});
+    const auto A = model.add(femoop::Node{.id = "A", .at = {0, 0}, .support = femoop::Support{.kind = Fixed}});
+    const auto B = model.add(femoop::Node{.id = "B", .at = {7, 0}, .support = femoop::Support{.kind = Roller}});
+    const auto C = model.add(femoop::Node{.id = "C", .at = {12, 0}, .support = femoop::Support{.kind = Roller}});
+    const MemberId AB = model.add(femoop::Member{.id = "AB", .nodes = {A, B}, .material = steel, .section = of});
+    model.add(femoop::Member{.id = "BC", .nodes = {B, C}, .material = steel, .section = of});
+    const femoop::DistributedLoad down{.values = {{.dof = femoop::Dof::uy, .start = -12.0, .end = {}}}};
+    model.add(femoop::LoadCase{.id = "first", .members = {{AB, down}}});
+    return Desk{Session(Document{.model = std::move(model), .companion = {}})};
+}
+
+void give_section(Desk& desk, const std::string& profile)
+{
+    desk.session.change({ui::Phrase("section"), [profile](Document& document) {
+                             document.model.sections.front().profile = profile;
+                             document.model.sections.front().shape.reset();
+                         }});
+}
+
+} // namespace
+
+TEST_SUITE("frame session")
+{
+    TEST_CASE("The circle of a section is offered what the frame changes, and the frame its section, back and forth")
+    {
+        Desk desk = desk_with_beam();
+        desk.session.selection = Part(MemberId(1));
+        LinkedPrograms linked;
+        auto other = started<mohr::Session>(desk, linked, circle_at_section(desk.session));
+        exchange(desk, linked, other);
+        CHECK_FALSE(other.copy.offered());
+        CHECK_FALSE(linked.offering(desk));
+
+        const std::string before = other.session.document().section;
+        give_section(desk, "IPE 450");
+        exchange(desk, linked, other);
+        REQUIRE(other.copy.offered());
+        CHECK(other.session.document().section == before); // nothing in silence
+        other.take_over();
+        CHECK(other.session.document().section == "IPE 450");
+        exchange(desk, linked, other);
+        CHECK_FALSE(linked.offering(desk)); // no echo
+
+        CHECK_FALSE(other.session.set_number({mohr::Group::Section, 0}, "HEA 300"));
+        exchange(desk, linked, other);
+        REQUIRE(linked.offering(desk));
+        const std::size_t n_steps = desk.session.history().n_states();
+        linked.take_over(desk);
+        CHECK(desk.session.history().n_states() == n_steps + 1);
+        CHECK(*desk.session.model().sections.front().profile == "HEA 300");
+        exchange(desk, linked, other);
+        CHECK_FALSE(linked.offering(desk));
+    }
+
+    TEST_CASE("What the circle does with another state, or only with its fibre, is nothing that a frame is offered")
+    {
+        Desk desk = desk_with_beam();
+        desk.session.selection = Part(MemberId(1));
+        LinkedPrograms linked;
+        auto other = started<mohr::Session>(desk, linked, circle_at_section(desk.session));
+        other.session.set_number({mohr::Group::State, 3}, "0 mm");
+        other.session.set_number({mohr::Group::State, 2}, "55 kN*m");
+        other.session.set_subject(mohr::Subject::Rosette);
+        exchange(desk, linked, other);
+        CHECK_FALSE(linked.offering(desk));
+    }
+
+    TEST_CASE("What one end keeps as it is it is not asked about again, and a shape comes over with its dimensions")
+    {
+        Desk desk = desk_with_beam();
+        desk.session.selection = Part(MemberId(1));
+        LinkedPrograms linked;
+        auto other = started<mohr::Session>(desk, linked, circle_at_section(desk.session));
+        other.session.set_number({mohr::Group::Section, 0}, "rectangle b=90 h=210mm");
+        exchange(desk, linked, other);
+        REQUIRE(linked.offering(desk));
+        linked.keep(desk);
+        exchange(desk, linked, other);
+        CHECK_FALSE(linked.offering(desk));
+        other.session.set_number({mohr::Group::Section, 0}, "rectangle b=90 h=240mm");
+        exchange(desk, linked, other);
+        linked.take_over(desk);
+        const femoop::Section& section = desk.session.model().sections.front();
+        REQUIRE(section.shape);
+        CHECK(section.shape->h->value() == doctest::Approx(0.24));
+        CHECK_FALSE(section.profile);
+    }
+
+    TEST_CASE("An exercise that has the circle's state is not disturbed")
+    {
+        Desk desk = desk_with_beam();
+        desk.session.selection = Part(MemberId(1));
+        LinkedPrograms linked;
+        auto other = started<mohr::Session>(desk, linked, circle_at_section(desk.session));
+        other.session.begin_exercise(mohr::ExerciseTopic::PlaneStress, mohr::Difficulty::Easy, 1);
+        give_section(desk, "IPE 450");
+        exchange(desk, linked, other);
+        const mohr::Document before = other.session.document();
+        REQUIRE(other.copy.offered());
+        other.take_over();
+        CHECK(other.session.document() == before);
+        CHECK(other.session.notice);
+    }
+
+    TEST_CASE("Moment distribution is offered another structure and gives its own back as one step")
+    {
+        Desk desk = desk_with_beam();
+        LinkedPrograms linked;
+        auto other = started<cross::Session>(desk, linked, moment_distribution(desk.session));
+        exchange(desk, linked, other);
+        CHECK_FALSE(other.copy.offered());
+        CHECK_FALSE(linked.offering(desk));
+
+        give_section(desk, "IPE 450");
+        exchange(desk, linked, other);
+        REQUIRE(other.copy.offered());
+        other.take_over();
+        CHECK(*other.session.document().model.sections.front().profile == "IPE 450");
+        exchange(desk, linked, other);
+        CHECK_FALSE(linked.offering(desk));
+
+        femoop::Model next = other.session.document().model;
+        next.sections.front().profile = "HEB 200";
+        other.session.change(next, ui::Phrase("section"));
+        exchange(desk, linked, other);
+        REQUIRE(linked.offering(desk));
+        linked.take_over(desk);
+        CHECK(*desk.session.model().sections.front().profile == "HEB 200");
+        exchange(desk, linked, other);
+        CHECK_FALSE(linked.offering(desk));
+        CHECK_FALSE(other.copy.offered());
+    }
+
+    TEST_CASE("A part of the structure is told why it is not taken back")
+    {
+        Desk desk = desk_with_beam();
+        desk.session.selection = Part(MemberId(1));
+        LinkedPrograms linked;
+        auto other = started<cross::Session>(desk, linked, moment_distribution(desk.session));
+        femoop::Model next = other.session.document().model;
+        next.sections.front().profile = "HEB 200";
+        other.session.change(next, ui::Phrase("section"));
+        exchange(desk, linked, other);
+        REQUIRE(linked.offering(desk));
+        const Document before = desk.session.document();
+        linked.take_over(desk);
+        CHECK(desk.session.document() == before);
+        CHECK(desk.session.notice);
+    }
+}

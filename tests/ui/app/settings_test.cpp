@@ -1,0 +1,43 @@
+#include <doctest/doctest.h>
+
+#include "tests/folder.h"
+#include "ui/app/settings.h"
+
+using ui::Settings;
+
+TEST_SUITE("ui app")
+{
+    TEST_CASE("Settings that are written are read again as they were")
+    {
+        const Settings all{.theme = ui::ThemeName::Dark,
+                           .language = ui::Language::Portuguese,
+                           .units = ui::UnitSystem::KnCm,
+                           .has_panels = false,
+                           .window = ui::Size{1013.5, 707.0}};
+        CHECK(ui::settings_of(ui::settings_text(all)) == all);
+        CHECK(ui::settings_of(ui::settings_text({})) == Settings{});
+        for (const ui::UnitSystem units : ui::all_unit_systems)
+            CHECK(ui::settings_of(ui::settings_text({.units = units})).units == units);
+    }
+
+    TEST_CASE("A line that is not understood costs no other")
+    {
+        const Settings read = ui::settings_of("theme mauve\ncolour 7\n\nlanguage pt\nwindow 12 9\npanels perhaps\n");
+        CHECK(read == Settings{.language = ui::Language::Portuguese});
+        CHECK_FALSE(ui::settings_of("window nan inf").window);
+        CHECK_FALSE(ui::settings_of("window 1280").window);
+    }
+
+    TEST_CASE("What was asked for comes before what was left")
+    {
+        const Settings asked{.theme = ui::ThemeName::Print};
+        const Settings left{.theme = ui::ThemeName::Dark, .has_panels = false};
+        CHECK(asked.or_else(left) == Settings{.theme = ui::ThemeName::Print, .has_panels = false});
+    }
+
+    TEST_CASE("Where nothing was kept there are no settings")
+    {
+        const Folder folder;
+        CHECK(ui::read_settings(folder.path() / "settings") == Settings{});
+    }
+}

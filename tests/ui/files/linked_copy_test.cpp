@@ -1,0 +1,130 @@
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "femoop/io/whole_file.h"
+#include "ui/files/linked_copy.h"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A program whose document is a text.
+struct Program {
+    Program(ui::Link link, const std::string& text) : document(text), copy(std::move(link), text) {}
+
+    void tick()
+    {
+        copy.tick(0.6, {[this] { return document; }, [this](const std::string& other) { return other != document; }});
+    }
+    std::string offered() const { return copy.offered().value_or("nothing"); }
+
+    std::string document;
+    ui::LinkedCopy copy;
+};
+
+struct Pair {
+    Program giver{*ui::Link::made(femoop::write_whole_file), "10 kN"};
+    Program taker{ui::Link(giver.copy.folder(), femoop::write_whole_file), "10 kN"};
+
+    void tick()
+    {
+        giver.tick();
+        taker.tick();
+        giver.tick();
+        taker.tick();
+    }
+};
+
+} // namespace
+
+TEST_SUITE("ui files")
+{
+    TEST_CASE("As long as nothing changes nothing is offered")
+    {
+        Pair pair;
+        pair.tick();
+        CHECK(pair.giver.offered() == "nothing");
+        CHECK(pair.taker.offered() == "nothing");
+    }
+
+    TEST_CASE("A change of either end is offered to the other, and is not there before it is taken over")
+    {
+        Pair pair;
+        pair.giver.document = "12 kN";
+        pair.tick();
+        CHECK(pair.taker.offered() == "12 kN");
+        CHECK(pair.taker.document == "10 kN");
+        pair.taker.document = pair.taker.copy.take();
+        pair.tick();
+        CHECK(pair.giver.offered() == "nothing"); // no echo
+        pair.taker.document = "7 kN";
+        pair.tick();
+        CHECK(pair.giver.offered() == "7 kN");
+    }
+
+    TEST_CASE("What was kept is offered again only as another change, the newest alone")
+    {
+        Pair pair;
+        pair.giver.document = "12 kN";
+        pair.tick();
+        pair.taker.copy.keep();
+        pair.tick();
+        CHECK(pair.taker.offered() == "nothing");
+        pair.giver.document = "13 kN";
+        pair.tick();
+        pair.giver.document = "14 kN";
+        pair.tick();
+        CHECK(pair.taker.offered() == "14 kN");
+    }
+
+    TEST_CASE("What is taken back at the other end is no longer offered")
+    {
+        Pair pair;
+        pair.giver.document = "12 kN";
+        pair.tick();
+        pair.giver.document = "10 kN";
+        pair.tick();
+        CHECK(pair.taker.offered() == "nothing");
+    }
+
+    TEST_CASE("Texts of one length that follow one another at once are both heard")
+    {
+        ui::Link giver = *ui::Link::made(femoop::write_whole_file);
+        ui::Link taker(giver.folder(), femoop::write_whole_file);
+        for (int i = 1000; i < 1200; ++i) {
+            CHECK_FALSE(giver.tell(std::to_string(i)));
+            CHECK(taker.heard() == std::to_string(i));
+            CHECK_FALSE(taker.heard());
+        }
+    }
+
+    TEST_CASE("The folder of a link is its user's alone and goes with the giver; the taker says then that it is cut")
+    {
+        auto giver = ui::Link::made(femoop::write_whole_file);
+        ui::Link taker(giver->folder(), femoop::write_whole_file);
+        CHECK((fs::status(giver->folder()).permissions() & (fs::perms::group_all | fs::perms::others_all)) ==
+              fs::perms::none);
+        CHECK_FALSE(taker.tell("7 kN"));
+        CHECK(giver->heard() == "7 kN");
+        const fs::path folder = giver->folder();
+        giver.reset();
+        CHECK_FALSE(fs::exists(folder));
+        CHECK(taker.is_cut());
+        CHECK(taker.tell("8 kN"));
+        CHECK_FALSE(taker.heard());
+    }
+
+    TEST_CASE("A taker that ends leaves the giver's folder, and neither follows a link that another user has laid")
+    {
+        auto giver = ui::Link::made(femoop::write_whole_file);
+        {
+            const ui::Link taker(giver->folder(), femoop::write_whole_file);
+        }
+        CHECK(fs::exists(giver->folder()));
+        fs::create_symlink("/dev/zero", giver->folder() / "taker");
+        CHECK_FALSE(giver->heard());
+    }
+}

@@ -1,0 +1,79 @@
+#include "ui/app/settings.h"
+
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace ui {
+
+namespace {
+
+constexpr std::string_view shown = "shown", hidden = "hidden";
+
+std::optional<bool> has_panels(std::string_view word)
+{
+    if (word == shown) return true;
+    return word == hidden ? std::optional(false) : std::nullopt;
+}
+
+std::optional<Size> window_size(std::istream& words)
+{
+    const auto is_side = [](double side) { return side >= Settings::smallest_side && side <= Settings::largest_side; };
+    Size size;
+    words >> size.width >> size.height;
+    return words && is_side(size.width) && is_side(size.height) ? std::optional(size) : std::nullopt;
+}
+
+void understand(const std::string& line, Settings& settings)
+{
+    std::istringstream words(line);
+    std::string name, word;
+    words >> name;
+    if (name == "window") {
+        settings.window = window_size(words);
+        return;
+    }
+    words >> word;
+    if (name == "theme") settings.theme = theme_named(word);
+    if (name == "language") settings.language = language_named(word);
+    if (name == "units") settings.units = unit_system_named(word);
+    if (name == "panels") settings.has_panels = has_panels(word);
+}
+
+} // namespace
+
+Settings Settings::or_else(const Settings& others) const
+{
+    return {.theme = theme ? theme : others.theme,
+            .language = language ? language : others.language,
+            .units = units ? units : others.units,
+            .has_panels = has_panels ? has_panels : others.has_panels,
+            .window = window ? window : others.window};
+}
+
+std::string settings_text(const Settings& settings)
+{
+    std::ostringstream lines;
+    if (settings.theme) lines << "theme " << text(*settings.theme) << '\n';
+    if (settings.language) lines << "language " << code(*settings.language) << '\n';
+    if (settings.units) lines << "units " << code(*settings.units) << '\n';
+    if (settings.has_panels) lines << "panels " << (*settings.has_panels ? shown : hidden) << '\n';
+    if (settings.window) lines << "window " << settings.window->width << ' ' << settings.window->height << '\n';
+    return lines.str();
+}
+
+Settings settings_of(std::string_view text)
+{
+    std::istringstream lines{std::string(text)};
+    Settings settings;
+    for (std::string line; std::getline(lines, line);) understand(line, settings);
+    return settings;
+}
+
+Settings read_settings(const std::filesystem::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    return settings_of(std::string{std::istreambuf_iterator<char>(stream), {}});
+}
+
+} // namespace ui

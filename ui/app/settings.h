@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "ui/paint/geometry.h"
+#include "ui/paint/theme.h"
+#include "ui/text/catalogue.h"
+#include "ui/text/display_units.h"
+
+namespace ui {
+
+/// How a person left an app, which is how it begins the next time. What nobody chose is absent.
+struct Settings {
+    static constexpr double smallest_side = 200.0, largest_side = 16384.0; ///< of a window [logical pixels]
+
+    std::optional<ThemeName> theme{};
+    std::optional<Language> language{};
+    std::optional<UnitSystem> units{}; ///< absent: those that go with the document
+    std::optional<bool> has_panels{};
+    std::optional<Size> window{}; ///< [logical pixels]
+
+    /// These, and of others what they lack.
+    Settings or_else(const Settings& others) const;
+
+    friend bool operator==(const Settings&, const Settings&) = default;
+};
+
+/// A line for each that is there: "theme dark", "window 1280 800".
+std::string settings_text(const Settings& settings);
+/// A line that is not understood, such as a later version's, counts for nothing.
+Settings settings_of(std::string_view text);
+/// Those that are kept in a file; none where there is no file.
+Settings read_settings(const std::filesystem::path& file);
+
+} // namespace ui

@@ -1,0 +1,96 @@
+#include "ui/files/link.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+namespace ui {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uintmax_t most_bytes = 100'000'000;
+
+constexpr const char* file_of(Link::End end) { return end == Link::End::Giver ? "giver" : "taker"; }
+
+std::optional<std::string> text_of(const fs::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return std::nullopt;
+    std::string text(std::istreambuf_iterator<char>(file), {});
+    return file.bad() ? std::nullopt : std::optional(std::move(text));
+}
+
+} // namespace
+
+std::optional<Link> Link::made(WriteWhole write)
+{
+    std::error_code error;
+    std::string name = (fs::temp_directory_path(error) / "cremona-link-XXXXXX").string();
+    if (error || mkdtemp(name.data()) == nullptr) return std::nullopt;
+    return Link(name, write, End::Giver);
+}
+
+Link::Link(Link&& other) noexcept
+    : folder_(std::exchange(other.folder_, {})),
+      write_(other.write_),
+      end_(other.end_),
+      seen_(other.seen_),
+      last_(std::move(other.last_))
+{}
+
+Link& Link::operator=(Link&& other) noexcept
+{
+    if (this == &other) return *this;
+    close();
+    folder_ = std::exchange(other.folder_, {});
+    write_ = other.write_;
+    end_ = other.end_;
+    seen_ = other.seen_;
+    last_ = std::move(other.last_);
+    return *this;
+}
+
+Link::~Link() { close(); }
+
+void Link::close()
+{
+    if (folder_.empty() || end_ != End::Giver) return;
+    std::error_code ignored; // of a folder that holds nothing but these
+    for (const End end : {End::Giver, End::Taker}) fs::remove(folder_ / file_of(end), ignored);
+    fs::remove(folder_, ignored);
+}
+
+std::error_code Link::tell(std::string_view text)
+{
+    if (is_cut()) return std::make_error_code(std::errc::no_such_file_or_directory);
+    return write_(folder_ / file_of(end_), text);
+}
+
+std::optional<std::string> Link::heard()
+{
+    const fs::path path = folder_ / file_of(end_ == End::Giver ? End::Taker : End::Giver);
+    std::error_code error;
+    const bool is_file = fs::is_regular_file(fs::symlink_status(path, error));
+    const Mark mark{fs::last_write_time(path, error), error ? 0 : fs::file_size(path, error)};
+    constexpr std::chrono::seconds young(2); // a file may be replaced within the grain of its time
+    const bool is_old = fs::file_time_type::clock::now() - mark.time > young;
+    if (error || !is_file || mark.size > most_bytes || (is_old && seen_ == mark)) return std::nullopt;
+    auto text = text_of(path);
+    if (!text) return std::nullopt;
+    seen_ = mark;
+    if (text == last_) return std::nullopt;
+    last_ = text;
+    return text;
+}
+
+bool Link::is_cut() const
+{
+    std::error_code error;
+    return folder_.empty() || !fs::is_directory(folder_, error);
+}
+
+} // namespace ui

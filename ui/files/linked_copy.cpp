@@ -1,0 +1,15 @@
+#include "ui/files/linked_copy.h"
+
+namespace ui {
+
+void LinkedCopy::tick(double seconds, const Document& document)
+{
+    waited_ += seconds;
+    if (waited_ < pause || link_.is_cut()) return;
+    waited_ = 0.0;
+    if (std::string now = document.text(); now != told_ && !link_.tell(now)) told_ = std::move(now);
+    if (auto heard = link_.heard()) offered_ = std::move(heard);
+    if (offered_ && !document.is_news(*offered_)) offered_.reset();
+}
+
+} // namespace ui

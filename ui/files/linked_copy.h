@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "ui/files/link.h"
+
+namespace ui {
+
+/// A document that has a copy in another program: what changes in one is offered to the other, and nothing is copied
+/// until somebody takes it over.
+class LinkedCopy {
+public:
+    /// What a linked document can do, given as functions so that every app links its own.
+    struct Document {
+        std::function<std::string()> text;                     ///< what the other end is told of it
+        std::function<bool(const std::string& other)> is_news; ///< taking this over would change it
+    };
+
+    /// \param text  what both have at the beginning
+    LinkedCopy(Link link, std::string text) : link_(std::move(link)), told_(std::move(text)) {}
+
+    /// Time goes by: twice a second it tells the other end what has changed here, and looks what has changed there.
+    void tick(double seconds, const Document& document);
+    /// What the other end has and this one has not.
+    const std::optional<std::string>& offered() const { return offered_; }
+    /// It stays as it is here; what is offered next is another change.
+    void keep() { offered_.reset(); }
+    /// It is here from now on. \pre something is offered
+    std::string take() { return *std::exchange(offered_, {}); }
+    bool is_cut() const { return link_.is_cut(); }
+    const std::filesystem::path& folder() const { return link_.folder(); }
+
+private:
+    static constexpr double pause = 0.5; ///< s
+
+    Link link_;
+    std::string told_;
+    std::optional<std::string> offered_;
+    double waited_ = 0.0;
+};
+
+} // namespace ui

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace ui {
+
+/// A text for a terminal: control characters, which names of a file may have, would move its cursor or change its
+/// colours. Each is written as JSON does, `\u001b`, so that JSON stays what it was; ends of lines and tabs stay.
+std::string printable(std::string text);
+
+} // namespace ui

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "ui/text/catalogue.h"
+
+namespace ui {
+
+enum class OfferAnswer : std::uint8_t { TakeOver, Keep };
+
+/// What a linked program offers, with both answers, in a line of the menu bar, where it covers nothing.
+/// \pre within a menu bar   \param sentence  "the frame has changed"
+std::optional<OfferAnswer> show_offer(const std::string& sentence, const Catalogue& tr);
+
+} // namespace ui
