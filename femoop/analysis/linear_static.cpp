@@ -177,8 +177,9 @@ private:
         note_size();
         smallest_pivot = pivots.smallest_ratio;
         const bool is_doubtful = !pivots.is_complete || pivots.smallest_ratio <= doubtful_pivot ||
-                                 system_.has_idle_unknown() || has_too_few_members();
-        if (is_doubtful || (is_soft() && system_.condition() >= poor_condition)) look_closely(model);
+                                 (is_soft() && system_.condition() >= poor_condition);
+        if (is_doubtful || system_.has_idle_unknown() || has_too_few_members()) refuse_mechanism(model);
+        if (is_doubtful) warn_of_soft_parts(model);
     }
 
     /// Fewer forces than equations: something moves, whatever the pivots say.
@@ -200,13 +201,17 @@ private:
         statistics.solver = solver->name();
     }
 
-    /// Small pivots may come from a mechanism or from soft parts: refuses the one, warns of the other.
-    void look_closely(const Model& model)
+    /// Small pivots may come from a mechanism or from soft parts: the geometry alone decides.
+    void refuse_mechanism(const Model& model)
     {
         require_finite_stiffness(model);
         const auto compatibility = Compatibility::of<kind>(*structure, equations, assembly_, holds_);
         const NullModes free = compatibility.free_motions(most_modes);
         if (free.is_singular()) refuse(model, free.modes);
+    }
+
+    void warn_of_soft_parts(const Model& model)
+    {
         const ReducedSystem::SoftMotion soft = system_.softest_motion();
         is_beyond_doubles_ = !std::isfinite(soft.condition); // no pivots left to solve with
         if (!is_beyond_doubles_) warn(model, soft.condition, soft.x);

@@ -6,6 +6,7 @@
 
 #include "apps/frame/document/loading.h"
 #include "femoop/edit/member_line.h"
+#include "ui/canvas/click.h"
 #include "ui/text/catalogue.h"
 
 namespace frame {
@@ -14,8 +15,6 @@ using namespace femoop;
 using ui::translatable;
 
 namespace {
-
-constexpr double click_reach = 6.0; // [px] along a member within which the hand means a click, or the member's end
 
 bool is_upright(AnalysisKind kind) { return kind == AnalysisKind::Grillage || is_3d(kind); } // z is up
 Dof downwards(AnalysisKind kind) { return is_upright(kind) ? Dof::uz : Dof::uy; }
@@ -41,7 +40,7 @@ ui::Phrase label(const Work& work, const Part& part)
 double place_along(const MemberLine& line, const Aim& at, double grid)
 {
     const Eigen::Vector3d pointer(at.pointer.x(), at.pointer.y(), 0.0);
-    const double near = click_reach * at.pixel, step = 0.1 * grid;
+    const double near = ui::click_reach * at.pixel, step = 0.1 * grid;
     const double x = (pointer - line.start).dot(line.direction);
     if (x < near) return 0.0;
     if (x > line.length - near) return line.length;
@@ -106,7 +105,7 @@ std::optional<Change> LoadTool::move(const Work& work, const Aim& to)
     if (!stroke_ || stroke_->member.index >= work.document.model.members.size()) return std::nullopt;
     const MemberLine line = line_of(work.document.model, work.document.model[stroke_->member]);
     const double x = place_along(line, to, settings_.grid);
-    stroke_->is_drawn = stroke_->is_drawn || std::abs(x - stroke_->start) > click_reach * to.pixel;
+    stroke_->is_drawn = stroke_->is_drawn || std::abs(x - stroke_->start) > ui::click_reach * to.pixel;
     if (!stroke_->is_drawn) return std::nullopt;
     stroke_->now = x;
     stroke_->end = line.at(x);

@@ -99,16 +99,18 @@ namespace {
 /// In space a hand means the node under the pointer, else a place of the member there, else one of the working plane.
 void aim_in_space(Aim& aim, const femoop::Model& model, const Hand& hand, const Projection& projection, ui::Point at)
 {
-    const WorkingPlane& plane = hand.settings().plane;
-    if (aim.node) aim.in_space = femoop::position_of(model, *aim.node);
-    else if (aim.cut) aim.in_space = femoop::line_of(model, model[aim.cut->member]).at(aim.cut->x);
+    const ToolSettings& settings = hand.settings();
+    const WorkingPlane& plane = settings.plane;
+    const bool is_on_part = settings.draws_to_parts && (aim.node || aim.cut);
+    if (is_on_part && aim.node) aim.in_space = femoop::position_of(model, *aim.node);
+    else if (is_on_part) aim.in_space = femoop::line_of(model, model[aim.cut->member]).at(aim.cut->x);
     else aim.in_space = place_in_working_plane(projection, plane, at);
     aim.is_lost = !aim.in_space;
-    aim.snap.kind = aim.node ? SnapKind::Node : aim.cut ? SnapKind::OnMember : SnapKind::Grid;
-    if (aim.node || aim.cut || aim.is_lost || aim.is_exact) return;
-    const double grid = grid_of(projection);
-    const Vector2d steps = (plane.in_plane(*aim.in_space) / grid).array().round();
-    aim.in_space = plane.in_space(grid * steps);
+    aim.snap.kind = !is_on_part ? SnapKind::Grid : aim.node ? SnapKind::Node : SnapKind::OnMember;
+    if (is_on_part || aim.is_lost || aim.is_exact) return;
+    const double step = settings.draws_to_grid ? settings.grid : 0.1 * std::min(settings.grid, grid_of(projection));
+    const Vector2d steps = (plane.in_plane(*aim.in_space) / step).array().round();
+    aim.in_space = plane.in_space(step * steps);
 }
 
 } // namespace
@@ -118,7 +120,6 @@ double grid_of(const Projection& projection) { return round_grid(grid_spacing / 
 Aim aim_at(const Session& session, const Hand& hand, const Projection& projection, const Pointer& pointer,
            const Pick& under, const Grips& grips)
 {
-    const Tool& tool = hand.tool();
     Aim aim;
     aim.node = under.node;
     aim.cut = under.cut;

@@ -37,9 +37,8 @@ public:
     /// Every line of it, or every tenth, hundredth ... where they would lie too near.
     void grid(double step)
     {
-        constexpr double nearest = 6.0; // [px]
         const ui::LayerScope layer(painter_, ui::Layer::Grid);
-        while (step * projection_.scale() < nearest) step *= 10.0;
+        step = wide_enough(step);
         const auto least = place_in_plane(projection_, {0.0, painter_.size().height});
         const auto most = place_in_plane(projection_, {painter_.size().width, 0.0});
         if (!least || !most || !projection_.is_plane()) return;
@@ -50,18 +49,19 @@ public:
     }
 
     /// Of the working plane in space: its lines as far as the structure goes.
-    void grid_in_space(const WorkingPlane& plane, const std::vector<Eigen::Vector3d>& nodes)
+    void grid_in_space(const WorkingPlane& plane, const std::vector<Eigen::Vector3d>& nodes, double step)
     {
         const ui::LayerScope layer(painter_, ui::Layer::Grid);
+        constexpr double beyond = 8.0; // lines
+        step = wide_enough(step);
         Vector2d least(0.0, 0.0), most(8.0, 8.0);
         if (!nodes.empty()) least = most = plane.in_plane(nodes.front());
         for (const Eigen::Vector3d& node : nodes) {
             least = least.cwiseMin(plane.in_plane(node));
             most = most.cwiseMax(plane.in_plane(node));
         }
-        const double step = grid_of(projection_);
-        least.array() = ((least.array() / step).floor() - 2.0) * step;
-        most.array() = ((most.array() / step).ceil() + 2.0) * step;
+        least.array() = ((least.array() / step).floor() - beyond) * step;
+        most.array() = ((most.array() / step).ceil() + beyond) * step;
         const ui::Stroke line{.color = ui::with_opacity(theme_[Role::FaintLabel].text, 0.35), .width = 0.75};
         const auto place = [&](double u, double v) { return projection_(plane.in_space({u, v})); };
         for (const double u : multiples_between(least.x(), most.x(), step))
@@ -189,6 +189,13 @@ public:
     Point at(const Vector2d& place) const { return projection_({place.x(), place.y(), 0.0}); }
 
 private:
+    /// A typed distance of lines that would lie too close at this scale, ten times as far and so on.
+    double wide_enough(double step) const
+    {
+        constexpr double nearest = 6.0; // [px]
+        while (step * projection_.scale() < nearest) step *= 10.0;
+        return step;
+    }
     static ui::Box dot(Point p) { return {p - Point{0.75, 0.75}, p + Point{0.75, 0.75}}; }
     void cross(Point p, double r, const ui::Stroke& stroke)
     {
@@ -210,8 +217,9 @@ void draw_hand(ui::Painter& painter, const Session& session, const Hand& hand, c
     HandPicture picture(painter, session, projection, theme);
     const bool is_in_space = femoop::is_3d(session.model().analysis);
     if (hand.can_type() && hand.settings().draws_to_grid) {
-        if (is_in_space) picture.grid_in_space(hand.settings().plane, shape_of(session.model()).nodes);
-        else picture.grid(hand.settings().grid);
+        const ToolSettings& settings = hand.settings();
+        if (is_in_space) picture.grid_in_space(settings.plane, shape_of(session.model()).nodes, settings.grid);
+        else picture.grid(settings.grid);
     }
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
     const Preview preview = hand.tool().preview();

@@ -2,6 +2,7 @@
 
 #include "apps/frame/session/commands.h"
 #include "apps/frame/window/case_list.h"
+#include "ui/widgets/number_field.h"
 
 namespace frame {
 

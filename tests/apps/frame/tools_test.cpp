@@ -598,9 +598,9 @@ TEST_SUITE("frame tools")
         CHECK(document.model.load_cases[2].members == document.model.load_cases[0].members);
         CHECK(document.model.case_name(copy_case(document, femoop::CaseId(3))) == "C2");
         CHECK(document.model.combinations[1].terms == document.model.combinations[0].terms);
-        CHECK(why_not_rename(document.model, copy, "C"));
-        CHECK(why_not_rename(document.model, copy, "  "));
-        CHECK_FALSE(why_not_rename(document.model, copy, "G2"));
+        CHECK(frame::why_not_rename(document.model, copy, "C"));
+        CHECK(frame::why_not_rename(document.model, copy, "  "));
+        CHECK_FALSE(frame::why_not_rename(document.model, copy, "G2"));
         rename(document, copy, "W");
         CHECK(document.model.load_cases[2].id == "W");
     }

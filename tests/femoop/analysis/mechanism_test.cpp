@@ -217,6 +217,77 @@ TEST_SUITE("mechanisms")
         CHECK(causes(beam).empty());
     }
 
+    TEST_CASE("A member of a tenth of a millimetre in a beam of eight metres makes no mechanism")
+    {
+        const double l = 1e-4;
+        Model model = frame({{0, 0}, {4 - 0.5 * l, 0}, {4 + 0.5 * l, 0}, {8, 0}}, {{0, 1}, {1, 2}, {2, 3}});
+        hold(model, 0, SupportKind::Pin);
+        hold(model, 3, SupportKind::Roller);
+        CHECK(mechanisms(model).empty());
+    }
+
+    TEST_CASE("Three thousand inextensible members in a row make no mechanism, nor do as many rigid ones")
+    {
+        constexpr std::size_t n = 3000;
+        for (const bool is_rigid : {false, true}) {
+            Model model = frame({}, {});
+            for (std::size_t i = 0; i <= n; ++i) {
+                model.add(Node{.id = std::to_string(i), .at = {0.004 * static_cast<double>(i), 0.0, 0.0}});
+                if (i == 0) continue;
+                model.add(Member{.id = std::to_string(i),
+                                 .nodes = {NodeId(i - 1), NodeId(i)},
+                                 .material = MaterialId(0),
+                                 .section = SectionId(0),
+                                 .inextensible = !is_rigid,
+                                 .rigid = is_rigid});
+            }
+            hold(model, 0, SupportKind::Pin);
+            hold(model, n, SupportKind::Roller);
+            CAPTURE(is_rigid);
+            CHECK(mechanisms(model).empty());
+        }
+    }
+
+    TEST_CASE("A hinged node turns idly whether its members are elastic, inextensible or rigid, with arms or without")
+    {
+        for (const AnalysisKind kind : {AnalysisKind::Frame2d, AnalysisKind::Grillage, AnalysisKind::Frame3d})
+            for (const bool is_rigid : {false, true})
+                for (const double arm : {0.0, 0.2}) {
+                    Model model = frame({{0, 0}, {4, 0}, {8, 0}}, {{0, 1}, {1, 2}});
+                    model.analysis = kind;
+                    model.sections[0].Iy = 0.7e-4;
+                    model.sections[0].J = 0.3e-4;
+                    hold(model, 0, SupportKind::Fixed);
+                    hold(model, 2, SupportKind::Fixed);
+                    model.nodes[1].hinge = true;
+                    (is_rigid ? model.members[0].rigid : model.members[0].inextensible) = true;
+                    if (arm > 0.0) model.members[0].start.offset = {arm, 0.0};
+                    if (arm > 0.0 && kind == AnalysisKind::Frame3d) model.members[0].start.offset.emplace_back(0.0);
+                    CAPTURE(name(kind));
+                    CAPTURE(is_rigid);
+                    CAPTURE(arm);
+                    CHECK(mechanisms(model).empty());
+                }
+    }
+
+    TEST_CASE("An inextensible member hinged at both ends may spin about its axis, and a torque that spins it is told")
+    {
+        Model model = frame({{0, 0}, {4, 0}, {0, 4}, {1, 1}}, {{0, 3}, {1, 3}, {2, 3}});
+        model.analysis = AnalysisKind::Frame3d;
+        model.sections[0].Iy = 0.7e-4;
+        model.sections[0].J = 0.3e-4;
+        model.nodes[3].at[2] = 3.0;
+        for (Node& node : model.nodes) node.hinge = true;
+        for (const std::size_t base : {0U, 1U, 2U}) hold(model, base, SupportKind::Fixed);
+        for (Member& member : model.members) member.inextensible = true;
+        CHECK(mechanisms(model).empty());
+        model.load_cases[0].members.push_back(
+            {.member = MemberId(1), .load = DistributedLoad{.values = {{.dof = Dof::rx, .start = 2.0}}}});
+        CHECK(mechanisms(model) ==
+              std::vector<std::string>{"structure can move without strain: member BD is loose, its releases leave rx "
+                                       "free; take a release away"});
+    }
+
     TEST_CASE("Two separate swaying frames are two mechanisms")
     {
         Model model = frame({{0, 0}, {0, 3}, {4, 3}, {4, 0}, {9, 0}, {9, 3}, {13, 3}, {13, 0}},
