@@ -180,6 +180,7 @@ private:
                                  (is_soft() && system_.condition() >= poor_condition);
         if (is_doubtful || system_.has_idle_unknown() || has_too_few_members()) refuse_mechanism(model);
         if (is_doubtful) warn_of_soft_parts(model);
+        is_beyond_doubles_ = !pivots.is_complete;
     }
 
     /// Fewer forces than equations: something moves, whatever the pivots say.
@@ -213,8 +214,7 @@ private:
     void warn_of_soft_parts(const Model& model)
     {
         const ReducedSystem::SoftMotion soft = system_.softest_motion();
-        is_beyond_doubles_ = !std::isfinite(soft.condition); // no pivots left to solve with
-        if (!is_beyond_doubles_) warn(model, soft.condition, soft.x);
+        if (std::isfinite(soft.condition)) warn(model, soft.condition, soft.x);
     }
 
     void warn(const Model& model, double condition, const Eigen::VectorXd& softest)
