@@ -1,5 +1,6 @@
 #include "femoop/model/check/checker.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -92,9 +93,21 @@ bool Checker::require_finite(const Entry& place, std::string_view key, double va
     return false;
 }
 
+namespace {
+
+constexpr double furthest = 1e100; // the square of a length is a number still, a stiffness over it is not nothing
+
+} // namespace
+
+bool Checker::is_within_reach(NodeId id) const
+{
+    const auto& at = model_[id].at;
+    return std::all_of(at.begin(), at.begin() + static_cast<std::ptrdiff_t>(n_coordinates(model_.analysis)),
+                       [](const Quantity& x) { return std::abs(x.value()) <= furthest; });
+}
+
 void Checker::require_within_reach(const Entry& place, std::string_view key, const Quantity& coordinate)
 {
-    constexpr double furthest = 1e100; // the square of a length is a number still, a stiffness over it is not nothing
     if (require_finite(place, key, coordinate) && std::abs(coordinate.value()) > furthest)
         add(FaultKind::OutOfReach, place,
             {std::string(key), shown(coordinate, dimension::length), shown(Quantity(furthest), dimension::length)});

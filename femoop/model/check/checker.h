@@ -50,6 +50,7 @@ private:
     std::string analysis() const { return std::string(name(model_.analysis)); }
     bool require_entry(const Entry& place, std::string_view list, std::size_t index, std::size_t n);
     bool require_finite(const Entry& place, std::string_view key, double value);
+    bool is_within_reach(NodeId id) const; ///< can its place be reckoned with?
     void require_within_reach(const Entry& place, std::string_view key, const Quantity& coordinate);
     void require_positive(const Entry& place, std::string_view key, const Quantity& value, Dimension dimension);
     void require_stiffness(const Entry& place, std::string_view key, const Quantity& value, Dimension dimension);

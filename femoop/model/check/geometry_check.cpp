@@ -211,18 +211,14 @@ void Checker::check_coincident_nodes()
     std::vector<Point> points;
     std::vector<std::uint32_t> owners;
     for (std::uint32_t i = 0; i < model_.nodes.size(); ++i) {
-        if (!is_readable(NodeId(i))) continue;
+        if (!is_readable(NodeId(i)) || !is_within_reach(NodeId(i))) continue;
         const Node& node = model_.nodes[i];
-        const Point point{node.at[0], node.at[1], is_3d(model_.analysis) ? node.at[2].value() : 0.0};
-        for (const double x : point)
-            if (!std::isfinite(x)) return;
-        points.push_back(point);
+        points.push_back({node.at[0], node.at[1], is_3d(model_.analysis) ? node.at[2].value() : 0.0});
         owners.push_back(i);
     }
     if (points.size() < 2) return;
     const Box box = box_around(points);
     const double extent = std::max(box.diagonal(), std::numeric_limits<double>::min());
-    if (!std::isfinite(extent)) return;
     constexpr double largest_structure = 1e4; // one node that is far away moves no others together
     const double tolerance = 1e-9 * std::min(extent, largest_structure);
     const Grid grid(box.low, 1e-5 * extent);
@@ -253,9 +249,9 @@ void Checker::check_crossings()
     std::vector<Line> lines;
     for (std::size_t i = 0; i < model_.members.size(); ++i) {
         const Member& member = model_.members[i];
-        if (!is_located(member)) continue;
+        if (!is_located(member) || !is_within_reach(member.nodes[0]) || !is_within_reach(member.nodes[1])) continue;
         const Axis whole = node_axis(member);
-        if (!std::isfinite(whole.length) || whole.length == 0.0) continue;
+        if (whole.length == 0.0) continue;
         lines.push_back(
             {static_cast<std::uint32_t>(i), member.nodes, whole.start, minus(whole.end, whole.start), whole.length});
     }

@@ -95,6 +95,20 @@ TEST_CASE("A number that is not finite is refused wherever it stands")
                               "combinations[0] \"U\": G is inf; give a finite number\n");
 }
 
+TEST_CASE("Coordinates as large as numbers go are refused, and no grid is laid over them")
+{
+    constexpr double largest = std::numeric_limits<double>::max();
+    for (const double x : {1e101, 1.7e308, largest, -largest})
+        for (const double y : {0.0, largest}) {
+            Model model = cantilever();
+            model.nodes[1].at = {x, y};
+            const std::string faults = faults_of(model);
+            CAPTURE(x);
+            CHECK(faults.find("too far for stiffnesses") != std::string::npos);
+            CHECK_THROWS_AS(require_sound(model), ModelError);
+        }
+}
+
 TEST_CASE("A component that is given twice is refused")
 {
     Model model = cantilever();
