@@ -178,7 +178,7 @@ float height(const FootMessage& message)
 
 std::optional<std::size_t> show(const FootMessage& message)
 {
-    begin_foot(height(message), ImGuiCol_PopupBg);
+    begin_foot(height(message), ImGuiCol_TabActive); // it is to be seen that something is told
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.5F * ImGui::GetFontSize(), 0.0F});
     ImGui::Begin("###message", nullptr, fixed_panel | ImGuiWindowFlags_NoFocusOnAppearing);
     const ImVec2 corner = ImGui::GetCursorPos();
