@@ -32,8 +32,6 @@ enum class FaultKind : std::uint8_t {
     MemoryInsufficient,     ///< {0} equations, {1} gigabytes needed, {2} gigabytes free
     NearlySingular,         ///< {0} condition estimate, {1} nodes
     HugeDisplacement,       ///< {0} node, {1} distance, {2} case
-    InaccurateCase,         ///< {0} case, {1} how many digits hold
-    IllConditionedCase,     ///< {0} case
 
     // the file
     FileUnreadable,
@@ -202,6 +200,10 @@ enum class FaultKind : std::uint8_t {
     ExpectedNodeAndMember,
     ExpectedDofLacking,
     ExpectedReactionOfFreeNode,
+
+    // how well the analysis could solve it
+    InaccurateCase,     ///< {0} case, {1} how many digits hold
+    IllConditionedCase, ///< {0} case
 };
 
 } // namespace femoop
