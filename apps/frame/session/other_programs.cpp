@@ -196,6 +196,9 @@ Offer circle_at_section(const Session& session)
 Offer circle_at(const Session& session, const Cut& cut, femoop::CaseId load_case)
 {
     if (const auto reason = why_no_forces(session)) return passing_notice(*reason);
+    if (session.solution().blank_case(load_case) != nullptr)
+        return passing_notice({translatable("Case {case} has no results: see the problems."),
+                               {{"case", session.model().case_name(load_case)}}});
     const femoop::Member& member = session.model()[cut.member];
     if (!member.section || !member.material)
         return passing_notice({translatable("member {id} has no section: it is rigid"), {{"id", member.id}}});
