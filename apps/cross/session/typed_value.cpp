@@ -10,6 +10,7 @@
 #include "apps/cross/session/edit.h"
 #include "apps/cross/view/numbers.h"
 #include "apps/cross/view/stiffness.h"
+#include "apps/frame/document/fault/place.h"
 #include "apps/frame/document/loading.h"
 #include "femoop/edit/naming.h"
 #include "femoop/model/check/check.h"
@@ -136,7 +137,7 @@ std::optional<TypedValue> value_of(const Session& session, const Drawn& drawn, c
 /// What a check says of it.
 Typed sound(Model model, const Session& session)
 {
-    for (const femoop::Fault& fault : femoop::check(model))
+    for (const femoop::Fault& fault : frame::named(femoop::check(model), model))
         if (femoop::severity(fault.kind) == femoop::Severity::Error)
             return Phrase("{reason}", {{"reason", fault_text(fault, session.tr())}});
     return model;
