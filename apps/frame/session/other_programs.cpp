@@ -110,7 +110,8 @@ std::string text_of(const femoop::Quantity& quantity, femoop::Dimension kind, co
     return femoop::quantity_text(value, kind, mohr::newtons_and_mm);
 }
 
-/// "IPE 300", "rectangle b=90mm h=210mm"; nothing for a section of numbers alone.
+} // namespace
+
 std::optional<std::string> section_text(const femoop::Section& section, const femoop::Units& units)
 {
     if (section.profile) return section.profile;
@@ -124,6 +125,8 @@ std::optional<std::string> section_text(const femoop::Section& section, const fe
     }
     return words;
 }
+
+namespace {
 
 /// Where the only selected member has its largest moment.
 std::optional<Cut> worst_cut(const Session& session)
