@@ -121,7 +121,7 @@ Edit with_space_principal(const Document& document, const fm::SpacePrincipal& pr
     fm::SpaceState s = fm::from_principal(principal);
     double largest = 0.0;
     for (const double value : principal.values) largest = std::max(largest, std::abs(value));
-    for (double* const value : {&s.x, &s.y, &s.z, &s.xy, &s.yz, &s.zx}) *value = rounded(*value, largest, 14);
+    for (double* const value : {&s.x, &s.y, &s.z, &s.xy, &s.yz, &s.zx}) *value = rounded(*value, largest, 12);
     return with_space(document, s);
 }
 
