@@ -34,7 +34,7 @@ constexpr double harmless_pivot = 1e-6;     // of the diagonal: above it no cond
 constexpr double poor_condition = 1e10;     // leaves some six correct digits
 constexpr double unmeant_motion = 1e5;      // of the structure's size; exercises with E I = 1 stay well below
 constexpr double unmeant_soft_motion = 10;  // where a pivot is so small that something is soft beside the rest
-constexpr Eigen::Index most_modes = 100;    // to look for in a structure that moves in many ways
+constexpr Eigen::Index most_modes = 64;     // to look for in a structure that moves in many ways
 constexpr Eigen::Index most_described = 12; // of them: who reads more sentences than that?
 
 detail::Motions<double> rounded_motions(const detail::Motions<DoubleDouble>& motions)

@@ -98,7 +98,8 @@ private:
         for (int pass = 0; pass < most_passes; ++pass) {
             improve();
             const Eigen::Index zeros = n_zeros();
-            const double above = zeros < values_.size() ? values_[zeros] : 0.0;
+            if (zeros == values_.size()) return; // a wider block is needed anyway
+            const double above = values_[zeros];
             if (zeros == before.first && std::abs(above - before.second) <= settled * above) return;
             before = {zeros, above};
         }
@@ -146,8 +147,10 @@ Balanced balanced(const RowMatrix& A)
 Eigen::MatrixXd corrected(const RowMatrix& A, const SymmetricSolver& inverse, Eigen::MatrixXd motions)
 {
     constexpr int passes = 3;
+    constexpr double rounding = 1e-15;
     for (int pass = 0; pass < passes && motions.cols() > 0; ++pass) {
         const Eigen::MatrixXd strains = A * motions;
+        if (strains.lpNorm<Eigen::Infinity>() <= rounding) break;
         motions = orthonormal(motions - inverse.solve(A.transpose() * strains));
     }
     return motions;

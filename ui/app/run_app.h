@@ -11,6 +11,7 @@
 #include "ui/app/window_loop.h"
 #include "ui/context/window.h"
 #include "ui/files/draft.h"
+#include "ui/files/link.h"
 #include "ui/text/printable.h"
 #include "ui/text/refusal.h"
 

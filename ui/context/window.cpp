@@ -115,6 +115,7 @@ struct Window::Parts {
     std::array<GLFWcursor*, cursor_shapes.size()> cursors{};
     Input input;
     std::array<bool, n_pointer_buttons> was_pressed{}; ///< also by a click shorter than a frame
+    std::optional<Point> pressed_at;                   ///< in this frame; a quick hand is elsewhere by its end
     double time = 0.0;
 
     explicit Parts(const Setup& setup) { open(setup); }
@@ -184,7 +185,11 @@ void Window::Parts::listen()
         Parts& parts = of(w);
         const auto i = static_cast<std::size_t>(button);
         parts.input.is_button_down[i] = action == GLFW_PRESS;
-        if (action == GLFW_PRESS) parts.was_pressed[i] = true;
+        if (action == GLFW_PRESS) {
+            parts.was_pressed[i] = true;
+            Point& at = parts.pressed_at.emplace();
+            glfwGetCursorPos(w, &at.x, &at.y);
+        }
         parts.input.modifiers = modifiers_of(mods);
     });
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
@@ -273,8 +278,10 @@ Input Window::input(double patience)
         now.is_button_down[2]) {
         Point place;
         glfwGetCursorPos(parts_->window, &place.x, &place.y);
+        if (parts_->pressed_at) place = *parts_->pressed_at;
         now.pointer = (parts_->pixels_per_unit() / parts_->content_scale()) * place;
     }
+    parts_->pressed_at.reset();
     Input& next = parts_->input;
     next.wheel = {};
     next.keys.clear();

@@ -10,6 +10,7 @@
 #include "apps/cross/session/edit.h"
 #include "apps/cross/view/numbers.h"
 #include "apps/cross/view/stiffness.h"
+#include "apps/frame/document/fault/place.h"
 #include "apps/frame/document/loading.h"
 #include "femoop/edit/naming.h"
 #include "femoop/model/check/check.h"
@@ -136,7 +137,7 @@ std::optional<TypedValue> value_of(const Session& session, const Drawn& drawn, c
 /// What a check says of it.
 Typed sound(Model model, const Session& session)
 {
-    for (const femoop::Fault& fault : femoop::check(model))
+    for (const femoop::Fault& fault : frame::named(femoop::check(model), model))
         if (femoop::severity(fault.kind) == femoop::Severity::Error)
             return Phrase("{reason}", {{"reason", fault_text(fault, session.tr())}});
     return model;
@@ -191,10 +192,12 @@ Typed with_load(const Session& session, const frame::NumberId& id, std::string_v
     const frame::Number number = frame::numbers(document.model, id.part).at(id.place);
     const bool is_downwards = number.value && number.value->value() < 0.0;
     const std::string own = text.find_first_not_of(' ') == std::string_view::npos ? "0" : std::string(text);
-    const auto typed = frame::quantity_typed(is_downwards ? reversed(own) : own, number.measure, document.model.units,
-                                             units_in(session));
+    const auto read = [&](const std::string& one) {
+        return frame::quantity_typed(one, number.measure, document.model.units, units_in(session));
+    };
+    const auto typed = read(own);
     if (const auto* const fault = std::get_if<femoop::Fault>(&typed)) return refusal(*fault, session);
-    const auto& value = std::get<femoop::Quantity>(typed);
+    const auto value = std::get<femoop::Quantity>(is_downwards ? read(reversed(own)) : typed);
     frame::set_number(document, id, value);
     if (value.value() == 0.0) drop_nothings(document.model.load_cases.at(frame::load_case_of(id.part)));
     return sound(std::move(document.model), session);

@@ -59,7 +59,7 @@ private:
             for (const ui::Point side : sides(place)) {
                 const double drop = static_cast<double>(row) * (extent(side) + apart * type_);
                 const ui::Box box = at(place, side, shift * type_, drop);
-                if (is_free(box)) return box;
+                if (is_free(box) && (row == 0 || is_in_sight(at(place, side, shift * type_, 0.0), box))) return box;
             }
         }
         return std::nullopt;
@@ -82,6 +82,13 @@ private:
         const ui::Point middle = place.joint + (gap + shift + 0.5 * extent(place.along)) * place.along +
                                  (gap + drop + 0.5 * extent(side)) * side;
         return ui::box_at({middle.x - 0.5 * size_.width, middle.y - 0.5 * size_.height}, size_);
+    }
+
+    /// No member stands between the place beside the own one and this.
+    bool is_in_sight(const ui::Box& beside, const ui::Box& box) const
+    {
+        const ui::Box between = ui::united(beside, box);
+        return std::ranges::none_of(request_.walls, [&](const ui::Box& wall) { return wall.overlaps(between); });
     }
 
     bool is_free(const ui::Box& box) const
@@ -120,9 +127,8 @@ std::optional<BlockLayout> whole(const BlockRequest& request, double least_type,
 
 BlockLayout laid_out_inside(const BlockRequest& request)
 {
-    constexpr double hardly_smaller = 0.85; // rather so than in several rows
     if (request.n_rows > 1) {
-        if (auto layout = whole(request, hardly_smaller * request.largest_type, 1)) return *layout;
+        if (auto layout = whole(request, request.hardly_smaller * request.largest_type, 1)) return *layout;
         if (auto layout = whole(request, request.least_type, request.n_rows)) return *layout;
     } else if (auto layout = whole(request, request.least_type, 1)) {
         return *layout;
@@ -144,7 +150,8 @@ BlockRequest inside(const BlockRequest& request, std::vector<std::size_t>& kept)
         part.places.push_back(request.places[i]);
         kept.push_back(i);
     }
-    std::erase_if(part.obstacles, [&](const ui::Box& box) { return !box.overlaps(request.room); });
+    for (std::vector<ui::Box>* const boxes : {&part.obstacles, &part.walls})
+        std::erase_if(*boxes, [&](const ui::Box& box) { return !box.overlaps(request.room); });
     return part;
 }
 

@@ -28,13 +28,15 @@ struct BlockLayout {
 struct BlockRequest {
     std::vector<EndPlace> places;
     std::vector<ui::Box> obstacles;
+    std::vector<ui::Box> walls{}; ///< members: a column farther out has none between it and its own
     ui::Box room;
     ui::Point middle;             ///< of the structure: columns keep to its outside
     double largest_type = 13.0;   ///< of the numbers, where there is room
     std::size_t most_lines = 16;  ///< between factor and sum
     std::size_t fewest_lines = 4; ///< likewise: with fewer, type gets smaller instead
     double least_type = 9.0;
-    std::size_t n_rows = 1; ///< of columns one below another, where those beside the members have no room
+    std::size_t n_rows = 1;       ///< of columns one below another, where those beside the members have no room
+    double hardly_smaller = 0.85; ///< of the largest type: rather so than in several rows
     std::function<double(double)> width_of; ///< of a column at a size of type
 };
 

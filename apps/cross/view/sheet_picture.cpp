@@ -96,9 +96,11 @@ private:
         request.room = panel_.whole.grown(-0.3 * em);
         request.room.min.y += 1.8 * em;
         if (request.places.size() > most_ends_at_once) request.room = in_sight();
+        request.walls = walls_in(panel_, shape_);
         request.obstacles = obstacles_in(panel_, shape_, scene_.document.model, theme_);
         request.largest_type = 1.05 * em * std::clamp(panel_.zoom, 1.0, most_magnified);
         request.n_rows = 3;
+        if (is_beam(shape_)) request.hardly_smaller = 0.65; // columns of a beam are read along it
         request.most_lines = wanted_lines();
         request.width_of = [this](double type) { return column_width(type); };
         request.middle = middle_of(panel_, shape_);

@@ -34,11 +34,17 @@ EndPlace place_of_end(const Panel& panel, const frame::StructureShape& shape, co
     return {id, joint, along, ui::distance(a, b)};
 }
 
-std::vector<ui::Box> obstacles_in(const Panel& panel, const frame::StructureShape& shape, const femoop::Model& model,
-                                  const ui::Theme& theme)
+std::vector<ui::Box> walls_in(const Panel& panel, const frame::StructureShape& shape)
 {
     std::vector<ui::Box> taken;
     for (const frame::MemberShape& member : shape.members) cover(panel, member, taken);
+    return taken;
+}
+
+std::vector<ui::Box> obstacles_in(const Panel& panel, const frame::StructureShape& shape, const femoop::Model& model,
+                                  const ui::Theme& theme)
+{
+    std::vector<ui::Box> taken = walls_in(panel, shape);
     const double reach = 15.0 * theme.symbol_scale();
     for (std::size_t n = 0; n < shape.nodes.size(); ++n) {
         const ui::Point at = panel.at(shape.nodes[n]);

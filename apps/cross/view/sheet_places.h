@@ -12,6 +12,8 @@ namespace cross {
 
 EndPlace place_of_end(const Panel& panel, const frame::StructureShape& shape, const femoop::cross::Problem& problem,
                       femoop::cross::EndId end, const ui::Theme& theme);
+/// The members, as chains of small boxes.
+std::vector<ui::Box> walls_in(const Panel& panel, const frame::StructureShape& shape);
 /// What they must leave free: members, joints, supports.
 std::vector<ui::Box> obstacles_in(const Panel& panel, const frame::StructureShape& shape, const femoop::Model& model,
                                   const ui::Theme& theme);

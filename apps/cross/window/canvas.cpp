@@ -8,6 +8,7 @@
 
 #include "apps/cross/view/hint.h"
 #include "apps/cross/view/numbers.h"
+#include "ui/canvas/click.h"
 
 namespace cross {
 
@@ -106,7 +107,13 @@ void Canvas::move_about(Session& session, ui::Point at)
     if (pointer_ && io.MouseWheel != 0.0F) zoom(session, std::pow(1.2, static_cast<double>(io.MouseWheel)));
     const bool is_left = ImGui::IsItemActive() && !hand_.is_holding() && (dragged_ || !session.hover);
     const bool is_middle = (pointer_ || dragged_) && ImGui::IsMouseDown(ImGuiMouseButton_Middle);
-    if (!is_left && !is_middle) return dragged_.reset();
+    if (!is_left && !is_middle) {
+        is_panning_ = false;
+        return dragged_.reset();
+    }
+    // A click moves nothing: it would pin the middle, and what is changed next would leave the picture.
+    is_panning_ = is_panning_ || (dragged_ && ui::distance(at, *dragged_) > ui::click_reach);
+    if (dragged_ && !is_panning_) return;
     const auto from = dragged_ ? drawn_.place_at(*dragged_) : std::nullopt, to = drawn_.place_at(at);
     if (from && to) session.look.zoom = moved(session.look.zoom, drawn_.middle, *to - *from);
     if (to) dragged_ = at;

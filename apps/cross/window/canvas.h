@@ -53,6 +53,7 @@ private:
     StructureHand hand_;
     std::optional<ui::Point> pointer_; ///< over the picture
     std::optional<ui::Point> dragged_; ///< where the hand that moves the pictures was last
+    bool is_panning_ = false;          ///< it has moved farther than a click
     std::optional<ui::Picture> picture_;
     CellField cell_field_;
     ValueField value_field_;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "apps/cross/window/field_reason.h"
+
 namespace cross {
 
 namespace {
@@ -46,6 +48,8 @@ void CellField::show(Session& session, const Drawn& drawn, ui::Point corner, flo
     edit(session);
     ImGui::PopStyleVar(2);
     ImGui::PopStyleColor();
+    const auto factor = static_cast<double>(scale);
+    if (cell_ && !reason_.empty()) show_reason(reason_, factor * middle, factor * corner.x);
 }
 
 void CellField::show_here(Session& session)
@@ -73,6 +77,7 @@ void CellField::follow(Session& session)
     if (cell_ == session.cell() && written == written_) return;
     cell_ = session.cell();
     text_ = written_ = written;
+    reason_.clear();
     ++n_openings_;
     is_fresh_ = true;
 }
@@ -106,6 +111,7 @@ bool CellField::take(Session& session, femoop::cross::BlankId cell)
     const auto reason = session.write(cell, text_);
     if (!reason) return true;
     session.notice = Notice{*reason};
+    reason_ = session.tr()(*reason);
     session.go_to_cell(cell);
     cell_ = cell;
     ++n_openings_;

@@ -22,7 +22,7 @@ private:
     bool take(Session& session, femoop::cross::BlankId cell);
 
     std::optional<femoop::cross::BlankId> cell_;
-    std::string text_, written_;
+    std::string text_, written_, reason_; ///< why the text was not taken
     int n_openings_ = 0;
     bool is_fresh_ = false;
 };

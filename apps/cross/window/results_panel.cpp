@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "apps/cross/session/report.h"
 #include "ui/widgets/item_label.h"
@@ -53,18 +54,34 @@ void turn_pages(Desk& desk, const TextTable& table, std::size_t n)
     ImGui::TextUnformatted(words.c_str());
 }
 
-void show_table(Desk& desk, const TextTable& whole)
+/// Of a column with its padding.
+float width_of(const TextTable& table, std::size_t column)
 {
-    for (const std::string& note : whole.notes) ui::wrapped_text(note);
-    if (whole.head.empty()) return;
-    constexpr std::size_t most_columns = 64, shown = 48; // of Dear ImGui's tables
-    const bool is_cut = whole.head.size() > most_columns;
-    if (is_cut) turn_pages(desk, whole, shown);
-    const TextTable table = is_cut ? part_of(whole, desk.first_column, shown) : part_of(whole, 1, most_columns);
-    const auto flags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
-                       ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingFixedFit;
-    if (!ImGui::BeginTable("###table", static_cast<int>(table.head.size()), flags)) return;
-    ImGui::TableSetupScrollFreeze(1, 1);
+    float widest = ImGui::CalcTextSize(table.head[column].c_str()).x;
+    for (const auto& row : table.rows) widest = std::max(widest, ImGui::CalcTextSize(row[column].c_str()).x);
+    return widest + 2.0F * ImGui::GetStyle().CellPadding.x + 1.0F;
+}
+
+/// Where the parts of a table begin that have room beside one another; the last is past its end.
+std::vector<std::size_t> beginnings(const TextTable& table, float room)
+{
+    const float names = width_of(table, 0);
+    std::vector<std::size_t> begins{1};
+    float taken = names;
+    for (std::size_t i = 1; i < table.head.size(); ++i) {
+        const float width = width_of(table, i);
+        if (taken + width > room && i > begins.back()) {
+            begins.push_back(i);
+            taken = names;
+        }
+        taken += width;
+    }
+    begins.push_back(table.head.size());
+    return begins;
+}
+
+void show_rows(const TextTable& table)
+{
     for (const std::string& name : table.head) ImGui::TableSetupColumn(ui::shown_whole(name).c_str());
     ImGui::TableHeadersRow();
     for (const auto& row : table.rows) {
@@ -74,6 +91,46 @@ void show_table(Desk& desk, const TextTable& whole)
             show_cell(row[i], i == 0);
         }
     }
+}
+
+/// One part below the other, each with the names of the rows.
+void show_parts(const TextTable& table, const std::vector<std::size_t>& begins)
+{
+    constexpr auto flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingFixedFit;
+    if (ImGui::BeginChild("###parts")) {
+        for (std::size_t i = 0; i + 1 < begins.size(); ++i) {
+            const TextTable part = part_of(table, begins[i], begins[i + 1] - begins[i]);
+            ImGui::PushID(static_cast<int>(i));
+            if (ImGui::BeginTable("###part", static_cast<int>(part.head.size()),
+                                  flags | ImGuiTableFlags_NoHostExtendX)) {
+                show_rows(part);
+                ImGui::EndTable();
+            }
+            ImGui::PopID();
+            ImGui::Spacing();
+        }
+    }
+    ImGui::EndChild();
+}
+
+void show_table(Desk& desk, const TextTable& whole)
+{
+    for (const std::string& note : whole.notes) ui::wrapped_text(note);
+    if (whole.head.empty()) return;
+    constexpr std::size_t most_cells = 4000; // that are measured in every frame
+    if (whole.head.size() > 1 && whole.head.size() * whole.rows.size() <= most_cells) {
+        const auto begins = beginnings(whole, ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize);
+        if (begins.size() > 2) return show_parts(whole, begins);
+    }
+    constexpr std::size_t most_columns = 64, shown = 48; // of Dear ImGui's tables
+    const bool is_cut = whole.head.size() > most_columns;
+    if (is_cut) turn_pages(desk, whole, shown);
+    const TextTable table = is_cut ? part_of(whole, desk.first_column, shown) : part_of(whole, 1, most_columns);
+    const auto flags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
+                       ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingFixedFit;
+    if (!ImGui::BeginTable("###table", static_cast<int>(table.head.size()), flags)) return;
+    ImGui::TableSetupScrollFreeze(1, 1);
+    show_rows(table);
     ImGui::EndTable();
 }
 

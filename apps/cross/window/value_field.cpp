@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "apps/cross/window/field_reason.h"
+
 namespace cross {
 
 namespace {
@@ -40,7 +42,8 @@ void ValueField::show(Session& session, ui::Point corner, float scale)
     edit(session);
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
-    if (value_ && !reason_.empty()) show_reason(corner, scale);
+    const auto factor = static_cast<double>(scale);
+    if (value_ && !reason_.empty()) show_reason(reason_, factor * at, factor * corner.x);
 }
 
 void ValueField::edit(Session& session)
@@ -67,21 +70,6 @@ void ValueField::take(Session& session)
     reason_ = session.tr()(std::get<ui::Phrase>(next));
     ++n_openings_;
     is_fresh_ = true;
-}
-
-void ValueField::show_reason(ui::Point corner, float scale) const
-{
-    const float em = ImGui::GetFontSize(), wrap = 24.0F * em, margin = 0.4F * em;
-    const ImVec2 size = ImGui::CalcTextSize(reason_.c_str(), nullptr, false, wrap);
-    const float middle = static_cast<float>(corner.x + at_.x) * scale;
-    const ImVec2 at(std::max(static_cast<float>(corner.x) * scale + margin, middle - 0.5F * size.x),
-                    static_cast<float>(corner.y + at_.y) * scale + 0.6F * ImGui::GetFrameHeight() + margin);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled({at.x - margin, at.y - margin}, {at.x + size.x + margin, at.y + size.y + margin},
-                       ImGui::GetColorU32(ImGuiCol_PopupBg));
-    list.AddRect({at.x - margin, at.y - margin}, {at.x + size.x + margin, at.y + size.y + margin},
-                 ImGui::GetColorU32(ImGuiCol_Border));
-    list.AddText(ImGui::GetFont(), em, at, ImGui::GetColorU32(ImGuiCol_Text), reason_.c_str(), nullptr, wrap);
 }
 
 } // namespace cross

@@ -21,7 +21,6 @@ public:
 private:
     void edit(Session& session);
     void take(Session& session);
-    void show_reason(ui::Point corner, float scale) const;
 
     std::optional<TypedValue> value_;
     ui::Point at_{};

@@ -67,7 +67,9 @@ std::string LinkedPrograms::text_now(const Linked& linked, const Session& sessio
     const auto members = members_named(session.model(), handed.members);
     const auto load_case = session.model().find_case(handed.load_case);
     if (members.empty() || !load_case) return linked.text; // it has gone: what was handed over stays
-    const Offer offer = handed.program == circle ? circle_at(session, {members.front(), handed.x}, *load_case)
+    const auto& results = session.solution().results;
+    const double x = results ? std::min(handed.x, results->frame(members.front()).length) : handed.x;
+    const Offer offer = handed.program == circle ? circle_at(session, {members.front(), x}, *load_case)
                                                  : moment_distribution(session, members, *load_case);
     const auto* const handover = std::get_if<ui::Handover>(&offer);
     return handover != nullptr ? handover->document : linked.text;
@@ -75,11 +77,7 @@ std::string LinkedPrograms::text_now(const Linked& linked, const Session& sessio
 
 bool LinkedPrograms::is_news(const Linked& linked, const Session& session, const std::string& other)
 {
-    if (linked.handed.program == circle) {
-        const auto theirs = state_of(other), ours = state_of(linked.text);
-        return theirs && ours && theirs->section != ours->section &&
-               !members_named(session.model(), linked.handed.members).empty();
-    }
+    if (linked.handed.program == circle) return section_from(session, linked.handed, other).has_value();
     const auto theirs = model_of(other), ours = model_of(linked.text);
     return theirs && ours && femoop::write_model(*theirs) != femoop::write_model(*ours);
 }
@@ -117,16 +115,16 @@ std::optional<std::string_view> LinkedPrograms::offering(const Desk& desk) const
 
 void LinkedPrograms::keep(const Desk& desk)
 {
-    const Linked* const offering = offering_one(desk);
+    const Linked* const from = offering_one(desk);
     for (Linked& linked : all_)
-        if (&linked == offering) linked.copy.keep();
+        if (&linked == from) linked.copy.keep();
 }
 
 void LinkedPrograms::take_over(Desk& desk)
 {
-    const Linked* const offering = offering_one(desk);
+    const Linked* const from = offering_one(desk);
     for (Linked& linked : all_) {
-        if (&linked != offering) continue;
+        if (&linked != from) continue;
         const std::string text = linked.copy.take();
         if (linked.handed.program == circle) take_section(desk.session, linked.handed, text);
         else take_structure(desk.session, linked.handed, text);
@@ -134,22 +132,28 @@ void LinkedPrograms::take_over(Desk& desk)
     }
 }
 
-void LinkedPrograms::take_section(Session& session, const Handed& handed, const std::string& text)
+/// What the section of the circle would be in the frame, where that is another than it has.
+std::optional<LinkedPrograms::NewSection> LinkedPrograms::section_from(const Session& session, const Handed& handed,
+                                                                       const std::string& text)
 {
     const auto members = members_named(session.model(), handed.members);
     const auto state = state_of(text);
-    if (members.empty() || !state) return;
-    const auto id = session.model()[members.front()].section;
-    if (!id) return;
+    const auto id = members.empty() ? std::nullopt : session.model()[members.front()].section;
+    if (!state || !id) return std::nullopt;
     const femoop::Section& now = session.model()[*id];
-    const auto next = section_named(state->section, now, session.model().units);
-    if (!next) {
-        session.notice = passing_notice(translatable("the section of the circle is none that a frame can have"));
-        return;
-    }
+    const femoop::Units& units = session.model().units;
+    const auto next = section_named(state->section, now, units);
+    if (!next || section_text(*next, units) == section_text(now, units)) return std::nullopt;
+    return NewSection{*id, *next};
+}
+
+void LinkedPrograms::take_section(Session& session, const Handed& handed, const std::string& text)
+{
+    const auto taken = section_from(session, handed, text);
+    if (!taken) return;
     session.change_soundly(
-        {{translatable("Section {name} from Mohr's circle"), {{"name", now.id}}},
-         [id = *id, next = *next](Document& document) { document.model.sections[id.index] = next; }});
+        {{translatable("Section {name} from Mohr's circle"), {{"name", taken->section.id}}},
+         [taken = *taken](Document& document) { document.model.sections[taken.id.index] = taken.section; }});
 }
 
 void LinkedPrograms::take_structure(Session& session, const Handed& handed, const std::string& text)

@@ -38,6 +38,12 @@ private:
         std::uint64_t generation = 0; ///< of the solution that `text` is of
         std::string text;
     };
+    struct NewSection {
+        femoop::SectionId id;
+        femoop::Section section;
+    };
+    static std::optional<NewSection> section_from(const Session& session, const Handed& handed,
+                                                  const std::string& text);
     static std::string text_now(const Linked& linked, const Session& session);
     static bool is_news(const Linked& linked, const Session& session, const std::string& other);
     static void take_section(Session& session, const Handed& handed, const std::string& text);

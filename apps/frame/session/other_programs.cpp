@@ -110,7 +110,8 @@ std::string text_of(const femoop::Quantity& quantity, femoop::Dimension kind, co
     return femoop::quantity_text(value, kind, mohr::newtons_and_mm);
 }
 
-/// "IPE 300", "rectangle b=90mm h=210mm"; nothing for a section of numbers alone.
+} // namespace
+
 std::optional<std::string> section_text(const femoop::Section& section, const femoop::Units& units)
 {
     if (section.profile) return section.profile;
@@ -124,6 +125,8 @@ std::optional<std::string> section_text(const femoop::Section& section, const fe
     }
     return words;
 }
+
+namespace {
 
 /// Where the only selected member has its largest moment.
 std::optional<Cut> worst_cut(const Session& session)
@@ -184,32 +187,62 @@ std::optional<Cut> cut_for_circle(const Session& session)
     return session.pin ? session.pin : session.hover ? session.hover : worst_cut(session);
 }
 
-Offer circle_at_section(const Session& session)
+namespace {
+
+/// A section as Mohr's circle names it, and its figure.
+struct NamedFigure {
+    std::string words;
+    femoop::mohr::SectionFigure figure;
+};
+
+std::variant<NamedFigure, Phrase> figure_of(const femoop::Model& model, MemberId id)
 {
-    if (const auto reason = why_no_forces(session)) return passing_notice(*reason);
+    const femoop::Member& member = model[id];
+    if (!member.section || !member.material)
+        return Phrase(translatable("member {id} has no section: it is rigid"), {{"id", member.id}});
+    const femoop::Section& section = model[*member.section];
+    const auto words = section_text(section, model.units);
+    if (!words)
+        return Phrase(translatable("section {name} is given by numbers alone, so its fibres are not known; "
+                                   "choose a profile or a shape"),
+                      {{"name", section.id}});
+    auto figure = mohr::section_figure(*words);
+    if (auto* const reason = std::get_if<Phrase>(&figure)) return std::move(*reason);
+    return NamedFigure{*words, std::get<femoop::mohr::SectionFigure>(std::move(figure))};
+}
+
+/// Without the work of handing it over: it is asked for in every frame that shows the command.
+std::optional<Phrase> why_no_circle(const Session& session)
+{
+    if (auto reason = why_no_forces(session)) return reason;
     const auto cut = cut_for_circle(session);
     if (!cut || cut->member.index >= session.model().members.size())
-        return passing_notice(translatable("point at a section of a member, or select one member"));
-    return circle_at(session, *cut, session.view.load_case);
+        return Phrase(translatable("point at a section of a member, or select one member"));
+    auto figure = figure_of(session.model(), cut->member);
+    const auto* const reason = std::get_if<Phrase>(&figure);
+    return reason != nullptr ? std::optional(*reason) : std::nullopt;
+}
+
+} // namespace
+
+Offer circle_at_section(const Session& session)
+{
+    if (const auto reason = why_no_circle(session)) return passing_notice(*reason);
+    return circle_at(session, *cut_for_circle(session), session.view.load_case);
 }
 
 Offer circle_at(const Session& session, const Cut& cut, femoop::CaseId load_case)
 {
     if (const auto reason = why_no_forces(session)) return passing_notice(*reason);
-    const femoop::Member& member = session.model()[cut.member];
-    if (!member.section || !member.material)
-        return passing_notice({translatable("member {id} has no section: it is rigid"), {{"id", member.id}}});
-    const femoop::Section& section = session.model()[*member.section];
-    const auto words = section_text(section, session.model().units);
-    if (!words)
-        return passing_notice({translatable("section {name} is given by numbers alone, so its fibres are not known; "
-                                            "choose a profile or a shape"),
-                               {{"name", section.id}}});
-    const auto figure = mohr::section_figure(*words);
-    if (const auto* const reason = std::get_if<Phrase>(&figure)) return passing_notice(*reason);
+    if (session.solution().blank_case(load_case) != nullptr)
+        return passing_notice({translatable("Case {case} has no results: see the problems."),
+                               {{"case", session.model().case_name(load_case)}}});
+    const auto found = figure_of(session.model(), cut.member);
+    if (const auto* const reason = std::get_if<Phrase>(&found)) return passing_notice(*reason);
+    const auto& [words, figure] = std::get<NamedFigure>(found);
     mohr::Document document = mohr::textbook_state();
-    document.section = *words;
-    document = section_document(session, cut, load_case, document, std::get<femoop::mohr::SectionFigure>(figure));
+    document.section = words;
+    document = section_document(session, cut, load_case, document, figure);
     return ui::Handover{.program = "mohr", .document = mohr::file_text(document)};
 }
 
@@ -259,13 +292,6 @@ Notice told_of_distribution(const Session& session)
     return passing_notice({translatable("the moments are distributed in a window of their own; where members were left "
                                         "out the nodes are held fixed: {nodes}"),
                            {{"nodes", held}}});
-}
-
-std::optional<Phrase> why_no_circle(const Session& session)
-{
-    const Offer offer = circle_at_section(session);
-    const auto* const refusal = std::get_if<Notice>(&offer);
-    return refusal != nullptr ? std::optional(refusal->sentence) : std::nullopt;
 }
 
 } // namespace

@@ -36,12 +36,16 @@ ui::Phrase label(const Work& work, const Part& part)
     return {translatable("Load: {part}"), {{"part", title(work.document, part)}}};
 }
 
+double foot_of(const MemberLine& line, const Aim& at)
+{
+    return (Eigen::Vector3d(at.pointer.x(), at.pointer.y(), 0.0) - line.start).dot(line.direction);
+}
+
 /// The place of a member's line that is nearest to the pointer, at one of its ends where it is near.
 double place_along(const MemberLine& line, const Aim& at, double grid)
 {
-    const Eigen::Vector3d pointer(at.pointer.x(), at.pointer.y(), 0.0);
     const double near = ui::click_reach * at.pixel, step = 0.1 * grid;
-    const double x = (pointer - line.start).dot(line.direction);
+    const double x = foot_of(line, at);
     if (x < near) return 0.0;
     if (x > line.length - near) return line.length;
     return at.is_exact || !(step > 0.0) ? x : std::clamp(step * std::round(x / step), 0.0, line.length);
@@ -95,7 +99,7 @@ std::optional<Change> LoadTool::press(const Work& work, const Aim& at)
     if (!is_distributed(settings_.load)) return put(work, at.cut->member, {.at = Quantity(at.cut->x)});
     const MemberLine line = line_of(model, model[at.cut->member]);
     const double x = is_3d(model.analysis) ? at.cut->x : place_along(line, at, settings_.grid);
-    stroke_ = Stroke{.member = at.cut->member, .length = line.length, .start = x, .now = x};
+    stroke_ = Stroke{.member = at.cut->member, .length = line.length, .start = x, .now = x, .press = foot_of(line, at)};
     stroke_->begin = stroke_->end = line.at(x);
     return std::nullopt;
 }
@@ -105,7 +109,7 @@ std::optional<Change> LoadTool::move(const Work& work, const Aim& to)
     if (!stroke_ || stroke_->member.index >= work.document.model.members.size()) return std::nullopt;
     const MemberLine line = line_of(work.document.model, work.document.model[stroke_->member]);
     const double x = place_along(line, to, settings_.grid);
-    stroke_->is_drawn = stroke_->is_drawn || std::abs(x - stroke_->start) > ui::click_reach * to.pixel;
+    stroke_->is_drawn = stroke_->is_drawn || std::abs(foot_of(line, to) - stroke_->press) > ui::click_reach * to.pixel;
     if (!stroke_->is_drawn) return std::nullopt;
     stroke_->now = x;
     stroke_->end = line.at(x);

@@ -39,6 +39,7 @@ private:
     struct Stroke {
         femoop::MemberId member;
         double length = 0.0, start = 0.0, now = 0.0; ///< places along it
+        double press = 0.0;                          ///< of the pointer's own place, rounded to nothing
         bool is_drawn = false;                       ///< so far that it is no click
         Eigen::Vector3d begin = Eigen::Vector3d::Zero(), end = Eigen::Vector3d::Zero();
     };

@@ -102,6 +102,7 @@ void Application::frame(const ui::Input& input)
     take_requests();
     if (desk_.transform && !desk_.session.history().is_dragging()) desk_.transform.reset(); // something else ended it
     kept_files_.tick(desk_, ui::logical_size(context_), input.seconds);
+    had_popup_ = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     gui_.end_frame();
 }
 
@@ -130,7 +131,7 @@ bool writes(ui::Key key)
 
 void Application::take_keys(const ui::Input& all)
 {
-    const bool is_popup_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    const bool is_popup_open = had_popup_ || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     const bool is_blocked = overlays_.takes_keys() || questions_.is_open() || kept_files_.is_open() ||
                             tables_.is_asking() || is_popup_open;
     if (is_blocked) return;

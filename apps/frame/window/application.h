@@ -116,6 +116,7 @@ private:
     std::optional<ui::Handover> handed_;
     LinkedPrograms linked_;
     bool wants_to_quit_ = false;
+    bool had_popup_ = false; ///< in the last frame: Esc, which has closed it since, was for it
 };
 
 } // namespace frame

@@ -12,6 +12,7 @@
 #include "apps/frame/view/frame_view.h"
 #include "apps/frame/view/kept_view.h"
 #include "apps/frame/view/reading.h"
+#include "apps/frame/window/blank_picture.h"
 #include "apps/frame/window/hand_picture.h"
 
 namespace frame {
@@ -388,6 +389,7 @@ Subject::Picture Canvas::draw(const Desk& desk, const ViewOptions& options, ui::
         return {};
     }
     Subject::Picture picture = subject(desk, options).draw(painter);
+    draw_why_blank(painter, session, options);
     if (session.pin && !plan_.panels.empty())
         draw_cut(session, options, *session.pin, {plan_.panels.front().box.min, picture.legend_bottom}, painter);
     return picture;

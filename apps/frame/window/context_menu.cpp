@@ -76,7 +76,7 @@ void add_load_button(Desk& desk, const CommandTable& commands)
 {
     const Ids loads = loads_for(desk.session.selection);
     if (loads.empty()) return;
-    const std::string_view label = is_any<femoop::MemberId>(desk.session.selection)
+    const std::string_view label = loads.data() == loads_for_members().data()
                                        ? translatable("Add a load or temperature…")
                                        : translatable("Add a load, settlement or spring…");
     if (ImGui::Button((desk.session.view.tr(label) + "###add load").c_str())) ImGui::OpenPopup("###loads");

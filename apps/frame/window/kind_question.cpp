@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,11 +19,11 @@ constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWind
                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoFocusOnAppearing |
                                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoMove;
 
-// A button for each kind, with its key.
-std::optional<std::size_t> show_kinds(const Desk& desk)
+// A button for each kind, with its key, as wide as the sentence below.
+std::optional<std::size_t> show_kinds(const Desk& desk, const std::string& going_on)
 {
     std::optional<std::size_t> chosen;
-    const float width = 16.0F * ImGui::GetFontSize();
+    const float width = std::max(16.0F * ImGui::GetFontSize(), ImGui::CalcTextSize(going_on.c_str()).x);
     ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, {0.0F, 0.5F});
     for (std::size_t i = 0; i < kinds().size(); ++i) {
         const bool is_it = kinds()[i].kind == desk.session.model().analysis;
@@ -44,8 +45,9 @@ void KindQuestion::show(Desk& desk, const CommandTable& commands)
     const ui::Catalogue& tr = desk.session.view.tr;
     ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::Begin((tr("New structure") + "###kind").c_str(), &is_open_, flags);
-    const std::optional<std::size_t> chosen = show_kinds(desk);
-    ImGui::TextDisabled("%s", tr("Who goes on without choosing draws a plane frame.").c_str());
+    const std::string going_on = tr("Who goes on without choosing draws a plane frame.");
+    const std::optional<std::size_t> chosen = show_kinds(desk, going_on);
+    ImGui::TextDisabled("%s", going_on.c_str());
     const bool is_left = ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
                          !ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
     ImGui::End();

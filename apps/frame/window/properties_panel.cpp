@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "apps/frame/document/dimensioning.h"
@@ -13,6 +14,7 @@
 #include "apps/frame/window/context_menu.h"
 #include "apps/frame/window/number_row.h"
 #include "apps/frame/window/parts_list.h"
+#include "ui/widgets/command_menu.h"
 #include "ui/widgets/item_label.h"
 
 namespace frame {
@@ -94,6 +96,9 @@ void show_one(Desk& desk, const CommandTable& commands, const PropertyFields& fi
         return; // the panel shows what it was before
     show_parts(desk, fields.numbers, std::array{part});
     show_ways_on(session, part);
+    if (std::holds_alternative<MemberId>(part))
+        for (const std::string_view id : {"methods.distribution", "methods.circle"})
+            ui::command_button(desk, commands, id);
     if (session.selection.only() == part && has(session.model(), part)) show_loads_on(desk, fields.numbers, part);
     add_load_button(desk, commands);
 }

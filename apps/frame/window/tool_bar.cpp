@@ -146,17 +146,23 @@ void snap_settings(Desk& desk, const CommandTable& commands, ui::NumberFields& f
 void plane_settings(Desk& desk, ui::NumberFields& fields)
 {
     WorkingPlane& plane = desk.hand.settings().plane;
-    for (const PlaneEntry& entry : working_planes()) {
-        const std::string label = std::string(entry.name) + "###" + std::string(entry.id);
-        if (ImGui::RadioButton(label.c_str(), plane.normal == entry.normal)) plane.normal = entry.normal;
-        ImGui::SameLine();
+    const float em = ImGui::GetFontSize();
+    const auto planes = working_planes();
+    const auto chosen = std::ranges::find(planes, plane.normal, &PlaneEntry::normal);
+    ImGui::SetNextItemWidth(3.3F * em);
+    if (ImGui::BeginCombo("###working plane", std::string(chosen->name).c_str())) {
+        for (const PlaneEntry& entry : planes) {
+            const std::string name(entry.name);
+            if (ImGui::Selectable(name.c_str(), plane.normal == entry.normal)) plane.normal = entry.normal;
+        }
+        ImGui::EndCombo();
     }
-    constexpr std::array<const char*, 3> names{"x =", "y =", "z ="};
-    ImGui::TextUnformatted(names.at(static_cast<std::size_t>(plane.index())));
     ImGui::SameLine();
-    edit_quantity(desk, fields, {"working plane", ui::Measure::Length, 5.0F * ImGui::GetFontSize()}, plane.level);
+    constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
+    const std::string_view axis = axes.at(static_cast<std::size_t>(plane.index()));
+    ImGui::TextUnformatted(desk.session.units().label(axis, ui::Measure::Length).c_str());
     ImGui::SameLine();
-    ImGui::TextUnformatted(desk.session.units().unit(ui::Measure::Length).name.c_str());
+    edit_quantity(desk, fields, {"working plane", ui::Measure::Length, 2.4F * em}, plane.level);
     ImGui::SameLine();
 }
 

@@ -104,7 +104,7 @@ Edit with_principal(const Document& document, double first, double second, doubl
     const fm::PlaneState state = fm::from_principal(first, second, degrees * degree);
     const double largest = std::max(std::abs(first), std::abs(second));
     return with_plane(document,
-                      {rounded(state.x, largest, 15), rounded(state.y, largest, 15), rounded(state.xy, largest, 15)});
+                      {rounded(state.x, largest, 14), rounded(state.y, largest, 14), rounded(state.xy, largest, 14)});
 }
 
 Edit with_space(const Document& document, const fm::SpaceState& s)
@@ -121,7 +121,7 @@ Edit with_space_principal(const Document& document, const fm::SpacePrincipal& pr
     fm::SpaceState s = fm::from_principal(principal);
     double largest = 0.0;
     for (const double value : principal.values) largest = std::max(largest, std::abs(value));
-    for (double* const value : {&s.x, &s.y, &s.z, &s.xy, &s.yz, &s.zx}) *value = rounded(*value, largest, 15);
+    for (double* const value : {&s.x, &s.y, &s.z, &s.xy, &s.yz, &s.zx}) *value = rounded(*value, largest, 12);
     return with_space(document, s);
 }
 

@@ -1,8 +1,10 @@
 #include "apps/mohr/document/file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
+#include "apps/mohr/document/section_text.h"
 #include "apps/mohr/document/solution.h"
 #include "femoop/io/json/json_document.h"
 #include "femoop/io/json/json_writer.h"
@@ -208,13 +210,30 @@ std::variant<Document, std::vector<Phrase>> read_file_text(std::string_view text
     return *std::move(document);
 }
 
+namespace {
+
+/// Written in one way or another.
+bool is_same_section(const std::string& a, const std::string& b)
+{
+    using femoop::mohr::SectionFigure;
+    const auto first = section_figure(a), second = section_figure(b);
+    const auto *const one = std::get_if<SectionFigure>(&first), *const other = std::get_if<SectionFigure>(&second);
+    if (one == nullptr || other == nullptr) return a == b;
+    const auto is_near = [](double x, double y) { return std::abs(x - y) <= 1e-9 * std::abs(x); };
+    return is_near(one->area(), other->area()) && is_near(one->Iz(), other->Iz()) &&
+           is_near(one->top(), other->top()) && is_near(one->bottom(), other->bottom()) &&
+           is_near(one->outline().width(), other->outline().width());
+}
+
+} // namespace
+
 Document with_section_of(const Document& document, const Document& other)
 {
     Document next = document;
     constexpr auto section = static_cast<std::size_t>(Subject::Section);
     const std::string fibre = document.numbers[section].back();
     next.subject = Subject::Section;
-    next.section = other.section;
+    if (!is_same_section(document.section, other.section)) next.section = other.section;
     next.elasticity = other.elasticity;
     next.strengths[static_cast<std::size_t>(StrengthPlace::fy)] =
         other.strengths[static_cast<std::size_t>(StrengthPlace::fy)];

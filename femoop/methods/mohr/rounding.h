@@ -10,7 +10,7 @@ namespace femoop::mohr {
 /// \param magnitude  the sizes of what it comes from, added up
 inline double without_rounding(double value, double magnitude)
 {
-    constexpr double rounding = 64.0 * std::numeric_limits<double>::epsilon(); // of decimals with fifteen digits too
+    constexpr double rounding = 512.0 * std::numeric_limits<double>::epsilon(); // of decimals with fourteen digits too
     return std::abs(value) <= rounding * magnitude ? 0.0 : value;
 }
 

@@ -1,5 +1,6 @@
 #include "apps/euler/view/solid/clear_view.h"
 
+#include "apps/euler/view/shapes/outline.h"
 #include "tests/apps/euler_view/example_solids.h"
 #include "topology/modeling/primitives.h"
 
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 using namespace euler;
 

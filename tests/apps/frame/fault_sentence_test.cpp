@@ -86,6 +86,15 @@ TEST_SUITE("frame fault sentence")
               "Section #2: Iz is -3; give a value greater than 0");
     }
 
+    TEST_CASE("A calculation without a value is told as such, not as a unit that cannot be read")
+    {
+        for (const char* typed : {"1/0", "3 / (2-2) kN", "0/0"})
+            CHECK(sentence({FaultKind::QuantityBadUnit, {"Load", typed, "0"}}, ui::Catalogue()) ==
+                  "Load: \"" + std::string(typed) + "\" divides by zero; write another divisor");
+        CHECK(sentence({FaultKind::QuantityBadUnit, {"Load", "5 kN/", ""}}, ui::Catalogue())
+                  .find("cannot read the unit") != std::string::npos);
+    }
+
     TEST_CASE("No fault is told in the words of the file, in either language")
     {
         for (const ui::Language language : ui::all_languages) {

@@ -101,13 +101,13 @@ TEST_SUITE("frame session")
         exchange(desk, linked, other);
         CHECK_FALSE(linked.offering(desk)); // no echo
 
-        CHECK_FALSE(other.session.set_number({mohr::Group::Section, 0}, "HEA 300"));
+        CHECK_FALSE(other.session.set_number({mohr::Group::Section, 0}, "IPE 500"));
         exchange(desk, linked, other);
         REQUIRE(linked.offering(desk));
         const std::size_t n_steps = desk.session.history().n_states();
         linked.take_over(desk);
         CHECK(desk.session.history().n_states() == n_steps + 1);
-        CHECK(*desk.session.model().sections.front().profile == "HEA 300");
+        CHECK(*desk.session.model().sections.front().profile == "IPE 500");
         exchange(desk, linked, other);
         CHECK_FALSE(linked.offering(desk));
     }
@@ -131,6 +131,7 @@ TEST_SUITE("frame session")
         desk.session.selection = Part(MemberId(1));
         LinkedPrograms linked;
         auto other = started<mohr::Session>(desk, linked, circle_at_section(desk.session));
+        other.session.set_number({mohr::Group::State, 3}, "0 mm"); // within every section
         other.session.set_number({mohr::Group::Section, 0}, "rectangle b=90 h=210mm");
         exchange(desk, linked, other);
         REQUIRE(linked.offering(desk));
@@ -144,6 +145,10 @@ TEST_SUITE("frame session")
         REQUIRE(section.shape);
         CHECK(section.shape->h->value() == doctest::Approx(0.24));
         CHECK_FALSE(section.profile);
+        exchange(desk, linked, other);
+        CHECK_FALSE(linked.offering(desk));
+        CHECK(other.session.document().section ==
+              "rectangle b=90 h=240mm"); // as it was typed, though b=90mm comes back
     }
 
     TEST_CASE("An exercise that has the circle's state is not disturbed")

@@ -7,6 +7,7 @@
 
 #include "apps/frame/document/section_command.h"
 #include "femoop/section/section_properties.h"
+#include "femoop/typical/steel.h"
 #include "ui/text/catalogue.h"
 
 using namespace frame;
@@ -68,7 +69,8 @@ TEST_SUITE("frame: property sets")
         Model other;
         other.units = {.length = LengthUnit::mm, .force = ForceUnit::N};
         other.add(Material{.id = "steel", .E = 70e3});
-        other.add(Material{.id = "as ours", .E = 205e3});
+        other.add(steel(other.units, "205 GPa"));
+        other.materials.back().id = "as ours";
         other.add(Section{.id = "beam", .A = 12000, .Iz = 2e8}); // the column's numbers
         other.add(Section{.id = "post", .shape = Shape{.kind = ShapeKind::Circle, .d = 300}});
         CHECK(import_properties(document, other) == 2);

@@ -344,7 +344,7 @@ TEST_SUITE("frame session")
         desk.session.selection = Part(MemberId(1));
         run(desk, "edit.delete");
         REQUIRE(desk.session.notice);
-        CHECK(ui::Catalogue()(desk.session.notice->sentence).find("too: 2;") != std::string::npos);
+        CHECK(ui::Catalogue()(desk.session.notice->sentence).find("with it: 2.") != std::string::npos);
     }
 
     TEST_CASE("A change that must be sound runs its command once")

@@ -1,5 +1,5 @@
 // Whatever a hand does, the app goes on, the model stays one that can be written, and everything can be undone.
-#include "apps/frame/view/results/mechanism_picture.h"
+#include "apps/frame/document/fault/sentence.h"
 #include "apps/frame/window/application.h"
 #include "femoop/io/model_file.h"
 #include "tests/folder.h"

@@ -25,7 +25,7 @@ TEST_SUITE("edit: condensing")
         model.add(Section{.id = "unused", .A = 3.0});
         model.add(Section{.id = "twin", .A = 0.01, .Iz = 2e-4, .Iy = 5e-5, .J = 3e-6});
         model.add(Section{.id = "stiff", .A = 0.03, .Iz = 7e-4});
-        model.add(Material{.id = "twin", .E = 210e6, .density = Quantity(7.85)});
+        model.add(Material{.id = "twin", .E = 210e6, .alpha = Quantity(1.2e-5), .density = Quantity(7.85)});
         model.members[1].section = SectionId(2);
         model.members[2].section = SectionId(3);
         model.members[3].material = MaterialId(1);

@@ -76,8 +76,8 @@ TEST_CASE("What cannot be distributed is refused in words on stderr: a truss wit
         CHECK(!err.str().empty());
         return status;
     };
-    CHECK(described(CREMONA_SOURCE_DIR "/examples/truss.json") == 2);
-    CHECK(described(CREMONA_SOURCE_DIR "/examples/mechanism.json") == 3);
+    CHECK(described((repository() / "examples/truss.json").string()) == 2);
+    CHECK(described((repository() / "examples/mechanism.json").string()) == 3);
 }
 
 TEST_CASE("Every scenario of moment distribution begins with its claim and is played to its end")

@@ -50,7 +50,7 @@ TEST_SUITE("embedding")
         const auto base = op.mvfs({0, 0, 0});
         const auto far = op.mev(solid.half_edge(base.vertex), {4, 0, 0});
         const auto corner = op.mev(far.plus, {4, 3, 0});
-        op.mef(corner.plus, solid.next(corner.plus));
+        op.mef(corner.plus, solid.mate(far.plus));
         const FaceId f = base.face;
         op.mvr(f, {3, 1, 0});
         CHECK(!off_plane(solid, seen.last));

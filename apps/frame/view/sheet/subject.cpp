@@ -187,12 +187,12 @@ ShowSet without_absent(ShowSet show, femoop::AnalysisKind kind)
 }
 
 /// Where panels get small, so do type, lines and symbols, as far as they can still be read.
-/// On the projector they do not: a class reads the numbers of the picture, not those of the window around it.
+/// The one picture of a window does not on the projector: a class reads its numbers, not those of the panels around it.
 /// \param aspect  of the structure: the side of the panel that it does not fill may be shorter
-ui::Theme theme_for(const ui::Theme& theme, ui::Size panel, double aspect)
+ui::Theme theme_for(const ui::Theme& theme, Layout layout, ui::Size panel, double aspect)
 {
     constexpr double least_share = 0.75, least_type = 11.0;
-    if (theme.name() == ui::ThemeName::Projector) return theme;
+    if (theme.name() == ui::ThemeName::Projector && layout == Layout::Overlay) return theme;
     const bool is_wide = aspect * panel.height > panel.width;
     const ui::Size ample = is_wide ? ui::Size{400.0, 180.0} : ui::Size{250.0, 280.0}; // for symbols of scale 1
     const double share = std::min(panel.width / ample.width, panel.height / ample.height) / theme.symbol_scale();
@@ -367,7 +367,7 @@ Camera Subject::fitted(const std::vector<Panel>& panels, const ui::Fonts& fonts)
 Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, const Camera& camera, Pass pass) const
 {
     const ui::ClipScope clip(painter, panel.box);
-    const ui::Theme theme = theme_for(theme_, panel.box.size(), aspect(usual_camera()));
+    const ui::Theme theme = theme_for(theme_, options_.layout, panel.box.size(), aspect(usual_camera()));
     ViewOptions options = options_;
     options.show = panel.show;
     const Projection projection(camera, panel.box.min);

@@ -1,0 +1,102 @@
+// A click on a problem goes to its case, its part and the cell of the field.
+#include "apps/frame/session/fault_target.h"
+#include "apps/frame/tables/columns.h"
+#include "femoop/io/model_file.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace frame;
+using femoop::CaseId;
+using femoop::Quantity;
+
+namespace {
+
+femoop::Model portal() { return femoop::read_model_file(CREMONA_SOURCE_DIR "/examples/portal.json"); }
+
+Desk desk_of(femoop::Model model) { return Desk{Session{{.model = std::move(model), .companion = {}}}}; }
+
+/// "Sections: column, Depth h"
+std::string cell(const Desk& desk)
+{
+    if (!desk.bottom.is_open || !desk.bottom.wanted) return "nothing";
+    const ui::Catalogue english;
+    const auto headings = columns(desk.session.model(), desk.bottom.table);
+    return english(title(desk.bottom.table)) + ": " + english(title(desk.session.model(), desk.bottom.wanted->row)) +
+           ", " + english(headings[desk.bottom.wanted->column].heading);
+}
+
+std::string selected(const Desk& desk)
+{
+    std::string names;
+    for (const Part& part : desk.session.selection.parts())
+        names += (names.empty() ? "" : ", ") + ui::Catalogue()(title(desk.session.model(), part));
+    return names;
+}
+
+} // namespace
+
+TEST_SUITE("frame fault target")
+{
+    TEST_CASE("What a load lacks elsewhere selects the member, shows its case and opens the cell that lacks it")
+    {
+        femoop::Model model = portal();
+        model.combinations.clear();
+        for (femoop::Section& section : model.sections)
+            section = {.id = section.id, .A = Quantity(0.01), .Iz = Quantity(1e-4)};
+        model.load_cases.push_back(
+            {.id = "T", .members = {{femoop::MemberId(2), femoop::TemperatureLoad{Quantity(10.0), Quantity(30.0)}}}});
+        Desk desk = desk_of(std::move(model));
+        REQUIRE(desk.session.solution().faults.size() == 1);
+        desk.session.view.is_envelope = true;
+        go_to(desk, desk.session.solution().faults[0]);
+        CHECK(desk.session.view.load_case == CaseId(3));
+        CHECK(!desk.session.view.is_envelope);
+        CHECK(selected(desk) == "Member CD");
+        CHECK(cell(desk) == "Sections: Section column, Depth h");
+    }
+
+    TEST_CASE("A load's own fault selects the load and opens its cell")
+    {
+        femoop::Model model = portal();
+        model.load_cases[2].members.push_back(
+            {femoop::MemberId(1), femoop::PointLoad{.at = Quantity(9.0), .components = {{femoop::Dof::uy, -4.0}}}});
+        Desk desk = desk_of(std::move(model));
+        go_to(desk, desk.session.solution().faults.at(0));
+        CHECK(desk.session.view.load_case == CaseId(2));
+        CHECK(selected(desk) == "Point load on member BC");
+        CHECK(cell(desk) == "Point loads: Point load on member BC, Distance from the start");
+    }
+
+    TEST_CASE("A part's fault selects the part and opens its cell")
+    {
+        femoop::Model model = portal();
+        model.materials[0].E = Quantity(-3.0);
+        Desk desk = desk_of(std::move(model));
+        go_to(desk, desk.session.solution().faults.at(0));
+        CHECK(selected(desk) == "Material steel");
+        CHECK(cell(desk) == "Materials: Material steel, E");
+    }
+
+    TEST_CASE("A spring at a member's end stands in the table of releases and springs")
+    {
+        femoop::Model model = portal();
+        model.members[1].start.springs = {{femoop::Dof::rz, Quantity(-5.0)}};
+        Desk desk = desk_of(std::move(model));
+        go_to(desk, desk.session.solution().faults.at(0));
+        CHECK(selected(desk) == "Member BC");
+        CHECK(cell(desk) == "Releases and springs: Member BC, Spring rz, start");
+    }
+
+    TEST_CASE("A fault that the analysis found selects the nodes that it names and opens nothing")
+    {
+        femoop::Model model = portal();
+        for (femoop::Member& member : model.members) member.bar = true;
+        Desk desk = desk_of(std::move(model));
+        REQUIRE(!desk.session.solution().faults.empty());
+        go_to(desk, desk.session.solution().faults.back());
+        CHECK(!selected(desk).empty());
+        CHECK(cell(desk) == "nothing");
+    }
+}
