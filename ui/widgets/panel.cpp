@@ -114,6 +114,7 @@ bool TabRow::show(const std::string& title, bool is_chosen)
 namespace {
 
 float foot_padding() { return std::round(0.7F * ImGui::GetFontSize()); }
+float gap_above_foot() { return std::round(0.15F * ImGui::GetFontSize()); }
 
 // Whole pixels: Dear ImGui cuts a window's size down to them, and then scrolls what was cut off.
 void begin_foot(float height, ImGuiCol background)
@@ -121,8 +122,7 @@ void begin_foot(float height, ImGuiCol background)
     const ImGuiViewport& viewport = *ImGui::GetMainViewport();
     ImGui::SetNextWindowPos({viewport.WorkPos.x, viewport.WorkPos.y + viewport.WorkSize.y - height});
     ImGui::SetNextWindowSize({viewport.WorkSize.x, height});
-    const float above = std::round(0.15F * ImGui::GetFontSize());
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {foot_padding(), above});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {foot_padding(), gap_above_foot()});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0F, 1.0F});
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(background));
@@ -171,9 +171,9 @@ float height(const FootMessage& message)
     const float room = room_for_words(message);
     float words = 0.0F;
     for (const std::string& line : message.lines) words += ImGui::CalcTextSize(line.c_str(), nullptr, false, room).y;
-    const float gaps = status_height() - ImGui::GetTextLineHeight();
+    const float gaps = std::max(status_height() - ImGui::GetTextLineHeight(), 2.0F * gap_above_foot());
     const float most = 0.4F * ImGui::GetMainViewport()->WorkSize.y; // what is longer is scrolled
-    return std::round(std::clamp(words + gaps, status_height(), std::max(status_height(), most)));
+    return std::ceil(std::clamp(words + gaps, status_height(), std::max(status_height(), most)));
 }
 
 std::optional<std::size_t> show(const FootMessage& message)

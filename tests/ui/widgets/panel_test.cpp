@@ -13,8 +13,7 @@ TEST_CASE(
 {
     if (!ui_test::has_renderer()) return;
     ui_test::WidgetStage stage{1.0};
-    const ui::FootMessage message{{"a sentence that is longer than a line of this window has room for"},
-                                  {"Close###close"}};
+    const ui::FootMessage message{{"a sentence for two lines of this window"}, {"Close###close"}};
     for (const float scale : {0.8F, 1.0F, 1.1F, 1.3F}) {
         CAPTURE(scale);
         float hidden = 0.0F, body_ends = 0.0F, message_begins = 0.0F;
