@@ -39,8 +39,8 @@ std::vector<double> levels(const Model& model, std::size_t axis)
     for (const femoop::Node& node : model.nodes) found.push_back(node.at[axis].value());
     std::ranges::sort(found);
     const double near = found.empty() ? 0.0 : 1e-6 * (found.back() - found.front());
-    const auto rest = std::ranges::unique(found, [&](double a, double b) { return b - a <= near; });
-    found.erase(rest.begin(), rest.end());
+    const auto are_one = [near](double a, double b) { return b - a <= near; };
+    found.erase(std::unique(found.begin(), found.end(), are_one), found.end());
     return found;
 }
 
