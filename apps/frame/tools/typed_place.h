@@ -13,8 +13,8 @@ namespace frame {
 /// A place that a person typed while drawing, lengths in the unit that is shown or with one of their own (`600 cm,3`):
 ///
 ///     6,4      x and y
-///     @3,2     so far from where drawing began
-///     4<30     a length and an angle from +x, counter-clockwise, from where drawing began; in degrees, or with a unit
+///     @3,2     so far from the last point
+///     4<30     a length and an angle from +x, counter-clockwise, from the last point; in degrees, or with a unit
 ///              of its own: `4<30°`, `4<30 deg`, `4<0.5 rad`
 ///     4        a length, towards the pointer
 ///
@@ -33,7 +33,7 @@ std::optional<Eigen::Vector2d> place_typed(std::string_view text, const DrawingH
 /// plane:
 ///
 ///     6,4,3      x, y and z
-///     @0,0,3     so far from where drawing began
+///     @0,0,3     so far from the last point
 ///     6,4        two coordinates in the working plane; @3,2 and 4<30 too, in a plane parallel to it
 ///     4          a length, towards the pointer
 struct SpaceHand {
