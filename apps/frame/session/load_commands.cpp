@@ -17,6 +17,14 @@ using namespace femoop;
 using ui::Phrase;
 using ui::translatable;
 
+std::optional<Phrase> why_shown_case_takes_no_load(const Session& session)
+{
+    if (session.view.is_envelope) return translatable("the envelope is shown; choose a load case first");
+    if (session.view.load_case.index < session.model().load_cases.size() || session.model().n_cases() == 0)
+        return std::nullopt;
+    return translatable("a combination has no loads of its own; choose a load case first");
+}
+
 namespace {
 
 using Reason = std::optional<Phrase>;
@@ -63,19 +71,9 @@ std::vector<Dof> directions(AnalysisKind kind)
 
 // ---- why not ----
 
-Reason needs_own_case(const Desk& desk)
-{
-    const Session& session = desk.session;
-    if (session.view.is_envelope)
-        return translatable("the envelope is shown; choose a load case or a combination first");
-    if (session.view.load_case.index < session.model().load_cases.size() || session.model().n_cases() == 0)
-        return std::nullopt;
-    return translatable("a combination has no loads of its own; choose a load case first");
-}
-
 Reason needs_members(const Desk& desk)
 {
-    if (const Reason reason = needs_own_case(desk)) return reason;
+    if (const Reason reason = why_shown_case_takes_no_load(desk.session)) return reason;
     if (!Targets(desk.session).members.empty()) return std::nullopt;
     return translatable("select members first");
 }
@@ -109,7 +107,7 @@ std::optional<Dof> dof_to_spring(const Model& model, NodeId node)
 
 Reason why_not_settle(const Desk& desk)
 {
-    if (const Reason reason = needs_own_case(desk)) return reason;
+    if (const Reason reason = why_shown_case_takes_no_load(desk.session)) return reason;
     const Targets targets(desk.session);
     if (targets.nodes.empty()) return translatable("select supported nodes first");
     for (const NodeId node : targets.nodes) {
@@ -277,7 +275,7 @@ ToolSettings set_to(const Desk& desk, LoadKind kind)
 
 Reason why_not_load(const Desk& desk, LoadKind kind)
 {
-    if (const Reason reason = needs_own_case(desk)) return reason;
+    if (const Reason reason = why_shown_case_takes_no_load(desk.session)) return reason;
     const Targets targets(desk.session);
     const ToolSettings settings = set_to(desk, kind);
     const AnalysisKind analysis = desk.session.model().analysis;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -10,6 +11,9 @@ namespace frame {
 /// The commands that put loads, settlements and springs on the selected nodes and members, each as one step. Without
 /// any selected the forces and line loads are taken up as the load tool.
 void add_load_commands(CommandTable& table);
+
+/// Why what is shown takes no load: a combination and the envelope have none of their own.
+std::optional<ui::Phrase> why_shown_case_takes_no_load(const Session& session);
 
 /// The ids of those that nodes can have, and members.
 std::span<const std::string_view> loads_for_nodes();

@@ -206,6 +206,10 @@ std::variant<NamedFigure, Phrase> figure_of(const femoop::Model& model, MemberId
         return Phrase(translatable("section {name} is given by numbers alone, so its fibres are not known; "
                                    "choose a profile or a shape"),
                       {{"name", section.id}});
+    if (section.A || section.Iz)
+        return Phrase(translatable("section {name} is {outline} with an area or a second moment of its own, which its "
+                                   "outline does not have, so its fibres are not known; take the own values away"),
+                      {{"name", section.id}, {"outline", *words}});
     auto figure = mohr::section_figure(*words);
     if (auto* const reason = std::get_if<Phrase>(&figure)) return std::move(*reason);
     return NamedFigure{*words, std::get<femoop::mohr::SectionFigure>(std::move(figure))};

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <variant>
 
+#include "apps/frame/session/load_commands.h"
 #include "apps/frame/session/snapping.h"
 #include "apps/frame/session/work.h"
 #include "apps/frame/view/frame_view.h"
@@ -269,6 +271,13 @@ void carry_out(Session& session, const std::optional<Change>& change)
     if (change) session.change(*change);
 }
 
+// A load that is put where it would not be seen is none that was meant.
+std::optional<ui::Phrase> why_not_press(const Desk& desk, const Aim& aim)
+{
+    const bool is_load = desk.hand.kind() == ToolKind::Load && (aim.node || aim.cut);
+    return is_load ? why_shown_case_takes_no_load(desk.session) : std::nullopt;
+}
+
 } // namespace
 
 // The left button: the tool's in the hand.
@@ -284,7 +293,8 @@ void Canvas::press(Desk& desk, const Aim& aim)
 {
     is_working_ = true;
     desk.session.settle();
-    carry_out(desk.session, desk.hand.tool().press(work_of(desk.session), aim));
+    if (const auto reason = why_not_press(desk, aim)) desk.session.notice = passing_notice(*reason);
+    else carry_out(desk.session, desk.hand.tool().press(work_of(desk.session), aim));
 }
 
 void Canvas::release(Desk& desk, const Aim& aim, const Pick& under)

@@ -173,6 +173,13 @@ TEST_SUITE("frame session")
         CHECK(refused(circle_at_section(session)).find("section S") != std::string::npos);
     }
 
+    TEST_CASE("A profile with a second moment of its own has no fibres that are known")
+    {
+        Session session = session_with(beam({.id = "S", .profile = "IPE 300", .Iz = 1e-4}));
+        session.selection = Part(MemberId(0));
+        CHECK(refused(circle_at_section(session)).find("section S is IPE 300 with an area") != std::string::npos);
+    }
+
     TEST_CASE("Results that are kept from the class are not told by a circle either")
     {
         Session session = session_with(beam(rectangle()));
