@@ -26,6 +26,15 @@ else()
     $<$<CXX_COMPILER_ID:GNU>:-Wduplicated-cond -Wlogical-op -Wuseless-cast>)
 endif()
 
+# In a unity build a name of one source is seen by its neighbours, which may well use it for a variable of their own.
+if(CREMONA_UNITY)
+  set(CMAKE_UNITY_BUILD ON)
+  set(CMAKE_UNITY_BUILD_BATCH_SIZE 12)
+  target_compile_options(cremona_warnings INTERFACE
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-shadow -Wshadow=local -Wno-subobject-linkage>
+    $<$<CXX_COMPILER_ID:Clang,AppleClang>:-Wno-shadow>)
+endif()
+
 if(CREMONA_SANITIZE)
   add_compile_options(-fsanitize=${CREMONA_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${CREMONA_SANITIZE})
