@@ -1,13 +1,12 @@
 # cremona_test(NAME name SOURCES a.cpp... LINK t... [LABELS l...])
 # A doctest program. Each TEST_CASE is a CTest test of its own, in a process of its own, labelled with its TEST_SUITE;
 # one more test, name.any_order, runs the whole program in random order.
-# Tests run in the top folder; the macro CREMONA_SOURCE_DIR names it too.
+# Tests run in the top folder; tests/source_folder.h names it too.
 function(cremona_test)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME" "SOURCES;LINK;LABELS")
   set(program "test_${arg_NAME}")
   add_executable(${program} ${arg_SOURCES})
   target_link_libraries(${program} PRIVATE cremona_test_main ${arg_LINK} cremona_warnings)
-  target_compile_definitions(${program} PRIVATE CREMONA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   cremona_precompile(${program} test)
 
   set(list "${CMAKE_CURRENT_BINARY_DIR}/${program}_tests.cmake")

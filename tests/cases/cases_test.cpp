@@ -9,6 +9,7 @@
 #include "femoop/analysis/linear_static.h"
 #include "femoop/io/model_file.h"
 #include "femoop/result/verify.h"
+#include "tests/source_folder.h"
 
 using namespace femoop;
 
@@ -17,7 +18,7 @@ namespace {
 std::vector<std::filesystem::path> cases_in(const std::string& folder)
 {
     std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(CREMONA_SOURCE_DIR "/tests/cases/" + folder))
+    for (const auto& entry : std::filesystem::directory_iterator(source_folder() + "/tests/cases/" + folder))
         if (entry.path().extension() == ".json") files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     return files;

@@ -10,6 +10,7 @@
 
 #include "tests/apps/cli/run_cremona.h"
 #include "tests/apps/cli/shown_commands.h"
+#include "tests/source_folder.h"
 
 using cli_test::has;
 using cli_test::Run;
@@ -20,7 +21,7 @@ namespace {
 
 std::string page()
 {
-    std::ifstream file(std::string(CREMONA_SOURCE_DIR) + "/courseware/reference/command-line.md");
+    std::ifstream file(source_folder() + "/courseware/reference/command-line.md");
     return {std::istreambuf_iterator<char>(file), {}};
 }
 

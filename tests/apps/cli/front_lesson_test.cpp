@@ -15,6 +15,7 @@
 #include "tests/apps/cli/run_cremona.h"
 #include "tests/apps/cli/shown_commands.h"
 #include "tests/golden/comparison.h"
+#include "tests/source_folder.h"
 #include "ui/context/pixels.h"
 
 using namespace femoop;
@@ -27,7 +28,7 @@ namespace {
 
 std::string text_of(const std::string& name)
 {
-    std::ifstream file(std::string(CREMONA_SOURCE_DIR) + "/" + name);
+    std::ifstream file(source_folder() + "/" + name);
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
@@ -80,7 +81,7 @@ TEST_CASE("Every command of the lesson on the front runs, prints what it shows a
         CHECK(has(page(), "pictures/" + name));
         REQUIRE(folder.has(name));
         const ui::Pixels drawn = ui::read_png(folder.path(name));
-        const ui::Pixels shown = ui::read_png(std::string(CREMONA_SOURCE_DIR) + "/courseware/pictures/" + name);
+        const ui::Pixels shown = ui::read_png(source_folder() + "/courseware/pictures/" + name);
         CHECK_MESSAGE(golden::compare(drawn, shown).is_same(), "draw it anew with the command that the lesson shows");
     }
 }

@@ -1,4 +1,5 @@
 #include "tests/apps/cli/run_cremona.h"
+#include "tests/source_folder.h"
 
 #include <sys/wait.h>
 
@@ -22,7 +23,7 @@ Run shell(const std::string& line)
 {
     const Folder folder;
     const std::string bin = std::filesystem::path(CREMONA_PROGRAM).parent_path().string();
-    const std::string command = "cd " + quoted(CREMONA_SOURCE_DIR) + " && PATH=" + quoted(bin) + ":\"$PATH\" && { " +
+    const std::string command = "cd " + quoted(source_folder()) + " && PATH=" + quoted(bin) + ":\"$PATH\" && { " +
                                 line + "\n} >" + quoted(folder.path("out")) + " 2>" + quoted(folder.path("err"));
     const int status = std::system(command.c_str()); // NOLINT: the tests are about what a shell sees
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, folder.read("out"), folder.read("err")};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/apps/cli/run_cremona.h"
+#include "tests/source_folder.h"
 
 namespace cli_test {
 
@@ -45,7 +46,7 @@ std::vector<Shown> shown_commands(const std::string& page)
 std::size_t run_shown_commands(const std::string& page, const Folder& folder)
 {
     for (const std::string part : {"examples", "tests"})
-        std::filesystem::create_directory_symlink(std::string(CREMONA_SOURCE_DIR) + "/" + part, folder.path(part));
+        std::filesystem::create_directory_symlink(source_folder() + "/" + part, folder.path(part));
     const std::vector<Shown> all = shown_commands(page);
     for (const Shown& shown : all) {
         CAPTURE(shown.command);

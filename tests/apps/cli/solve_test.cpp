@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/apps/cli/run_cremona.h"
+#include "tests/source_folder.h"
 
 using cli_test::cantilever;
 using cli_test::cremona;
@@ -80,7 +81,7 @@ TEST_CASE("--stations N gives N even places and every load point, twice where th
 
 TEST_CASE("Section forces and sums are named by the kind of analysis")
 {
-    const std::string cases = std::string(CREMONA_SOURCE_DIR) + "/tests/cases/members/";
+    const std::string cases = source_folder() + "/tests/cases/members/";
     const json grillage = json::parse(cremona({"solve", cases + "GR-003.json", "--json"}).out)["cases"].front();
     CHECK(keys(grillage["members"].front()["start"]) == std::vector<std::string>{"M", "T", "V"});
     CHECK(keys(grillage["nodes"].front()["u"]) == std::vector<std::string>{"rx", "ry", "uz"});

@@ -7,6 +7,7 @@
 
 #include "apps/euler/document/gallery/gallery.h"
 #include "apps/euler/document/stepper.h"
+#include "tests/source_folder.h"
 #include "topology/halfedge/check/validate.h"
 #include "ui/text/catalogue.h"
 
@@ -18,8 +19,7 @@ TEST_SUITE("gallery")
     {
         for (const GalleryItem& item : gallery()) {
             CAPTURE(item.name);
-            std::ifstream file(std::string(CREMONA_SOURCE_DIR) + "/examples/" + std::string(item.name) + ".eul",
-                               std::ios::binary);
+            std::ifstream file(source_folder() + "/examples/" + std::string(item.name) + ".eul", std::ios::binary);
             CHECK(item.script == std::string{std::istreambuf_iterator<char>(file), {}});
         }
     }

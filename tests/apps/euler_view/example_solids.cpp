@@ -1,4 +1,5 @@
 #include "tests/apps/euler_view/example_solids.h"
+#include "tests/source_folder.h"
 
 #include <fstream>
 #include <sstream>
@@ -33,7 +34,7 @@ topology::Change Made::last_change() const
 
 std::string example(std::string_view name, std::size_t n_operators)
 {
-    std::ifstream in(std::string(CREMONA_SOURCE_DIR "/examples/").append(name).append(".eul"));
+    std::ifstream in((source_folder() + "/examples/").append(name).append(".eul"));
     std::string text, line;
     while (std::getline(in, line)) {
         const bool is_operator = !line.empty() && line.front() != '#';

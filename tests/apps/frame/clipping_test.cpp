@@ -11,6 +11,7 @@
 #include "apps/frame/session/work.h"
 #include "femoop/io/model_file.h"
 #include "femoop/model/check/check.h"
+#include "tests/source_folder.h"
 
 using namespace frame;
 using femoop::MemberId;
@@ -20,7 +21,7 @@ namespace {
 
 femoop::Model model_of(const std::string& file)
 {
-    return femoop::read_model_file(CREMONA_SOURCE_DIR "/examples/" + file);
+    return femoop::read_model_file(source_folder() + "/examples/" + file);
 }
 
 constexpr MemberId BC{1}; // of the portal: the beam, loaded in G and Q, from B (0, 4.5) to C (8, 4.5)
@@ -34,7 +35,7 @@ std::optional<std::string> run(Desk& desk, std::string_view id)
 Desk desk_with(const std::string& file)
 {
     Desk desk{Session{Document{}}};
-    REQUIRE(open_file(desk, CREMONA_SOURCE_DIR "/examples/" + file));
+    REQUIRE(open_file(desk, source_folder() + "/examples/" + file));
     return desk;
 }
 
@@ -220,7 +221,7 @@ TEST_SUITE("frame document: clipboard")
         Desk desk = desk_with("truss.json");
         desk.session.selection = everything(desk.session.model());
         CHECK(!run(desk, "edit.clip"));
-        REQUIRE(open_file(desk, CREMONA_SOURCE_DIR "/examples/portal.json"));
+        REQUIRE(open_file(desk, source_folder() + "/examples/portal.json"));
         CHECK(run(desk, "edit.paste") == "what was copied is of another kind of structure");
         new_document(desk);
         CHECK(!run(desk, "edit.paste")); // an empty sheet becomes what comes into it

@@ -12,6 +12,7 @@
 #include "femoop/io/model_file.h"
 #include "femoop/io/whole_file.h"
 #include "tests/folder.h"
+#include "tests/source_folder.h"
 
 namespace fs = std::filesystem;
 
@@ -99,7 +100,7 @@ TEST_SUITE("frame session")
 
     TEST_CASE("The example of the reference page is read as it is written")
     {
-        const std::string page = text_of(CREMONA_SOURCE_DIR "/courseware/reference/view-file.md");
+        const std::string page = text_of(source_folder() + "/courseware/reference/view-file.md");
         const std::size_t begin = page.find("```json\n");
         REQUIRE(begin != std::string::npos);
         const std::string text = page.substr(begin + 8, page.find("```", begin + 8) - begin - 8);

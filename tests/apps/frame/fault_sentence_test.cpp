@@ -5,6 +5,7 @@
 #include "apps/frame/tables/columns.h"
 #include "femoop/io/model_file.h"
 #include "tests/femoop/io/bad_files.h"
+#include "tests/source_folder.h"
 
 #include <doctest/doctest.h>
 
@@ -56,7 +57,7 @@ const Fault temperature{FaultKind::MissingDepth, {"load_cases[3].members[0]", "c
 
 femoop::Model portal_with_temperature()
 {
-    femoop::Model model = femoop::read_model_file(CREMONA_SOURCE_DIR "/examples/portal.json");
+    femoop::Model model = femoop::read_model_file(source_folder() + "/examples/portal.json");
     model.load_cases.push_back({.id = "T", .members = {{femoop::MemberId(2), femoop::TemperatureLoad{}}}});
     return model;
 }

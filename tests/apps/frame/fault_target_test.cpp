@@ -2,6 +2,7 @@
 #include "apps/frame/session/fault_target.h"
 #include "apps/frame/tables/columns.h"
 #include "femoop/io/model_file.h"
+#include "tests/source_folder.h"
 
 #include <doctest/doctest.h>
 
@@ -13,7 +14,7 @@ using femoop::Quantity;
 
 namespace {
 
-femoop::Model portal() { return femoop::read_model_file(CREMONA_SOURCE_DIR "/examples/portal.json"); }
+femoop::Model portal() { return femoop::read_model_file(source_folder() + "/examples/portal.json"); }
 
 Desk desk_of(femoop::Model model) { return Desk{Session{{.model = std::move(model), .companion = {}}}}; }
 

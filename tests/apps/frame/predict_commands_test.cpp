@@ -7,6 +7,7 @@
 #include "apps/frame/document/drawing.h"
 #include "apps/frame/session/predict_commands.h"
 #include "apps/frame/session/tabs.h"
+#include "tests/source_folder.h"
 
 using namespace frame;
 using femoop::MemberId;
@@ -18,7 +19,7 @@ constexpr MemberId BC{1};
 Desk desk_with(const std::string& file)
 {
     Desk desk{Session{Document{}}};
-    REQUIRE(open_file(desk, CREMONA_SOURCE_DIR "/examples/" + file));
+    REQUIRE(open_file(desk, source_folder() + "/examples/" + file));
     return desk;
 }
 
@@ -138,11 +139,11 @@ TEST_SUITE("frame session")
     {
         Desk desk = desk_with("portal.json");
         sketch(desk);
-        REQUIRE(open_file(desk, CREMONA_SOURCE_DIR "/examples/gerber_beam.json"));
+        REQUIRE(open_file(desk, source_folder() + "/examples/gerber_beam.json"));
         CHECK(desk.session.prediction.is_empty());
         show_tab(desk, 0);
         CHECK(!desk.session.prediction.is_empty());
-        REQUIRE(desk.session.open(CREMONA_SOURCE_DIR "/examples/portal.json"));
+        REQUIRE(desk.session.open(source_folder() + "/examples/portal.json"));
         CHECK(desk.session.prediction.is_empty());
     }
 }

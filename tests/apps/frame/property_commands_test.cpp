@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "apps/frame/session/property_commands.h"
+#include "tests/source_folder.h"
 
 using namespace frame;
 using namespace femoop;
@@ -75,14 +76,14 @@ TEST_SUITE("frame: commands on property sets")
     TEST_CASE("Materials and sections of a file are imported in one step, a broken file imports nothing")
     {
         Session session(starting_document());
-        CHECK(import_properties(session, CREMONA_SOURCE_DIR "/examples/truss.json"));
+        CHECK(import_properties(session, source_folder() + "/examples/truss.json"));
         CHECK(session.history().n_states() == 2);
         CHECK(session.model().sections.size() > 2);
         CHECK(session.solution().results);
         const Document before = session.document();
-        CHECK_FALSE(import_properties(session, CREMONA_SOURCE_DIR "/tests/fuzz/corpus/model_reader/faults.json"));
+        CHECK_FALSE(import_properties(session, source_folder() + "/tests/fuzz/corpus/model_reader/faults.json"));
         CHECK_FALSE(session.notice->faults.empty());
-        CHECK_FALSE(import_properties(session, CREMONA_SOURCE_DIR "/there is none.json"));
+        CHECK_FALSE(import_properties(session, source_folder() + "/there is none.json"));
         CHECK(session.document() == before);
     }
 }

@@ -5,12 +5,13 @@
 #include <string>
 
 #include "apps/frame/session/commands.h"
+#include "tests/source_folder.h"
 
 namespace {
 
 std::string page()
 {
-    std::ifstream file(CREMONA_SOURCE_DIR "/courseware/reference/frame-app.md", std::ios::binary);
+    std::ifstream file(source_folder() + "/courseware/reference/frame-app.md", std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
 }
 

@@ -13,6 +13,7 @@
 #include "femoop/io/model_file.h"
 #include "femoop/io/whole_file.h"
 #include "tests/folder.h"
+#include "tests/source_folder.h"
 
 using namespace frame;
 using femoop::MemberId;
@@ -20,7 +21,7 @@ using femoop::NodeId;
 
 namespace {
 
-const std::string examples = CREMONA_SOURCE_DIR "/examples/";
+const std::string examples = source_folder() + "/examples/";
 
 Desk desk_with(const char* file)
 {

@@ -1,6 +1,7 @@
 // A fault of one load case leaves the others their results.
 #include "apps/frame/document/solution.h"
 #include "femoop/io/model_file.h"
+#include "tests/source_folder.h"
 
 #include <doctest/doctest.h>
 
@@ -17,7 +18,7 @@ namespace {
 /// Cases G, Q, W and combinations ULS, SLS; then T and a combination with it.
 Document portal_with(const std::function<void(Model&, femoop::LoadCase&)>& load)
 {
-    Model model = femoop::read_model_file(CREMONA_SOURCE_DIR "/examples/portal.json");
+    Model model = femoop::read_model_file(source_folder() + "/examples/portal.json");
     model.combinations.clear();
     model.load_cases.push_back({.id = "T"});
     load(model, model.load_cases.back());

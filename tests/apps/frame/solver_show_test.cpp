@@ -5,6 +5,7 @@
 #include "apps/frame/document/command.h"
 #include "apps/frame/session/solver_commands.h"
 #include "apps/frame/session/tabs.h"
+#include "tests/source_folder.h"
 
 using namespace frame;
 using femoop::Ordering;
@@ -14,7 +15,7 @@ namespace {
 Desk desk_with(const std::string& file)
 {
     Desk desk{Session{Document{}}};
-    REQUIRE(open_file(desk, CREMONA_SOURCE_DIR "/examples/" + file));
+    REQUIRE(open_file(desk, source_folder() + "/examples/" + file));
     return desk;
 }
 

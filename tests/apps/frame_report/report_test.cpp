@@ -10,6 +10,7 @@
 #include "apps/frame/report/report.h"
 #include "femoop/io/model_file.h"
 #include "tests/folder.h"
+#include "tests/source_folder.h"
 #include "ui/paint/surface/golden_text.h"
 #include "ui/report/html.h"
 #include "ui/report/pages.h"
@@ -20,7 +21,7 @@ namespace {
 
 ui::Report report_of(const std::string& file, ReportOptions options = {})
 {
-    const Document document{femoop::read_model_file(CREMONA_SOURCE_DIR "/" + file)};
+    const Document document{femoop::read_model_file(source_folder() + "/" + file)};
     return make_report(document.model, solve(document), options, ui::Fonts());
 }
 
@@ -90,7 +91,7 @@ TEST_SUITE("frame report")
 
     TEST_CASE("The table of sections has what a profile or a shape comes to, and a typed value wins")
     {
-        Document document{femoop::read_model_file(CREMONA_SOURCE_DIR "/examples/portal.json")};
+        Document document{femoop::read_model_file(source_folder() + "/examples/portal.json")};
         document.model.sections[1].Iz = femoop::Quantity(4.2e-4); // of IPE 400, whose table has 23130 cm^4
         const ui::Report report = make_report(document.model, solve(document), {}, ui::Fonts());
         const ui::ReportTable sections = table_with(report, "Section");
@@ -104,7 +105,7 @@ TEST_SUITE("frame report")
 
     TEST_CASE("Shear areas stand in the table of sections where a member has shear strain, and no others in a plane")
     {
-        Document document{femoop::read_model_file(CREMONA_SOURCE_DIR "/examples/continuous_beam.json")};
+        Document document{femoop::read_model_file(source_folder() + "/examples/continuous_beam.json")};
         document.model.sections[0] = {.id = "s", .shape = femoop::Shape{.kind = femoop::ShapeKind::Rectangle}};
         document.model.sections[0].shape->b = 0.3;
         document.model.sections[0].shape->h = 0.5;
@@ -117,7 +118,7 @@ TEST_SUITE("frame report")
 
     TEST_CASE("A section that cannot be stays as it was typed in the report")
     {
-        Document document{femoop::read_model_file(CREMONA_SOURCE_DIR "/examples/portal.json")};
+        Document document{femoop::read_model_file(source_folder() + "/examples/portal.json")};
         document.model.sections[0].profile = "HEB 241";
         const ui::Report report = make_report(document.model, solve(document), {}, ui::Fonts());
         CHECK(column_of(table_with(report, "Section"), "A ").at(0).empty());
@@ -126,7 +127,7 @@ TEST_SUITE("frame report")
 
     TEST_CASE("The page needs no other file, and what the model says cannot break it")
     {
-        Document document{femoop::read_model_file(CREMONA_SOURCE_DIR "/examples/portal.json")};
+        Document document{femoop::read_model_file(source_folder() + "/examples/portal.json")};
         document.model.title = "<script>alert(\"A & B\")</script>";
         const ui::Report report = make_report(document.model, solve(document), {}, ui::Fonts());
         const std::string html = ui::report_html(report, ui::Fonts());
@@ -247,7 +248,7 @@ TEST_SUITE("frame report")
 
     TEST_CASE("A report calls a structure what people call it, and one member is not many")
     {
-        Document document{femoop::read_model_file(CREMONA_SOURCE_DIR "/examples/bent_cantilever.json")};
+        Document document{femoop::read_model_file(source_folder() + "/examples/bent_cantilever.json")};
         CHECK(says(make_report(document.model, solve(document), {}, ui::Fonts()), "space frame, 3 nodes, 2 members"));
         const ui::Report truss = report_of("examples/truss.json");
         CHECK(says(truss, "plane truss, "));

@@ -7,6 +7,7 @@
 
 #include "apps/frame/document/solution.h"
 #include "femoop/io/model_file.h"
+#include "tests/source_folder.h"
 
 using namespace frame;
 using femoop::MemberId;
@@ -99,7 +100,7 @@ TEST_SUITE("frame tables")
     TEST_CASE("The tables of every model among the examples and cases can be pasted back")
     {
         for (const char* folder : {"examples", "tests/cases"}) {
-            const std::filesystem::path root = std::filesystem::path(CREMONA_SOURCE_DIR) / folder;
+            const std::filesystem::path root = std::filesystem::path(source_folder()) / folder;
             for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
                 if (entry.path().extension() != ".json") continue;
                 const femoop::ModelReading reading = femoop::examine_model_file(entry.path());

@@ -1,6 +1,7 @@
 #include "tests/apps/frame_view/view_model.h"
 
 #include "femoop/io/model_file.h"
+#include "tests/source_folder.h"
 #include "ui/paint/text_measure.h"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace view_test {
 
 namespace {
 
-const std::filesystem::path top = CREMONA_SOURCE_DIR;
+const std::filesystem::path top = source_folder();
 
 } // namespace
 

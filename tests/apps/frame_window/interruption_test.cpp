@@ -4,6 +4,7 @@
 #include "tests/apps/frame_window/opened.h"
 #include "tests/folder.h"
 #include "tests/golden/scene.h"
+#include "tests/source_folder.h"
 
 #include <doctest/doctest.h>
 
@@ -14,7 +15,7 @@ using namespace frame;
 
 namespace {
 
-const std::string folder = CREMONA_SOURCE_DIR "/";
+const std::string folder = source_folder() + "/";
 
 void with_application(const std::function<void(ui::Offscreen&, Application&)>& act)
 {

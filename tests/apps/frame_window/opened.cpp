@@ -1,4 +1,5 @@
 #include "tests/apps/frame_window/opened.h"
+#include "tests/source_folder.h"
 
 using namespace frame;
 
@@ -7,6 +8,6 @@ Session opened(const std::string& file)
     Session session(starting_document());
     session.view.layout = Layout::Overlay;
     session.view.show = shown_by_default | ShowSet{Show::M};
-    session.open(CREMONA_SOURCE_DIR "/" + file);
+    session.open(source_folder() + "/" + file);
     return session;
 }

@@ -5,6 +5,7 @@
 #include "apps/frame/window/application.h"
 #include "tests/apps/frame_window/opened.h"
 #include "tests/golden/scene.h"
+#include "tests/source_folder.h"
 #include "ui/context/offscreen.h"
 
 #include <doctest/doctest.h>
@@ -17,7 +18,7 @@ TEST_SUITE_BEGIN("frame window");
 
 namespace {
 
-const std::string folder = CREMONA_SOURCE_DIR "/";
+const std::string folder = source_folder() + "/";
 
 } // namespace
 

@@ -15,6 +15,7 @@
 
 #include "tests/femoop/io/bad_files.h"
 #include "tests/folder.h"
+#include "tests/source_folder.h"
 
 using namespace femoop;
 
@@ -23,7 +24,7 @@ namespace {
 std::vector<std::filesystem::path> files_under(const std::string& folder)
 {
     std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(std::string(CREMONA_SOURCE_DIR) + folder))
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(source_folder() + folder))
         if (entry.path().extension() == ".json") files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     return files;
@@ -40,7 +41,7 @@ void check_round_trip(const Model& model)
 /// Every key of the format, laid out as the writer lays it out. The schema's test reads it too.
 std::string everything()
 {
-    std::ifstream file(std::string(CREMONA_SOURCE_DIR) + "/tests/femoop/io/everything.json", std::ios::binary);
+    std::ifstream file(source_folder() + "/tests/femoop/io/everything.json", std::ios::binary);
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 

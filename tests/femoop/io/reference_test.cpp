@@ -7,6 +7,7 @@
 
 #include "femoop/analysis/linear_static.h"
 #include "femoop/io/model_file.h"
+#include "tests/source_folder.h"
 
 using namespace femoop;
 
@@ -15,7 +16,7 @@ namespace {
 /// The fenced blocks of JSON in a page of the reference.
 std::vector<std::string> json_blocks(const std::string& page)
 {
-    std::ifstream file(CREMONA_SOURCE_DIR "/courseware/reference/" + page);
+    std::ifstream file(source_folder() + "/courseware/reference/" + page);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     const std::string opening = "```json\n", closing = "```";
     std::vector<std::string> blocks;

@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "tests/source_folder.h"
 #include "topology/modeling/mass_properties.h"
 #include "topology/script/script_runner.h"
 
@@ -22,7 +23,7 @@ TEST_CASE("The scripts of the examples make solids of the volume that their coor
                                                 {"shell_and_hole", 64.0 - 8.0 + 4.0}};
     for (const auto& known : volumes) {
         CAPTURE(known.first);
-        std::ifstream file(std::string(CREMONA_SOURCE_DIR) + "/examples/" + known.first + ".eul");
+        std::ifstream file(source_folder() + "/examples/" + known.first + ".eul");
         const std::string text{std::istreambuf_iterator<char>(file), {}};
         ScriptRunner runner;
         run_script(runner, text, {});

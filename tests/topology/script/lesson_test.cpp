@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/source_folder.h"
 #include "topology/halfedge/check/shells.h"
 #include "topology/halfedge/check/validate.h"
 #include "topology/script/script_runner.h"
@@ -18,7 +19,7 @@ namespace {
 
 std::string page()
 {
-    std::ifstream file(CREMONA_SOURCE_DIR "/courseware/01-euler-operators.md");
+    std::ifstream file(source_folder() + "/courseware/01-euler-operators.md");
     return {std::istreambuf_iterator<char>(file), {}};
 }
 

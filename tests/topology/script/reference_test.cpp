@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/source_folder.h"
 #include "topology/halfedge/check/shells.h"
 #include "topology/halfedge/check/validate.h"
 #include "topology/script/script_runner.h"
@@ -19,7 +20,7 @@ namespace {
 
 std::string text_of(const std::string& file_name)
 {
-    std::ifstream file(CREMONA_SOURCE_DIR "/" + file_name);
+    std::ifstream file(source_folder() + "/" + file_name);
     return {std::istreambuf_iterator<char>(file), {}};
 }
 

@@ -12,6 +12,7 @@
 #include "apps/euler/document/gallery/gallery.h"
 #include "apps/euler/document/stepper.h"
 #include "femoop/model/fault/fault.h"
+#include "tests/source_folder.h"
 #include "topology/embedding/embedding.h"
 #include "topology/halfedge/check/validate.h"
 #include "topology/halfedge/operators/refusal.h"
@@ -91,7 +92,7 @@ std::set<std::string> sentences_in_sources()
 {
     std::set<std::string> sentences;
     for (const char* folder : {"femoop", "ui", "apps"}) {
-        for (const auto& entry : fs::recursive_directory_iterator(fs::path(CREMONA_SOURCE_DIR) / folder)) {
+        for (const auto& entry : fs::recursive_directory_iterator(fs::path(source_folder()) / folder)) {
             const std::string extension = entry.path().extension().string();
             if (extension != ".cpp" && extension != ".h") continue;
             const std::string source = without_comments(text_of(entry.path()));

@@ -10,6 +10,7 @@
 
 #include "femoop/io/cross/cross_check.h"
 #include "femoop/io/model_file.h"
+#include "tests/source_folder.h"
 
 using namespace femoop;
 using nlohmann::json;
@@ -18,7 +19,7 @@ namespace {
 
 json file_of(const std::string& path)
 {
-    return json::parse(write_model(read_model_file(CREMONA_SOURCE_DIR "/" + path)));
+    return json::parse(write_model(read_model_file(source_folder() + "/" + path)));
 }
 
 CheckCounts verified(const json& file) { return count(cross::check_block(read_model(file.dump()))); }

@@ -1,0 +1,6 @@
+#pragma once
+
+#include <string>
+
+/// The top folder of the sources, without a stroke at its end.
+std::string source_folder();
