@@ -1,5 +1,7 @@
 #include "femoop/edit/place.h"
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,7 @@
 // Moving, turning, mirroring, scaling and copying.
 #include <doctest/doctest.h>
 
+#include <Eigen/LU>
 #include <numbers>
 
 #include "femoop/analysis/linear_static.h"

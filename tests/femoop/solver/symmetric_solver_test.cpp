@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/Cholesky>
+
 #include "tests/femoop/solver/random_system.h"
 
 using namespace femoop;
