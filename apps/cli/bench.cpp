@@ -35,12 +35,11 @@ HelpText Bench::help(const ui::Catalogue& tr) const
 {
     return {tr("time the analysis of a large structure, or the making of a large solid, in memory"),
             tr("`bench frame` builds a plane frame (bays of 6 m, storeys of 3 m, fixed bases, 20 kN/m on every beam, "
-               "10 kN to the right at every level), solves it, recovers N, V and M at 11 stations of every member, and "
-               "prints how long each phase took, the peak of memory and the sway of the top left node.") +
+               "10 kN to the right at every level), solves it, recovers N, V and M at 11 stations of every member, "
+               "and prints how long each phase took, the peak of memory and the sway of the top left node.") +
                 "\n\n" +
-                tr("`bench halfedge` draws a grid of N by N quadrilaterals by the Euler operators MVFS, MEV and MEF, "
-                   "without "
-                   "and with the journal, undoes all of it and validates it."),
+                tr("`bench halfedge` draws a grid of N by N quadrilaterals by the Euler operators MVFS, "
+                   "MEV and MEF, without and with the journal, undoes all of it and validates it."),
             {{"cremona bench frame --bays 249 --storeys 400", tr("300 000 degrees of freedom.")},
              {"cremona bench frame --bays 19 --storeys 50 --solver ldlt --json", tr("Another solver, for a program.")},
              {"cremona bench halfedge --n 1000", tr("2 002 001 Euler operators.")}}};

@@ -59,10 +59,10 @@ HelpText Check::help(const ui::Catalogue& tr) const
 {
     return {
         tr("read a model file and report everything that is wrong with it"),
-        tr("Reports all errors and warnings of each file at once, with the place, what was found, what is wanted and a "
-           "remedy. Nothing is solved, so a mechanism is not noticed (solve does). Warnings, such as a section that no "
-           "member uses or members that cross without a node, leave the status 0. A view file (portal.view.json) is "
-           "checked beside its model (portal.json), which must be there."),
+        tr("Reports all errors and warnings of each file at once, with the place, what was found, "
+           "what is wanted and a remedy. Nothing is solved, so a mechanism is not noticed (solve does). "
+           "Warnings, such as a section that no member uses or members that cross without a node, leave the status 0. "
+           "A view file (portal.view.json) is checked beside its model (portal.json), which must be there."),
         {{"cremona check examples/portal.json", tr("One file.")},
          {"cremona check homework/*.json", tr("A class's files: the status is 2 if any has an error.")}}};
 }

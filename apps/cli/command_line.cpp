@@ -46,10 +46,9 @@ public:
     explicit CommandLine(Console& console) : console_(console), tr_(console.tr()), subcommands_(all_subcommands())
     {
         app_.name("cremona");
-        app_.description(
-            tr_("Structural analysis that teaches: solves, explains, draws and verifies frames, trusses and "
-                "grillages without a display. Results go to stdout, messages to stderr.") +
-            "\n\n" + tr_("`cremona COMMAND --help` explains a command."));
+        app_.description(tr_("Structural analysis that teaches: solves, explains, draws and verifies frames, "
+                             "trusses and grillages without a display. Results go to stdout, messages to stderr.") +
+                         "\n\n" + tr_("`cremona COMMAND --help` explains a command."));
         app_.set_version_flag("--version", "cremona " CREMONA_VERSION, tr_("print the version and leave"));
         app_.footer(help_footer({.summary = {}, .description = {}, .examples = first_examples(tr_)}, tr_));
         prepare(app_);

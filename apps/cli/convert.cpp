@@ -42,15 +42,12 @@ HelpText Convert::help(const ui::Catalogue& tr) const
     return {
         tr("write a model in another form, chosen by the extension of OUT"),
         tr("From .json to .json the file is tidied (one node, member and load a line, keys in a fixed order; "
-           "quantities "
-           "stay as they were typed), and with --units its bare numbers are counted in other base units. To .csv the "
-           "model is solved and every result is written in one long table: case, part, id, x, component, value, unit. "
-           "To "
-           ".svg, .pdf or .png it is drawn; render has more to choose from.") +
+           "quantities stay as they were typed), and with --units its bare numbers are counted in other base units. "
+           "To .csv the model is solved and every result is written in one long table: case, "
+           "part, id, x, component, value, unit. To .svg, .pdf or .png it is drawn; render has more to choose from.") +
             "\n\n" +
-            tr("Solids go from .eul, .obj or .off to any of these; to .eul as a script of Euler operators that makes "
-               "them, "
-               "whose number of lines is the least that the theory asks for."),
+            tr("Solids go from .eul, .obj or .off to any of these; to .eul as a script "
+               "of Euler operators that makes them, whose number of lines is the least that the theory asks for."),
         {{"cremona convert examples/portal.json portal_mm.json --units mm,N",
           tr("The same structure in millimetres and newtons.")},
          {"cremona convert examples/portal.json portal.csv", tr("Every result, for a spreadsheet.")},

@@ -54,13 +54,13 @@ HelpText Cross::help(const ui::Catalogue& tr) const
 {
     return {
         tr("distribute the moments of a beam or frame as by hand and print the sheet"),
-        tr("Works Hardy Cross's moment distribution on a continuous beam or plane frame and prints every number of it: "
-           "stiffness and distribution factors, fixed-end moments of every load, each balance (BAL) and carry-over "
-           "(CO), totals, and the final moments beside those of the stiffness method. Moments act on the member ends, "
-           "counter-clockwise positive; AB is the end at A of the member between A and B. A frame that sways is held "
-           "by props first; then each sway has a sheet of its own, and the shear equations say how much of each is "
-           "added. Members are taken as axially rigid.\n\nA \"cross\" block of the file gives the defaults, and "
-           "`cremona verify` compares the sheet that stands in it."),
+        tr("Works Hardy Cross's moment distribution on a continuous beam or plane frame "
+           "and prints every number of it: stiffness and distribution factors, fixed-end moments of every load, each "
+           "balance (BAL) and carry-over (CO), totals, and the final moments beside those of the stiffness method. "
+           "Moments act on the member ends, counter-clockwise positive; AB is the end at A of the member "
+           "between A and B. A frame that sways is held by props first; then each sway has a sheet of its own, and "
+           "the shear equations say how much of each is added. Members are taken as axially rigid.\n\nA \"cross\" "
+           "block of the file gives the defaults, and `cremona verify` compares the sheet that stands in it."),
         {{"cremona cross examples/continuous_beam.json", tr("The joint with the largest unbalance first.")},
          {"cremona cross examples/continuous_beam.json --order all-at-once --digits 4",
           tr("All joints at once, every number rounded to four digits as on paper, with what that costs.")},
@@ -75,12 +75,12 @@ void Cross::declare(CLI::App& app, const ui::Catalogue& tr)
     app.add_option("FILE", file_, tr("the model file; - is standard input"))->option_text(" ");
     app.add_option("--case", case_, tr("the load case or combination (default the first)"))->option_text("ID");
     app.add_option("--order", order_,
-                   tr("which joint is balanced next: largest (the one with the largest unbalance, default), "
-                      "left-to-right, all-at-once, or names of joints in turn, again and again: A,C,B"))
+                   tr("which joint is balanced next: largest (the one with the largest unbalance, "
+                      "default), left-to-right, all-at-once, or names of joints in turn, again and again: A,C,B"))
         ->option_text("ORDER");
     app.add_option("--tolerance", tolerance_,
-                   tr("stop when no unbalance is larger, in the file's unit of moments (default 0.001 of the largest "
-                      "fixed-end moment)"))
+                   tr("stop when no unbalance is larger, "
+                      "in the file's unit of moments (default 0.001 of the largest fixed-end moment)"))
         ->option_text("T");
     app.add_option("--digits", digits_, tr("round every number to so many significant digits (default all)"))
         ->option_text("D");

@@ -45,17 +45,16 @@ private:
 
 HelpText Euler::help(const ui::Catalogue& tr) const
 {
-    return {tr("run a script of Euler operators and print the solids that come out"),
-            tr("A script (.eul) makes solids step by step: one operator a line, such as `mev s1 f1 v1 v2 1 0 0`. "
-               "Printed are "
-               "the numbers of vertices, edges, faces, loops and shells, the genus, and whether V - E + F - (L - F) - "
-               "2 (S - "
-               "G) is 0 and the structure is sound. A step that cannot be done says why, with its line, and changes "
-               "nothing."),
-            {{"cremona euler examples/cube.eul", tr("A cube by MVFS, MEV and MEF.")},
-             {"cremona euler examples/cube.eul --step 3 --tables",
-              tr("The half-edge tables after each of the first steps.")},
-             {"cremona euler --from part.obj --to-script part.eul", tr("A script that makes the solid of a mesh.")}}};
+    return {
+        tr("run a script of Euler operators and print the solids that come out"),
+        tr("A script (.eul) makes solids step by step: "
+           "one operator a line, such as `mev s1 f1 v1 v2 1 0 0`. Printed are the numbers of vertices, edges, faces, "
+           "loops and shells, the genus, and whether V - E + F - (L - F) - 2 (S - G) is 0 and the structure is sound. "
+           "A step that cannot be done says why, with its line, and changes nothing."),
+        {{"cremona euler examples/cube.eul", tr("A cube by MVFS, MEV and MEF.")},
+         {"cremona euler examples/cube.eul --step 3 --tables",
+          tr("The half-edge tables after each of the first steps.")},
+         {"cremona euler --from part.obj --to-script part.eul", tr("A script that makes the solid of a mesh.")}}};
 }
 
 void Euler::declare(CLI::App& app, const ui::Catalogue& tr)

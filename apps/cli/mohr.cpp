@@ -28,22 +28,22 @@ private:
 
 HelpText Mohr::help(const ui::Catalogue& tr) const
 {
-    return {tr("print Mohr's circle of a stress, a strain, a rosette or second moments of area"),
-            tr("Of a plane state: centre and radius of the circle, principal values and directions, the pole, largest "
-               "shear in the plane and in space, and the components in axes turned by --angle. In space: principal "
-               "values and directions, invariants and what acts on the plane of --normal. Tension is positive; the "
-               "circle has shear up where it turns the element clockwise, so face x is the point (SX, -TXY) and the "
-               "pole is (SX, TXY); a strain's circle has GXY/2; of second moments the shear's axis points down and "
-               "counts -IXY: face x is (IX, -IXY), the pole (IX, IXY). Numbers are bare or have a unit: "
-               "\"120 MPa,80 MPa,0\"."),
-            {{"cremona mohr --stress 50,-10,40 --angle 30", tr("A plane stress, also in axes turned by 30 degrees.")},
-             {"cremona mohr --stress -19,4.6,-8.3,-4.7,11.8,6.45 --normal 1,1,1",
-              tr("A stress in space, and what acts on an oblique plane.")},
-             {"cremona mohr --rosette 0,60,120:60e-6,135e-6,264e-6 --E \"200 GPa\" --nu 0.3",
-              tr("Strains and stresses from three gauges.")},
-             {"cremona mohr --stress \"120 MPa,-40 MPa,60 MPa\" --criterion von_mises --strength \"fy=250 MPa\"",
-              tr("The safety factor of a plane stress.")},
-             {"cremona mohr --cases tests/states/published.json", tr("Every published state, compared.")}}};
+    return {
+        tr("print Mohr's circle of a stress, a strain, a rosette or second moments of area"),
+        tr("Of a plane state: centre and radius of the circle, principal values and directions, "
+           "the pole, largest shear in the plane and in space, and the components in axes turned by --angle. In space: "
+           "principal values and directions, invariants and what acts on the plane of --normal. Tension is positive; "
+           "the circle has shear up where it turns the element clockwise, so face x is the point (SX, -TXY) and the "
+           "pole is (SX, TXY); a strain's circle has GXY/2; of second moments the shear's axis points down and counts "
+           "-IXY: face x is (IX, -IXY), the pole (IX, IXY). Numbers are bare or have a unit: \"120 MPa,80 MPa,0\"."),
+        {{"cremona mohr --stress 50,-10,40 --angle 30", tr("A plane stress, also in axes turned by 30 degrees.")},
+         {"cremona mohr --stress -19,4.6,-8.3,-4.7,11.8,6.45 --normal 1,1,1",
+          tr("A stress in space, and what acts on an oblique plane.")},
+         {"cremona mohr --rosette 0,60,120:60e-6,135e-6,264e-6 --E \"200 GPa\" --nu 0.3",
+          tr("Strains and stresses from three gauges.")},
+         {"cremona mohr --stress \"120 MPa,-40 MPa,60 MPa\" --criterion von_mises --strength \"fy=250 MPa\"",
+          tr("The safety factor of a plane stress.")},
+         {"cremona mohr --cases tests/states/published.json", tr("Every published state, compared.")}}};
 }
 
 void Mohr::declare(CLI::App& app, const ui::Catalogue& tr)
@@ -66,12 +66,12 @@ void Mohr::declare(CLI::App& app, const ui::Catalogue& tr)
         ->option_text("NU");
     app.add_flag("--plane-strain", is_plane_strain_, tr("SZ of a plane stress is NU (SX + SY) instead of 0"));
     app.add_option("--criterion", criterion_,
-                   tr("also the safety factor and the planes that fail: tresca, von_mises, rankine, mohr_coulomb, "
-                      "drucker_prager or hoek_brown"))
+                   tr("also the safety factor and the planes that fail: "
+                      "tresca, von_mises, rankine, mohr_coulomb, drucker_prager or hoek_brown"))
         ->option_text("NAME");
-    app.add_option("--strength", strength_,
-                   tr("what the criterion reads: fy=...; ft=...,fc=...; c=...,phi=...; sci=...,m=...,s=...; phi in "
-                      "degrees"))
+    app.add_option(
+           "--strength", strength_,
+           tr("what the criterion reads: fy=...; ft=...,fc=...; c=...,phi=...; sci=...,m=...,s=...; phi in degrees"))
         ->option_text("LIST");
     app.add_option("--cases", cases_, tr("run every state of a file and compare what it expects; - is standard input"))
         ->option_text("FILE");

@@ -109,13 +109,13 @@ void take_rosette(MohrProblem& problem, const MohrWords& words, const Reader& re
     femoop::mohr::Rosette rosette{{}, {e[0], e[1], e[2]}};
     for (std::size_t i = 0; i < 3; ++i) rosette.angles[i] = t[i] * degree;
     if (const auto same = why_not(rosette))
-        throw UsageError(reader.tr()("--rosette: gauges {first} and {second} measure along one direction ({a} and {b} "
-                                     "degrees), so three unknowns "
-                                     "have two readings; turn one of them",
-                                     {{"first", std::to_string(same->first + 1)},
-                                      {"second", std::to_string(same->second + 1)},
-                                      {"a", femoop::number_text(t[same->first])},
-                                      {"b", femoop::number_text(t[same->second])}}));
+        throw UsageError(
+            reader.tr()("--rosette: gauges {first} and {second} measure along one direction ({a} and {b} degrees), "
+                        "so three unknowns have two readings; turn one of them",
+                        {{"first", std::to_string(same->first + 1)},
+                         {"second", std::to_string(same->second + 1)},
+                         {"a", femoop::number_text(t[same->first])},
+                         {"b", femoop::number_text(t[same->second])}}));
     problem.state = {.kind = Kind::Strain};
     const auto strain = femoop::mohr::strain(rosette);
     problem.state.components = {.x = strain.x, .y = strain.y, .xy = strain.xy};

@@ -32,8 +32,7 @@ double pixel_scale(const std::string& text, ui::Size size, const ui::Catalogue& 
     const double scale = positive_number("--scale", text, tr);
     if (scale > largest_scale)
         throw UsageError(
-            tr("--scale: found {found}; wanted at most 8 pixels per pixel (displacements are enlarged with "
-               "--magnify)",
+            tr("--scale: found {found}; wanted at most 8 pixels per pixel (displacements are enlarged with --magnify)",
                {{"found", text}}));
     if (std::max(size.width, size.height) * scale > static_cast<double>(largest_side))
         throw UsageError(tr("--size and --scale: the picture would be larger than {most} pixels a side",

@@ -45,8 +45,8 @@ std::string show_list(const ui::Catalogue& tr)
 HelpText Render::help(const ui::Catalogue& tr) const
 {
     return {tr("draw a model and its results to PNG, SVG or PDF"),
-            tr("Draws members, nodes and supports as textbooks do, and what --show asks for. No display is needed. A "
-               "structure that can move is drawn moving, and the status is 3."),
+            tr("Draws members, nodes and supports as textbooks do, and what --show asks for. "
+               "No display is needed. A structure that can move is drawn moving, and the status is 3."),
             {{"cremona render examples/portal.json -o portal.svg", tr("The structure, its loads and its reactions.")},
              {"cremona render examples/portal.json -o moments.png --show loads,M,labels --size 1920x1080",
               tr("Bending moments on the tension side, for a slide.")},
@@ -63,8 +63,8 @@ void Render::declare(CLI::App& app, const ui::Catalogue& tr)
                    tr("what is drawn, separated by commas (default loads,reactions,labels):") + show_list(tr))
         ->option_text("LIST");
     app.add_option("--case", case_,
-                   tr("the load case or combination that is drawn (default the first), or envelope: the largest and "
-                      "smallest of all"))
+                   tr("the load case or combination that is drawn (default the first), or envelope: "
+                      "the largest and smallest of all"))
         ->option_text("ID|envelope");
     app.add_option("--view", view_,
                    tr("a view that the frame app keeps beside the model: what it shows, of which case, and how large"))

@@ -69,9 +69,9 @@ HelpText Solve::help(const ui::Catalogue& tr) const
     return {
         tr("analyse a structure and print what happens to it"),
         tr("Reads a model file, solves every load case and combination, and prints tables: displacements of the nodes, "
-           "reactions, section forces at the ends of the members, their extremes with the exact places, the sums of "
-           "loads and reactions, and the degree of static indeterminacy. Values along members are closed forms, never "
-           "sampled. A structure that can move is not solved: every way in which it moves is told in words."),
+           "reactions, section forces at the ends of the members, their extremes with the exact places, the sums "
+           "of loads and reactions, and the degree of static indeterminacy. Values along members are closed forms, "
+           "never sampled. A structure that can move is not solved: every way in which it moves is told in words."),
         {{"cremona solve examples/portal.json", tr("Tables of every load case and combination.")},
          {"cremona solve examples/portal.json --case envelope",
           tr("The largest and smallest of every result, with the case that governs.")},
@@ -91,15 +91,14 @@ HelpText Solve::help(const ui::Catalogue& tr) const
 void Solve::declare(CLI::App& app, const ui::Catalogue& tr)
 {
     app.add_option("FILE", file_, tr("the model file; - is standard input"))->option_text(" ");
-    app.add_option(
-           "--case", case_,
-           tr("what to print: one load case or combination, all (default), or envelope: the largest and smallest of "
-              "all, with the case that governs"))
+    app.add_option("--case", case_,
+                   tr("what to print: one load case or combination, all (default), or envelope: "
+                      "the largest and smallest of all, with the case that governs"))
         ->option_text("ID|all|envelope");
     app.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
     app.add_option("--stations", stations_,
-                   tr("how many evenly spaced places along each member JSON and CSV have (default 21); load points are "
-                      "always there too, and a jump gives two"))
+                   tr("how many evenly spaced places along each member JSON and CSV have (default 21); "
+                      "load points are always there too, and a jump gives two"))
         ->option_text("N");
     app.add_option("--csv", csv_folder_,
                    tr("write the results as CSV files into this folder too; it is made if missing"))
@@ -107,14 +106,14 @@ void Solve::declare(CLI::App& app, const ui::Catalogue& tr)
     app.add_option("--solver", solver_,
                    tr("who solves K u = f: automatic (the fastest, default), skyline, multifrontal, ldlt or cholmod"))
         ->option_text("NAME");
-    app.add_flag("--refine", is_refined_,
-                 tr("correct the displacements by their own residuals until rounding is left; --time tells how good "
-                    "they are"));
+    app.add_flag(
+        "--refine", is_refined_,
+        tr("correct the displacements by their own residuals until rounding is left; --time tells how good they are"));
     app.add_flag("--time", is_timed_, tr("print to stderr how long each phase took, and the size of the system"));
     app.add_option(
            "--trace", traced_member_,
-           tr("print how this member enters the system instead of the results: stiffness in its own axes and in "
-              "those of the nodes, transformation, fixed-end forces, places in the system matrix"))
+           tr("print how this member enters the system instead of the results: stiffness in "
+              "its own axes and in those of the nodes, transformation, fixed-end forces, places in the system matrix"))
         ->option_text("MEMBER");
     solver_trace_.declare(app, tr);
     app.add_flag("--describe", is_described_,

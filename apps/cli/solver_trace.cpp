@@ -13,12 +13,13 @@ using femoop::SolverTrace;
 
 void SolverTraceOptions::declare(CLI::App& app, const ui::Catalogue& tr)
 {
-    app.add_flag("--trace-solver", is_traced_,
-                 tr("print how the system is eliminated instead of the results: the orders side by side with what they "
-                    "cost, the fronts one after the other, and where L fills in"));
+    app.add_flag(
+        "--trace-solver", is_traced_,
+        tr("print how the system is eliminated instead of the results: "
+           "the orders side by side with what they cost, the fronts one after the other, and where L fills in"));
     app.add_option("--ordering", ordering_,
-                   tr("with --trace-solver: whose fronts walk, natural, cuthill-mckee, minimum-degree or "
-                      "nested-dissection (default: the solver's own order)"))
+                   tr("with --trace-solver: whose fronts walk, natural, "
+                      "cuthill-mckee, minimum-degree or nested-dissection (default: the solver's own order)"))
         ->option_text("NAME");
     app.add_option("--step", step_, tr("with --trace-solver: the front that is shown more closely, from 1"))
         ->option_text("N");

@@ -81,10 +81,9 @@ HelpText Verify::help(const ui::Catalogue& tr) const
     return {
         tr("check a model against the results that its file expects"),
         tr("Solves each file and compares the entries of its \"expected\" list: a displacement, a reaction, a section "
-           "force or an extreme, with a value and a tolerance. A check passes when the result is within max(atol, "
-           "rtol |value|) of the value. One line a check, then a count. Checks of analyses that are not built yet are "
-           "named and skipped, never passed; so are view files. A homework sheet with expected results is a test this "
-           "way."),
+           "force or an extreme, with a value and a tolerance. A check passes when the result is within max(atol, rtol "
+           "|value|) of the value. One line a check, then a count. Checks of analyses that are not built yet are named "
+           "and skipped, never passed; so are view files. A homework sheet with expected results is a test this way."),
         {{"cremona verify tests/cases/members/BM-001.json", tr("Every check of one file.")},
          {"cremona verify --quiet tests/cases/members/*.json",
           tr("Failed checks alone, then the count of all files.")}}};

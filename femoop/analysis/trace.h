@@ -29,8 +29,9 @@ struct MemberTrace {
     Eigen::MatrixXd transformation;   ///< T: local = T u in the axes of the nodes, rigid offsets included
     Eigen::MatrixXd global_stiffness; ///< T^T k T
     std::vector<FixedEnd> fixed_end;  ///< one per load case
-    std::vector<int> equations;       ///< place of each row in the system matrix, counted node after node
-                                ///< from 1; 0 where a support blocks it (the solver eliminates in an order of its own)
+    /// Place of each row in the system matrix, counted node after node from 1; 0 where a support blocks it (the solver
+    /// eliminates in an order of its own).
+    std::vector<int> equations;
 };
 
 /// Traces one member through the same code that solves. \throws ModelError as `analyse`.

@@ -23,7 +23,8 @@ struct SplitMember {
 /// keeps the member's place in the list; the parts are named anew only where the member had the names of its nodes.
 /// Checks (`expected`) follow the place that they read; extremes of the whole member are dropped.
 ///
-/// \pre 0 < x < length of the flexible part \throws std::invalid_argument, with the model as it was
+/// \pre    0 < x < length of the flexible part
+/// \throws std::invalid_argument, with the model as it was
 SplitMember split_member(Model& model, MemberId member, double x);
 
 /// The same at a node that is there already. \pre the node lies at `x` and is no end of the member

@@ -11,8 +11,8 @@ namespace femoop {
 /// that no stiffness is lost where forces are found from strains instead of from displacements.
 ///
 ///      e = B d          bar   e = u2 - u1
-///      s = S e          beam  e = (phi1 - psi, phi2 - psi), psi = (v2 - v1) / L;  with a foundation also v1 / L, v2 /
-///      L
+///      s = S e          beam  e = (phi1 - psi, phi2 - psi), psi = (v2 - v1) / L;
+///                             with a foundation also v1 / L, v2 / L
 ///
 /// Source  natural modes [Przemieniecki1968, sec. 6.6]
 struct StrainForm {

@@ -93,8 +93,8 @@ template <class Visit> void visit_diagonal(const cholmod_factor& L, Visit&& visi
 Pivots CholmodSolver::factorize_ordered(const SparseMatrix& K, Signs signs)
 {
     if (signs != Signs::Positive)
-        throw std::invalid_argument("CHOLMOD's L L' has the roots of the pivots, which must be positive; take another "
-                                    "solver for an indefinite matrix");
+        throw std::invalid_argument("CHOLMOD's L L' has the roots of the pivots, which must be positive; "
+                                    "take another solver for an indefinite matrix");
     const auto n = static_cast<std::size_t>(K.cols());
     cholmod_sparse view_of_K = view(std::span(K.outerIndexPtr(), n + 1), K.innerIndexPtr(), K.valuePtr());
     const SerialLoops serial; // a team of threads for the scatter of each supernode costs more than the scatter

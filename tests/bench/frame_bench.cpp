@@ -124,8 +124,8 @@ void bench_size(bench::FrameSize size, int n_runs, double dgemm)
 void bench_sizes(bool with_largest)
 {
     const double dgemm = dgemm_rate();
-    std::printf("whole way from the model in memory to the last station, against what others need to analyse, factor "
-                "and solve\nthe same matrix by themselves; dgemm %.2f G operations/s\n",
+    std::printf("whole way from the model in memory to the last station, against what others need to analyse, "
+                "factor and solve\nthe same matrix by themselves; dgemm %.2f G operations/s\n",
                 1e-9 * dgemm);
     bench_size({19, 50}, 9, dgemm);
     bench_size({99, 100}, 7, dgemm);

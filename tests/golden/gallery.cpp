@@ -34,8 +34,8 @@ std::string escaped(const std::string& text)
 }
 
 constexpr const char* page_head =
-    "<!doctype html><meta charset=\"utf-8\"><style>body{font-family:sans-serif;margin:2em}"
-    "img{border:1px solid #888;max-width:100%}figure{margin:0 0 2em}</style>\n";
+    "<!doctype html><meta charset=\"utf-8\"><style>body{font-family:sans-serif;margin:2em}img{border:1px "
+    "solid #888;max-width:100%}figure{margin:0 0 2em}</style>\n";
 
 } // namespace
 

@@ -46,8 +46,7 @@ TEST_CASE("What goes wrong in a scenario is told with its line, what was found a
     CHECK(played(open + "click member XY 50%") ==
           "line 2: found \"member XY 50%\", wanted a place along a member of the model: AB, BC, CD");
     CHECK(played(open + "hover beam") ==
-          "line 2: found \"beam\", wanted a place: node B, member AB 50%, member AB 2.5, "
-          "(2, 0) or pixel 400 300");
+          "line 2: found \"beam\", wanted a place: node B, member AB 50%, member AB 2.5, (2, 0) or pixel 400 300");
     CHECK(played(open + "expect value member BC M at 50% is 60 kN·m") == "line 2: M: found 58.52 kN·m, wanted 60 kN·m");
     CHECK(played(open + "expect value member BC Q at 50% is 0 kN") ==
           "line 2: value: found \"Q\", wanted one of x, N, V, M, u, v");

@@ -21,9 +21,8 @@ std::string_view pattern(MeshFault fault)
     case MeshFault::NoPolygons: return "there is no face";
     case MeshFault::CutOff: return "the file ends before the points and faces that it announces";
     case MeshFault::SameDirection:
-        return "the edge from point {0} to point {1} runs the same way in two faces; turn one of them over, or there "
-               "are "
-               "more than two faces at the edge";
+        return "the edge from point {0} to point {1} runs the same way in two faces; "
+               "turn one of them over, or there are more than two faces at the edge";
     case MeshFault::OpenEdge: return "the surface is open at the edge from point {0} to point {1}; a solid's is closed";
     case MeshFault::PinchedPoint: return "the surface meets itself at point {0}; separate the two parts there";
     }

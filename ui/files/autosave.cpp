@@ -59,9 +59,9 @@ std::optional<Phrase> Autosave::told(Kept& kept, const std::error_code& hindranc
     const bool was_told = std::ranges::any_of(kept_, [](const auto& entry) { return entry.second.is_hindered; });
     kept.is_hindered = static_cast<bool>(hindrance);
     if (!hindrance || was_told) return std::nullopt;
-    return Phrase(translatable("what is not saved cannot be kept for the case of a crash: {folder}: {reason}; save "
-                               "often"),
-                  {{"folder", folder_.path.string()}, {"reason", hindrance.message()}});
+    return Phrase(
+        translatable("what is not saved cannot be kept for the case of a crash: {folder}: {reason}; save often"),
+        {{"folder", folder_.path.string()}, {"reason", hindrance.message()}});
 }
 
 void Autosave::forget_all_but(const std::vector<Unsaved>& documents)

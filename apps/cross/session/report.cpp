@@ -121,9 +121,10 @@ public:
     {
         if (!task_.kani) return missing();
         const fc::Kani& k = *task_.kani;
-        TextTable table{.notes = {tr_("Rotation contributions M', cycle by cycle; M = FEM + 2 M' + M' of the far end + "
-                                      "sway part.")},
-                        .head = ends_head(tr_("Cycle"))};
+        TextTable table{
+            .notes = {tr_(
+                "Rotation contributions M', cycle by cycle; M = FEM + 2 M' + M' of the far end + sway part.")},
+            .head = ends_head(tr_("Cycle"))};
         std::vector<std::string> factors{"μ"};
         for (const double factor : k.rotation_factor) factors.push_back(signed_factor(factor));
         table.rows.push_back(std::move(factors));
@@ -140,9 +141,9 @@ public:
     {
         if (!task_.equations) return missing();
         const fc::SlopeDeflection& s = *task_.equations;
-        TextTable table{.notes = {tr_("Moments at every joint and the work of every sway, A x = b, in the file's base "
-                                      "units.")},
-                        .head = {""}};
+        TextTable table{
+            .notes = {tr_("Moments at every joint and the work of every sway, A x = b, in the file's base units.")},
+            .head = {""}};
         for (Eigen::Index j = 0; j < s.x.size(); ++j) table.head.push_back(unknown(j));
         table.head.insert(table.head.end(), {"b", "x"});
         for (Eigen::Index i = 0; i < s.x.size(); ++i) {

@@ -204,8 +204,8 @@ private:
         const ui::Catalogue& tr = scene_.look.tr;
         std::string words;
         if (scene_.paper_stage == paper_.n_sheets())
-            words = tr("R: force of a prop in the loads' sheet (0) and in the sway's, x: how many times the sway is "
-                       "added, M: final moment");
+            words = tr("R: force of a prop in the loads' sheet (0) and in the sway's, x: "
+                       "how many times the sway is added, M: final moment");
         else {
             const std::string member = scene_.document.model[paper_.form.slenderest].id;
             const std::string unit = units_of(scene_.document.model, tr).unit(ui::Measure::Length).name;

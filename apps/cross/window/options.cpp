@@ -8,9 +8,8 @@ ui::AppOptions parse_options(int argc, const char* const* argv)
     ui::parse_one_file(
         {.name = "cross",
          .version = CREMONA_VERSION,
-         .purpose =
-             "Shows moment distribution at work: joints of a beam or plane frame are released by hand, one after the "
-             "other, in the deformed shape, the moment diagram and the calculation sheet.",
+         .purpose = "Shows moment distribution at work: joints of a beam or plane frame are released by hand, "
+                    "one after the other, in the deformed shape, the moment diagram and the calculation sheet.",
          .options = {.files = "model file (.json) to open; - opens what is redirected here, as a copy without a file",
                      .describe = "print the sheet and its results in words and leave; needs no display"}},
         options, argc, argv);

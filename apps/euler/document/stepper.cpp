@@ -181,8 +181,8 @@ ui::Phrase Stepper::warning(const std::vector<Change>& changes, std::size_t soli
     const auto found = off_plane(in.solid, changes.back());
     if (!found) return ui::Phrase("");
     return {
-        translatable("{vertex} lies outside the plane of face {face}: the links are right, but no flat face has such "
-                     "a ring."),
+        translatable(
+            "{vertex} lies outside the plane of face {face}: the links are right, but no flat face has such a ring."),
         {{"vertex", in.names.vertices.of(found->vertex)}, {"face", in.names.faces.of(found->face)}}};
 }
 

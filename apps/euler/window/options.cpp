@@ -17,8 +17,8 @@ Options parse_options(int argc, const char* const* argv)
         {.name = "euler",
          .version = CREMONA_VERSION,
          .purpose =
-             "Shows Euler operators at work: every step of a script in the picture, in the tables of the half-edge "
-             "structure and in the formula of Euler and Poincare, forward and back.",
+             "Shows Euler operators at work: every step of a script in the picture, "
+             "in the tables of the half-edge structure and in the formula of Euler and Poincare, forward and back.",
          .options = {.files = "script of Euler operators (.eul) to open",
                      .describe = "print the steps and the solids in words and leave; needs no display"}},
         options, argc, argv, add);

@@ -33,9 +33,10 @@ std::optional<ui::Phrase> lost_terms(const Model& before, const Model& after)
 std::optional<ui::Phrase> lost_checks(const Model& before, const Model& after)
 {
     if (after.expected.size() >= before.expected.size()) return std::nullopt;
-    return ui::Phrase(translatable("The model has known answers to be checked by, and those of what was deleted went "
-                                   "with it: {count}. Undo brings them back."),
-                      {{"count", std::to_string(before.expected.size() - after.expected.size())}});
+    return ui::Phrase(
+        translatable("The model has known answers to be checked by, and those of what was deleted went with it: "
+                     "{count}. Undo brings them back."),
+        {{"count", std::to_string(before.expected.size() - after.expected.size())}});
 }
 
 } // namespace

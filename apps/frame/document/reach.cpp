@@ -47,9 +47,11 @@ std::optional<ui::Phrase> why_not_in_reach(const Model& before, const Model& aft
     const auto far = std::ranges::find_if(after.nodes, [&](const Node& node) { return !(distance_of(node) <= reach); });
     if (far == after.nodes.end()) return std::nullopt;
     const auto length = [&](double value) { return quantity_text(value, dimension::length, after.units); };
-    return ui::Phrase(ui::translatable("nothing was changed: node {id} would lie {distance} off, where nodes beside "
-                                       "each other are one; stay within {reach}, and check the unit"),
-                      {{"id", far->id}, {"distance", length(distance_of(*far))}, {"reach", length(reach)}});
+    return ui::Phrase(
+        ui::translatable(
+            "nothing was changed: node {id} would lie {distance} off, where nodes beside each other are one; "
+            "stay within {reach}, and check the unit"),
+        {{"id", far->id}, {"distance", length(distance_of(*far))}, {"reach", length(reach)}});
 }
 
 } // namespace frame

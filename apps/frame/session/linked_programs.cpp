@@ -161,9 +161,9 @@ void LinkedPrograms::take_structure(Session& session, const Handed& handed, cons
     auto model = model_of(text);
     if (!model) return;
     if (!handed.members.empty()) {
-        session.notice = passing_notice(translatable(
-            "moment distribution has a part of the structure alone, which is not taken back; hand over the "
-            "whole structure instead"));
+        session.notice = passing_notice(
+            translatable("moment distribution has a part of the structure alone, which is not taken back; "
+                         "hand over the whole structure instead"));
         return;
     }
     session.change_soundly({translatable("Structure from moment distribution"),

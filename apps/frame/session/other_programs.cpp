@@ -147,8 +147,8 @@ std::optional<Phrase> why_no_forces(const Session& session)
     if (session.view.is_envelope)
         return Phrase(translatable("an envelope is no state of a section; choose a load case"));
     if (session.model().analysis != Frame2d && session.model().analysis != Truss2d)
-        return Phrase(translatable("a section's circle is that of a plane frame or truss; here members bend in other "
-                                   "planes too"));
+        return Phrase(translatable(
+            "a section's circle is that of a plane frame or truss; here members bend in other planes too"));
     return std::nullopt;
 }
 
@@ -203,13 +203,15 @@ std::variant<NamedFigure, Phrase> figure_of(const femoop::Model& model, MemberId
     const femoop::Section& section = model[*member.section];
     const auto words = section_text(section, model.units);
     if (!words)
-        return Phrase(translatable("section {name} is given by numbers alone, so its fibres are not known; "
-                                   "choose a profile or a shape"),
-                      {{"name", section.id}});
+        return Phrase(
+            translatable(
+                "section {name} is given by numbers alone, so its fibres are not known; choose a profile or a shape"),
+            {{"name", section.id}});
     if (section.A || section.Iz)
-        return Phrase(translatable("section {name} is {outline} with an area or a second moment of its own, which its "
-                                   "outline does not have, so its fibres are not known; take the own values away"),
-                      {{"name", section.id}, {"outline", *words}});
+        return Phrase(
+            translatable("section {name} is {outline} with an area or a second moment of its own, "
+                         "which its outline does not have, so its fibres are not known; take the own values away"),
+            {{"name", section.id}, {"outline", *words}});
     auto figure = mohr::section_figure(*words);
     if (auto* const reason = std::get_if<Phrase>(&figure)) return std::move(*reason);
     return NamedFigure{*words, std::get<femoop::mohr::SectionFigure>(std::move(figure))};
@@ -293,8 +295,8 @@ Notice told_of_distribution(const Session& session)
 {
     const std::string held = held_nodes(session);
     if (held.empty()) return passing_notice(translatable("the moments are distributed in a window of their own"));
-    return passing_notice({translatable("the moments are distributed in a window of their own; where members were left "
-                                        "out the nodes are held fixed: {nodes}"),
+    return passing_notice({translatable("the moments are distributed in a window of their own; "
+                                        "where members were left out the nodes are held fixed: {nodes}"),
                            {{"nodes", held}}});
 }
 

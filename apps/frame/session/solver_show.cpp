@@ -19,9 +19,10 @@ std::optional<ui::Phrase> why_not_trace(const Session& session)
         return translatable("The structure cannot be solved, so no front walks: see the problems.");
     const std::size_t n = session.model().nodes.size();
     if (n <= most_nodes) return std::nullopt;
-    return ui::Phrase(translatable("The model has {count} nodes; the walk of the front is shown of systems of {most} "
-                                   "unknowns or fewer."),
-                      {{"count", std::to_string(n)}, {"most", std::to_string(SolverTrace::most_unknowns)}});
+    return ui::Phrase(
+        translatable(
+            "The model has {count} nodes; the walk of the front is shown of systems of {most} unknowns or fewer."),
+        {{"count", std::to_string(n)}, {"most", std::to_string(SolverTrace::most_unknowns)}});
 }
 
 } // namespace

@@ -116,8 +116,8 @@ void tell_lost_case(Session& session, const NamedView& view)
     };
     const auto lost = std::ranges::find_if(view.envelope, is_lost);
     if (lost != view.envelope.end())
-        tell(translatable("{name}: the model has no load case or combination {case} any more; the envelope is without "
-                          "it"),
+        tell(translatable(
+                 "{name}: the model has no load case or combination {case} any more; the envelope is without it"),
              *lost);
     if (view.load_case && is_lost(*view.load_case))
         tell(translatable("{name}: the model has no load case or combination {case} any more; another is shown"),

@@ -25,11 +25,14 @@ std::vector<ReadingLine> reading(const femoop::Model& model, const femoop::Resul
 
 /// Draws the reading on a card beside a place of the sheet, where it covers the fewest strings of the picture so far:
 /// the values, and of one case the cut member with N, V and M as they act on it. Marks the section in every panel.
-/// \param top  of the part of the sheet that the card may cover [logical pixels]: the legend stands over it
 ///
-///         ____________      | V > 0 (along -y')
-///        |   member   | --->  N > 0 (tension)
-///         ------------  v ) M > 0 (counter-clockwise)
+///         ____________
+///        |   member   | ---> N > 0 (tension)
+///        |____________| |
+///                     ) v V > 0 (along -y')
+///                     M > 0 (counter-clockwise)
+///
+/// \param top  of the part of the sheet that the card may cover [logical pixels]: the legend stands over it
 void draw_reading(ui::Painter& painter, const femoop::Model& model, const femoop::Results& results,
                   const ViewOptions& options, const Cut& cut, ui::Point beside, double top = 0.0);
 

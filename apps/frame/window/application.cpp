@@ -364,10 +364,9 @@ std::optional<ui::Phrase> Application::export_as(const std::filesystem::path& pa
                                                  desk_.export_scale);
     context_.make_current(); // a PNG is drawn in a context of its own
     if (reason) return reason;
-    const std::string_view done = desk_.session.hidden
-                                      ? translatable("{file} was written without the results, which are hidden; H "
-                                                     "reveals them")
-                                      : translatable("{file} was written");
+    const std::string_view done =
+        desk_.session.hidden ? translatable("{file} was written without the results, which are hidden; H reveals them")
+                             : translatable("{file} was written");
     explain({done, {{"file", path.filename().string()}}});
     return reason;
 }

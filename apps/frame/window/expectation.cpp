@@ -37,8 +37,8 @@ std::optional<double> along(std::string_view text, double length)
 // member AB M at 50% is -12.5 kN·m
 Complaint value(const Application& application, std::string_view text)
 {
-    constexpr const char* form = "value: wanted member NAME QUANTITY at PLACE is VALUE, such as "
-                                 "\"member AB M at 50% is -12.5 kN·m\"";
+    constexpr const char* form =
+        "value: wanted member NAME QUANTITY at PLACE is VALUE, such as \"member AB M at 50% is -12.5 kN·m\"";
     const std::vector<std::string> words = words_of(text);
     const bool is_understood = words.size() >= 7 && words[0] == "member" && words[3] == "at" && words[5] == "is";
     if (!is_understood) return form;

@@ -17,10 +17,9 @@ Options parse_options(int argc, const char* const* argv)
 {
     Options options;
     std::string units, show, load_case;
-    CLI::App app(
-        "Shows a frame, truss or grillage at work: loads, supports, N, V, M, deformed shape; every number can be "
-        "changed and the results follow.",
-        "frame");
+    CLI::App app("Shows a frame, truss or grillage at work: loads, supports, N, V, M, deformed shape; "
+                 "every number can be changed and the results follow.",
+                 "frame");
     app.set_version_flag("--version", "frame " CREMONA_VERSION);
     ui::add_app_options(app, options, words);
     app.add_option(

@@ -100,8 +100,8 @@ int run(Options options)
     }
     if (!ui::Window::has_display()) {
         std::cerr << "frame: "
-                  << session.view.tr("there is no display to open a window on; --screenshot OUT.png draws without one, "
-                                     "and so does cremona render")
+                  << session.view.tr("there is no display to open a window on; "
+                                     "--screenshot OUT.png draws without one, and so does cremona render")
                   << '\n';
         return BadInput;
     }

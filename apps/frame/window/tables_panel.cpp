@@ -185,8 +185,8 @@ void TablesPanel::show_footer(const Session& session) const
         ImGui::TextColored(ImColor(red.r, red.g, red.b), "%s", message_.c_str());
         return;
     }
-    std::string text = tr("Type to change a cell: 25 kN/m, 2*3.5, 1/3. New rows at the end, or pasted from a "
-                          "spreadsheet.");
+    std::string text = tr(
+        "Type to change a cell: 25 kN/m, 2*3.5, 1/3. New rows at the end, or pasted from a spreadsheet.");
     if (is_envelope(kind_)) text = envelope_words(session.model(), session.results_view());
     else if (is_result(kind_)) text = tr("Case {case}", {{"case", session.model().case_name(session.view.load_case)}});
     ImGui::TextDisabled("%s", text.c_str());

@@ -118,9 +118,11 @@ void spacing_field(Desk& desk, ui::NumberFields& fields)
     const auto* const wanted = std::get_if<femoop::Quantity>(&typed);
     if (wanted != nullptr && wanted->value() > 0.0) spacing = *wanted;
     else
-        fields.reject(event, session.view.tr("{text} is no distance of the grid's lines; type a length above zero, or "
-                                             "nothing for a round one",
-                                             {{"text", event.text}}));
+        fields.reject(
+            event,
+            session.view.tr(
+                "{text} is no distance of the grid's lines; type a length above zero, or nothing for a round one",
+                {{"text", event.text}}));
 }
 
 void snap_settings(Desk& desk, const CommandTable& commands, ui::NumberFields& fields)

@@ -34,9 +34,8 @@ inline constexpr std::size_t n_strengths = 8;
 /// What is saved: a state, its numbers as they were typed, the plane that is looked at, and a criterion of failure.
 ///
 /// Numbers   State: the subject's components in the order of `names` (a rosette: three directions in degrees, then
-/// three
-///           readings; a section: N, V, M and the height of the fibre); Elasticity: E, nu; Strength: as StrengthPlace,
-///           phi in degrees
+///           three readings; a section: N, V, M and the height of the fibre); Elasticity: E, nu; Strength: as
+///           StrengthPlace, phi in degrees
 /// Units     as typed; strains in 1e-6
 struct Document {
     Subject subject = Subject::PlaneStress;

@@ -19,11 +19,9 @@ namespace {
 
 Phrase unknown(std::string_view text)
 {
-    return {
-        translatable(
-            "there is no section \"{text}\"; write a profile, such as IPE 300, or a shape with its dimensions, such "
-            "as rectangle b=90mm h=210mm"),
-        {{"text", std::string(text)}}};
+    return {translatable("there is no section \"{text}\"; write a profile, "
+                         "such as IPE 300, or a shape with its dimensions, such as rectangle b=90mm h=210mm"),
+            {{"text", std::string(text)}}};
 }
 
 /// "b=90mm", or why not.

@@ -322,12 +322,11 @@ void add_plane_remarks(const Solution& s, std::vector<Phrase>& all)
     const double largest = std::max(std::abs(first), std::abs(second));
     if (largest == 0.0) all.emplace_back(translatable("Everything is 0: the circle is a point at the origin."));
     else if (!angle)
-        all.emplace_back(translatable(
-            "The circle is a point: every direction is principal, no plane of this set has shear, and θp is "
-            "undefined."));
+        all.emplace_back(translatable("The circle is a point: every direction is principal, "
+                                      "no plane of this set has shear, and θp is undefined."));
     else if (is_small(s.circle.centre, largest))
-        all.emplace_back(translatable("Pure shear: the circle lies about the origin, and on the planes of largest "
-                                      "shear no normal component acts."));
+        all.emplace_back(translatable("Pure shear: the circle lies about the origin, "
+                                      "and on the planes of largest shear no normal component acts."));
     else if (is_small(second, first) || is_small(first, second))
         all.emplace_back(translatable("One principal value alone: the circle touches the shear axis."));
 }
@@ -341,18 +340,17 @@ void add_space_remarks(const Solution& s, std::vector<Phrase>& all)
         all.emplace_back(
             translatable("The three circles are a point: every direction is principal, and no plane has shear."));
     else if (is_small(v[0] - v[1], largest) || is_small(v[1] - v[2], largest))
-        all.emplace_back(translatable(
-            "Two principal values are equal: two circles are one, the third is a point, and every direction "
-            "square to the single one is principal."));
+        all.emplace_back(
+            translatable("Two principal values are equal: two circles are one, "
+                         "the third is a point, and every direction square to the single one is principal."));
 }
 
 void add_third_remark(const Solution& s, std::vector<Phrase>& all)
 {
     const double absolute = fm::absolute_largest_shear(s.space_principal);
     if (absolute <= s.circle.radius * (1.0 + 1e-9)) return;
-    all.emplace_back(translatable(
-        "The third principal value lies outside the circle of this plane, so the largest shear in space acts on "
-        "planes that are inclined to it."));
+    all.emplace_back(translatable("The third principal value lies outside the circle of this plane, "
+                                  "so the largest shear in space acts on planes that are inclined to it."));
 }
 
 } // namespace

@@ -57,12 +57,13 @@ std::array<double, 3> in_order(const Exercise& e, const Numbers& n)
 std::vector<Slip> largest_shear_slips(const Exercise& e, const Numbers& n)
 {
     const auto [s1, s2, s3] = in_order(e, n);
-    return {{n[Radius], translatable("this is the largest shear in the plane: the third principal stress lies outside "
-                                     "the circle")},
-            {s1 - s3, translatable("the difference of the extreme principal stresses is not halved")},
-            {0.5 * (s1 - s2), translatable("this is another circle: the largest lies between the extreme ones")},
-            {0.5 * (s2 - s3), translatable("this is another circle: the largest lies between the extreme ones")},
-            {0.5 * (s1 + s3), translatable("this is the centre: the shear is half the difference")}};
+    return {
+        {n[Radius],
+         translatable("this is the largest shear in the plane: the third principal stress lies outside the circle")},
+        {s1 - s3, translatable("the difference of the extreme principal stresses is not halved")},
+        {0.5 * (s1 - s2), translatable("this is another circle: the largest lies between the extreme ones")},
+        {0.5 * (s2 - s3), translatable("this is another circle: the largest lies between the extreme ones")},
+        {0.5 * (s1 + s3), translatable("this is the centre: the shear is half the difference")}};
 }
 
 std::vector<Slip> von_mises_slips(const Exercise& e, const Numbers& n)

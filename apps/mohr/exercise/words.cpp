@@ -154,8 +154,8 @@ std::string_view hint(Asked asked, const Exercise& e)
                                   : translatable("εz = 0 asks for σz = ν (σx + σy)");
     case StressFirst:
     case StressSecond:
-        return translatable("Hooke's law of plane stress: each stress is E/(1 − ν²) times its strain plus ν times the "
-                            "other");
+        return translatable(
+            "Hooke's law of plane stress: each stress is E/(1 − ν²) times its strain plus ν times the other");
     case I1: return translatable("I1 is the sum of the three normal stresses");
     case I2: return translatable("I2 is the sum of the three minors: σx σy − τxy², and so on round");
     case I3: return translatable("I3 is the determinant of the tensor");
@@ -176,8 +176,8 @@ std::string_view hint(Asked asked, const Exercise& e)
     case FactorTresca: return translatable("fy over the difference of the extreme of the three principal stresses");
     case FactorVonMises: return translatable("fy over von Mises' stress");
     case FactorRankine:
-        return translatable("compare the largest tension with ft and the largest compression with fc; the smaller "
-                            "factor governs");
+        return translatable(
+            "compare the largest tension with ft and the largest compression with fc; the smaller factor governs");
     case FactorCoulomb: return translatable("the largest circle, grown, touches the line: c cos φ over R + C sin φ");
     }
     return "";

@@ -18,27 +18,26 @@ std::string_view space_sentence(fm::ConstructionStage stage)
     using enum fm::ConstructionStage;
     switch (stage) {
     case ThreeValues:
-        return translatable("Mark the principal values, the roots of σ³ − I1 σ² + I2 σ − I3 = 0: σ1 = {s1}, σ2 = {s2}, "
-                            "σ3 = {s3}.");
+        return translatable(
+            "Mark the principal values, the roots of σ³ − I1 σ² + I2 σ − I3 = 0: σ1 = {s1}, σ2 = {s2}, σ3 = {s3}.");
     case LargestCircle: return translatable("Over σ1 and σ3 draw the largest circle: centre {c13}, radius {r13}.");
     case UpperCircle:
-        return translatable("Over σ1 and σ2 draw a circle: centre {c12}, radius {r12}. It has the planes that contain "
-                            "direction 3.");
+        return translatable(
+            "Over σ1 and σ2 draw a circle: centre {c12}, radius {r12}. It has the planes that contain direction 3.");
     case LowerCircle:
-        return translatable("Over σ2 and σ3 draw a circle: centre {c23}, radius {r23}. The point of every plane lies "
-                            "between the three circles.");
+        return translatable("Over σ2 and σ3 draw a circle: centre {c23}, radius {r23}. "
+                            "The point of every plane lies between the three circles.");
     case SpaceShear:
-        return translatable("The highest point of the largest circle is the largest shear, {r13}. Its plane contains "
-                            "direction 2 and halves the angle between directions 1 and 3.");
+        return translatable("The highest point of the largest circle is the largest shear, {r13}. "
+                            "Its plane contains direction 2 and halves the angle between directions 1 and 3.");
     case FromFirst:
         return translatable(
-            "The plane's normal makes α = {alpha}° with direction 1: from σ1 draw a line inclined to the "
-            "upright by α. Through the points where it meets both circles of σ1 draw an arc about the "
-            "centre of the circle over σ2 and σ3.");
+            "The plane's normal makes α = {alpha}° with direction 1: "
+            "from σ1 draw a line inclined to the upright by α. Through "
+            "the points where it meets both circles of σ1 draw an arc about the centre of the circle over σ2 and σ3.");
     case FromThird:
-        return translatable(
-            "It makes γ = {gamma}° with direction 3: likewise a line from σ3, and an arc about the centre "
-            "of the circle over σ1 and σ2.");
+        return translatable("It makes γ = {gamma}° with direction 3: likewise a line from σ3, "
+                            "and an arc about the centre of the circle over σ1 and σ2.");
     case ArcsMeet:
         return translatable("Both arcs meet in N, the point of the plane: read off σ = {on} and τ = {onshear}.");
     default: return "";
@@ -59,20 +58,21 @@ std::string_view sentence(fm::ConstructionStage stage)
             "Join X and Y. The line meets the {normal} axis in C, halfway: ({x} + {addedy})/2 = {centre}.");
     case Circle: return translatable("Set the compass in C, open it to X, and draw the circle: R = {radius}.");
     case PrincipalValues:
-        return translatable("Where the circle meets the {normal} axis there is no shear: {first} = C + R = "
-                            "{firstvalue}, {second} = C − R = {secondvalue}.");
+        return translatable("Where the circle meets the {normal} axis there is no shear: "
+                            "{first} = C + R = {firstvalue}, {second} = C − R = {secondvalue}.");
     case LargestShear:
-        return translatable("The highest and the lowest point have the largest shear of these planes, R = {radius}, "
-                            "and both have the normal component {centre}.");
+        return translatable("The highest and the lowest point have the largest shear of these planes, "
+                            "R = {radius}, and both have the normal component {centre}.");
     case Pole:
-        return translatable("Through X draw a line parallel to the face x, which is upright. Where it meets the circle "
-                            "again is the pole P.");
+        return translatable("Through X draw a line parallel to the face x, which is upright. "
+                            "Where it meets the circle again is the pole P.");
     case PrincipalPlanes:
-        return translatable("Draw lines from P to both principal points: they are parallel to the principal planes. "
-                            "The normal of the first plane makes θp = {thetap}° with x.");
+        return translatable(
+            "Draw lines from P to both principal points: "
+            "they are parallel to the principal planes. The normal of the first plane makes θp = {thetap}° with x.");
     case Plane:
-        return translatable("From P draw a line parallel to the plane, whose normal makes θ = {theta}° with x. It "
-                            "meets the circle in N: read off {n} and {nshear}.");
+        return translatable("From P draw a line parallel to the plane, whose normal makes θ = {theta}° with x. "
+                            "It meets the circle in N: read off {n} and {nshear}.");
     case Point:
         return translatable("X and Y are one point, so the circle is this point: every direction is principal.");
     default: return space_sentence(stage);
@@ -100,9 +100,8 @@ std::string space_caption(fm::ConstructionStage stage, const Solution& s, const 
         return look.number(per_degree * fm::angle_with(s.space_principal, direction, s.on_plane.normal));
     };
     if (stage == Axes)
-        return look.tr(
-            "Draw the axes at one scale: σ to the right, τ up. In space the shear on a plane is a size, so all "
-            "happens above the axis.");
+        return look.tr("Draw the axes at one scale: σ to the right, τ up. "
+                       "In space the shear on a plane is a size, so all happens above the axis.");
     if (stage == Point)
         return look.tr("The three values are one, so the circles are this point: every direction is principal.");
     return look.tr(space_sentence(stage), {{"s1", look.number(v[0])},

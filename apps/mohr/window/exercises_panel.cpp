@@ -61,9 +61,9 @@ void ExercisesPanel::show(Desk& desk, const CommandTable& commands)
     for (const char* id : {"exercise.easy", "exercise.medium", "exercise.hard"}) ui::command_button(desk, commands, id);
     ImGui::Separator();
     if (!desk.session.practice()) {
-        ui::wrapped_text(desk.tr()(
-            "An exercise gives a state and asks for what follows from it. Answers are judged one by one; what "
-            "follows from a number that was wrong counts as right."));
+        ui::wrapped_text(
+            desk.tr()("An exercise gives a state and asks for what follows from it. "
+                      "Answers are judged one by one; what follows from a number that was wrong counts as right."));
         return;
     }
     ui::wrapped_text(given_words(desk.session));

@@ -11,10 +11,8 @@ namespace mohr {
 
 /// Mohr's circle as scenarios see it, without a screen. What can be expected of it: expectation.h.
 ///
-///     places      face x | face y | plane | centre | first | second | third | arrow x | arrow y | arrow shear | turn |
-///     cursor
-///     |
-///                 normal | fibre | circle (50, -40) | pixel 400 300
+///     places      face x | face y | plane | centre | first | second | third | arrow x | arrow y | arrow shear |
+///                 turn | cursor | normal | fibre | circle (50, -40) | pixel 400 300
 ///     arguments   file.open, file.save, file.export take a path; state.set a name and a number: sigma_x 12 MPa, as the
 ///                 files' places count: 1 12 MPa; plane.turn degrees; plane.normal three numbers; state.principal
 ///                 three; construction.step a number; exercise.answer the question's number and the answer

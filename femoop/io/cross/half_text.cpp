@@ -41,10 +41,10 @@ private:
                                          : translatable("Antisymmetric about x = {0}: there is no joint to balance."),
                            {axis});
         return written(is_symmetric_
-                           ? translatable("Symmetric about x = {0}: it is enough to balance {1}; what stands on the "
-                                          "other side turns by as much the other way round.")
-                           : translatable("Antisymmetric about x = {0}: it is enough to balance {1}; what stands on "
-                                          "the other side turns by as much the same way."),
+                           ? translatable("Symmetric about x = {0}: it is enough to balance {1}; "
+                                          "what stands on the other side turns by as much the other way round.")
+                           : translatable("Antisymmetric about x = {0}: it is enough to balance {1}; "
+                                          "what stands on the other side turns by as much the same way."),
                        {axis, named(joints)});
     }
 
@@ -52,11 +52,10 @@ private:
     {
         std::vector<std::string> names;
         for (const EndId end : crossing_ends(half_)) names.push_back(half_[end].label);
-        return written(is_symmetric_
-                           ? translatable("Members that cross the axis turn their ends against one another: they take "
-                                          "{0} and carry nothing over: {1}.")
-                           : translatable("Members that cross the axis turn both ends the same way: they take {0} and "
-                                          "carry nothing over: {1}."),
+        return written(is_symmetric_ ? translatable("Members that cross the axis turn their ends against one another: "
+                                                    "they take {0} and carry nothing over: {1}.")
+                                     : translatable("Members that cross the axis turn both ends the same way: "
+                                                    "they take {0} and carry nothing over: {1}."),
                        {stiffness(), named(names)});
     }
 

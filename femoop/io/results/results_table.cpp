@@ -323,11 +323,10 @@ TextTable fixed_end_table(const MemberTrace& trace, const MemberTrace::FixedEnd&
 std::string constraint_text(Constraint constraint, const Translator& tr)
 {
     return constraint == Constraint::Rigid
-               ? tr("The member is rigid: a constraint ties its ends, and it has no stiffness and no fixed-end forces "
-                    "of its own.")
-               : tr("The member is inextensible: a constraint ties its ends along its axis, so that it has no "
-                    "stiffness "
-                    "and no fixed-end forces there.");
+               ? tr("The member is rigid: a constraint ties its ends, "
+                    "and it has no stiffness and no fixed-end forces of its own.")
+               : tr("The member is inextensible: a constraint ties its ends along its axis, "
+                    "so that it has no stiffness and no fixed-end forces there.");
 }
 
 std::string equations_text(const MemberTrace& trace, const Translator& tr)

@@ -51,13 +51,13 @@ public:
         const bool by_unknowns = walk_.counts.n_unknowns <= most_columns;
         if (!by_unknowns && walk_.order.size() > most_columns)
             return "\n" + tr_("L has too many columns to be written in letters; draw it with -o.") + "\n";
-        std::string text = "\n" +
-                           fill(by_unknowns ? tr_("L in {0} order: an x where K has an entry, an o where "
-                                                  "elimination fills one in")
-                                            : tr_("L by blocks, in {0} order: an x where K has entries, "
-                                                  "an o where elimination fills some in"),
-                                {words_}) +
-                           "\n";
+        std::string text =
+            "\n" +
+            fill(by_unknowns
+                     ? tr_("L in {0} order: an x where K has an entry, an o where elimination fills one in")
+                     : tr_("L by blocks, in {0} order: an x where K has entries, an o where elimination fills some in"),
+                 {words_}) +
+            "\n";
         std::vector<std::string> labels;
         std::vector<std::size_t> block_of; // of each line: place in the order
         for (std::size_t place = 0; place < walk_.order.size(); ++place) {
@@ -78,8 +78,8 @@ public:
         for (std::size_t i = 0; i < matrix.places.size(); ++i)
             labels.push_back((i < matrix.n_eliminated ? "* " : "  ") + block_at(at(matrix.places[i])).name);
         const std::string title = fill(
-            tr_("The matrix of front {0} by blocks, * eliminated: K from K, u from the update "
-                "matrices of children, o filled in by its own elimination"),
+            tr_("The matrix of front {0} by blocks, * eliminated: "
+                "K from K, u from the update matrices of children, o filled in by its own elimination"),
             {std::to_string(step + 1)});
         if (labels.size() > most_columns)
             return "\n" + tr_("The front has too many blocks to be written in letters; draw it with -o.") + "\n";
@@ -160,10 +160,9 @@ std::string head(const SolverTrace& trace, const Translator& tr)
                              std::to_string(counts.n_entries_of_K)}) +
                        "\n" + tr("A block is what comes and goes together: the free displacements of a node.") + "\n";
     if (trace.has_constraints)
-        text +=
-            tr("Constraints make some of the unknowns follow others, and the solver leaves these out; the system is "
-               "shown before that.") +
-            "\n";
+        text += tr("Constraints make some of the unknowns follow others, and the solver leaves these out; "
+                   "the system is shown before that.") +
+                "\n";
     return text;
 }
 
@@ -180,8 +179,8 @@ std::string choice(const SolverTrace& trace, const Translator& tr)
     if (trace.wanted != SolverKind::Automatic) return text + "\n";
     return text + "\n" +
            tr(trace.solver == SolverKind::Skyline
-                  ? translatable("The profile is narrow enough: the skyline, which keeps no lists of places, is the "
-                                 "fastest although it also keeps zeros.")
+                  ? translatable("The profile is narrow enough: the skyline, "
+                                 "which keeps no lists of places, is the fastest although it also keeps zeros.")
                   : translatable("The profile is wide: dense fronts up the tree are faster than the skyline.")) +
            "\n";
 }
@@ -197,9 +196,9 @@ std::string comparison(const SolverTrace& trace, const Translator& tr)
                        whole(counts.n_profile_operations)});
     }
     return section(tr("Orders of elimination"), table, tr) +
-           tr("Operations are multiplications and divisions. Of fronts the largest is counted in rows, the height of "
-              "their\ntree in levels, what waits at one time in entries of update matrices. The profile is what the "
-              "skyline keeps.") +
+           tr("Operations are multiplications and divisions. "
+              "Of fronts the largest is counted in rows, the height of their\ntree in levels, "
+              "what waits at one time in entries of update matrices. The profile is what the skyline keeps.") +
            "\n";
 }
 

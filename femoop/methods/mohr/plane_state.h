@@ -12,9 +12,9 @@ namespace femoop::mohr {
 ///          ^   xy -->             Rows and columns of the tensor: [x xy; xy y].
 ///      +-------+  ^
 ///      |       |  | xy            stress   x, y tension positive; xy positive along +y on the face +x
-///      |       | -----> x         strain   x, y elongation positive; xy = gamma_xy / 2, half the loss of the right
-///      angle
-///      +-------+                  inertia  x = Ix = int y^2 dA, y = Iy = int x^2 dA, xy = -Ixy = -int x y dA
+///      |       | -----> x         strain   x, y elongation positive; xy = gamma_xy / 2, half the loss of the
+///      +-------+                           right angle
+///                                 inertia  x = Ix = int y^2 dA, y = Iy = int x^2 dA, xy = -Ixy = -int x y dA
 ///
 /// Units   any, the same for the three
 /// Source  [TimoshenkoGoodier1970], plane stress at a point; [Mohr1882]

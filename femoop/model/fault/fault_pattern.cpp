@@ -8,24 +8,23 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::NoSupport:
         return "no node is supported, so nothing keeps the structure from moving as a whole; add supports";
     case FaultKind::PartWithoutSupport:
-        return "no node of the part {0} is supported, so nothing keeps it from moving as a whole; add supports or join "
-               "it to the rest";
+        return "no node of the part {0} is supported, so nothing keeps it from moving as a whole; "
+               "add supports or join it to the rest";
     case FaultKind::TooFewSupports:
-        return "the supports hold {1} of the {2} ways in which the structure can move as a whole; add supports, or let "
-               "them act in other directions";
+        return "the supports hold {1} of the {2} ways in which the structure can move as a whole; "
+               "add supports, or let them act in other directions";
     case FaultKind::PartWithTooFewSupports:
-        return "the supports hold {1} of the {2} ways in which the part {0} can move as a whole; add supports, or join "
-               "it to the rest";
+        return "the supports hold {1} of the {2} ways in which the part {0} can move as a whole; "
+               "add supports, or join it to the rest";
     case FaultKind::MechanismSwayX:
-        return "structure can move without strain: nodes {0} sway to the right together; nothing holds ux; add a brace "
-               "or "
-               "a support";
+        return "structure can move without strain: nodes {0} sway to the right together; "
+               "nothing holds ux; add a brace or a support";
     case FaultKind::MechanismSwayY:
-        return "structure can move without strain: nodes {0} move along y together; nothing holds uy; add a brace or a "
-               "support";
+        return "structure can move without strain: nodes {0} move along y together; "
+               "nothing holds uy; add a brace or a support";
     case FaultKind::MechanismSwayZ:
-        return "structure can move without strain: nodes {0} move up together; nothing holds uz; add a brace or a "
-               "support";
+        return "structure can move without strain: nodes {0} move up together; "
+               "nothing holds uz; add a brace or a support";
     case FaultKind::MechanismMoveX:
         return "structure can move without strain: node {0} moves along x; nothing holds ux; add a brace or a support";
     case FaultKind::MechanismMoveY:
@@ -35,51 +34,47 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::MechanismMoveOblique:
         return "structure can move without strain: {0} can move along {1}; add a brace or a support";
     case FaultKind::MechanismTurn:
-        return "structure can move without strain: nodes {0} turn together about {1}; add a support, a brace or a "
-               "rigid "
-               "joint";
+        return "structure can move without strain: nodes {0} turn together about {1}; "
+               "add a support, a brace or a rigid joint";
     case FaultKind::MechanismNodeTurns:
-        return "structure can move without strain: node {0} rotates freely, nothing holds {1}; add a support or a "
-               "rigid joint";
+        return "structure can move without strain: node {0} rotates freely, nothing holds {1}; "
+               "add a support or a rigid joint";
     case FaultKind::MechanismSpin:
-        return "structure can move without strain: node {0} rotates freely, nothing holds {1}; add a support or a "
-               "rigid "
-               "joint, or take the moment away";
+        return "structure can move without strain: node {0} rotates freely, nothing holds {1}; "
+               "add a support or a rigid joint, or take the moment away";
     case FaultKind::MechanismSpins:
-        return "structure can move without strain: {0} rotate freely; add a support or a rigid joint against the "
-               "rotation";
+        return "structure can move without strain: {0} rotate freely; "
+               "add a support or a rigid joint against the rotation";
     case FaultKind::MechanismMixed:
-        return "structure can move without strain: nodes {0} move, {1} along {2}; add a brace, a support or a "
-               "rigid joint";
+        return "structure can move without strain: nodes {0} move, {1} along {2}; "
+               "add a brace, a support or a rigid joint";
     case FaultKind::MechanismMemberSwings:
-        return "structure can move without strain: member {0} swings about node {1}, its other end is released; take a "
-               "release away or hold the rotation of node {1}";
+        return "structure can move without strain: member {0} swings about node {1}, its other end is released; "
+               "take a release away or hold the rotation of node {1}";
     case FaultKind::MechanismMemberFlies:
-        return "structure can move without strain: member {0} is loose, its releases leave {1} free; take a release "
-               "away";
+        return "structure can move without strain: member {0} is loose, "
+               "its releases leave {1} free; take a release away";
     case FaultKind::ConstraintConflict:
-        return "case {1}: {0} cannot follow the imposed settlement, temperature or misfit, being inextensible or "
-               "rigid; take one such constraint away";
+        return "case {1}: {0} cannot follow the imposed settlement, "
+               "temperature or misfit, being inextensible or rigid; take one such constraint away";
     case FaultKind::StiffnessBeyondRange:
-        return "the stiffness at {0} is beyond the range of numbers; check E, the sections, the lengths and their "
-               "units";
+        return "the stiffness at {0} is beyond the range of numbers; "
+               "check E, the sections, the lengths and their units";
     case FaultKind::ResultsBeyondRange:
-        return "case {0}: its forces or displacements are beyond the range of numbers; check the loads, the lengths "
-               "and "
-               "their units";
+        return "case {0}: its forces or displacements are beyond the range of numbers; "
+               "check the loads, the lengths and their units";
     case FaultKind::MemoryInsufficient:
-        return "a system of {0} equations takes {1} GB of memory to solve, and {2} GB are free; close other "
-               "programs or make the model smaller";
+        return "a system of {0} equations takes {1} GB of memory to solve, and {2} GB are free; "
+               "close other programs or make the model smaller";
     case FaultKind::NearlySingular:
-        return "structure is nearly a mechanism: condition estimate {0}, softest at {1}; results may have few correct "
-               "digits; check supports, releases and very small stiffnesses";
+        return "structure is nearly a mechanism: condition estimate {0}, softest at {1}; "
+               "results may have few correct digits; check supports, releases and very small stiffnesses";
     case FaultKind::HugeDisplacement:
-        return "node {0} moves {1} in case {2}, which is no small displacement: the structure is nearly a mechanism, "
-               "or "
-               "far too soft; check supports, releases, stiffnesses and units";
+        return "node {0} moves {1} in case {2}, which is no small displacement: "
+               "the structure is nearly a mechanism, or far too soft; check supports, releases, stiffnesses and units";
     case FaultKind::InaccurateCase:
-        return "case {0}: loads and reactions balance to {1} digits only, and no more of any result is sure; members "
-               "of very unlike lengths or stiffnesses bring that: make them more alike";
+        return "case {0}: loads and reactions balance to {1} digits only, and no more of any result is sure; "
+               "members of very unlike lengths or stiffnesses bring that: make them more alike";
     case FaultKind::IllConditionedCase:
         return "case {0} cannot be solved: the structure holds, but is too ill-conditioned for its forces to balance, "
                "even with 32 digits; use fewer members in a row, or members of more alike lengths and stiffnesses";
@@ -91,17 +86,16 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::FileNotUtf8:
         return "line {0}, column {1}: byte {2} is not UTF-8 text; save the file as UTF-8 (a model file is plain text)";
     case FaultKind::FileWithControlCharacter:
-        return "line {0}, column {1}: control character {2}; a model file is plain text: is this another kind of file? "
-               "Save it as UTF-8 text";
+        return "line {0}, column {1}: control character {2}; "
+               "a model file is plain text: is this another kind of file? Save it as UTF-8 text";
     case FaultKind::FileWithSecondMark:
         return "the file begins with two byte-order marks (U+FEFF), wanted none or one; save it again as UTF-8";
     case FaultKind::JsonTooDeep:
-        return "line {0}, column {1}: brackets nest deeper than {2}; no model file needs that: look for a bracket that "
-               "is "
-               "never closed";
+        return "line {0}, column {1}: brackets nest deeper than {2}; "
+               "no model file needs that: look for a bracket that is never closed";
     case FaultKind::JsonCutOff:
-        return "line {0}, column {1}: the file ends here with brackets or quotation marks still open; is it cut off? "
-               "Close them or fetch the whole file";
+        return "line {0}, column {1}: the file ends here with brackets or quotation marks still open; "
+               "is it cut off? Close them or fetch the whole file";
     case FaultKind::JsonOpenText:
         return "line {0}, column {1}: text without a closing quotation mark; add the mark before the line ends";
     case FaultKind::JsonComment: return "line {0}, column {1}: found {2}; JSON has no comments: use \"notes\"";
@@ -119,11 +113,11 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::JsonNumberTooLarge:
         return "line {0}, column {1}: {2} is beyond the range of numbers (1.8e308); write a smaller one";
     case FaultKind::JsonAfterEnd:
-        return "line {0}, column {1}: found {2} after the end of the model; a file holds one JSON object: take the "
-               "rest away";
+        return "line {0}, column {1}: found {2} after the end of the model; "
+               "a file holds one JSON object: take the rest away";
     case FaultKind::JsonUnexpected:
-        return "line {0}, column {1}: found {2}, which JSON does not allow here; take it away, or look for a bracket "
-               "or quotation mark that is missing before it";
+        return "line {0}, column {1}: found {2}, which JSON does not allow here; "
+               "take it away, or look for a bracket or quotation mark that is missing before it";
     case FaultKind::RepeatedKey: return "{0}: key is given twice in one object; keep one of them";
 
     case FaultKind::RepeatedDof: return "{0}: \"{1}\" stands at {2} already; keep one of them";
@@ -143,8 +137,8 @@ std::string_view pattern(FaultKind kind)
         return "{0}: found a list of {1}, wanted the names of 2 nodes; name the first and the second";
     case FaultKind::WrongVectorSize: return "{0}: found a list of {1}, wanted 3 numbers; give x, y and z";
     case FaultKind::WrongLineLoadSize:
-        return "{0}: found a list of {1}, wanted one number or two [value at \"from\", value at \"to\"]; leave out the "
-               "others or add one";
+        return "{0}: found a list of {1}, wanted one number or two [value at \"from\", value at \"to\"]; "
+               "leave out the others or add one";
     case FaultKind::BadPercentage: return "{0}: cannot read \"{1}\" as a percentage; write it like \"50%\"";
     case FaultKind::BadMode:
         return "{0}: found {1}, wanted the number of a mode (1, 2, ...), \"max\" or \"min\"; write one of these";
@@ -170,9 +164,8 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::QuantityBadUnit:
         return "{0}: \"{1}\": cannot read the unit at \"{2}\"; join units with * / and ^, like kN*m/rad or cm^4";
     case FaultKind::QuantityUnknownUnit:
-        return "{0}: \"{1}\": no unit \"{2}\"; there are m mm cm km in ft, N kN MN lbf kip tf kgf, Pa kPa MPa GPa psi "
-               "ksi, "
-               "kg g t lb, s ms Hz, deg rad, K degC degF";
+        return "{0}: \"{1}\": no unit \"{2}\"; there are m mm cm km in ft, "
+               "N kN MN lbf kip tf kgf, Pa kPa MPa GPa psi ksi, kg g t lb, s ms Hz, deg rad, K degC degF";
     case FaultKind::QuantityUnknownUnitNear: return "{0}: \"{1}\": no unit \"{2}\"; did you mean \"{3}\"?";
     case FaultKind::QuantityWrongDimension: return "{0}: \"{1}\" measures {2}, wanted {3}, in {4} for example";
     case FaultKind::QuantityUnwantedUnit: return "{0}: \"{1}\" measures {2}, wanted a plain number; take the unit away";
@@ -187,8 +180,8 @@ std::string_view pattern(FaultKind kind)
         return "{0}: refers to entry {2} of {1}, which has {3}; refer to one that is there";
     case FaultKind::NotFinite: return "{0}: {1} is {2}; give a finite number";
     case FaultKind::OutOfReach:
-        return "{0}: {1} is {2}, too far for stiffnesses to be reckoned with; give a length up to {3}, and check its "
-               "unit";
+        return "{0}: {1} is {2}, too far for stiffnesses to be reckoned with; "
+               "give a length up to {3}, and check its unit";
     case FaultKind::NotPositive: return "{0}: {1} is {2}; give a value greater than 0";
     case FaultKind::Negative: return "{0}: {1} is {2}; give 0 or a positive value";
     case FaultKind::ZeroStiffness:
@@ -204,15 +197,14 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::ShapeSizeUnwanted: return "{0}: shape {1} has no \"{2}\"; take it away: its sizes are {3}";
     case FaultKind::ShapeTooThick: return "{0}: {1} is {2}, which is not less than {3} = {4}; make it thinner";
     case FaultKind::UnknownProfile:
-        return "{0}: no profile \"{1}\"; there are IPE, HEA, HEB, HEM, UPN and AISC W: name one of these, or give the "
-               "section's shape or properties";
+        return "{0}: no profile \"{1}\"; there are IPE, HEA, HEB, HEM, UPN and AISC W: "
+               "name one of these, or give the section's shape or properties";
     case FaultKind::UnknownProfileNear: return "{0}: no profile \"{1}\"; did you mean \"{2}\"?";
     case FaultKind::MissingProperty:
         return "{0}: {1} is missing, which {2} needs for member \"{3}\"; add it, a shape or a profile";
     case FaultKind::IyzLeftOut:
-        return "{0}: shape {1} bends about y' and z' through its centroid: Iyz and the shear centre's distance are "
-               "left out; "
-               "expect this where the member is held against bending sideways and twisting";
+        return "{0}: shape {1} bends about y' and z' through its centroid: Iyz and the shear centre's "
+               "distance are left out; expect this where the member is held against bending sideways and twisting";
     case FaultKind::RollerNotPlane:
         return "{0}: \"roller\" is for truss2d and frame2d, this is {1}; use {\"fixed\": [...]}";
     case FaultKind::AngleNotPlane: return "{0}: \"angle\" is for truss2d and frame2d, this is {1}; take it away";
@@ -232,8 +224,8 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::OffsetSize:
         return "{0}: its {1} offset has {2} lengths, which {3} does not; give one per coordinate";
     case FaultKind::TrussOffsetAcross:
-        return "{0}: {1} offset {2} lies {3} across the member, whose moment no node of a truss can take; give the "
-               "part along the member, {4}, or use {5} with bars";
+        return "{0}: {1} offset {2} lies {3} across the member, whose moment no node of a truss can take; "
+               "give the part along the member, {4}, or use {5} with bars";
     case FaultKind::ReleaseDofLacking:
         return "{0}: releases {1} at its {2}, which a member of {3} does not have; take it away: there are {4}";
     case FaultKind::EndSpringDofLacking:
@@ -246,12 +238,11 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::FoundationOfBar:
         return "{0}: has a foundation but carries axial force only; take the foundation away or use a frame member";
     case FaultKind::FoundationTooStiff:
-        return "{0}: foundation y {1} is too stiff for the member of {2}; give {3} or less, or hold its nodes by "
-               "supports instead";
+        return "{0}: foundation y {1} is too stiff for the member of {2}; "
+               "give {3} or less, or hold its nodes by supports instead";
     case FaultKind::OneWayMember:
-        return "{0}: takes tension only or compression only, which the linear analysis cannot follow: it counts as an "
-               "ordinary "
-               "member there";
+        return "{0}: takes tension only or compression only, which the linear analysis cannot follow: "
+               "it counts as an ordinary member there";
     case FaultKind::UpNot3d: return "{0}: \"up\" is for 3D models, this is {1}; take it away";
     case FaultKind::UpSize: return "{0}: \"up\" has {1} numbers, wanted 3; give x, y and z";
     case FaultKind::UpZero: return "{0}: \"up\" is the zero vector; give a direction";
@@ -267,8 +258,8 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::MembersOverlap:
         return "{0}: lies on member \"{1}\" around {2}; delete one, or split them where they part";
     case FaultKind::MemberPassesNode:
-        return "{0}: passes node \"{1}\" at {2} without being joined to it; if it is joined there, split it at the "
-               "node";
+        return "{0}: passes node \"{1}\" at {2} without being joined to it; "
+               "if it is joined there, split it at the node";
     case FaultKind::MoreCrossings: return "and {0} more members that cross, overlap or pass a node";
 
     case FaultKind::LoadDofLacking:
@@ -277,8 +268,8 @@ std::string_view pattern(FaultKind kind)
         return "{0}: node \"{1}\" carries a load but no member is joined to it; join one or move the load";
     case FaultKind::EmptyLoad: return "{0}: does nothing: it has no component; give one or delete it";
     case FaultKind::SettlementOfFreeDof:
-        return "{0}: {1} of node \"{2}\" is free, so it cannot be made to settle; fix it, give it a spring, or use a "
-               "load";
+        return "{0}: {1} of node \"{2}\" is free, so it cannot be made to settle; "
+               "fix it, give it a spring, or use a load";
     case FaultKind::MissingDensity:
         return "{0}: self_weight needs the density of material \"{1}\" (member \"{2}\"); add \"density\"";
     case FaultKind::MissingAreaForWeight:
@@ -293,9 +284,8 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::ProjectedMoment:
         return "{0}: {1} is a moment, which has no projected length; give it in a load of its own";
     case FaultKind::TorqueOnBar:
-        return "{0}: turns member \"{1}\" about its own axis, which a bar does not resist; take the torque away, or "
-               "take "
-               "\"bar\" from the member";
+        return "{0}: turns member \"{1}\" about its own axis, which a bar does not resist; "
+               "take the torque away, or take \"bar\" from the member";
     case FaultKind::TemperatureOfRigid:
         return "{0}: member \"{1}\" has no material and section that could be warmed; load another member";
     case FaultKind::MissingExpansion:
@@ -309,45 +299,42 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::CrossNeedsPlaneFrame:
         return "moment distribution works on continuous beams and plane frames, not on a {0}; make the model a frame2d";
     case FaultKind::CrossRigidMember:
-        return "member {0} is rigid, and moment distribution has no stiffness factor for it; give it a section, or "
-               "join "
-               "its nodes";
+        return "member {0} is rigid, and moment distribution has no stiffness factor for it; "
+               "give it a section, or join its nodes";
     case FaultKind::CrossSkewOffset:
         return "member {0} has an offset across its axis, which couples its axial force with the moments at its joint; "
                "take the offset away or let it lie along the member";
     case FaultKind::CrossAxialSpring:
-        return "member {0} has a spring along its axis, and moment distribution takes members as axially rigid; take "
-               "the spring away";
+        return "member {0} has a spring along its axis, "
+               "and moment distribution takes members as axially rigid; take the spring away";
     case FaultKind::CrossTooLarge:
         return "the structure has {0} nodes, and a sheet of moment distribution is made for {1} at most; use solve";
     case FaultKind::CrossWithoutCase: return "the model has no load case to distribute; add one to load_cases";
     case FaultKind::CrossJointFree:
-        return "joint {0} has no stiffness against rotation, so nothing takes its moment {1}; join a member rigidly to "
-               "it, hold its rotation, or take the moment away";
+        return "joint {0} has no stiffness against rotation, so nothing takes its moment {1}; "
+               "join a member rigidly to it, hold its rotation, or take the moment away";
     case FaultKind::CrossNoSuchJoint: return "{0} is no joint that can be balanced; choose from {1}";
     case FaultKind::CrossSteps:
-        return "after {0} steps joint {2} still has an unbalance of {1}, more than the tolerance {3}; give a larger "
-               "tolerance, more digits, or an order with every joint";
+        return "after {0} steps joint {2} still has an unbalance of {1}, more than the tolerance {3}; "
+               "give a larger tolerance, more digits, or an order with every joint";
     case FaultKind::CrossSwayUndetermined:
-        return "the sways of the structure are resisted by nothing, so that their equations have no solution; add a "
-               "brace or a support";
+        return "the sways of the structure are resisted by nothing, so that their equations have no solution; "
+               "add a brace or a support";
     case FaultKind::CrossNoSuchEnd: return "{0}: there is no member end \"{1}\"; choose from {2}";
     case FaultKind::CrossNodeWithoutImage:
-        return "the structure is not symmetric about x = {1}: node {0} has no mirror image at {2}; move a node, or "
-               "balance the whole structure";
+        return "the structure is not symmetric about x = {1}: "
+               "node {0} has no mirror image at {2}; move a node, or balance the whole structure";
     case FaultKind::CrossEndWithoutImage:
-        return "the structure is not symmetric about x = {1}: member end {0} has no mirror image at node {2} with the "
-               "same stiffness and carry-over; make members and supports alike on both sides, or balance the whole "
-               "structure";
+        return "the structure is not symmetric about x = {1}: "
+               "member end {0} has no mirror image at node {2} with the same stiffness and carry-over; "
+               "make members and supports alike on both sides, or balance the whole structure";
     case FaultKind::CrossSkewLoads:
-        return "the loads are neither symmetric nor antisymmetric about x = {4}: fixed-end moments or loads on joints "
-               "are {1} at {0} and {3} at {2}, wanted opposite ones everywhere or equal ones everywhere; change a "
-               "load, "
-               "or balance the whole structure";
+        return "the loads are neither symmetric nor antisymmetric about x = {4}: "
+               "fixed-end moments or loads on joints are {1} at {0} and {3} at {2}, wanted "
+               "opposite ones everywhere or equal ones everywhere; change a load, or balance the whole structure";
     case FaultKind::CrossSkewSway:
-        return "the sway with the prop at node {0} is neither symmetric nor antisymmetric about x = {1}; hold the "
-               "sway, "
-               "or balance the whole structure";
+        return "the sway with the prop at node {0} is neither symmetric nor antisymmetric about x = {1}; "
+               "hold the sway, or balance the whole structure";
     case FaultKind::CrossSheetTooLong: return "{0}: found {1} rows, and the sheet has {2}; give as many";
 
     case FaultKind::ExpectedWithoutCase:

@@ -31,10 +31,11 @@ TEST_SUITE_BEGIN("cremona");
 TEST_CASE("A script's solids are counted, validated, and the lengths of their loops sorted")
 {
     const Run run = cremona({"euler", "-", "--json"}, lamina + "mvr s1 f2 w 1 1 0\nmvfs b g u 0 0 0\n");
-    CHECK(run.out ==
-          "{\"solids\": {\"s1\": {\"V\": 4, \"E\": 3, \"F\": 2, \"L\": 3, \"S\": 1, \"G\": 0, \"euler\": 0, "
-          "\"valid\": true, \"loops\": [1, 3, 3]}, \"b\": {\"V\": 1, \"E\": 0, \"F\": 1, \"L\": 1, \"S\": 1, "
-          "\"G\": 0, \"euler\": 0, \"valid\": true, \"loops\": [1]}}, \"steps\": 6}\n");
+    CHECK(
+        run.out ==
+        "{\"solids\": {\"s1\": {\"V\": 4, \"E\": 3, \"F\": 2, \"L\": "
+        "3, \"S\": 1, \"G\": 0, \"euler\": 0, \"valid\": true, \"loops\": [1, 3, 3]}, \"b\": {\"V\": 1, \"E\": "
+        "0, \"F\": 1, \"L\": 1, \"S\": 1, \"G\": 0, \"euler\": 0, \"valid\": true, \"loops\": [1]}}, \"steps\": 6}\n");
     CHECK(has(cremona({"euler", "-"}, lamina).out, "s1     3  3  2  2  1  0  0                   yes\n"));
     CHECK(has(cremona({"euler", "-", "--lang", "pt"}, lamina).out, "passos: 4\n"));
 }
@@ -43,9 +44,8 @@ TEST_CASE("A ring outside the plane of its face is told on stderr, and the scrip
 {
     const Run run = cremona({"euler", "-", "--json"}, lamina + "mvr s1 f2 w 3 1 0.5\n");
     CHECK(run.status == 0);
-    CHECK(run.err ==
-          "mvr s1 f2 w 3 1 0.5: w lies outside the plane of face f2: the links are right, but no flat face has "
-          "such a ring.\n");
+    CHECK(run.err == "mvr s1 f2 w 3 1 0.5: w lies outside the plane of face f2: "
+                     "the links are right, but no flat face has such a ring.\n");
     CHECK(cremona({"euler", "-"}, lamina + "mvr s1 f2 w 3 1 0\n").err.empty());
 }
 

@@ -69,10 +69,9 @@ TEST_SUITE("palette")
         const std::vector<Entity> legal = draft.legal_picks(lesson.runner());
         CHECK(legal.size() == 4);
         CHECK(has(legal, corner(lesson, "f1", "v4")));
-        CHECK(
-            english(draft.why_not(lesson.runner(), corner(lesson, "f1", "w"))) ==
-            "one half-edge lies in loop l1 and the other in loop l3; an operator for two loops is MEKR, for two faces "
-            "KEF");
+        CHECK(english(draft.why_not(lesson.runner(), corner(lesson, "f1", "w"))) ==
+              "one half-edge lies in loop l1 and the other in loop l3; "
+              "an operator for two loops is MEKR, for two faces KEF");
         CHECK(english(draft.why_not(lesson.runner(), face(lesson, "f1"))) == "f1 is no half-edge");
     }
 

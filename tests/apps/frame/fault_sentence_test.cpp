@@ -75,9 +75,8 @@ TEST_SUITE("frame fault sentence")
         CHECK(sentence(faults[0], ui::Catalogue(ui::Language::Portuguese)) ==
               "Caso T, carga na barra CD: topo e base diferem, o que exige a altura da seção column (barra CD); "
               "preencha Altura h (Seções)");
-        CHECK(femoop::message(temperature) ==
-              "load_cases[3].members[0]: top and bottom differ, which needs the depth of section \"column\" (member "
-              "\"CD\"); add \"h\"");
+        CHECK(femoop::message(temperature) == "load_cases[3].members[0]: top and bottom differ, "
+                                              "which needs the depth of section \"column\" (member \"CD\"); add \"h\"");
     }
 
     TEST_CASE("Without the model a part is told by its number")

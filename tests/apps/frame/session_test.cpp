@@ -265,8 +265,8 @@ TEST_SUITE("frame session")
         };
         REQUIRE(moved_to(-1e100));
         CHECK(ui::Catalogue()(*moved_to(-1e100)) ==
-              "nothing was changed: node C would lie 1e100 m off, where nodes beside each other are one; stay within "
-              "100000 m, and check the unit");
+              "nothing was changed: node C would lie 1e100 m off, where nodes beside each other are one; "
+              "stay within 100000 m, and check the unit");
         CHECK(moved_to(-100001.0));
         CHECK(desk.session.document() == before);
         CHECK(!desk.session.history().can_undo());

@@ -93,12 +93,12 @@ std::vector<BadFile> files_that_are_no_text()
          "line 1, column 2: byte 0xF5 is not UTF-8 text; save the file as UTF-8 (a model file is plain text)"},
         {"{\xe2\x82",
          "line 1, column 2: byte 0xE2 is not UTF-8 text; save the file as UTF-8 (a model file is plain text)"},
-        {std::string("PK\x03\x04\0", 5), "line 1, column 3: control character 0x03; a model file is plain text: is "
-                                         "this another kind of file? Save it as UTF-8 text"},
-        {"{\"title\": \"a\tb\"}", "line 1, column 13: control character 0x09; a model file is plain text: is this "
-                                  "another kind of file? Save it as UTF-8 text"},
-        {std::string("{\0}", 3), "line 1, column 2: control character 0x00; a model file is plain text: is this "
-                                 "another kind of file? Save it as UTF-8 text"},
+        {std::string("PK\x03\x04\0", 5), "line 1, column 3: control character 0x03; a model file is plain text: "
+                                         "is this another kind of file? Save it as UTF-8 text"},
+        {"{\"title\": \"a\tb\"}", "line 1, column 13: control character 0x09; "
+                                  "a model file is plain text: is this another kind of file? Save it as UTF-8 text"},
+        {std::string("{\0}", 3), "line 1, column 2: control character 0x00; a model file is plain text: "
+                                 "is this another kind of file? Save it as UTF-8 text"},
     };
 }
 
@@ -107,8 +107,9 @@ std::vector<BadFile> files_that_are_no_json()
     return {
         {R"({"cremona": 1, "nodes": [)", "line 1, column 26: the file ends here with brackets or quotation marks still "
                                          "open; is it cut off? Close them or fetch the whole file"},
-        {"{\"cremona\": 1,\n \"title\": \"Por", "line 2, column 15: the file ends here with brackets or quotation "
-                                                "marks still open; is it cut off? Close them or fetch the whole file"},
+        {"{\"cremona\": 1,\n \"title\": \"Por",
+         "line 2, column 15: the file ends here with brackets or quotation marks still open; "
+         "is it cut off? Close them or fetch the whole file"},
         {R"({"cremona": 1)", "line 1, column 14: the file ends here with brackets or quotation marks still open; is it "
                              "cut off? Close them or fetch the whole file"},
         {R"({"hinge": tr)", "line 1, column 13: the file ends here with brackets or quotation marks still open; is it "
@@ -158,10 +159,10 @@ std::vector<BadFile> files_that_are_no_json()
         {R"({"id": *})", "line 1, column 8: found *, which JSON does not allow here; take it away, or look for a "
                          "bracket or quotation mark that is missing before it"},
         {"{\"x\": " + std::string(64, '[') + std::string(64, ']') + "}",
-         "line 1, column 70: brackets nest deeper than 64; no model file needs that: look for a bracket that is never "
-         "closed"},
-        {std::string(1'000'000, '['), "line 1, column 65: brackets nest deeper than 64; no model file needs that: look "
-                                      "for a bracket that is never closed"},
+         "line 1, column 70: brackets nest deeper than 64; "
+         "no model file needs that: look for a bracket that is never closed"},
+        {std::string(1'000'000, '['), "line 1, column 65: brackets nest deeper than 64; "
+                                      "no model file needs that: look for a bracket that is never closed"},
         {"\xef\xbb\xbf{\"E\": \xc3\xa9}",
          "line 1, column 7: found \xc3\xa9; write keys and texts between two \" marks"},
     };
@@ -205,14 +206,13 @@ std::vector<BadFile> files_with_bad_keys()
          "members[0] \"AB\": found a list of 3, wanted the names of 2 nodes; name the first and the second"},
         {space(R"(, "up": [0, 1])").text(), "members[0].up: found a list of 2, wanted 3 numbers; give x, y and z"},
         {with_load(R"("kind": "distributed", "qy": [-1, -2, -3])"),
-         "load_cases[0].members[0].qy: found a list of 3, wanted one number or two [value at \"from\", value at "
-         "\"to\"]; "
-         "leave out the others or add one"},
+         "load_cases[0].members[0].qy: found a list of 3, "
+         "wanted one number or two [value at \"from\", value at \"to\"]; leave out the others or add one"},
         {with_load(R"("kind": "point", "fy": -9, "at": "half%")"),
          "load_cases[0].members[0].at: cannot read \"half%\" as a percentage; write it like \"50%\""},
         {with_check(R"("quantity": "frequency", "analysis": "modal", "which": 1.5)"),
-         "expected[0].which: found 1.5, wanted the number of a mode (1, 2, ...), \"max\" or \"min\"; write one of "
-         "these"},
+         "expected[0].which: found 1.5, wanted the number of a mode (1, "
+         "2, ...), \"max\" or \"min\"; write one of these"},
         {with_section(R"([{"id": "s", "A": 0.012, "Iz": 2e-4, "bf": 0.2}])"),
          "sections[0] \"s\": \"bf\" is the size of a shape; add \"shape\" or take \"bf\" away"},
         {with_members(R"([{"id": "AB", "nodes": ["A", "B"], "material": "m", "section": "s"},
@@ -263,11 +263,10 @@ std::vector<BadFile> files_with_bad_quantities()
         {with_E("205"),
          "materials[0].E: \"205\" has no unit; write \"12.5 kN/m^2\" for example, or a number without quotation marks"},
         {with_E("2,05 GPa"), "materials[0].E: \"2,05 GPa\" has a comma; write a decimal point"},
-        {with_E("205 GPa GPa"), "materials[0].E: \"205 GPa GPa\": cannot read the unit at \"GPa\"; join units with * / "
-                                "and ^, like kN*m/rad or cm^4"},
-        {with_E("205 bar"), "materials[0].E: \"205 bar\": no unit \"bar\"; there are m mm cm km in ft, N kN MN lbf kip "
-                            "tf kgf, Pa kPa MPa GPa psi "
-                            "ksi, kg g t lb, s ms Hz, deg rad, K degC degF"},
+        {with_E("205 GPa GPa"), "materials[0].E: \"205 GPa GPa\": cannot read the unit at \"GPa\"; "
+                                "join units with * / and ^, like kN*m/rad or cm^4"},
+        {with_E("205 bar"), "materials[0].E: \"205 bar\": no unit \"bar\"; there are m mm cm km in ft, "
+                            "N kN MN lbf kip tf kgf, Pa kPa MPa GPa psi ksi, kg g t lb, s ms Hz, deg rad, K degC degF"},
         {with_E("205 Gpa"), "materials[0].E: \"205 Gpa\": no unit \"Gpa\"; did you mean \"GPa\"?"},
         {with_E("205 kN"),
          "materials[0].E: \"205 kN\" measures force, wanted stress or force per area, in kN/m^2 for example"},
@@ -338,8 +337,8 @@ std::vector<BadFile> files_with_bad_materials_and_sections()
         {with_section(R"([{"id": "s", "profile": "IPE 310"}])"),
          "sections[0] \"s\": no profile \"IPE 310\"; did you mean \"IPE300\"?"},
         {with_section(R"([{"id": "s", "profile": "rail"}])"),
-         "sections[0] \"s\": no profile \"rail\"; there are IPE, HEA, HEB, HEM, UPN and AISC W: name one of these, or "
-         "give the section's shape or properties"},
+         "sections[0] \"s\": no profile \"rail\"; there are IPE, HEA, HEB, HEM, UPN and AISC W: "
+         "name one of these, or give the section's shape or properties"},
     };
 }
 
@@ -354,8 +353,8 @@ std::vector<BadFile> files_with_bad_nodes()
              R"([{"id": "A", "at": [0, 0], "support": "fixed"}, {"id": "B", "at": [6, 0], "support": "pinned"}])"),
          "nodes[1].support: \"pinned\" is none of fixed, pin, roller; choose one of them"},
         {with_nodes(R"([{"id": "A", "at": [0, 0], "support": "fixed"}, {"id": "B", "at": ["4e160 m", 0]}])"),
-         "nodes[1] \"B\": x is 4e160 m, too far for stiffnesses to be reckoned with; give a length up to 1e100 m, and "
-         "check its unit"},
+         "nodes[1] \"B\": x is 4e160 m, too far for stiffnesses to be reckoned with; "
+         "give a length up to 1e100 m, and check its unit"},
         {truss_roller,
          "nodes[0] \"A\": \"roller\" is for truss2d and frame2d, this is truss3d; use {\"fixed\": [...]}"},
         {File{
@@ -384,8 +383,8 @@ std::vector<BadFile> files_with_bad_nodes()
         {File{.nodes = R"([{"id": "A\u001b[2J", "at": [0, 0]}, {"id": "B", "at": [6, 0]}])",
               .members = R"([{"id": "AB", "nodes": ["A\u001b[2J", "B"], "material": "m", "section": "s"}])"}
              .text(),
-         "nodes[0] \"A\\u001b[2J\": the id has a control character, such as a line break or a tab; use letters, "
-         "digits and blanks"},
+         "nodes[0] \"A\\u001b[2J\": the id has a control character, such as a line break or a tab; "
+         "use letters, digits and blanks"},
         {with_members(R"([{"id": "AB", "nodes": ["A", "B\r\u007f"], "material": "m", "section": "s"}])"),
          "members[0] \"AB\": no node \"B\\u000d\\u007f\"; add the node or name another"},
         {with_nodes(R"([{"id": "A", "at": [0, 0]}, {"id": "B", "at": [6, 0], "mass": {"uz": 5}}])"),
@@ -393,9 +392,8 @@ std::vector<BadFile> files_with_bad_nodes()
         {with_nodes(R"([{"id": "A", "at": [0, 0]}, {"id": "B", "at": [6, 0], "mass": {"ux": -5}}])"),
          "nodes[1] \"B\": mass ux is -5 kN*s^2/m; give 0 or a positive value"},
         {with_nodes("[{\"id\": \"A\", \"at\": [\"\u22123 cm\", 0]}, {\"id\": \"B\", \"at\": [6, 0]}]"),
-         "nodes[0].at[0]: \"\u22123 cm\" begins with a dash, wanted a number and its unit; write the minus as a "
-         "hyphen: "
-         "\"-3 cm\""},
+         "nodes[0].at[0]: \"\u22123 cm\" begins with a dash, wanted a number and its unit; "
+         "write the minus as a hyphen: \"-3 cm\""},
         {with_nodes(R"([{"id": "A", "at": ["zero", 0]}, {"id": "B", "at": [6, 0]}])"),
          "nodes[0].at[0]: \"zero\" does not begin with a number; write a number and its unit, like \"12.5 m\""},
     };
@@ -418,9 +416,8 @@ std::vector<BadFile> files_with_bad_members()
         {with_member_keys(R"("start": {"offset": [4, 0]}, "end": {"offset": [-4, 0]})"),
          "members[0] \"AB\": its offsets leave nothing of the 6 m between its nodes; shorten them"},
         {with_member_keys(R"("start": {"offset": [0, -3e101]})"),
-         "members[0] \"AB\": start offset is -3e101 m, too far for stiffnesses to be reckoned with; give a length up "
-         "to "
-         "1e100 m, and check its unit"},
+         "members[0] \"AB\": start offset is -3e101 m, too far for stiffnesses to be reckoned with; "
+         "give a length up to 1e100 m, and check its unit"},
         {with_member_keys(R"("start": {"offset": [1, 0, 0]})"),
          "members[0].start.offset: found a list of 3, wanted 2 lengths in frame2d; give one per coordinate"},
         {File{
@@ -428,14 +425,14 @@ std::vector<BadFile> files_with_bad_members()
              .members =
                  R"([{"id": "AB", "nodes": ["A", "B"], "material": "m", "section": "s", "end": {"offset": [-0.5, 0.25]}}])"}
              .text(),
-         "members[0] \"AB\": end offset (-0.5, 0.25) m lies 0.25 m across the member, whose moment no node of a truss "
-         "can take; give the part along the member, (-0.5, 0) m, or use frame2d with bars"},
+         "members[0] \"AB\": end offset (-0.5, 0.25) m lies 0.25 m across the member, whose "
+         "moment no node of a truss can take; give the part along the member, (-0.5, 0) m, or use frame2d with bars"},
         {with_member_keys(R"("start": {"release": ["ry"]})"),
-         "members[0] \"AB\": releases ry at its start, which a member of frame2d does not have; take it away: there "
-         "are ux uy rz"},
+         "members[0] \"AB\": releases ry at its start, which a member of frame2d does not have; "
+         "take it away: there are ux uy rz"},
         {with_member_keys(R"("end": {"spring": {"uz": 5}})"),
-         "members[0] \"AB\": has a spring for uz at its end, which a member of frame2d does not have; take it away: "
-         "there are ux uy rz"},
+         "members[0] \"AB\": has a spring for uz at its end, which a member of frame2d does not have; "
+         "take it away: there are ux uy rz"},
         {with_member_keys(R"("end": {"spring": {"rz": -5}})"),
          "members[0] \"AB\": end spring rz is -5 kN*m/rad; give a value greater than 0"},
         {with_member_keys(R"("end": {"release": ["rz"], "spring": {"rz": "8000 kN*m/rad"}})"),
@@ -450,27 +447,27 @@ std::vector<BadFile> files_with_bad_members()
          "members[0] \"AB\": takes tension only and compression only, so nothing; keep one"},
         {with_member_keys(R"("foundation": {"y": 0})"),
          "members[0] \"AB\": foundation is 0 kN/m^2, which holds nothing; take it away or give a value greater than 0"},
-        {with_member_keys(R"("foundation": {"y": 1e300})"), "members[0] \"AB\": foundation y 1e300 kN/m^2 is too stiff "
-                                                            "for the member of 6 m; give 1e25 kN/m^2 or less, or hold "
-                                                            "its nodes by supports instead"},
+        {with_member_keys(R"("foundation": {"y": 1e300})"),
+         "members[0] \"AB\": foundation y 1e300 kN/m^2 is too stiff for the member of 6 m; "
+         "give 1e25 kN/m^2 or less, or hold its nodes by supports instead"},
         {with_member_keys(R"("foundation": 5000)"),
          "members[0].foundation: found a number, wanted an object; write it like {\"...\": ...}"},
         {with_member_keys(R"("start": "hinge")"),
          "members[0].start: found a text, wanted an object; write it like {\"...\": ...}"},
         {with_member_keys(R"("end": {"spring": {"rz": "0 kN*m/rad"}})"),
-         "members[0] \"AB\": end spring rz is 0 kN*m/rad, which is a full release; write \"release\": [\"rz\"] or "
-         "give a value greater than 0"},
+         "members[0] \"AB\": end spring rz is 0 kN*m/rad, which is a full release; "
+         "write \"release\": [\"rz\"] or give a value greater than 0"},
         {with_member_keys(R"("end": {"release": ["rz", "rz"]})"),
          "members[0].end.release[1]: \"rz\" stands at members[0].end.release[0] already; keep one of them"},
         {File{.analysis = R"("truss2d")",
               .members =
                   R"([{"id": "AB", "nodes": ["A", "B"], "material": "m", "section": "s", "foundation": {"y": 5000}}])"}
              .text(),
-         "members[0] \"AB\": has a foundation but carries axial force only; take the foundation away or use a frame "
-         "member"},
+         "members[0] \"AB\": has a foundation but carries axial force only; "
+         "take the foundation away or use a frame member"},
         {with_member_keys(R"("bar": true, "foundation": {"y": 5000})"),
-         "members[0] \"AB\": has a foundation but carries axial force only; take the foundation away or use a frame "
-         "member"},
+         "members[0] \"AB\": has a foundation but carries axial force only; "
+         "take the foundation away or use a frame member"},
         {with_member_keys(R"("theory": "bernoulli")"),
          "members[0].theory: \"bernoulli\" is none of euler-bernoulli, timoshenko; choose one of them"},
         {with_member_keys(R"("up": [0, 0, 1])"),
@@ -489,20 +486,19 @@ std::vector<BadFile> files_with_bad_loads()
         {with_loads(truss(), R"("nodes": [{"node": "B", "mz": 5}])"),
          "load_cases[0].nodes[0]: mz works on rz, which truss2d does not have there; take it away: there are ux uy"},
         {with_loads(grillage(), R"("members": [{"member": "AB", "kind": "distributed", "qy": -5}])"),
-         "load_cases[0].members[0]: qy works on uy, which grillage does not have there; take it away: there are uz rx "
-         "ry"},
+         "load_cases[0].members[0]: qy works on uy, which grillage does not have there; "
+         "take it away: there are uz rx ry"},
         {with_loads(grillage(), R"("members": [{"member": "AB", "kind": "distributed", "qz": -5, "axes": "local"}])"),
-         "load_cases[0].members[0]: qz works on uz, which grillage does not have there; take it away: there are uy rx "
-         "rz"},
+         "load_cases[0].members[0]: qz works on uz, which grillage does not have there; "
+         "take it away: there are uy rx rz"},
         {with_load(R"("kind": "ends", "start_mx": 5)"), "load_cases[0].members[0]: start_mx works on rx, which frame2d "
                                                         "does not have there; take it away: there are ux uy rz"},
         {with_case(R"("settlements": [{"node": "B", "uy": "-10 mm"}])"),
-         "load_cases[0].settlements[0]: uy of node \"B\" is free, so it cannot be made to settle; fix it, give it a "
-         "spring, or "
-         "use a load"},
+         "load_cases[0].settlements[0]: uy of node \"B\" is free, so it cannot be made to settle; "
+         "fix it, give it a spring, or use a load"},
         {with_case(R"("settlements": [{"node": "A", "uz": "-10 mm"}])"),
-         "load_cases[0].settlements[0]: uz works on uz, which frame2d does not have there; take it away: there are ux "
-         "uy rz"},
+         "load_cases[0].settlements[0]: uz works on uz, which frame2d does not have there; "
+         "take it away: there are ux uy rz"},
         {with_case(R"("self_weight": 1)"),
          "load_cases[0] \"G\": self_weight needs the density of material \"m\" (member \"AB\"); add \"density\""},
         {File{.analysis = R"("grillage")",
@@ -525,21 +521,20 @@ std::vector<BadFile> files_with_bad_loads()
          "load_cases[0].members[0]: a projected load has global axes; take \"axes\" or \"projected\" away"},
         {space(R"(, "bar": true)", case_text(R"("members": [{"member": "AB", "kind": "point", "at": 2, "mx": 3}])"))
              .text(),
-         "load_cases[0].members[0]: turns member \"AB\" about its own axis, which a bar does not resist; take the "
-         "torque "
-         "away, or take \"bar\" from the member"},
+         "load_cases[0].members[0]: turns member \"AB\" about its own axis, which a bar does not resist; "
+         "take the torque away, or take \"bar\" from the member"},
         {with_load(R"("kind": "distributed", "mz": -4, "projected": true)"),
          "load_cases[0].members[0]: mz is a moment, which has no projected length; give it in a load of its own"},
         {with_load(R"("kind": "temperature", "top": 10, "bottom": 10)"),
-         "load_cases[0].members[0]: material \"m\" of member \"AB\" has no coefficient of thermal expansion; add "
-         "\"alpha\""},
+         "load_cases[0].members[0]: "
+         "material \"m\" of member \"AB\" has no coefficient of thermal expansion; add \"alpha\""},
         {File{
              .materials = R"([{"id": "m", "E": 2e8, "alpha": 1.2e-5}])",
              .more =
                  R"(, "load_cases": [{"id": "G", "members": [{"member": "AB", "kind": "temperature", "top": 10, "bottom": 30}]}])"}
              .text(),
-         "load_cases[0].members[0]: top and bottom differ, which needs the depth of section \"s\" (member \"AB\"); add "
-         "\"h\""},
+         "load_cases[0].members[0]: top and bottom differ, "
+         "which needs the depth of section \"s\" (member \"AB\"); add \"h\""},
         {File{
              .materials = "[]",
              .sections = "[]",
@@ -547,19 +542,19 @@ std::vector<BadFile> files_with_bad_loads()
              .more =
                  R"(, "load_cases": [{"id": "G", "members": [{"member": "AB", "kind": "temperature", "top": 10, "bottom": 10}]}])"}
              .text(),
-         "load_cases[0].members[0]: member \"AB\" has no material and section that could be warmed; load another "
-         "member"},
+         "load_cases[0].members[0]: "
+         "member \"AB\" has no material and section that could be warmed; load another member"},
         {with_loads(grillage(), R"("members": [{"member": "AB", "kind": "misfit", "elongation": "2 mm"}])"),
          "load_cases[0].members[0]: a misfit works along the member, which a grillage cannot feel; take the load away"},
         {with_load(R"("kind": "temperature", "top": 10)"), "load_cases[0].members[0]: \"bottom\" is missing; add it"},
-        {with_load(R"("kind": "distribute", "qy": -4)"), "load_cases[0].members[0].kind: \"distribute\" is none of "
-                                                         "distributed, point, ends, temperature, misfit; did you mean "
-                                                         "\"distributed\"?"},
+        {with_load(R"("kind": "distribute", "qy": -4)"),
+         "load_cases[0].members[0].kind: \"distribute\" is none of distributed, point, ends, temperature, misfit; "
+         "did you mean \"distributed\"?"},
         {with_load(R"("qy": -4)"), "load_cases[0].members[0]: \"kind\" is missing; add it"},
         {with_load(R"("kind": "point", "fy": -4)"), "load_cases[0].members[0]: \"at\" is missing; add it"},
         {with_load(R"("kind": "point", "qy": -4, "at": 1)"),
-         "load_cases[0].members[0].qy: unknown key; take it away or use one of member, kind, at, fx, fy, fz, mx, my, "
-         "mz, axes"},
+         "load_cases[0].members[0].qy: unknown key; take it away or use one of member, "
+         "kind, at, fx, fy, fz, mx, my, mz, axes"},
         {File{.more = R"(, "load_cases": [{"id": "G"}], "combinations": [{"id": "G", "factors": {"G": 1.35}}])"}.text(),
          "combinations[0] \"G\": the id is taken by load_cases[0] already; choose another"},
         {File{.more = R"(, "combinations": [{"id": "U", "factors": {"V": 1}}, {"id": "V", "factors": {"U": 1}}])"}
@@ -619,15 +614,16 @@ std::vector<BadFile> files_with_warnings()
          "nodes[2] \"C\": no member is joined to this node; join one or delete the node"},
         {R"({"cremona": 1, "analysis": "frame2d", "units": {"length": "m", "force": "kN"}, "nodes": [], "members": []})",
          "the model has no members: there is nothing to analyse; add some"},
-        {File{.nodes = cross, .members = two}.text(), "members[1] \"CD\": crosses member \"AB\" at (2, 0) m without a "
-                                                      "node; if they are joined there, add a node and split both"},
+        {File{.nodes = cross, .members = two}.text(),
+         "members[1] \"CD\": crosses member \"AB\" at (2, 0) m without a node; "
+         "if they are joined there, add a node and split both"},
         {File{
              .nodes =
                  R"([{"id": "A", "at": [0, 0]}, {"id": "B", "at": [6, 0]}, {"id": "C", "at": [2, 0]}, {"id": "D", "at": [2, 1]}])",
              .members = two}
              .text(),
-         "members[0] \"AB\": passes node \"C\" at (2, 0) m without being joined to it; if it is joined there, split it "
-         "at the node"},
+         "members[0] \"AB\": passes node \"C\" at (2, 0) m without being joined to it; "
+         "if it is joined there, split it at the node"},
         {File{
              .nodes =
                  R"([{"id": "A", "at": [0, 0]}, {"id": "B", "at": [6, 0]}, {"id": "C", "at": [2, 0]}, {"id": "D", "at": [8, 0]}])",
@@ -637,16 +633,15 @@ std::vector<BadFile> files_with_warnings()
         {with_members(R"([{"id": "AB", "nodes": ["A", "B"], "material": "m", "section": "s"},
                           {"id": "BA", "nodes": ["B", "A"], "material": "m", "section": "s"}])"),
          "members[1] \"BA\": lies on member \"AB\" around (3, 0) m; delete one, or split them where they part"},
-        {with_member_keys(R"("tension_only": true)"), "members[0] \"AB\": takes tension only or compression only, "
-                                                      "which the linear analysis cannot follow: it counts as an "
-                                                      "ordinary member there"},
+        {with_member_keys(R"("tension_only": true)"),
+         "members[0] \"AB\": takes tension only or compression only, which the linear analysis cannot follow: "
+         "it counts as an ordinary member there"},
         {with_case(R"("nodes": [{"node": "B"}])"),
          "load_cases[0].nodes[0]: does nothing: it has no component; give one or delete it"},
         {with_load(R"("kind": "distributed", "from": 1)"),
          "load_cases[0].members[0]: does nothing: it has no component; give one or delete it"},
         {with_section(R"([{"id": "s", "shape": "l", "h": "100 mm", "b": "75 mm", "t": "10 mm"}])"),
-         "sections[0] \"s\": shape l bends about y' and z' through its centroid: Iyz and the shear centre's distance "
-         "are left "
-         "out; expect this where the member is held against bending sideways and twisting"},
+         "sections[0] \"s\": shape l bends about y' and z' through its centroid: Iyz and the shear "
+         "centre's distance are left out; expect this where the member is held against bending sideways and twisting"},
     };
 }

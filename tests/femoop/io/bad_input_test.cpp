@@ -88,10 +88,10 @@ TEST_CASE("A member between two nodes at one place has no length, and the nodes 
 {
     CHECK(faults_of(
               File{.nodes = R"([{"id": "A", "at": [2, 0], "support": "fixed"}, {"id": "B", "at": [2, 0]}])"}.text()) ==
-          "members[0] \"AB\": length is 0 m because nodes \"A\" and \"B\" are both at (2, 0) m; move a node or delete "
-          "the member\n"
-          "nodes[1] \"B\": lies where node \"A\" lies, at (2, 0) m; the two are not joined: use one of them or move "
-          "one\n");
+          "members[0] \"AB\": length is 0 m because nodes \"A\" and \"B\" are both at (2, 0) m; "
+          "move a node or delete the member\n"
+          "nodes[1] \"B\": lies where node \"A\" lies, at (2, 0) m; "
+          "the two are not joined: use one of them or move one\n");
 }
 
 TEST_CASE("A load on a node without members is an error, the lonely node a warning")
@@ -140,11 +140,10 @@ TEST_CASE("A fault in an entry hides no other fault of the same entry")
         "load_cases[0].members[0]: no member \"XY\"; add the member or name another\n"
         "load_cases[0].members[1].fy: found a list, wanted a number, or a text with a unit; write it like \"1.5 kN\"\n"
         "load_cases[0].nodes[0]: fz works on uz, which frame2d does not have there; take it away: there are ux uy rz\n"
-        "load_cases[0].settlements[0]: uz works on uz, which frame2d does not have there; take it away: there are ux "
-        "uy "
-        "rz\n"
-        "load_cases[0].members[0]: fz works on uz, which frame2d does not have there; take it away: there are ux uy "
-        "rz\n"
+        "load_cases[0].settlements[0]: uz works on uz, which frame2d does not have there; "
+        "take it away: there are ux uy rz\n"
+        "load_cases[0].members[0]: fz works on uz, which frame2d does not have there; "
+        "take it away: there are ux uy rz\n"
         "load_cases[0].members[1]: \"at\" is 9 m, beyond the end of member \"AB\"; give a length from 0 to 6 m\n");
     CHECK(faults_of(loaded(R"(, "load_cases": [{"id": "G"}], "combinations": [{"id": "G", "factors": {"X": 1}}])")) ==
           "combinations[0] \"G\": no load case or combination \"X\"; add it or name another\n"

@@ -164,9 +164,8 @@ TEST_CASE("In space, members that pass each other at a distance do not cross")
         return faults_of(model);
     };
     CHECK(crossing_at(0.01).empty());
-    CHECK(crossing_at(0.0) ==
-          "members[1] \"CD\": crosses member \"AB\" at (2, 0, 0) m without a node; if they are joined there, "
-          "add a node and split both\n");
+    CHECK(crossing_at(0.0) == "members[1] \"CD\": crosses member \"AB\" at (2, 0, 0) m without a node; "
+                              "if they are joined there, add a node and split both\n");
 }
 
 TEST_CASE("The place of a crossing is told with twelve digits at most")
@@ -204,9 +203,8 @@ TEST_CASE("Nodes are at one place when they are nearer than 1e-9 of the model's 
         model.add(Member{.id = "CD", .nodes = {C, D}, .material = MaterialId(0), .section = SectionId(0)});
         return faults_of(model);
     };
-    CHECK(faults_at(6.0 + 5e-9) ==
-          "nodes[2] \"C\": lies where node \"B\" lies, at (6.000000005, 0) m; the two are not joined: use one "
-          "of them or move one\n");
+    CHECK(faults_at(6.0 + 5e-9) == "nodes[2] \"C\": lies where node \"B\" lies, at (6.000000005, 0) m; "
+                                   "the two are not joined: use one of them or move one\n");
     CHECK(faults_at(6.001).empty());
 }
 

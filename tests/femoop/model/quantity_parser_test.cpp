@@ -122,9 +122,9 @@ TEST_CASE("What is not a quantity is refused with a remedy")
           "here: \"5\" has no unit; write \"12.5 kN\" for example, or a number without quotation marks");
     CHECK(refusal("12,5 kN", dimension::force) == "here: \"12,5 kN\" has a comma; write a decimal point");
     CHECK(refusal("5 kn", dimension::force) == "here: \"5 kn\": no unit \"kn\"; did you mean \"kN\"?");
-    CHECK(refusal("5 furlong", dimension::length) == "here: \"5 furlong\": no unit \"furlong\"; there are m mm cm km "
-                                                     "in ft, N kN MN lbf kip tf kgf, Pa kPa MPa GPa psi ksi, "
-                                                     "kg g t lb, s ms Hz, deg rad, K degC degF");
+    CHECK(refusal("5 furlong", dimension::length) ==
+          "here: \"5 furlong\": no unit \"furlong\"; there are m mm cm km in ft, "
+          "N kN MN lbf kip tf kgf, Pa kPa MPa GPa psi ksi, kg g t lb, s ms Hz, deg rad, K degC degF");
     CHECK(refusal("5 kN m", dimension::moment) ==
           "here: \"5 kN m\": cannot read the unit at \"m\"; join units with * / and ^, like kN*m/rad or cm^4");
     CHECK(refusal("5 kN/", dimension::force).find("cannot read the unit at \"\"") != std::string::npos);

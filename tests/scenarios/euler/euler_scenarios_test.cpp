@@ -31,8 +31,8 @@ TEST_CASE("What goes wrong in a stepper's scenario is told with its line, what w
 {
     const std::string open = "command file.open examples/cube.eul\n";
     CHECK(played(open + "click vertex v99") ==
-          "line 2: found \"vertex v99\", wanted a place: vertex v1, edge v1 v2, half-edge v1 v2, face f1, "
-          "(2, 0) or pixel 400 300");
+          "line 2: found \"vertex v99\", wanted a place: "
+          "vertex v1, edge v1 v2, half-edge v1 v2, face f1, (2, 0) or pixel 400 300");
     CHECK(played(open + "expect counts 8 12 6 6 1 1") == "line 2: counts: found 8 12 6 6 1 0, wanted 8 12 6 6 1 1");
     CHECK(played(open + "command step.forward") == "line 2: this is the last step");
     CHECK(played(open + "command step.go_to 14") == "line 2: step.go_to: found \"14\", wanted a step from 0 to 13");

@@ -258,10 +258,9 @@ TEST_SUITE("split")
         EulerOperator op(solid);
         lamina(op, {{0, 0, 1}, {3, 0, 1}, {0, 2, 1}});
         const Solid before = solid;
-        CHECK_THROWS_WITH_AS(split(op, {.origin = {0, 0, 1}}),
-                             "at v2 faces in the plane meet whose parts lie on both sides of it; move the plane a "
-                             "little",
-                             EulerError);
+        CHECK_THROWS_WITH_AS(
+            split(op, {.origin = {0, 0, 1}}),
+            "at v2 faces in the plane meet whose parts lie on both sides of it; move the plane a little", EulerError);
         CHECK(solid == before);
         CHECK(!why_not_split(op, {.origin = {0, 0, 2}}));
     }

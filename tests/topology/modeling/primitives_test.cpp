@@ -55,8 +55,8 @@ TEST_SUITE("primitives")
         CHECK(mass_properties(cone).centroid.z == doctest::Approx(1.0));
     }
 
-    TEST_CASE("A torus's volume is its section times the way of the section's middle, as Pappus has it for a polygon "
-              "of turns")
+    TEST_CASE("A torus's volume is its section times the way of the section's middle, "
+              "as Pappus has it for a polygon of turns")
     {
         // Between two steps the section moves by a chord, so that n sin(2 pi / n) / (2 pi) of Pappus's volume is there.
         constexpr int n_around = 24, n_tube = 9;

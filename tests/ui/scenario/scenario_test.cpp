@@ -160,7 +160,7 @@ TEST_SUITE("ui scenario")
         CHECK(complaint("Shift+key A") ==
               "line 1: key: found \"Shift+key\", wanted a step of the mouse after a key that is held");
         CHECK(complaint("jump") ==
-              "line 1: found \"jump\", wanted a step: click, rightclick, hover, drag, press, release, wheel, "
-              "key, type, command, wait, picture or expect");
+              "line 1: found \"jump\", wanted a step: click, "
+              "rightclick, hover, drag, press, release, wheel, key, type, command, wait, picture or expect");
     }
 }

@@ -44,8 +44,9 @@ struct Bridge {
 /// Each keeps  V - E + F - (L - F) - 2 (S - G) = 0  and the solid sound (check/validate.h). An operator whose condition
 /// fails changes nothing and throws the EulerError that its twin `why_not_...` explains. Each has an inverse, which is
 /// an operator too; `undo` takes the last step back by its inverse and restores every number and every link. A
-/// half-edge names a corner: the place in its loop just before it, at the vertex where it starts. Cost     the
-/// half-edges that change their vertex or loop; no operator looks at the whole solid, but RINGMV, which
+/// half-edge names a corner: the place in its loop just before it, at the vertex where it starts.
+///
+/// Cost     the half-edges that change their vertex or loop; no operator looks at the whole solid, but RINGMV, which
 ///          searches outward from both faces until they meet
 /// Source   [Mantyla1988, ch. 9 and 11]
 class EulerOperator {
@@ -76,8 +77,7 @@ public:
     ///     to |                 to                               V+1 E+1
     ///
     /// Survive  v and all its half-edges. from == to grows a strut v-w into the corner; a lone vertex's half-edge
-    /// becomes
-    ///          the minus half. Minus stands before `from` in its loop, plus before `to`.
+    ///          becomes the minus half. Minus stands before `from` in its loop, plus before `to`.
     /// Inverse  KEV of the plus half
     NewEdge mev(HalfEdgeId from, HalfEdgeId to, const Point& point);
     NewEdge mev(HalfEdgeId corner, const Point& point) { return mev(corner, corner, point); } ///< a strut
@@ -141,8 +141,8 @@ public:
     std::optional<Refusal> why_not_mekr(HalfEdgeId from, HalfEdgeId to) const;
 
     /// Kill Face, Make Ring, Hole: f, which has one loop, becomes a ring of `host`, as if the two were glued.
-    ///   F-1 G+1 where both lie in one shell: a handle;   F-1 S-1 where they lie in two: these are joined.   Inverse
-    ///   MFKRH
+    ///   F-1 G+1 where both lie in one shell: a handle;   F-1 S-1 where they lie in two: these are joined.
+    ///   Inverse MFKRH
     void kfmrh(FaceId host, FaceId f);
     std::optional<Refusal> why_not_kfmrh(FaceId host, FaceId f) const;
     /// Make Face, Kill Ring, Hole: the ring bounds a face of its own.

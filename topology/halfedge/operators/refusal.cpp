@@ -21,8 +21,8 @@ std::string_view pattern(RefusalKind kind)
     case RefusalKind::ClosedEdge: return "both ends of {0} are {1}; kill it with KEF or KEMR";
     case RefusalKind::NotBetweenTwoEdges: return "other than two edges meet at {0}; kill one with KEV";
     case RefusalKind::DifferentLoops:
-        return "one half-edge lies in loop {1} and the other in loop {2}; an operator for two loops is MEKR, for two "
-               "faces KEF";
+        return "one half-edge lies in loop {1} and the other in loop {2}; "
+               "an operator for two loops is MEKR, for two faces KEF";
     case RefusalKind::OneFace: return "both sides of {0} lie in face {1}; kill it with KEV or KEMR";
     case RefusalKind::OneLoop: return "{0} and {1} lie in one loop; split it with MEF";
     case RefusalKind::DifferentFaces:
@@ -36,9 +36,8 @@ std::string_view pattern(RefusalKind kind)
     case RefusalKind::SingleClosedEdge:
         return "the loop {0} is one closed edge at {1}, which has no second corner; split it with SEMV first";
     case RefusalKind::NotFaceToFace:
-        return "{0} and {1} do not lie face to face: corner upon corner, one turned against the other, without a "
-               "common "
-               "vertex";
+        return "{0} and {1} do not lie face to face: corner upon corner, "
+               "one turned against the other, without a common vertex";
     case RefusalKind::NoShellAndHole:
         return "with the ring {0} and the faces {1} and {2} the shells and the handles do not change by one each";
     case RefusalKind::OnPlane:

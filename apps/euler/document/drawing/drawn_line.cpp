@@ -114,8 +114,8 @@ private:
     void join(HalfEdgeId a, HalfEdgeId b)
     {
         draw("mekr", say().face_of(a) + say().corner(a) + say().corner(b),
-             {translatable("The line joins two loops of face {f}, at {a} and {b}: MEKR makes one of them. No face is "
-                           "divided."),
+             {translatable(
+                  "The line joins two loops of face {f}, at {a} and {b}: MEKR makes one of them. No face is divided."),
               {{"f", name(in().face(a))}, {"a", name(in().start(a))}, {"b", name(in().start(b))}}});
     }
     void close(HalfEdgeId from, HalfEdgeId to)
@@ -143,9 +143,8 @@ private:
         if (in().loop(from) == first || !is_enclosed(first, from, to)) return;
         const HalfEdgeId leading = in().half_edge(first);
         const Phrase why(
-            translatable("The loop at {a}, which leads those of the outside face {f}, will lie inside the "
-                         "new face: joined to the loop at {b} by MEKR and parted again by KEMR, it follows "
-                         "as a ring."),
+            translatable("The loop at {a}, which leads those of the outside face {f}, will lie inside the new face: "
+                         "joined to the loop at {b} by MEKR and parted again by KEMR, it follows as a ring."),
             {{"a", name(in().start(leading))}, {"f", name(f)}, {"b", name(in().start(from))}});
         const VertexId near = in().start(from), far = in().start(leading);
         draw("mekr", say().face(f) + say().corner(from) + say().corner(leading), why);

@@ -15,10 +15,9 @@ namespace euler {
 /// looks for them: prev on the left, next on the right, the mate below, the loop above.
 ///
 ///               [ l1 ]            Several links from one box to another are one arrow with all their names; a link
-///               back
-///        start    ^ loop          is an arrow of its own. A link of an entity to itself, as a lone vertex's half-edge
-///      [v1] <--.  |               has, is an arrow around its box. Links of the others among themselves are pale.
-///    [%4] <-- [ %1 ] --> [%2]
+///        start    ^ loop          back is an arrow of its own. A link of an entity to itself, as a lone vertex's
+///      [v1] <--.  |               half-edge has, is an arrow around its box. Links of the others among themselves
+///    [%4] <-- [ %1 ] --> [%2]     are pale.
 ///      prev      | mate   next
 ///                v
 ///              [ %8 ]

@@ -9,9 +9,9 @@ namespace euler {
 /// The lines of half-edges, each inside its face beside its edge.
 ///
 ///        o<-----------o         Lines end where those of the next and the previous half-edge pass, so that a loop
-///        reads |  <-------  |         as a chain of arrows; seen from inside they stand farther in, so that the two
-///        sides of a thin solid differ. Both halves of a strut run beside it, one on each side. A lone | |        ^ |
-///        vertex's half-edge is a circle around it. | v        | |
+///        |  <-------  |         reads as a chain of arrows; seen from inside they stand farther in, so that the two
+///        | |        ^ |         sides of a thin solid differ. Both halves of a strut run beside it, one on each side.
+///        | v        | |         A lone vertex's half-edge is a circle around it.
 class ArrowLines {
 public:
     ArrowLines(const topology::Solid& solid, const HalfEdgePaths& paths, const FaceBodies& bodies, const Sight& sight,

@@ -33,9 +33,9 @@ struct SeenPiece {
 /// The pieces from the farthest to the nearest, by index: where two overlap on the sheet, the one in front comes later.
 ///
 /// Two pieces are compared where they are farthest apart in depth, which is at a corner of what they share: a corner of
-/// one inside the other, or where two sides cross. So any area will do, convex or not, with
-/// holes or without. Pieces that cover one
-/// another in a circle are taken by their mean depth, and so are all where there are more than `most_compared`.
+/// one inside the other, or where two sides cross. So any area will do, convex or not, with holes or without. Pieces
+/// that cover one another in a circle are taken by their mean depth, and so are all where there are more than
+/// `most_compared`.
 std::vector<std::size_t> back_to_front(std::span<const SeenPiece> pieces);
 inline constexpr std::size_t most_compared = 500;
 

@@ -21,7 +21,8 @@ enum class DimensionDirection : std::uint8_t { Aligned, Horizontal, Vertical };
 ///     A           B               C     the second for an aligned one
 ///
 /// It measures between nodes, so it follows them wherever they are dragged. They are known by their names, as in the
-/// file: the ids of femoop count on when a node goes. \invariant two names or more, no two equal
+/// file: the ids of femoop count on when a node goes.
+/// \invariant two names or more, no two equal
 struct DimensionLine {
     std::vector<std::string> nodes;
     DimensionDirection direction = DimensionDirection::Aligned;

@@ -27,26 +27,25 @@ std::string_view spoken_pattern(FaultKind kind)
     case FaultKind::UnknownChoice: return translatable("{0}: {1} is none of {2}; choose one of them");
     case FaultKind::UnknownChoiceNear: return translatable("{0}: {1} is none of {2}; perhaps {3} is meant");
     case FaultKind::WrongLineLoadSize:
-        return translatable("{0}: found {1} values, wanted one or two, at the beginning and the end of the load; leave "
-                            "out the others or add one");
+        return translatable("{0}: found {1} values, wanted one or two, at the beginning and the end of the load; "
+                            "leave out the others or add one");
     case FaultKind::BadMode:
-        return translatable("{0}: found {1}, wanted the number of a mode (1, 2, ...), the largest or the smallest; "
-                            "correct the file");
+        return translatable(
+            "{0}: found {1}, wanted the number of a mode (1, 2, ...), the largest or the smallest; correct the file");
     case FaultKind::SizeWithoutShape:
         return translatable("{0}: {1} is the size of a shape; choose a shape or take {1} away");
     case FaultKind::QuantityWithoutUnit: return translatable("{0}: \"{1}\" has no unit; write \"{2}\" for example");
 
     case FaultKind::EmptyId: return translatable("{0}: the name is empty; give it one");
     case FaultKind::ControlCharacterInId:
-        return translatable("{0}: the name has a control character, such as a line break or a tab; use letters, digits "
-                            "and blanks");
+        return translatable(
+            "{0}: the name has a control character, such as a line break or a tab; use letters, digits and blanks");
     case FaultKind::RepeatedId: return translatable("{0}: the name is taken already; choose another");
     case FaultKind::DanglingReference: return translatable("{0}: something that it refers to is gone; choose another");
     case FaultKind::NotFinite: return translatable("{0}: {8} is {2}; give a finite number");
     case FaultKind::OutOfReach:
-        return translatable(
-            "{0}: {8} is {2}, too far for stiffnesses to be reckoned with; give a length up to {3}, and "
-            "check its unit");
+        return translatable("{0}: {8} is {2}, too far for stiffnesses to be reckoned with; "
+                            "give a length up to {3}, and check its unit");
     case FaultKind::NotPositive: return translatable("{0}: {8} is {2}; give a value greater than 0");
     case FaultKind::Negative: return translatable("{0}: {8} is {2}; give 0 or a positive value");
     case FaultKind::ZeroStiffness:
@@ -62,15 +61,14 @@ std::string_view spoken_pattern(FaultKind kind)
     case FaultKind::ShapeSizeUnwanted:
         return translatable("{0}: the shape has no {2}; take it away: its sizes are {3}");
     case FaultKind::MissingProperty:
-        return translatable("{0}: {8} is missing, which member {3} of the {2} needs; give it, a shape or a profile "
-                            "({9})");
+        return translatable(
+            "{0}: {8} is missing, which member {3} of the {2} needs; give it, a shape or a profile ({9})");
     case FaultKind::RollerNotPlane:
-        return translatable("{0}: a roller is for plane trusses and plane frames, and this is a {1}; hold single "
-                            "directions instead");
+        return translatable(
+            "{0}: a roller is for plane trusses and plane frames, and this is a {1}; hold single directions instead");
     case FaultKind::AngleNotPlane:
         return translatable(
-            "{0}: supports can be turned in plane trusses and plane frames, and this is a {1}; take the "
-            "angle away");
+            "{0}: supports can be turned in plane trusses and plane frames, and this is a {1}; take the angle away");
     case FaultKind::FixedDofLacking:
         return translatable("{0}: fixes {1}, which a {2} does not have; take it away: there are {3}");
     case FaultKind::SpringDofLacking:
@@ -78,22 +76,21 @@ std::string_view spoken_pattern(FaultKind kind)
     case FaultKind::MassDofLacking:
         return translatable("{0}: has a mass for {1}, which a {2} does not have; take it away: there are {3}");
     case FaultKind::OffsetSize:
-        return translatable("{0}: its offset at the {1} has {2} lengths, which a {3} does not have; give one per "
-                            "coordinate");
+        return translatable(
+            "{0}: its offset at the {1} has {2} lengths, which a {3} does not have; give one per coordinate");
     case FaultKind::TrussOffsetAcross:
         return translatable(
-            "{0}: the offset {2} at its {1} lies {3} across the member, whose moment no node of a truss "
-            "can take; give the part along the member, {4}, or make the structure a {5} with bars");
+            "{0}: the offset {2} at its {1} lies {3} across the member, whose moment no node of a truss can take; "
+            "give the part along the member, {4}, or make the structure a {5} with bars");
     case FaultKind::ReleaseDofLacking:
-        return translatable("{0}: releases {1} at its {2}, which a member of a {3} does not have; take it away: there "
-                            "are {4}");
+        return translatable(
+            "{0}: releases {1} at its {2}, which a member of a {3} does not have; take it away: there are {4}");
     case FaultKind::EndSpringDofLacking:
         return translatable(
-            "{0}: has a spring for {1} at its {2}, which a member of a {3} does not have; take it away: "
-            "there are {4}");
+            "{0}: has a spring for {1} at its {2}, which a member of a {3} does not have; take it away: there are {4}");
     case FaultKind::FoundationTooStiff:
-        return translatable("{0}: the elastic foundation {1} is too stiff for the member of {2}; give {3} or less, or "
-                            "hold its nodes by supports instead");
+        return translatable("{0}: the elastic foundation {1} is too stiff for the member of {2}; "
+                            "give {3} or less, or hold its nodes by supports instead");
     case FaultKind::UpNot3d:
         return translatable("{0}: the direction up is for structures in space, and this is a {1}; take it away");
     case FaultKind::UpSize: return translatable("{0}: the direction up has {1} numbers, wanted 3; give x, y and z");
@@ -113,22 +110,21 @@ std::string_view spoken_pattern(FaultKind kind)
         return translatable("{0}: {8} is {2}, beyond the end of member {3}; give a length from 0 to {4}");
     case FaultKind::LoadEndsBeforeStart: return translatable("{0}: goes from {1} to {2}; let it begin before it ends");
     case FaultKind::ProjectedLocalLoad:
-        return translatable("{0}: a load per projected length has global axes; choose these or the length of the "
-                            "member");
+        return translatable(
+            "{0}: a load per projected length has global axes; choose these or the length of the member");
     case FaultKind::TorqueOnBar:
-        return translatable("{0}: turns member {1} about its own axis, which a bar does not resist; take the torque "
-                            "away, or let the member be no bar");
+        return translatable("{0}: turns member {1} about its own axis, which a bar does not resist; "
+                            "take the torque away, or let the member be no bar");
     case FaultKind::MissingExpansion:
-        return translatable("{0}: material {1} of member {2} has no coefficient of thermal expansion; fill in {8} "
-                            "({9})");
+        return translatable(
+            "{0}: material {1} of member {2} has no coefficient of thermal expansion; fill in {8} ({9})");
     case FaultKind::MissingDepth:
         return translatable(
-            "{0}: top and bottom differ, which needs the depth of section {1} (member {2}); fill in {8} "
-            "({9})");
+            "{0}: top and bottom differ, which needs the depth of section {1} (member {2}); fill in {8} ({9})");
 
     case FaultKind::CrossNeedsPlaneFrame:
-        return translatable("moment distribution works on continuous beams and plane frames, not on a {0}; make the "
-                            "structure a plane frame");
+        return translatable("moment distribution works on continuous beams and plane frames, not on a {0}; "
+                            "make the structure a plane frame");
     case FaultKind::CrossTooLarge:
         return translatable("the structure has {0} nodes, and a sheet of moment distribution is made for {1} at most; "
                             "read its results in the frame app");
