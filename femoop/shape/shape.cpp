@@ -13,9 +13,9 @@ namespace femoop {
 
 namespace {
 
-constexpr std::array kinds{ShapeKind::Line2, ShapeKind::Line3, ShapeKind::T3,
-                           ShapeKind::T6,    ShapeKind::Q4,    ShapeKind::Q8};
-constexpr std::array<std::string_view, kinds.size()> names{"Line2", "Line3", "T3", "T6", "Q4", "Q8"};
+constexpr std::array all_shape_kinds{ShapeKind::Line2, ShapeKind::Line3, ShapeKind::T3,
+                                     ShapeKind::T6,    ShapeKind::Q4,    ShapeKind::Q8};
+constexpr std::array<std::string_view, all_shape_kinds.size()> shape_names{"Line2", "Line3", "T3", "T6", "Q4", "Q8"};
 
 template <class S> const Shape& the_one()
 {
@@ -25,9 +25,9 @@ template <class S> const Shape& the_one()
 
 } // namespace
 
-std::string_view name(ShapeKind kind) { return names[static_cast<std::size_t>(kind)]; }
+std::string_view name(ShapeKind kind) { return shape_names[static_cast<std::size_t>(kind)]; }
 
-std::span<const ShapeKind> shape_kinds() { return kinds; }
+std::span<const ShapeKind> shape_kinds() { return all_shape_kinds; }
 
 const Shape& shape_of(ShapeKind kind)
 {
