@@ -25,29 +25,29 @@ std::vector<MemberId> members_at(const Model& model, NodeId node)
 }
 
 /// Two members in line: `first` ends at the node where `second` begins.
-struct Pair {
+struct MemberPair {
     MemberId first, second;
 };
 
 bool begins_at(const Model& model, MemberId member, NodeId node) { return model[member].nodes[0] == node; }
 
 /// The members at the node, one turned round where both begin or both end there.
-std::optional<Pair> make_pair_at(Model& model, NodeId node)
+std::optional<MemberPair> make_pair_at(Model& model, NodeId node)
 {
     const std::vector<MemberId> members = members_at(model, node);
     if (members.size() != 2) return std::nullopt;
     const bool begins = begins_at(model, members[0], node);
     if (begins_at(model, members[1], node) == begins) reverse_member(model, members[1]);
-    return begins ? Pair{members[1], members[0]} : Pair{members[0], members[1]};
+    return begins ? MemberPair{members[1], members[0]} : MemberPair{members[0], members[1]};
 }
 
-bool go_on_straight(const Model& model, const Pair& pair)
+bool go_on_straight(const Model& model, const MemberPair& pair)
 {
     const MemberLine a = line_of(model, model[pair.first]), b = line_of(model, model[pair.second]);
     return (a.direction - b.direction).norm() <= 1e-6;
 }
 
-bool is_rigid_joint(const Model& model, NodeId node, const Pair& pair)
+bool is_rigid_joint(const Model& model, NodeId node, const MemberPair& pair)
 {
     return !model[node].hinge && model[pair.first].end == MemberEnd{} && model[pair.second].start == MemberEnd{};
 }
@@ -82,7 +82,7 @@ std::vector<TemperatureLoad> temperatures(const LoadCase& load_case, MemberId me
     return found;
 }
 
-bool have_one_temperature(const Model& model, const Pair& pair)
+bool have_one_temperature(const Model& model, const MemberPair& pair)
 {
     return std::ranges::all_of(model.load_cases, [&](const LoadCase& load_case) {
         return temperatures(load_case, pair.first) == temperatures(load_case, pair.second);
@@ -110,7 +110,9 @@ private:
 /// Moves the loads of both members to the merged one, which has the first's id and the whole length.
 class LoadMerger {
 public:
-    LoadMerger(const Pair& pair, NodeId node, const Lengths& lengths) : pair_(pair), node_(node), lengths_(lengths) {}
+    LoadMerger(const MemberPair& pair, NodeId node, const Lengths& lengths)
+        : pair_(pair), node_(node), lengths_(lengths)
+    {}
 
     void merge(LoadCase& load_case)
     {
@@ -212,13 +214,13 @@ private:
     double whole() const { return lengths_.whole(); }
     double joint() const { return lengths_.shortened(lengths_.first); }
 
-    Pair pair_;
+    MemberPair pair_;
     NodeId node_;
     Lengths lengths_;
 };
 
 /// Checks follow the place that they read; what is an extreme of a part is none of the whole.
-void follow(std::vector<Expected>& checks, const Pair& pair, const Lengths& lengths)
+void follow(std::vector<Expected>& checks, const MemberPair& pair, const Lengths& lengths)
 {
     const auto is_of_part = [&](const Expected& check) {
         return check.member == pair.first || check.member == pair.second;
@@ -235,7 +237,7 @@ void follow(std::vector<Expected>& checks, const Pair& pair, const Lengths& leng
     }
 }
 
-bool is_loaded_inside(const Model& model, const Pair& pair)
+bool is_loaded_inside(const Model& model, const MemberPair& pair)
 {
     const auto acts_at_joint = [&](const MemberLoad& load) {
         const auto* const ends = std::get_if<EndLoads>(&load.load);
@@ -248,7 +250,7 @@ bool is_loaded_inside(const Model& model, const Pair& pair)
     });
 }
 
-std::optional<MergeObstacle> obstacle(const Model& model, NodeId node, const Pair& pair)
+std::optional<MergeObstacle> obstacle(const Model& model, NodeId node, const MemberPair& pair)
 {
     if (!go_on_straight(model, pair)) return MergeObstacle::NotInLine;
     if (!are_alike(model[pair.first], model[pair.second])) return MergeObstacle::DifferentMembers;
@@ -264,14 +266,14 @@ std::optional<MergeObstacle> obstacle(const Model& model, NodeId node, const Pai
 std::optional<MergeObstacle> why_not_merge_at(const Model& model, NodeId node)
 {
     Model trial = model;
-    const std::optional<Pair> pair = make_pair_at(trial, node);
+    const std::optional<MemberPair> pair = make_pair_at(trial, node);
     return pair ? obstacle(trial, node, *pair) : MergeObstacle::NotTwoMembers;
 }
 
 MemberId merge_members_at(Model& model, NodeId node)
 {
     if (why_not_merge_at(model, node)) throw std::invalid_argument("merge_members_at: the members cannot be one");
-    const Pair pair = *make_pair_at(model, node);
+    const MemberPair pair = *make_pair_at(model, node);
     Member& member = model.members[pair.first.index];
     const Member& tail = model[pair.second];
     const bool rename = is_named_after_nodes(model, member) && model.extra.empty();

@@ -9,9 +9,9 @@ namespace femoop {
 
 namespace {
 
-constexpr double rounding = 64.0 * std::numeric_limits<double>::epsilon();
+constexpr double root_rounding = 64.0 * std::numeric_limits<double>::epsilon();
 
-/// p(end s) for s in [0, 1], without leading terms that rounding alone left.
+/// p(end s) for s in [0, 1], without leading terms that root_rounding alone left.
 Polynomial on_unit_interval(const Polynomial& p, double end)
 {
     std::array<double, Polynomial::max_terms> c{};
@@ -22,7 +22,7 @@ Polynomial on_unit_interval(const Polynomial& p, double end)
         largest = std::max(largest, std::abs(c[i]));
     }
     std::size_t n = p.n_terms();
-    while (n > 0 && std::abs(c[n - 1]) <= rounding * largest) --n;
+    while (n > 0 && std::abs(c[n - 1]) <= root_rounding * largest) --n;
     Polynomial scaled;
     for (std::size_t i = 0; i < n; ++i) scaled.append(c[i]);
     return scaled;
@@ -61,7 +61,7 @@ double bracketed_root(const Polynomial& p, double a, double b)
 std::vector<double> unit_roots(const Polynomial& p)
 {
     if (p.n_terms() < 2) return {};
-    const double tiny = rounding * magnitude(p);
+    const double tiny = root_rounding * magnitude(p);
     std::vector<double> places{0.0};
     if (p.n_terms() > 2)
         for (const double place : unit_roots(p.derivative())) places.push_back(place);

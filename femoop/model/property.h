@@ -24,22 +24,22 @@ struct Material {
 };
 
 /// The shapes that sections are built from, with h along y' and no fillets.
-enum class ShapeKind : std::uint8_t { Rectangle, Circle, Tube, Box, I, T, L, C };
+enum class SectionShapeKind : std::uint8_t { Rectangle, Circle, Tube, Box, I, T, L, C };
 
 /// A shape and its dimensions; which of them a kind needs: rectangle b h | circle d | tube d t | box b h t |
 /// i h bf tf tw | t h bf tf tw | l h b t | c h bf tf tw.
-struct Shape {
-    ShapeKind kind = ShapeKind::Rectangle;
+struct SectionShape {
+    SectionShapeKind kind = SectionShapeKind::Rectangle;
     std::optional<Quantity> b, h, d, t, bf, tf, tw;
 
-    friend bool operator==(const Shape&, const Shape&) = default;
+    friend bool operator==(const SectionShape&, const SectionShape&) = default;
 };
 
 /// A cross-section, given by properties, by a shape or by a profile's name. A property beside a shape or a
 /// profile overrides it. What the analysis uses is `section_properties` (femoop/section/section_properties.h).
 struct Section {
     std::string id;
-    std::optional<Shape> shape;
+    std::optional<SectionShape> shape;
     std::optional<std::string> profile; ///< as typed: "IPE 300", "w12x26"
     std::optional<Quantity> A;          ///< area
     std::optional<Quantity> Iz;         ///< second moment for bending in the x'y' plane

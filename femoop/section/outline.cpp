@@ -230,22 +230,22 @@ SectionOutline of_profile(const Profile& p, const Units& units)
 
 } // namespace
 
-SectionOutline outline(const Shape& shape)
+SectionOutline outline(const SectionShape& shape)
 {
     if (const auto fault = why_not(shape)) throw std::invalid_argument(message(*fault));
     const auto flanged = [&] { return Flanged{.h = *shape.h, .bf = *shape.bf, .tf = *shape.tf, .tw = *shape.tw}; };
     switch (shape.kind) {
-    case ShapeKind::Rectangle: return about_centroid(rectangle(*shape.b, *shape.h));
-    case ShapeKind::Circle: return about_centroid(circle(*shape.d / 2.0, *shape.d / 2.0));
-    case ShapeKind::Tube:
+    case SectionShapeKind::Rectangle: return about_centroid(rectangle(*shape.b, *shape.h));
+    case SectionShapeKind::Circle: return about_centroid(circle(*shape.d / 2.0, *shape.d / 2.0));
+    case SectionShapeKind::Tube:
         return about_centroid(circle(*shape.d / 2.0, *shape.d / 2.0),
                               reversed(circle(*shape.d / 2.0, *shape.d / 2.0 - *shape.t)));
-    case ShapeKind::Box:
+    case SectionShapeKind::Box:
         return about_centroid(rectangle(*shape.b, *shape.h), reversed(rectangle(*shape.b, *shape.h, *shape.t)));
-    case ShapeKind::I: return about_centroid(rolled_i(flanged()));
-    case ShapeKind::T: return about_centroid(tee(flanged()));
-    case ShapeKind::L: return about_centroid(angle(*shape.h, *shape.b, *shape.t));
-    case ShapeKind::C: return about_centroid(c(flanged()));
+    case SectionShapeKind::I: return about_centroid(rolled_i(flanged()));
+    case SectionShapeKind::T: return about_centroid(tee(flanged()));
+    case SectionShapeKind::L: return about_centroid(angle(*shape.h, *shape.b, *shape.t));
+    case SectionShapeKind::C: return about_centroid(c(flanged()));
     }
     throw std::invalid_argument("no such shape");
 }

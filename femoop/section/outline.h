@@ -43,7 +43,7 @@ struct SectionOutline {
 };
 
 /// In the unit of the shape's dimensions. \pre `why_not(shape)` has nothing to say \throws std::invalid_argument
-SectionOutline outline(const Shape& shape);
+SectionOutline outline(const SectionShape& shape);
 
 /// In the model's unit of length; nothing for a section that is given by numbers alone, or by a profile or a shape that
 /// cannot be.

@@ -195,19 +195,19 @@ void override_depth(SectionProperties& s, const Section& section)
 
 } // namespace
 
-SectionProperties shape_properties(const Shape& shape)
+SectionProperties shape_properties(const SectionShape& shape)
 {
     if (const auto fault = why_not(shape)) throw std::invalid_argument(message(*fault));
     const auto flanged = [&] { return Flanged{.h = *shape.h, .bf = *shape.bf, .tf = *shape.tf, .tw = *shape.tw}; };
     switch (shape.kind) {
-    case ShapeKind::Rectangle: return rectangle(*shape.b, *shape.h);
-    case ShapeKind::Circle: return ring(*shape.d, *shape.d / 2.0, 0.9);
-    case ShapeKind::Tube: return ring(*shape.d, *shape.t, 0.5);
-    case ShapeKind::Box: return box(*shape.b, *shape.h, *shape.t);
-    case ShapeKind::I: return two_flanges(flanged(), *shape.bf / 2.0);
-    case ShapeKind::T: return tee(flanged());
-    case ShapeKind::L: return angle(*shape.h, *shape.b, *shape.t);
-    case ShapeKind::C: return two_flanges(flanged(), *shape.tw / 2.0);
+    case SectionShapeKind::Rectangle: return rectangle(*shape.b, *shape.h);
+    case SectionShapeKind::Circle: return ring(*shape.d, *shape.d / 2.0, 0.9);
+    case SectionShapeKind::Tube: return ring(*shape.d, *shape.t, 0.5);
+    case SectionShapeKind::Box: return box(*shape.b, *shape.h, *shape.t);
+    case SectionShapeKind::I: return two_flanges(flanged(), *shape.bf / 2.0);
+    case SectionShapeKind::T: return tee(flanged());
+    case SectionShapeKind::L: return angle(*shape.h, *shape.b, *shape.t);
+    case SectionShapeKind::C: return two_flanges(flanged(), *shape.tw / 2.0);
     }
     throw std::invalid_argument("no such shape");
 }

@@ -51,7 +51,7 @@ struct SectionProperties {
 /// Lesson    courseware/reference/sections.md
 /// \pre      `why_not(shape)` (femoop/section/shape.h) has nothing to say.
 /// \throws   std::invalid_argument with that reason.
-SectionProperties shape_properties(const Shape& shape);
+SectionProperties shape_properties(const SectionShape& shape);
 
 /// Properties of a model's section in the model's base units: those of its shape or profile, then overridden by what
 /// the section itself gives. yc is h/2 where nothing else is known; a given h without yc keeps the shape's yc / h.

@@ -9,13 +9,13 @@ namespace femoop {
 
 namespace {
 
-constexpr ShapeDimension dim_b{"b", &Shape::b};
-constexpr ShapeDimension dim_h{"h", &Shape::h};
-constexpr ShapeDimension dim_d{"d", &Shape::d};
-constexpr ShapeDimension dim_t{"t", &Shape::t};
-constexpr ShapeDimension dim_bf{"bf", &Shape::bf};
-constexpr ShapeDimension dim_tf{"tf", &Shape::tf};
-constexpr ShapeDimension dim_tw{"tw", &Shape::tw};
+constexpr ShapeDimension dim_b{"b", &SectionShape::b};
+constexpr ShapeDimension dim_h{"h", &SectionShape::h};
+constexpr ShapeDimension dim_d{"d", &SectionShape::d};
+constexpr ShapeDimension dim_t{"t", &SectionShape::t};
+constexpr ShapeDimension dim_bf{"bf", &SectionShape::bf};
+constexpr ShapeDimension dim_tf{"tf", &SectionShape::tf};
+constexpr ShapeDimension dim_tw{"tw", &SectionShape::tw};
 
 constexpr std::array all{dim_b, dim_h, dim_d, dim_t, dim_bf, dim_tf, dim_tw};
 constexpr std::array of_rectangle{dim_b, dim_h};
@@ -25,8 +25,9 @@ constexpr std::array of_box{dim_b, dim_h, dim_t};
 constexpr std::array of_flanged{dim_h, dim_bf, dim_tf, dim_tw};
 constexpr std::array of_angle{dim_h, dim_b, dim_t};
 
-constexpr std::array kinds{ShapeKind::Rectangle, ShapeKind::Circle, ShapeKind::Tube, ShapeKind::Box,
-                           ShapeKind::I,         ShapeKind::T,      ShapeKind::L,    ShapeKind::C};
+constexpr std::array kinds{SectionShapeKind::Rectangle, SectionShapeKind::Circle, SectionShapeKind::Tube,
+                           SectionShapeKind::Box,       SectionShapeKind::I,      SectionShapeKind::T,
+                           SectionShapeKind::L,         SectionShapeKind::C};
 constexpr std::array<std::string_view, kinds.size()> kind_names{"rectangle", "circle", "tube", "box",
                                                                 "i",         "t",      "l",    "c"};
 
@@ -43,22 +44,22 @@ constexpr std::array limits_of_i{Limit{dim_tf, dim_h, 2.0, "h/2"}, Limit{dim_tw,
 constexpr std::array limits_of_t{Limit{dim_tf, dim_h, 1.0, "h"}, Limit{dim_tw, dim_bf, 1.0, "bf"}};
 constexpr std::array limits_of_l{Limit{dim_t, dim_b, 1.0, "b"}, Limit{dim_t, dim_h, 1.0, "h"}};
 
-std::span<const Limit> limits(ShapeKind kind)
+std::span<const Limit> limits(SectionShapeKind kind)
 {
     switch (kind) {
-    case ShapeKind::Tube: return limits_of_tube;
-    case ShapeKind::Box: return limits_of_box;
-    case ShapeKind::I:
-    case ShapeKind::C: return limits_of_i;
-    case ShapeKind::T: return limits_of_t;
-    case ShapeKind::L: return limits_of_l;
-    case ShapeKind::Rectangle:
-    case ShapeKind::Circle: break;
+    case SectionShapeKind::Tube: return limits_of_tube;
+    case SectionShapeKind::Box: return limits_of_box;
+    case SectionShapeKind::I:
+    case SectionShapeKind::C: return limits_of_i;
+    case SectionShapeKind::T: return limits_of_t;
+    case SectionShapeKind::L: return limits_of_l;
+    case SectionShapeKind::Rectangle:
+    case SectionShapeKind::Circle: break;
     }
     return {};
 }
 
-bool needs(ShapeKind kind, std::string_view key)
+bool needs(SectionShapeKind kind, std::string_view key)
 {
     for (const ShapeDimension& dimension : dimensions(kind))
         if (dimension.key == key) return true;
@@ -67,28 +68,28 @@ bool needs(ShapeKind kind, std::string_view key)
 
 } // namespace
 
-std::string_view name(ShapeKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
+std::string_view name(SectionShapeKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
 
-std::span<const ShapeKind> shape_kinds() { return kinds; }
+std::span<const SectionShapeKind> shape_kinds() { return kinds; }
 
 std::span<const ShapeDimension> shape_dimensions() { return all; }
 
-std::span<const ShapeDimension> dimensions(ShapeKind kind)
+std::span<const ShapeDimension> dimensions(SectionShapeKind kind)
 {
     switch (kind) {
-    case ShapeKind::Rectangle: return of_rectangle;
-    case ShapeKind::Circle: return of_circle;
-    case ShapeKind::Tube: return of_tube;
-    case ShapeKind::Box: return of_box;
-    case ShapeKind::L: return of_angle;
-    case ShapeKind::I:
-    case ShapeKind::T:
-    case ShapeKind::C: break;
+    case SectionShapeKind::Rectangle: return of_rectangle;
+    case SectionShapeKind::Circle: return of_circle;
+    case SectionShapeKind::Tube: return of_tube;
+    case SectionShapeKind::Box: return of_box;
+    case SectionShapeKind::L: return of_angle;
+    case SectionShapeKind::I:
+    case SectionShapeKind::T:
+    case SectionShapeKind::C: break;
     }
     return of_flanged;
 }
 
-std::optional<ShapeFault> why_not(const Shape& shape)
+std::optional<ShapeFault> why_not(const SectionShape& shape)
 {
     for (const ShapeDimension& dimension : all) {
         const std::optional<Quantity>& value = shape.*dimension.value;

@@ -10,16 +10,16 @@
 
 namespace femoop {
 
-/// A shape's dimension: the key it has in a model file and where `Shape` keeps it.
+/// A shape's dimension: the key it has in a model file and where `SectionShape` keeps it.
 struct ShapeDimension {
     std::string_view key;
-    std::optional<Quantity> Shape::*value = nullptr;
+    std::optional<Quantity> SectionShape::*value = nullptr;
 };
 
-std::string_view name(ShapeKind kind); ///< "rectangle", "circle", "tube", "box", "i", "t", "l" or "c"
-std::span<const ShapeKind> shape_kinds();
-std::span<const ShapeDimension> dimensions(ShapeKind kind); ///< those that the kind needs, in the usual order
-std::span<const ShapeDimension> shape_dimensions();         ///< those of every kind
+std::string_view name(SectionShapeKind kind); ///< "rectangle", "circle", "tube", "box", "i", "t", "l" or "c"
+std::span<const SectionShapeKind> shape_kinds();
+std::span<const ShapeDimension> dimensions(SectionShapeKind kind); ///< those that the kind needs, in the usual order
+std::span<const ShapeDimension> shape_dimensions();                ///< those of every kind
 
 /// What is wrong with a dimension of a shape.
 enum class ShapeFlaw : std::uint8_t {
@@ -39,7 +39,7 @@ struct ShapeFault {
 
 /// Why the shape cannot be a cross-section; nothing if it can. Tube t < d/2; box t < b/2 and t < h/2;
 /// i and c tf < h/2 and tw < bf; t tf < h and tw < bf; l t < b and t < h.
-std::optional<ShapeFault> why_not(const Shape& shape);
+std::optional<ShapeFault> why_not(const SectionShape& shape);
 
 std::string message(const ShapeFault& fault); ///< English: `tf is 0.2, which is not less than h/2 = 0.15`
 

@@ -28,16 +28,17 @@ template <class Id> std::vector<MemberId> members_where(const Model& model, std:
 }
 
 /// A dimension of a usual size [mm].
-double usual_size(ShapeKind kind, std::string_view key)
+double usual_size(SectionShapeKind kind, std::string_view key)
 {
-    const bool is_solid = kind == ShapeKind::Rectangle;
-    const bool is_i = kind == ShapeKind::I, is_tee = kind == ShapeKind::T, is_angle = kind == ShapeKind::L;
-    if (key == "h") return is_solid ? 500 : is_i || kind == ShapeKind::Box ? 300 : is_angle ? 120 : 200;
+    const bool is_solid = kind == SectionShapeKind::Rectangle;
+    const bool is_i = kind == SectionShapeKind::I, is_tee = kind == SectionShapeKind::T,
+               is_angle = kind == SectionShapeKind::L;
+    if (key == "h") return is_solid ? 500 : is_i || kind == SectionShapeKind::Box ? 300 : is_angle ? 120 : 200;
     if (key == "b") return is_angle ? 80 : 200;
     if (key == "bf") return is_i ? 150 : is_tee ? 200 : 75;
     if (key == "tf") return is_tee ? 16 : 11;
     if (key == "tw") return is_tee ? 10 : is_i ? 7 : 8.5;
-    if (key == "d") return kind == ShapeKind::Tube ? 220 : 300;
+    if (key == "d") return kind == SectionShapeKind::Tube ? 220 : 300;
     return 10; // t
 }
 
@@ -115,9 +116,9 @@ std::vector<MemberId> members_with(const Model& model, MaterialId id)
     return members_where(model, &Member::material, id);
 }
 
-Shape usual_shape(ShapeKind kind, const Units& units)
+SectionShape usual_shape(SectionShapeKind kind, const Units& units)
 {
-    Shape shape{.kind = kind};
+    SectionShape shape{.kind = kind};
     for (const ShapeDimension& dimension : dimensions(kind)) {
         std::string text = ui::number_text(usual_size(kind, dimension.key)) + " mm";
         const auto value = parse_quantity(text, dimension::length, units);

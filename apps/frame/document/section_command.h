@@ -36,7 +36,7 @@ std::vector<femoop::MemberId> members_with(const femoop::Model& model, femoop::S
 std::vector<femoop::MemberId> members_with(const femoop::Model& model, femoop::MaterialId id);
 
 /// A shape of a usual size (a steel I 300 mm high, a concrete rectangle 200 by 500 mm), its dimensions typed in mm.
-femoop::Shape usual_shape(femoop::ShapeKind kind, const femoop::Units& units);
+femoop::SectionShape usual_shape(femoop::SectionShapeKind kind, const femoop::Units& units);
 
 /// What is wrong with a shape, as a sentence for a field.
 ui::Phrase sentence_of(const femoop::ShapeFault& fault, const ui::DisplayUnits& units);

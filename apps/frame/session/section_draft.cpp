@@ -55,7 +55,7 @@ void SectionDraft::begin(Session& session, std::optional<SectionId> existing)
     selected_ = session.selection;
     const Model& model = session.model();
     section_ = existing ? model[*existing] : Section{.id = fresh_id(model.sections, "s1")};
-    if (!existing) choose_shape(session, ShapeKind::I);
+    if (!existing) choose_shape(session, SectionShapeKind::I);
 }
 
 void SectionDraft::accept(Session& session)
@@ -71,7 +71,7 @@ void SectionDraft::cancel(Session& session)
     is_open_ = false;
 }
 
-void SectionDraft::choose_shape(Session& session, ShapeKind kind)
+void SectionDraft::choose_shape(Session& session, SectionShapeKind kind)
 {
     if (section_.shape && section_.shape->kind == kind) return;
     section_ = Section{.id = section_.id, .shape = usual_shape(kind, session.model().units)};
@@ -135,7 +135,7 @@ std::optional<std::string> SectionDraft::obey(Session& session, std::string_view
     if (!is_open_) return "no section is being made; begin with edit.section";
     if (verb == "shape") {
         const auto kinds = shape_kinds();
-        const auto kind = std::ranges::find_if(kinds, [&](ShapeKind k) { return name(k) == argument; });
+        const auto kind = std::ranges::find_if(kinds, [&](SectionShapeKind k) { return name(k) == argument; });
         if (kind == kinds.end()) return "no shape \"" + std::string(argument) + "\"";
         choose_shape(session, *kind);
     } else if (verb == "profile") {

@@ -26,7 +26,7 @@ public:
     void accept(Session& session);
     void cancel(Session& session);
 
-    void choose_shape(Session& session, femoop::ShapeKind kind);
+    void choose_shape(Session& session, femoop::SectionShapeKind kind);
     void choose_profile(Session& session, std::string_view name);
     /// \returns why the shape cannot have it; the section stays then as it was. \pre the section has a shape
     std::optional<ui::Phrase> set_dimension(Session& session, const femoop::ShapeDimension& dimension,

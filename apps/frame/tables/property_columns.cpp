@@ -30,7 +30,7 @@ Column section_column(std::string_view heading, Measure measure, std::optional<Q
                         [field](auto& model, const Part& part) { return &(section_of(model, part).*field); });
 }
 
-Column size_column(std::string_view heading, std::optional<Quantity> Shape::*field)
+Column size_column(std::string_view heading, std::optional<Quantity> SectionShape::*field)
 {
     return field_column(heading, Measure::SectionLength, [field](auto& model, const Part& part) {
         auto& shape = section_of(model, part).shape;
@@ -55,21 +55,21 @@ Column profile_column()
     return column;
 }
 
-/// In the order of ShapeKind.
+/// In the order of SectionShapeKind.
 constexpr std::array shapes{translatable("rectangle"), translatable("circle"), translatable("tube"),
                             translatable("box"),       std::string_view("I"),  std::string_view("T"),
                             std::string_view("L"),     std::string_view("C")};
 
 CellValue shape_value(const Model& model, const Part& part)
 {
-    const std::optional<Shape>& shape = section_of(model, part).shape;
+    const std::optional<SectionShape>& shape = section_of(model, part).shape;
     if (!shape) return {};
     return ui::Phrase(shapes.at(static_cast<std::size_t>(shape->kind)));
 }
 
 Refusal write_shape(Document& document, const Part& part, const CellText& entry)
 {
-    std::optional<Shape>& shape = section_of(document.model, part).shape;
+    std::optional<SectionShape>& shape = section_of(document.model, part).shape;
     if (entry.is_empty()) {
         shape.reset();
         return std::nullopt;
@@ -80,8 +80,8 @@ Refusal write_shape(Document& document, const Part& part, const CellText& entry)
         for (const std::string_view word : shapes) words += (words.empty() ? "" : ", ") + entry.manner.tr(word);
         return entry.manner.tr("\"{text}\" is none of {words}", {{"text", entry.text}, {"words", words}});
     }
-    if (!shape) shape = Shape{};
-    shape->kind = static_cast<ShapeKind>(kind - shapes.begin());
+    if (!shape) shape = SectionShape{};
+    shape->kind = static_cast<SectionShapeKind>(kind - shapes.begin());
     return std::nullopt;
 }
 
@@ -113,13 +113,13 @@ std::vector<Column> section_columns()
                             section_column("yc", Measure::SectionLength, &Section::yc),
                             profile_column(),
                             {.heading = translatable("Shape"), .read = shape_value, .write = write_shape},
-                            size_column("b", &Shape::b),
-                            size_column("h", &Shape::h),
-                            size_column("d", &Shape::d),
-                            size_column("t", &Shape::t),
-                            size_column("bf", &Shape::bf),
-                            size_column("tf", &Shape::tf),
-                            size_column("tw", &Shape::tw)};
+                            size_column("b", &SectionShape::b),
+                            size_column("h", &SectionShape::h),
+                            size_column("d", &SectionShape::d),
+                            size_column("t", &SectionShape::t),
+                            size_column("bf", &SectionShape::bf),
+                            size_column("tf", &SectionShape::tf),
+                            size_column("tw", &SectionShape::tw)};
     all[0].need = Need::Required;
     return all;
 }

@@ -188,23 +188,23 @@ struct Plates {
 
 std::optional<Plates> plates(const femoop::Section& section, const SectionOutline& figure, const femoop::Units& file)
 {
-    using femoop::ShapeKind;
+    using femoop::SectionShapeKind;
     if (const femoop::Profile* p = section.profile ? femoop::find_profile(*section.profile) : nullptr) {
         const double k = metres(p->unit) / metres(file.length);
         const bool is_channel = p->family == femoop::ProfileFamily::UPN;
         return Plates{k * p->tf, is_channel ? figure.left : -0.5 * k * p->tw, k * p->tw};
     }
     if (!section.shape) return std::nullopt;
-    const femoop::Shape& shape = *section.shape;
+    const femoop::SectionShape& shape = *section.shape;
     switch (shape.kind) {
-    case ShapeKind::I:
-    case ShapeKind::T: return Plates{*shape.tf, -0.5 * *shape.tw, *shape.tw};
-    case ShapeKind::C: return Plates{*shape.tf, figure.left, *shape.tw};
-    case ShapeKind::Box:
-    case ShapeKind::L:
-    case ShapeKind::Tube: return Plates{0.0, figure.left, *shape.t};
-    case ShapeKind::Rectangle:
-    case ShapeKind::Circle: break;
+    case SectionShapeKind::I:
+    case SectionShapeKind::T: return Plates{*shape.tf, -0.5 * *shape.tw, *shape.tw};
+    case SectionShapeKind::C: return Plates{*shape.tf, figure.left, *shape.tw};
+    case SectionShapeKind::Box:
+    case SectionShapeKind::L:
+    case SectionShapeKind::Tube: return Plates{0.0, figure.left, *shape.t};
+    case SectionShapeKind::Rectangle:
+    case SectionShapeKind::Circle: break;
     }
     return std::nullopt;
 }
@@ -236,7 +236,7 @@ void draw_section(ui::Painter& painter, const femoop::Section& section, const fe
     if (const auto thin = plates(section, *figure, file)) draw_plates(picture, *thin, *figure);
 }
 
-void draw_section_icon(ui::Painter& painter, const femoop::Shape& shape, const ui::Theme& theme)
+void draw_section_icon(ui::Painter& painter, const femoop::SectionShape& shape, const ui::Theme& theme)
 {
     const SectionOutline figure = outline(shape);
     const double inset = 0.14 * std::min(painter.size().width, painter.size().height);

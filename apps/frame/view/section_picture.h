@@ -21,6 +21,6 @@ void draw_section(ui::Painter& painter, const femoop::Section& section, const fe
                   const SectionLook& look);
 
 /// The bare area alone, as large as the sheet allows: a small picture to choose by.
-void draw_section_icon(ui::Painter& painter, const femoop::Shape& shape, const ui::Theme& theme);
+void draw_section_icon(ui::Painter& painter, const femoop::SectionShape& shape, const ui::Theme& theme);
 
 } // namespace frame

@@ -22,21 +22,25 @@
 
 namespace frame {
 
-using femoop::ShapeKind;
+using femoop::SectionShapeKind;
 using ui::Measure;
 using ui::translatable;
 
 namespace {
 
 struct ShapeEntry {
-    ShapeKind kind;
+    SectionShapeKind kind;
     std::string_view label;
 };
 constexpr std::array shapes{
-    ShapeEntry{ShapeKind::Rectangle, translatable("Rectangle")}, ShapeEntry{ShapeKind::Circle, translatable("Circle")},
-    ShapeEntry{ShapeKind::Tube, translatable("Tube")},           ShapeEntry{ShapeKind::Box, translatable("Box")},
-    ShapeEntry{ShapeKind::I, translatable("I section")},         ShapeEntry{ShapeKind::T, translatable("T section")},
-    ShapeEntry{ShapeKind::L, translatable("L section, angle")},  ShapeEntry{ShapeKind::C, translatable("Channel")},
+    ShapeEntry{SectionShapeKind::Rectangle, translatable("Rectangle")},
+    ShapeEntry{SectionShapeKind::Circle, translatable("Circle")},
+    ShapeEntry{SectionShapeKind::Tube, translatable("Tube")},
+    ShapeEntry{SectionShapeKind::Box, translatable("Box")},
+    ShapeEntry{SectionShapeKind::I, translatable("I section")},
+    ShapeEntry{SectionShapeKind::T, translatable("T section")},
+    ShapeEntry{SectionShapeKind::L, translatable("L section, angle")},
+    ShapeEntry{SectionShapeKind::C, translatable("Channel")},
 };
 
 std::string_view meaning(std::string_view key)
@@ -65,7 +69,7 @@ void show_dimensions(Desk& desk, ui::NumberFields& fields)
         rows.name(desk.session.units().label(words, Measure::SectionLength));
         femoop::Quantity value = *((*draft.section().shape).*dimension.value);
         const auto why_not_this = [&](double wanted) -> std::optional<ui::Phrase> {
-            femoop::Shape next = *draft.section().shape;
+            femoop::SectionShape next = *draft.section().shape;
             next.*dimension.value = femoop::Quantity(wanted);
             const auto fault = why_not(next);
             return fault ? std::optional(sentence_of(*fault, desk.session.units())) : std::nullopt;

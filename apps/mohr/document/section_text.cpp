@@ -11,7 +11,7 @@
 
 namespace mohr {
 
-using femoop::Shape;
+using femoop::SectionShape;
 using ui::Phrase;
 using ui::translatable;
 
@@ -25,7 +25,7 @@ Phrase unknown(std::string_view text)
 }
 
 /// "b=90mm", or why not.
-std::optional<Phrase> take_dimension(Shape& shape, const std::string& word)
+std::optional<Phrase> take_dimension(SectionShape& shape, const std::string& word)
 {
     const auto equals = word.find('=');
     const std::string key = word.substr(0, equals), text = equals == std::string::npos ? "" : word.substr(equals + 1);
@@ -42,9 +42,9 @@ std::optional<Phrase> take_dimension(Shape& shape, const std::string& word)
     return Phrase(translatable("\"{word}\" is no dimension; write it like h=210mm"), {{"word", word}});
 }
 
-std::variant<femoop::mohr::SectionFigure, Phrase> figure_of(const Shape& shape)
+std::variant<femoop::mohr::SectionFigure, Phrase> figure_of(const SectionShape& shape)
 {
-    if (shape.kind == femoop::ShapeKind::L)
+    if (shape.kind == femoop::SectionShapeKind::L)
         return Phrase(
             translatable("a single angle bends out of its plane; choose a section that is symmetric about y′ or z′"));
     if (const auto fault = femoop::why_not(shape))
@@ -62,9 +62,9 @@ std::variant<femoop::mohr::SectionFigure, Phrase> section_figure(std::string_vie
     std::string kind;
     words >> kind;
     const auto kinds = femoop::shape_kinds();
-    const auto found = std::ranges::find_if(kinds, [&](femoop::ShapeKind k) { return name(k) == kind; });
+    const auto found = std::ranges::find_if(kinds, [&](femoop::SectionShapeKind k) { return name(k) == kind; });
     if (found == kinds.end()) return unknown(text);
-    Shape shape;
+    SectionShape shape;
     shape.kind = *found;
     for (std::string word; words >> word;)
         if (const auto reason = take_dimension(shape, word)) return *reason;

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::string_view step_names[] = {"FEM", "BAL", "CO", "TOTAL"};
 constexpr std::string_view order_names[] = {"largest", "left-to-right", "all-at-once"};
-constexpr double round_off = 1e-12; // of the largest moment
-constexpr int digits_of_a_sum = 14; // adding rounded numbers leaves binary dust beyond
+constexpr double moment_round_off = 1e-12; // of the largest moment
+constexpr int digits_of_a_sum = 14;        // adding rounded numbers leaves binary dust beyond
 
 /// Numbers below round-off of the largest are 0, and sums of rounded numbers lose their dust.
 std::vector<double> cleaned(std::vector<double> values, int digits)
@@ -24,7 +24,7 @@ std::vector<double> cleaned(std::vector<double> values, int digits)
     double largest = 0.0;
     for (const double value : values) largest = std::max(largest, std::abs(value));
     for (double& value : values) {
-        if (std::abs(value) <= round_off * largest) value = 0.0;
+        if (std::abs(value) <= moment_round_off * largest) value = 0.0;
         if (digits > 0) value = rounded(value, digits_of_a_sum);
     }
     return values;

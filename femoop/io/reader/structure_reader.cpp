@@ -20,7 +20,7 @@ constexpr Keys<3> end_keys{{"release", "spring", "offset"}, 0};
 constexpr Keys<1> foundation_keys{{"y"}, 1};
 constexpr Keys<n_dofs> dof_keys{names::displacements, 0};
 
-bool has_depth(ShapeKind kind) { return kind != ShapeKind::Circle && kind != ShapeKind::Tube; }
+bool has_depth(SectionShapeKind kind) { return kind != SectionShapeKind::Circle && kind != SectionShapeKind::Tube; }
 
 } // namespace
 
@@ -61,8 +61,8 @@ Section ModelReader::section(JsonValue value, const Place& place)
                 reader_.add({FaultKind::SizeWithoutShape, {place.text(), std::string(size.key())}});
         return section;
     }
-    Shape sizes;
-    sizes.kind = static_cast<ShapeKind>(*kind);
+    SectionShape sizes;
+    sizes.kind = static_cast<SectionShapeKind>(*kind);
     (has_depth(sizes.kind) ? sizes.h : section.h) = length(h);
     sizes.b = length(b);
     sizes.d = length(d);

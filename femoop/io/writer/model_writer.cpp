@@ -56,7 +56,7 @@ std::string text_of(const Material& material)
     return object.str();
 }
 
-void add(ObjectText& object, const Shape& shape)
+void add(ObjectText& object, const SectionShape& shape)
 {
     object.add("shape", word(names::shapes, shape.kind));
     add_if(object, "h", shape.h);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double same_place = 1e-9; // of the structure's extent
 constexpr double same_value = 1e-9; // of the largest of its kind
-constexpr int shown_digits = 6;
+constexpr int shown_place_digits = 6;
 
 bool is_crossing(const Problem& problem, const std::vector<EndId>& image, EndId end)
 {
@@ -55,16 +55,16 @@ public:
     }
 
 private:
-    std::string axis() const { return quantity_text(rounded(x_, shown_digits), dimension::length, model_.units); }
+    std::string axis() const { return quantity_text(rounded(x_, shown_place_digits), dimension::length, model_.units); }
     std::string point(const Eigen::Vector2d& at) const
     {
         const std::string unit = unit_text(dimension::length, model_.units);
-        return "(" + number_text(rounded(at.x(), shown_digits) + 0.0) + ", " +
-               number_text(rounded(at.y(), shown_digits) + 0.0) + ") " + unit;
+        return "(" + number_text(rounded(at.x(), shown_place_digits) + 0.0) + ", " +
+               number_text(rounded(at.y(), shown_place_digits) + 0.0) + ") " + unit;
     }
     std::string moment(double value) const
     {
-        return quantity_text(rounded(value, shown_digits) + 0.0, dimension::moment, model_.units);
+        return quantity_text(rounded(value, shown_place_digits) + 0.0, dimension::moment, model_.units);
     }
 
     void pair_nodes()

@@ -33,7 +33,7 @@ SectionFigure::SectionFigure(SectionOutline outline) : outline_(std::move(outlin
     Iz_ = all.second;
 }
 
-SectionFigure::SectionFigure(const Shape& shape) : SectionFigure(femoop::outline(shape)) {}
+SectionFigure::SectionFigure(const SectionShape& shape) : SectionFigure(femoop::outline(shape)) {}
 
 SectionFigure::SectionFigure(const Profile& profile, const Units& units)
     : outline_(femoop::outline(profile_section(profile), units).value())

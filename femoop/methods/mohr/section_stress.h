@@ -38,7 +38,7 @@ class SectionFigure {
 public:
     explicit SectionFigure(SectionOutline outline);
     /// \pre `why_not(shape)` has nothing to say
-    explicit SectionFigure(const Shape& shape);
+    explicit SectionFigure(const SectionShape& shape);
     SectionFigure(const Profile& profile, const Units& units);
 
     double area() const { return area_; }

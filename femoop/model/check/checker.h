@@ -103,7 +103,7 @@ private:
     void check_foundation(const Member& member, const Entry& place);
 
     // shape_check.cpp
-    void check_shape(const Shape& shape, const Entry& place);
+    void check_shape(const SectionShape& shape, const Entry& place);
     void check_profile(const std::string& profile, const Entry& place);
 
     // load_check.cpp

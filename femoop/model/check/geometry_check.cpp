@@ -82,10 +82,10 @@ struct Line {
     double length = 0.0;
 };
 
-enum class Meeting : std::uint8_t { None, Cross, FirstEndsOnSecond, SecondEndsOnFirst, Overlap };
+enum class MemberMeeting : std::uint8_t { None, Cross, FirstEndsOnSecond, SecondEndsOnFirst, Overlap };
 
 struct Encounter {
-    Meeting kind = Meeting::None;
+    MemberMeeting kind = MemberMeeting::None;
     Point place{};
     NodeId node; ///< that lies on the other member
 };
@@ -102,7 +102,7 @@ Encounter overlap(const Line& a, const Line& b)
     const double begin = std::max(0.0, std::min(from, to)), end = std::min(1.0, std::max(from, to));
     const double shorter = std::min(a.length, b.length) / a.length;
     if (end - begin <= nearness * shorter) return {};
-    return {Meeting::Overlap, along(a.start, a.direction, 0.5 * (begin + end)), {}};
+    return {MemberMeeting::Overlap, along(a.start, a.direction, 0.5 * (begin + end)), {}};
 }
 
 /// Where two lines come nearest, if that is a touch inside at least one of them.
@@ -126,9 +126,9 @@ Encounter meet(const Line& a, const Line& b)
     const Point on_a = along(a.start, a.direction, s_again), on_b = along(b.start, b.direction, t);
     if (size(minus(on_a, on_b)) > tolerance) return {};
     const bool inside_a = is_inside(s_again, tolerance / a.length), inside_b = is_inside(t, tolerance / b.length);
-    if (inside_a && inside_b) return {Meeting::Cross, on_a, {}};
-    if (inside_a) return {Meeting::SecondEndsOnFirst, on_b, b.nodes[t < 0.5 ? 0 : 1]};
-    if (inside_b) return {Meeting::FirstEndsOnSecond, on_a, a.nodes[s_again < 0.5 ? 0 : 1]};
+    if (inside_a && inside_b) return {MemberMeeting::Cross, on_a, {}};
+    if (inside_a) return {MemberMeeting::SecondEndsOnFirst, on_b, b.nodes[t < 0.5 ? 0 : 1]};
+    if (inside_b) return {MemberMeeting::FirstEndsOnSecond, on_a, a.nodes[s_again < 0.5 ? 0 : 1]};
     return {};
 }
 
@@ -189,7 +189,8 @@ Search search(const std::vector<Line>& lines)
                 return found;
             }
             const Encounter encounter = meet(lines[first->second], lines[second->second]);
-            if (encounter.kind != Meeting::None) found.pairs.push_back({first->second, second->second, encounter});
+            if (encounter.kind != MemberMeeting::None)
+                found.pairs.push_back({first->second, second->second, encounter});
         }
     return found;
 }
@@ -261,15 +262,15 @@ void Checker::check_crossings()
     auto [pairs, is_complete] = search(lines);
     sort_pairs(pairs);
     for (const auto& [first, second, encounter] : pairs) {
-        const bool ends_on_first = encounter.kind == Meeting::SecondEndsOnFirst;
-        const bool ends_inside = ends_on_first || encounter.kind == Meeting::FirstEndsOnSecond;
+        const bool ends_on_first = encounter.kind == MemberMeeting::SecondEndsOnFirst;
+        const bool ends_inside = ends_on_first || encounter.kind == MemberMeeting::FirstEndsOnSecond;
         const std::uint32_t passing = lines[ends_on_first ? first : second].member, other = lines[first].member;
         if (ends_inside && !passed.insert({passing, encounter.node}).second) continue;
         if (++n_warnings > most_warnings) continue;
         const Entry place{"members", passing, model_.members[passing].id};
         if (ends_inside) add(FaultKind::MemberPassesNode, place, {model_[encounter.node].id, shown(encounter.place)});
         else
-            add(encounter.kind == Meeting::Cross ? FaultKind::MembersCross : FaultKind::MembersOverlap, place,
+            add(encounter.kind == MemberMeeting::Cross ? FaultKind::MembersCross : FaultKind::MembersOverlap, place,
                 {model_.members[other].id, shown(encounter.place)});
     }
     if (n_warnings <= most_warnings) return;

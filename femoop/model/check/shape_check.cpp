@@ -14,7 +14,7 @@ namespace femoop {
 
 namespace {
 
-std::string keys_of(ShapeKind kind)
+std::string keys_of(SectionShapeKind kind)
 {
     std::string text;
     for (const ShapeDimension& dimension : dimensions(kind))
@@ -22,7 +22,7 @@ std::string keys_of(ShapeKind kind)
     return text;
 }
 
-bool needs(ShapeKind kind, std::string_view key)
+bool needs(SectionShapeKind kind, std::string_view key)
 {
     const auto keys = dimensions(kind);
     return std::any_of(keys.begin(), keys.end(), [&](const ShapeDimension& dimension) { return dimension.key == key; });
@@ -30,7 +30,7 @@ bool needs(ShapeKind kind, std::string_view key)
 
 } // namespace
 
-void Checker::check_shape(const Shape& shape, const Entry& place)
+void Checker::check_shape(const SectionShape& shape, const Entry& place)
 {
     const std::string kind(name(shape.kind)), keys = keys_of(shape.kind);
     bool can_be_drawn = true;
@@ -47,7 +47,8 @@ void Checker::check_shape(const Shape& shape, const Entry& place)
         add(FaultKind::ShapeTooThick, place,
             {std::string(flaw->key), quantity_text(flaw->value, dimension::length, model_.units),
              std::string(flaw->limit_key), quantity_text(flaw->limit, dimension::length, model_.units)});
-    const bool is_unsymmetric = shape.kind == ShapeKind::L || shape.kind == ShapeKind::C || shape.kind == ShapeKind::T;
+    const bool is_unsymmetric = shape.kind == SectionShapeKind::L || shape.kind == SectionShapeKind::C ||
+                                shape.kind == SectionShapeKind::T;
     if (is_unsymmetric && !is_truss(model_.analysis)) add(FaultKind::IyzLeftOut, place, {kind});
 }
 

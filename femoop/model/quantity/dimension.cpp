@@ -10,7 +10,7 @@ namespace femoop {
 
 namespace {
 
-constexpr std::array<std::pair<Dimension, std::string_view>, 20> names{{
+constexpr std::array<std::pair<Dimension, std::string_view>, 20> dimension_names{{
     {dimension::none, translatable("plain number")},
     {dimension::length, translatable("length")},
     {dimension::area, translatable("area")},
@@ -45,7 +45,7 @@ void append(std::string& text, std::string_view name, int exponent)
 
 std::string description(Dimension dimension)
 {
-    for (const auto& [known, name] : names)
+    for (const auto& [known, name] : dimension_names)
         if (known == dimension) return std::string(name);
     std::string text;
     append(text, "force", dimension.force);

@@ -35,7 +35,7 @@ public:
         for (auto* area : {&section.Asy, &section.Asz}) number(*area, dimension::area);
         for (auto* length : {&section.h, &section.yc}) number(*length, dimension::length);
         if (!section.shape) return;
-        Shape& shape = *section.shape;
+        SectionShape& shape = *section.shape;
         for (auto* size : {&shape.b, &shape.h, &shape.d, &shape.t, &shape.bf, &shape.tf, &shape.tw})
             number(*size, dimension::length);
     }

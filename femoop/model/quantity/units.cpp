@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::array<std::string_view, 6> length_names{"m", "mm", "cm", "km", "in", "ft"};
 constexpr std::array<double, 6> length_in_m{1.0, 1e-3, 1e-2, 1e3, 0.0254, 0.3048};
-constexpr std::array<std::string_view, 7> force_names{"N", "kN", "MN", "lbf", "kip", "tf", "kgf"};
+constexpr std::array<std::string_view, 7> force_unit_names{"N", "kN", "MN", "lbf", "kip", "tf", "kgf"};
 constexpr std::array<double, 7> force_in_N{1.0, 1e3, 1e6, 4.4482216152605, 4448.2216152605, 9806.65, 9.80665};
 
 template <class Unit, std::size_t N>
@@ -31,10 +31,10 @@ std::string power(std::string_view unit, int exponent)
 double metres(LengthUnit unit) { return length_in_m[static_cast<std::size_t>(unit)]; }
 double newtons(ForceUnit unit) { return force_in_N[static_cast<std::size_t>(unit)]; }
 std::string_view name(LengthUnit unit) { return length_names[static_cast<std::size_t>(unit)]; }
-std::string_view name(ForceUnit unit) { return force_names[static_cast<std::size_t>(unit)]; }
+std::string_view name(ForceUnit unit) { return force_unit_names[static_cast<std::size_t>(unit)]; }
 
 std::optional<LengthUnit> find_length_unit(std::string_view name) { return find<LengthUnit>(length_names, name); }
-std::optional<ForceUnit> find_force_unit(std::string_view name) { return find<ForceUnit>(force_names, name); }
+std::optional<ForceUnit> find_force_unit(std::string_view name) { return find<ForceUnit>(force_unit_names, name); }
 
 std::string unit_text(Dimension dimension, const Units& units)
 {

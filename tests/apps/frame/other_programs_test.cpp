@@ -22,7 +22,7 @@ constexpr double L = 4.0, l = 3.0, q = 12.0, b = 0.09, h = 0.21; // kN, m
 
 femoop::Section rectangle()
 {
-    femoop::Shape shape;
+    femoop::SectionShape shape;
     shape.b = b;
     shape.h = h;
     return {.id = "R", .shape = shape};
@@ -31,8 +31,8 @@ femoop::Section rectangle()
 /// Its centroid is 267.307692 mm above its foot.
 femoop::Section tee()
 {
-    femoop::Shape shape;
-    shape.kind = femoop::ShapeKind::T;
+    femoop::SectionShape shape;
+    shape.kind = femoop::SectionShapeKind::T;
     shape.h = 0.4;
     shape.bf = 0.3;
     shape.tf = 0.05;

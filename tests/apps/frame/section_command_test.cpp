@@ -17,9 +17,9 @@ TEST_SUITE("frame: property sets")
 {
     TEST_CASE("A section of a usual size is sound in every unit, and the same section")
     {
-        for (const ShapeKind kind : shape_kinds()) {
+        for (const SectionShapeKind kind : shape_kinds()) {
             CAPTURE(name(kind));
-            const Shape metric = usual_shape(kind, {}), inches = usual_shape(kind, {.length = LengthUnit::in});
+            const SectionShape metric = usual_shape(kind, {}), inches = usual_shape(kind, {.length = LengthUnit::in});
             CHECK_FALSE(why_not(metric));
             const double k = std::pow(0.0254, 2);
             CHECK(shape_properties(inches).A * k == doctest::Approx(shape_properties(metric).A));
@@ -72,7 +72,7 @@ TEST_SUITE("frame: property sets")
         other.add(steel(other.units, "205 GPa"));
         other.materials.back().id = "as ours";
         other.add(Section{.id = "beam", .A = 12000, .Iz = 2e8}); // the column's numbers
-        other.add(Section{.id = "post", .shape = Shape{.kind = ShapeKind::Circle, .d = 300}});
+        other.add(Section{.id = "post", .shape = SectionShape{.kind = SectionShapeKind::Circle, .d = 300}});
         CHECK(import_properties(document, other) == 2);
         REQUIRE(document.model.materials.size() == 2);
         CHECK(document.model.materials[1].id == "steel2");
@@ -84,7 +84,7 @@ TEST_SUITE("frame: property sets")
 
     TEST_CASE("A dimension that would fold a shape is answered with what it must stay below")
     {
-        Shape shape = usual_shape(ShapeKind::I, {});
+        SectionShape shape = usual_shape(SectionShapeKind::I, {});
         shape.tf = 0.2;
         const ui::DisplayUnits units(ui::UnitSystem::KnM, {}, {});
         CHECK(ui::Catalogue()(sentence_of(*why_not(shape), units)) == "tf must be less than h/2 = 15 cm");

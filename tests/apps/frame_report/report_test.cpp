@@ -106,7 +106,8 @@ TEST_SUITE("frame report")
     TEST_CASE("Shear areas stand in the table of sections where a member has shear strain, and no others in a plane")
     {
         Document document{femoop::read_model_file(source_folder() + "/examples/continuous_beam.json")};
-        document.model.sections[0] = {.id = "s", .shape = femoop::Shape{.kind = femoop::ShapeKind::Rectangle}};
+        document.model.sections[0] = {.id = "s",
+                                      .shape = femoop::SectionShape{.kind = femoop::SectionShapeKind::Rectangle}};
         document.model.sections[0].shape->b = 0.3;
         document.model.sections[0].shape->h = 0.5;
         document.model.members[0].theory = femoop::BeamTheory::Timoshenko;

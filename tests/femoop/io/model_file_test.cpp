@@ -178,7 +178,7 @@ TEST_CASE("A stream is read like a text")
 TEST_CASE("The depth of a shape is written once, as the shape's")
 {
     Model model = read_model(File{}.text());
-    model.sections[0].shape = Shape{.kind = ShapeKind::Rectangle, .b = 0.2, .h = 0.3};
+    model.sections[0].shape = SectionShape{.kind = SectionShapeKind::Rectangle, .b = 0.2, .h = 0.3};
     model.sections[0].h = 0.5;
     CHECK(read_model(write_model(model)).sections[0].shape->h->value() == 0.3);
 }

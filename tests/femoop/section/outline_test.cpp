@@ -25,15 +25,15 @@ AreaMoments moments_of(const SectionOutline& outline)
     return area_moments(points(outline.hole), area_moments(points(outline.outer)));
 }
 
-const Shape shapes[] = {
-    {.kind = ShapeKind::Rectangle, .b = 0.2, .h = 0.5},
-    {.kind = ShapeKind::Circle, .d = 0.3},
-    {.kind = ShapeKind::Tube, .d = 0.3, .t = 0.02},
-    {.kind = ShapeKind::Box, .b = 0.2, .h = 0.35, .t = 0.012},
-    {.kind = ShapeKind::I, .h = 0.3, .bf = 0.17, .tf = 0.013, .tw = 0.008},
-    {.kind = ShapeKind::T, .h = 0.25, .bf = 0.18, .tf = 0.03, .tw = 0.02},
-    {.kind = ShapeKind::L, .b = 0.09, .h = 0.15, .t = 0.011},
-    {.kind = ShapeKind::C, .h = 0.2, .bf = 0.075, .tf = 0.0115, .tw = 0.0085},
+const SectionShape shapes[] = {
+    {.kind = SectionShapeKind::Rectangle, .b = 0.2, .h = 0.5},
+    {.kind = SectionShapeKind::Circle, .d = 0.3},
+    {.kind = SectionShapeKind::Tube, .d = 0.3, .t = 0.02},
+    {.kind = SectionShapeKind::Box, .b = 0.2, .h = 0.35, .t = 0.012},
+    {.kind = SectionShapeKind::I, .h = 0.3, .bf = 0.17, .tf = 0.013, .tw = 0.008},
+    {.kind = SectionShapeKind::T, .h = 0.25, .bf = 0.18, .tf = 0.03, .tw = 0.02},
+    {.kind = SectionShapeKind::L, .b = 0.09, .h = 0.15, .t = 0.011},
+    {.kind = SectionShapeKind::C, .h = 0.2, .bf = 0.075, .tf = 0.0115, .tw = 0.0085},
 };
 
 } // namespace
@@ -42,9 +42,9 @@ TEST_SUITE("section outline")
 {
     TEST_CASE("The outline of every shape has the shape's area and second moments, about its centroid")
     {
-        for (const Shape& shape : shapes) {
+        for (const SectionShape& shape : shapes) {
             CAPTURE(static_cast<int>(shape.kind));
-            const bool is_round = shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Tube;
+            const bool is_round = shape.kind == SectionShapeKind::Circle || shape.kind == SectionShapeKind::Tube;
             const double tolerance = is_round ? 6e-3 : 1e-9; // 72 sides
             const SectionOutline figure = outline(shape);
             const AreaMoments m = moments_of(figure);
@@ -77,7 +77,8 @@ TEST_SUITE("section outline")
     {
         CHECK_FALSE(outline(Section{.id = "s", .A = 0.01}, {}));
         CHECK_FALSE(outline(Section{.id = "s", .profile = "IPE 301"}, {}));
-        CHECK_FALSE(outline(Section{.id = "s", .shape = Shape{.kind = ShapeKind::Circle, .d = -1.0}}, {}));
+        CHECK_FALSE(
+            outline(Section{.id = "s", .shape = SectionShape{.kind = SectionShapeKind::Circle, .d = -1.0}}, {}));
     }
 
     TEST_CASE("About the principal axes an angle has the largest and the least second moment, and no product")
@@ -99,7 +100,7 @@ TEST_SUITE("section outline")
         "A symmetric section's principal axes are its own; a standing one is stiff about z', a lying one about y'")
     {
         CHECK(principal_axes(shape_properties(shapes[0])).angle == 0.0);
-        const Shape lying{.kind = ShapeKind::Rectangle, .b = 0.5, .h = 0.2};
+        const SectionShape lying{.kind = SectionShapeKind::Rectangle, .b = 0.5, .h = 0.2};
         CHECK(std::abs(principal_axes(shape_properties(lying)).angle) == doctest::Approx(std::numbers::pi / 2.0));
         CHECK(principal_axes(shape_properties(shapes[1])).angle == 0.0);
     }

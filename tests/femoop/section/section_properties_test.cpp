@@ -23,8 +23,8 @@ Section profile_section(const char* profile)
 Section tee_section()
 {
     Section section;
-    section.shape = Shape{
-        .kind = ShapeKind::T, .b = {}, .h = 0.37, .d = {}, .t = {}, .bf = 0.19, .tf = 0.031, .tw = 0.017};
+    section.shape = SectionShape{
+        .kind = SectionShapeKind::T, .b = {}, .h = 0.37, .d = {}, .t = {}, .bf = 0.19, .tf = 0.031, .tw = 0.017};
     return section;
 }
 

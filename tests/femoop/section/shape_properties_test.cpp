@@ -19,23 +19,29 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double h = 0.37, b = 0.23, bf = 0.19, tf = 0.031, tw = 0.017, t = 0.013, d = 0.29;
 
-Shape rectangle()
+SectionShape rectangle()
 {
-    return {.kind = ShapeKind::Rectangle, .b = b, .h = h, .d = {}, .t = {}, .bf = {}, .tf = {}, .tw = {}};
+    return {.kind = SectionShapeKind::Rectangle, .b = b, .h = h, .d = {}, .t = {}, .bf = {}, .tf = {}, .tw = {}};
 }
-Shape box() { return {.kind = ShapeKind::Box, .b = b, .h = h, .d = {}, .t = t, .bf = {}, .tf = {}, .tw = {}}; }
-Shape angle() { return {.kind = ShapeKind::L, .b = b, .h = h, .d = {}, .t = t, .bf = {}, .tf = {}, .tw = {}}; }
-Shape round(ShapeKind kind, std::optional<Quantity> wall)
+SectionShape box()
+{
+    return {.kind = SectionShapeKind::Box, .b = b, .h = h, .d = {}, .t = t, .bf = {}, .tf = {}, .tw = {}};
+}
+SectionShape angle()
+{
+    return {.kind = SectionShapeKind::L, .b = b, .h = h, .d = {}, .t = t, .bf = {}, .tf = {}, .tw = {}};
+}
+SectionShape round(SectionShapeKind kind, std::optional<Quantity> wall)
 {
     return {.kind = kind, .b = {}, .h = {}, .d = d, .t = std::move(wall), .bf = {}, .tf = {}, .tw = {}};
 }
-Shape flanged(ShapeKind kind)
+SectionShape flanged(SectionShapeKind kind)
 {
     return {.kind = kind, .b = {}, .h = h, .d = {}, .t = {}, .bf = bf, .tf = tf, .tw = tw};
 }
 
 struct Case {
-    Shape shape;
+    SectionShape shape;
     AreaMoments moments;
     double width;
 };
@@ -56,10 +62,10 @@ std::vector<Case> straight_shapes()
     const std::vector<OutlinePoint> c{{0, 0}, {bf, 0}, {bf, tf}, {tw, tf}, {tw, h - tf}, {bf, h - tf}, {bf, h}, {0, h}};
     return {{rectangle(), area_moments(rect(0, b, 0, h)), b},
             {box(), area_moments(hole, area_moments(rect(0, b, 0, h))), b},
-            {flanged(ShapeKind::I), area_moments(i), bf},
-            {flanged(ShapeKind::T), area_moments(tee), bf},
+            {flanged(SectionShapeKind::I), area_moments(i), bf},
+            {flanged(SectionShapeKind::T), area_moments(tee), bf},
             {angle(), area_moments(l), b},
-            {flanged(ShapeKind::C), area_moments(c), bf}};
+            {flanged(SectionShapeKind::C), area_moments(c), bf}};
 }
 
 } // namespace
@@ -86,14 +92,14 @@ TEST_CASE("Only the angle has a product of inertia, and it is negative with the 
     for (const Case& c : straight_shapes()) {
         CAPTURE(name(c.shape.kind));
         const double Iyz = shape_properties(c.shape).Iyz;
-        if (c.shape.kind == ShapeKind::L) CHECK(Iyz < 0.0);
+        if (c.shape.kind == SectionShapeKind::L) CHECK(Iyz < 0.0);
         else CHECK(Iyz == 0.0);
     }
 }
 
 TEST_CASE("A circle has A = pi d^2/4, I = pi d^4/64, J = 2 I and W = pi d^3/32")
 {
-    const SectionProperties s = shape_properties(round(ShapeKind::Circle, std::nullopt));
+    const SectionProperties s = shape_properties(round(SectionShapeKind::Circle, std::nullopt));
     CHECK(s.A == Approx(pi * d * d / 4.0));
     CHECK(s.Iz == Approx(pi * std::pow(d, 4) / 64.0));
     CHECK(s.Iy == s.Iz);
@@ -104,7 +110,7 @@ TEST_CASE("A circle has A = pi d^2/4, I = pi d^4/64, J = 2 I and W = pi d^3/32")
 
 TEST_CASE("A tube is its outer circle less its bore")
 {
-    const SectionProperties s = shape_properties(round(ShapeKind::Tube, t));
+    const SectionProperties s = shape_properties(round(SectionShapeKind::Tube, t));
     const double bore = d - 2.0 * t;
     CHECK(s.A == Approx(pi * (d * d - bore * bore) / 4.0));
     CHECK(s.Iz == Approx(pi * (std::pow(d, 4) - std::pow(bore, 4)) / 64.0));
@@ -115,7 +121,8 @@ TEST_CASE("A tube is its outer circle less its bore")
 TEST_CASE("A tube so thin that its bore's d^4 would cancel keeps I = pi d^3 t / 8")
 {
     const double wall = 1e-13;
-    CHECK(shape_properties(round(ShapeKind::Tube, wall)).Iz == Approx(pi * d * d * d * wall / 8.0).epsilon(1e-11));
+    CHECK(shape_properties(round(SectionShapeKind::Tube, wall)).Iz ==
+          Approx(pi * d * d * d * wall / 8.0).epsilon(1e-11));
 }
 
 TEST_CASE("J of a rectangle is k1 (2a)^3 (2b) with the k1 of Timoshenko & Goodier, section 109")
@@ -132,8 +139,14 @@ TEST_CASE("J of a rectangle is k1 (2a)^3 (2b) with the k1 of Timoshenko & Goodie
     for (const auto& row : table) {
         const double ratio = row.first;
         CAPTURE(ratio);
-        const Shape shape{
-            .kind = ShapeKind::Rectangle, .b = b, .h = ratio * b, .d = {}, .t = {}, .bf = {}, .tf = {}, .tw = {}};
+        const SectionShape shape{.kind = SectionShapeKind::Rectangle,
+                                 .b = b,
+                                 .h = ratio * b,
+                                 .d = {},
+                                 .t = {},
+                                 .bf = {},
+                                 .tf = {},
+                                 .tw = {}};
         CHECK(shape_properties(shape).J / (ratio * std::pow(b, 4)) == Approx(row.second).epsilon(3e-3));
     }
 }
@@ -145,16 +158,22 @@ TEST_CASE("J of a rectangle is Saint-Venant's series, summed here term by term, 
         double sum = 0.0; // smallest first; what is left out is below 1 / (8 n^4)
         for (int n = 4001; n >= 1; n -= 2) sum += std::tanh(n * pi * ratio / 2.0) / std::pow(n, 5);
         const double J = ratio * std::pow(b, 4) * (1.0 / 3.0 - 64.0 * sum / (std::pow(pi, 5) * ratio));
-        const Shape shape{
-            .kind = ShapeKind::Rectangle, .b = ratio * b, .h = b, .d = {}, .t = {}, .bf = {}, .tf = {}, .tw = {}};
+        const SectionShape shape{.kind = SectionShapeKind::Rectangle,
+                                 .b = ratio * b,
+                                 .h = b,
+                                 .d = {},
+                                 .t = {},
+                                 .bf = {},
+                                 .tf = {},
+                                 .tw = {}};
         CHECK(std::abs(shape_properties(shape).J - J) < 1e-12 * J);
     }
 }
 
 TEST_CASE("A strip's J tends to l t^3 / 3 (1 - 0.630 t / l)")
 {
-    const Shape strip{
-        .kind = ShapeKind::Rectangle, .b = 1e-4 * h, .h = h, .d = {}, .t = {}, .bf = {}, .tf = {}, .tw = {}};
+    const SectionShape strip{
+        .kind = SectionShapeKind::Rectangle, .b = 1e-4 * h, .h = h, .d = {}, .t = {}, .bf = {}, .tf = {}, .tw = {}};
     const double thin = h * std::pow(1e-4 * h, 3) / 3.0;
     CHECK(shape_properties(strip).J == Approx(thin * (1.0 - 0.63025e-4)).epsilon(1e-8));
 }
@@ -169,15 +188,15 @@ TEST_CASE("J of an open shape is the sum of l t^3 / 3 over its rectangles")
 {
     const auto third = [](double l, double thickness) { return l * std::pow(thickness, 3) / 3.0; };
     const double web = third(h - 2.0 * tf, tw), flange = third(bf, tf);
-    CHECK(shape_properties(flanged(ShapeKind::I)).J == Approx(web + 2.0 * flange));
-    CHECK(shape_properties(flanged(ShapeKind::C)).J == Approx(web + 2.0 * flange));
-    CHECK(shape_properties(flanged(ShapeKind::T)).J == Approx(third(h - tf, tw) + flange));
+    CHECK(shape_properties(flanged(SectionShapeKind::I)).J == Approx(web + 2.0 * flange));
+    CHECK(shape_properties(flanged(SectionShapeKind::C)).J == Approx(web + 2.0 * flange));
+    CHECK(shape_properties(flanged(SectionShapeKind::T)).J == Approx(third(h - tf, tw) + flange));
     CHECK(shape_properties(angle()).J == Approx(third(h, t) + third(b - t, t)));
 }
 
 TEST_CASE("Shear areas: 5A/6, 9A/10, A/2, both walls of a box, web and 5/6 of the flanges, 5/6 of each leg")
 {
-    const auto areas = [](const Shape& shape) {
+    const auto areas = [](const SectionShape& shape) {
         const SectionProperties s = shape_properties(shape);
         return std::pair(s.Asy.value(), s.Asz.value());
     };
@@ -186,17 +205,17 @@ TEST_CASE("Shear areas: 5A/6, 9A/10, A/2, both walls of a box, web and 5/6 of th
         CHECK(found.second == Approx(z));
     };
     same(areas(rectangle()), 5.0 / 6.0 * b * h, 5.0 / 6.0 * b * h);
-    same(areas(round(ShapeKind::Circle, std::nullopt)), 0.225 * pi * d * d, 0.225 * pi * d * d);
-    same(areas(round(ShapeKind::Tube, t)), pi * t * (d - t) / 2.0, pi * t * (d - t) / 2.0);
+    same(areas(round(SectionShapeKind::Circle, std::nullopt)), 0.225 * pi * d * d, 0.225 * pi * d * d);
+    same(areas(round(SectionShapeKind::Tube, t)), pi * t * (d - t) / 2.0, pi * t * (d - t) / 2.0);
     same(areas(box()), 2.0 * h * t, 2.0 * b * t);
-    same(areas(flanged(ShapeKind::I)), h * tw, 5.0 / 3.0 * bf * tf);
-    same(areas(flanged(ShapeKind::C)), h * tw, 5.0 / 3.0 * bf * tf);
-    same(areas(flanged(ShapeKind::T)), h * tw, 5.0 / 6.0 * bf * tf);
+    same(areas(flanged(SectionShapeKind::I)), h * tw, 5.0 / 3.0 * bf * tf);
+    same(areas(flanged(SectionShapeKind::C)), h * tw, 5.0 / 3.0 * bf * tf);
+    same(areas(flanged(SectionShapeKind::T)), h * tw, 5.0 / 6.0 * bf * tf);
     same(areas(angle()), 5.0 / 6.0 * h * t, 5.0 / 6.0 * b * t);
 }
 
 TEST_CASE("The flange of a t lies at the top: the centroid stands above mid-depth")
 {
-    CHECK(shape_properties(flanged(ShapeKind::T)).yc.value() > h / 2.0);
+    CHECK(shape_properties(flanged(SectionShapeKind::T)).yc.value() > h / 2.0);
     CHECK(shape_properties(angle()).yc.value() < h / 2.0);
 }

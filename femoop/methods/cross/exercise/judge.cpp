@@ -12,7 +12,7 @@ constexpr double coarsest_of_all = 3e-3; // of the largest of its kind
 constexpr double no_difference = 1e-9;
 
 /// Whether a number was meant by what was written.
-struct Measure {
+struct JudgeMeasure {
     Entry entry;
     double scale = 0.0; ///< the largest number of its kind
 
@@ -63,7 +63,7 @@ private:
 
     Judgement judged(std::size_t i, const std::vector<Figure>& own) const
     {
-        const Measure measure{*entries_[i], scale_of(form_.blanks[i])};
+        const JudgeMeasure measure{*entries_[i], scale_of(form_.blanks[i])};
         const Figure right{.value = form_.right[i]};
         if (measure.meets(right)) return {Verdict::Right};
         for (const Figure& figure : own)
@@ -76,7 +76,7 @@ private:
     }
 
     /// Mistakes made with the numbers that were had, or with the right ones.
-    std::vector<Slip> named(std::size_t i, const Measure& measure) const
+    std::vector<Slip> named(std::size_t i, const JudgeMeasure& measure) const
     {
         std::vector<SlipFigure> found = slips_of(form_, figures_, BlankId(i));
         const std::vector<Figure> right = right_figures(i);

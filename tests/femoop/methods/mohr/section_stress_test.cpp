@@ -18,10 +18,10 @@ namespace {
 
 constexpr SectionForces forces{.N = 30e3, .V = -70e3, .M = 19e6}; // N, N mm
 
-Shape i_shape()
+SectionShape i_shape()
 {
-    Shape shape;
-    shape.kind = ShapeKind::I;
+    SectionShape shape;
+    shape.kind = SectionShapeKind::I;
     shape.h = 300.0;
     shape.bf = 150.0;
     shape.tf = 12.0;
@@ -29,28 +29,28 @@ Shape i_shape()
     return shape;
 }
 
-Shape rectangle()
+SectionShape rectangle()
 {
-    Shape shape;
-    shape.kind = ShapeKind::Rectangle;
+    SectionShape shape;
+    shape.kind = SectionShapeKind::Rectangle;
     shape.b = 90.0;
     shape.h = 210.0;
     return shape;
 }
 
-Shape round(ShapeKind kind)
+SectionShape round(SectionShapeKind kind)
 {
-    Shape shape;
+    SectionShape shape;
     shape.kind = kind;
     shape.d = 120.0;
-    if (kind == ShapeKind::Tube) shape.t = 9.0;
+    if (kind == SectionShapeKind::Tube) shape.t = 9.0;
     return shape;
 }
 
-Shape t_shape()
+SectionShape t_shape()
 {
-    Shape shape = i_shape();
-    shape.kind = ShapeKind::T;
+    SectionShape shape = i_shape();
+    shape.kind = SectionShapeKind::T;
     return shape;
 }
 
@@ -84,7 +84,7 @@ TEST_CASE("A rectangle's largest shear is three halves of the mean and its edges
 
 TEST_CASE("A circle's largest shear is four thirds of the mean and a thin tube's nearly twice it")
 {
-    const SectionFigure circle(round(ShapeKind::Circle)), tube(round(ShapeKind::Tube));
+    const SectionFigure circle(round(SectionShapeKind::Circle)), tube(round(SectionShapeKind::Tube));
     CHECK(stress(circle, forces, 0.0).tau == Approx(4.0 / 3.0 * 70e3 / circle.area()));
     const double R = 60.0, r = 51.0;
     CHECK(stress(tube, forces, 0.0).tau ==
@@ -107,7 +107,8 @@ TEST_CASE("Where flange meets web the shear jumps by the ratio of the widths and
 
 TEST_CASE("Area and inertia of every shape are those of its properties")
 {
-    for (const Shape& shape : {rectangle(), i_shape(), t_shape(), round(ShapeKind::Circle), round(ShapeKind::Tube)}) {
+    for (const SectionShape& shape :
+         {rectangle(), i_shape(), t_shape(), round(SectionShapeKind::Circle), round(SectionShapeKind::Tube)}) {
         const SectionFigure section(shape);
         const SectionProperties expected = shape_properties(shape);
         CHECK(section.area() == Approx(expected.A));
@@ -117,7 +118,8 @@ TEST_CASE("Area and inertia of every shape are those of its properties")
 
 TEST_CASE("The stresses over the depth add up to the section forces that they come from")
 {
-    for (const Shape& shape : {rectangle(), i_shape(), t_shape(), round(ShapeKind::Circle), round(ShapeKind::Tube)}) {
+    for (const SectionShape& shape :
+         {rectangle(), i_shape(), t_shape(), round(SectionShapeKind::Circle), round(SectionShapeKind::Tube)}) {
         const SectionForces sum = resultants(SectionFigure(shape));
         CAPTURE(static_cast<int>(shape.kind));
         CHECK(sum.N == Approx(forces.N).epsilon(1e-3));
