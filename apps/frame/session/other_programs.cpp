@@ -144,6 +144,7 @@ std::optional<Phrase> why_no_forces(const Session& session)
 {
     using enum femoop::AnalysisKind;
     if (const auto reason = session.why_no_results()) return reason;
+    if (session.model().n_cases() == 0) return Phrase(translatable("the model has no load case; add one first"));
     if (session.view.is_envelope)
         return Phrase(translatable("an envelope is no state of a section; choose a load case"));
     if (session.model().analysis != Frame2d && session.model().analysis != Truss2d)

@@ -3,6 +3,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "apps/frame/window/table_grid.h"
@@ -10,6 +11,18 @@
 namespace frame {
 
 using ui::Key;
+
+namespace {
+
+/// Without those that fill a row, and those that write into a cell.
+bool is_moving(Key key)
+{
+    using enum Key;
+    constexpr std::array keys = {Up, Down, Left, Right, Home, End, PageUp, PageDown};
+    return std::ranges::find(keys, key) != keys.end();
+}
+
+} // namespace
 
 std::string TableGrid::typed_text(const Table& table, Place place) const
 {
@@ -111,8 +124,7 @@ bool TableGrid::take_moving(const ui::Chord& chord)
 {
     const bool extends = chord.modifiers.shift;
     if (chord.modifiers.alt) return false;
-    const bool fills_row = chord.key == Key::Enter || chord.key == Key::Tab;
-    if (!fills_row) tabs_from_.reset();
+    if (is_moving(chord.key)) tabs_from_.reset();
     const auto jump = [&](Place to) {
         cursor_ = to;
         if (!extends) anchor_ = cursor_;
