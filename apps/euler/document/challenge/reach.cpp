@@ -69,7 +69,7 @@ Target hard(std::uint32_t kind, int n)
             op.mekr(disk.plus, disk.minus);
         });
     if (kind % 3 == 1)
-        return target({translatable("a ring of {n} corners, turned in three steps to a torus"), {corners}},
+        return target({translatable("a profile of {n} corners, turned in three steps to a torus"), {corners}},
                       [&](EulerOperator& op) {
                           std::vector<topology::Point> profile;
                           for (const topology::Point& p : topology::regular_polygon(n, 1.0))
