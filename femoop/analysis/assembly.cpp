@@ -8,12 +8,12 @@
 namespace femoop {
 
 template <AnalysisKind kind, class Scalar>
-Assembly<kind, Scalar>::Assembly(const Structure& structure, const Equations& equations)
+Assembly<kind, Scalar>::Assembly(const Discretisation& structure, const Equations& equations)
     : structure_(structure), equations_(equations)
 {
-    const auto is_inclined = [](const Structure::SupportRow& support) { return support.angle != 0.0; };
+    const auto is_inclined = [](const Discretisation::SupportRow& support) { return support.angle != 0.0; };
     if (std::none_of(structure.supports.begin(), structure.supports.end(), is_inclined)) return;
-    for (const Structure::SupportRow& support : structure.supports) {
+    for (const Discretisation::SupportRow& support : structure.supports) {
         NodeMatrix axes = NodeMatrix::Identity();
         const double c = std::cos(support.angle);
         const double s = std::sin(support.angle);
@@ -31,47 +31,50 @@ template <AnalysisKind kind, class Scalar> auto Assembly<kind, Scalar>::axes_of(
 
 template <AnalysisKind kind, class Scalar> bool Assembly<kind, Scalar>::is_constrained(MemberId member) const
 {
-    const MemberExtras* extras = structure_.extras_of(member);
-    return extras != nullptr && extras->constraint != Constraint::None;
+    const MemberEndConditions* end_conditions = structure_.end_conditions_of(member);
+    return end_conditions != nullptr && end_conditions->constraint != Constraint::None;
 }
 
 template <AnalysisKind kind, class Scalar>
-auto Assembly<kind, Scalar>::element(MemberId member, const MemberFrame& frame) const -> Element
+auto Assembly<kind, Scalar>::element(MemberId member, const MemberGeometry& geometry) const -> Element
 {
-    const MemberExtras* extras = structure_.extras_of(member);
-    return element_of(member, frame, extras == nullptr ? all_actions : elastic_actions(*extras),
+    const MemberEndConditions* end_conditions = structure_.end_conditions_of(member);
+    return element_of(member, geometry, end_conditions == nullptr ? all_actions : elastic_actions(*end_conditions),
                       structure_.properties_of(member));
 }
 
 template <AnalysisKind kind, class Scalar>
-auto Assembly<kind, Scalar>::constrained_element(MemberId member, const MemberFrame& frame) const -> Element
+auto Assembly<kind, Scalar>::constrained_element(MemberId member, const MemberGeometry& geometry) const -> Element
 {
-    return element_of(member, frame, constrained_actions(*structure_.extras_of(member)),
+    return element_of(member, geometry, constrained_actions(*structure_.end_conditions_of(member)),
                       structure_.properties_of(member));
 }
 
 template <AnalysisKind kind, class Scalar>
-auto Assembly<kind, Scalar>::unit_element(MemberId member, const MemberFrame& frame, ActionSet actions) const -> Element
+auto Assembly<kind, Scalar>::unit_element(MemberId member, const MemberGeometry& geometry, ActionSet actions) const
+    -> Element
 {
     static constexpr MemberProperties unit{.axial = {1.0}, .torsion = {1.0}, .xy = {.EI = 1.0}, .xz = {.EI = 1.0}};
-    return element_of(member, frame, actions, unit);
+    return element_of(member, geometry, actions, unit);
 }
 
 template <AnalysisKind kind, class Scalar>
-auto Assembly<kind, Scalar>::resisting_elements(MemberId member, const MemberFrame& frame) const -> std::vector<Element>
+auto Assembly<kind, Scalar>::resisting_elements(MemberId member, const MemberGeometry& geometry) const
+    -> std::vector<Element>
 {
-    std::vector<Element> elements{element(member, frame)};
+    std::vector<Element> elements{element(member, geometry)};
     if (is_constrained(member))
-        elements.push_back(unit_element(member, frame, constrained_actions(*structure_.extras_of(member))));
+        elements.push_back(unit_element(member, geometry, constrained_actions(*structure_.end_conditions_of(member))));
     return elements;
 }
 
 template <AnalysisKind kind, class Scalar>
-auto Assembly<kind, Scalar>::element_of(MemberId member, const MemberFrame& frame, ActionSet actions,
+auto Assembly<kind, Scalar>::element_of(MemberId member, const MemberGeometry& geometry, ActionSet actions,
                                         const MemberProperties& properties) const -> Element
 {
     const auto& nodes = structure_.members[member.index].nodes;
-    return Element(properties, frame, structure_.extras_of(member), {axes_of(nodes[0]), axes_of(nodes[1])}, actions);
+    return Element(properties, geometry, structure_.end_conditions_of(member), {axes_of(nodes[0]), axes_of(nodes[1])},
+                   actions);
 }
 
 template <AnalysisKind kind, class Scalar>
@@ -85,20 +88,20 @@ auto Assembly<kind, Scalar>::node_equations(MemberId member) const -> std::array
 }
 
 template <AnalysisKind kind, class Scalar>
-auto Assembly<kind, Scalar>::own_ends(MemberId member, const Element& element) const -> OwnEnds
+auto Assembly<kind, Scalar>::member_ends(MemberId member, const Element& element) const -> MemberEndDofs
 {
     constexpr int m = Element::m;
     const auto nodes = node_equations(member);
-    OwnEnds own{.equations = {nodes.begin(), nodes.end()},
-                .B = Dense::Zero(2 * m, 2 * n),
-                .gaps = Dense(0, 2 * n),
-                .joints = {}};
-    const MemberExtras& extras = *structure_.extras_of(member);
+    MemberEndDofs own{.equations = {nodes.begin(), nodes.end()},
+                      .B = Dense::Zero(2 * m, 2 * n),
+                      .gaps = Dense(0, 2 * n),
+                      .joints = {}};
+    const MemberEndConditions& end_conditions = *structure_.end_conditions_of(member);
     for (int end = 0; end < 2; ++end) {
         const auto T = element.template transformation<Scalar>(end);
         for (int i = 0; i < m; ++i) {
             const LocalAxis axis = AnalysisModel<kind>::local[i];
-            const double joint = extras.joints[end][index(axis)];
+            const double joint = end_conditions.joints[end][index(axis)];
             Dense follows = Dense::Zero(1, own.B.cols());
             for (int j = 0; j < n; ++j) follows(0, end * n + j) = T(i, j);
             if (!std::isfinite(joint)) {
@@ -106,7 +109,7 @@ auto Assembly<kind, Scalar>::own_ends(MemberId member, const Element& element) c
                 continue;
             }
             const Eigen::Index size = own.B.cols() + 1;
-            own.equations.push_back(equations_.of_own_end(member, end, axis));
+            own.equations.push_back(equations_.of_member_end(member, end, axis));
             own.B.conservativeResizeLike(Dense::Zero(2 * m, size));
             own.B(end * m + i, size - 1) = 1.0;
             own.gaps.conservativeResizeLike(Dense::Zero(own.gaps.rows() + 1, size));
@@ -155,14 +158,14 @@ template <AnalysisKind kind, class Scalar>
 template <class Visit>
 void Assembly<kind, Scalar>::visit_member(MemberId member, Visit&& visit) const
 {
-    const MemberFrame frame = structure_.frame(member);
-    const Element elastic = element(member, frame);
+    const MemberGeometry geometry = structure_.geometry(member);
+    const Element elastic = element(member, geometry);
     if (!is_constrained(member)) {
         const auto rows = node_equations(member);
         visit(std::span<const std::int32_t>(rows), node_stiffness<Scalar>(elastic));
         return;
     }
-    const OwnEnds own = own_ends(member, elastic);
+    const MemberEndDofs own = member_ends(member, elastic);
     const Dense springs = own.joints.template cast<Scalar>().asDiagonal() * own.gaps;
     const Dense K = between_rigid_joints(elastic, own.B) + own.gaps.transpose() * springs;
     visit(std::span<const std::int32_t>(own.equations), K);
@@ -171,7 +174,7 @@ void Assembly<kind, Scalar>::visit_member(MemberId member, Visit&& visit) const
 template <AnalysisKind kind, class Scalar> bool Assembly<kind, Scalar>::is_plain(MemberId member) const
 {
     const auto& row = structure_.members[member.index];
-    return row.extras < 0 && axes_of(row.nodes[0]) == nullptr && axes_of(row.nodes[1]) == nullptr;
+    return row.end_conditions < 0 && axes_of(row.nodes[0]) == nullptr && axes_of(row.nodes[1]) == nullptr;
 }
 
 template <AnalysisKind kind, class Scalar> void Assembly<kind, Scalar>::add_stiffness(Sparse& K) const
@@ -190,14 +193,14 @@ template <AnalysisKind kind, class Scalar> void Assembly<kind, Scalar>::add_stif
                          [&](std::span<const std::int32_t> rows, const auto& Ke) { pattern.add(K, i, rows, Ke); });
             continue;
         }
-        const Structure::MemberRow& row = structure_.members[i];
+        const Discretisation::MemberRow& row = structure_.members[i];
         const Eigen::Vector3d span = structure_.positions[row.nodes[1].index] -
                                      structure_.positions[row.nodes[0].index];
         if (span != last.span || row.properties != last.properties)
-            last = {row.properties, span, element(member, structure_.frame(member)).stiffness()};
+            last = {row.properties, span, element(member, structure_.geometry(member)).stiffness()};
         pattern.add(K, i, node_equations(member), last.K);
     }
-    for (const Structure::SupportRow& support : structure_.supports)
+    for (const Discretisation::SupportRow& support : structure_.supports)
         for (std::size_t i = 0; i < n; ++i)
             if (const std::int32_t row = equations_.of(support.node, i); row != Equations::none)
                 pattern.add_to_diagonal(K, row, support.springs[index(AnalysisModel<kind>::global[i])]);
@@ -209,9 +212,9 @@ template <AnalysisKind kind, class Scalar> auto Assembly<kind, Scalar>::constrai
     for (std::size_t i = 0; i < structure_.members.size(); ++i) {
         const MemberId member(i);
         if (!is_constrained(member)) continue;
-        const MemberFrame frame = structure_.frame(member);
-        const Element constrained = constrained_element(member, frame);
-        const OwnEnds own = own_ends(member, constrained);
+        const MemberGeometry geometry = structure_.geometry(member);
+        const Element constrained = constrained_element(member, geometry);
+        const MemberEndDofs own = member_ends(member, constrained);
         equations_.pattern().add(K, i, own.equations, between_rigid_joints(constrained, own.B));
     }
     return K;
@@ -264,21 +267,21 @@ void Assembly<kind, Scalar>::add_member_loads(const CaseLoads& loads, Eigen::Vec
     for (std::size_t i = 0; i < structure_.members.size(); ++i) {
         const MemberId member(i);
         if (loads.of(member).empty()) continue;
-        const MemberFrame frame = structure_.frame(member);
+        const MemberGeometry geometry = structure_.geometry(member);
         const std::array<SpanLoading::Scaled, 1> terms{{{.loads = loads.of(member)}}};
-        structure_.properties_of(member).xy.cut(loading, frame.length, terms);
+        structure_.properties_of(member).xy.cut(loading, geometry.length, terms);
         if (!is_constrained(member)) {
-            subtract(node_equations(member), element(member, frame).fixed_end_forces(loading));
+            subtract(node_equations(member), element(member, geometry).fixed_end_forces(loading));
             continue;
         }
-        const MemberExtras& extras = *structure_.extras_of(member);
-        const Element elastic = element(member, frame);
-        const Element constrained = constrained_element(member, frame);
-        const OwnEnds own = own_ends(member, elastic);
+        const MemberEndConditions& end_conditions = *structure_.end_conditions_of(member);
+        const Element elastic = element(member, geometry);
+        const Element constrained = constrained_element(member, geometry);
+        const MemberEndDofs own = member_ends(member, elastic);
         const Eigen::VectorXd fixed = elastic.rigid_joint_forces(loading) +
                                       constrained.rigid_joint_forces(loading.without_strain());
         subtract(own.equations, Eigen::VectorXd(own.B.template cast<double>().transpose() * fixed));
-        if (extras.is_bar) subtract(node_equations(member), elastic.simple_span_forces(loading));
+        if (end_conditions.is_bar) subtract(node_equations(member), elastic.simple_span_forces(loading));
     }
 }
 
@@ -301,7 +304,7 @@ void Assembly<kind, Scalar>::add_settlements(const CaseLoads& loads, Vector& f) 
                 if (rows[row] != Equations::none) f[rows[row]] -= forces[static_cast<Eigen::Index>(row)];
         });
     }
-    for (const Structure::SupportRow& support : structure_.supports)
+    for (const Discretisation::SupportRow& support : structure_.supports)
         for (std::size_t i = 0; i < n; ++i)
             if (const std::int32_t row = equations_.of(support.node, i); row != Equations::none)
                 f[row] += Scalar(support.springs[index(AnalysisModel<kind>::global[i])]) *

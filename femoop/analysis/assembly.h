@@ -7,8 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "femoop/analysis/equations.h"
-#include "femoop/analysis/structure.h"
+#include "femoop/discretisation/case_loads.h"
+#include "femoop/discretisation/discretisation.h"
+#include "femoop/discretisation/equations.h"
 #include "femoop/element/member_element.h"
 #include "femoop/solver/double_double.h"
 
@@ -30,30 +31,31 @@ public:
     using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
     using Sparse = Eigen::SparseMatrix<Scalar>;
 
-    Assembly(const Structure& structure, const Equations& equations);
+    Assembly(const Discretisation& structure, const Equations& equations);
 
-    /// A member's element with what strains it, to be used while the frame lives.
-    Element element(MemberId member, const MemberFrame& frame) const;
+    /// A member's element with what strains it, to be used while its geometry lives.
+    Element element(MemberId member, const MemberGeometry& geometry) const;
     /// The same with what its constraint takes from it. \pre the member has a constraint
-    Element constrained_element(MemberId member, const MemberFrame& frame) const;
+    Element constrained_element(MemberId member, const MemberGeometry& geometry) const;
 
     /// An element with stiffnesses 1 in place of its own, for what depends on its shape alone.
-    Element unit_element(MemberId member, const MemberFrame& frame, ActionSet actions) const;
+    Element unit_element(MemberId member, const MemberGeometry& geometry, ActionSet actions) const;
 
     /// What resists in a member: its stiffness and, if it has one, its constraint.
-    std::vector<Element> resisting_elements(MemberId member, const MemberFrame& frame) const;
+    std::vector<Element> resisting_elements(MemberId member, const MemberGeometry& geometry) const;
 
     /// The equations of a member's nodes, [2n]; Equations::none where a displacement is prescribed.
     std::array<std::int32_t, 2 * n> node_equations(MemberId member) const;
 
-    /// A constrained member's end displacements, local = B x, over its node_equations and then its own ends.
-    struct OwnEnds {
+    /// A constrained member's end displacements, local = B x, over its node_equations and then its member-end degrees
+    /// of freedom.
+    struct MemberEndDofs {
         std::vector<std::int32_t> equations;
         Dense B;
-        Dense gaps;             ///< of its springs between node and own end, over x
+        Dense gaps;             ///< of its springs between node and end, over x
         Eigen::VectorXd joints; ///< their stiffnesses
     };
-    OwnEnds own_ends(MemberId member, const Element& element) const;
+    MemberEndDofs member_ends(MemberId member, const Element& element) const;
 
     /// Adds every member's elastic stiffness and every support spring to K, which has the equations' pattern.
     void add_stiffness(Sparse& K) const;
@@ -72,8 +74,8 @@ public:
 
 private:
     bool is_constrained(MemberId member) const;
-    bool is_plain(MemberId member) const; ///< without extras, between nodes in global axes
-    Element element_of(MemberId member, const MemberFrame& frame, ActionSet actions,
+    bool is_plain(MemberId member) const; ///< without end_conditions, between nodes in global axes
+    Element element_of(MemberId member, const MemberGeometry& geometry, ActionSet actions,
                        const MemberProperties& properties) const;
     const NodeMatrix* axes_of(NodeId node) const;
     void add_node_loads(const CaseLoads& loads, Eigen::VectorXd& f) const;
@@ -81,7 +83,7 @@ private:
     void add_settlements(const CaseLoads& loads, Vector& f) const;
     template <class Visit> void visit_member(MemberId member, Visit&& visit) const;
 
-    const Structure& structure_;
+    const Discretisation& structure_;
     const Equations& equations_;
     std::vector<NodeMatrix> support_axes_; ///< parallel to supports; empty when none is inclined
 };

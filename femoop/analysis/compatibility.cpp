@@ -57,7 +57,7 @@ Eigen::MatrixXd stacked(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
     return both;
 }
 
-/// What strains the springs between nodes and own ends; releases are not strained.
+/// What strains the springs between nodes and ends; releases are not strained.
 Eigen::MatrixXd sprung_gaps(const Eigen::MatrixXd& gaps, const Eigen::VectorXd& joints)
 {
     Eigen::MatrixXd rows(0, gaps.cols());
@@ -80,33 +80,33 @@ template <AnalysisKind kind> Eigen::MatrixXd swings(const Element<kind>& element
 } // namespace
 
 template <AnalysisKind kind>
-MemberStrains member_strains(const Structure& structure, const Assembly<kind>& assembly, MemberId member)
+MemberStrains member_strains(const Discretisation& structure, const Assembly<kind>& assembly, MemberId member)
 {
-    const MemberFrame frame = structure.frame(member);
-    const Element<kind> elastic = assembly.element(member, frame);
-    const MemberExtras* extras = structure.extras_of(member);
-    if (extras == nullptr || extras->constraint == Constraint::None) {
+    const MemberGeometry geometry = structure.geometry(member);
+    const Element<kind> elastic = assembly.element(member, geometry);
+    const MemberEndConditions* end_conditions = structure.end_conditions_of(member);
+    if (end_conditions == nullptr || end_conditions->constraint == Constraint::None) {
         const auto rows = assembly.node_equations(member);
         return {.equations = {rows.begin(), rows.end()}, .A = elastic.strains().B * end_transformation<kind>(elastic)};
     }
-    const Element<kind> constrained = assembly.unit_element(member, frame, constrained_actions(*extras));
-    auto own = assembly.own_ends(member, elastic);
+    const Element<kind> constrained = assembly.unit_element(member, geometry, constrained_actions(*end_conditions));
+    auto own = assembly.member_ends(member, elastic);
     const Eigen::MatrixXd strains = stacked(elastic.rigid_joint_strains().B, constrained.rigid_joint_strains().B);
     return {.equations = std::move(own.equations), .A = stacked(strains * own.B, sprung_gaps(own.gaps, own.joints))};
 }
 
 template <AnalysisKind kind>
-SparseMatrix resistance(const Structure& structure, const Equations& equations, const Assembly<kind>& assembly)
+SparseMatrix resistance(const Discretisation& structure, const Equations& equations, const Assembly<kind>& assembly)
 {
     SparseMatrix found = equations.pattern().matrix();
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
-        const MemberFrame frame = structure.frame(MemberId(i));
-        for (const Element<kind>& element : assembly.resisting_elements(MemberId(i), frame)) {
+        const MemberGeometry geometry = structure.geometry(MemberId(i));
+        for (const Element<kind>& element : assembly.resisting_elements(MemberId(i), geometry)) {
             const Eigen::MatrixXd A = element.strains().B * end_transformation<kind>(element);
             equations.pattern().add(found, i, assembly.node_equations(MemberId(i)), (A.transpose() * A).eval());
         }
     }
-    for (const Structure::SupportRow& support : structure.supports)
+    for (const Discretisation::SupportRow& support : structure.supports)
         for (std::size_t i = 0; i < model_dofs(kind).size(); ++i)
             if (const std::int32_t row = equations.of(support.node, i);
                 row != Equations::none && support.springs[index(model_dofs(kind)[i])] > 0.0)
@@ -115,34 +115,34 @@ SparseMatrix resistance(const Structure& structure, const Equations& equations, 
 }
 
 template <AnalysisKind kind>
-Compatibility Compatibility::of(const Structure& structure, const Equations& equations, const Assembly<kind>& assembly,
-                                const Holds& holds)
+Compatibility Compatibility::of(const Discretisation& structure, const Equations& equations,
+                                const Assembly<kind>& assembly, const ArtificialRestraints& restraints)
 {
     RowList strains, turns;
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
         const MemberId member(i);
         const MemberStrains own = member_strains(structure, assembly, member);
         strains.add(own.equations, own.A);
-        const MemberFrame frame = structure.frame(member);
-        turns.add(assembly.node_equations(member), swings<kind>(assembly.element(member, frame), frame.length));
+        const MemberGeometry geometry = structure.geometry(member);
+        turns.add(assembly.node_equations(member), swings<kind>(assembly.element(member, geometry), geometry.length));
     }
     const double size = structure.size();
     const std::span<const Dof> dofs = model_dofs(kind);
     const auto unit = [&](Dof dof) { return is_rotation(dof) ? 1.0 : 1.0 / size; };
-    for (const Structure::SupportRow& support : structure.supports)
+    for (const Discretisation::SupportRow& support : structure.supports)
         for (std::size_t i = 0; i < dofs.size(); ++i)
             if (support.springs[index(dofs[i])] > 0.0) strains.add(equations.of(support.node, i), unit(dofs[i]));
     for (std::size_t node = 0; node < structure.positions.size(); ++node)
         for (std::size_t i = 0; i < dofs.size(); ++i) turns.add(equations.of(NodeId(node), i), unit(dofs[i]));
-    for (std::size_t i = 0; i < equations.n_own_ends(); ++i)
-        turns.add(equations.own_end(i), is_rotation(static_cast<LocalAxis>(i % n_local_axes)) ? 1.0 : 1.0 / size);
-    for (const HeldRotation& rotation : holds.rotations) {
+    for (std::size_t i = 0; i < equations.n_member_end_dofs(); ++i)
+        turns.add(equations.member_end(i), is_rotation(static_cast<LocalAxis>(i % n_local_axes)) ? 1.0 : 1.0 / size);
+    for (const ArtificialRestraint& rotation : restraints.rotations) {
         std::vector<std::int32_t> rows;
-        for (const HeldRotation::Part& part : rotation.parts)
+        for (const ArtificialRestraint::Part& part : rotation.parts)
             if (part.node == rotation.parts.front().node) rows.push_back(part.row);
         strains.add(rows, rotation.direction.head(static_cast<Eigen::Index>(rows.size())).transpose());
     }
-    for (const HeldEnd& end : holds.own_ends) strains.add(end.equation, 1.0);
+    for (const MemberEndRestraint& end : restraints.member_ends) strains.add(end.equation, 1.0);
 
     Compatibility compatibility;
     compatibility.strains_ = strains.matrix(equations.n_unknowns());
@@ -164,25 +164,25 @@ bool Compatibility::is_free(const Eigen::VectorXd& x) const
     return (strain <= strainless * turn + rounding * terms).all();
 }
 
-template MemberStrains member_strains(const Structure&, const Assembly<AnalysisKind::Truss2d>&, MemberId);
-template MemberStrains member_strains(const Structure&, const Assembly<AnalysisKind::Frame2d>&, MemberId);
-template MemberStrains member_strains(const Structure&, const Assembly<AnalysisKind::Grillage>&, MemberId);
-template MemberStrains member_strains(const Structure&, const Assembly<AnalysisKind::Truss3d>&, MemberId);
-template MemberStrains member_strains(const Structure&, const Assembly<AnalysisKind::Frame3d>&, MemberId);
-template SparseMatrix resistance(const Structure&, const Equations&, const Assembly<AnalysisKind::Truss2d>&);
-template Compatibility Compatibility::of(const Structure&, const Equations&, const Assembly<AnalysisKind::Truss2d>&,
-                                         const Holds&);
-template SparseMatrix resistance(const Structure&, const Equations&, const Assembly<AnalysisKind::Frame2d>&);
-template Compatibility Compatibility::of(const Structure&, const Equations&, const Assembly<AnalysisKind::Frame2d>&,
-                                         const Holds&);
-template SparseMatrix resistance(const Structure&, const Equations&, const Assembly<AnalysisKind::Grillage>&);
-template Compatibility Compatibility::of(const Structure&, const Equations&, const Assembly<AnalysisKind::Grillage>&,
-                                         const Holds&);
-template SparseMatrix resistance(const Structure&, const Equations&, const Assembly<AnalysisKind::Truss3d>&);
-template Compatibility Compatibility::of(const Structure&, const Equations&, const Assembly<AnalysisKind::Truss3d>&,
-                                         const Holds&);
-template SparseMatrix resistance(const Structure&, const Equations&, const Assembly<AnalysisKind::Frame3d>&);
-template Compatibility Compatibility::of(const Structure&, const Equations&, const Assembly<AnalysisKind::Frame3d>&,
-                                         const Holds&);
+template MemberStrains member_strains(const Discretisation&, const Assembly<AnalysisKind::Truss2d>&, MemberId);
+template MemberStrains member_strains(const Discretisation&, const Assembly<AnalysisKind::Frame2d>&, MemberId);
+template MemberStrains member_strains(const Discretisation&, const Assembly<AnalysisKind::Grillage>&, MemberId);
+template MemberStrains member_strains(const Discretisation&, const Assembly<AnalysisKind::Truss3d>&, MemberId);
+template MemberStrains member_strains(const Discretisation&, const Assembly<AnalysisKind::Frame3d>&, MemberId);
+template SparseMatrix resistance(const Discretisation&, const Equations&, const Assembly<AnalysisKind::Truss2d>&);
+template Compatibility Compatibility::of(const Discretisation&, const Equations&,
+                                         const Assembly<AnalysisKind::Truss2d>&, const ArtificialRestraints&);
+template SparseMatrix resistance(const Discretisation&, const Equations&, const Assembly<AnalysisKind::Frame2d>&);
+template Compatibility Compatibility::of(const Discretisation&, const Equations&,
+                                         const Assembly<AnalysisKind::Frame2d>&, const ArtificialRestraints&);
+template SparseMatrix resistance(const Discretisation&, const Equations&, const Assembly<AnalysisKind::Grillage>&);
+template Compatibility Compatibility::of(const Discretisation&, const Equations&,
+                                         const Assembly<AnalysisKind::Grillage>&, const ArtificialRestraints&);
+template SparseMatrix resistance(const Discretisation&, const Equations&, const Assembly<AnalysisKind::Truss3d>&);
+template Compatibility Compatibility::of(const Discretisation&, const Equations&,
+                                         const Assembly<AnalysisKind::Truss3d>&, const ArtificialRestraints&);
+template SparseMatrix resistance(const Discretisation&, const Equations&, const Assembly<AnalysisKind::Frame3d>&);
+template Compatibility Compatibility::of(const Discretisation&, const Equations&,
+                                         const Assembly<AnalysisKind::Frame3d>&, const ArtificialRestraints&);
 
 } // namespace femoop

@@ -23,10 +23,10 @@ template <AnalysisKind kind> int local_row(LocalAxis axis)
     return at == local.end() ? -1 : static_cast<int>(at - local.begin());
 }
 
-template <AnalysisKind kind> LocalRows local_rows(const MemberExtras& extras, double L)
+template <AnalysisKind kind> LocalRows local_rows(const MemberEndConditions& end_conditions, double L)
 {
     constexpr int m = MemberElement<kind>::m;
-    const ActionSet actions = constrained_actions(extras);
+    const ActionSet actions = constrained_actions(end_conditions);
     LocalRows rows{.C = Eigen::MatrixXd::Zero(0, 2 * m), .strain = {}, .curvature = {}};
     const auto append = [&](const Eigen::RowVectorXd& c, double strain, double curvature) {
         const Eigen::Index r = rows.C.rows();
@@ -73,7 +73,7 @@ Eigen::MatrixXd imposed(MemberId member, const std::vector<CaseLoads>& loads)
 }
 
 template <AnalysisKind kind>
-std::vector<ConstraintRow> constraint_rows(const Structure& structure, const Assembly<kind>& assembly,
+std::vector<ConstraintRow> constraint_rows(const Discretisation& structure, const Assembly<kind>& assembly,
                                            const std::vector<CaseLoads>& loads)
 {
     constexpr int n = MemberElement<kind>::n;
@@ -83,11 +83,11 @@ std::vector<ConstraintRow> constraint_rows(const Structure& structure, const Ass
     std::vector<ConstraintRow> rows;
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
         const MemberId member(i);
-        const MemberExtras* extras = structure.extras_of(member);
-        if (extras == nullptr || extras->constraint == Constraint::None) continue;
-        const MemberFrame frame = structure.frame(member);
-        const auto own = assembly.own_ends(member, assembly.element(member, frame));
-        const LocalRows local = local_rows<kind>(*extras, frame.length);
+        const MemberEndConditions* end_conditions = structure.end_conditions_of(member);
+        if (end_conditions == nullptr || end_conditions->constraint == Constraint::None) continue;
+        const MemberGeometry geometry = structure.geometry(member);
+        const auto own = assembly.member_ends(member, assembly.element(member, geometry));
+        const LocalRows local = local_rows<kind>(*end_conditions, geometry.length);
         const Eigen::MatrixXd C = local.C * own.B;
         const Eigen::MatrixXd strains = imposed(member, loads);
         for (Eigen::Index r = 0; r < C.rows(); ++r) {
@@ -116,11 +116,11 @@ std::vector<ConstraintRow> constraint_rows(const Structure& structure, const Ass
 
 /// Makes translations and rotations comparable: a rotation counts as the displacement that it gives over a typical
 /// member.
-Eigen::VectorXd typical_displacements(const Structure& structure, const Equations& equations)
+Eigen::VectorXd typical_displacements(const Discretisation& structure, const Equations& equations)
 {
     Eigen::VectorXd scale = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(equations.n_unknowns()));
     double length = 0.0;
-    for (std::size_t i = 0; i < structure.members.size(); ++i) length += structure.frame(MemberId(i)).length;
+    for (std::size_t i = 0; i < structure.members.size(); ++i) length += structure.geometry(MemberId(i)).length;
     const double typical = length / static_cast<double>(structure.members.size());
     const auto count_as_rotation = [&](std::int32_t row) {
         if (row != Equations::none) scale[row] = 1.0 / typical;
@@ -129,30 +129,30 @@ Eigen::VectorXd typical_displacements(const Structure& structure, const Equation
     for (std::size_t node = 0; node < structure.positions.size(); ++node)
         for (std::size_t i = 0; i < dofs.size(); ++i)
             if (is_rotation(dofs[i])) count_as_rotation(equations.of(NodeId(node), i));
-    for (std::size_t i = 0; i < equations.n_own_ends(); ++i)
-        if (is_rotation(static_cast<LocalAxis>(i % n_local_axes))) count_as_rotation(equations.own_end(i));
+    for (std::size_t i = 0; i < equations.n_member_end_dofs(); ++i)
+        if (is_rotation(static_cast<LocalAxis>(i % n_local_axes))) count_as_rotation(equations.member_end(i));
     return scale;
 }
 
 } // namespace
 
 template <AnalysisKind kind>
-Elimination eliminate_constraints(const Structure& structure, const Equations& equations,
+Elimination eliminate_constraints(const Discretisation& structure, const Equations& equations,
                                   const Assembly<kind>& assembly, const std::vector<CaseLoads>& loads)
 {
     return eliminate(constraint_rows<kind>(structure, assembly, loads), equations.n_unknowns(), loads.size(),
                      typical_displacements(structure, equations));
 }
 
-template Elimination eliminate_constraints(const Structure&, const Equations&, const Assembly<AnalysisKind::Truss2d>&,
-                                           const std::vector<CaseLoads>&);
-template Elimination eliminate_constraints(const Structure&, const Equations&, const Assembly<AnalysisKind::Frame2d>&,
-                                           const std::vector<CaseLoads>&);
-template Elimination eliminate_constraints(const Structure&, const Equations&, const Assembly<AnalysisKind::Grillage>&,
-                                           const std::vector<CaseLoads>&);
-template Elimination eliminate_constraints(const Structure&, const Equations&, const Assembly<AnalysisKind::Truss3d>&,
-                                           const std::vector<CaseLoads>&);
-template Elimination eliminate_constraints(const Structure&, const Equations&, const Assembly<AnalysisKind::Frame3d>&,
-                                           const std::vector<CaseLoads>&);
+template Elimination eliminate_constraints(const Discretisation&, const Equations&,
+                                           const Assembly<AnalysisKind::Truss2d>&, const std::vector<CaseLoads>&);
+template Elimination eliminate_constraints(const Discretisation&, const Equations&,
+                                           const Assembly<AnalysisKind::Frame2d>&, const std::vector<CaseLoads>&);
+template Elimination eliminate_constraints(const Discretisation&, const Equations&,
+                                           const Assembly<AnalysisKind::Grillage>&, const std::vector<CaseLoads>&);
+template Elimination eliminate_constraints(const Discretisation&, const Equations&,
+                                           const Assembly<AnalysisKind::Truss3d>&, const std::vector<CaseLoads>&);
+template Elimination eliminate_constraints(const Discretisation&, const Equations&,
+                                           const Assembly<AnalysisKind::Frame3d>&, const std::vector<CaseLoads>&);
 
 } // namespace femoop

@@ -11,7 +11,7 @@ namespace femoop {
 ///
 ///      u2 - u1 = strain L        and if rigid    phi2 - phi1 = curvature L,  v2 - v1 - L phi1 = curvature L^2 / 2
 template <AnalysisKind kind>
-Elimination eliminate_constraints(const Structure& structure, const Equations& equations,
+Elimination eliminate_constraints(const Discretisation& structure, const Equations& equations,
                                   const Assembly<kind>& assembly, const std::vector<CaseLoads>& loads);
 
 } // namespace femoop

@@ -13,16 +13,16 @@
 #include "femoop/analysis/compatibility.h"
 #include "femoop/analysis/constraints.h"
 #include "femoop/analysis/equilibrium.h"
-#include "femoop/analysis/idle_rotation.h"
-#include "femoop/analysis/loose_members.h"
-#include "femoop/analysis/mechanism_words.h"
-#include "femoop/analysis/number_range.h"
+#include "femoop/analysis/internal_mechanism.h"
+#include "femoop/analysis/mechanism_report.h"
+#include "femoop/analysis/overflow_check.h"
 #include "femoop/analysis/reduced_system.h"
 #include "femoop/analysis/rigid_body.h"
 #include "femoop/analysis/stopwatch.h"
+#include "femoop/analysis/unrestrained_rotation.h"
+#include "femoop/discretisation/solution.h"
 #include "femoop/model/check/check.h"
 #include "femoop/model/quantity/number_text.h"
-#include "femoop/result/solution.h"
 #include "femoop/solver/available_memory.h"
 
 namespace femoop {
@@ -46,15 +46,15 @@ detail::Motions<double> rounded_motions(const detail::Motions<DoubleDouble>& mot
     };
     return {.displacements = round(motions.displacements),
             .constraint_displacements = round(motions.constraint_displacements),
-            .own_ends = round(motions.own_ends),
-            .constraint_own_ends = round(motions.constraint_own_ends)};
+            .member_ends = round(motions.member_ends),
+            .constraint_member_ends = round(motions.constraint_member_ends)};
 }
 
 } // namespace
 
 /// The analysis of one structure, whatever the model.
 struct LinearStatic::Parts {
-    Parts(std::shared_ptr<const Structure> s, SolverKind solver)
+    Parts(std::shared_ptr<const Discretisation> s, SolverKind solver)
         : structure(std::move(s)), equations(*structure, solver)
     {
         statistics.order = watch.lap();
@@ -66,11 +66,11 @@ struct LinearStatic::Parts {
     /// To 32 digits; nothing where even they are too few.
     virtual std::vector<detail::CaseSolution> solve_precisely(const Model& model,
                                                               const std::vector<CaseLoads>& loads) = 0;
-    virtual std::size_t n_held() const = 0; ///< rotations that no member takes part in
+    virtual std::size_t n_restraints() const = 0; ///< rotations that no member takes part in
     bool is_soft() const { return smallest_pivot < harmless_pivot; }
 
     Stopwatch watch;
-    std::shared_ptr<const Structure> structure;
+    std::shared_ptr<const Discretisation> structure;
     Equations equations;
     AnalysisStatistics statistics;
     double smallest_pivot = 1.0; ///< of its diagonal entry
@@ -81,7 +81,7 @@ namespace {
 
 template <AnalysisKind kind> class System final : public LinearStatic::Parts {
 public:
-    System(const Model& model, std::shared_ptr<const Structure> s, const AnalysisOptions& options)
+    System(const Model& model, std::shared_ptr<const Discretisation> s, const AnalysisOptions& options)
         : Parts(std::move(s), options.solver.kind),
           assembly_(*structure, equations),
           precise_assembly_(*structure, equations),
@@ -89,7 +89,7 @@ public:
     {
         analyse(options);
         factor(model);
-        if (!loose_members(model, *structure, assembly_).empty()) refuse(model, {});
+        if (!internal_mechanisms_of(model, *structure, assembly_).empty()) refuse(model, {});
         statistics.factor += watch.lap();
     }
 
@@ -135,7 +135,7 @@ public:
         return solutions;
     }
 
-    std::size_t n_held() const override { return holds_.rotations.size(); }
+    std::size_t n_restraints() const override { return restraints_.rotations.size(); }
 
 private:
     static constexpr int n = Assembly<kind>::n;
@@ -148,8 +148,8 @@ private:
         assembly_.add_stiffness(K);
         std::optional<SparseMatrix> resisting;
         if (structure->has_constraints) resisting = resistance<kind>(*structure, equations, assembly_);
-        holds_.rotations = hold_idle_rotations(*structure, equations, K, std::move(resisting));
-        holds_.own_ends = hold_loose_own_ends<kind>(*structure, equations, assembly_, K);
+        restraints_.rotations = restrain_rotations(*structure, equations, K, std::move(resisting));
+        restraints_.member_ends = restrain_member_ends<kind>(*structure, equations, assembly_, K);
         ReducedSystem system(equations, std::move(K));
         if (structure->has_constraints)
             system.constrain(eliminate_constraints<kind>(*structure, equations, assembly_, {}),
@@ -178,7 +178,7 @@ private:
         smallest_pivot = pivots.smallest_ratio;
         const bool is_doubtful = !pivots.is_complete || pivots.smallest_ratio <= doubtful_pivot ||
                                  (is_soft() && system_.condition() >= poor_condition);
-        if (is_doubtful || system_.has_idle_unknown() || has_too_few_members()) refuse_mechanism(model);
+        if (is_doubtful || system_.has_unrestrained_unknown() || has_too_few_members()) refuse_mechanism(model);
         if (is_doubtful) warn_of_soft_parts(model);
         is_beyond_doubles_ = !pivots.is_complete;
     }
@@ -186,7 +186,7 @@ private:
     /// Fewer forces than equations: something moves, whatever the pivots say.
     bool has_too_few_members() const
     {
-        const Indeterminacy count = count_indeterminacy(*structure, n_held());
+        const Indeterminacy count = count_indeterminacy(*structure, n_restraints());
         return !count.has_foundation && count.total() < 0;
     }
 
@@ -206,7 +206,7 @@ private:
     void refuse_mechanism(const Model& model)
     {
         require_finite_stiffness(model);
-        const auto compatibility = Compatibility::of<kind>(*structure, equations, assembly_, holds_);
+        const auto compatibility = Compatibility::of<kind>(*structure, equations, assembly_, restraints_);
         const NullModes free = compatibility.free_motions(most_modes);
         if (free.is_singular()) refuse(model, free.modes);
     }
@@ -278,8 +278,9 @@ private:
         if (precise_) return *precise_;
         PreciseSparseMatrix K = equations.pattern().matrix().template cast<DoubleDouble>();
         precise_assembly_.add_stiffness(K);
-        for (const HeldRotation& rotation : holds_.rotations) hold(rotation, K);
-        for (const HeldEnd& end : holds_.own_ends) equations.pattern().add_to_diagonal(K, end.equation, end.stiffness);
+        for (const ArtificialRestraint& rotation : restraints_.rotations) add_restraint(rotation, K);
+        for (const MemberEndRestraint& end : restraints_.member_ends)
+            equations.pattern().add_to_diagonal(K, end.equation, end.stiffness);
         PreciseSparseMatrix own;
         if (structure->has_constraints) own = precise_assembly_.constrained_stiffness();
         return precise_.emplace(system_.precise(std::move(K), std::move(own)));
@@ -298,10 +299,10 @@ private:
     {
         detail::Motions<Scalar> found;
         found.displacements = node_displacements<Scalar>(assembly, u.all.col(c), assembly.settlements(loads));
-        found.own_ends = own_ends<Scalar>(u.all.col(c));
+        found.member_ends = member_ends<Scalar>(u.all.col(c));
         if (!structure->has_constraints) return found;
         found.constraint_displacements = node_displacements<Scalar>(assembly, u.constraint.col(c), {});
-        found.constraint_own_ends = own_ends<Scalar>(u.constraint.col(c));
+        found.constraint_member_ends = member_ends<Scalar>(u.constraint.col(c));
         return found;
     }
 
@@ -327,19 +328,20 @@ private:
         return u;
     }
 
-    template <class Scalar> std::vector<Scalar> own_ends(const Column<Scalar>& x) const
+    template <class Scalar> std::vector<Scalar> member_ends(const Column<Scalar>& x) const
     {
-        std::vector<Scalar> ends(equations.n_own_ends(), 0.0);
+        std::vector<Scalar> ends(equations.n_member_end_dofs(), 0.0);
         for (std::size_t i = 0; i < ends.size(); ++i)
-            if (const std::int32_t row = equations.own_end(i); row != Equations::none) ends[i] = x[row];
+            if (const std::int32_t row = equations.member_end(i); row != Equations::none) ends[i] = x[row];
         return ends;
     }
 
-    /// Free motions of the system, and what it does not see: loose members, rotations held that a load drives.
+    /// Free motions of the system, and what it does not see: internal mechanisms of members, restrained rotations that
+    /// a load drives.
     void refuse(const Model& model, const Eigen::MatrixXd& modes) const
     {
         const Eigen::Index n_described = std::min(modes.cols(), most_described);
-        std::vector<Mechanism> mechanisms = loose_members(model, *structure, assembly_);
+        std::vector<Mechanism> mechanisms = internal_mechanisms_of(model, *structure, assembly_);
         append(mechanisms, mechanisms_of(model, structure, equations, motions(modes.leftCols(n_described))));
         const std::vector<CaseLoads> loads = loads_of(model, *structure);
         append(mechanisms, driven(model, loads, load_vectors(assembly_, loads)));
@@ -355,25 +357,25 @@ private:
         if (!mechanisms.empty()) throw MechanismError(std::move(mechanisms));
     }
 
-    /// Motions of all nodes, and of members' own ends.
+    /// Motions of all nodes, and of members' ends behind flexible joints.
     std::vector<detail::CaseSolution> motions(const Eigen::MatrixXd& modes) const
     {
         std::vector<detail::CaseSolution> found;
         for (const auto mode : modes.colwise()) {
             detail::CaseSolution motion;
             motion.displacements = node_displacements<double>(assembly_, mode, {});
-            motion.own_ends = own_ends<double>(mode);
+            motion.member_ends = member_ends<double>(mode);
             found.push_back(std::move(motion));
         }
         return found;
     }
 
-    /// Rotations that are held because nothing takes part in them, but that loads drive.
+    /// Rotations that are restrained because nothing takes part in them, but that loads drive.
     std::vector<Mechanism> driven(const Model& model, const std::vector<CaseLoads>& loads,
                                   const Eigen::MatrixXd& F) const
     {
-        std::vector<Mechanism> mechanisms = driven_spins(model, *structure, F, holds_.rotations);
-        append(mechanisms, driven_twists(model, *structure, assembly_, loads));
+        std::vector<Mechanism> mechanisms = loaded_rotations(model, *structure, F, restraints_.rotations);
+        append(mechanisms, loaded_twists(model, *structure, assembly_, loads));
         return mechanisms;
     }
 
@@ -384,7 +386,7 @@ private:
 
     Assembly<kind> assembly_;
     Assembly<kind, DoubleDouble> precise_assembly_;
-    Holds holds_;
+    ArtificialRestraints restraints_;
     ReducedSystem system_;
     std::optional<PreciseSystem> precise_;
     bool is_beyond_doubles_ = false; ///< it holds, but not in doubles: no pivots are left to solve with
@@ -392,7 +394,7 @@ private:
 
 std::unique_ptr<LinearStatic::Parts> make_system(const Model& model, const AnalysisOptions& options)
 {
-    auto structure = std::make_shared<const Structure>(structure_of(model));
+    auto structure = std::make_shared<const Discretisation>(discretise(model));
     return with_model(model.analysis, [&](auto kind) -> std::unique_ptr<LinearStatic::Parts> {
         return std::make_unique<System<decltype(kind)::value>>(model, std::move(structure), options);
     });
@@ -412,14 +414,14 @@ LinearStatic& LinearStatic::operator=(LinearStatic&&) noexcept = default;
 
 Results LinearStatic::solve(const Model& model)
 {
-    const Structure& structure = *parts_->structure;
+    const Discretisation& structure = *parts_->structure;
     if (model.nodes.size() != structure.positions.size() || model.members.size() != structure.members.size())
         throw std::invalid_argument("LinearStatic::solve: the model has another structure than the one factored");
     auto solution = std::make_shared<detail::Solution>();
     solution->structure = parts_->structure;
     solution->loads = loads_of(model, structure);
     solution->cases = cases_of(model);
-    solution->own_end_of = parts_->equations.own_end_of();
+    solution->member_end_dofs_of = parts_->equations.member_end_dofs_of();
     solution->solutions = parts_->solve(model, solution->loads);
     if (solution->solutions.empty() && !solution->loads.empty()) throw ModelError(unsolved_cases(*solution));
     add_reactions(*solution);
@@ -429,11 +431,11 @@ Results LinearStatic::solve(const Model& model)
             add_reactions(*solution);
         }
     if (auto faults = ill_conditioned_cases(*solution); !faults.empty()) throw ModelError(std::move(faults));
-    solution->indeterminacy = count_indeterminacy(structure, parts_->n_held());
+    solution->indeterminacy = count_indeterminacy(structure, parts_->n_restraints());
     solution->warnings = parts_->warnings;
     for (Fault& warning : inaccurate_cases(*solution)) solution->warnings.push_back(std::move(warning));
     const Results results(solution);
-    if (auto faults = cases_beyond_range(*solution, results); !faults.empty()) throw ModelError(std::move(faults));
+    if (auto faults = overflowing_cases(*solution, results); !faults.empty()) throw ModelError(std::move(faults));
     const double most = parts_->is_soft() ? unmeant_soft_motion : unmeant_motion;
     if (auto warning = huge_displacement(model, structure, results, most))
         solution->warnings.push_back(std::move(*warning));

@@ -71,7 +71,7 @@ void ReducedSystem::factorize_own()
     own_solver_->factorize(picked);
 }
 
-bool ReducedSystem::has_idle_unknown() const
+bool ReducedSystem::has_unrestrained_unknown() const
 {
     const Eigen::VectorXd diagonal = matrix().diagonal();
     if (diagonal.size() == 0) return false;

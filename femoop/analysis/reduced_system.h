@@ -5,8 +5,8 @@
 
 #include "femoop/analysis/analysis_options.h"
 #include "femoop/analysis/elimination.h"
-#include "femoop/analysis/equations.h"
 #include "femoop/analysis/precise_system.h"
+#include "femoop/discretisation/equations.h"
 #include "femoop/solver/null_modes.h"
 #include "femoop/solver/symmetric_solver.h"
 
@@ -34,8 +34,9 @@ public:
     const SymmetricSolver* solver() const { return solver_.get(); }
 
     const SparseMatrix& stiffness() const { return K_; } ///< elastic, over all unknowns, lower triangle
-    bool has_idle_unknown() const; ///< one with no more stiffness than cos(90 degrees) leaves: its pivot tells nothing
-    double condition() const;      ///< estimate. \pre a factorization that did not break down
+    bool has_unrestrained_unknown()
+        const;                ///< one with no more stiffness than cos(90 degrees) leaves: its pivot tells nothing
+    double condition() const; ///< estimate. \pre a factorization that did not break down
     struct SoftMotion {
         Eigen::VectorXd x; ///< over all unknowns, largest entry 1
         double condition;  ///< estimate; infinite if the factorization broke down

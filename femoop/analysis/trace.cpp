@@ -10,7 +10,7 @@ namespace femoop {
 namespace {
 
 /// The number of every equation as one counts on paper: node after node in the model's order, from 1.
-std::vector<int> numbered_by_node(const Structure& structure, const Equations& equations)
+std::vector<int> numbered_by_node(const Discretisation& structure, const Equations& equations)
 {
     std::vector<int> place(equations.n_unknowns(), 0);
     int next = 1;
@@ -34,9 +34,9 @@ template <AnalysisKind kind> class Tracer {
 public:
     using Element = MemberElement<kind>;
 
-    Tracer(const Element& element, const MemberExtras* extras) : element_(element)
+    Tracer(const Element& element, const MemberEndConditions* end_conditions) : element_(element)
     {
-        const bool is_bar = extras != nullptr && extras->is_bar;
+        const bool is_bar = end_conditions != nullptr && end_conditions->is_bar;
         spans_simply_ = is_truss(kind) || is_bar;
     }
 
@@ -101,22 +101,23 @@ private:
     bool spans_simply_;
 };
 
-template <AnalysisKind kind> MemberTrace trace_of(const Model& model, const Structure& structure, MemberId member)
+template <AnalysisKind kind> MemberTrace trace_of(const Model& model, const Discretisation& structure, MemberId member)
 {
     const Equations equations(structure, SolverKind::Automatic);
     const Assembly<kind> assembly(structure, equations);
-    const MemberFrame frame = structure.frame(member);
-    const auto element = assembly.element(member, frame);
-    const Tracer<kind> tracer(element, structure.extras_of(member));
+    const MemberGeometry geometry = structure.geometry(member);
+    const auto element = assembly.element(member, geometry);
+    const Tracer<kind> tracer(element, structure.end_conditions_of(member));
 
     MemberTrace trace;
     trace.member = model[member].id;
-    trace.length = frame.length;
+    trace.length = geometry.length;
     for (const NodeId node : model[member].nodes)
         for (const Dof dof : AnalysisModel<kind>::global)
             trace.dofs.push_back(model[node].id + "." + std::string(name(dof)));
     trace.own_dofs = tracer.names(model, model[member].nodes);
-    if (const MemberExtras* extras = structure.extras_of(member)) trace.constraint = extras->constraint;
+    if (const MemberEndConditions* end_conditions = structure.end_conditions_of(member))
+        trace.constraint = end_conditions->constraint;
     trace.local_stiffness = tracer.stiffness();
     trace.transformation = tracer.transformation();
     trace.global_stiffness = element.stiffness();
@@ -128,7 +129,7 @@ template <AnalysisKind kind> MemberTrace trace_of(const Model& model, const Stru
     for (std::size_t c = 0; c < loads.size(); ++c) {
         SpanLoading loading;
         const std::array<SpanLoading::Scaled, 1> terms{{{.loads = loads[c].of(member)}}};
-        structure.properties_of(member).xy.cut(loading, frame.length, terms);
+        structure.properties_of(member).xy.cut(loading, geometry.length, terms);
         trace.fixed_end.push_back({.load_case = model.load_cases[c].id,
                                    .local = tracer.fixed_end_forces(loading),
                                    .global = element.fixed_end_forces(loading)});
@@ -141,7 +142,7 @@ template <AnalysisKind kind> MemberTrace trace_of(const Model& model, const Stru
 MemberTrace trace(const Model& model, MemberId member)
 {
     require_sound(model);
-    const Structure structure = structure_of(model);
+    const Discretisation structure = discretise(model);
     return with_model(model.analysis,
                       [&](auto kind) { return trace_of<decltype(kind)::value>(model, structure, member); });
 }

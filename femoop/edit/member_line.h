@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "femoop/model/member_ends.h"
+#include "femoop/geometry/member_geometry.h"
 
 namespace femoop {
 

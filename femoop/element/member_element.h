@@ -10,7 +10,7 @@
 #include "femoop/element/member_properties.h"
 #include "femoop/element/span_load.h"
 #include "femoop/element/strain_form.h"
-#include "femoop/result/results.h"
+#include "femoop/geometry/member_geometry.h"
 
 namespace femoop {
 
@@ -39,11 +39,11 @@ private:
 inline constexpr ActionSet all_actions{Action::Axial, Action::Torsion, Action::BendingXY, Action::BendingXZ};
 
 /// What strains this member, and what its constraint takes away.
-ActionSet elastic_actions(const MemberExtras& extras);
-ActionSet constrained_actions(const MemberExtras& extras);
+ActionSet elastic_actions(const MemberEndConditions& end_conditions);
+ActionSet constrained_actions(const MemberEndConditions& end_conditions);
 
 /// An end displacement that a member's releases leave free of all strain.
-struct LooseEnd {
+struct InternalMechanism {
     std::size_t end;
     LocalAxis axis;
     std::array<Eigen::Matrix<double, 6, 1>, 2> mode; ///< motion of the member's ends, its own axes
@@ -71,8 +71,9 @@ public:
     /// Turns a node's displacements from its support's axes; nullptr where they are the global ones.
     using NodeAxes = const Eigen::Matrix<double, n, n>*;
 
-    MemberElement(const MemberProperties& properties, const MemberFrame& frame, const MemberExtras* extras,
-                  std::array<NodeAxes, 2> node_axes, ActionSet actions = all_actions);
+    MemberElement(const MemberProperties& properties, const MemberGeometry& geometry,
+                  const MemberEndConditions* end_conditions, std::array<NodeAxes, 2> node_axes,
+                  ActionSet actions = all_actions);
 
     /// Stiffness in the member's axes with rigid joints.
     LocalMatrix rigid_joint_stiffness() const;
@@ -101,7 +102,8 @@ public:
     LocalVector end_forces(const LocalVector& nodes, const LocalVector& rigid_joint_forces) const;
 
     /// Motions of the member alone between releases that hold it nowhere.
-    std::vector<LooseEnd> loose_ends(const LocalVector& rigid_joint_forces = LocalVector::Zero()) const;
+    std::vector<InternalMechanism> internal_mechanisms(
+        const LocalVector& rigid_joint_forces = LocalVector::Zero()) const;
 
     /// Displacements of an end, in the member's axes, from those of its node: local = T node, rigid arms included.
     template <class Scalar = double> Eigen::Matrix<Scalar, m, n> transformation(std::size_t end) const
@@ -116,7 +118,7 @@ public:
 private:
     Transformation from_global(std::size_t end) const; ///< of displacements in global axes
     Beam own_beam(BendingPlane plane) const;
-    bool has_flexible_joint() const { return extras_ != nullptr && extras_->has_flexible_joint; }
+    bool has_flexible_joint() const { return end_conditions_ != nullptr && end_conditions_->has_flexible_joint; }
     /// One way in which the member resists; the ways do not feel one another.
     struct ActionForm {
         std::vector<int> rows; ///< of the member's displacements
@@ -135,8 +137,8 @@ private:
     GlobalVector to_nodes(const LocalVector& local) const;
 
     const MemberProperties& properties_;
-    const MemberExtras* extras_;
-    const MemberFrame& frame_;
+    const MemberEndConditions* end_conditions_;
+    const MemberGeometry& geometry_;
     std::array<NodeAxes, 2> node_axes_;
     ActionSet actions_;
 };

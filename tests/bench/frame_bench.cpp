@@ -14,7 +14,7 @@
 
 #include "apps/cli/bench_frame.h"
 #include "femoop/analysis/assembly.h"
-#include "femoop/analysis/equations.h"
+#include "femoop/discretisation/equations.h"
 #include "femoop/io/model_file.h"
 #include "femoop/model/check/check.h"
 #include "femoop/result/curve_reader.h"
@@ -137,7 +137,7 @@ void bench_sizes(bool with_largest)
 void bench_small()
 {
     const Model model = cli::plane_frame({.bays = 2, .storeys = 6});
-    const Structure structure = structure_of(model);
+    const Discretisation structure = discretise(model);
     const Equations equations(structure, SolverKind::Skyline);
     const Assembly<AnalysisKind::Frame2d> assembly(structure, equations);
     SparseMatrix K = equations.pattern().matrix();

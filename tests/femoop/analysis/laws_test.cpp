@@ -28,7 +28,7 @@ struct SectionWrench {
     Eigen::Vector3d force, moment;
 };
 
-SectionWrench at_section(const SectionForces& s, const MemberFrame& frame)
+SectionWrench at_section(const SectionForces& s, const MemberGeometry& frame)
 {
     // on the face whose normal is +x': N along x', Vy along -y', Vz along -z'; T, Mz as vectors along x', z', My along
     // -y'
@@ -179,7 +179,7 @@ TEST_SUITE("laws")
                 largest = std::max(largest, size_of(r));
             }
             for (std::size_t i = 0; i < model.members.size(); ++i) {
-                const MemberFrame frame = results.frame(MemberId(i));
+                const MemberGeometry frame = results.geometry(MemberId(i));
                 const Curve curve = result.curve(MemberId(i));
                 // Loads on the very ends act on the member: the node feels the section outside of them.
                 SectionWrench start = at_section(curve.forces(0.0), frame);

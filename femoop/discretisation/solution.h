@@ -4,8 +4,10 @@
 #include <memory>
 #include <vector>
 
-#include "femoop/analysis/structure.h"
-#include "femoop/result/results.h"
+#include "femoop/discretisation/case_loads.h"
+#include "femoop/discretisation/discretisation.h"
+#include "femoop/discretisation/statics.h"
+#include "femoop/model/fault/fault.h"
 #include "femoop/solver/double_double.h"
 
 namespace femoop::detail {
@@ -18,8 +20,8 @@ template <class Scalar> struct Motions {
     /// structure made of those members alone with their own stiffness, and the ends of members whose joints are
     /// flexible.
     std::vector<Scalar> constraint_displacements;
-    std::vector<Scalar> own_ends;            ///< 12 local end displacements per entry of Solution::own_end_of
-    std::vector<Scalar> constraint_own_ends; ///< the same of the constraint displacements
+    std::vector<Scalar> member_ends; ///< 12 local end displacements per entry of Solution::member_end_dofs_of
+    std::vector<Scalar> constraint_member_ends; ///< the same of the constraint displacements
 };
 
 /// How well the forces of one load case balance, and what is large or small beside them.
@@ -34,7 +36,7 @@ struct Balance {
 
 /// What the results of one load case are read from.
 struct CaseSolution : Motions<double> {
-    std::vector<NodeVector> reactions; ///< parallel to Structure::supports, global axes
+    std::vector<NodeVector> reactions; ///< parallel to Discretisation::supports, global axes
     Equilibrium equilibrium;
     Balance balance;
     /// To 32 digits, where the members' forces need them: what differs between a member's ends is too small a part of
@@ -43,24 +45,14 @@ struct CaseSolution : Motions<double> {
 };
 
 struct Solution {
-    std::shared_ptr<const Structure> structure;
+    std::shared_ptr<const Discretisation> structure;
     std::vector<CaseLoads> loads;
     std::vector<CaseTerms> cases;
-    std::vector<CaseSolution> solutions;  ///< of the load cases
-    std::vector<std::int32_t> own_end_of; ///< of each member: index into own_ends, or -1; empty when there is none
+    std::vector<CaseSolution> solutions; ///< of the load cases
+    std::vector<std::int32_t>
+        member_end_dofs_of; ///< of each member: index into member_ends, or -1; empty when there is none
     Indeterminacy indeterminacy;
     std::vector<Fault> warnings;
-
-    double displacement(std::size_t case_index, NodeId node, Dof dof) const;
 };
-
-/// A vector [6] at each end of a member, along and about its own axes.
-using EndVectors = std::array<Eigen::Matrix<double, 6, 1>, 2>;
-
-/// Displacements of a member's own two ends, through rigid arms and flexible joints.
-EndVectors end_displacements(const Solution& solution, std::size_t case_index, MemberId member);
-
-/// Forces on a member's own two ends: what its nodes do to it.
-EndVectors end_forces(const Solution& solution, std::size_t case_index, MemberId member);
 
 } // namespace femoop::detail

@@ -1,4 +1,4 @@
-#include "femoop/model/member_axes.h"
+#include "femoop/geometry/member_axes.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

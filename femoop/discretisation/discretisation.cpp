@@ -1,4 +1,4 @@
-#include "femoop/analysis/structure.h"
+#include "femoop/discretisation/discretisation.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -6,8 +6,7 @@
 #include <numbers>
 #include <unordered_map>
 
-#include "femoop/model/member_axes.h"
-#include "femoop/model/member_ends.h"
+#include "femoop/geometry/member_geometry.h"
 #include "femoop/section/section_properties.h"
 
 namespace femoop {
@@ -82,31 +81,31 @@ bool is_common(const Member& member, const Model& model)
     return plain_ends && plain_nodes && !member.inextensible && !member.rigid && !member.bar && member.up.empty();
 }
 
-MemberExtras extras_of(const Member& member, const Model& model)
+MemberEndConditions end_conditions_of(const Member& member, const Model& model)
 {
-    MemberExtras extras;
-    extras.is_bar = member.bar || is_truss(model.analysis);
-    extras.joints = {joints_of(member.start, model[member.nodes[0]].hinge, extras.is_bar),
-                     joints_of(member.end, model[member.nodes[1]].hinge, extras.is_bar)};
-    for (const JointStiffness& joints : extras.joints)
-        for (const double stiffness : joints) extras.has_flexible_joint |= std::isfinite(stiffness);
-    extras.offsets = {vector_of(member.start.offset), vector_of(member.end.offset)};
-    extras.has_offset = !member.start.offset.empty() || !member.end.offset.empty();
-    if (member.rigid) extras.constraint = Constraint::Rigid;
-    else if (member.inextensible) extras.constraint = Constraint::Inextensible;
-    return extras;
+    MemberEndConditions end_conditions;
+    end_conditions.is_bar = member.bar || is_truss(model.analysis);
+    end_conditions.joints = {joints_of(member.start, model[member.nodes[0]].hinge, end_conditions.is_bar),
+                             joints_of(member.end, model[member.nodes[1]].hinge, end_conditions.is_bar)};
+    for (const JointStiffness& joints : end_conditions.joints)
+        for (const double stiffness : joints) end_conditions.has_flexible_joint |= std::isfinite(stiffness);
+    end_conditions.offsets = {vector_of(member.start.offset), vector_of(member.end.offset)};
+    end_conditions.has_offset = !member.start.offset.empty() || !member.end.offset.empty();
+    if (member.rigid) end_conditions.constraint = Constraint::Rigid;
+    else if (member.inextensible) end_conditions.constraint = Constraint::Inextensible;
+    return end_conditions;
 }
 
 /// Adds the members of a model to a structure, each with the properties that it shares with its likes.
 class MemberTable {
 public:
-    MemberTable(const Model& model, Structure& structure) : model_(model), structure_(structure) {}
+    MemberTable(const Model& model, Discretisation& structure) : model_(model), structure_(structure) {}
 
     void add(const Member& member)
     {
-        Structure::MemberRow row{.nodes = member.nodes, .properties = properties_of(member)};
+        Discretisation::MemberRow row{.nodes = member.nodes, .properties = properties_of(member)};
         for (const NodeId node : member.nodes) structure_.is_attached[node.index] = true;
-        if (!is_common(member, model_) || is_truss(model_.analysis)) row.extras = add_extras(member);
+        if (!is_common(member, model_) || is_truss(model_.analysis)) row.end_conditions = add_end_conditions(member);
         structure_.members.push_back(row);
     }
 
@@ -127,30 +126,30 @@ private:
         return static_cast<std::uint32_t>(structure_.properties.size() - 1);
     }
 
-    std::int32_t add_extras(const Member& member)
+    std::int32_t add_end_conditions(const Member& member)
     {
         // Truss members are alike but for constraints and axial joints: the plain ones share one entry.
         const bool is_plain_truss = is_truss(model_.analysis) && is_common(member, model_);
         if (is_plain_truss && plain_truss_ >= 0) return plain_truss_;
-        structure_.extras.push_back(extras_of(member, model_));
+        structure_.end_conditions.push_back(end_conditions_of(member, model_));
         structure_.up.push_back(vector_of(member.up));
-        structure_.has_constraints |= structure_.extras.back().constraint != Constraint::None;
-        const auto at = static_cast<std::int32_t>(structure_.extras.size() - 1);
+        structure_.has_constraints |= structure_.end_conditions.back().constraint != Constraint::None;
+        const auto at = static_cast<std::int32_t>(structure_.end_conditions.size() - 1);
         if (is_plain_truss) plain_truss_ = at;
         return at;
     }
 
     const Model& model_;
-    Structure& structure_;
+    Discretisation& structure_;
     std::unordered_map<PropertyKey, std::uint32_t, PropertyHash> known_;
     PropertyKey last_key_{};
     std::uint32_t last_ = 0;
     std::int32_t plain_truss_ = -1;
 };
 
-Structure::SupportRow support_row(const Node& node, NodeId id, AnalysisKind kind)
+Discretisation::SupportRow support_row(const Node& node, NodeId id, AnalysisKind kind)
 {
-    Structure::SupportRow row{
+    Discretisation::SupportRow row{
         .node = id, .blocked = node.support->blocked(kind), .angle = node.support->angle * std::numbers::pi / 180.0};
     for (const Spring& spring : node.support->springs) row.springs[index(spring.dof)] = spring.stiffness;
     return row;
@@ -158,35 +157,27 @@ Structure::SupportRow support_row(const Node& node, NodeId id, AnalysisKind kind
 
 } // namespace
 
-double Structure::size() const
+double Discretisation::size() const
 {
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& position : positions) box.extend(position);
     return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }
 
-MemberFrame Structure::frame(MemberId member) const
+MemberGeometry Discretisation::geometry(MemberId member) const
 {
     const MemberRow& row = members[member.index];
-    MemberFrame frame;
-    frame.start = positions[row.nodes[0].index];
-    frame.end = positions[row.nodes[1].index];
-    Eigen::Vector3d towards = Eigen::Vector3d::Zero();
-    if (row.extras >= 0) {
-        const auto at = static_cast<std::size_t>(row.extras);
-        frame.start += extras[at].offsets[0];
-        frame.end += extras[at].offsets[1];
-        towards = up[at];
-    }
-    const Eigen::Vector3d along = frame.end - frame.start;
-    frame.length = along.norm();
-    frame.axes = member_axes(kind, along / frame.length, towards);
-    return frame;
+    Eigen::Vector3d start = positions[row.nodes[0].index], end = positions[row.nodes[1].index];
+    if (row.end_conditions < 0) return member_geometry(kind, start, end, Eigen::Vector3d::Zero());
+    const auto at = static_cast<std::size_t>(row.end_conditions);
+    start += end_conditions[at].offsets[0];
+    end += end_conditions[at].offsets[1];
+    return member_geometry(kind, start, end, up[at]);
 }
 
-Structure structure_of(const Model& model)
+Discretisation discretise(const Model& model)
 {
-    Structure structure;
+    Discretisation structure;
     structure.kind = model.analysis;
     const std::size_t n = model.nodes.size();
     structure.positions.reserve(n);
@@ -202,39 +193,6 @@ Structure structure_of(const Model& model)
     MemberTable table(model, structure);
     for (const Member& member : model.members) table.add(member);
     return structure;
-}
-
-std::vector<CaseTerms> cases_of(const Model& model)
-{
-    const std::size_t n = model.load_cases.size();
-    std::vector<CaseTerms> cases;
-    for (std::size_t i = 0; i < n; ++i)
-        cases.push_back({.name = model.load_cases[i].id, .terms = {{.load_case = i, .factor = 1.0}}});
-
-    // A combination may name others, also later ones: each is expanded once into a factor per load case.
-    std::vector<std::vector<double>> factors(model.combinations.size());
-    const auto expand = [&](const auto& self, std::size_t combination) -> const std::vector<double>& {
-        std::vector<double>& mine = factors[combination];
-        if (!mine.empty()) return mine;
-        std::vector<double> sum(n + 1, 0.0); // one more, so that an expanded one is never empty
-        for (const Combination::Term& term : model.combinations[combination].terms) {
-            if (term.of.index < n) {
-                sum[term.of.index] += term.factor;
-                continue;
-            }
-            const std::vector<double>& other = self(self, term.of.index - n);
-            for (std::size_t i = 0; i < n; ++i) sum[i] += term.factor * other[i];
-        }
-        return mine = std::move(sum);
-    };
-    for (std::size_t c = 0; c < model.combinations.size(); ++c) {
-        CaseTerms terms{.name = model.combinations[c].id, .terms = {}};
-        for (std::size_t i = 0; i < n; ++i)
-            if (const double factor = expand(expand, c)[i]; factor != 0.0)
-                terms.terms.push_back({.load_case = i, .factor = factor});
-        cases.push_back(std::move(terms));
-    }
-    return cases;
 }
 
 } // namespace femoop

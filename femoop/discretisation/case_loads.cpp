@@ -1,8 +1,8 @@
+#include "femoop/discretisation/case_loads.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
-
-#include "femoop/analysis/structure.h"
 
 namespace femoop {
 
@@ -42,12 +42,12 @@ struct Load6 {
 /// Turns the member loads of one load case into span loads in member axes, member by member.
 class SpanLoadTable {
 public:
-    explicit SpanLoadTable(const Structure& structure) : structure_(structure) {}
+    explicit SpanLoadTable(const Discretisation& structure) : structure_(structure) {}
 
     void add(const MemberLoad& load)
     {
         member_ = load.member;
-        frame_ = structure_.frame(load.member);
+        geometry_ = structure_.geometry(load.member);
         std::visit([this](const auto& l) { add(l); }, load.load);
     }
 
@@ -56,13 +56,14 @@ public:
         for (std::size_t i = 0; i < structure_.members.size(); ++i) {
             member_ = MemberId(i);
             const double weight = structure_.properties_of(member_).weight;
-            const MemberExtras* extras = structure_.extras_of(member_);
-            if (weight == 0.0 || (extras != nullptr && extras->constraint == Constraint::Rigid)) continue;
-            frame_ = structure_.frame(member_);
+            const MemberEndConditions* end_conditions = structure_.end_conditions_of(member_);
+            if (weight == 0.0 || (end_conditions != nullptr && end_conditions->constraint == Constraint::Rigid))
+                continue;
+            geometry_ = structure_.geometry(member_);
             Load6 q;
             q.set(is_plane(structure_.kind) ? Dof::uy : Dof::uz, -factor * weight);
-            q.turn(frame_.axes);
-            add_distributed(q, q, 0.0, frame_.length);
+            q.turn(geometry_.axes);
+            add_distributed(q, q, 0.0, geometry_.length);
         }
     }
 
@@ -88,19 +89,19 @@ private:
             end.set(value.dof, share * (value.end ? *value.end : value.start));
         }
         if (load.axes == LoadAxes::Global) {
-            start.turn(frame_.axes);
-            end.turn(frame_.axes);
+            start.turn(geometry_.axes);
+            end.turn(geometry_.axes);
         }
-        const double L = frame_.length;
+        const double L = geometry_.length;
         add_distributed(start, end, load.from ? length_at(*load.from, L) : 0.0, load.to ? length_at(*load.to, L) : L);
     }
 
-    void add(const PointLoad& load) { add_point(load.components, load.axes, length_at(load.at, frame_.length)); }
+    void add(const PointLoad& load) { add_point(load.components, load.axes, length_at(load.at, geometry_.length)); }
 
     void add(const EndLoads& load)
     {
         add_point(load.start, load.axes, 0.0);
-        add_point(load.end, load.axes, frame_.length);
+        add_point(load.end, load.axes, geometry_.length);
     }
 
     void add(const TemperatureLoad& load)
@@ -113,12 +114,12 @@ private:
         add_strain(std::abs(mean) > round_off * largest ? p.alpha * mean : 0.0, -p.alpha * gradient);
     }
 
-    void add(const Misfit& load) { add_strain(load.elongation / frame_.length, 0.0); }
+    void add(const Misfit& load) { add_strain(load.elongation / geometry_.length, 0.0); }
 
     /// How much of a metre along the member shows square to a global axis.
     double projection(Dof dof) const
     {
-        const double cosine = frame_.axes(0, static_cast<int>(index(dof) % 3));
+        const double cosine = geometry_.axes(0, static_cast<int>(index(dof) % 3));
         return std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
     }
 
@@ -138,7 +139,7 @@ private:
     {
         Load6 load;
         for (const Component& component : components) load.set(component.dof, component.value);
-        if (axes == LoadAxes::Global) load.turn(frame_.axes);
+        if (axes == LoadAxes::Global) load.turn(geometry_.axes);
         for (std::size_t axis = 0; axis < n_local_axes; ++axis)
             if (load[axis] != 0.0)
                 loads_.emplace_back(member_, SpanLoad{.kind = SpanLoad::Kind::Point,
@@ -154,9 +155,9 @@ private:
         loads_.emplace_back(member_, SpanLoad{.kind = SpanLoad::Kind::Strain, .start = strain, .end = curvature});
     }
 
-    const Structure& structure_;
+    const Discretisation& structure_;
     MemberId member_;
-    MemberFrame frame_;
+    MemberGeometry geometry_;
     std::vector<std::pair<MemberId, SpanLoad>> loads_;
 };
 
@@ -169,7 +170,7 @@ CaseLoads::OnNode on_node(NodeId node, const std::vector<Component>& components)
 
 } // namespace
 
-std::vector<CaseLoads> loads_of(const Model& model, const Structure& structure)
+std::vector<CaseLoads> loads_of(const Model& model, const Discretisation& structure)
 {
     std::vector<CaseLoads> all;
     for (const LoadCase& load_case : model.load_cases) {
@@ -183,6 +184,39 @@ std::vector<CaseLoads> loads_of(const Model& model, const Structure& structure)
         all.push_back(std::move(loads));
     }
     return all;
+}
+
+std::vector<CaseTerms> cases_of(const Model& model)
+{
+    const std::size_t n = model.load_cases.size();
+    std::vector<CaseTerms> cases;
+    for (std::size_t i = 0; i < n; ++i)
+        cases.push_back({.name = model.load_cases[i].id, .terms = {{.load_case = i, .factor = 1.0}}});
+
+    // A combination may name others, also later ones: each is expanded once into a factor per load case.
+    std::vector<std::vector<double>> factors(model.combinations.size());
+    const auto expand = [&](const auto& self, std::size_t combination) -> const std::vector<double>& {
+        std::vector<double>& mine = factors[combination];
+        if (!mine.empty()) return mine;
+        std::vector<double> sum(n + 1, 0.0); // one more, so that an expanded one is never empty
+        for (const Combination::Term& term : model.combinations[combination].terms) {
+            if (term.of.index < n) {
+                sum[term.of.index] += term.factor;
+                continue;
+            }
+            const std::vector<double>& other = self(self, term.of.index - n);
+            for (std::size_t i = 0; i < n; ++i) sum[i] += term.factor * other[i];
+        }
+        return mine = std::move(sum);
+    };
+    for (std::size_t c = 0; c < model.combinations.size(); ++c) {
+        CaseTerms terms{.name = model.combinations[c].id, .terms = {}};
+        for (std::size_t i = 0; i < n; ++i)
+            if (const double factor = expand(expand, c)[i]; factor != 0.0)
+                terms.terms.push_back({.load_case = i, .factor = factor});
+        cases.push_back(std::move(terms));
+    }
+    return cases;
 }
 
 } // namespace femoop

@@ -1,4 +1,4 @@
-#include "femoop/analysis/equations.h"
+#include "femoop/discretisation/equations.h"
 
 #include <array>
 #include <cmath>
@@ -20,42 +20,43 @@ std::span<const LocalAxis> local_axes(AnalysisKind kind)
                       [](auto k) { return std::span<const LocalAxis>(AnalysisModel<decltype(k)::value>::local); });
 }
 
-constexpr std::size_t own_ends_per_member = 2 * n_local_axes;
+constexpr std::size_t ends_per_member = 2 * n_local_axes;
 
-bool is_unknown(const Structure& structure, NodeId node, Dof dof)
+bool is_unknown(const Discretisation& structure, NodeId node, Dof dof)
 {
     if (!structure.is_attached[node.index]) return false;
-    const Structure::SupportRow* support = structure.support_of(node);
+    const Discretisation::SupportRow* support = structure.support_of(node);
     return support == nullptr || !support->blocked.contains(dof);
 }
 
 /// Which of a member's 12 ends hang on a flexible joint.
-std::vector<std::size_t> flexible_joints(const Structure& structure, MemberId member)
+std::vector<std::size_t> flexible_joints(const Discretisation& structure, MemberId member)
 {
     std::vector<std::size_t> found;
-    const MemberExtras& extras = *structure.extras_of(member);
+    const MemberEndConditions& end_conditions = *structure.end_conditions_of(member);
     for (std::size_t end = 0; end < 2; ++end)
         for (const LocalAxis axis : local_axes(structure.kind))
-            if (std::isfinite(extras.joints[end][index(axis)])) found.push_back(end * n_local_axes + index(axis));
+            if (std::isfinite(end_conditions.joints[end][index(axis)]))
+                found.push_back(end * n_local_axes + index(axis));
     return found;
 }
 
-std::vector<std::int32_t> members_with_own_ends(const Structure& structure)
+std::vector<std::int32_t> members_with_end_dofs(const Discretisation& structure)
 {
-    std::vector<std::int32_t> own_end_of;
-    if (!structure.has_constraints) return own_end_of;
+    std::vector<std::int32_t> member_end_dofs_of;
+    if (!structure.has_constraints) return member_end_dofs_of;
     std::int32_t n = 0;
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
-        const MemberExtras* extras = structure.extras_of(MemberId(i));
-        const bool has_own = extras != nullptr && extras->constraint != Constraint::None &&
+        const MemberEndConditions* end_conditions = structure.end_conditions_of(MemberId(i));
+        const bool has_own = end_conditions != nullptr && end_conditions->constraint != Constraint::None &&
                              !flexible_joints(structure, MemberId(i)).empty();
-        own_end_of.push_back(has_own ? n++ : -1);
+        member_end_dofs_of.push_back(has_own ? n++ : -1);
     }
-    if (n == 0) own_end_of.clear();
-    return own_end_of;
+    if (n == 0) member_end_dofs_of.clear();
+    return member_end_dofs_of;
 }
 
-BlockGraph block_graph(const Structure& structure, const std::vector<std::int32_t>& own_end_of)
+BlockGraph block_graph(const Discretisation& structure, const std::vector<std::int32_t>& member_end_dofs_of)
 {
     BlockGraph graph;
     graph.positions = structure.positions;
@@ -70,7 +71,7 @@ BlockGraph block_graph(const Structure& structure, const std::vector<std::int32_
         const std::array<std::int32_t, 3> blocks{static_cast<std::int32_t>(nodes[0].index),
                                                  static_cast<std::int32_t>(nodes[1].index),
                                                  static_cast<std::int32_t>(graph.block_sizes.size())};
-        const bool has_own = !own_end_of.empty() && own_end_of[i] >= 0;
+        const bool has_own = !member_end_dofs_of.empty() && member_end_dofs_of[i] >= 0;
         if (has_own) {
             graph.block_sizes.push_back(static_cast<std::int32_t>(flexible_joints(structure, MemberId(i)).size()));
             graph.positions.push_back(structure.positions[nodes[0].index]);
@@ -82,12 +83,15 @@ BlockGraph block_graph(const Structure& structure, const std::vector<std::int32_
 
 } // namespace
 
-BlockGraph block_graph(const Structure& structure) { return block_graph(structure, members_with_own_ends(structure)); }
+BlockGraph block_graph(const Discretisation& structure)
+{
+    return block_graph(structure, members_with_end_dofs(structure));
+}
 
-Equations::Equations(const Structure& structure, SolverKind wanted)
+Equations::Equations(const Discretisation& structure, SolverKind wanted)
     : dofs_per_node_(model_dofs(structure.kind).size()),
-      own_end_of_(members_with_own_ends(structure)),
-      pattern_(block_graph(structure, own_end_of_), wanted)
+      member_end_dofs_of_(members_with_end_dofs(structure)),
+      pattern_(block_graph(structure, member_end_dofs_of_), wanted)
 {
     const std::span<const Dof> dofs = model_dofs(structure.kind);
     of_node_.assign(structure.positions.size() * dofs.size(), none);
@@ -96,19 +100,19 @@ Equations::Equations(const Structure& structure, SolverKind wanted)
         for (std::size_t i = 0; i < dofs.size(); ++i)
             if (is_unknown(structure, NodeId(node), dofs[i])) of_node_[node * dofs.size() + i] = next++;
     }
-    for (std::size_t i = 0, block = structure.positions.size(); i < own_end_of_.size(); ++i) {
-        if (own_end_of_[i] < 0) continue;
+    for (std::size_t i = 0, block = structure.positions.size(); i < member_end_dofs_of_.size(); ++i) {
+        if (member_end_dofs_of_[i] < 0) continue;
         std::int32_t next = pattern_.first_equation(block++);
-        const std::size_t first = of_own_end_.size();
-        of_own_end_.resize(first + own_ends_per_member, none);
-        for (const std::size_t at : flexible_joints(structure, MemberId(i))) of_own_end_[first + at] = next++;
+        const std::size_t first = of_member_end_.size();
+        of_member_end_.resize(first + ends_per_member, none);
+        for (const std::size_t at : flexible_joints(structure, MemberId(i))) of_member_end_[first + at] = next++;
     }
 }
 
-std::int32_t Equations::of_own_end(MemberId member, std::size_t end, LocalAxis axis) const
+std::int32_t Equations::of_member_end(MemberId member, std::size_t end, LocalAxis axis) const
 {
-    const auto first = static_cast<std::size_t>(own_end_of_[member.index]) * own_ends_per_member;
-    return of_own_end_[first + end * n_local_axes + index(axis)];
+    const auto first = static_cast<std::size_t>(member_end_dofs_of_[member.index]) * ends_per_member;
+    return of_member_end_[first + end * n_local_axes + index(axis)];
 }
 
 } // namespace femoop

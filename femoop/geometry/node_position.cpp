@@ -1,4 +1,4 @@
-#include "femoop/model/member_ends.h"
+#include "femoop/geometry/node_position.h"
 
 #include <algorithm>
 
@@ -16,12 +16,6 @@ Eigen::Vector3d position_of(const Model& model, NodeId node)
 {
     const std::array<Quantity, 3>& at = model[node].at;
     return {at[0], at[1], is_3d(model.analysis) ? at[2].value() : 0.0};
-}
-
-MemberEnds ends_of(const Model& model, const Member& member)
-{
-    return {.start = position_of(model, member.nodes[0]) + vector_of(member.start.offset),
-            .end = position_of(model, member.nodes[1]) + vector_of(member.end.offset)};
 }
 
 } // namespace femoop

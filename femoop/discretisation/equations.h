@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "femoop/analysis/structure.h"
+#include "femoop/discretisation/discretisation.h"
 #include "femoop/solver/solver_kind.h"
 #include "femoop/solver/system_pattern.h"
 
@@ -19,7 +19,7 @@ class Equations {
 public:
     static constexpr std::int32_t none = SystemPattern::none;
 
-    Equations(const Structure& structure, SolverKind wanted); ///< in the order that suits the solver
+    Equations(const Discretisation& structure, SolverKind wanted); ///< in the order that suits the solver
 
     const SystemPattern& pattern() const { return pattern_; }
     std::size_t n_unknowns() const { return pattern_.n_equations(); }
@@ -27,24 +27,24 @@ public:
     /// Of displacement i (in the model's order) of a node; none where a support blocks it or no member meets the node.
     std::int32_t of(NodeId node, std::size_t i) const { return of_node_[node.index * dofs_per_node_ + i]; }
 
-    /// Of a member's own end, per local axis; none where the joint is rigid.
-    std::int32_t of_own_end(MemberId member, std::size_t end, LocalAxis axis) const;
+    /// Of a member-end degree of freedom, per local axis; none where the joint is rigid.
+    std::int32_t of_member_end(MemberId member, std::size_t end, LocalAxis axis) const;
 
-    /// Index of each member's 12 own ends, or -1; empty when no member has any.
-    const std::vector<std::int32_t>& own_end_of() const { return own_end_of_; }
-    std::size_t n_own_ends() const { return of_own_end_.size(); }
-    std::int32_t own_end(std::size_t i) const { return of_own_end_[i]; }
+    /// Index of each member's 12 member-end degrees of freedom, or -1; empty when no member has any.
+    const std::vector<std::int32_t>& member_end_dofs_of() const { return member_end_dofs_of_; }
+    std::size_t n_member_end_dofs() const { return of_member_end_.size(); }
+    std::int32_t member_end(std::size_t i) const { return of_member_end_[i]; }
 
 private:
     std::size_t dofs_per_node_;
-    std::vector<std::int32_t> own_end_of_;
+    std::vector<std::int32_t> member_end_dofs_of_;
     SystemPattern pattern_;
     std::vector<std::int32_t> of_node_;
-    std::vector<std::int32_t> of_own_end_;
+    std::vector<std::int32_t> of_member_end_;
 };
 
 /// The blocks of a structure's system and which of them its members couple, as `Equations` numbers them.
-BlockGraph block_graph(const Structure& structure);
+BlockGraph block_graph(const Discretisation& structure);
 
 /// The displacements of a node that a model counts, in its order.
 std::span<const Dof> model_dofs(AnalysisKind kind);

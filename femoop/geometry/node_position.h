@@ -12,10 +12,4 @@ Eigen::Vector3d vector_of(const std::vector<Quantity>& numbers);
 
 Eigen::Vector3d position_of(const Model& model, NodeId node); ///< z is 0 in a plane model
 
-/// The ends of a member's flexible part, between its rigid offsets.
-struct MemberEnds {
-    Eigen::Vector3d start, end;
-};
-MemberEnds ends_of(const Model& model, const Member& member);
-
 } // namespace femoop

@@ -1,4 +1,4 @@
-#include "femoop/analysis/number_range.h"
+#include "femoop/analysis/overflow_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,17 +35,17 @@ void see(Largest& largest, const MemberProperties& properties)
 /// May products of stiffnesses, lengths, displacements, loads and factors overflow?
 bool may_overflow(const detail::Solution& solution)
 {
-    const Structure& structure = *solution.structure;
+    const Discretisation& structure = *solution.structure;
     Largest largest;
     for (const Eigen::Vector3d& position : structure.positions) largest.see(position);
     for (const MemberProperties& properties : structure.properties) see(largest, properties);
-    for (const Structure::SupportRow& support : structure.supports)
+    for (const Discretisation::SupportRow& support : structure.supports)
         for (const double spring : support.springs) largest.see(spring);
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
-        const MemberExtras* extras = structure.extras_of(MemberId(i));
+        const MemberEndConditions* end_conditions = structure.end_conditions_of(MemberId(i));
         const auto& nodes = structure.members[i].nodes;
-        const double length = extras != nullptr && extras->has_offset
-                                  ? structure.frame(MemberId(i)).length
+        const double length = end_conditions != nullptr && end_conditions->has_offset
+                                  ? structure.geometry(MemberId(i)).length
                                   : (structure.positions[nodes[1].index] - structure.positions[nodes[0].index]).norm();
         largest.see(1.0 / length);
     }
@@ -94,7 +94,7 @@ bool is_in_range(const CaseResult& result, const Results& results)
 
 } // namespace
 
-std::vector<Fault> cases_beyond_range(const detail::Solution& solution, const Results& results)
+std::vector<Fault> overflowing_cases(const detail::Solution& solution, const Results& results)
 {
     std::vector<Fault> faults;
     if (!may_overflow(solution)) return faults;
@@ -104,7 +104,7 @@ std::vector<Fault> cases_beyond_range(const detail::Solution& solution, const Re
     return faults;
 }
 
-std::optional<Fault> huge_displacement(const Model& model, const Structure& structure, const Results& results,
+std::optional<Fault> huge_displacement(const Model& model, const Discretisation& structure, const Results& results,
                                        double most)
 {
     const double limit = most * structure.size();

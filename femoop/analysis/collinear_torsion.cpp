@@ -1,4 +1,4 @@
-#include "femoop/analysis/spinning_chain.h"
+#include "femoop/analysis/collinear_torsion.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -11,21 +11,21 @@ namespace {
 
 constexpr double square = 1e-9; // of a unit vector: less of it is rounding
 
-bool carries_torque(const MemberExtras* extras)
+bool carries_torque(const MemberEndConditions* end_conditions)
 {
-    if (extras == nullptr) return true;
-    const auto is_joined = [&](std::size_t end) { return extras->joints[end][index(LocalAxis::rx)] != 0.0; };
-    return !extras->is_bar && is_joined(0) && is_joined(1);
+    if (end_conditions == nullptr) return true;
+    const auto is_joined = [&](std::size_t end) { return end_conditions->joints[end][index(LocalAxis::rx)] != 0.0; };
+    return !end_conditions->is_bar && is_joined(0) && is_joined(1);
 }
 
 class ChainSearch {
 public:
-    ChainSearch(const Structure& structure, const Equations& equations, const NodeJoints& joints,
-                RotationFollowers& followers, const SparseMatrix& K)
+    ChainSearch(const Discretisation& structure, const Equations& equations, const NodeJoints& joints,
+                CoupledMembers& coupled, const SparseMatrix& K)
         : structure_(structure),
           equations_(equations),
           joints_(joints),
-          followers_(followers),
+          coupled_(coupled),
           K_(K),
           is_known_(structure.members.size(), false),
           turn_(Eigen::VectorXd::Zero(K.rows()))
@@ -33,17 +33,17 @@ public:
         list_members();
     }
 
-    std::vector<HeldRotation> run()
+    std::vector<ArtificialRestraint> run()
     {
-        std::vector<HeldRotation> found;
+        std::vector<ArtificialRestraint> found;
         for (std::size_t i = 0; i < structure_.members.size(); ++i) {
-            if (is_known_[i] || !carries_torque(structure_.extras_of(MemberId(i)))) continue;
-            const Eigen::Vector3d axis = structure_.frame(MemberId(i)).axes.row(0);
+            if (is_known_[i] || !carries_torque(structure_.end_conditions_of(MemberId(i)))) continue;
+            const Eigen::Vector3d axis = structure_.geometry(MemberId(i)).axes.row(0);
             const std::vector<NodeId> nodes = chain_from(MemberId(i), axis);
             const auto may_turn = [&](NodeId node) { return joints_.may_turn(node.index); };
             if (std::none_of(nodes.begin(), nodes.end(), may_turn)) continue;
-            const std::optional<HeldRotation> spin = spin_of(nodes, axis);
-            if (spin && is_idle(*spin) && !swings_a_member(*spin)) found.push_back(*spin);
+            const std::optional<ArtificialRestraint> spin = spin_of(nodes, axis);
+            if (spin && is_unrestrained(*spin) && !swings_a_member(*spin)) found.push_back(*spin);
         }
         return found;
     }
@@ -69,16 +69,16 @@ private:
         take(first);
         for (std::size_t next = 0; next < nodes.size(); ++next)
             for (const MemberId member : members_of_[nodes[next].index])
-                if (!is_known_[member.index] && carries_torque(structure_.extras_of(member)) &&
-                    structure_.frame(member).axes.row(0).transpose().cross(axis).norm() < square)
+                if (!is_known_[member.index] && carries_torque(structure_.end_conditions_of(member)) &&
+                    structure_.geometry(member).axes.row(0).transpose().cross(axis).norm() < square)
                     take(member);
         return nodes;
     }
 
     /// The chain's nodes turning by the same angle; nothing where a support stops one of them.
-    std::optional<HeldRotation> spin_of(const std::vector<NodeId>& nodes, const Eigen::Vector3d& axis) const
+    std::optional<ArtificialRestraint> spin_of(const std::vector<NodeId>& nodes, const Eigen::Vector3d& axis) const
     {
-        HeldRotation spin;
+        ArtificialRestraint spin;
         std::vector<double> direction;
         const std::span<const Dof> dofs = model_dofs(structure_.kind);
         for (const NodeId node : nodes) {
@@ -97,7 +97,7 @@ private:
     }
 
     /// Does nothing work against it?
-    bool is_idle(const HeldRotation& spin)
+    bool is_unrestrained(const ArtificialRestraint& spin)
     {
         double stiffness = 0.0;
         for (std::size_t i = 0; i < spin.parts.size(); ++i) {
@@ -105,23 +105,23 @@ private:
             stiffness = std::max(stiffness, joints_.stiffness[spin.parts[i].node.index]);
         }
         double work = 0.0;
-        for (const HeldRotation::Part& part : spin.parts)
+        for (const ArtificialRestraint::Part& part : spin.parts)
             for (SparseMatrix::InnerIterator entry(K_, part.row); entry; ++entry)
                 work += (entry.row() == entry.col() ? 1.0 : 2.0) * turn_[entry.row()] * entry.value() *
                         turn_[entry.col()];
-        for (const HeldRotation::Part& part : spin.parts) turn_[part.row] = 0.0;
-        return work <= idle_stiffness * stiffness;
+        for (const ArtificialRestraint::Part& part : spin.parts) turn_[part.row] = 0.0;
+        return work <= negligible_stiffness * stiffness;
     }
 
-    bool swings_a_member(const HeldRotation& spin)
+    bool swings_a_member(const ArtificialRestraint& spin)
     {
-        return (followers_.motion(spin.parts) * spin.direction).norm() >= follows;
+        return (coupled_.motion(spin.parts) * spin.direction).norm() >= uncoupled;
     }
 
-    const Structure& structure_;
+    const Discretisation& structure_;
     const Equations& equations_;
     const NodeJoints& joints_;
-    RotationFollowers& followers_;
+    CoupledMembers& coupled_;
     const SparseMatrix& K_;
     std::vector<std::vector<MemberId>> members_of_;
     std::vector<bool> is_known_;
@@ -130,12 +130,13 @@ private:
 
 } // namespace
 
-std::vector<HeldRotation> spinning_chains(const Structure& structure, const Equations& equations,
-                                          const NodeJoints& joints, RotationFollowers& followers, const SparseMatrix& K)
+std::vector<ArtificialRestraint> collinear_torsion_mechanisms(const Discretisation& structure,
+                                                              const Equations& equations, const NodeJoints& joints,
+                                                              CoupledMembers& coupled, const SparseMatrix& K)
 {
     if (structure.kind != AnalysisKind::Frame3d && structure.kind != AnalysisKind::Grillage) return {};
     if (std::find(joints.is_flexible.begin(), joints.is_flexible.end(), true) == joints.is_flexible.end()) return {};
-    return ChainSearch(structure, equations, joints, followers, K).run();
+    return ChainSearch(structure, equations, joints, coupled, K).run();
 }
 
 } // namespace femoop

@@ -4,24 +4,25 @@
 #include <vector>
 
 #include "femoop/analysis/elimination.h"
-#include "femoop/analysis/equations.h"
-#include "femoop/analysis/idle_rotation.h"
 #include "femoop/analysis/mechanism.h"
+#include "femoop/analysis/unrestrained_rotation.h"
+#include "femoop/discretisation/equations.h"
+#include "femoop/discretisation/solution.h"
 #include "femoop/element/member_element.h"
-#include "femoop/result/solution.h"
 
 namespace femoop {
 
 /// Free motions of a structure, as mechanisms with words: which nodes move together, and how.
-std::vector<Mechanism> mechanisms_of(const Model& model, const std::shared_ptr<const Structure>& structure,
+std::vector<Mechanism> mechanisms_of(const Model& model, const std::shared_ptr<const Discretisation>& structure,
                                      const Equations& equations, std::vector<detail::CaseSolution> motions);
 
 /// A member that its own releases leave loose.
-Mechanism flying_member(const Model& model, const Structure& structure, MemberId member, const LooseEnd& loose);
+Mechanism member_mechanism(const Model& model, const Discretisation& structure, MemberId member,
+                           const InternalMechanism& loose);
 
 /// Held rotations that a load vector [unknowns x cases] drives.
-std::vector<Mechanism> driven_spins(const Model& model, const Structure& structure, const Eigen::MatrixXd& F,
-                                    const std::vector<HeldRotation>& held);
+std::vector<Mechanism> loaded_rotations(const Model& model, const Discretisation& structure, const Eigen::MatrixXd& F,
+                                        const std::vector<ArtificialRestraint>& held);
 
 /// The stiffness at these nodes cannot be counted with.
 Fault beyond_range_fault(const Model& model, const std::vector<NodeId>& nodes);

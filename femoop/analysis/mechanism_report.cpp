@@ -1,4 +1,4 @@
-#include "femoop/analysis/mechanism_words.h"
+#include "femoop/analysis/mechanism_report.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include <string>
 
 #include "femoop/analysis/node_names.h"
+#include "femoop/result/end_vectors.h"
 
 namespace femoop {
 
@@ -33,7 +34,7 @@ std::string point(const Eigen::Vector3d& at, AnalysisKind kind)
 }
 
 /// The point that all moving nodes of a plane model turn about, if they do.
-std::optional<Eigen::Vector3d> pivot(const Structure& structure, const std::vector<NodeVector>& motion,
+std::optional<Eigen::Vector3d> pivot(const Discretisation& structure, const std::vector<NodeVector>& motion,
                                      const std::vector<NodeId>& moving)
 {
     // u = a - w y, v = b + w x: three unknowns for two equations a node
@@ -95,7 +96,7 @@ Fault each_its_way(const Model& model, const std::vector<NodeVector>& motion, co
 }
 
 /// What a single node's rotation is called depends on its cause: nothing holds it, or a moment drives it.
-Fault words(const Model& model, const Structure& structure, const std::vector<NodeVector>& motion, FaultKind spin)
+Fault words(const Model& model, const Discretisation& structure, const std::vector<NodeVector>& motion, FaultKind spin)
 {
     std::vector<NodeId> moving, turning;
     for (std::size_t i = 0; i < motion.size(); ++i) {
@@ -122,7 +123,7 @@ Fault words(const Model& model, const Structure& structure, const std::vector<No
     return each_its_way(model, motion, moving);
 }
 
-std::vector<NodeVector> motion_of(const Structure& structure, const std::vector<double>& displacements)
+std::vector<NodeVector> motion_of(const Discretisation& structure, const std::vector<double>& displacements)
 {
     const std::span<const Dof> dofs = model_dofs(structure.kind);
     std::vector<NodeVector> motion(structure.positions.size());
@@ -132,28 +133,28 @@ std::vector<NodeVector> motion_of(const Structure& structure, const std::vector<
     return motion;
 }
 
-std::vector<std::array<Eigen::Vector3d, 2>> still_ends(const Structure& structure)
+std::vector<std::array<Eigen::Vector3d, 2>> still_ends(const Discretisation& structure)
 {
     return {structure.members.size(), {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()}};
 }
 
 /// Translations of every member's ends when its nodes move: through rigid arms, and where a shear or axial release lets
 /// the end part from its node, with the least motion that does not strain the member.
-std::vector<std::array<Eigen::Vector3d, 2>> member_ends(const std::shared_ptr<const Structure>& structure,
+std::vector<std::array<Eigen::Vector3d, 2>> member_ends(const std::shared_ptr<const Discretisation>& structure,
                                                         const Equations& equations, const detail::CaseSolution& motion)
 {
     detail::Solution solution;
     solution.structure = structure;
     solution.loads.resize(1);
     solution.cases = {{.name = {}, .terms = {{.load_case = 0, .factor = 1.0}}}};
-    solution.own_end_of = equations.own_end_of();
+    solution.member_end_dofs_of = equations.member_end_dofs_of();
     solution.solutions = {motion};
     solution.solutions.front().constraint_displacements.assign(motion.displacements.size(), 0.0);
-    solution.solutions.front().constraint_own_ends.assign(motion.own_ends.size(), 0.0);
+    solution.solutions.front().constraint_member_ends.assign(motion.member_ends.size(), 0.0);
     auto ends = still_ends(*structure);
     for (std::size_t i = 0; i < ends.size(); ++i) {
         const detail::EndVectors local = detail::end_displacements(solution, 0, MemberId(i));
-        const Eigen::Matrix3d axes = structure->frame(MemberId(i)).axes;
+        const Eigen::Matrix3d axes = structure->geometry(MemberId(i)).axes;
         for (std::size_t end = 0; end < 2; ++end) ends[i][end] = axes.transpose() * local[end].head<3>();
     }
     return ends;
@@ -175,7 +176,7 @@ Fault swing(const Model& model, const Mechanism& mechanism)
 
 } // namespace
 
-std::vector<Mechanism> mechanisms_of(const Model& model, const std::shared_ptr<const Structure>& structure,
+std::vector<Mechanism> mechanisms_of(const Model& model, const std::shared_ptr<const Discretisation>& structure,
                                      const Equations& equations, std::vector<detail::CaseSolution> motions)
 {
     std::vector<Mechanism> mechanisms;
@@ -183,7 +184,7 @@ std::vector<Mechanism> mechanisms_of(const Model& model, const std::shared_ptr<c
         std::vector<NodeVector> nodes = motion_of(*structure, motion.displacements);
         const double factor = normalize(nodes);
         for (double& u : motion.displacements) u *= factor;
-        for (double& u : motion.own_ends) u *= factor;
+        for (double& u : motion.member_ends) u *= factor;
         Mechanism mechanism{.fault = words(model, *structure, nodes, FaultKind::MechanismNodeTurns),
                             .motion = std::move(nodes),
                             .member_ends = {}};
@@ -194,25 +195,26 @@ std::vector<Mechanism> mechanisms_of(const Model& model, const std::shared_ptr<c
     return mechanisms;
 }
 
-Mechanism flying_member(const Model& model, const Structure& structure, MemberId member, const LooseEnd& loose)
+Mechanism member_mechanism(const Model& model, const Discretisation& structure, MemberId member,
+                           const InternalMechanism& loose)
 {
     const auto axis = static_cast<std::size_t>(loose.axis);
     Mechanism mechanism{.fault = {.kind = FaultKind::MechanismMemberFlies,
                                   .arguments = {model[member].id, std::string(name(all_dofs[axis]))}},
                         .motion = std::vector<NodeVector>(structure.positions.size()),
                         .member_ends = still_ends(structure)};
-    const Eigen::Matrix3d axes = structure.frame(member).axes;
+    const Eigen::Matrix3d axes = structure.geometry(member).axes;
     const double largest = std::max(loose.mode[0].head<3>().norm(), loose.mode[1].head<3>().norm());
     for (std::size_t end = 0; end < 2 && largest > 0.0; ++end)
         mechanism.member_ends[member.index][end] = axes.transpose() * loose.mode[end].head<3>() / largest;
     return mechanism;
 }
 
-std::vector<Mechanism> driven_spins(const Model& model, const Structure& structure, const Eigen::MatrixXd& F,
-                                    const std::vector<HeldRotation>& held)
+std::vector<Mechanism> loaded_rotations(const Model& model, const Discretisation& structure, const Eigen::MatrixXd& F,
+                                        const std::vector<ArtificialRestraint>& held)
 {
     std::vector<Mechanism> mechanisms;
-    for (const HeldRotation& rotation : held) {
+    for (const ArtificialRestraint& rotation : held) {
         Eigen::MatrixXd moments(static_cast<Eigen::Index>(rotation.parts.size()), F.cols());
         for (Eigen::Index i = 0; i < moments.rows(); ++i)
             moments.row(i) = F.row(rotation.parts[static_cast<std::size_t>(i)].row);
