@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "femoop/element/analysis_model.h"
+
 namespace femoop {
 
 namespace {

@@ -8,6 +8,8 @@
 #include "femoop/discretisation/equations.h"
 #include "femoop/result/end_vectors.h"
 
+#include "femoop/element/analysis_model.h"
+
 namespace femoop {
 
 namespace {

@@ -1,36 +1,56 @@
 #pragma once
 
-#include <memory>
+#include <Eigen/Core>
+#include <optional>
 #include <vector>
 
-#include "femoop/analysis/elimination.h"
 #include "femoop/analysis/mechanism.h"
-#include "femoop/analysis/unrestrained_rotation.h"
-#include "femoop/discretisation/equations.h"
-#include "femoop/discretisation/solution.h"
-#include "femoop/element/member_element.h"
+#include "femoop/analysis/static_system.h"
+#include "femoop/model/fault/fault.h"
+#include "femoop/model/model.h"
 
 namespace femoop {
 
-/// Free motions of a structure, as mechanisms with words: which nodes move together, and how.
-std::vector<Mechanism> mechanisms_of(const Model& model, const std::shared_ptr<const Discretisation>& structure,
-                                     const Equations& equations, std::vector<detail::CaseSolution> motions);
+/// Why a static system cannot be solved, or not well: it looks at what the equations leave free and says it of the
+/// model's parts. It changes no equation.
+class MechanismReport {
+public:
+    /// \pre the system is assembled, and lives as long as the report
+    MechanismReport(const Model& model, const StaticSystem& system);
 
-/// A member that its own releases leave loose.
-Mechanism member_mechanism(const Model& model, const Discretisation& structure, MemberId member,
-                           const InternalMechanism& loose);
+    /// Refuses a structure that can move, or whose stiffness is beyond the range of numbers; then what the pivots say
+    /// is the fault of soft parts only. Small pivots may come from either: the geometry alone decides.
+    /// \throws MechanismError, ModelError
+    void require_geometric_stability() const;
 
-/// Held rotations that a load vector [unknowns x cases] drives.
-std::vector<Mechanism> loaded_rotations(const Model& model, const Discretisation& structure, const Eigen::MatrixXd& F,
-                                        const std::vector<ArtificialRestraint>& held);
+    /// Refuses members that their own releases leave free, which no equation shows. \throws MechanismError
+    void require_held_members() const;
 
-/// The stiffness at these nodes cannot be counted with.
-Fault beyond_range_fault(const Model& model, const std::vector<NodeId>& nodes);
+    /// Refuses loads that drive what is restrained artificially. \throws MechanismError
+    void require_undriven(const std::vector<CaseLoads>& loads, const Eigen::MatrixXd& F) const;
 
-/// A warning that names the nodes that move most in the softest motion, one row of `n` numbers per node.
-Fault nearly_singular_fault(const Model& model, double condition, const std::vector<double>& displacements,
-                            std::size_t n);
+    /// Refuses constraints that contradict one another, or what is imposed. \throws ModelError
+    void require_compatible(const Elimination& imposed) const;
 
-std::vector<Fault> conflict_faults(const Model& model, const std::vector<Elimination::Conflict>& conflicts);
+    /// Refuses numbers of a load case that are beyond the range, [unknowns x cases]. \throws ModelError
+    void require_finite(const Eigen::MatrixXd& values) const;
+
+    /// Fewer forces than equations: something moves, whatever the pivots say.
+    bool has_too_few_members() const;
+
+    /// Warns of the parts that are soft beside the rest; nothing if no condition can be estimated.
+    std::optional<Fault> soft_parts() const;
+
+private:
+    void require_finite_stiffness() const;
+    bool has_finite_stiffness(NodeId node) const;
+    [[noreturn]] void refuse(const Eigen::MatrixXd& modes) const;
+    std::vector<Mechanism> described(const Eigen::MatrixXd& modes) const;
+    std::vector<Mechanism> driven(const std::vector<CaseLoads>& loads, const Eigen::MatrixXd& F) const;
+
+    const Model& model_;
+    const StaticSystem& system_;
+    const Discretisation& structure_;
+};
 
 } // namespace femoop

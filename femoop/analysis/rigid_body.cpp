@@ -9,6 +9,8 @@
 #include "femoop/analysis/node_names.h"
 #include "femoop/discretisation/equations.h"
 
+#include "femoop/element/analysis_model.h"
+
 namespace femoop {
 
 namespace {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "femoop/discretisation/equations.h"
+#include "femoop/element/analysis_model.h"
 #include "femoop/model/check/check.h"
 #include "femoop/solver/geometric_dissection.h"
 #include "femoop/solver/index.h"
@@ -17,8 +18,9 @@ public:
         : model_(model),
           wanted_(wanted),
           structure_(discretise(model)),
-          equations_(structure_, wanted),
-          graph_(block_graph(structure_)),
+          elements_(structure_),
+          equations_(structure_, elements_, wanted),
+          graph_(block_graph(structure_, elements_)),
           adjacency_(graph_)
     {}
 
@@ -80,10 +82,10 @@ private:
                     trace_.blocks[node].unknowns.push_back(model_.nodes[node].id + '.' +
                                                            std::string(name(model_dofs(structure_.kind)[i])));
         for (std::size_t i = 0, block = model_.nodes.size(); i < equations_.member_end_dofs_of().size(); ++i)
-            if (equations_.member_end_dofs_of()[i] >= 0) list_own_ends(MemberId(i), trace_.blocks[block++]);
+            if (equations_.member_end_dofs_of()[i] >= 0) list_member_ends(MemberId(i), trace_.blocks[block++]);
     }
 
-    void list_own_ends(MemberId member, SolverTrace::Block& block) const
+    void list_member_ends(MemberId member, SolverTrace::Block& block) const
     {
         for (std::size_t end = 0; end < 2; ++end)
             for (const Dof dof : all_dofs)
@@ -95,6 +97,7 @@ private:
     const Model& model_;
     const SolverKind wanted_;
     const Discretisation structure_;
+    const Elements elements_;
     const Equations equations_;
     BlockGraph graph_;
     const BlockAdjacency adjacency_;

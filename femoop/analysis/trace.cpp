@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
-#include "femoop/analysis/assembly.h"
+#include "femoop/discretisation/case_loads.h"
+#include "femoop/discretisation/equations.h"
+#include "femoop/discretisation/node_axes.h"
+#include "femoop/element/member_element.h"
 #include "femoop/model/check/check.h"
 
 namespace femoop {
@@ -103,11 +106,15 @@ private:
 
 template <AnalysisKind kind> MemberTrace trace_of(const Model& model, const Discretisation& structure, MemberId member)
 {
-    const Equations equations(structure, SolverKind::Automatic);
-    const Assembly<kind> assembly(structure, equations);
+    const Elements elements(structure);
+    const Equations equations(structure, elements, SolverKind::Automatic);
+    const NodeAxes axes(structure);
+    const ElementDofs dofs = elements[member].dofs();
     const MemberGeometry geometry = structure.geometry(member);
-    const auto element = assembly.element(member, geometry);
-    const Tracer<kind> tracer(element, structure.end_conditions_of(member));
+    const MemberEndConditions* const end_conditions = structure.end_conditions_of(member);
+    const MemberElement<kind> element(structure.properties_of(member), geometry, end_conditions,
+                                      end_conditions == nullptr ? all_actions : elastic_actions(*end_conditions));
+    const Tracer<kind> tracer(element, end_conditions);
 
     MemberTrace trace;
     trace.member = model[member].id;
@@ -116,13 +123,14 @@ template <AnalysisKind kind> MemberTrace trace_of(const Model& model, const Disc
         for (const Dof dof : AnalysisModel<kind>::global)
             trace.dofs.push_back(model[node].id + "." + std::string(name(dof)));
     trace.own_dofs = tracer.names(model, model[member].nodes);
-    if (const MemberEndConditions* end_conditions = structure.end_conditions_of(member))
-        trace.constraint = end_conditions->constraint;
+    if (end_conditions != nullptr) trace.constraint = end_conditions->constraint;
     trace.local_stiffness = tracer.stiffness();
     trace.transformation = tracer.transformation();
+    axes.turn_columns(dofs, trace.transformation);
     trace.global_stiffness = element.stiffness();
+    axes.turn(dofs, trace.global_stiffness);
     const std::vector<int> places = numbered_by_node(structure, equations);
-    for (const std::int32_t row : assembly.node_equations(member))
+    for (const std::int32_t row : equations.of_element(member.index).first(dofs.n_of_nodes()))
         trace.equations.push_back(row == Equations::none ? 0 : places[row]);
 
     const std::vector<CaseLoads> loads = loads_of(model, structure);
@@ -133,6 +141,7 @@ template <AnalysisKind kind> MemberTrace trace_of(const Model& model, const Disc
         trace.fixed_end.push_back({.load_case = model.load_cases[c].id,
                                    .local = tracer.fixed_end_forces(loading),
                                    .global = element.fixed_end_forces(loading)});
+        axes.turn_rows(dofs, trace.fixed_end.back().global);
     }
     return trace;
 }

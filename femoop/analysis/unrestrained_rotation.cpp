@@ -8,6 +8,8 @@
 #include "femoop/analysis/collinear_torsion.h"
 #include "femoop/analysis/coupled_members.h"
 
+#include "femoop/element/analysis_model.h"
+
 namespace femoop {
 
 namespace {

@@ -164,15 +164,16 @@ double Discretisation::size() const
     return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }
 
-MemberGeometry Discretisation::geometry(MemberId member) const
+MemberData Discretisation::data(MemberId member) const
 {
     const MemberRow& row = members[member.index];
-    Eigen::Vector3d start = positions[row.nodes[0].index], end = positions[row.nodes[1].index];
-    if (row.end_conditions < 0) return member_geometry(kind, start, end, Eigen::Vector3d::Zero());
-    const auto at = static_cast<std::size_t>(row.end_conditions);
-    start += end_conditions[at].offsets[0];
-    end += end_conditions[at].offsets[1];
-    return member_geometry(kind, start, end, up[at]);
+    MemberData data{.nodes = row.nodes,
+                    .positions = {&positions[row.nodes[0].index], &positions[row.nodes[1].index]},
+                    .properties = &properties[row.properties]};
+    if (row.end_conditions < 0) return data;
+    data.end_conditions = &end_conditions[static_cast<std::size_t>(row.end_conditions)];
+    data.up = &up[static_cast<std::size_t>(row.end_conditions)];
+    return data;
 }
 
 Discretisation discretise(const Model& model)

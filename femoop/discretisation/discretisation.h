@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "femoop/element/member_properties.h"
+#include "femoop/element/straight_member.h"
 #include "femoop/geometry/member_geometry.h"
 #include "femoop/model/model.h"
 
@@ -39,7 +40,8 @@ struct Discretisation {
     std::vector<bool> is_attached;             ///< does any member meet the node?
     bool has_constraints = false;              ///< any inextensible or rigid member
 
-    MemberGeometry geometry(MemberId member) const;
+    MemberData data(MemberId member) const; ///< valid while this lives
+    MemberGeometry geometry(MemberId member) const { return geometry_of(kind, data(member)); }
     double size() const; ///< diagonal of the box around the nodes; 0 without any
     const MemberProperties& properties_of(MemberId member) const
     {

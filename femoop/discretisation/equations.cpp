@@ -1,5 +1,6 @@
 #include "femoop/discretisation/equations.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -7,18 +8,7 @@
 
 namespace femoop {
 
-std::span<const Dof> model_dofs(AnalysisKind kind)
-{
-    return with_model(kind, [](auto k) { return std::span<const Dof>(AnalysisModel<decltype(k)::value>::global); });
-}
-
 namespace {
-
-std::span<const LocalAxis> local_axes(AnalysisKind kind)
-{
-    return with_model(kind,
-                      [](auto k) { return std::span<const LocalAxis>(AnalysisModel<decltype(k)::value>::local); });
-}
 
 constexpr std::size_t ends_per_member = 2 * n_local_axes;
 
@@ -29,34 +19,28 @@ bool is_unknown(const Discretisation& structure, NodeId node, Dof dof)
     return support == nullptr || !support->blocked.contains(dof);
 }
 
-/// Which of a member's 12 ends hang on a flexible joint.
-std::vector<std::size_t> flexible_joints(const Discretisation& structure, MemberId member)
+std::vector<std::int32_t> members_with_end_dofs(const Discretisation& structure, const Elements& elements)
 {
-    std::vector<std::size_t> found;
-    const MemberEndConditions& end_conditions = *structure.end_conditions_of(member);
-    for (std::size_t end = 0; end < 2; ++end)
-        for (const LocalAxis axis : local_axes(structure.kind))
-            if (std::isfinite(end_conditions.joints[end][index(axis)]))
-                found.push_back(end * n_local_axes + index(axis));
-    return found;
-}
-
-std::vector<std::int32_t> members_with_end_dofs(const Discretisation& structure)
-{
-    std::vector<std::int32_t> member_end_dofs_of;
-    if (!structure.has_constraints) return member_end_dofs_of;
+    std::vector<std::int32_t> index_of;
+    if (!structure.has_constraints) return index_of;
     std::int32_t n = 0;
-    for (std::size_t i = 0; i < structure.members.size(); ++i) {
-        const MemberEndConditions* end_conditions = structure.end_conditions_of(MemberId(i));
-        const bool has_own = end_conditions != nullptr && end_conditions->constraint != Constraint::None &&
-                             !flexible_joints(structure, MemberId(i)).empty();
-        member_end_dofs_of.push_back(has_own ? n++ : -1);
-    }
-    if (n == 0) member_end_dofs_of.clear();
-    return member_end_dofs_of;
+    for (std::size_t i = 0; i < structure.members.size(); ++i)
+        index_of.push_back(elements[MemberId(i)].dofs().n_own > 0 ? n++ : -1);
+    if (n == 0) index_of.clear();
+    return index_of;
 }
 
-BlockGraph block_graph(const Discretisation& structure, const std::vector<std::int32_t>& member_end_dofs_of)
+/// The place of each Dof in the model's order.
+std::array<std::size_t, n_dofs> places_of(std::span<const Dof> dofs)
+{
+    std::array<std::size_t, n_dofs> places{};
+    for (std::size_t i = 0; i < dofs.size(); ++i) places[index(dofs[i])] = i;
+    return places;
+}
+
+} // namespace
+
+BlockGraph block_graph(const Discretisation& structure, const Elements& elements)
 {
     BlockGraph graph;
     graph.positions = structure.positions;
@@ -66,32 +50,32 @@ BlockGraph block_graph(const Discretisation& structure, const std::vector<std::i
         for (const Dof dof : dofs) size += is_unknown(structure, NodeId(node), dof) ? 1 : 0;
         graph.block_sizes.push_back(size);
     }
-    for (std::size_t i = 0; i < structure.members.size(); ++i) {
-        const auto& nodes = structure.members[i].nodes;
-        const std::array<std::int32_t, 3> blocks{static_cast<std::int32_t>(nodes[0].index),
-                                                 static_cast<std::int32_t>(nodes[1].index),
-                                                 static_cast<std::int32_t>(graph.block_sizes.size())};
-        const bool has_own = !member_end_dofs_of.empty() && member_end_dofs_of[i] >= 0;
-        if (has_own) {
-            graph.block_sizes.push_back(static_cast<std::int32_t>(flexible_joints(structure, MemberId(i)).size()));
-            graph.positions.push_back(structure.positions[nodes[0].index]);
+    std::vector<std::int32_t> blocks;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        const ElementDofs touched = elements[i].dofs();
+        blocks.clear();
+        for (const NodeId node : touched.nodes) blocks.push_back(static_cast<std::int32_t>(node.index));
+        if (touched.n_own > 0) {
+            blocks.push_back(static_cast<std::int32_t>(graph.block_sizes.size()));
+            graph.block_sizes.push_back(static_cast<std::int32_t>(touched.n_own));
+            graph.positions.push_back(structure.positions[touched.nodes[0].index]);
         }
-        graph.add_clique(std::span(blocks).first(has_own ? 3 : 2));
+        graph.add_clique(blocks);
     }
     return graph;
 }
 
-} // namespace
-
-BlockGraph block_graph(const Discretisation& structure)
+Equations::Equations(const Discretisation& structure, const Elements& elements, SolverKind wanted)
+    : dofs_per_node_(model_dofs(structure.kind).size()),
+      member_end_dofs_of_(members_with_end_dofs(structure, elements)),
+      pattern_(block_graph(structure, elements), wanted)
 {
-    return block_graph(structure, members_with_end_dofs(structure));
+    number_nodes(structure);
+    number_elements(structure, elements);
+    number_member_ends(structure);
 }
 
-Equations::Equations(const Discretisation& structure, SolverKind wanted)
-    : dofs_per_node_(model_dofs(structure.kind).size()),
-      member_end_dofs_of_(members_with_end_dofs(structure)),
-      pattern_(block_graph(structure, member_end_dofs_of_), wanted)
+void Equations::number_nodes(const Discretisation& structure)
 {
     const std::span<const Dof> dofs = model_dofs(structure.kind);
     of_node_.assign(structure.positions.size() * dofs.size(), none);
@@ -100,12 +84,40 @@ Equations::Equations(const Discretisation& structure, SolverKind wanted)
         for (std::size_t i = 0; i < dofs.size(); ++i)
             if (is_unknown(structure, NodeId(node), dofs[i])) of_node_[node * dofs.size() + i] = next++;
     }
-    for (std::size_t i = 0, block = structure.positions.size(); i < member_end_dofs_of_.size(); ++i) {
+}
+
+void Equations::number_elements(const Discretisation& structure, const Elements& elements)
+{
+    const std::array<std::size_t, n_dofs> place = places_of(model_dofs(structure.kind));
+    std::size_t own_block = structure.positions.size();
+    element_start_.reserve(elements.size() + 1);
+    element_start_.push_back(0);
+    of_elements_.reserve(elements.size() * 2 * dofs_per_node_);
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        const ElementDofs touched = elements[i].dofs();
+        for (const NodeId node : touched.nodes)
+            for (const Dof dof : touched.of_each_node) of_elements_.push_back(of(node, place[index(dof)]));
+        if (touched.n_own > 0) {
+            const std::int32_t first = pattern_.first_equation(own_block++);
+            for (std::size_t own = 0; own < touched.n_own; ++own)
+                of_elements_.push_back(first + static_cast<std::int32_t>(own));
+        }
+        element_start_.push_back(static_cast<std::uint32_t>(of_elements_.size()));
+    }
+}
+
+void Equations::number_member_ends(const Discretisation& structure)
+{
+    for (std::size_t i = 0; i < member_end_dofs_of_.size(); ++i) {
         if (member_end_dofs_of_[i] < 0) continue;
-        std::int32_t next = pattern_.first_equation(block++);
         const std::size_t first = of_member_end_.size();
         of_member_end_.resize(first + ends_per_member, none);
-        for (const std::size_t at : flexible_joints(structure, MemberId(i))) of_member_end_[first + at] = next++;
+        const MemberEndConditions& conditions = *structure.end_conditions_of(MemberId(i));
+        std::size_t next = 2 * dofs_per_node_;
+        for (std::size_t end = 0; end < 2; ++end)
+            for (const LocalAxis axis : member_axes_of(structure.kind))
+                if (std::isfinite(conditions.joints[end][index(axis)]))
+                    of_member_end_[first + end * n_local_axes + index(axis)] = of_element(i)[next++];
     }
 }
 

@@ -123,29 +123,21 @@ Eigen::Vector4d beam_forces(const Beam& beam, const SpanLoading& loading, Bendin
 
 template <AnalysisKind kind>
 MemberElement<kind>::MemberElement(const MemberProperties& properties, const MemberGeometry& geometry,
-                                   const MemberEndConditions* end_conditions, std::array<NodeAxes, 2> node_axes,
-                                   ActionSet actions)
-    : properties_(properties),
-      end_conditions_(end_conditions),
-      geometry_(geometry),
-      node_axes_(node_axes),
-      actions_(actions)
+                                   const MemberEndConditions* end_conditions, ActionSet actions)
+    : properties_(properties), end_conditions_(end_conditions), geometry_(geometry), actions_(actions)
 {}
 
-template <AnalysisKind kind> auto MemberElement<kind>::from_global(std::size_t end) const -> Transformation
+template <AnalysisKind kind> auto MemberElement<kind>::transformation(std::size_t end) const -> Transformation
 {
     Transformation T;
-    for (int i = 0; i < m; ++i)
-        T.row(i) = femoop::transformation_row<kind>(AnalysisModel<kind>::local[i], geometry_,
-                                                    offset(end_conditions_, end));
+    for (int i = 0; i < m; ++i) T.row(i) = transformation_row(end, AnalysisModel<kind>::local[i]);
     return T;
 }
 
 template <AnalysisKind kind>
 auto MemberElement<kind>::transformation_row(std::size_t end, LocalAxis axis) const -> Eigen::Matrix<double, 1, n>
 {
-    const auto row = femoop::transformation_row<kind>(axis, geometry_, offset(end_conditions_, end));
-    return node_axes_[end] == nullptr ? row : Eigen::Matrix<double, 1, n>(row * *node_axes_[end]);
+    return femoop::transformation_row<kind>(axis, geometry_, offset(end_conditions_, end));
 }
 
 template <AnalysisKind kind> Beam MemberElement<kind>::own_beam(BendingPlane plane) const
@@ -368,16 +360,16 @@ std::vector<InternalMechanism> MemberElement<kind>::internal_mechanisms(const Lo
     if (!has_flexible_joint()) return found;
     const auto axis_of = [](int row) { return AnalysisModel<kind>::local[static_cast<std::size_t>(row % m)]; };
     for (const JointedAction& action : jointed_actions())
-        for (const JointCondensation::Loose& loose : action.condensation.loose()) {
-            const int free = action.rows[static_cast<std::size_t>(loose.row)];
+        for (const JointCondensation::FreeMotion& free_motion : action.condensation.free_motions()) {
+            const int free = action.rows[static_cast<std::size_t>(free_motion.row)];
             InternalMechanism end{.end = static_cast<std::size_t>(free / m), .axis = axis_of(free), .mode = {}};
             for (auto& vector : end.mode) vector.setZero();
             for (std::size_t i = 0; i < action.rows.size(); ++i) {
                 const int row = action.rows[i];
                 end.mode[static_cast<std::size_t>(row / m)][static_cast<int>(index(axis_of(row)))] =
-                    loose.mode[static_cast<Eigen::Index>(i)];
+                    free_motion.mode[static_cast<Eigen::Index>(i)];
             }
-            end.drive = JointCondensation::drive(loose, rigid_joint_forces(action.rows));
+            end.work = JointCondensation::work(free_motion, rigid_joint_forces(action.rows));
             found.push_back(end);
         }
     return found;

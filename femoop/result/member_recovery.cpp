@@ -90,7 +90,7 @@ public:
         MemberState s;
         s.d = ends(Part::Elastic);
         const bool is_constrained = end_conditions_ != nullptr && end_conditions_->constraint != Constraint::None;
-        const Element elastic(*properties_, geometry_, end_conditions_, {},
+        const Element elastic(*properties_, geometry_, end_conditions_,
                               end_conditions_ == nullptr ? all_actions : elastic_actions(*end_conditions_));
         const LocalVector f = elastic.rigid_joint_forces(loading_);
         const LocalVector d = pack(s.d);
@@ -102,7 +102,7 @@ public:
             unpack(elastic.end_displacements(d, f), s.d);
         } else p = strain_forces(elastic, d, Part::Elastic) + f;
         if (is_constrained) {
-            const Element constrained(*properties_, geometry_, end_conditions_, {},
+            const Element constrained(*properties_, geometry_, end_conditions_,
                                       constrained_actions(*end_conditions_));
             p += strain_forces(constrained, pack(ends(Part::Constraint)), Part::Constraint) +
                  constrained.rigid_joint_forces(loading_.without_strain());
@@ -152,7 +152,7 @@ private:
         for (std::size_t end = 0; end < 2; ++end) {
             Eigen::Matrix<DoubleDouble, n, 1> u;
             for (std::size_t i = 0; i < n; ++i) u[static_cast<int>(i)] = node_displacement<DoubleDouble>(end, i, part);
-            d.segment<m>(static_cast<int>(end) * m) = element.template transformation<DoubleDouble>(end) * u;
+            d.segment<m>(static_cast<int>(end) * m) = element.transformation(end).template cast<DoubleDouble>() * u;
         }
         visit_member_ends<DoubleDouble>(
             part, [&](std::size_t end, int i, DoubleDouble value) { d[static_cast<int>(end) * m + i] = value; });

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "femoop/discretisation/equations.h"
 #include "femoop/discretisation/solution.h"
+#include "femoop/element/analysis_model.h"
 #include "femoop/result/curve_reader.h"
 
 namespace femoop {

@@ -81,7 +81,7 @@ MemberGeometry skew_geometry(AnalysisKind kind, double turn = 0.0)
 template <AnalysisKind kind> struct Rig {
     Case the_case;
     MemberGeometry geometry = skew_geometry(kind);
-    MemberElement<kind> element{the_case.properties, geometry, &the_case.end_conditions, {}};
+    MemberElement<kind> element{the_case.properties, geometry, &the_case.end_conditions};
 };
 
 /// The displacements of both nodes in a rigid motion of space: a translation and a rotation about the origin.
