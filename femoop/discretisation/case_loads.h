@@ -3,11 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "femoop/discretisation/discretisation.h"
 #include "femoop/element/span_load.h"
+#include "femoop/load/case_terms.h"
 #include "femoop/model/model.h"
 
 namespace femoop {
@@ -30,17 +30,6 @@ struct CaseLoads {
     }
 };
 
-/// A load case or combination as a sum of load cases.
-struct CaseTerms {
-    struct Term {
-        std::size_t load_case = 0;
-        double factor = 1.0;
-    };
-    std::string name;
-    std::vector<Term> terms;
-};
-
 std::vector<CaseLoads> loads_of(const Model& model, const Discretisation& structure);
-std::vector<CaseTerms> cases_of(const Model& model); ///< load cases, then combinations
 
 } // namespace femoop

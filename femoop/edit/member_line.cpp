@@ -15,13 +15,6 @@ MemberLine line_of(const Model& model, const Member& member)
     return {geometry.start, chord.stableNormalized(), chord.stableNorm()};
 }
 
-double distance(const Position& position, double length)
-{
-    const auto* const percent = std::get_if<Percent>(&position);
-    const double x = percent ? percent->value / 100.0 * length : std::get<Quantity>(position).value();
-    return std::clamp(x, 0.0, length);
-}
-
 double nearness_of(const Model& model)
 {
     Eigen::AlignedBox3d box;

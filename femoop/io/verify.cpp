@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "femoop/io/cross/cross_check.h"
+#include "femoop/load/place_along.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/result/components.h"
 
@@ -71,17 +72,10 @@ std::string describe_check(const Model& model, const Expected& check, const Tran
     return what;
 }
 
-double place(const Position& position, double length)
-{
-    const auto* percent = std::get_if<Percent>(&position);
-    const double x = percent ? percent->value / 100.0 * length : std::get<Quantity>(position).value();
-    return std::clamp(x, 0.0, length);
-}
-
 /// A section force or a local displacement at a place along a member.
 double along_member(const Expected& check, const Curve& curve)
 {
-    const double x = place(check.at.value(), curve.length());
+    const double x = along(check.at.value(), curve.length());
     const bool is_end = x >= curve.length() * (1.0 - 1.0e-9);
     const Side side = is_end ? Side::Before : check.side.value_or(Side::After);
     return curve.value(check.component.value(), x, side);
