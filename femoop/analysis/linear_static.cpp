@@ -47,8 +47,8 @@ void note_size(const ReducedSystem& system, AnalysisStatistics& statistics)
 
 /// The equations, and what was found of them when they were factored.
 struct LinearStatic::Parts {
-    Parts(const Model& model, const AnalysisOptions& chosen)
-        : options(chosen), system(std::make_shared<const Discretisation>(discretise(model)), chosen.solver.kind)
+    Parts(const Model& model, std::shared_ptr<const Discretisation> structure, const AnalysisOptions& chosen)
+        : options(chosen), system(std::move(structure), chosen.solver.kind)
     {
         statistics.order = watch.lap();
         system.assemble();
@@ -82,6 +82,15 @@ struct LinearStatic::Parts {
         is_beyond_doubles = !pivots.is_complete;
         report.require_held_members();
         statistics.factor = watch.lap();
+    }
+
+    void update(const Model& model, std::shared_ptr<const Discretisation> structure)
+    {
+        watch.lap();
+        warnings.clear();
+        system.update(std::move(structure));
+        statistics.assemble = watch.lap();
+        factorize(model);
     }
 
     bool is_soft() const { return smallest_pivot < harmless_pivot; }
@@ -129,7 +138,15 @@ struct LinearStatic::Parts {
 LinearStatic::LinearStatic(const Model& model, const AnalysisOptions& options)
 {
     require_sound(model);
-    parts_ = std::make_unique<Parts>(model, options);
+    parts_ = std::make_unique<Parts>(model, std::make_shared<const Discretisation>(discretise(model)), options);
+}
+
+void LinearStatic::update(const Model& model)
+{
+    require_sound(model);
+    auto structure = std::make_shared<const Discretisation>(discretise(model));
+    if (have_same_equations(*parts_->system.structure(), *structure)) parts_->update(model, std::move(structure));
+    else parts_ = std::make_unique<Parts>(model, std::move(structure), parts_->options);
 }
 
 LinearStatic::~LinearStatic() = default;

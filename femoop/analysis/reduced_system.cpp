@@ -56,6 +56,12 @@ void ReducedSystem::analyse(const AnalysisOptions& options)
     solver_->analyse(equations_.pattern());
 }
 
+void ReducedSystem::update(SparseMatrix K)
+{
+    K_ = std::move(K);
+    is_factored_ = false;
+}
+
 Pivots ReducedSystem::factorize()
 {
     if (S_.cols() > 0) factorize_own();

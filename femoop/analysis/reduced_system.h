@@ -28,6 +28,7 @@ public:
     void constrain(const Elimination& elimination, SparseMatrix own);
 
     void analyse(const AnalysisOptions& options); ///< symbolic
+    void update(SparseMatrix K);                  ///< other numbers, to be factored. \pre no constraints, analyse
     Pivots factorize();                           ///< \pre analyse
     /// The system that is factored; nothing where no unknown is left.
     const SparseMatrix& matrix() const { return is_constrained_ ? K_reduced_ : K_; }

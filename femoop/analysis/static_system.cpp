@@ -43,29 +43,44 @@ auto column_of(const auto& constraint, Eigen::Index c)
 
 StaticSystem::StaticSystem(std::shared_ptr<const Discretisation> structure, SolverKind wanted)
     : structure_(std::move(structure)),
-      elements_(*structure_),
-      equations_(*structure_, elements_, wanted),
-      assembler_(*structure_, elements_, equations_)
+      elements_(std::in_place, *structure_),
+      equations_(*structure_, *elements_, wanted),
+      assembler_(std::in_place, *structure_, *elements_, equations_)
 {}
 
 void StaticSystem::assemble()
 {
-    SparseMatrix K = equations_.pattern().matrix();
-    assembler_.add_stiffness(K);
-    std::optional<SparseMatrix> resisting;
-    if (structure_->has_constraints) resisting = assembler_.resistance();
-    restraints_.rotations = restrain_rotations(*structure_, equations_, K, std::move(resisting));
-    restraints_.member_ends = restrain_member_ends(assembler_, K);
-    reduced_.emplace(equations_, std::move(K));
+    reduced_.emplace(equations_, stiffness());
     if (structure_->has_constraints)
-        reduced_->constrain(eliminate_constraints(assembler_, {}), assembler_.constrained_stiffness<double>());
+        reduced_->constrain(eliminate_constraints(*assembler_, {}), assembler_->constrained_stiffness<double>());
+}
+
+void StaticSystem::update(std::shared_ptr<const Discretisation> structure)
+{
+    precise_.reset();
+    assembler_.reset();
+    elements_.emplace(*structure);
+    structure_ = std::move(structure);
+    assembler_.emplace(*structure_, *elements_, equations_);
+    reduced_->update(stiffness());
+}
+
+SparseMatrix StaticSystem::stiffness()
+{
+    SparseMatrix K = equations_.pattern().matrix();
+    assembler_->add_stiffness(K);
+    std::optional<SparseMatrix> resisting;
+    if (structure_->has_constraints) resisting = assembler_->resistance();
+    restraints_.rotations = restrain_rotations(*structure_, equations_, K, std::move(resisting));
+    restraints_.member_ends = restrain_member_ends(*assembler_, K);
+    return K;
 }
 
 template <class Scalar> auto StaticSystem::load_vectors_of(const std::vector<CaseLoads>& loads) const -> Dense<Scalar>
 {
     Dense<Scalar> F(static_cast<Eigen::Index>(equations_.n_unknowns()), static_cast<Eigen::Index>(loads.size()));
     for (std::size_t c = 0; c < loads.size(); ++c)
-        F.col(static_cast<Eigen::Index>(c)) = assembler_.load_vector<Scalar>(loads[c]);
+        F.col(static_cast<Eigen::Index>(c)) = assembler_->load_vector<Scalar>(loads[c]);
     return F;
 }
 
@@ -76,7 +91,7 @@ Eigen::MatrixXd StaticSystem::load_vectors(const std::vector<CaseLoads>& loads) 
 
 Elimination StaticSystem::imposed(const std::vector<CaseLoads>& loads) const
 {
-    return structure_->has_constraints ? eliminate_constraints(assembler_, loads) : Elimination{};
+    return structure_->has_constraints ? eliminate_constraints(*assembler_, loads) : Elimination{};
 }
 
 ReducedSystem::Displacements StaticSystem::solve(const Eigen::MatrixXd& F, const Eigen::MatrixXd& x0)
@@ -119,12 +134,12 @@ PreciseSystem& StaticSystem::precise()
 {
     if (precise_) return *precise_;
     PreciseSparseMatrix K = equations_.pattern().matrix().cast<DoubleDouble>();
-    assembler_.add_stiffness(K);
+    assembler_->add_stiffness(K);
     for (const ArtificialRestraint& rotation : restraints_.rotations) add_restraint(rotation, K);
     for (const MemberEndRestraint& end : restraints_.member_ends)
         equations_.pattern().add_to_diagonal(K, end.equation, end.stiffness);
     PreciseSparseMatrix own;
-    if (structure_->has_constraints) own = assembler_.constrained_stiffness<DoubleDouble>();
+    if (structure_->has_constraints) own = assembler_->constrained_stiffness<DoubleDouble>();
     return precise_.emplace(reduced_->precise(std::move(K), std::move(own)));
 }
 
@@ -141,7 +156,7 @@ detail::Motions<Scalar> StaticSystem::motions(const CaseLoads& loads, const Colu
                                               const Column<Scalar>& constraint) const
 {
     detail::Motions<Scalar> found;
-    found.displacements = node_displacements<Scalar>(all, assembler_.settlements(loads));
+    found.displacements = node_displacements<Scalar>(all, assembler_->settlements(loads));
     found.member_ends = member_ends<Scalar>(all);
     if (!structure_->has_constraints) return found;
     found.constraint_displacements = node_displacements<Scalar>(constraint, {});
@@ -161,7 +176,7 @@ std::vector<Scalar> StaticSystem::node_displacements(const Column<Scalar>& x,
             if (row != Equations::none) u[node * n + i] = x[row];
             else if (!settlements.empty()) u[node * n + i] = settlements[node * n + i];
         }
-    assembler_.to_global(u);
+    assembler_->to_global(u);
     return u;
 }
 

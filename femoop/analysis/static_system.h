@@ -26,12 +26,14 @@ public:
     StaticSystem& operator=(const StaticSystem&) = delete;
 
     void assemble(); ///< K, with artificial restraints where nothing takes part in a rotation
+    /// Takes on other numbers and assembles them; what is symbolic stays. \pre analyse, have_same_equations
+    void update(std::shared_ptr<const Discretisation> structure);
     void analyse(const AnalysisOptions& options) { reduced_->analyse(options); } ///< symbolic. \pre assemble
     Pivots factorize() { return reduced_->factorize(); }                         ///< \pre analyse
 
     const std::shared_ptr<const Discretisation>& structure() const { return structure_; }
     const Equations& equations() const { return equations_; }
-    const Assembler& assembler() const { return assembler_; }
+    const Assembler& assembler() const { return *assembler_; }
     const ArtificialRestraints& restraints() const { return restraints_; }
     const ReducedSystem& reduced() const { return *reduced_; } ///< \pre assemble
 
@@ -66,10 +68,12 @@ private:
     std::vector<Scalar> node_displacements(const Column<Scalar>& x, const std::vector<double>& settlements) const;
     template <class Scalar> std::vector<Scalar> member_ends(const Column<Scalar>& x) const;
 
+    SparseMatrix stiffness(); ///< with the restraints that it needs
+
     std::shared_ptr<const Discretisation> structure_;
-    Elements elements_;
+    std::optional<Elements> elements_;
     Equations equations_;
-    Assembler assembler_;
+    std::optional<Assembler> assembler_;
     ArtificialRestraints restraints_;
     std::optional<ReducedSystem> reduced_;
     std::optional<PreciseSystem> precise_; ///< made when it is first asked for

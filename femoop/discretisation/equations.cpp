@@ -38,7 +38,27 @@ std::array<std::size_t, n_dofs> places_of(std::span<const Dof> dofs)
     return places;
 }
 
+bool are_blocked_alike(const Discretisation& a, const Discretisation& b, NodeId node)
+{
+    const auto blocked = [&](const Discretisation& structure) {
+        const Discretisation::SupportRow* support = structure.support_of(node);
+        return support == nullptr ? DofSet{} : support->blocked;
+    };
+    return blocked(a) == blocked(b) && a.is_attached[node.index] == b.is_attached[node.index];
+}
+
 } // namespace
+
+bool have_same_equations(const Discretisation& a, const Discretisation& b)
+{
+    if (a.kind != b.kind || a.has_constraints || b.has_constraints) return false;
+    if (a.positions.size() != b.positions.size() || a.members.size() != b.members.size()) return false;
+    for (std::size_t i = 0; i < a.members.size(); ++i)
+        if (a.members[i].nodes != b.members[i].nodes) return false;
+    for (std::size_t node = 0; node < a.positions.size(); ++node)
+        if (!are_blocked_alike(a, b, NodeId(node))) return false;
+    return true;
+}
 
 BlockGraph block_graph(const Discretisation& structure, const Elements& elements)
 {

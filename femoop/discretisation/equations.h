@@ -59,6 +59,10 @@ private:
     std::vector<std::int32_t> of_member_end_;
 };
 
+/// Have two structures the same equations, whatever the numbers in them? Then the same displacements are unknown and
+/// the same ones coupled. Never so with constraints: which unknowns follow others depends on where nodes lie.
+bool have_same_equations(const Discretisation& a, const Discretisation& b);
+
 /// The blocks of a structure's system and which of them its elements couple, as `Equations` numbers them.
 BlockGraph block_graph(const Discretisation& structure, const Elements& elements);
 

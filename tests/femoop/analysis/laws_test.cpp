@@ -347,6 +347,37 @@ TEST_SUITE("laws")
         });
     }
 
+    TEST_CASE("A change of values keeps the order of elimination and gives what a new analysis gives")
+    {
+        for_every_structure([](const Model& model) {
+            Model other = model;
+            for (Material& material : other.materials) material.E = Quantity(0.37 * material.E.value());
+            other.nodes.back().at[0] = other.nodes.back().at[0] + 0.13;
+            LinearStatic analysis(model);
+            analysis.solve(model);
+            const double ordering = analysis.statistics().order; // seconds: no other analysis takes the very same
+            analysis.update(other);
+            const bool has_constraints = std::ranges::any_of(
+                model.members, [](const Member& member) { return member.inextensible || member.rigid; });
+            CHECK((analysis.statistics().order == ordering) == !has_constraints);
+            CHECK(difference(analysis.solve(other).at("P"), analyse(other).at("P"), model.nodes.size()) < 1e-12);
+        });
+    }
+
+    TEST_CASE("A change of supports begins anew, and after a refused one the next is taken")
+    {
+        for_every_structure([](const Model& model) {
+            Model clamped = model, loose = model;
+            clamped.nodes.back().support = Support{.kind = SupportKind::Fixed};
+            for (Node& node : loose.nodes) node.support.reset();
+            for (LoadCase& load_case : loose.load_cases) load_case.settlements.clear();
+            LinearStatic analysis(model);
+            CHECK_THROWS_AS(analysis.update(loose), MechanismError);
+            analysis.update(clamped);
+            CHECK(difference(analysis.solve(clamped).at("P"), analyse(clamped).at("P"), model.nodes.size()) < 1e-12);
+        });
+    }
+
     TEST_CASE("A turned structure turns its solution")
     {
         constexpr double angle = 0.83;
