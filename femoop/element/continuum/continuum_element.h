@@ -23,8 +23,9 @@ namespace femoop {
 /// Signs    tension positive; txy acts along +y on the face +x. Axisymmetric forces are of the whole turn
 /// Units    any consistent set
 /// Assumes  small displacements
-/// Accuracy fields up to the shape's degree where the sides are straight with middle nodes in their middle
-/// Source   [MarthaParente2002]; [ZienkiewiczTaylor2000, ch. 8-9]
+/// Accuracy fields up to the shape's degree p are exact (Shape::degree); where the solution is smooth, the error in
+///          energy falls with the size of elements to the power p
+/// Source   [MarthaParente2002]; [ZienkiewiczTaylor2000, ch. 8-9]; errors [Hughes2000]
 class ContinuumElement : public Element {
 public:
     virtual Eigen::Vector2d place(NaturalPoint p) const = 0;
