@@ -70,7 +70,7 @@ bool needs(SectionShapeKind kind, std::string_view key)
 
 std::string_view name(SectionShapeKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
 
-std::span<const SectionShapeKind> shape_kinds() { return kinds; }
+std::span<const SectionShapeKind> section_shape_kinds() { return kinds; }
 
 std::span<const ShapeDimension> shape_dimensions() { return all; }
 

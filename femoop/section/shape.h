@@ -17,7 +17,7 @@ struct ShapeDimension {
 };
 
 std::string_view name(SectionShapeKind kind); ///< "rectangle", "circle", "tube", "box", "i", "t", "l" or "c"
-std::span<const SectionShapeKind> shape_kinds();
+std::span<const SectionShapeKind> section_shape_kinds();
 std::span<const ShapeDimension> dimensions(SectionShapeKind kind); ///< those that the kind needs, in the usual order
 std::span<const ShapeDimension> shape_dimensions();                ///< those of every kind
 

@@ -16,8 +16,6 @@ struct NaturalPoint {
 ///      Quadrilateral  xi and eta from -1 to 1
 enum class Domain : std::uint8_t { Line, Triangle, Quadrilateral };
 
-constexpr int dimension(Domain domain) { return domain == Domain::Line ? 1 : 2; }
-
 /// Length or area of the domain.
 constexpr double measure(Domain domain)
 {

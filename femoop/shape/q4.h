@@ -10,6 +10,10 @@ namespace femoop {
 ///          |   ^eta|      N_i = (1 + xi_i xi) (1 + eta_i eta) / 4
 ///          |   +-> |xi    edges 1-2, 2-3, 3-4, 4-1: Line2
 ///          1-------2
+///
+/// Accuracy it has no bending mode: one element alone is 1 / (1 - nu^2) + (a / b)^2 / 2 (1 + nu) times as stiff in plane
+///          stress as the beam of its length 2a and depth 2b: it locks in shear
+/// Source   [CookMalkusPleshaWitt2002]
 class Q4 final : public Shape {
 public:
     Q4();

@@ -13,33 +13,38 @@ namespace femoop {
 
 namespace {
 
-constexpr std::array all_shape_kinds{ShapeKind::Line2, ShapeKind::Line3, ShapeKind::T3,
-                                     ShapeKind::T6,    ShapeKind::Q4,    ShapeKind::Q8};
-constexpr std::array<std::string_view, all_shape_kinds.size()> shape_names{"Line2", "Line3", "T3", "T6", "Q4", "Q8"};
-
 template <class S> const Shape& the_one()
 {
     static const S shape;
     return shape;
 }
 
+struct ShapeEntry {
+    ShapeKind kind;
+    std::string_view name;
+    const Shape& (*shape)();
+};
+
+/// In the order of ShapeKind.
+constexpr std::array shape_entries{
+    ShapeEntry{ShapeKind::Line2, "Line2", the_one<Line2>}, ShapeEntry{ShapeKind::Line3, "Line3", the_one<Line3>},
+    ShapeEntry{ShapeKind::T3, "T3", the_one<T3>},          ShapeEntry{ShapeKind::T6, "T6", the_one<T6>},
+    ShapeEntry{ShapeKind::Q4, "Q4", the_one<Q4>},          ShapeEntry{ShapeKind::Q8, "Q8", the_one<Q8>}};
+
+constexpr auto all_shape_kinds = [] {
+    std::array<ShapeKind, shape_entries.size()> kinds{};
+    for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = shape_entries[i].kind;
+    return kinds;
+}();
+
+const ShapeEntry& shape_entry(ShapeKind kind) { return shape_entries[static_cast<std::size_t>(kind)]; }
+
 } // namespace
 
-std::string_view name(ShapeKind kind) { return shape_names[static_cast<std::size_t>(kind)]; }
+std::string_view name(ShapeKind kind) { return shape_entry(kind).name; }
 
 std::span<const ShapeKind> shape_kinds() { return all_shape_kinds; }
 
-const Shape& shape_of(ShapeKind kind)
-{
-    switch (kind) {
-    case ShapeKind::Line2: return the_one<Line2>();
-    case ShapeKind::Line3: return the_one<Line3>();
-    case ShapeKind::T3: return the_one<T3>();
-    case ShapeKind::T6: return the_one<T6>();
-    case ShapeKind::Q4: return the_one<Q4>();
-    case ShapeKind::Q8: break;
-    }
-    return the_one<Q8>();
-}
+const Shape& shape_of(ShapeKind kind) { return shape_entry(kind).shape(); }
 
 } // namespace femoop

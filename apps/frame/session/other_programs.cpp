@@ -266,7 +266,7 @@ std::optional<femoop::Section> section_named(const std::string& words, const fem
     std::string part;
     parts >> part;
     next.shape.emplace();
-    for (const femoop::SectionShapeKind kind : femoop::shape_kinds())
+    for (const femoop::SectionShapeKind kind : femoop::section_shape_kinds())
         if (name(kind) == part) next.shape->kind = kind;
     while (parts >> part) {
         const std::string key = part.substr(0, part.find('=')), typed = part.substr(part.find('=') + 1);

@@ -134,7 +134,7 @@ std::optional<std::string> SectionDraft::obey(Session& session, std::string_view
     const ui::Catalogue english;
     if (!is_open_) return "no section is being made; begin with edit.section";
     if (verb == "shape") {
-        const auto kinds = shape_kinds();
+        const auto kinds = section_shape_kinds();
         const auto kind = std::ranges::find_if(kinds, [&](SectionShapeKind k) { return name(k) == argument; });
         if (kind == kinds.end()) return "no shape \"" + std::string(argument) + "\"";
         choose_shape(session, *kind);

@@ -61,7 +61,7 @@ std::variant<femoop::mohr::SectionFigure, Phrase> section_figure(std::string_vie
     std::istringstream words{std::string(text)};
     std::string kind;
     words >> kind;
-    const auto kinds = femoop::shape_kinds();
+    const auto kinds = femoop::section_shape_kinds();
     const auto found = std::ranges::find_if(kinds, [&](femoop::SectionShapeKind k) { return name(k) == kind; });
     if (found == kinds.end()) return unknown(text);
     SectionShape shape;

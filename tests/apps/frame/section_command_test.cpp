@@ -17,7 +17,7 @@ TEST_SUITE("frame: property sets")
 {
     TEST_CASE("A section of a usual size is sound in every unit, and the same section")
     {
-        for (const SectionShapeKind kind : shape_kinds()) {
+        for (const SectionShapeKind kind : section_shape_kinds()) {
             CAPTURE(name(kind));
             const SectionShape metric = usual_shape(kind, {}), inches = usual_shape(kind, {.length = LengthUnit::in});
             CHECK_FALSE(why_not(metric));

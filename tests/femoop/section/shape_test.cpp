@@ -32,7 +32,7 @@ std::string reason(const SectionShape& shape)
 
 TEST_CASE("A shape of each kind with thin walls has nothing against it")
 {
-    for (const SectionShapeKind kind : shape_kinds()) {
+    for (const SectionShapeKind kind : section_shape_kinds()) {
         CAPTURE(name(kind));
         CHECK(reason(sound(kind)) == "");
         CHECK(shape_properties(sound(kind)).A > 0.0);
@@ -42,7 +42,7 @@ TEST_CASE("A shape of each kind with thin walls has nothing against it")
 TEST_CASE("Each dimension of each kind is needed, and must be a positive length")
 {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    for (const SectionShapeKind kind : shape_kinds())
+    for (const SectionShapeKind kind : section_shape_kinds())
         for (const ShapeDimension& dimension : dimensions(kind)) {
             CAPTURE(name(kind));
             CAPTURE(dimension.key);
@@ -62,7 +62,7 @@ TEST_CASE("Each dimension of each kind is needed, and must be a positive length"
 
 TEST_CASE("A dimension that the kind does not have is refused, not ignored")
 {
-    for (const SectionShapeKind kind : shape_kinds())
+    for (const SectionShapeKind kind : section_shape_kinds())
         for (const ShapeDimension& dimension : shape_dimensions()) {
             SectionShape shape = sound(kind);
             if (shape.*dimension.value) continue;

@@ -1,0 +1,206 @@
+#include "femoop/element/continuum/continuum_element.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "femoop/element/continuum/continuum_model.h"
+#include "femoop/element/continuum/element_geometry.h"
+
+namespace femoop {
+
+namespace {
+
+constexpr double nearly_on_axis = 1e-12; // of the element's largest radius: no digit of u / r is left
+
+/// The element of n nodes in one stress state, in matrices of fixed size.
+template <StressState state, int n> class FixedSizeElement final : public ContinuumElement {
+public:
+    FixedSizeElement(const ContinuumFormulation& formulation, std::span<const NodeId> nodes,
+                     std::span<const Eigen::Vector2d> positions, std::uint32_t stiffness_group)
+        : ContinuumElement(formulation, stiffness_group), positions_(positions)
+    {
+        std::copy_n(nodes.begin(), n, nodes_.begin());
+    }
+
+    ElementDofs dofs() const override { return {.nodes = nodes_, .of_each_node = plane_dofs}; }
+
+    void stiffness(ElementMatrix& K) const override
+    {
+        const Positions X = node_positions();
+        const ConstitutiveModel& material = formulation().material();
+        const MaterialPoint unstrained{.strain = StrainVector::Zero(n_strains)};
+        DofMatrix sum = DofMatrix::Zero();
+        for (const ShapeAtPoint& point : formulation().points()) {
+            const Mapped mapped(point.N, point.dN, X);
+            const StrainMatrix B = strain_matrix(point.N, mapped);
+            const Eigen::Matrix<double, n_strains, n_strains> D = material.tangent(unstrained);
+            sum.noalias() += B.transpose() * (point.weight * mapped.area * depth(mapped.at.x()) * D) * B;
+        }
+        K = sum;
+    }
+
+    void equivalent_forces(const ElementLoads& loads, ElementVector& f) const override
+    {
+        const Positions X = node_positions();
+        DofVector sum = DofVector::Zero();
+        for (const EdgeLoad& load : loads.edge_loads) add_edge_load(load, X, sum);
+        for (const BodyLoad& load : loads.body_loads) add_body_load(load, X, sum);
+        f = sum;
+    }
+
+    Eigen::MatrixXd strains() const override
+    {
+        const Positions X = node_positions();
+        Eigen::MatrixXd all(n_strains * formulation().points().size(), n_dofs);
+        for (Eigen::Index row = 0; const ShapeAtPoint& point : formulation().points()) {
+            all.middleRows<n_strains>(row) = strain_matrix(point.N, Mapped(point.N, point.dN, X));
+            row += n_strains;
+        }
+        return all;
+    }
+
+    Eigen::Vector2d place(NaturalPoint p) const override
+    {
+        return node_positions().transpose() * formulation().shape().values(p);
+    }
+
+    StrainVector strain(const ElementVector& u, NaturalPoint p) const override
+    {
+        const Shape& shape = formulation().shape();
+        const Shape::Values N = shape.values(p);
+        return strain_matrix(N, Mapped(N, shape.derivatives(p), node_positions())) * u;
+    }
+
+private:
+    using Model = ContinuumModel<state>;
+    static constexpr int n_dofs = 2 * n;
+    static constexpr int n_strains = Model::n_strains;
+    using Positions = Eigen::Matrix<double, n, 2>;
+    using DofMatrix = Eigen::Matrix<double, n_dofs, n_dofs>;
+    using DofVector = Eigen::Matrix<double, n_dofs, 1>;
+    using StrainMatrix = Eigen::Matrix<double, n_strains, n_dofs>;
+
+    /// A natural point in the drawing.
+    struct Mapped {
+        Eigen::Vector2d at;
+        Eigen::Matrix<double, n, 2> gradients; ///< of N by x and y
+        double area;                           ///< det J
+        double radius = 0.0;                   ///< x; 0 on the axis of a body of revolution
+
+        Mapped(const Shape::Values& N, const Shape::Derivatives& dN, const Positions& X)
+        {
+            const Eigen::Matrix<double, n, 1> values = N;
+            const Eigen::Matrix<double, n, 2> derivatives = dN;
+            const Eigen::Matrix2d J = derivatives.transpose() * (X.rowwise() - X.row(0));
+            at = X.transpose() * values;
+            area = J.determinant();
+            gradients = derivatives * J.inverse().transpose();
+            if constexpr (state == StressState::Axisymmetric)
+                if (at.x() > nearly_on_axis * X.col(0).maxCoeff()) radius = at.x();
+        }
+    };
+
+    Positions node_positions() const
+    {
+        Positions X;
+        for (int i = 0; i < n; ++i) X.row(i) = positions_[nodes_[static_cast<std::size_t>(i)].index];
+        return X;
+    }
+
+    double depth(double r) const { return Model::depth(formulation().thickness(), r); }
+
+    static StrainMatrix strain_matrix(const Shape::Values& N, const Mapped& mapped)
+    {
+        StrainMatrix B;
+        for (int i = 0; i < n; ++i)
+            B.template middleCols<2>(2 * i) = Model::B(N[i], mapped.gradients(i, 0), mapped.gradients(i, 1),
+                                                       mapped.radius);
+        return B;
+    }
+
+    void add_edge_load(const EdgeLoad& load, const Positions& X, DofVector& f) const
+    {
+        const Shape::Edge edge = formulation().shape().edges()[static_cast<std::size_t>(load.edge)];
+        for (const ShapeAtPoint& point : formulation().edge_points()) {
+            Eigen::Vector2d at = Eigen::Vector2d::Zero(), tangent = Eigen::Vector2d::Zero();
+            for (std::size_t i = 0; i < edge.size(); ++i) {
+                at += point.N[static_cast<int>(i)] * X.row(edge[i]).transpose();
+                tangent += point.dN(static_cast<int>(i), 0) * X.row(edge[i]).transpose();
+            }
+            const double length = tangent.norm();
+            const Eigen::Vector2d along = tangent / length;
+            const Eigen::Vector2d traction = load.traction(
+                {.at = at, .along = along, .outward = {along.y(), -along.x()}});
+            for (std::size_t i = 0; i < edge.size(); ++i)
+                f.template segment<2>(2 * edge[i]) += point.weight * length * depth(at.x()) *
+                                                      point.N[static_cast<int>(i)] * traction;
+        }
+    }
+
+    void add_body_load(const BodyLoad& load, const Positions& X, DofVector& f) const
+    {
+        for (const ShapeAtPoint& point : formulation().load_points()) {
+            const Mapped mapped(point.N, point.dN, X);
+            const Eigen::Vector2d force = point.weight * mapped.area * depth(mapped.at.x()) * load.force(mapped.at);
+            for (int i = 0; i < n; ++i) f.template segment<2>(2 * i) += point.N[i] * force;
+        }
+    }
+
+    std::span<const Eigen::Vector2d> positions_;
+    std::array<NodeId, n> nodes_;
+};
+
+void refuse(const std::optional<GeometryFault>& fault)
+{
+    if (fault) throw std::invalid_argument(message(*fault));
+}
+
+void check_geometry(const ContinuumFormulation& formulation, std::span<const NodeId> nodes,
+                    std::span<const Eigen::Vector2d> positions)
+{
+    const Shape& shape = formulation.shape();
+    if (nodes.size() != static_cast<std::size_t>(shape.n_nodes()))
+        refuse(GeometryFault{
+            .flaw = GeometryFlaw::WrongNodeCount, .shape = shape.kind(), .value = static_cast<double>(nodes.size())});
+    NodePositions X(shape.n_nodes(), 2);
+    for (int i = 0; i < shape.n_nodes(); ++i) X.row(i) = positions[nodes[static_cast<std::size_t>(i)].index];
+    if (formulation.state() == StressState::Axisymmetric) refuse(why_not_axisymmetric(shape, X));
+    refuse(why_not_element(shape, formulation.rule(), X));
+}
+
+/// Calls `use` with a number of nodes as a compile-time constant.
+template <class Use> auto with_node_count(int n, Use&& use)
+{
+    switch (n) {
+    case 3: return use(std::integral_constant<int, 3>());
+    case 4: return use(std::integral_constant<int, 4>());
+    case 6: return use(std::integral_constant<int, 6>());
+    case 8: return use(std::integral_constant<int, 8>());
+    default: throw std::invalid_argument("make_continuum_element: no element has this number of nodes");
+    }
+}
+
+} // namespace
+
+std::unique_ptr<ContinuumElement> make_continuum_element(const ContinuumFormulation& formulation,
+                                                         std::span<const NodeId> nodes,
+                                                         std::span<const Eigen::Vector2d> positions,
+                                                         std::uint32_t stiffness_group)
+{
+    check_geometry(formulation, nodes, positions);
+    return with_node_count(formulation.shape().n_nodes(), [&](auto count) -> std::unique_ptr<ContinuumElement> {
+        constexpr int n = decltype(count)::value;
+        const auto make = [&]<StressState state>() -> std::unique_ptr<ContinuumElement> {
+            return std::make_unique<FixedSizeElement<state, n>>(formulation, nodes, positions, stiffness_group);
+        };
+        switch (formulation.state()) {
+        case StressState::PlaneStress: return make.template operator()<StressState::PlaneStress>();
+        case StressState::PlaneStrain: return make.template operator()<StressState::PlaneStrain>();
+        default: return make.template operator()<StressState::Axisymmetric>();
+        }
+    });
+}
+
+} // namespace femoop

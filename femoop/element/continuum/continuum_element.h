@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "femoop/element/continuum/continuum_formulation.h"
+#include "femoop/element/element.h"
+#include "femoop/shape/natural_point.h"
+
+namespace femoop {
+
+/// A piece of a plane or axisymmetric body, composed of a Shape, an IntegrationRule, a ConstitutiveModel and an
+/// analysis model (ContinuumModel). Geometry and displacements have the same functions: it is isoparametric.
+///
+///      y ^    4---7---3
+///        |   /       /        u = (ux, uy of node 1, ux, uy of node 2, ...)
+///        |  8       6
+///        | /       /          K = sum over points of B' D B  weight  det J  depth
+///        |1---5---2
+///        +-----------> x      axisymmetric: x is the radius, y the axis
+///
+/// Signs    tension positive; txy acts along +y on the face +x. Axisymmetric forces are of the whole turn
+/// Units    any consistent set
+/// Assumes  small displacements
+/// Accuracy fields up to the shape's degree p are exact (Shape::degree); where the solution is smooth, the error in
+///          energy falls with the size of elements to the power p
+/// Source   [MarthaParente2002]; [ZienkiewiczTaylor2000, ch. 8-9]; errors [Hughes2000]
+class ContinuumElement : public Element {
+public:
+    virtual Eigen::Vector2d place(NaturalPoint p) const = 0;
+
+    /// From the element's displacements, in the order of its degrees of freedom.
+    virtual StrainVector strain(const ElementVector& u, NaturalPoint p) const = 0;
+    StressVector stress(const ElementVector& u, NaturalPoint p) const
+    {
+        return formulation_.material().stress({.strain = strain(u, p)});
+    }
+
+    const ContinuumFormulation& formulation() const { return formulation_; }
+
+protected:
+    ContinuumElement(const ContinuumFormulation& formulation, std::uint32_t stiffness_group)
+        : Element(stiffness_group), formulation_(formulation)
+    {}
+
+private:
+    const ContinuumFormulation& formulation_;
+};
+
+/// An element between nodes. `positions` are of all nodes, by their ids.
+/// \pre formulation and positions outlive the element
+/// \throws std::invalid_argument with the sentence of why_not_element
+std::unique_ptr<ContinuumElement> make_continuum_element(const ContinuumFormulation& formulation,
+                                                         std::span<const NodeId> nodes,
+                                                         std::span<const Eigen::Vector2d> positions,
+                                                         std::uint32_t stiffness_group = 0);
+
+} // namespace femoop

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+
+namespace femoop {
+
+/// A place on an element's edge, which is walked with the element to the left.
+struct EdgePoint {
+    Eigen::Vector2d at;
+    Eigen::Vector2d along;   ///< unit vector in the direction of the edge
+    Eigen::Vector2d outward; ///< unit vector out of the element
+};
+
+/// Force per area that acts on an edge's face, along the global axes.
+struct EdgeLoad {
+    int edge = 0; ///< of the element's shape
+    std::function<Eigen::Vector2d(const EdgePoint&)> traction;
+};
+
+/// Force per volume at a place, along the global axes.
+struct BodyLoad {
+    std::function<Eigen::Vector2d(const Eigen::Vector2d&)> force;
+};
+
+} // namespace femoop
