@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "ui/app/give_frame.h"
 #include "ui/scenario/words.h"
 #include "ui/text/number_format.h"
 
@@ -39,10 +40,10 @@ Film film_in(const std::filesystem::path& folder)
 
 namespace {
 
-/// Turns what a person does within a frame into what the window tells of it.
+/// Turns what a person does within a frame into what the window tells of it, without what is typed.
 class InputOfFrame {
 public:
-    Input operator()(const InputFrame& frame)
+    Input operator()(const InputFrame& frame, Typing& typing)
     {
         Input input;
         input.pointer = Point{frame.pointer.x, frame.pointer.y};
@@ -50,14 +51,14 @@ public:
         input.is_button_down[static_cast<std::size_t>(PointerButton::Right)] = frame.is_right_down;
         input.wheel = {0.0, frame.wheel};
         input.seconds = Player::time_step;
-        input.text = frame.text;
         input.modifiers = frame.held;
-        if (key_held_) input.keys.push_back({*std::exchange(key_held_, std::nullopt), false});
+        if (key_held_) typing.add(KeyEvent{*std::exchange(key_held_, std::nullopt), false});
         if (frame.key) {
             input.modifiers = frame.key->modifiers;
-            input.keys.push_back({frame.key->key, true, frame.key->modifiers});
+            typing.add(KeyEvent{frame.key->key, true, frame.key->modifiers});
             key_held_ = frame.key->key;
         }
+        typing.add(frame.text);
         return input;
     }
 
@@ -70,12 +71,16 @@ private:
 void play(std::string_view script, Offscreen& context, App& app, Stage& stage, const Film& film)
 {
     Player player(read_scenario(script));
-    InputOfFrame input;
+    InputOfFrame input_of;
+    Typing typing;
     app.frame({});
     app.frame({});
     while (const auto frame = player.next(stage)) {
-        app.frame(input(*frame));
-        if (film) film(context.pixels());
+        const Input input = input_of(*frame, typing);
+        do {
+            give_frame(app, input, typing);
+            if (film) film(context.pixels());
+        } while (!typing.is_empty());
     }
 }
 

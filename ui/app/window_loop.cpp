@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "ui/app/give_frame.h"
 #include "ui/context/window.h"
 
 namespace ui {
@@ -11,8 +12,7 @@ namespace {
 bool is_quiet(const Input& input, const std::optional<Point>& pointer_before)
 {
     const bool is_down = input.is_button_down[0] || input.is_button_down[1] || input.is_button_down[2];
-    return !is_down && input.pointer == pointer_before && input.wheel == Point{} && input.keys.empty() &&
-           input.text.empty() && input.dropped_files.empty();
+    return !is_down && input.pointer == pointer_before && input.wheel == Point{} && input.dropped_files.empty();
 }
 
 } // namespace
@@ -35,9 +35,10 @@ void show_in_window(const AppOptions& options, const MakeApp& make)
     while (!app->wants_to_quit()) {
         const bool must_draw = app->is_moving() || n_due > 0;
         const Input input = window.input(must_draw ? 0.0 : patience);
-        n_due = is_quiet(input, pointer) ? n_due - 1 : settling_frames;
+        const bool is_calm = is_quiet(input, pointer) && window.typing().is_empty();
+        n_due = is_calm ? n_due - 1 : settling_frames;
         pointer = input.pointer;
-        app->frame(input);
+        give_frame(*app, input, window.typing());
         if (std::exchange(title, app->window_title()) != title) window.set_title(title);
         window.present();
         if (window.wants_to_close()) {

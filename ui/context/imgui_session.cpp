@@ -3,6 +3,7 @@
 #include "ui/context/draw_list_surface.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
@@ -195,13 +196,41 @@ void ImGuiSession::feed_keys(const std::vector<KeyEvent>& events)
     for (const KeyEvent& event : all) {
         if (event.key == Key::Tab && event.is_down && event.modifiers.ctrl)
             continue; // Dear ImGui would list its windows
-        const auto key = static_cast<std::size_t>(event.key);
+        const auto key = static_cast<std::size_t>(meant(event));
         if (has_changed[key]) {
             waiting_keys_.push_back(event);
             continue;
         }
         ImGui::GetIO().KeysDown[key] = event.is_down;
         has_changed[key] = true;
+    }
+}
+
+// Enter chooses in menus and lists, where Dear ImGui hears the space bar alone.
+Key ImGuiSession::meant(const KeyEvent& event)
+{
+    if (event.key != Key::Enter) return event.key;
+    if (event.is_down) {
+        const ImGuiWindow* const window = imgui_->NavWindow;
+        const bool is_list = window != nullptr && (window->Flags & ImGuiWindowFlags_Popup) != 0;
+        is_enter_space_ = is_list && (window->Flags & ImGuiWindowFlags_Modal) == 0;
+    }
+    return is_enter_space_ ? Key::Space : Key::Enter;
+}
+
+Typing::Reader ImGuiSession::reader() const
+{
+    return imgui_->IO.WantTextInput ? Typing::Reader::Field : Typing::Reader::Keys;
+}
+
+void ImGuiSession::look_for_field()
+{
+    awaits_field_ = imgui_->NavMoveSubmitted && (imgui_->NavMoveFlags & ImGuiNavMoveFlags_FocusApi) != 0;
+    unread_text_.clear();
+    if (!awaits_field_) return;
+    for (const ImWchar letter : imgui_->IO.InputQueueCharacters) {
+        std::array<char, 5> utf8{};
+        unread_text_ += ImTextCharToUtf8(utf8.data(), letter);
     }
 }
 
@@ -217,11 +246,15 @@ void ImGuiSession::begin_frame(const Input& input)
     }
     feed(input);
     ImGui::NewFrame();
+    // Escape left a panel for the window around it, and that would be framed like something that has the keyboard.
+    const auto is_escape = [](const KeyEvent& event) { return event.is_down && event.key == Key::Escape; };
+    if (std::ranges::any_of(input.keys, is_escape)) imgui_->NavDisableHighlight = true;
 }
 
 void ImGuiSession::end_frame()
 {
     ImGui::SetCurrentContext(imgui_);
+    look_for_field();
     ImGui::Render();
     context_.make_current();
     renderer_.clear(theme_.background());

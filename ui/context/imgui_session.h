@@ -3,6 +3,7 @@
 #include "ui/context/context.h"
 #include "ui/context/draw_list_renderer.h"
 #include "ui/context/input.h"
+#include "ui/context/typing.h"
 #include "ui/paint/picture.h"
 #include "ui/paint/surface/glyph_atlas.h"
 #include "ui/paint/theme.h"
@@ -19,7 +20,9 @@ namespace ui {
 /// Dear ImGui on a context, on the screen or off it: the frame's beginning and end, its type, its colours, its input.
 ///
 ///     while (!window.wants_to_close()) {
-///         session.begin_frame(window.input());
+///         Input input = window.input();
+///         if (!session.awaits_field()) window.typing().give_next(input, session.reader());
+///         session.begin_frame(input);
 ///         ... widgets, session.show(picture, *ImGui::GetBackgroundDrawList(), {})
 ///         session.end_frame();
 ///         window.present();
@@ -51,6 +54,13 @@ public:
     /// Draws a picture on a list of this session's; its top left corner lies at `corner` [physical pixels].
     void show(const Picture& picture, ImDrawList& list, Point corner);
 
+    /// A field asked in the last frame for the keyboard and has it at the end of the next one: what is typed until then
+    /// would be lost.
+    bool awaits_field() const { return awaits_field_; }
+    /// Text of the last frame that came too early for that field.
+    const std::string& unread_text() const { return unread_text_; }
+    Typing::Reader reader() const;
+
     double scale() const { return scale_; }
     ImFont* regular() const { return regular_; }
     ImFont* bold() const { return bold_; }
@@ -61,6 +71,8 @@ private:
     void set_style();
     void feed(const Input& input);
     void feed_keys(const std::vector<KeyEvent>& events);
+    Key meant(const KeyEvent& event);
+    void look_for_field();
 
     Context& context_;
     const Fonts& fonts_;
@@ -68,6 +80,9 @@ private:
     double scale_;
     bool is_stale_ = false; ///< type and style do not fit the theme or the scale
     std::vector<KeyEvent> waiting_keys_;
+    bool is_enter_space_ = false; ///< since it went down in a menu
+    bool awaits_field_ = false;
+    std::string unread_text_;
     ImGuiContext* imgui_;
     DrawListRenderer renderer_;
     GlyphAtlas atlas_;

@@ -100,10 +100,10 @@ Modifiers modifiers_after(int key, int action, int mods)
 constexpr std::array<int, 6> cursor_shapes = {GLFW_ARROW_CURSOR,     GLFW_IBEAM_CURSOR,   GLFW_HAND_CURSOR,
                                               GLFW_CROSSHAIR_CURSOR, GLFW_HRESIZE_CURSOR, GLFW_VRESIZE_CURSOR};
 
-void append_utf8(std::string& text, unsigned codepoint)
+std::string utf8(unsigned codepoint)
 {
     const char32_t character = codepoint;
-    text += encode_utf8({&character, 1});
+    return encode_utf8({&character, 1});
 }
 
 } // namespace
@@ -114,6 +114,7 @@ struct Window::Parts {
     std::unique_ptr<gl::Functions> gl;
     std::array<GLFWcursor*, cursor_shapes.size()> cursors{};
     Input input;
+    Typing typing;
     std::array<bool, n_pointer_buttons> was_pressed{}; ///< also by a click shorter than a frame
     std::optional<Point> pressed_at;                   ///< in this frame; a quick hand is elsewhere by its end
     double time = 0.0;
@@ -193,13 +194,13 @@ void Window::Parts::listen()
         parts.input.modifiers = modifiers_of(mods);
     });
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
-        Input& heard = of(w).input;
-        heard.modifiers = modifiers_after(key, action, mods);
+        Parts& parts = of(w);
+        parts.input.modifiers = modifiers_after(key, action, mods);
         if (action == GLFW_REPEAT) return; // the widgets repeat keys by themselves
         const auto known = key_of(key, scancode);
-        if (known) heard.keys.push_back({*known, action == GLFW_PRESS, heard.modifiers});
+        if (known) parts.typing.add(KeyEvent{*known, action == GLFW_PRESS, parts.input.modifiers});
     });
-    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned codepoint) { append_utf8(of(w).input.text, codepoint); });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned codepoint) { of(w).typing.add(utf8(codepoint)); });
     glfwSetDropCallback(window, [](GLFWwindow* w, int n, const char** paths) {
         for (int i = 0; i < n; ++i) of(w).input.dropped_files.emplace_back(paths[i]);
     });
@@ -284,12 +285,12 @@ Input Window::input(double patience)
     parts_->pressed_at.reset();
     Input& next = parts_->input;
     next.wheel = {};
-    next.keys.clear();
-    next.text.clear();
     next.dropped_files.clear();
     next.has_lost_focus = false;
     return now;
 }
+
+Typing& Window::typing() { return parts_->typing; }
 
 bool Window::has_display()
 {

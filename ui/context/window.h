@@ -2,6 +2,7 @@
 
 #include "ui/context/context.h"
 #include "ui/context/input.h"
+#include "ui/context/typing.h"
 
 #include <memory>
 #include <string>
@@ -37,8 +38,11 @@ public:
     std::string clipboard() const;
     void set_clipboard(const std::string& text);
 
-    /// What happened since the last call; waits for something to happen, `patience` seconds at most.
+    /// What happened since the last call, without what was typed; waits for something to happen, `patience` seconds at
+    /// most.
     Input input(double patience = 0.0);
+    /// What was typed until the last `input`.
+    Typing& typing();
 
     /// True where a window can be opened at all.
     static bool has_display();
