@@ -13,9 +13,9 @@
 #include "apps/cli/solid_file.h"
 #include "femoop/io/json/json_document.h"
 #include "femoop/io/json/json_writer.h"
+#include "femoop/io/verify.h"
 #include "femoop/model/check/suggestion.h"
 #include "femoop/model/quantity/number_text.h"
-#include "femoop/result/verify.h"
 
 namespace cli {
 

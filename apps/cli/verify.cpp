@@ -12,8 +12,8 @@
 #include "apps/cli/model_input.h"
 #include "apps/frame/document/companion/companion_file.h"
 #include "femoop/io/json/json_writer.h"
+#include "femoop/io/verify.h"
 #include "femoop/model/quantity/number_text.h"
-#include "femoop/result/verify.h"
 
 namespace cli {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "femoop/discretisation/solution.h"
 #include "femoop/model/fault/fault.h"
-#include "femoop/result/solution.h"
 
 namespace femoop {
 

@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <cstdint>
+#include <span>
+
+#include "femoop/element/analysis_model.h"
 
 namespace femoop {
 
@@ -38,117 +41,73 @@ private:
     int n_rows_ = 0;
 };
 
-template <AnalysisKind kind> using Element = typename Assembly<kind>::Element;
+/// Counts displacements in the structure's size beside rotations.
+class Unit {
+public:
+    explicit Unit(double size) : size_(size) {}
+    double operator()(auto axis) const { return is_rotation(axis) ? 1.0 : 1.0 / size_; }
 
-/// Displacements of a member's ends from those of its nodes, [2m x 2n].
-template <AnalysisKind kind> Eigen::MatrixXd end_transformation(const Element<kind>& element)
+private:
+    double size_;
+};
+
+void add_supports(const Assembler& assembler, const Unit& unit, RowList& strains)
 {
-    constexpr int m = Element<kind>::m, n = Element<kind>::n;
-    Eigen::MatrixXd T = Eigen::MatrixXd::Zero(2 * m, 2 * n);
-    T.topLeftCorner(m, n) = element.transformation(0);
-    T.bottomRightCorner(m, n) = element.transformation(1);
-    return T;
+    const std::span<const Dof> dofs = model_dofs(assembler.structure().kind);
+    for (const Discretisation::SupportRow& support : assembler.structure().supports)
+        for (std::size_t i = 0; i < dofs.size(); ++i)
+            if (support.springs[index(dofs[i])] > 0.0)
+                strains.add(assembler.equations().of(support.node, i), unit(dofs[i]));
 }
 
-Eigen::MatrixXd stacked(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
+void add_restraints(const ArtificialRestraints& restraints, RowList& strains)
 {
-    Eigen::MatrixXd both(a.rows() + b.rows(), a.cols());
-    both << a, b;
-    return both;
+    for (const ArtificialRestraint& rotation : restraints.rotations) {
+        std::vector<std::int32_t> rows;
+        for (const ArtificialRestraint::Part& part : rotation.parts)
+            if (part.node == rotation.parts.front().node) rows.push_back(part.row);
+        strains.add(rows, rotation.direction.head(static_cast<Eigen::Index>(rows.size())).transpose());
+    }
+    for (const MemberEndRestraint& end : restraints.member_ends) strains.add(end.equation, 1.0);
 }
 
-/// What strains the springs between nodes and own ends; releases are not strained.
-Eigen::MatrixXd sprung_gaps(const Eigen::MatrixXd& gaps, const Eigen::VectorXd& joints)
+RowList strains_of(const Assembler& assembler, const ArtificialRestraints& restraints, const Unit& unit)
 {
-    Eigen::MatrixXd rows(0, gaps.cols());
-    for (Eigen::Index i = 0; i < gaps.rows(); ++i)
-        if (joints[i] > 0.0) rows = stacked(rows, gaps.row(i));
-    return rows;
+    RowList strains;
+    for (std::size_t i = 0; i < assembler.elements().size(); ++i)
+        strains.add(assembler.equations().of_element(i), assembler.in_node_axes(i, assembler.elements()[i].strains()));
+    add_supports(assembler, unit, strains);
+    add_restraints(restraints, strains);
+    return strains;
 }
 
-/// How a member's chord swings, from the displacements of its nodes.
-template <AnalysisKind kind> Eigen::MatrixXd swings(const Element<kind>& element, double L)
+/// Of chords of members, of nodes and of members' ends.
+RowList turns_of(const Assembler& assembler, const Unit& unit)
 {
-    constexpr int n = Element<kind>::n;
-    Eigen::MatrixXd rows(3, 2 * n);
-    for (const LocalAxis axis : {LocalAxis::x, LocalAxis::y, LocalAxis::z})
-        rows.row(static_cast<Eigen::Index>(index(axis))) << -element.transformation_row(0, axis) / L,
-            element.transformation_row(1, axis) / L;
-    return rows;
+    RowList turns;
+    const Discretisation& structure = assembler.structure();
+    const Equations& equations = assembler.equations();
+    for (std::size_t i = 0; i < structure.members.size(); ++i) {
+        const Eigen::MatrixXd swings = assembler.in_node_axes(i, assembler.elements()[MemberId(i)].chord_rotations());
+        turns.add(equations.of_element(i).first(static_cast<std::size_t>(swings.cols())), swings);
+    }
+    const std::span<const Dof> dofs = model_dofs(structure.kind);
+    for (std::size_t node = 0; node < structure.positions.size(); ++node)
+        for (std::size_t i = 0; i < dofs.size(); ++i) turns.add(equations.of(NodeId(node), i), unit(dofs[i]));
+    for (std::size_t i = 0; i < equations.n_member_end_dofs(); ++i)
+        turns.add(equations.member_end(i), unit(static_cast<LocalAxis>(i % n_local_axes)));
+    return turns;
 }
 
 } // namespace
 
-template <AnalysisKind kind>
-MemberStrains member_strains(const Structure& structure, const Assembly<kind>& assembly, MemberId member)
+Compatibility::Compatibility(const Assembler& assembler, const ArtificialRestraints& restraints)
 {
-    const MemberFrame frame = structure.frame(member);
-    const Element<kind> elastic = assembly.element(member, frame);
-    const MemberExtras* extras = structure.extras_of(member);
-    if (extras == nullptr || extras->constraint == Constraint::None) {
-        const auto rows = assembly.node_equations(member);
-        return {.equations = {rows.begin(), rows.end()}, .A = elastic.strains().B * end_transformation<kind>(elastic)};
-    }
-    const Element<kind> constrained = assembly.unit_element(member, frame, constrained_actions(*extras));
-    auto own = assembly.own_ends(member, elastic);
-    const Eigen::MatrixXd strains = stacked(elastic.rigid_joint_strains().B, constrained.rigid_joint_strains().B);
-    return {.equations = std::move(own.equations), .A = stacked(strains * own.B, sprung_gaps(own.gaps, own.joints))};
-}
-
-template <AnalysisKind kind>
-SparseMatrix resistance(const Structure& structure, const Equations& equations, const Assembly<kind>& assembly)
-{
-    SparseMatrix found = equations.pattern().matrix();
-    for (std::size_t i = 0; i < structure.members.size(); ++i) {
-        const MemberFrame frame = structure.frame(MemberId(i));
-        for (const Element<kind>& element : assembly.resisting_elements(MemberId(i), frame)) {
-            const Eigen::MatrixXd A = element.strains().B * end_transformation<kind>(element);
-            equations.pattern().add(found, i, assembly.node_equations(MemberId(i)), (A.transpose() * A).eval());
-        }
-    }
-    for (const Structure::SupportRow& support : structure.supports)
-        for (std::size_t i = 0; i < model_dofs(kind).size(); ++i)
-            if (const std::int32_t row = equations.of(support.node, i);
-                row != Equations::none && support.springs[index(model_dofs(kind)[i])] > 0.0)
-                equations.pattern().add_to_diagonal(found, row, 1.0);
-    return found;
-}
-
-template <AnalysisKind kind>
-Compatibility Compatibility::of(const Structure& structure, const Equations& equations, const Assembly<kind>& assembly,
-                                const Holds& holds)
-{
-    RowList strains, turns;
-    for (std::size_t i = 0; i < structure.members.size(); ++i) {
-        const MemberId member(i);
-        const MemberStrains own = member_strains(structure, assembly, member);
-        strains.add(own.equations, own.A);
-        const MemberFrame frame = structure.frame(member);
-        turns.add(assembly.node_equations(member), swings<kind>(assembly.element(member, frame), frame.length));
-    }
-    const double size = structure.size();
-    const std::span<const Dof> dofs = model_dofs(kind);
-    const auto unit = [&](Dof dof) { return is_rotation(dof) ? 1.0 : 1.0 / size; };
-    for (const Structure::SupportRow& support : structure.supports)
-        for (std::size_t i = 0; i < dofs.size(); ++i)
-            if (support.springs[index(dofs[i])] > 0.0) strains.add(equations.of(support.node, i), unit(dofs[i]));
-    for (std::size_t node = 0; node < structure.positions.size(); ++node)
-        for (std::size_t i = 0; i < dofs.size(); ++i) turns.add(equations.of(NodeId(node), i), unit(dofs[i]));
-    for (std::size_t i = 0; i < equations.n_own_ends(); ++i)
-        turns.add(equations.own_end(i), is_rotation(static_cast<LocalAxis>(i % n_local_axes)) ? 1.0 : 1.0 / size);
-    for (const HeldRotation& rotation : holds.rotations) {
-        std::vector<std::int32_t> rows;
-        for (const HeldRotation::Part& part : rotation.parts)
-            if (part.node == rotation.parts.front().node) rows.push_back(part.row);
-        strains.add(rows, rotation.direction.head(static_cast<Eigen::Index>(rows.size())).transpose());
-    }
-    for (const HeldEnd& end : holds.own_ends) strains.add(end.equation, 1.0);
-
-    Compatibility compatibility;
-    compatibility.strains_ = strains.matrix(equations.n_unknowns());
-    compatibility.magnitudes_ = compatibility.strains_.cwiseAbs();
-    compatibility.turns_ = turns.matrix(equations.n_unknowns());
-    return compatibility;
+    const std::size_t n_unknowns = assembler.equations().n_unknowns();
+    const Unit unit(assembler.structure().size());
+    strains_ = strains_of(assembler, restraints, unit).matrix(n_unknowns);
+    magnitudes_ = strains_.cwiseAbs();
+    turns_ = turns_of(assembler, unit).matrix(n_unknowns);
 }
 
 NullModes Compatibility::free_motions(Eigen::Index most) const
@@ -163,26 +122,5 @@ bool Compatibility::is_free(const Eigen::VectorXd& x) const
     const double turn = (turns_ * x).cwiseAbs().maxCoeff();
     return (strain <= strainless * turn + rounding * terms).all();
 }
-
-template MemberStrains member_strains(const Structure&, const Assembly<AnalysisKind::Truss2d>&, MemberId);
-template MemberStrains member_strains(const Structure&, const Assembly<AnalysisKind::Frame2d>&, MemberId);
-template MemberStrains member_strains(const Structure&, const Assembly<AnalysisKind::Grillage>&, MemberId);
-template MemberStrains member_strains(const Structure&, const Assembly<AnalysisKind::Truss3d>&, MemberId);
-template MemberStrains member_strains(const Structure&, const Assembly<AnalysisKind::Frame3d>&, MemberId);
-template SparseMatrix resistance(const Structure&, const Equations&, const Assembly<AnalysisKind::Truss2d>&);
-template Compatibility Compatibility::of(const Structure&, const Equations&, const Assembly<AnalysisKind::Truss2d>&,
-                                         const Holds&);
-template SparseMatrix resistance(const Structure&, const Equations&, const Assembly<AnalysisKind::Frame2d>&);
-template Compatibility Compatibility::of(const Structure&, const Equations&, const Assembly<AnalysisKind::Frame2d>&,
-                                         const Holds&);
-template SparseMatrix resistance(const Structure&, const Equations&, const Assembly<AnalysisKind::Grillage>&);
-template Compatibility Compatibility::of(const Structure&, const Equations&, const Assembly<AnalysisKind::Grillage>&,
-                                         const Holds&);
-template SparseMatrix resistance(const Structure&, const Equations&, const Assembly<AnalysisKind::Truss3d>&);
-template Compatibility Compatibility::of(const Structure&, const Equations&, const Assembly<AnalysisKind::Truss3d>&,
-                                         const Holds&);
-template SparseMatrix resistance(const Structure&, const Equations&, const Assembly<AnalysisKind::Frame3d>&);
-template Compatibility Compatibility::of(const Structure&, const Equations&, const Assembly<AnalysisKind::Frame3d>&,
-                                         const Holds&);
 
 } // namespace femoop

@@ -4,28 +4,15 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "femoop/analysis/assembly.h"
-#include "femoop/analysis/idle_rotation.h"
+#include "femoop/analysis/assembler.h"
+#include "femoop/analysis/unrestrained_rotation.h"
 #include "femoop/solver/null_modes.h"
 
 namespace femoop {
 
-/// The strains of one member by unit displacements, its own ends among them where it has any.
-struct MemberStrains {
-    std::vector<std::int32_t> equations;
-    Eigen::MatrixXd A; ///< [strains x equations]: angles, and lengths counted in the member's length
-};
-template <AnalysisKind kind>
-MemberStrains member_strains(const Structure& structure, const Assembly<kind>& assembly, MemberId member);
-
-/// A' A of all members and support springs, each as its nodes feel it, over all unknowns, lower triangle: what resists
-/// a node's rotation, be it stiffness or constraint.
-template <AnalysisKind kind>
-SparseMatrix resistance(const Structure& structure, const Equations& equations, const Assembly<kind>& assembly);
-
 /// What the displacements of a structure do to its parts, whatever their stiffness:
 ///
-///     e = A x        strains of members, elastic or taken away by a constraint, of springs and of held rotations
+///     e = A x        strains of members, elastic or taken away by a constraint, of springs and of restrained rotations
 ///     w = B x        swings of members and turns of nodes
 ///
 /// A mechanism turns or swings something and strains nothing. K = A' S A hides that: it squares what A says, and a
@@ -35,9 +22,7 @@ SparseMatrix resistance(const Structure& structure, const Equations& equations, 
 /// Source   [McGuireGallagherZiemian2000, ch. 4-5]
 class Compatibility {
 public:
-    template <AnalysisKind kind>
-    static Compatibility of(const Structure& structure, const Equations& equations, const Assembly<kind>& assembly,
-                            const Holds& holds);
+    Compatibility(const Assembler& assembler, const ArtificialRestraints& restraints);
 
     /// The motions [unknowns x motions] that strain nothing, at most so many.
     NullModes free_motions(Eigen::Index most) const;

@@ -1,65 +1,13 @@
 #include "femoop/analysis/constraints.h"
 
-#include <algorithm>
 #include <cmath>
-#include <vector>
+#include <utility>
+
+#include "femoop/element/analysis_model.h"
 
 namespace femoop {
 
 namespace {
-
-/// The rows of one member's constraint over its local end displacements, and what each equals per unit of strain
-/// and of curvature.
-struct LocalRows {
-    Eigen::MatrixXd C;         ///< [rows x 2m]
-    Eigen::VectorXd strain;    ///< length that each row gains per unit of strain
-    Eigen::VectorXd curvature; ///< the same per unit of curvature
-};
-
-template <AnalysisKind kind> int local_row(LocalAxis axis)
-{
-    const auto& local = AnalysisModel<kind>::local;
-    const auto at = std::find(local.begin(), local.end(), axis);
-    return at == local.end() ? -1 : static_cast<int>(at - local.begin());
-}
-
-template <AnalysisKind kind> LocalRows local_rows(const MemberExtras& extras, double L)
-{
-    constexpr int m = MemberElement<kind>::m;
-    const ActionSet actions = constrained_actions(extras);
-    LocalRows rows{.C = Eigen::MatrixXd::Zero(0, 2 * m), .strain = {}, .curvature = {}};
-    const auto append = [&](const Eigen::RowVectorXd& c, double strain, double curvature) {
-        const Eigen::Index r = rows.C.rows();
-        rows.C.conservativeResize(r + 1, Eigen::NoChange);
-        rows.strain.conservativeResize(r + 1);
-        rows.curvature.conservativeResize(r + 1);
-        rows.C.row(r) = c;
-        rows.strain[r] = strain;
-        rows.curvature[r] = curvature;
-    };
-    const auto difference = [&](int row) {
-        Eigen::RowVectorXd c = Eigen::RowVectorXd::Zero(2 * m);
-        c[row] = -1.0;
-        c[m + row] = 1.0;
-        return c;
-    };
-    if (const int x = local_row<kind>(LocalAxis::x); x >= 0 && actions.contains(Action::Axial))
-        append(difference(x), L, 0.0);
-    if (const int rx = local_row<kind>(LocalAxis::rx); rx >= 0 && actions.contains(Action::Torsion))
-        append(difference(rx), 0.0, 0.0);
-    for (const BendingPlane plane : {BendingPlane::xy, BendingPlane::xz}) {
-        const int v = local_row<kind>(force_axis(plane));
-        const int phi = local_row<kind>(moment_axis(plane));
-        const Action action = plane == BendingPlane::xy ? Action::BendingXY : Action::BendingXZ;
-        if (v < 0 || phi < 0 || !actions.contains(action)) continue;
-        const double bent = plane == BendingPlane::xy ? 1.0 : 0.0; // temperature bends in x'y' only
-        append(difference(phi), 0.0, bent * L);
-        Eigen::RowVectorXd chord = difference(v);
-        chord[phi] = -moment_sign(plane) * L;
-        append(chord, 0.0, 0.5 * bent * L * L);
-    }
-    return rows;
-}
 
 /// Imposed strain and curvature of a member in every load case, [cases x 2].
 Eigen::MatrixXd imposed(MemberId member, const std::vector<CaseLoads>& loads)
@@ -72,43 +20,49 @@ Eigen::MatrixXd imposed(MemberId member, const std::vector<CaseLoads>& loads)
     return strains;
 }
 
-template <AnalysisKind kind>
-std::vector<ConstraintRow> constraint_rows(const Structure& structure, const Assembly<kind>& assembly,
-                                           const std::vector<CaseLoads>& loads)
+/// One row of a member's constraint: terms of unknowns, and in `value` what supports prescribe.
+ConstraintRow over_unknowns(const Eigen::RowVectorXd& c, std::span<const std::int32_t> equations,
+                            const std::vector<ElementVector>& prescribed, Eigen::VectorXd imposed)
 {
-    constexpr int n = MemberElement<kind>::n;
-    std::vector<std::vector<double>> settlements;
-    for (const CaseLoads& each : loads) settlements.push_back(assembly.settlements(each));
+    ConstraintRow row{.terms = {}, .value = std::move(imposed), .member = {}};
+    const double negligible = 1e-14 * c.cwiseAbs().maxCoeff();
+    for (Eigen::Index j = 0; j < c.size(); ++j) {
+        if (std::abs(c[j]) <= negligible) continue;
+        if (const std::int32_t unknown = equations[static_cast<std::size_t>(j)]; unknown != Equations::none) {
+            row.terms.push_back({unknown, c[j]});
+            continue;
+        }
+        for (std::size_t k = 0; k < prescribed.size(); ++k)
+            row.value[static_cast<Eigen::Index>(k)] -= c[j] * prescribed[k][j];
+    }
+    return row;
+}
 
+/// Displacements that supports prescribe of a member's degrees of freedom, in every load case.
+std::vector<ElementVector> prescribed(const Assembler& assembler, std::size_t member,
+                                      const std::vector<std::vector<double>>& settlements)
+{
+    std::vector<ElementVector> all;
+    for (const std::vector<double>& moved : settlements) all.push_back(assembler.prescribed(member, moved));
+    return all;
+}
+
+std::vector<ConstraintRow> constraint_rows(const Assembler& assembler, const std::vector<CaseLoads>& loads)
+{
+    std::vector<std::vector<double>> settlements;
+    for (const CaseLoads& each : loads) settlements.push_back(assembler.settlements(each));
     std::vector<ConstraintRow> rows;
-    for (std::size_t i = 0; i < structure.members.size(); ++i) {
-        const MemberId member(i);
-        const MemberExtras* extras = structure.extras_of(member);
-        if (extras == nullptr || extras->constraint == Constraint::None) continue;
-        const MemberFrame frame = structure.frame(member);
-        const auto own = assembly.own_ends(member, assembly.element(member, frame));
-        const LocalRows local = local_rows<kind>(*extras, frame.length);
-        const Eigen::MatrixXd C = local.C * own.B;
-        const Eigen::MatrixXd strains = imposed(member, loads);
+    for (std::size_t i = 0; i < assembler.structure().members.size(); ++i) {
+        const StraightMember& member = assembler.elements()[MemberId(i)];
+        if (!member.is_constrained()) continue;
+        const StraightMember::ConstraintRows own = member.constraint_rows();
+        const Eigen::MatrixXd C = assembler.in_node_axes(i, own.C);
+        const Eigen::MatrixXd strains = imposed(MemberId(i), loads);
+        const std::vector<ElementVector> moved = prescribed(assembler, i, settlements);
         for (Eigen::Index r = 0; r < C.rows(); ++r) {
-            ConstraintRow row{.terms = {},
-                              .value = local.strain[r] * strains.col(0) + local.curvature[r] * strains.col(1),
-                              .member = member};
-            const double negligible = 1e-14 * C.row(r).cwiseAbs().maxCoeff();
-            for (Eigen::Index j = 0; j < C.cols(); ++j) {
-                if (std::abs(C(r, j)) <= negligible) continue;
-                const std::int32_t unknown = own.equations[static_cast<std::size_t>(j)];
-                if (unknown != Equations::none) {
-                    row.terms.push_back({unknown, C(r, j)});
-                    continue;
-                }
-                const NodeId node = structure.members[i].nodes[static_cast<std::size_t>(j / n)];
-                for (std::size_t c = 0; c < settlements.size(); ++c)
-                    if (!settlements[c].empty())
-                        row.value[static_cast<Eigen::Index>(c)] -=
-                            C(r, j) * settlements[c][node.index * n + static_cast<std::size_t>(j % n)];
-            }
-            rows.push_back(std::move(row));
+            rows.push_back(over_unknowns(C.row(r), assembler.equations().of_element(i), moved,
+                                         own.strain[r] * strains.col(0) + own.curvature[r] * strains.col(1)));
+            rows.back().member = MemberId(i);
         }
     }
     return rows;
@@ -116,11 +70,11 @@ std::vector<ConstraintRow> constraint_rows(const Structure& structure, const Ass
 
 /// Makes translations and rotations comparable: a rotation counts as the displacement that it gives over a typical
 /// member.
-Eigen::VectorXd typical_displacements(const Structure& structure, const Equations& equations)
+Eigen::VectorXd typical_displacements(const Discretisation& structure, const Equations& equations)
 {
     Eigen::VectorXd scale = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(equations.n_unknowns()));
     double length = 0.0;
-    for (std::size_t i = 0; i < structure.members.size(); ++i) length += structure.frame(MemberId(i)).length;
+    for (std::size_t i = 0; i < structure.members.size(); ++i) length += structure.geometry(MemberId(i)).length;
     const double typical = length / static_cast<double>(structure.members.size());
     const auto count_as_rotation = [&](std::int32_t row) {
         if (row != Equations::none) scale[row] = 1.0 / typical;
@@ -129,30 +83,18 @@ Eigen::VectorXd typical_displacements(const Structure& structure, const Equation
     for (std::size_t node = 0; node < structure.positions.size(); ++node)
         for (std::size_t i = 0; i < dofs.size(); ++i)
             if (is_rotation(dofs[i])) count_as_rotation(equations.of(NodeId(node), i));
-    for (std::size_t i = 0; i < equations.n_own_ends(); ++i)
-        if (is_rotation(static_cast<LocalAxis>(i % n_local_axes))) count_as_rotation(equations.own_end(i));
+    for (std::size_t i = 0; i < equations.n_member_end_dofs(); ++i)
+        if (is_rotation(static_cast<LocalAxis>(i % n_local_axes))) count_as_rotation(equations.member_end(i));
     return scale;
 }
 
 } // namespace
 
-template <AnalysisKind kind>
-Elimination eliminate_constraints(const Structure& structure, const Equations& equations,
-                                  const Assembly<kind>& assembly, const std::vector<CaseLoads>& loads)
+Elimination eliminate_constraints(const Assembler& assembler, const std::vector<CaseLoads>& loads)
 {
-    return eliminate(constraint_rows<kind>(structure, assembly, loads), equations.n_unknowns(), loads.size(),
-                     typical_displacements(structure, equations));
+    const Equations& equations = assembler.equations();
+    return eliminate(constraint_rows(assembler, loads), equations.n_unknowns(), loads.size(),
+                     typical_displacements(assembler.structure(), equations));
 }
-
-template Elimination eliminate_constraints(const Structure&, const Equations&, const Assembly<AnalysisKind::Truss2d>&,
-                                           const std::vector<CaseLoads>&);
-template Elimination eliminate_constraints(const Structure&, const Equations&, const Assembly<AnalysisKind::Frame2d>&,
-                                           const std::vector<CaseLoads>&);
-template Elimination eliminate_constraints(const Structure&, const Equations&, const Assembly<AnalysisKind::Grillage>&,
-                                           const std::vector<CaseLoads>&);
-template Elimination eliminate_constraints(const Structure&, const Equations&, const Assembly<AnalysisKind::Truss3d>&,
-                                           const std::vector<CaseLoads>&);
-template Elimination eliminate_constraints(const Structure&, const Equations&, const Assembly<AnalysisKind::Frame3d>&,
-                                           const std::vector<CaseLoads>&);
 
 } // namespace femoop

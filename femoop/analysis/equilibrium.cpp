@@ -5,7 +5,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "femoop/analysis/equations.h"
+#include "femoop/discretisation/equations.h"
+#include "femoop/result/end_vectors.h"
+
+#include "femoop/element/analysis_model.h"
 
 namespace femoop {
 
@@ -96,13 +99,13 @@ private:
                                 structure_.support_of_node[nodes[1].index] >= 0;
         const bool on_foundation = structure_.properties_of(member).xy.foundation > 0.0;
         if (span_loads.empty() && !at_support && !on_foundation) return;
-        const MemberFrame frame = structure_.frame(member);
-        const Eigen::Matrix3d to_global = frame.axes.transpose();
+        const MemberGeometry geometry = structure_.geometry(member);
+        const Eigen::Matrix3d to_global = geometry.axes.transpose();
         Wrench load;
         if (!span_loads.empty()) {
             const Wrench local = local_sum(span_loads);
-            load.add(to_global * local.force, to_global * local.moment, frame.start);
-            weigh(to_global * local.force, to_global * local.moment, frame.start);
+            load.add(to_global * local.force, to_global * local.moment, geometry.start);
+            weigh(to_global * local.force, to_global * local.moment, geometry.start);
             sum_of_loads_.force += load.force;
             sum_of_loads_.moment += load.moment;
         }
@@ -113,7 +116,7 @@ private:
         for (std::size_t end = 0; end < 2; ++end) {
             const Eigen::Vector3d F = to_global * p[end].head<3>();
             const Eigen::Vector3d M = to_global * p[end].tail<3>();
-            const Eigen::Vector3d& place = end == 0 ? frame.start : frame.end;
+            const Eigen::Vector3d& place = end == 0 ? geometry.start : geometry.end;
             ends.add(F, M, place);
             const std::int32_t support = structure_.support_of_node[nodes[end].index];
             if (support < 0) continue;
@@ -123,7 +126,7 @@ private:
         if (on_foundation) { // what neither the ends nor the loads balance, the foundation does
             sum_of_reactions_.force -= ends.force + load.force;
             sum_of_reactions_.moment -= ends.moment + load.moment;
-            weigh(ends.force + load.force, Eigen::Vector3d::Zero(), frame.start);
+            weigh(ends.force + load.force, Eigen::Vector3d::Zero(), geometry.start);
         }
     }
 
@@ -149,7 +152,7 @@ private:
     /// Keeps what the support can do along its own axes: the rest is the node's residual.
     void finish(std::size_t s)
     {
-        const Structure::SupportRow& support = structure_.supports[s];
+        const Discretisation::SupportRow& support = structure_.supports[s];
         NodeVector& reaction = result_.reactions[s];
         const double c = std::cos(support.angle);
         const double si = std::sin(support.angle);
@@ -177,7 +180,7 @@ private:
     }
 
     detail::Solution& solution_;
-    const Structure& structure_;
+    const Discretisation& structure_;
     std::size_t case_;
     const CaseLoads& loads_;
     detail::CaseSolution& result_;
@@ -185,16 +188,17 @@ private:
 };
 
 /// How many independent section forces a member has: its actions, less what its releases take.
-int member_forces(const MemberExtras* extras, AnalysisKind kind)
+int member_forces(const MemberEndConditions* end_conditions, AnalysisKind kind)
 {
-    if (is_truss(kind) || (extras != nullptr && extras->is_bar)) {
-        const bool slides = extras != nullptr && (extras->joints[0][0] == 0.0 || extras->joints[1][0] == 0.0);
+    if (is_truss(kind) || (end_conditions != nullptr && end_conditions->is_bar)) {
+        const bool slides = end_conditions != nullptr &&
+                            (end_conditions->joints[0][0] == 0.0 || end_conditions->joints[1][0] == 0.0);
         return slides ? 0 : 1;
     }
     const auto n_released = [&](std::initializer_list<LocalAxis> axes) {
         int n = 0;
-        if (extras == nullptr) return n;
-        for (const JointStiffness& joints : extras->joints)
+        if (end_conditions == nullptr) return n;
+        for (const JointStiffness& joints : end_conditions->joints)
             for (const LocalAxis axis : axes) n += joints[index(axis)] == 0.0 ? 1 : 0;
         return n;
     };
@@ -210,7 +214,7 @@ int member_forces(const MemberExtras* extras, AnalysisKind kind)
 }
 
 /// The number of separate pieces that members join nodes to; nodes without members do not count.
-int n_components(const Structure& structure)
+int n_components(const Discretisation& structure)
 {
     std::vector<std::uint32_t> root(structure.positions.size());
     std::iota(root.begin(), root.end(), 0U);
@@ -218,7 +222,7 @@ int n_components(const Structure& structure)
         while (root[i] != i) i = root[i] = root[root[i]];
         return i;
     };
-    for (const Structure::MemberRow& member : structure.members)
+    for (const Discretisation::MemberRow& member : structure.members)
         root[find(member.nodes[0].index)] = find(member.nodes[1].index);
     int n = 0;
     for (std::uint32_t i = 0; i < root.size(); ++i) n += structure.is_attached[i] && find(i) == i ? 1 : 0;
@@ -232,22 +236,22 @@ void add_reactions(detail::Solution& solution)
     for (std::size_t c = 0; c < solution.solutions.size(); ++c) Equilibrist(solution, c).run();
 }
 
-Indeterminacy count_indeterminacy(const Structure& structure, std::size_t n_held_rotations)
+Indeterminacy count_indeterminacy(const Discretisation& structure, std::size_t n_restraints)
 {
     Indeterminacy count;
     const auto n_node_dofs = static_cast<int>(model_dofs(structure.kind).size());
     int forces = 0;
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
-        forces += member_forces(structure.extras_of(MemberId(i)), structure.kind);
+        forces += member_forces(structure.end_conditions_of(MemberId(i)), structure.kind);
         count.has_foundation |= structure.properties_of(MemberId(i)).xy.foundation > 0.0;
     }
     int reactions = 0;
-    for (const Structure::SupportRow& support : structure.supports) {
+    for (const Discretisation::SupportRow& support : structure.supports) {
         if (!structure.is_attached[support.node.index]) continue;
         reactions += support.blocked.size();
         for (const double k : support.springs) reactions += k > 0.0 ? 1 : 0;
     }
-    int equations = -static_cast<int>(n_held_rotations);
+    int equations = -static_cast<int>(n_restraints);
     for (const bool is_attached : structure.is_attached) equations += is_attached ? n_node_dofs : 0;
     const int rigid_motions = is_3d(structure.kind) ? 6 : 3;
     count.external = reactions - rigid_motions * n_components(structure);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "femoop/result/solution.h"
+#include "femoop/discretisation/solution.h"
 
 namespace femoop {
 
@@ -8,6 +8,6 @@ namespace femoop {
 void add_reactions(detail::Solution& solution);
 
 /// Counts unknown forces less equations of equilibrium. \pre the structure is no mechanism
-Indeterminacy count_indeterminacy(const Structure& structure, std::size_t n_held_rotations);
+Indeterminacy count_indeterminacy(const Discretisation& structure, std::size_t n_restraints);
 
 } // namespace femoop

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "femoop/analysis/analysis_options.h"
+#include "femoop/analysis/control.h"
 #include "femoop/analysis/mechanism.h"
 #include "femoop/model/model.h"
 #include "femoop/result/results.h"
@@ -18,23 +19,31 @@ namespace femoop {
 /// Lesson   courseware/reference/model-file.md
 Results analyse(const Model& model, const AnalysisOptions& options = {});
 
-/// The same analysis in steps, for a model whose loads change while its structure stays: the factorization is kept.
-class LinearStatic {
+/// The same analysis in steps, for a model that changes while its structure stays: what did not change is kept.
+///
+///     LinearStatic analysis(model);      // numbers, assembles, factors
+///     analysis.solve(model);             // again after any change of loads
+///     analysis.update(model);            // after a change of values: assembles and factors, in the order there is
+class LinearStatic final : public Control {
 public:
-    explicit LinearStatic(const Model& model, const AnalysisOptions& options = {}); ///< numbers, assembles, factors
-    ~LinearStatic();
+    explicit LinearStatic(const Model& model, const AnalysisOptions& options = {});
+    ~LinearStatic() override;
     LinearStatic(LinearStatic&&) noexcept;
     LinearStatic& operator=(LinearStatic&&) noexcept;
 
     /// Solves the loads of `model`, which has the structure that this analysis was made for.
     /// \throws std::invalid_argument if nodes or members are not as many as they were.
-    Results solve(const Model& model);
+    Results solve(const Model& model) override;
 
-    const AnalysisStatistics& statistics() const;
+    /// Takes on a model whose nodes lie elsewhere, or whose members and springs have other properties. Where the same
+    /// displacements are unknown and the same ones coupled, the order of elimination and all symbolic work are kept;
+    /// else it begins anew. \throws what the constructor throws; then this can only be updated, assigned or destroyed.
+    void update(const Model& model);
 
-    struct Parts; ///< the system of equations, in femoop/analysis/linear_static.cpp
+    const AnalysisStatistics& statistics() const override;
 
 private:
+    struct Parts;
     std::unique_ptr<Parts> parts_;
 };
 

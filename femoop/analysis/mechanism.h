@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "femoop/model/dof.h"
 #include "femoop/model/fault/fault.h"
-#include "femoop/result/results.h"
 
 namespace femoop {
 

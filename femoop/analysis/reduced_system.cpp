@@ -56,6 +56,12 @@ void ReducedSystem::analyse(const AnalysisOptions& options)
     solver_->analyse(equations_.pattern());
 }
 
+void ReducedSystem::update(SparseMatrix K)
+{
+    K_ = std::move(K);
+    is_factored_ = false;
+}
+
 Pivots ReducedSystem::factorize()
 {
     if (S_.cols() > 0) factorize_own();
@@ -71,7 +77,7 @@ void ReducedSystem::factorize_own()
     own_solver_->factorize(picked);
 }
 
-bool ReducedSystem::has_idle_unknown() const
+bool ReducedSystem::has_unrestrained_unknown() const
 {
     const Eigen::VectorXd diagonal = matrix().diagonal();
     if (diagonal.size() == 0) return false;

@@ -5,8 +5,8 @@
 
 #include "femoop/analysis/analysis_options.h"
 #include "femoop/analysis/elimination.h"
-#include "femoop/analysis/equations.h"
 #include "femoop/analysis/precise_system.h"
+#include "femoop/discretisation/equations.h"
 #include "femoop/solver/null_modes.h"
 #include "femoop/solver/symmetric_solver.h"
 
@@ -28,14 +28,16 @@ public:
     void constrain(const Elimination& elimination, SparseMatrix own);
 
     void analyse(const AnalysisOptions& options); ///< symbolic
+    void update(SparseMatrix K);                  ///< other numbers, to be factored. \pre no constraints, analyse
     Pivots factorize();                           ///< \pre analyse
     /// The system that is factored; nothing where no unknown is left.
     const SparseMatrix& matrix() const { return is_constrained_ ? K_reduced_ : K_; }
     const SymmetricSolver* solver() const { return solver_.get(); }
 
     const SparseMatrix& stiffness() const { return K_; } ///< elastic, over all unknowns, lower triangle
-    bool has_idle_unknown() const; ///< one with no more stiffness than cos(90 degrees) leaves: its pivot tells nothing
-    double condition() const;      ///< estimate. \pre a factorization that did not break down
+    bool has_unrestrained_unknown()
+        const;                ///< one with no more stiffness than cos(90 degrees) leaves: its pivot tells nothing
+    double condition() const; ///< estimate. \pre a factorization that did not break down
     struct SoftMotion {
         Eigen::VectorXd x; ///< over all unknowns, largest entry 1
         double condition;  ///< estimate; infinite if the factorization broke down

@@ -6,8 +6,10 @@
 #include <numeric>
 #include <string>
 
-#include "femoop/analysis/equations.h"
 #include "femoop/analysis/node_names.h"
+#include "femoop/discretisation/equations.h"
+
+#include "femoop/element/analysis_model.h"
 
 namespace femoop {
 
@@ -16,7 +18,7 @@ namespace {
 using Motions = Eigen::Matrix<double, 6, 1>; ///< what each of the six motions of a body gives
 
 /// The nodes that members join, part by part.
-std::vector<std::vector<NodeId>> parts_of(const Structure& structure)
+std::vector<std::vector<NodeId>> parts_of(const Discretisation& structure)
 {
     std::vector<std::size_t> root(structure.positions.size());
     std::iota(root.begin(), root.end(), std::size_t{0});
@@ -25,7 +27,8 @@ std::vector<std::vector<NodeId>> parts_of(const Structure& structure)
         while (root[i] != i) i = root[i] = root[root[i]];
         return i;
     };
-    for (const Structure::MemberRow& member : structure.members) root[find(member.nodes[1])] = find(member.nodes[0]);
+    for (const Discretisation::MemberRow& member : structure.members)
+        root[find(member.nodes[1])] = find(member.nodes[0]);
     std::vector<std::vector<NodeId>> at_root(root.size()), parts;
     for (std::size_t i = 0; i < root.size(); ++i)
         if (structure.is_attached[i]) at_root[find(NodeId(i))].emplace_back(i);
@@ -37,7 +40,7 @@ std::vector<std::vector<NodeId>> parts_of(const Structure& structure)
 /// A part as a rigid body: how its six motions move its nodes, and which of them are held.
 class RigidBody {
 public:
-    RigidBody(const Structure& structure, const std::vector<NodeId>& nodes) : structure_(structure)
+    RigidBody(const Discretisation& structure, const std::vector<NodeId>& nodes) : structure_(structure)
     {
         for (const NodeId node : nodes) box_.extend(structure.positions[node.index]);
         for (const NodeId node : nodes) add(node);
@@ -45,13 +48,13 @@ public:
 
     void hold_by(MemberId member)
     {
-        const MemberFrame frame = structure_.frame(member);
-        for (const Eigen::Vector3d& at : {frame.start, frame.end})
-            held_ += square(along(at, frame.axes.row(1).transpose()));
+        const MemberGeometry geometry = structure_.geometry(member);
+        for (const Eigen::Vector3d& at : {geometry.start, geometry.end})
+            held_ += square(along(at, geometry.axes.row(1).transpose()));
     }
 
     Eigen::Index n_motions() const { return rank(possible_); }
-    Eigen::Index n_held() const { return rank(held_); }
+    Eigen::Index n_restraints() const { return rank(held_); }
 
 private:
     static Eigen::Matrix<double, 6, 6> square(const Motions& motions) { return motions * motions.transpose(); }
@@ -83,7 +86,7 @@ private:
 
     void add(NodeId node)
     {
-        const Structure::SupportRow* support = structure_.support_of(node);
+        const Discretisation::SupportRow* support = structure_.support_of(node);
         for (const Dof dof : model_dofs(structure_.kind)) {
             possible_ += square(along(node, dof, 0.0));
             const bool is_held = support != nullptr &&
@@ -92,33 +95,34 @@ private:
         }
     }
 
-    const Structure& structure_;
+    const Discretisation& structure_;
     Eigen::AlignedBox3d box_;
     Eigen::Matrix<double, 6, 6> possible_ = Eigen::Matrix<double, 6, 6>::Zero();
     Eigen::Matrix<double, 6, 6> held_ = Eigen::Matrix<double, 6, 6>::Zero();
 };
 
-bool is_on_foundation(const Structure& structure, MemberId member)
+bool is_on_foundation(const Discretisation& structure, MemberId member)
 {
-    const MemberExtras* extras = structure.extras_of(member);
-    return structure.properties_of(member).xy.foundation > 0.0 && (extras == nullptr || !extras->is_bar);
+    const MemberEndConditions* end_conditions = structure.end_conditions_of(member);
+    return structure.properties_of(member).xy.foundation > 0.0 &&
+           (end_conditions == nullptr || !end_conditions->is_bar);
 }
 
 std::optional<Fault> lack(const RigidBody& body, const std::string& nodes, bool is_whole)
 {
-    const Eigen::Index n = body.n_motions(), n_held = body.n_held();
-    if (n_held >= n) return std::nullopt;
+    const Eigen::Index n = body.n_motions(), n_restraints = body.n_restraints();
+    if (n_restraints >= n) return std::nullopt;
     Fault fault{.kind = is_whole ? FaultKind::NoSupport : FaultKind::PartWithoutSupport, .arguments = {nodes}};
-    if (n_held == 0) return fault;
+    if (n_restraints == 0) return fault;
     fault.kind = is_whole ? FaultKind::TooFewSupports : FaultKind::PartWithTooFewSupports;
-    fault.arguments.push_back(std::to_string(n_held));
+    fault.arguments.push_back(std::to_string(n_restraints));
     fault.arguments.push_back(std::to_string(n));
     return fault;
 }
 
 } // namespace
 
-std::vector<Fault> unheld_parts(const Model& model, const Structure& structure)
+std::vector<Fault> unheld_parts(const Model& model, const Discretisation& structure)
 {
     const std::vector<std::vector<NodeId>> parts = parts_of(structure);
     std::vector<RigidBody> bodies;

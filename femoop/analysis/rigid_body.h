@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "femoop/analysis/structure.h"
+#include "femoop/discretisation/discretisation.h"
 #include "femoop/model/fault/fault.h"
 
 namespace femoop {
@@ -11,6 +11,6 @@ namespace femoop {
 /// members join, whatever their releases.
 ///
 /// Method  rank of the rigid motions (three in the plane, six in space) at what holds the part
-std::vector<Fault> unheld_parts(const Model& model, const Structure& structure);
+std::vector<Fault> unheld_parts(const Model& model, const Discretisation& structure);
 
 } // namespace femoop

@@ -2,7 +2,8 @@
 
 #include <utility>
 
-#include "femoop/analysis/equations.h"
+#include "femoop/discretisation/equations.h"
+#include "femoop/element/analysis_model.h"
 #include "femoop/model/check/check.h"
 #include "femoop/solver/geometric_dissection.h"
 #include "femoop/solver/index.h"
@@ -16,9 +17,10 @@ public:
     SolverTracer(const Model& model, SolverKind wanted)
         : model_(model),
           wanted_(wanted),
-          structure_(structure_of(model)),
-          equations_(structure_, wanted),
-          graph_(block_graph(structure_)),
+          structure_(discretise(model)),
+          elements_(structure_),
+          equations_(structure_, elements_, wanted),
+          graph_(block_graph(structure_, elements_)),
           adjacency_(graph_)
     {}
 
@@ -39,8 +41,8 @@ private:
     void name_blocks()
     {
         for (const Node& node : model_.nodes) trace_.blocks.push_back({.name = node.id});
-        for (std::size_t i = 0; i < equations_.own_end_of().size(); ++i)
-            if (equations_.own_end_of()[i] >= 0)
+        for (std::size_t i = 0; i < equations_.member_end_dofs_of().size(); ++i)
+            if (equations_.member_end_dofs_of()[i] >= 0)
                 trace_.blocks.push_back({.name = model_.members[i].id, .is_member = true});
     }
 
@@ -79,22 +81,23 @@ private:
                 if (equations_.of(NodeId(node), i) != Equations::none)
                     trace_.blocks[node].unknowns.push_back(model_.nodes[node].id + '.' +
                                                            std::string(name(model_dofs(structure_.kind)[i])));
-        for (std::size_t i = 0, block = model_.nodes.size(); i < equations_.own_end_of().size(); ++i)
-            if (equations_.own_end_of()[i] >= 0) list_own_ends(MemberId(i), trace_.blocks[block++]);
+        for (std::size_t i = 0, block = model_.nodes.size(); i < equations_.member_end_dofs_of().size(); ++i)
+            if (equations_.member_end_dofs_of()[i] >= 0) list_member_ends(MemberId(i), trace_.blocks[block++]);
     }
 
-    void list_own_ends(MemberId member, SolverTrace::Block& block) const
+    void list_member_ends(MemberId member, SolverTrace::Block& block) const
     {
         for (std::size_t end = 0; end < 2; ++end)
             for (const Dof dof : all_dofs)
-                if (equations_.of_own_end(member, end, static_cast<LocalAxis>(index(dof))) != Equations::none)
+                if (equations_.of_member_end(member, end, static_cast<LocalAxis>(index(dof))) != Equations::none)
                     block.unknowns.push_back(model_[member].id + (end == 0 ? ".start." : ".end.") +
                                              std::string(name(dof)) + '\'');
     }
 
     const Model& model_;
     const SolverKind wanted_;
-    const Structure structure_;
+    const Discretisation structure_;
+    const Elements elements_;
     const Equations equations_;
     BlockGraph graph_;
     const BlockAdjacency adjacency_;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "femoop/analysis/structure.h"
+#include "femoop/discretisation/discretisation.h"
 #include "femoop/model/model.h"
 #include "femoop/solver/block_graph.h"
 #include "femoop/solver/ordering.h"
@@ -26,7 +26,7 @@ namespace femoop {
 struct SolverTrace {
     static constexpr std::size_t most_unknowns = 400; ///< of more only the counts are there
 
-    /// What comes and goes together: a node with its unknowns, or those at a member's own ends.
+    /// What comes and goes together: a node with its unknowns, or a member's member-end degrees of freedom.
     struct Block {
         std::string name;                           ///< of the node, or of the member
         bool is_member = false;                     ///< its unknowns are ends of a member that hang on flexible joints

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
-#include "femoop/analysis/assembly.h"
+#include "femoop/discretisation/case_loads.h"
+#include "femoop/discretisation/equations.h"
+#include "femoop/discretisation/node_axes.h"
+#include "femoop/element/member_element.h"
 #include "femoop/model/check/check.h"
 
 namespace femoop {
@@ -10,7 +13,7 @@ namespace femoop {
 namespace {
 
 /// The number of every equation as one counts on paper: node after node in the model's order, from 1.
-std::vector<int> numbered_by_node(const Structure& structure, const Equations& equations)
+std::vector<int> numbered_by_node(const Discretisation& structure, const Equations& equations)
 {
     std::vector<int> place(equations.n_unknowns(), 0);
     int next = 1;
@@ -34,9 +37,9 @@ template <AnalysisKind kind> class Tracer {
 public:
     using Element = MemberElement<kind>;
 
-    Tracer(const Element& element, const MemberExtras* extras) : element_(element)
+    Tracer(const Element& element, const MemberEndConditions* end_conditions) : element_(element)
     {
-        const bool is_bar = extras != nullptr && extras->is_bar;
+        const bool is_bar = end_conditions != nullptr && end_conditions->is_bar;
         spans_simply_ = is_truss(kind) || is_bar;
     }
 
@@ -101,37 +104,44 @@ private:
     bool spans_simply_;
 };
 
-template <AnalysisKind kind> MemberTrace trace_of(const Model& model, const Structure& structure, MemberId member)
+template <AnalysisKind kind> MemberTrace trace_of(const Model& model, const Discretisation& structure, MemberId member)
 {
-    const Equations equations(structure, SolverKind::Automatic);
-    const Assembly<kind> assembly(structure, equations);
-    const MemberFrame frame = structure.frame(member);
-    const auto element = assembly.element(member, frame);
-    const Tracer<kind> tracer(element, structure.extras_of(member));
+    const Elements elements(structure);
+    const Equations equations(structure, elements, SolverKind::Automatic);
+    const NodeAxes axes(structure);
+    const ElementDofs dofs = elements[member].dofs();
+    const MemberGeometry geometry = structure.geometry(member);
+    const MemberEndConditions* const end_conditions = structure.end_conditions_of(member);
+    const MemberElement<kind> element(structure.properties_of(member), geometry, end_conditions,
+                                      end_conditions == nullptr ? all_actions : elastic_actions(*end_conditions));
+    const Tracer<kind> tracer(element, end_conditions);
 
     MemberTrace trace;
     trace.member = model[member].id;
-    trace.length = frame.length;
+    trace.length = geometry.length;
     for (const NodeId node : model[member].nodes)
         for (const Dof dof : AnalysisModel<kind>::global)
             trace.dofs.push_back(model[node].id + "." + std::string(name(dof)));
     trace.own_dofs = tracer.names(model, model[member].nodes);
-    if (const MemberExtras* extras = structure.extras_of(member)) trace.constraint = extras->constraint;
+    if (end_conditions != nullptr) trace.constraint = end_conditions->constraint;
     trace.local_stiffness = tracer.stiffness();
     trace.transformation = tracer.transformation();
+    axes.turn_columns(dofs, trace.transformation);
     trace.global_stiffness = element.stiffness();
+    axes.turn(dofs, trace.global_stiffness);
     const std::vector<int> places = numbered_by_node(structure, equations);
-    for (const std::int32_t row : assembly.node_equations(member))
+    for (const std::int32_t row : equations.of_element(member.index).first(dofs.n_of_nodes()))
         trace.equations.push_back(row == Equations::none ? 0 : places[row]);
 
     const std::vector<CaseLoads> loads = loads_of(model, structure);
     for (std::size_t c = 0; c < loads.size(); ++c) {
         SpanLoading loading;
         const std::array<SpanLoading::Scaled, 1> terms{{{.loads = loads[c].of(member)}}};
-        structure.properties_of(member).xy.cut(loading, frame.length, terms);
+        structure.properties_of(member).xy.cut(loading, geometry.length, terms);
         trace.fixed_end.push_back({.load_case = model.load_cases[c].id,
                                    .local = tracer.fixed_end_forces(loading),
                                    .global = element.fixed_end_forces(loading)});
+        axes.turn_rows(dofs, trace.fixed_end.back().global);
     }
     return trace;
 }
@@ -141,7 +151,7 @@ template <AnalysisKind kind> MemberTrace trace_of(const Model& model, const Stru
 MemberTrace trace(const Model& model, MemberId member)
 {
     require_sound(model);
-    const Structure structure = structure_of(model);
+    const Discretisation structure = discretise(model);
     return with_model(model.analysis,
                       [&](auto kind) { return trace_of<decltype(kind)::value>(model, structure, member); });
 }

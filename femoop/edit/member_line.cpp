@@ -10,16 +10,9 @@ namespace femoop {
 
 MemberLine line_of(const Model& model, const Member& member)
 {
-    const auto [start, end] = ends_of(model, member);
-    const Eigen::Vector3d chord = end - start;
-    return {start, chord.stableNormalized(), chord.stableNorm()};
-}
-
-double distance(const Position& position, double length)
-{
-    const auto* const percent = std::get_if<Percent>(&position);
-    const double x = percent ? percent->value / 100.0 * length : std::get<Quantity>(position).value();
-    return std::clamp(x, 0.0, length);
+    const MemberGeometry geometry = geometry_of(model, member);
+    const Eigen::Vector3d chord = geometry.end - geometry.start;
+    return {geometry.start, chord.stableNormalized(), chord.stableNorm()};
 }
 
 double nearness_of(const Model& model)

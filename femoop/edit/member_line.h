@@ -3,7 +3,8 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "femoop/model/member_ends.h"
+#include "femoop/geometry/member_geometry.h"
+#include "femoop/load/place_along.h"
 
 namespace femoop {
 
@@ -16,9 +17,6 @@ struct MemberLine {
 };
 
 MemberLine line_of(const Model& model, const Member& member);
-
-/// Where a position along a member of this length lies, from 0 to `length`.
-double distance(const Position& position, double length);
 
 /// The extent of the structure times this: two places nearer than that are one. Of a structure without extent it is 1.
 inline constexpr double relative_nearness = 1e-6;

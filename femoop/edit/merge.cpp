@@ -102,8 +102,8 @@ private:
     Position moved(const Position& position, double begin, double length) const
     {
         if (std::holds_alternative<Percent>(position))
-            return Percent{short_number(100.0 * (begin + distance(position, length)) / whole(), 100.0)};
-        return begin == 0.0 ? position : Position(Quantity(shortened(begin + distance(position, length))));
+            return Percent{short_number(100.0 * (begin + along(position, length)) / whole(), 100.0)};
+        return begin == 0.0 ? position : Position(Quantity(shortened(begin + along(position, length))));
     }
 };
 
@@ -181,10 +181,10 @@ private:
     {
         if (before.axes != after.axes || before.projected != after.projected) return false;
         if (!before.to || !after.from || before.values.size() != after.values.size()) return false;
-        const double begin = before.from ? distance(*before.from, whole()) : 0.0;
-        const double middle = distance(*before.to, whole());
-        const double end = after.to ? distance(*after.to, whole()) : whole();
-        if (std::abs(middle - distance(*after.from, whole())) > 1e-9 * whole()) return false;
+        const double begin = before.from ? along(*before.from, whole()) : 0.0;
+        const double middle = along(*before.to, whole());
+        const double end = after.to ? along(*after.to, whole()) : whole();
+        if (std::abs(middle - along(*after.from, whole())) > 1e-9 * whole()) return false;
         for (std::size_t i = 0; i < before.values.size(); ++i)
             if (!continues(before.values[i], after.values[i], (middle - begin) / (end - begin))) return false;
         for (std::size_t i = 0; i < before.values.size(); ++i)
@@ -229,7 +229,7 @@ void follow(std::vector<Expected>& checks, const MemberPair& pair, const Lengths
     for (Expected& check : checks) {
         if (!is_of_part(check)) continue;
         const bool is_of_first = check.member == pair.first;
-        const double x = distance(*check.at, is_of_first ? lengths.first : lengths.second);
+        const double x = along(*check.at, is_of_first ? lengths.first : lengths.second);
         const bool is_at_joint = x == (is_of_first ? lengths.first : 0.0);
         if (is_at_joint && !check.side) check.side = is_of_first ? Side::Before : Side::After;
         check.at = is_of_first ? lengths.of_first(*check.at) : lengths.of_second(*check.at);

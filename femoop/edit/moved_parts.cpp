@@ -1,6 +1,6 @@
 #include "femoop/edit/moved_parts.h"
 
-#include "femoop/model/member_ends.h"
+#include "femoop/geometry/member_geometry.h"
 
 namespace femoop {
 
@@ -34,7 +34,7 @@ bool MovedParts::is_moved(const Model& model, MemberId member) const
 {
     const std::optional<MemberId> was = former(model[member]);
     if (!was) return true;
-    const MemberEnds then = ends_of(before_, before_[*was]), now = ends_of(model, model[member]);
+    const MemberGeometry then = geometry_of(before_, before_[*was]), now = geometry_of(model, model[member]);
     return then.start != now.start || then.end != now.end;
 }
 

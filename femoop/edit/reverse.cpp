@@ -20,7 +20,7 @@ bool turns(Dof dof, AnalysisKind kind)
 Position mirrored(const Position& position, double length)
 {
     if (const auto* const percent = std::get_if<Percent>(&position)) return Percent{100.0 - percent->value};
-    return Quantity(length - distance(position, length));
+    return Quantity(length - along(position, length));
 }
 
 void reverse(MemberLoad& load, AnalysisKind kind, double length)

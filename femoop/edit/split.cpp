@@ -29,10 +29,10 @@ struct Piece {
 Position moved(const Position& position, const Piece& piece, const Cut& cut)
 {
     if (std::holds_alternative<Percent>(position))
-        return Percent{short_number(100.0 * (distance(position, cut.length) - piece.begin) / piece.length,
+        return Percent{short_number(100.0 * (along(position, cut.length) - piece.begin) / piece.length,
                                     100.0 * cut.length / piece.length)};
     if (piece.begin == 0.0) return position;
-    return Quantity(short_number(distance(position, cut.length) - piece.begin, cut.length));
+    return Quantity(short_number(along(position, cut.length) - piece.begin, cut.length));
 }
 
 /// Gives the loads of the whole member to its parts.
@@ -55,8 +55,8 @@ public:
 
     void operator()(const DistributedLoad& load)
     {
-        const double from = load.from ? distance(*load.from, cut_.length) : 0.0;
-        const double to = load.to ? distance(*load.to, cut_.length) : cut_.length;
+        const double from = load.from ? along(*load.from, cut_.length) : 0.0;
+        const double to = load.to ? along(*load.to, cut_.length) : cut_.length;
         if (to <= cut_.x + cut_.slack()) return add(first_, within(load, first_, to));
         if (from >= cut_.x - cut_.slack()) return add(second_, within(load, second_, to));
         DistributedLoad before = load, after = load;
@@ -78,7 +78,7 @@ public:
 
     void operator()(const PointLoad& load)
     {
-        const double at = distance(load.at, cut_.length);
+        const double at = along(load.at, cut_.length);
         if (std::abs(at - cut_.x) <= cut_.slack()) return at_the_cut(load);
         const Piece& piece = at < cut_.x ? first_ : second_;
         PointLoad part = load;
@@ -164,7 +164,7 @@ void follow(std::vector<Expected>& checks, const Piece& first, const Piece& seco
     });
     for (Expected& check : checks) {
         if (check.member != first.member || !check.at) continue;
-        const double x = distance(*check.at, cut.length);
+        const double x = along(*check.at, cut.length);
         const bool is_after = check.side == Side::Before ? x > cut.x + cut.slack() : x >= cut.x - cut.slack();
         const Piece& piece = is_after ? second : first;
         check.at = moved(*check.at, piece, cut);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <span>
 #include <utility>
 
 #include "femoop/element/span_load.h"
@@ -47,6 +48,19 @@ template <class Use> decltype(auto) with_model(AnalysisKind kind, Use&& use)
     case AnalysisKind::Frame3d: break;
     }
     return use(std::integral_constant<AnalysisKind, AnalysisKind::Frame3d>());
+}
+
+/// The displacements of a node that a model counts, in its order.
+inline std::span<const Dof> model_dofs(AnalysisKind kind)
+{
+    return with_model(kind, [](auto k) { return std::span<const Dof>(AnalysisModel<decltype(k)::value>::global); });
+}
+
+/// The displacements of a member's end that strain it, in the model's order.
+inline std::span<const LocalAxis> member_axes_of(AnalysisKind kind)
+{
+    return with_model(kind,
+                      [](auto k) { return std::span<const LocalAxis>(AnalysisModel<decltype(k)::value>::local); });
 }
 
 } // namespace femoop

@@ -80,13 +80,13 @@ void drop_rounding(Eigen::MatrixXd& basis, const Eigen::MatrixXd& B)
 }
 
 /// What the dependent ones of some displacements of a member may do without strain.
-std::vector<JointCondensation::Loose> motions(const Reduction& reduced, const std::vector<int>& displacements,
-                                              Eigen::Index n)
+std::vector<JointCondensation::FreeMotion> motions(const Reduction& reduced, const std::vector<int>& displacements,
+                                                   Eigen::Index n)
 {
-    std::vector<JointCondensation::Loose> found;
+    std::vector<JointCondensation::FreeMotion> found;
     for (std::size_t i = 0; i < reduced.dependent.size(); ++i) {
-        JointCondensation::Loose motion{.row = displacements[static_cast<std::size_t>(reduced.dependent[i])],
-                                        .mode = Eigen::VectorXd::Zero(n)};
+        JointCondensation::FreeMotion motion{.row = displacements[static_cast<std::size_t>(reduced.dependent[i])],
+                                             .mode = Eigen::VectorXd::Zero(n)};
         motion.mode(displacements) = reduced.modes.col(static_cast<Eigen::Index>(i));
         found.push_back(std::move(motion));
     }
@@ -126,7 +126,7 @@ void JointCondensation::separate_releases()
     basis_(Eigen::all, released_).setZero();
     drop_rounding(basis_, B_);
     follow_ = reduced.left_inverse;
-    loose_ = motions(reduced, released_, B_.cols());
+    free_motions_ = motions(reduced, released_, B_.cols());
 }
 
 void JointCondensation::separate_strains()
@@ -134,7 +134,7 @@ void JointCondensation::separate_strains()
     const Reduction reduced = reduce(B_(Eigen::all, flexible_));
     strain_motion_ = reduced.left_inverse;
     rigid_on_springs_ = motions(reduced, flexible_, B_.cols());
-    std::erase_if(rigid_on_springs_, [&](const Loose& motion) { return joints_[motion.row] == 0.0; });
+    std::erase_if(rigid_on_springs_, [&](const FreeMotion& motion) { return joints_[motion.row] == 0.0; });
 }
 
 Eigen::VectorXd JointCondensation::strain_forces(const Eigen::VectorXd& nodes, const Eigen::VectorXd& fixed) const
@@ -168,7 +168,7 @@ Eigen::VectorXd JointCondensation::end_displacements(const Eigen::VectorXd& node
     ends(flexible_).setZero();
     ends(flexible_) = strain_motion_ * (member_flexibility_ * s - B_ * ends);
     const Eigen::VectorXd p = forces(s, fixed);
-    for (const Loose& rigid : rigid_on_springs_)
+    for (const FreeMotion& rigid : rigid_on_springs_)
         ends += (nodes[rigid.row] - p[rigid.row] / joints_[rigid.row]) * rigid.mode;
     return ends;
 }

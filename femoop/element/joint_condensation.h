@@ -33,15 +33,15 @@ public:
     /// The member's own end displacements from the same.
     Eigen::VectorXd end_displacements(const Eigen::VectorXd& nodes, const Eigen::VectorXd& fixed) const;
 
-    /// A displacement of the member's ends that strains neither member nor joints: its releases leave it loose.
-    struct Loose {
+    /// A displacement of the member's ends that strains neither member nor joints: its releases leave it free.
+    struct FreeMotion {
         int row;              ///< the displacement that is free
         Eigen::VectorXd mode; ///< the motion of all displacements
     };
-    const std::vector<Loose>& loose() const { return loose_; }
+    const std::vector<FreeMotion>& free_motions() const { return free_motions_; }
 
-    /// The part of the loads that drives a loose motion: 0 when the loads do no work on it.
-    static double drive(const Loose& loose, const Eigen::VectorXd& fixed) { return loose.mode.dot(fixed); }
+    /// The work of the loads on such a motion.
+    static double work(const FreeMotion& motion, const Eigen::VectorXd& fixed) { return motion.mode.dot(fixed); }
 
 private:
     void sort();
@@ -62,8 +62,8 @@ private:
     Eigen::MatrixXd stiffness_;          ///< of that basis, through the springs
     Eigen::MatrixXd follow_;             ///< of releases per strain: a left inverse of B there
     Eigen::MatrixXd strain_motion_;      ///< of flexible joints per strain: a left inverse of B there
-    std::vector<Loose> loose_;
-    std::vector<Loose> rigid_on_springs_; ///< motions of the member that strain its springs only
+    std::vector<FreeMotion> free_motions_;
+    std::vector<FreeMotion> rigid_on_springs_; ///< motions of the member that strain its springs only
 };
 
 } // namespace femoop

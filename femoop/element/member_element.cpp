@@ -5,19 +5,21 @@
 
 namespace femoop {
 
-ActionSet elastic_actions(const MemberExtras& extras)
+ActionSet elastic_actions(const MemberEndConditions& end_conditions)
 {
-    if (extras.constraint == Constraint::Rigid)
-        return extras.is_bar ? ActionSet{} : ActionSet{Action::RigidOnFoundation};
-    if (extras.is_bar) return extras.constraint == Constraint::None ? ActionSet{Action::Axial} : ActionSet{};
-    if (extras.constraint == Constraint::Inextensible) return {Action::Torsion, Action::BendingXY, Action::BendingXZ};
+    if (end_conditions.constraint == Constraint::Rigid)
+        return end_conditions.is_bar ? ActionSet{} : ActionSet{Action::RigidOnFoundation};
+    if (end_conditions.is_bar)
+        return end_conditions.constraint == Constraint::None ? ActionSet{Action::Axial} : ActionSet{};
+    if (end_conditions.constraint == Constraint::Inextensible)
+        return {Action::Torsion, Action::BendingXY, Action::BendingXZ};
     return all_actions;
 }
 
-ActionSet constrained_actions(const MemberExtras& extras)
+ActionSet constrained_actions(const MemberEndConditions& end_conditions)
 {
-    if (extras.constraint == Constraint::None) return {};
-    if (extras.constraint == Constraint::Inextensible || extras.is_bar) return {Action::Axial};
+    if (end_conditions.constraint == Constraint::None) return {};
+    if (end_conditions.constraint == Constraint::Inextensible || end_conditions.is_bar) return {Action::Axial};
     return all_actions;
 }
 
@@ -73,7 +75,7 @@ template <AnalysisKind kind, class Matrix> void add_beam(Matrix& K, BendingPlane
 /// A displacement of a member's end along one of its axes from the degrees of freedom of its node; the rigid arm
 /// from node to end turns with the node.
 template <AnalysisKind kind>
-Eigen::Matrix<double, 1, MemberElement<kind>::n> transformation_row(LocalAxis axis, const MemberFrame& frame,
+Eigen::Matrix<double, 1, MemberElement<kind>::n> transformation_row(LocalAxis axis, const MemberGeometry& geometry,
                                                                     const Eigen::Vector3d* arm)
 {
     Eigen::Matrix<double, 1, MemberElement<kind>::n> row;
@@ -81,15 +83,16 @@ Eigen::Matrix<double, 1, MemberElement<kind>::n> transformation_row(LocalAxis ax
     for (int j = 0; j < MemberElement<kind>::n; ++j) {
         const auto g = static_cast<int>(index(AnalysisModel<kind>::global[static_cast<std::size_t>(j)]));
         const bool same_kind = (a < 3) == (g < 3); // displacement from displacement, rotation from rotation
-        row[j] = same_kind ? frame.axes(a % 3, g % 3) : 0.0;
-        if (arm != nullptr && a < 3 && g >= 3) row[j] = frame.axes.row(a).dot(Eigen::Vector3d::Unit(g - 3).cross(*arm));
+        row[j] = same_kind ? geometry.axes(a % 3, g % 3) : 0.0;
+        if (arm != nullptr && a < 3 && g >= 3)
+            row[j] = geometry.axes.row(a).dot(Eigen::Vector3d::Unit(g - 3).cross(*arm));
     }
     return row;
 }
 
-const Eigen::Vector3d* offset(const MemberExtras* extras, std::size_t end)
+const Eigen::Vector3d* offset(const MemberEndConditions* end_conditions, std::size_t end)
 {
-    return extras != nullptr && extras->has_offset ? &extras->offsets[end] : nullptr;
+    return end_conditions != nullptr && end_conditions->has_offset ? &end_conditions->offsets[end] : nullptr;
 }
 
 Eigen::Matrix4d beam_stiffness(const Beam& beam, double L, BendingPlane plane)
@@ -119,30 +122,28 @@ Eigen::Vector4d beam_forces(const Beam& beam, const SpanLoading& loading, Bendin
 } // namespace
 
 template <AnalysisKind kind>
-MemberElement<kind>::MemberElement(const MemberProperties& properties, const MemberFrame& frame,
-                                   const MemberExtras* extras, std::array<NodeAxes, 2> node_axes, ActionSet actions)
-    : properties_(properties), extras_(extras), frame_(frame), node_axes_(node_axes), actions_(actions)
+MemberElement<kind>::MemberElement(const MemberProperties& properties, const MemberGeometry& geometry,
+                                   const MemberEndConditions* end_conditions, ActionSet actions)
+    : properties_(properties), end_conditions_(end_conditions), geometry_(geometry), actions_(actions)
 {}
 
-template <AnalysisKind kind> auto MemberElement<kind>::from_global(std::size_t end) const -> Transformation
+template <AnalysisKind kind> auto MemberElement<kind>::transformation(std::size_t end) const -> Transformation
 {
     Transformation T;
-    for (int i = 0; i < m; ++i)
-        T.row(i) = femoop::transformation_row<kind>(AnalysisModel<kind>::local[i], frame_, offset(extras_, end));
+    for (int i = 0; i < m; ++i) T.row(i) = transformation_row(end, AnalysisModel<kind>::local[i]);
     return T;
 }
 
 template <AnalysisKind kind>
 auto MemberElement<kind>::transformation_row(std::size_t end, LocalAxis axis) const -> Eigen::Matrix<double, 1, n>
 {
-    const auto row = femoop::transformation_row<kind>(axis, frame_, offset(extras_, end));
-    return node_axes_[end] == nullptr ? row : Eigen::Matrix<double, 1, n>(row * *node_axes_[end]);
+    return femoop::transformation_row<kind>(axis, geometry_, offset(end_conditions_, end));
 }
 
 template <AnalysisKind kind> Beam MemberElement<kind>::own_beam(BendingPlane plane) const
 {
     Beam beam = plane == BendingPlane::xy ? properties_.xy : properties_.xz;
-    if (extras_ != nullptr && extras_->constraint == Constraint::Rigid) beam.foundation = 0.0;
+    if (end_conditions_ != nullptr && end_conditions_->constraint == Constraint::Rigid) beam.foundation = 0.0;
     return beam;
 }
 
@@ -151,21 +152,21 @@ template <AnalysisKind kind> auto MemberElement<kind>::rigid_joint_stiffness() c
     LocalMatrix K = LocalMatrix::Zero();
     if constexpr (row_of<kind>(LocalAxis::x) >= 0)
         if (actions_.contains(Action::Axial))
-            add_bar<kind>(K, LocalAxis::x, properties_.axial.stiffness(frame_.length));
+            add_bar<kind>(K, LocalAxis::x, properties_.axial.stiffness(geometry_.length));
     if constexpr (row_of<kind>(LocalAxis::rx) >= 0)
         if (actions_.contains(Action::Torsion))
-            add_bar<kind>(K, LocalAxis::rx, properties_.torsion.stiffness(frame_.length));
+            add_bar<kind>(K, LocalAxis::rx, properties_.torsion.stiffness(geometry_.length));
     if constexpr (bends<kind>(BendingPlane::xy))
         if (actions_.contains(Action::BendingXY))
             add_beam<kind>(K, BendingPlane::xy,
-                           beam_stiffness(own_beam(BendingPlane::xy), frame_.length, BendingPlane::xy));
+                           beam_stiffness(own_beam(BendingPlane::xy), geometry_.length, BendingPlane::xy));
     if constexpr (bends<kind>(BendingPlane::xy))
         if (actions_.contains(Action::RigidOnFoundation) && properties_.xy.foundation > 0.0)
-            add_beam<kind>(K, BendingPlane::xy, rigid_on_foundation(properties_.xy.foundation, frame_.length));
+            add_beam<kind>(K, BendingPlane::xy, rigid_on_foundation(properties_.xy.foundation, geometry_.length));
     if constexpr (bends<kind>(BendingPlane::xz))
         if (actions_.contains(Action::BendingXZ))
             add_beam<kind>(K, BendingPlane::xz,
-                           beam_stiffness(own_beam(BendingPlane::xz), frame_.length, BendingPlane::xz));
+                           beam_stiffness(own_beam(BendingPlane::xz), geometry_.length, BendingPlane::xz));
     return K;
 }
 
@@ -196,7 +197,7 @@ auto MemberElement<kind>::rigid_joint_forces(const SpanLoading& loading) const -
     if constexpr (bends<kind>(BendingPlane::xy))
         if (actions_.contains(Action::RigidOnFoundation)) {
             // An imposed curvature presses the foundation: integral of k N (curvature (x^2 - L x) / 2) over the length.
-            const double L = frame_.length;
+            const double L = geometry_.length;
             const double f = -properties_.xy.foundation * loading.curvature() * L * L * L / 24.0;
             F[row_of<kind>(LocalAxis::y)] += f;
             F[m + row_of<kind>(LocalAxis::y)] += f;
@@ -213,14 +214,14 @@ template <AnalysisKind kind> auto MemberElement<kind>::joint_stiffness() const -
     for (std::size_t end = 0; end < 2; ++end)
         for (int i = 0; i < m; ++i)
             joints[static_cast<int>(end) * m + i] =
-                extras_->joints[end][index(AnalysisModel<kind>::local[static_cast<std::size_t>(i)])];
+                end_conditions_->joints[end][index(AnalysisModel<kind>::local[static_cast<std::size_t>(i)])];
     return joints;
 }
 
 template <AnalysisKind kind> auto MemberElement<kind>::action_forms() const -> std::vector<ActionForm>
 {
     std::vector<ActionForm> actions;
-    const double L = frame_.length;
+    const double L = geometry_.length;
     const auto add_bar = [&](LocalAxis axis, const Bar& bar) {
         const double unit = is_rotation(axis) ? 1.0 : L;
         if (const int row = row_of<kind>(axis); row >= 0)
@@ -328,7 +329,7 @@ template <AnalysisKind kind>
 auto MemberElement<kind>::fixed_end_forces(const SpanLoading& loading) const -> GlobalVector
 {
     GlobalVector F = to_nodes(local_fixed_end_forces(loading));
-    if (is_truss(kind) || (extras_ != nullptr && extras_->is_bar)) F += simple_span_forces(loading);
+    if (is_truss(kind) || (end_conditions_ != nullptr && end_conditions_->is_bar)) F += simple_span_forces(loading);
     return F;
 }
 
@@ -353,22 +354,22 @@ auto MemberElement<kind>::end_forces(const LocalVector& nodes, const LocalVector
 }
 
 template <AnalysisKind kind>
-std::vector<LooseEnd> MemberElement<kind>::loose_ends(const LocalVector& rigid_joint_forces) const
+std::vector<InternalMechanism> MemberElement<kind>::internal_mechanisms(const LocalVector& rigid_joint_forces) const
 {
-    std::vector<LooseEnd> found;
+    std::vector<InternalMechanism> found;
     if (!has_flexible_joint()) return found;
     const auto axis_of = [](int row) { return AnalysisModel<kind>::local[static_cast<std::size_t>(row % m)]; };
     for (const JointedAction& action : jointed_actions())
-        for (const JointCondensation::Loose& loose : action.condensation.loose()) {
-            const int free = action.rows[static_cast<std::size_t>(loose.row)];
-            LooseEnd end{.end = static_cast<std::size_t>(free / m), .axis = axis_of(free), .mode = {}};
+        for (const JointCondensation::FreeMotion& free_motion : action.condensation.free_motions()) {
+            const int free = action.rows[static_cast<std::size_t>(free_motion.row)];
+            InternalMechanism end{.end = static_cast<std::size_t>(free / m), .axis = axis_of(free), .mode = {}};
             for (auto& vector : end.mode) vector.setZero();
             for (std::size_t i = 0; i < action.rows.size(); ++i) {
                 const int row = action.rows[i];
                 end.mode[static_cast<std::size_t>(row / m)][static_cast<int>(index(axis_of(row)))] =
-                    loose.mode[static_cast<Eigen::Index>(i)];
+                    free_motion.mode[static_cast<Eigen::Index>(i)];
             }
-            end.drive = JointCondensation::drive(loose, rigid_joint_forces(action.rows));
+            end.work = JointCondensation::work(free_motion, rigid_joint_forces(action.rows));
             found.push_back(end);
         }
     return found;

@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "femoop/element/analysis_model.h"
+#include "femoop/element/internal_mechanism.h"
 #include "femoop/element/joint_condensation.h"
 #include "femoop/element/member_properties.h"
 #include "femoop/element/span_load.h"
 #include "femoop/element/strain_form.h"
-#include "femoop/result/results.h"
+#include "femoop/geometry/member_geometry.h"
 
 namespace femoop {
 
@@ -39,16 +40,8 @@ private:
 inline constexpr ActionSet all_actions{Action::Axial, Action::Torsion, Action::BendingXY, Action::BendingXZ};
 
 /// What strains this member, and what its constraint takes away.
-ActionSet elastic_actions(const MemberExtras& extras);
-ActionSet constrained_actions(const MemberExtras& extras);
-
-/// An end displacement that a member's releases leave free of all strain.
-struct LooseEnd {
-    std::size_t end;
-    LocalAxis axis;
-    std::array<Eigen::Matrix<double, 6, 1>, 2> mode; ///< motion of the member's ends, its own axes
-    double drive = 0.0;                              ///< work of the loads on it, where loads were given
-};
+ActionSet elastic_actions(const MemberEndConditions& end_conditions);
+ActionSet constrained_actions(const MemberEndConditions& end_conditions);
 
 /// A straight member of one of the five models, from its own axes to the degrees of freedom of its two nodes.
 ///
@@ -68,11 +61,8 @@ public:
     using GlobalMatrix = Eigen::Matrix<double, 2 * n, 2 * n>;
     using GlobalVector = Eigen::Matrix<double, 2 * n, 1>;
 
-    /// Turns a node's displacements from its support's axes; nullptr where they are the global ones.
-    using NodeAxes = const Eigen::Matrix<double, n, n>*;
-
-    MemberElement(const MemberProperties& properties, const MemberFrame& frame, const MemberExtras* extras,
-                  std::array<NodeAxes, 2> node_axes, ActionSet actions = all_actions);
+    MemberElement(const MemberProperties& properties, const MemberGeometry& geometry,
+                  const MemberEndConditions* end_conditions, ActionSet actions = all_actions);
 
     /// Stiffness in the member's axes with rigid joints.
     LocalMatrix rigid_joint_stiffness() const;
@@ -89,7 +79,7 @@ public:
     StrainForm rigid_joint_strains() const;
     StrainForm strains() const; ///< of its nodes, with releases and springs
 
-    /// What the nodes feel, in the nodes' axes.
+    /// What the nodes feel, along global axes.
     GlobalMatrix stiffness() const;
     GlobalVector fixed_end_forces(const SpanLoading& loading) const;
     /// The part of them that a truss member or a bar carries as a simple beam across its axis.
@@ -101,22 +91,17 @@ public:
     LocalVector end_forces(const LocalVector& nodes, const LocalVector& rigid_joint_forces) const;
 
     /// Motions of the member alone between releases that hold it nowhere.
-    std::vector<LooseEnd> loose_ends(const LocalVector& rigid_joint_forces = LocalVector::Zero()) const;
+    std::vector<InternalMechanism> internal_mechanisms(
+        const LocalVector& rigid_joint_forces = LocalVector::Zero()) const;
 
     /// Displacements of an end, in the member's axes, from those of its node: local = T node, rigid arms included.
-    template <class Scalar = double> Eigen::Matrix<Scalar, m, n> transformation(std::size_t end) const
-    {
-        const Eigen::Matrix<Scalar, m, n> T = from_global(end).template cast<Scalar>();
-        return node_axes_[end] == nullptr ? T
-                                          : Eigen::Matrix<Scalar, m, n>(T * node_axes_[end]->template cast<Scalar>());
-    }
+    Transformation transformation(std::size_t end) const;
     /// The same for one axis of the member, also for one that it does not resist along.
     Eigen::Matrix<double, 1, n> transformation_row(std::size_t end, LocalAxis axis) const;
 
 private:
-    Transformation from_global(std::size_t end) const; ///< of displacements in global axes
     Beam own_beam(BendingPlane plane) const;
-    bool has_flexible_joint() const { return extras_ != nullptr && extras_->has_flexible_joint; }
+    bool has_flexible_joint() const { return end_conditions_ != nullptr && end_conditions_->has_flexible_joint; }
     /// One way in which the member resists; the ways do not feel one another.
     struct ActionForm {
         std::vector<int> rows; ///< of the member's displacements
@@ -135,9 +120,8 @@ private:
     GlobalVector to_nodes(const LocalVector& local) const;
 
     const MemberProperties& properties_;
-    const MemberExtras* extras_;
-    const MemberFrame& frame_;
-    std::array<NodeAxes, 2> node_axes_;
+    const MemberEndConditions* end_conditions_;
+    const MemberGeometry& geometry_;
     ActionSet actions_;
 };
 

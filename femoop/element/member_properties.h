@@ -32,7 +32,7 @@ inline constexpr JointStiffness rigid_joints{rigid_joint, rigid_joint, rigid_joi
 enum class Constraint : std::uint8_t { None, Inextensible, Rigid };
 
 /// What most members lack, kept aside.
-struct MemberExtras {
+struct MemberEndConditions {
     std::array<JointStiffness, 2> joints{rigid_joints, rigid_joints};
     std::array<Eigen::Vector3d, 2> offsets{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
     Constraint constraint = Constraint::None;

@@ -49,6 +49,9 @@ private:
 
 std::string names_of(DofSet dofs); ///< "ux uy rz"
 
+/// One number per degree of freedom ux uy uz rx ry rz (or force fx fy fz mx my mz); those that the model lacks are 0.
+using NodeVector = std::array<double, n_dofs>;
+
 /// The five models of member structures: which displacements a node has and which forces a member carries.
 ///
 ///   Truss2d   ux uy            N

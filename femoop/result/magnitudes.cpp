@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "femoop/discretisation/solution.h"
 #include "femoop/result/components.h"
 #include "femoop/result/curve_reader.h"
 #include "femoop/result/results.h"
-#include "femoop/result/solution.h"
 
 namespace femoop {
 
@@ -28,7 +28,7 @@ void see(Magnitudes& most, const Curve& curve, AnalysisKind kind)
 }
 
 /// What temperature and misfit would do to members that cannot give way.
-void see_strains(Magnitudes& most, const Structure& structure, const CaseLoads& loads, double factor)
+void see_strains(Magnitudes& most, const Discretisation& structure, const CaseLoads& loads, double factor)
 {
     for (std::size_t i = 0; i < structure.members.size(); ++i)
         for (const SpanLoad& load : loads.of(MemberId(i))) {
@@ -50,7 +50,7 @@ void see_nodes(Magnitudes& most, const CaseLoads& loads, double factor)
 
 Magnitudes CaseResult::magnitudes() const
 {
-    const Structure& structure = *solution_->structure;
+    const Discretisation& structure = *solution_->structure;
     Magnitudes most;
     CurveReader reader(*this);
     for (std::size_t i = 0; i < structure.members.size(); ++i) see(most, reader.read(MemberId(i)), structure.kind);

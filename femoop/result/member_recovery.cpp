@@ -8,7 +8,7 @@
 
 #include "femoop/element/member_element.h"
 #include "femoop/result/curve_reader.h"
-#include "femoop/result/solution.h"
+#include "femoop/result/end_vectors.h"
 
 namespace femoop::detail {
 
@@ -37,11 +37,11 @@ public:
                    ? value(&Motions<Scalar>::displacements, &Motions<double>::displacements, i)
                    : value(&Motions<Scalar>::constraint_displacements, &Motions<double>::constraint_displacements, i);
     }
-    Scalar at_own_end(std::size_t i) const
+    Scalar at_member_end(std::size_t i) const
     {
         return part_ == Part::Elastic
-                   ? value(&Motions<Scalar>::own_ends, &Motions<double>::own_ends, i)
-                   : value(&Motions<Scalar>::constraint_own_ends, &Motions<double>::constraint_own_ends, i);
+                   ? value(&Motions<Scalar>::member_ends, &Motions<double>::member_ends, i)
+                   : value(&Motions<Scalar>::constraint_member_ends, &Motions<double>::constraint_member_ends, i);
     }
 
 private:
@@ -76,33 +76,34 @@ public:
     void read(MemberId member)
     {
         member_ = member;
-        extras_ = structure_.extras_of(member);
+        end_conditions_ = structure_.end_conditions_of(member);
         properties_ = &structure_.properties_of(member);
-        frame_ = structure_.frame(member);
+        geometry_ = structure_.geometry(member);
         scaled_.clear();
         for (const CaseTerms::Term& term : terms_)
             scaled_.push_back({.loads = solution_.loads[term.load_case].of(member), .factor = term.factor});
-        properties_->xy.cut(loading_, frame_.length, scaled_);
+        properties_->xy.cut(loading_, geometry_.length, scaled_);
     }
 
     MemberState state() const
     {
         MemberState s;
         s.d = ends(Part::Elastic);
-        const bool is_constrained = extras_ != nullptr && extras_->constraint != Constraint::None;
-        const Element elastic(*properties_, frame_, extras_, {},
-                              extras_ == nullptr ? all_actions : elastic_actions(*extras_));
+        const bool is_constrained = end_conditions_ != nullptr && end_conditions_->constraint != Constraint::None;
+        const Element elastic(*properties_, geometry_, end_conditions_,
+                              end_conditions_ == nullptr ? all_actions : elastic_actions(*end_conditions_));
         const LocalVector f = elastic.rigid_joint_forces(loading_);
         const LocalVector d = pack(s.d);
         LocalVector p;
-        if (extras_ != nullptr && extras_->has_flexible_joint && !is_constrained) {
+        if (end_conditions_ != nullptr && end_conditions_->has_flexible_joint && !is_constrained) {
             p = is_precise_ ? LocalVector(precise_forces(elastic, elastic.strains(), Part::Elastic) +
                                           elastic.end_forces(LocalVector::Zero(), f))
                             : elastic.end_forces(d, f);
             unpack(elastic.end_displacements(d, f), s.d);
         } else p = strain_forces(elastic, d, Part::Elastic) + f;
         if (is_constrained) {
-            const Element constrained(*properties_, frame_, extras_, {}, constrained_actions(*extras_));
+            const Element constrained(*properties_, geometry_, end_conditions_,
+                                      constrained_actions(*end_conditions_));
             p += strain_forces(constrained, pack(ends(Part::Constraint)), Part::Constraint) +
                  constrained.rigid_joint_forces(loading_.without_strain());
         }
@@ -128,7 +129,7 @@ public:
     }
 
 private:
-    bool is_bar() const { return extras_ != nullptr && extras_->is_bar; }
+    bool is_bar() const { return end_conditions_ != nullptr && end_conditions_->is_bar; }
 
     /// Forces on the ends from displacements between rigid joints.
     LocalVector strain_forces(const Element& element, const LocalVector& d, Part part) const
@@ -151,9 +152,9 @@ private:
         for (std::size_t end = 0; end < 2; ++end) {
             Eigen::Matrix<DoubleDouble, n, 1> u;
             for (std::size_t i = 0; i < n; ++i) u[static_cast<int>(i)] = node_displacement<DoubleDouble>(end, i, part);
-            d.segment<m>(static_cast<int>(end) * m) = element.template transformation<DoubleDouble>(end) * u;
+            d.segment<m>(static_cast<int>(end) * m) = element.transformation(end).template cast<DoubleDouble>() * u;
         }
-        visit_own_ends<DoubleDouble>(
+        visit_member_ends<DoubleDouble>(
             part, [&](std::size_t end, int i, DoubleDouble value) { d[static_cast<int>(end) * m + i] = value; });
         return d;
     }
@@ -165,7 +166,7 @@ private:
         for (std::size_t end = 0; end < 2; ++end)
             for (std::size_t i = 0; i < n; ++i)
                 follow(AnalysisModel<kind>::global[i], node_displacement<double>(end, i, part), end, d[end]);
-        visit_own_ends<double>(part, [&](std::size_t end, int i, double value) {
+        visit_member_ends<double>(part, [&](std::size_t end, int i, double value) {
             d[end][static_cast<int>(index(local[static_cast<std::size_t>(i)]))] = value;
         });
         return d;
@@ -185,27 +186,27 @@ private:
     {
         const auto axis = static_cast<int>(index(dof));
         if (axis < 3) {
-            d.head<3>() += value * frame_.axes.col(axis);
+            d.head<3>() += value * geometry_.axes.col(axis);
             return;
         }
-        d.tail<3>() += value * frame_.axes.col(axis - 3);
-        if (extras_ != nullptr && extras_->has_offset)
-            d.head<3>() += frame_.axes * (value * Eigen::Vector3d::Unit(axis - 3)).cross(extras_->offsets[end]);
+        d.tail<3>() += value * geometry_.axes.col(axis - 3);
+        if (end_conditions_ != nullptr && end_conditions_->has_offset)
+            d.head<3>() += geometry_.axes *
+                           (value * Eigen::Vector3d::Unit(axis - 3)).cross(end_conditions_->offsets[end]);
     }
 
-    template <class Scalar, class Visit> void visit_own_ends(Part part, Visit&& visit) const
+    template <class Scalar, class Visit> void visit_member_ends(Part part, Visit&& visit) const
     {
-        if (solution_.own_end_of.empty() || solution_.own_end_of[member_.index] < 0) return;
-        const auto first = 12 * static_cast<std::size_t>(solution_.own_end_of[member_.index]);
+        if (solution_.member_end_dofs_of.empty() || solution_.member_end_dofs_of[member_.index] < 0) return;
+        const auto first = 12 * static_cast<std::size_t>(solution_.member_end_dofs_of[member_.index]);
         for (std::size_t end = 0; end < 2; ++end)
             for (int i = 0; i < m; ++i) {
                 const std::size_t a = index(local[static_cast<std::size_t>(i)]);
-                if (!std::isfinite(extras_->joints[end][a])) continue;
+                if (!std::isfinite(end_conditions_->joints[end][a])) continue;
                 Scalar sum = 0.0;
                 for (const CaseTerms::Term& term : terms_)
-                    sum +=
-                        Scalar(term.factor) *
-                        MotionView<Scalar>(solution_.solutions[term.load_case], part).at_own_end(first + 6 * end + a);
+                    sum += Scalar(term.factor) * MotionView<Scalar>(solution_.solutions[term.load_case], part)
+                                                     .at_member_end(first + 6 * end + a);
                 visit(end, i, sum);
             }
     }
@@ -247,15 +248,15 @@ private:
                        .curvature = loading_.curvature()};
         if (is_bar()) {
             law = {.axial = {infinite}, .torsion = {infinite}, .xy = {.EI = infinite}, .xz = {.EI = infinite}};
-            law.strain = (s.d[1][0] - s.d[0][0]) / frame_.length;
+            law.strain = (s.d[1][0] - s.d[0][0]) / geometry_.length;
             return law;
         }
         // What a kind of model does not ask for, such as Iy in the plane, does not strain.
         for (double* stiffness : {&law.axial.EA, &law.torsion.EA, &law.xy.EI, &law.xz.EI})
             if (*stiffness == 0.0) *stiffness = infinite;
-        if (extras_ == nullptr || extras_->constraint == Constraint::None) return law;
+        if (end_conditions_ == nullptr || end_conditions_->constraint == Constraint::None) return law;
         law.axial.EA = infinite;
-        if (extras_->constraint == Constraint::Inextensible) return law;
+        if (end_conditions_->constraint == Constraint::Inextensible) return law;
         law.torsion.EA = infinite;
         law.xy = {.EI = infinite, .foundation = properties_->xy.foundation};
         law.xz = {.EI = infinite};
@@ -278,8 +279,8 @@ private:
                            .xy = {.v = s.d[0][1], .phi = s.d[0][5], .V = s.p[0][1], .M = -s.p[0][5]},
                            .xz = {.v = s.d[0][2], .phi = -s.d[0][4], .V = s.p[0][2], .M = s.p[0][4]}};
         if (is_bar()) {
-            first.xy.phi = (s.d[1][1] - s.d[0][1]) / frame_.length;
-            first.xz.phi = (s.d[1][2] - s.d[0][2]) / frame_.length;
+            first.xy.phi = (s.d[1][1] - s.d[0][1]) / geometry_.length;
+            first.xz.phi = (s.d[1][2] - s.d[0][2]) / geometry_.length;
             first.xy.M = first.xz.M = 0.0;
         }
         return first;
@@ -303,12 +304,12 @@ private:
     }
 
     const Solution& solution_;
-    const Structure& structure_;
+    const Discretisation& structure_;
     const std::vector<CaseTerms::Term>& terms_;
     MemberId member_;
-    const MemberExtras* extras_ = nullptr;
+    const MemberEndConditions* end_conditions_ = nullptr;
     const MemberProperties* properties_ = nullptr;
-    MemberFrame frame_;
+    MemberGeometry geometry_;
     SpanLoading loading_;
     std::vector<SpanLoading::Scaled> scaled_;
     bool is_precise_ = false;

@@ -4,9 +4,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "femoop/analysis/equations.h"
+#include "femoop/discretisation/solution.h"
+#include "femoop/element/analysis_model.h"
 #include "femoop/result/curve_reader.h"
-#include "femoop/result/solution.h"
 
 namespace femoop {
 
@@ -86,7 +86,7 @@ CaseResult Results::at(std::string_view name) const
     throw std::out_of_range("no case \"" + std::string(name) + "\"; there are: " + names);
 }
 
-MemberFrame Results::frame(MemberId member) const { return solution_->structure->frame(member); }
+MemberGeometry Results::geometry(MemberId member) const { return solution_->structure->geometry(member); }
 const Indeterminacy& Results::indeterminacy() const { return solution_->indeterminacy; }
 const std::vector<Fault>& Results::warnings() const { return solution_->warnings; }
 

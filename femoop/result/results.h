@@ -8,33 +8,13 @@
 #include <string_view>
 #include <vector>
 
+#include "femoop/discretisation/statics.h"
+#include "femoop/geometry/member_geometry.h"
 #include "femoop/model/fault/fault.h"
 #include "femoop/model/model.h"
 #include "femoop/result/curve.h"
 
 namespace femoop {
-
-/// One number per degree of freedom ux uy uz rx ry rz (or force fx fy fz mx my mz); those that the model lacks are 0.
-using NodeVector = std::array<double, n_dofs>;
-
-/// How many more forces there are than equations of equilibrium to find them.
-///
-/// total = external + internal; 0 is statically determinate. Springs and settlements count as supports.
-/// Source  [Kassimali, ch. 3] for `external` (reactions less the equations of the whole),
-///         `total` from the rank of the equilibrium equations of all nodes.
-struct Indeterminacy {
-    int external = 0;
-    int internal = 0;
-    bool has_foundation = false; ///< a continuous foundation makes the true number infinite: the two leave it out
-    int total() const { return external + internal; }
-};
-
-/// Equilibrium of the structure as a whole, and of its worst node.
-struct Equilibrium {
-    double residual = 0.0;      ///< largest out-of-balance force over the largest load
-    NodeVector sum_loads{};     ///< moments about the origin
-    NodeVector sum_reactions{}; ///< supports, springs and foundations
-};
 
 /// How large the numbers of a case are, those that cancel included (what heat would do to members that cannot give
 /// way), and what the structure's size makes of one kind out of the other. A number far below is nothing but rounding.
@@ -43,13 +23,6 @@ struct Magnitudes {
     double moment = 0.0;
     double displacement = 0.0;
     double rotation = 0.0;
-};
-
-struct MemberFrame {
-    Eigen::Matrix3d axes;  ///< rows x' y' z' in global axes
-    Eigen::Vector3d start; ///< first end of the flexible part
-    Eigen::Vector3d end;   ///< its second end
-    double length = 0.0;
 };
 
 namespace detail {
@@ -76,7 +49,8 @@ private:
     std::size_t index_ = 0;
 };
 
-/// The solution of a model: all its load cases, then its combinations. Holds what it needs; the model may change or go.
+/// The solution of a model: all its load cases, then its combinations. ArtificialRestraints what it needs; the model
+/// may change or go.
 class Results {
 public:
     explicit Results(std::shared_ptr<const detail::Solution> solution);
@@ -87,7 +61,7 @@ public:
     std::size_t n_nodes() const;
     CaseResult operator[](CaseId id) const;
     CaseResult at(std::string_view name) const; ///< \throws std::out_of_range naming the cases there are
-    MemberFrame frame(MemberId member) const;
+    MemberGeometry geometry(MemberId member) const;
     const Indeterminacy& indeterminacy() const;
     const std::vector<Fault>& warnings() const; ///< such as FaultKind::NearlySingular
 

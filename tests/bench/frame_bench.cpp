@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "apps/cli/bench_frame.h"
-#include "femoop/analysis/assembly.h"
-#include "femoop/analysis/equations.h"
+#include "femoop/analysis/assembler.h"
+#include "femoop/discretisation/equations.h"
 #include "femoop/io/model_file.h"
 #include "femoop/model/check/check.h"
 #include "femoop/result/curve_reader.h"
@@ -137,11 +137,12 @@ void bench_sizes(bool with_largest)
 void bench_small()
 {
     const Model model = cli::plane_frame({.bays = 2, .storeys = 6});
-    const Structure structure = structure_of(model);
-    const Equations equations(structure, SolverKind::Skyline);
-    const Assembly<AnalysisKind::Frame2d> assembly(structure, equations);
+    const Discretisation structure = discretise(model);
+    const Elements elements(structure);
+    const Equations equations(structure, elements, SolverKind::Skyline);
+    const Assembler assembler(structure, elements, equations);
     SparseMatrix K = equations.pattern().matrix();
-    assembly.add_stiffness(K);
+    assembler.add_stiffness(K);
     const Eigen::VectorXd f = Eigen::VectorXd::Ones(K.cols());
     constexpr int repeats = 200;
     double sum = 0.0;

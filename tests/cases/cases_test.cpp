@@ -8,7 +8,7 @@
 
 #include "femoop/analysis/linear_static.h"
 #include "femoop/io/model_file.h"
-#include "femoop/result/verify.h"
+#include "femoop/io/verify.h"
 #include "tests/source_folder.h"
 
 using namespace femoop;

@@ -22,6 +22,27 @@ WINDOW = re.compile(r"(imgui|imstb_|GLFW/|GL/|EGL/|GLES)")
 OPTIONS = re.compile(r"CLI/")
 SYSTEM = re.compile(r"(dlfcn|fcntl|spawn|unistd|windows)\.h$|sys/")
 
+# The folders of femoop, each with those that it may know besides itself: from the model up to the analyses, no circles.
+# What no line names may know all of femoop: hand methods and files, which stand above.
+MODEL, NUMBERS = "femoop/model/", "femoop/solver/"
+GEOMETRY, SECTION = "femoop/geometry/", "femoop/section/"
+ELEMENT = ["femoop/element/", "femoop/shape/", "femoop/rule/", "femoop/material/"]
+LOAD, DISCRETISATION, RESULT = "femoop/load/", "femoop/discretisation/", "femoop/result/"
+FEMOOP = {
+    "model": [MODEL],
+    "model/check": [MODEL, SECTION, GEOMETRY, LOAD, *ELEMENT],
+    "section": [MODEL],
+    "geometry": [MODEL],
+    "solver": [],
+    "element": [MODEL, GEOMETRY, NUMBERS, *ELEMENT],
+    "load": [MODEL, GEOMETRY, *ELEMENT],
+    "discretisation": [MODEL, SECTION, GEOMETRY, LOAD, NUMBERS, *ELEMENT],
+    "result": [MODEL, GEOMETRY, LOAD, NUMBERS, DISCRETISATION, *ELEMENT],
+    "analysis": [MODEL, GEOMETRY, LOAD, NUMBERS, DISCRETISATION, RESULT, *ELEMENT],
+    "edit": [MODEL, SECTION, GEOMETRY, LOAD],
+    "typical": [MODEL],
+}
+
 UI_BASE = ["ui/history/", "ui/command/", "ui/text/", "ui/scenario/"]
 
 # The longest folder that matches a file names its rule: what it may include besides the standard library.
@@ -29,7 +50,8 @@ ALLOWED = {
     "topology": ["topology/"],
     "femoop": ["femoop/", EIGEN],
     "femoop/io": ["femoop/", EIGEN, JSON, SYSTEM],
-    "femoop/solver": ["femoop/", EIGEN, SPARSE, SYSTEM],
+    **{f"femoop/{folder}": [f"femoop/{folder}/", *below, EIGEN] for folder, below in FEMOOP.items()},
+    "femoop/solver": [NUMBERS, EIGEN, SPARSE, SYSTEM],
     "ui": ["ui/", WINDOW, FONTS_AND_CAIRO, SYSTEM],
     "ui/app": ["ui/", WINDOW, OPTIONS],
     "ui/paint": ["ui/paint/", FONTS_AND_CAIRO],
@@ -213,6 +235,16 @@ class Rules(unittest.TestCase):
         public = {"femoop/io/read.h": "#include <nlohmann/json.hpp>",
                   "femoop/io/CMakeLists.txt": "target_sources(femoop PUBLIC FILE_SET HEADERS FILES read.h)"}
         self.assertEqual(check(public), ["femoop/io/read.h: a public header includes nlohmann-json"])
+
+    def test_the_folders_of_femoop_know_those_below_them_alone(self):
+        self.assert_refused("femoop/element/member_element.h", '#include "femoop/result/results.h"')
+        self.assert_refused("femoop/element/element.h", '#include "femoop/analysis/control.h"')
+        self.assert_refused("femoop/result/results.h", '#include "femoop/analysis/linear_static.h"')
+        self.assert_refused("femoop/result/results.cpp", '#include "femoop/io/verify.h"')
+        self.assert_refused("femoop/model/model.h", '#include "femoop/section/section_properties.h"')
+        self.assert_allowed("femoop/model/check/check.cpp", '#include "femoop/section/section_properties.h"')
+        self.assert_allowed("femoop/analysis/linear_static.h", '#include "femoop/result/results.h"')
+        self.assert_allowed("femoop/io/verify.cpp", '#include "femoop/result/results.h"')
 
     def test_cholmod_and_metis_stay_in_the_solver(self):
         self.assert_refused("femoop/analysis/linear_static.cpp", "#include <cholmod.h>")

@@ -8,7 +8,7 @@
 #include "femoop/edit/merge.h"
 #include "femoop/edit/naming.h"
 #include "femoop/edit/split.h"
-#include "femoop/model/member_ends.h"
+#include "femoop/geometry/member_geometry.h"
 
 namespace cross {
 

@@ -31,8 +31,7 @@ double reach_of(const Model& model)
     const double nearness = nearness_of(model);
     double reach = converted(furthest, dimension::length, {}, model.units);
     for (const Member& member : model.members) {
-        const auto [start, end] = ends_of(model, member);
-        const double length = (end - start).norm();
+        const double length = geometry_of(model, member).length;
         if (length > nearness) reach = std::min(reach, round_below(of_shortest_member * length));
     }
     for (const Node& node : model.nodes) reach = std::max(reach, distance_of(node));

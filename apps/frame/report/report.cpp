@@ -16,7 +16,7 @@
 #include "apps/frame/view/results/envelope_cases.h"
 #include "apps/frame/view/sketch/scene.h"
 #include "femoop/analysis/trace.h"
-#include "femoop/model/member_ends.h"
+#include "femoop/geometry/member_geometry.h"
 #include "femoop/result/components.h"
 #include "femoop/result/structure_words.h"
 #include "ui/paint/painter.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "femoop/model/member_axes.h"
-#include "femoop/model/member_ends.h"
+#include "femoop/geometry/member_axes.h"
+#include "femoop/geometry/member_geometry.h"
 
 namespace frame {
 
@@ -53,7 +53,7 @@ double distance_to(const Vector2d& a, const Vector2d& b, const Vector2d& place)
     return (a + t * along - place).norm();
 }
 
-double mean_distance(const femoop::MemberEnds& ends, std::span<const Vector2d> path)
+double mean_distance(const femoop::MemberGeometry& ends, std::span<const Vector2d> path)
 {
     double sum = 0.0;
     for (const Vector2d& place : path) sum += distance_to(ends.start.head<2>(), ends.end.head<2>(), place);
@@ -68,8 +68,8 @@ std::optional<MemberId> member_beside(const femoop::Model& model, std::span<cons
     std::optional<MemberId> nearest;
     double least = 0.0;
     for (std::size_t i = 0; i < model.members.size() && !path.empty(); ++i) {
-        const femoop::MemberEnds ends = femoop::ends_of(model, model.members[i]);
-        const double length = (ends.end - ends.start).norm();
+        const femoop::MemberGeometry ends = femoop::geometry_of(model, model.members[i]);
+        const double length = ends.length;
         if (!(length > 0.0)) continue;
         const double distance = mean_distance(ends, path);
         if (!(distance <= reach * length) || (nearest && distance >= least)) continue;
@@ -82,14 +82,13 @@ std::optional<MemberId> member_beside(const femoop::Model& model, std::span<cons
 std::vector<StrokePoint> stroke_along(const femoop::Model& model, MemberId member, MomentSide side,
                                       std::span<const Vector2d> path)
 {
-    const femoop::MemberEnds ends = femoop::ends_of(model, model[member]);
-    const double length = (ends.end - ends.start).norm();
-    const Vector3d x = (ends.end - ends.start) / length;
-    const Vector3d y = femoop::member_axes(model.analysis, x, femoop::vector_of(model[member].up)).row(1);
+    const femoop::MemberGeometry line = femoop::geometry_of(model, model[member]);
+    const double length = line.length;
+    const Vector3d x = line.axes.row(0), y = line.axes.row(1);
     const double positive = side == MomentSide::Tension ? -1.0 : 1.0; // a positive moment stretches the -y' side
     std::vector<StrokePoint> stroke;
     for (const Vector2d& place : path) {
-        const Vector3d from_start = Vector3d(place.x(), place.y(), 0.0) - ends.start;
+        const Vector3d from_start = Vector3d(place.x(), place.y(), 0.0) - line.start;
         stroke.push_back({from_start.dot(x) / length, positive * from_start.dot(y) / length});
     }
     return stroke;

@@ -312,7 +312,7 @@ std::vector<ReadingLine> lines(const Subject& subject, const femoop::CaseResult&
 
 Cut within(const femoop::Results& results, const Cut& cut)
 {
-    return {cut.member, std::clamp(cut.x, 0.0, results.frame(cut.member).length)};
+    return {cut.member, std::clamp(cut.x, 0.0, results.geometry(cut.member).length)};
 }
 
 void mark_section(ui::Painter& painter, const Subject& subject, const ui::Theme& theme, const Cut& cut)

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "femoop/io/cross/cross_block.h"
-#include "femoop/result/verify.h"
+#include "femoop/io/verify.h"
 
 namespace femoop::cross {
 

@@ -22,7 +22,8 @@ struct Unknown {
 
 class Ties {
 public:
-    Ties(const Structure& structure, const std::vector<bool>& is_free, const std::vector<Eigen::Vector2d>& settlements)
+    Ties(const Discretisation& structure, const std::vector<bool>& is_free,
+         const std::vector<Eigen::Vector2d>& settlements)
         : structure_(structure), settlements_(settlements)
     {
         for (std::size_t i = 0; i < structure.positions.size(); ++i)
@@ -60,7 +61,7 @@ private:
 
     bool is_blocked(NodeId node, int axis) const
     {
-        const Structure::SupportRow* support = structure_.support_of(node);
+        const Discretisation::SupportRow* support = structure_.support_of(node);
         return support != nullptr && support->blocked.contains(axis == 0 ? Dof::ux : Dof::uy);
     }
 
@@ -146,7 +147,7 @@ private:
                 .displacement = displacements(column)};
     }
 
-    const Structure& structure_;
+    const Discretisation& structure_;
     const std::vector<Eigen::Vector2d>& settlements_;
     std::vector<Eigen::Matrix2d> axes_;
     std::vector<Unknown> unknowns_;
@@ -159,15 +160,15 @@ private:
 
 } // namespace
 
-Eigen::Matrix2d support_axes(const Structure& structure, NodeId node)
+Eigen::Matrix2d support_axes(const Discretisation& structure, NodeId node)
 {
-    const Structure::SupportRow* support = structure.support_of(node);
+    const Discretisation::SupportRow* support = structure.support_of(node);
     if (support == nullptr || support->angle == 0.0) return Eigen::Matrix2d::Identity();
     const double c = std::cos(support->angle), s = std::sin(support->angle);
     return (Eigen::Matrix2d() << c, s, -s, c).finished();
 }
 
-Motion motion_of(const Structure& structure, const std::vector<bool>& is_free, const std::vector<AxialTie>& ties,
+Motion motion_of(const Discretisation& structure, const std::vector<bool>& is_free, const std::vector<AxialTie>& ties,
                  const std::vector<Eigen::Vector2d>& settlements)
 {
     return Ties(structure, is_free, settlements).solve(ties);

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "femoop/analysis/structure.h"
+#include "femoop/discretisation/discretisation.h"
 
 namespace femoop::cross {
 
@@ -29,10 +29,10 @@ struct Motion {
 /// Solves the ties for the motions that they leave, in reduced echelon form, so that each mode has one node to hold.
 /// \param is_free      nodes that take part
 /// \param settlements  of every node, in its support's axes
-Motion motion_of(const Structure& structure, const std::vector<bool>& is_free, const std::vector<AxialTie>& ties,
+Motion motion_of(const Discretisation& structure, const std::vector<bool>& is_free, const std::vector<AxialTie>& ties,
                  const std::vector<Eigen::Vector2d>& settlements);
 
 /// The axes of a node's support as rows.
-Eigen::Matrix2d support_axes(const Structure& structure, NodeId node);
+Eigen::Matrix2d support_axes(const Discretisation& structure, NodeId node);
 
 } // namespace femoop::cross

@@ -11,24 +11,27 @@ namespace {
 using Element = MemberElement<AnalysisKind::Frame2d>;
 constexpr int x1 = 0, y1 = 1, th1 = 2, x2 = 3, y2 = 4, th2 = 5; // of an element's displacements
 
-bool is_rigid(const MemberExtras* extras, LocalAxis axis)
+bool is_rigid(const MemberEndConditions* end_conditions, LocalAxis axis)
 {
-    return extras == nullptr ||
-           (std::isinf(extras->joints[0][index(axis)]) && std::isinf(extras->joints[1][index(axis)]));
+    return end_conditions == nullptr ||
+           (std::isinf(end_conditions->joints[0][index(axis)]) && std::isinf(end_conditions->joints[1][index(axis)]));
 }
 
 /// One member of the structure in the case.
 class Reader {
 public:
-    Reader(const Structure& structure, MemberId member)
-        : structure_(structure), member_(member), frame_(structure.frame(member)), extras_(structure.extras_of(member))
+    Reader(const Discretisation& structure, MemberId member)
+        : structure_(structure),
+          member_(member),
+          geometry_(structure.geometry(member)),
+          end_conditions_(structure.end_conditions_of(member))
     {}
 
     LoadedMember read(const SpanLoading& loading) const
     {
         LoadedMember loaded;
         loaded.action = unloaded();
-        loaded.elongation = loading.strain() * frame_.length;
+        loaded.elongation = loading.strain() * geometry_.length;
         const Element axial = element({Action::Axial});
         const auto fx = axial.local_fixed_end_forces(loading.without_strain());
         loaded.action.fx = {fx[x1], fx[x2]};
@@ -45,28 +48,28 @@ public:
     }
 
 private:
-    bool is_bar() const { return extras_ != nullptr && extras_->is_bar; }
-    bool is_rigid_throughout() const { return extras_ == nullptr || !extras_->has_flexible_joint; }
+    bool is_bar() const { return end_conditions_ != nullptr && end_conditions_->is_bar; }
+    bool is_rigid_throughout() const { return end_conditions_ == nullptr || !end_conditions_->has_flexible_joint; }
 
     Element element(ActionSet actions) const
     {
-        return {structure_.properties_of(member_), frame_, extras_, {}, actions};
+        return {structure_.properties_of(member_), geometry_, end_conditions_, {}, actions};
     }
 
     MemberAction unloaded() const
     {
         MemberAction action;
         action.nodes = structure_.members[member_.index].nodes;
-        action.x = frame_.axes.row(0).head<2>();
-        action.y = frame_.axes.row(1).head<2>();
+        action.x = geometry_.axes.row(0).head<2>();
+        action.y = geometry_.axes.row(1).head<2>();
         const Eigen::Vector3d chord = structure_.positions[action.nodes[1].index] -
                                       structure_.positions[action.nodes[0].index];
         action.length = chord.norm();
-        action.is_axially_rigid = is_rigid(extras_, LocalAxis::x);
+        action.is_axially_rigid = is_rigid(end_conditions_, LocalAxis::x);
         if (is_bar()) return action;
         const MemberProperties& properties = structure_.properties_of(member_);
         action.has_foundation = properties.xy.foundation > 0.0;
-        action.EI_over_L = properties.xy.EI / frame_.length;
+        action.EI_over_L = properties.xy.EI / geometry_.length;
         const auto K = element({Action::BendingXY}).local_stiffness();
         const std::array rows{y1, th1, y2, th2};
         action.K = arms().transpose() * K(rows, rows) * arms();
@@ -77,21 +80,21 @@ private:
     Eigen::Matrix4d arms() const
     {
         Eigen::Matrix4d B = Eigen::Matrix4d::Identity();
-        if (extras_ == nullptr || !extras_->has_offset) return B;
-        B(0, 1) = frame_.axes.row(0).dot(extras_->offsets[0]);
-        B(2, 3) = frame_.axes.row(0).dot(extras_->offsets[1]);
+        if (end_conditions_ == nullptr || !end_conditions_->has_offset) return B;
+        B(0, 1) = geometry_.axes.row(0).dot(end_conditions_->offsets[0]);
+        B(2, 3) = geometry_.axes.row(0).dot(end_conditions_->offsets[1]);
         return B;
     }
 
-    const Structure& structure_;
+    const Discretisation& structure_;
     MemberId member_;
-    MemberFrame frame_;
-    const MemberExtras* extras_;
+    MemberGeometry geometry_;
+    const MemberEndConditions* end_conditions_;
 };
 
 } // namespace
 
-std::vector<LoadedMember> loaded_members(const Structure& structure, const std::vector<CaseLoads>& loads,
+std::vector<LoadedMember> loaded_members(const Discretisation& structure, const std::vector<CaseLoads>& loads,
                                          const CaseTerms& terms)
 {
     std::vector<LoadedMember> members;
@@ -103,13 +106,13 @@ std::vector<LoadedMember> loaded_members(const Structure& structure, const std::
         scaled.clear();
         for (const CaseTerms::Term& term : terms.terms)
             scaled.push_back({.loads = loads[term.load_case].of(member), .factor = term.factor});
-        structure.properties_of(member).xy.cut(loading, structure.frame(member).length, scaled);
+        structure.properties_of(member).xy.cut(loading, structure.geometry(member).length, scaled);
         members.push_back(Reader(structure, member).read(loading));
     }
     return members;
 }
 
-CaseForces case_forces(const Structure& structure, const std::vector<CaseLoads>& loads, const CaseTerms& terms)
+CaseForces case_forces(const Discretisation& structure, const std::vector<CaseLoads>& loads, const CaseTerms& terms)
 {
     const std::size_t n = structure.positions.size();
     CaseForces forces{.node_force = {n, Eigen::Vector2d::Zero()},

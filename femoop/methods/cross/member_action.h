@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "femoop/analysis/structure.h"
+#include "femoop/discretisation/case_loads.h"
 #include "femoop/methods/cross/problem.h"
 
 namespace femoop::cross {
@@ -26,9 +26,9 @@ struct LoadedMember {
 };
 
 /// Reads the members of a structure in a load case or combination, through the analysis's own elements.
-std::vector<LoadedMember> loaded_members(const Structure& structure, const std::vector<CaseLoads>& loads,
+std::vector<LoadedMember> loaded_members(const Discretisation& structure, const std::vector<CaseLoads>& loads,
                                          const CaseTerms& terms);
 
-CaseForces case_forces(const Structure& structure, const std::vector<CaseLoads>& loads, const CaseTerms& terms);
+CaseForces case_forces(const Discretisation& structure, const std::vector<CaseLoads>& loads, const CaseTerms& terms);
 
 } // namespace femoop::cross

@@ -9,7 +9,7 @@ namespace {
 
 class Pruning {
 public:
-    Pruning(const Structure& structure, std::vector<LoadedMember>& members, CaseForces& forces)
+    Pruning(const Discretisation& structure, std::vector<LoadedMember>& members, CaseForces& forces)
         : structure_(structure),
           members_(members),
           forces_(forces),
@@ -42,7 +42,7 @@ private:
 
     bool is_held(NodeId node) const
     {
-        const Structure::SupportRow* support = structure_.support_of(node);
+        const Discretisation::SupportRow* support = structure_.support_of(node);
         if (support == nullptr) return false;
         const auto is_spring = [](double stiffness) { return stiffness > 0.0; };
         return !support->blocked.is_empty() || std::ranges::any_of(support->springs, is_spring);
@@ -83,7 +83,7 @@ private:
         moment_[root.index] += moment;
     }
 
-    const Structure& structure_;
+    const Discretisation& structure_;
     std::vector<LoadedMember>& members_;
     CaseForces& forces_;
     std::vector<double> moment_; ///< at every node, with those of the overhangs
@@ -93,7 +93,7 @@ private:
 
 } // namespace
 
-Overhangs take_off_overhangs(const Structure& structure, std::vector<LoadedMember>& members, CaseForces& forces)
+Overhangs take_off_overhangs(const Discretisation& structure, std::vector<LoadedMember>& members, CaseForces& forces)
 {
     return Pruning(structure, members, forces).run();
 }

@@ -13,6 +13,6 @@ struct Overhangs {
 
 /// Takes the overhangs off: their members get their end moments in `f` and no stiffness, and their forces go to the
 /// node that they hang on.
-Overhangs take_off_overhangs(const Structure& structure, std::vector<LoadedMember>& members, CaseForces& forces);
+Overhangs take_off_overhangs(const Discretisation& structure, std::vector<LoadedMember>& members, CaseForces& forces);
 
 } // namespace femoop::cross

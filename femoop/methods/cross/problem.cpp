@@ -22,12 +22,12 @@ constexpr double no_moment = 1e-9;       // of the largest moment: a free joint 
 constexpr double nice_fixed_end = 100.0; // the largest fixed-end moment of a sway's sheet
 constexpr double same_multiple = 1e-9;   // of EI/L
 
-bool skews(const Member& member, const MemberFrame& frame)
+bool skews(const Member& member, const MemberGeometry& geometry)
 {
     const auto is_skew = [&](const MemberEnd& end) {
         if (end.offset.empty()) return false;
-        const double across = frame.axes(1, 0) * end.offset[0] + frame.axes(1, 1) * end.offset[1];
-        return std::abs(across) > 1e-9 * frame.length;
+        const double across = geometry.axes(1, 0) * end.offset[0] + geometry.axes(1, 1) * end.offset[1];
+        return std::abs(across) > 1e-9 * geometry.length;
     };
     return is_skew(member.start) || is_skew(member.end);
 }
@@ -49,11 +49,11 @@ void require_suitable(const Model& model)
         throw ModelError(
             {{FaultKind::CrossTooLarge, {std::to_string(model.nodes.size()), std::to_string(most_nodes)}}});
     std::vector<Fault> faults;
-    const Structure structure = structure_of(model);
+    const Discretisation structure = discretise(model);
     for (std::size_t i = 0; i < model.members.size(); ++i) {
         const Member& member = model.members[i];
         if (member.rigid) faults.push_back({FaultKind::CrossRigidMember, {member.id}});
-        if (skews(member, structure.frame(MemberId(i)))) faults.push_back({FaultKind::CrossSkewOffset, {member.id}});
+        if (skews(member, structure.geometry(MemberId(i)))) faults.push_back({FaultKind::CrossSkewOffset, {member.id}});
         if (has_axial_spring(member)) faults.push_back({FaultKind::CrossAxialSpring, {member.id}});
     }
     if (!faults.empty()) throw ModelError(std::move(faults));
@@ -62,7 +62,7 @@ void require_suitable(const Model& model)
 /// Builds a problem part after part.
 class Builder {
 public:
-    Builder(const Model& model, CaseId load_case, FarEnds far_ends) : model_(model), structure_(structure_of(model))
+    Builder(const Model& model, CaseId load_case, FarEnds far_ends) : model_(model), structure_(discretise(model))
     {
         problem_.load_case = load_case;
         problem_.far_ends = far_ends;
@@ -123,13 +123,13 @@ private:
 
     bool turns(NodeId node) const
     {
-        const Structure::SupportRow* support = structure_.support_of(node);
+        const Discretisation::SupportRow* support = structure_.support_of(node);
         return support == nullptr || !support->blocked.contains(Dof::rz);
     }
 
     double rotational_spring(NodeId node) const
     {
-        const Structure::SupportRow* support = structure_.support_of(node);
+        const Discretisation::SupportRow* support = structure_.support_of(node);
         return support == nullptr ? 0.0 : support->springs[index(Dof::rz)];
     }
 
@@ -151,7 +151,7 @@ private:
 
     void add_springs()
     {
-        for (const Structure::SupportRow& support : structure_.supports) {
+        for (const Discretisation::SupportRow& support : structure_.supports) {
             const Eigen::Matrix2d axes = support_axes(structure_, support.node);
             for (const int axis : {0, 1})
                 if (const double k = support.springs[static_cast<std::size_t>(axis)]; k > 0.0)
@@ -372,7 +372,7 @@ private:
     }
 
     const Model& model_;
-    Structure structure_;
+    Discretisation structure_;
     std::vector<LoadedMember> members_;
     CaseForces forces_;
     Problem problem_;

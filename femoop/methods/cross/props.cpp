@@ -114,7 +114,7 @@ double displacement_at(const Sway& sway, const CaseResult& result)
 
 std::array<Eigen::Vector2d, 2> prop_axes(const Model& model, NodeId node)
 {
-    const Eigen::Matrix2d axes = support_axes(structure_of(model), node);
+    const Eigen::Matrix2d axes = support_axes(discretise(model), node);
     return {axes.row(0).transpose(), axes.row(1).transpose()};
 }
 

@@ -70,7 +70,7 @@ private:
     CaseId lock_;
 };
 
-Dof prop_dof(const Structure& structure, const Sway& sway)
+Dof prop_dof(const Discretisation& structure, const Sway& sway)
 {
     const Eigen::Vector2d along = support_axes(structure, sway.prop) * sway.direction;
     return along[0] > 0.5 ? Dof::ux : Dof::uy;
@@ -86,14 +86,14 @@ Eigen::Vector4d end_forces(const Curve& curve, const std::array<double, n_local_
 }
 
 /// Point loads at the second end of a member.
-std::array<double, n_local_axes> last_jump(const Structure& structure, const std::vector<CaseLoads>& loads,
+std::array<double, n_local_axes> last_jump(const Discretisation& structure, const std::vector<CaseLoads>& loads,
                                            const CaseTerms& terms, MemberId member)
 {
     std::vector<SpanLoading::Scaled> scaled;
     for (const CaseTerms::Term& term : terms.terms)
         scaled.push_back({.loads = loads[term.load_case].of(member), .factor = term.factor});
     SpanLoading loading;
-    structure.properties_of(member).xy.cut(loading, structure.frame(member).length, scaled);
+    structure.properties_of(member).xy.cut(loading, structure.geometry(member).length, scaled);
     return loading.last_jump();
 }
 
@@ -131,7 +131,7 @@ Locks locks_of(const Problem& problem, const Superposition& all)
 
 Model state_model(const Model& model, const Problem& problem, const Locks& locks)
 {
-    const Structure structure = structure_of(model);
+    const Discretisation structure = discretise(model);
     Clamps clamps(model);
     for (std::size_t j = 0; j < problem.joints.size(); ++j) {
         const Joint& joint = problem.joints[j];
@@ -171,7 +171,7 @@ Results StateAnalysis::solve(const Model& model, const Problem& problem, const L
 
 std::vector<double> end_moments(const Model& model, const Problem& problem, const CaseResult& result)
 {
-    const Structure structure = structure_of(model);
+    const Discretisation structure = discretise(model);
     const std::vector<CaseLoads> loads = loads_of(model, structure);
     const CaseTerms terms = cases_of(model)[problem.load_case.index];
     std::vector<double> moments;
@@ -183,9 +183,10 @@ std::vector<double> end_moments(const Model& model, const Problem& problem, cons
         }
         const Eigen::Vector4d p = end_forces(result.curve(*end.member),
                                              last_jump(structure, loads, terms, *end.member));
-        const MemberExtras* extras = structure.extras_of(*end.member);
-        const bool has_arm = extras != nullptr && extras->has_offset;
-        const double arm = has_arm ? structure.frame(*end.member).axes.row(0).dot(extras->offsets[end.which]) : 0.0;
+        const MemberEndConditions* end_conditions = structure.end_conditions_of(*end.member);
+        const bool has_arm = end_conditions != nullptr && end_conditions->has_offset;
+        const double arm = has_arm ? structure.geometry(*end.member).axes.row(0).dot(end_conditions->offsets[end.which])
+                                   : 0.0;
         const auto which = static_cast<Eigen::Index>(2 * end.which);
         moments.push_back(p[which + 1] + arm * p[which]);
     }

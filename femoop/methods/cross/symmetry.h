@@ -16,7 +16,7 @@ namespace femoop::cross {
 /// joint on the axis of a symmetric sheet does not turn; on that of an antisymmetric one it is balanced as it is.
 ///
 /// Each sheet is symmetric or antisymmetric by itself: of the loads, and of every sway. A sway of the other kind than
-/// the loads, whose prop they leave idle, does not happen: it has no sheet.
+/// the loads, whose prop they leave unrestrained, does not happen: it has no sheet.
 ///
 /// Assumes  a vertical axis in the middle of the structure
 /// \throws  ModelError  CrossNodeWithoutImage, CrossEndWithoutImage, CrossSkewLoads, CrossSkewSway

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "femoop/load/place_along.h"
 #include "femoop/model/check/checker.h"
 #include "femoop/model/quantity/number_text.h"
 
@@ -163,7 +164,7 @@ std::optional<double> Checker::check_position(const Position& position, std::str
     if (!is_located(member)) return std::nullopt;
     const double length = axis(member).length;
     const Percent* const percent = std::get_if<Percent>(&position);
-    const double x = percent ? percent->value / 100.0 * length : std::get<Quantity>(position).value();
+    const double x = written_place(position, length);
     const bool has_length = std::isfinite(length) && length > 0.0; // else the member is a fault
     if (!require_finite(place, key, x) || !has_length) return std::nullopt;
     const std::string found = percent ? number_text(percent->value) + "%"

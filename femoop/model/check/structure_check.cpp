@@ -4,9 +4,9 @@
 #include <string_view>
 #include <utility>
 
+#include "femoop/geometry/member_geometry.h"
 #include "femoop/model/check/checker.h"
 #include "femoop/model/check/name_table.h"
-#include "femoop/model/member_ends.h"
 #include "femoop/model/quantity/dof_dimension.h"
 #include "femoop/model/quantity/number_text.h"
 
@@ -241,8 +241,8 @@ void Checker::check_end(const Member& member, End which, const Entry& place)
 
 Checker::Axis Checker::axis(const Member& member) const
 {
-    const auto [start, end] = ends_of(model_, member);
-    return with_length({.start = point(start), .end = point(end)});
+    const MemberGeometry geometry = geometry_of(model_, member);
+    return with_length({.start = point(geometry.start), .end = point(geometry.end)});
 }
 
 Checker::Axis Checker::node_axis(const Member& member) const

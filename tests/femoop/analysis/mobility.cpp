@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
-#include "femoop/model/member_axes.h"
-#include "femoop/model/member_ends.h"
+#include "femoop/geometry/member_axes.h"
+#include "femoop/geometry/member_geometry.h"
 
 using namespace femoop;
 
@@ -79,9 +79,7 @@ private:
     void add_member(Eigen::Index at)
     {
         const Member& member = model_.members[static_cast<std::size_t>(at)];
-        const auto [start, end] = ends_of(model_, member);
-        const double L = (end - start).norm();
-        const Eigen::Matrix3d axes = member_axes(model_.analysis, (end - start) / L, vector_of(member.up));
+        const auto [axes, start, end, L] = geometry_of(model_, member);
         const bool is_bar = member.bar || is_truss(model_.analysis);
         const Eigen::Index first = 6 * n_nodes_ + 12 * at;
         const auto add = [&](std::initializer_list<std::pair<Eigen::Index, double>> terms) {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "femoop/analysis/equations.h"
 #include "femoop/analysis/linear_static.h"
+#include "femoop/discretisation/equations.h"
 #include "femoop/model/fault/fault.h"
 #include "tests/femoop/analysis/random_structure.h"
 

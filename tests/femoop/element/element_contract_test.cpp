@@ -22,7 +22,7 @@ MemberProperties properties(double shear, double foundation)
 struct Case {
     std::string name;
     MemberProperties properties;
-    MemberExtras extras;
+    MemberEndConditions end_conditions;
     int lost_forces = 0; ///< section forces that releases take away
     bool on_foundation = false;
 };
@@ -30,23 +30,23 @@ struct Case {
 std::vector<Case> members()
 {
     std::vector<Case> cases{
-        {.name = "Euler-Bernoulli", .properties = properties(0.0, 0.0), .extras = {}},
-        {.name = "Timoshenko", .properties = properties(1.0 / 910.0, 0.0), .extras = {}},
-        {.name = "hinged at its end", .properties = properties(0.0, 0.0), .extras = {}, .lost_forces = 1},
-        {.name = "semi-rigid", .properties = properties(1.0 / 910.0, 0.0), .extras = {}},
-        {.name = "with rigid arms", .properties = properties(0.0, 0.0), .extras = {}},
+        {.name = "Euler-Bernoulli", .properties = properties(0.0, 0.0), .end_conditions = {}},
+        {.name = "Timoshenko", .properties = properties(1.0 / 910.0, 0.0), .end_conditions = {}},
+        {.name = "hinged at its end", .properties = properties(0.0, 0.0), .end_conditions = {}, .lost_forces = 1},
+        {.name = "semi-rigid", .properties = properties(1.0 / 910.0, 0.0), .end_conditions = {}},
+        {.name = "with rigid arms", .properties = properties(0.0, 0.0), .end_conditions = {}},
         {.name = "on a foundation",
          .properties = properties(0.0, 620.0),
-         .extras = {},
+         .end_conditions = {},
          .lost_forces = 0,
          .on_foundation = true}};
-    cases[2].extras.has_flexible_joint = true;
-    cases[2].extras.joints[1][index(LocalAxis::rz)] = 0.0;
-    cases[3].extras.has_flexible_joint = true;
-    cases[3].extras.joints[0][index(LocalAxis::rz)] = 4100.0;
-    cases[3].extras.joints[1][index(LocalAxis::rx)] = 370.0;
-    cases[4].extras.has_offset = true;
-    cases[4].extras.offsets = {Eigen::Vector3d(0.2, 0.0, 0.0), Eigen::Vector3d(-0.1, 0.0, 0.0)};
+    cases[2].end_conditions.has_flexible_joint = true;
+    cases[2].end_conditions.joints[1][index(LocalAxis::rz)] = 0.0;
+    cases[3].end_conditions.has_flexible_joint = true;
+    cases[3].end_conditions.joints[0][index(LocalAxis::rz)] = 4100.0;
+    cases[3].end_conditions.joints[1][index(LocalAxis::rx)] = 370.0;
+    cases[4].end_conditions.has_offset = true;
+    cases[4].end_conditions.offsets = {Eigen::Vector3d(0.2, 0.0, 0.0), Eigen::Vector3d(-0.1, 0.0, 0.0)};
     return cases;
 }
 
@@ -61,7 +61,7 @@ Eigen::Vector3d unit_turn(int dof)
 }
 
 /// A skew member of length L: in the xy plane unless the model is spatial.
-MemberFrame skew_frame(AnalysisKind kind, double turn = 0.0)
+MemberGeometry skew_geometry(AnalysisKind kind, double turn = 0.0)
 {
     const double angle = 0.61 + turn;
     Eigen::Vector3d x(std::cos(angle), std::sin(angle), 0.0);
@@ -72,28 +72,28 @@ MemberFrame skew_frame(AnalysisKind kind, double turn = 0.0)
         x = tilt * x;
         y = tilt * y;
     }
-    MemberFrame frame{.axes = {}, .start = {1.1, 2.3, 0.0}, .end = {}, .length = L};
-    frame.axes << x.transpose(), y.transpose(), x.cross(y).transpose();
-    frame.end = frame.start + L * x;
-    return frame;
+    MemberGeometry geometry{.axes = {}, .start = {1.1, 2.3, 0.0}, .end = {}, .length = L};
+    geometry.axes << x.transpose(), y.transpose(), x.cross(y).transpose();
+    geometry.end = geometry.start + L * x;
+    return geometry;
 }
 
 template <AnalysisKind kind> struct Rig {
     Case the_case;
-    MemberFrame frame = skew_frame(kind);
-    MemberElement<kind> element{the_case.properties, frame, &the_case.extras, {}};
+    MemberGeometry geometry = skew_geometry(kind);
+    MemberElement<kind> element{the_case.properties, geometry, &the_case.end_conditions};
 };
 
 /// The displacements of both nodes in a rigid motion of space: a translation and a rotation about the origin.
 template <AnalysisKind kind>
-Eigen::VectorXd rigid_motion(const MemberFrame& frame, const MemberExtras& extras, const Eigen::Vector3d& shift,
-                             const Eigen::Vector3d& turn)
+Eigen::VectorXd rigid_motion(const MemberGeometry& geometry, const MemberEndConditions& end_conditions,
+                             const Eigen::Vector3d& shift, const Eigen::Vector3d& turn)
 {
     constexpr int n = MemberElement<kind>::n;
     Eigen::VectorXd u(2 * n);
     for (int end = 0; end < 2; ++end) {
-        Eigen::Vector3d at = end == 0 ? frame.start : frame.end;
-        if (extras.has_offset) at -= extras.offsets[static_cast<std::size_t>(end)];
+        Eigen::Vector3d at = end == 0 ? geometry.start : geometry.end;
+        if (end_conditions.has_offset) at -= end_conditions.offsets[static_cast<std::size_t>(end)];
         const Eigen::Vector3d moved = shift + turn.cross(at);
         for (int i = 0; i < n; ++i) {
             const auto g = static_cast<int>(index(AnalysisModel<kind>::global[static_cast<std::size_t>(i)]));
@@ -103,7 +103,8 @@ Eigen::VectorXd rigid_motion(const MemberFrame& frame, const MemberExtras& extra
     return u;
 }
 
-template <AnalysisKind kind> std::vector<Eigen::VectorXd> rigid_motions(const MemberFrame& frame, const MemberExtras& e)
+template <AnalysisKind kind>
+std::vector<Eigen::VectorXd> rigid_motions(const MemberGeometry& geometry, const MemberEndConditions& e)
 {
     std::vector<Eigen::VectorXd> motions;
     for (const Dof dof : all_dofs) {
@@ -112,7 +113,7 @@ template <AnalysisKind kind> std::vector<Eigen::VectorXd> rigid_motions(const Me
         if ((kind == AnalysisKind::Frame2d || kind == AnalysisKind::Truss2d) && !in_plane) continue;
         if (kind == AnalysisKind::Grillage && !out_of_plane) continue;
         const auto i = static_cast<int>(index(dof));
-        motions.push_back(rigid_motion<kind>(frame, e, unit_shift(i), unit_turn(i)));
+        motions.push_back(rigid_motion<kind>(geometry, e, unit_shift(i), unit_turn(i)));
     }
     return motions;
 }
@@ -132,7 +133,7 @@ template <class Check> void for_every_member(Check&& check)
         for (const AnalysisKind kind : {AnalysisKind::Truss2d, AnalysisKind::Frame2d, AnalysisKind::Grillage,
                                         AnalysisKind::Truss3d, AnalysisKind::Frame3d}) {
             if (is_truss(kind) && each.name != "Euler-Bernoulli" && each.name != "with rigid arms") continue;
-            if (is_truss(kind) && each.extras.has_offset) continue;
+            if (is_truss(kind) && each.end_conditions.has_offset) continue;
             CAPTURE(each.name);
             CAPTURE(name(kind));
             with_model(kind, [&](auto constant) { check(constant, each); });
@@ -180,7 +181,7 @@ TEST_SUITE("element contract")
             if (each.on_foundation) return;
             const Rig<k> rig{each};
             const Eigen::MatrixXd K = rig.element.stiffness();
-            for (const Eigen::VectorXd& u : rigid_motions<k>(rig.frame, each.extras))
+            for (const Eigen::VectorXd& u : rigid_motions<k>(rig.geometry, each.end_conditions))
                 CHECK((K * u).norm() <= 1e-11 * K.norm() * u.norm());
         });
     }
@@ -189,10 +190,10 @@ TEST_SUITE("element contract")
     {
         for_every_member([](auto kind, const Case& each) {
             constexpr AnalysisKind k = decltype(kind)::value;
-            if (each.extras.has_offset) return; // the arms would have to turn too
+            if (each.end_conditions.has_offset) return; // the arms would have to turn too
             const double turn = 0.77;
             const Rig<k> before{each};
-            const Rig<k> after{.the_case = each, .frame = skew_frame(k, turn)};
+            const Rig<k> after{.the_case = each, .geometry = skew_geometry(k, turn)};
             if (is_3d(k)) return; // the tilt of the frame does not commute with this turn
             constexpr int n = MemberElement<k>::n;
             Eigen::MatrixXd turned = Eigen::MatrixXd::Identity(2 * n, 2 * n);
@@ -226,12 +227,13 @@ TEST_SUITE("element contract")
                 if (k == AnalysisKind::Grillage && !dofs(k).contains(dof)) continue;
                 if (is_truss(k) && i >= 3) continue; // a truss node cannot follow, but its forces do: see translations
                 const auto moved = [&](double x) {
-                    return Eigen::Vector3d(shift + turn.cross(rig.frame.start + x * rig.frame.axes.row(0).transpose()));
+                    return Eigen::Vector3d(shift +
+                                           turn.cross(rig.geometry.start + x * rig.geometry.axes.row(0).transpose()));
                 };
-                double work = Q * rig.frame.axes.row(1).dot(moved(at));
-                if (k != AnalysisKind::Grillage) work += 5.0 * rig.frame.axes.row(0).dot(moved(1.9));
-                if (is_3d(k)) work += -2.6 * rig.frame.axes.row(2).dot(moved(2.2));
-                CHECK(f.dot(rigid_motion<k>(rig.frame, each.extras, shift, turn)) ==
+                double work = Q * rig.geometry.axes.row(1).dot(moved(at));
+                if (k != AnalysisKind::Grillage) work += 5.0 * rig.geometry.axes.row(0).dot(moved(1.9));
+                if (is_3d(k)) work += -2.6 * rig.geometry.axes.row(2).dot(moved(2.2));
+                CHECK(f.dot(rigid_motion<k>(rig.geometry, each.end_conditions, shift, turn)) ==
                       doctest::Approx(-work).epsilon(1e-10));
             }
         });

@@ -1,4 +1,4 @@
-#include "femoop/result/verify.h"
+#include "femoop/io/verify.h"
 
 #include <doctest/doctest.h>
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "femoop/edit/member_line.h"
-#include "femoop/model/member_ends.h"
+#include "femoop/geometry/member_geometry.h"
 
 namespace frame {
 

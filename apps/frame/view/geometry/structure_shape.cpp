@@ -1,7 +1,6 @@
 #include "apps/frame/view/geometry/structure_shape.h"
 
-#include "femoop/model/member_axes.h"
-#include "femoop/model/member_ends.h"
+#include "femoop/geometry/member_geometry.h"
 
 namespace frame {
 
@@ -14,13 +13,11 @@ MemberShape shape_of(const femoop::Model& model, const femoop::Member& member, c
     MemberShape shape;
     shape.start_node = nodes[member.nodes[0].index];
     shape.end_node = nodes[member.nodes[1].index];
-    const auto [start, end] = femoop::ends_of(model, member);
-    shape.start = start;
-    shape.end = end;
-    const Vector3d along = shape.end - shape.start;
-    shape.length = along.norm();
-    const Vector3d x = shape.length > 0.0 ? Vector3d(along / shape.length) : Vector3d::UnitX();
-    shape.axes = femoop::member_axes(model.analysis, x, femoop::vector_of(member.up));
+    const femoop::MemberGeometry geometry = femoop::geometry_of(model, member);
+    shape.start = geometry.start;
+    shape.end = geometry.end;
+    shape.length = geometry.length;
+    shape.axes = geometry.axes;
     return shape;
 }
 

@@ -48,7 +48,7 @@ Columns columns_of(const MemberResultsSubject& subject, ui::Size sheet)
     columns.left = 165.0 * scale;
     columns.formulas = sheet.width - std::min(430.0 * scale, 0.42 * sheet.width);
     columns.right = columns.formulas - 72.0 * scale;
-    columns.length = subject.results.frame(subject.member).length;
+    columns.length = subject.results.geometry(subject.member).length;
     return columns;
 }
 

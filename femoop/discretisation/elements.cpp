@@ -1,0 +1,48 @@
+#include "femoop/discretisation/elements.h"
+
+namespace femoop {
+
+namespace {
+
+/// Numbers that are equal where members that follow one another have the same stiffness: most structures repeat
+/// themselves.
+class StiffnessGroups {
+public:
+    std::uint32_t next(const Discretisation::MemberRow& row, const Eigen::Vector3d& span)
+    {
+        const bool is_alike = group_ > 0 && row.properties == last_.properties &&
+                              row.end_conditions == last_.end_conditions && span == span_;
+        if (!is_alike) ++group_;
+        last_ = row;
+        span_ = span;
+        return group_;
+    }
+
+private:
+    std::uint32_t group_ = 0;
+    Discretisation::MemberRow last_{};
+    Eigen::Vector3d span_ = Eigen::Vector3d::Zero();
+};
+
+std::vector<MemberData> data_of_members(const Discretisation& structure)
+{
+    std::vector<MemberData> all;
+    all.reserve(structure.members.size());
+    StiffnessGroups groups;
+    for (std::size_t i = 0; i < structure.members.size(); ++i) {
+        MemberData data = structure.data(MemberId(i));
+        data.stiffness_group = groups.next(structure.members[i], *data.positions[1] - *data.positions[0]);
+        all.push_back(data);
+    }
+    return all;
+}
+
+} // namespace
+
+Elements::Elements(const Discretisation& structure) : members_(make_members(structure.kind, data_of_members(structure)))
+{
+    all_.reserve(members_->size());
+    for (std::size_t i = 0; i < members_->size(); ++i) all_.push_back(&(*members_)[i]);
+}
+
+} // namespace femoop

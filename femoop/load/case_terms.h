@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "femoop/model/model.h"
+
+namespace femoop {
+
+/// A load case or combination as a sum of load cases.
+struct CaseTerms {
+    struct Term {
+        std::size_t load_case = 0;
+        double factor = 1.0;
+    };
+    std::string name;
+    std::vector<Term> terms;
+};
+
+/// A combination multiplied out: each load case once, in the model's order, those with the factor 0 left out.
+/// \pre combinations name no circle (femoop/model/check/check.h)
+CaseTerms terms_of(const Model& model, CaseId id);
+std::vector<CaseTerms> cases_of(const Model& model); ///< of load cases, then of combinations
+
+} // namespace femoop
