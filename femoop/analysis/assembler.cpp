@@ -127,7 +127,9 @@ template <class Scalar> auto Assembler::load_vector(const CaseLoads& loads) cons
 {
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(equations_.n_unknowns()));
     add_node_loads(loads, forces);
-    if (!loads.first.empty()) add_element_loads(loads, forces);
+    if (!loads.first.empty()) add_span_loads(loads, forces);
+    for (const CaseLoads::OnElement& on : loads.elements)
+        add_element_loads(on.element, {.edge_loads = on.edge_loads, .body_loads = on.body_loads}, forces);
     Vector<Scalar> f = forces.template cast<Scalar>();
     if (!loads.settlements.empty()) add_settlements(loads, f);
     return f;
@@ -146,18 +148,23 @@ void Assembler::add_node_loads(const CaseLoads& loads, Eigen::VectorXd& f) const
     }
 }
 
-void Assembler::add_element_loads(const CaseLoads& loads, Eigen::VectorXd& f) const
+void Assembler::add_span_loads(const CaseLoads& loads, Eigen::VectorXd& f) const
 {
     SpanLoading room;
-    ElementVector forces;
     for (std::size_t i = 0; i < structure_.members.size(); ++i) {
         const std::span<const SpanLoad> on_member = loads.of(MemberId(i));
         if (on_member.empty()) continue;
-        elements_[i].equivalent_forces({.span_loads = on_member, .room = &room}, forces);
-        if (axes_.are_turned()) axes_.turn_rows(elements_[i].dofs(), forces);
-        forces = -forces;
-        subtract(equations_.of_element(i), forces, f);
+        add_element_loads(i, {.span_loads = on_member, .room = &room}, f);
     }
+}
+
+void Assembler::add_element_loads(std::size_t element, const ElementLoads& loads, Eigen::VectorXd& f) const
+{
+    ElementVector forces;
+    elements_[element].equivalent_forces(loads, forces);
+    if (axes_.are_turned()) axes_.turn_rows(elements_[element].dofs(), forces);
+    forces = -forces;
+    subtract(equations_.of_element(element), forces, f);
 }
 
 ElementVector Assembler::prescribed(std::size_t element, const std::vector<double>& moved) const

@@ -65,7 +65,8 @@ private:
     template <class Add> void visit_springs(Add&& add) const;
     template <class Scalar> Dense<Scalar> stiffness(std::size_t element) const;
     void add_node_loads(const CaseLoads& loads, Eigen::VectorXd& f) const;
-    void add_element_loads(const CaseLoads& loads, Eigen::VectorXd& f) const;
+    void add_span_loads(const CaseLoads& loads, Eigen::VectorXd& f) const;
+    void add_element_loads(std::size_t element, const ElementLoads& loads, Eigen::VectorXd& f) const;
     template <class Scalar> void add_settlements(const CaseLoads& loads, Vector<Scalar>& f) const;
 
     const Discretisation& structure_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "femoop/discretisation/discretisation.h"
+#include "femoop/element/continuum/continuum_load.h"
 #include "femoop/element/span_load.h"
 #include "femoop/load/case_terms.h"
 #include "femoop/model/model.h"
@@ -18,10 +19,16 @@ struct CaseLoads {
         NodeId node;
         NodeVector value{};
     };
+    struct OnElement {
+        std::size_t element; ///< index of Elements
+        std::vector<EdgeLoad> edge_loads;
+        std::vector<BodyLoad> body_loads;
+    };
     std::vector<OnNode> nodes;
     std::vector<OnNode> settlements;  ///< in the support's axes
     std::vector<std::uint32_t> first; ///< of each member's span loads; empty when no member is loaded
     std::vector<SpanLoad> span_loads;
+    std::vector<OnElement> elements; ///< loads on elements that are no members
 
     std::span<const SpanLoad> of(MemberId member) const
     {

@@ -1,5 +1,7 @@
 #include "femoop/discretisation/elements.h"
 
+#include <utility>
+
 namespace femoop {
 
 namespace {
@@ -39,10 +41,12 @@ std::vector<MemberData> data_of_members(const Discretisation& structure)
 
 } // namespace
 
-Elements::Elements(const Discretisation& structure) : members_(make_members(structure.kind, data_of_members(structure)))
+Elements::Elements(const Discretisation& structure, std::vector<std::unique_ptr<const Element>> others)
+    : members_(make_members(structure.kind, data_of_members(structure))), others_(std::move(others))
 {
-    all_.reserve(members_->size());
+    all_.reserve(members_->size() + others_.size());
     for (std::size_t i = 0; i < members_->size(); ++i) all_.push_back(&(*members_)[i]);
+    for (const auto& other : others_) all_.push_back(other.get());
 }
 
 } // namespace femoop

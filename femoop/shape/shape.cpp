@@ -6,6 +6,7 @@
 #include "femoop/shape/line3.h"
 #include "femoop/shape/q4.h"
 #include "femoop/shape/q8.h"
+#include "femoop/shape/q9.h"
 #include "femoop/shape/t3.h"
 #include "femoop/shape/t6.h"
 
@@ -29,7 +30,8 @@ struct ShapeEntry {
 constexpr std::array shape_entries{
     ShapeEntry{ShapeKind::Line2, "Line2", the_one<Line2>}, ShapeEntry{ShapeKind::Line3, "Line3", the_one<Line3>},
     ShapeEntry{ShapeKind::T3, "T3", the_one<T3>},          ShapeEntry{ShapeKind::T6, "T6", the_one<T6>},
-    ShapeEntry{ShapeKind::Q4, "Q4", the_one<Q4>},          ShapeEntry{ShapeKind::Q8, "Q8", the_one<Q8>}};
+    ShapeEntry{ShapeKind::Q4, "Q4", the_one<Q4>},          ShapeEntry{ShapeKind::Q8, "Q8", the_one<Q8>},
+    ShapeEntry{ShapeKind::Q9, "Q9", the_one<Q9>}};
 
 constexpr auto all_shape_kinds = [] {
     std::array<ShapeKind, shape_entries.size()> kinds{};

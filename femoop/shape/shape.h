@@ -11,7 +11,7 @@
 namespace femoop {
 
 /// The shapes, as a model file names them: T for triangles, Q for quadrilaterals, with the number of nodes.
-enum class ShapeKind : std::uint8_t { Line2, Line3, T3, T6, Q4, Q8 };
+enum class ShapeKind : std::uint8_t { Line2, Line3, T3, T6, Q4, Q8, Q9 };
 
 std::string_view name(ShapeKind kind); ///< "T6"
 std::span<const ShapeKind> shape_kinds();

@@ -14,8 +14,9 @@ class Readme(unittest.TestCase):
         self.assertEqual(len(programs), 1)
         self.assertIn(programs[0], (ROOT / "examples/01_cantilever.cpp").read_text(encoding="utf-8"))
 
-    def test_every_file_that_it_or_the_contributing_page_names_is_there(self):
+    def test_every_file_that_it_the_contributing_page_or_a_how_to_page_names_is_there(self):
         text = README + (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+        text += "".join(path.read_text(encoding="utf-8") for path in (ROOT / "courseware/how-to").glob("*.md"))
         names = set(re.findall(r"`((?:examples|courseware|femoop|topology|ui|apps|tests)/[\w./-]*)`", text))
         names |= set(re.findall(r"\]\(([^):]+)\)", text))
         self.assertGreater(len(names), 5)

@@ -34,6 +34,9 @@ FEMOOP = {
     "section": [MODEL],
     "geometry": [MODEL],
     "solver": [],
+    "shape": [],
+    "rule": ["femoop/shape/"],
+    "material": [],
     "element": [MODEL, GEOMETRY, NUMBERS, *ELEMENT],
     "load": [MODEL, GEOMETRY, *ELEMENT],
     "discretisation": [MODEL, SECTION, GEOMETRY, LOAD, NUMBERS, *ELEMENT],
@@ -239,6 +242,9 @@ class Rules(unittest.TestCase):
     def test_the_folders_of_femoop_know_those_below_them_alone(self):
         self.assert_refused("femoop/element/member_element.h", '#include "femoop/result/results.h"')
         self.assert_refused("femoop/element/element.h", '#include "femoop/analysis/control.h"')
+        self.assert_refused("femoop/shape/shape.h", '#include "femoop/rule/integration_rule.h"')
+        self.assert_refused("femoop/material/linear_elastic.h", '#include "femoop/model/property.h"')
+        self.assert_allowed("femoop/rule/integration_rule.h", '#include "femoop/shape/natural_point.h"')
         self.assert_refused("femoop/result/results.h", '#include "femoop/analysis/linear_static.h"')
         self.assert_refused("femoop/result/results.cpp", '#include "femoop/io/verify.h"')
         self.assert_refused("femoop/model/model.h", '#include "femoop/section/section_properties.h"')

@@ -178,6 +178,7 @@ template <class Use> auto with_node_count(int n, Use&& use)
     case 4: return use(std::integral_constant<int, 4>());
     case 6: return use(std::integral_constant<int, 6>());
     case 8: return use(std::integral_constant<int, 8>());
+    case 9: return use(std::integral_constant<int, 9>());
     default: throw std::invalid_argument("make_continuum_element: no element has this number of nodes");
     }
 }

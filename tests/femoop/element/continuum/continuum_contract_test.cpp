@@ -12,17 +12,15 @@
 #include "femoop/element/continuum/continuum_model.h"
 #include "femoop/material/linear_elastic.h"
 #include "tests/femoop/element/continuum/plane_mesh.h"
+#include "tests/femoop/element/continuum/plane_problem.h"
 
 using namespace femoop;
-using femoop_test::PlaneMesh;
+using namespace femoop_test;
 
 namespace {
 
-constexpr double E = 71.0e3, nu = 0.27, thickness = 0.37;
 constexpr double pi = std::numbers::pi;
 constexpr std::array plane_states{StressState::PlaneStress, StressState::PlaneStrain, StressState::Axisymmetric};
-
-using Vector = Eigen::Vector2d;
 
 /// A slanted element with sides of different lengths, right of the axis; those with middle nodes have bent sides.
 Vector skewed(const Vector& p)
@@ -42,7 +40,7 @@ std::function<Vector(const Vector&)> straight_map(ShapeKind kind)
 
 PlaneMesh one_element(ShapeKind kind, const std::function<Vector(const Vector&)>& map)
 {
-    PlaneMesh mesh = mapped(femoop_test::unit_square_mesh(kind, 1, 1), map);
+    PlaneMesh mesh = mapped(unit_square_mesh(kind, 1, 1), map);
     mesh.elements.resize(1);
     return mesh;
 }
@@ -83,7 +81,7 @@ struct Rig {
 
 void for_every_element(const std::function<void(ShapeKind, StressState)>& check)
 {
-    for (const ShapeKind kind : femoop_test::plane_shapes())
+    for (const ShapeKind kind : plane_shapes())
         for (const StressState state : plane_states) {
             CAPTURE(name(kind));
             CAPTURE(static_cast<int>(state));
@@ -270,7 +268,7 @@ TEST_SUITE("continuum element contract")
 
     TEST_CASE("On the axis of a body of revolution the hoop strain is the radial one")
     {
-        for (const ShapeKind kind : femoop_test::plane_shapes()) {
+        for (const ShapeKind kind : plane_shapes()) {
             CAPTURE(name(kind));
             const Rig rig(kind, StressState::Axisymmetric,
                           [](const Vector& p) { return Vector(1.3 * p.x(), 0.7 * p.y()); });

@@ -10,24 +10,11 @@
 #include "tests/femoop/element/continuum/plane_problem.h"
 
 using namespace femoop;
-using femoop_test::PlaneMesh;
-using femoop_test::PlaneProblem;
+using namespace femoop_test;
 
 namespace {
 
-constexpr double E = 71.0e3, nu = 0.27;
-
-using Vector = Eigen::Vector2d;
 using Field = std::function<StressVector(const Vector&)>;
-
-bool everywhere(const Vector&) { return true; }
-
-/// The traction of a stress field (order of the state) on an edge.
-Vector traction(const StressVector& s, const EdgePoint& edge)
-{
-    const double shear = s[s.size() - 1];
-    return {s[0] * edge.outward.x() + shear * edge.outward.y(), shear * edge.outward.x() + s[1] * edge.outward.y()};
-}
 
 /// Halving the elements of a smooth problem divides the error in energy by 2^p, p the shape's degree
 /// [Hughes2000].
@@ -61,7 +48,7 @@ struct Outcome {
 Outcome solve_thick_cylinder(ShapeKind kind, int n)
 {
     using C = ThickCylinder;
-    const PlaneMesh mesh = mapped(femoop_test::unit_square_mesh(kind, n, n / 2), [](const Vector& p) {
+    const PlaneMesh mesh = mapped(unit_square_mesh(kind, n, n / 2), [](const Vector& p) {
         return Vector(C::a + (C::b - C::a) * p.x(), C::height * p.y());
     });
     const LinearElastic material({.E = E, .nu = nu}, StressState::Axisymmetric);
@@ -96,7 +83,7 @@ struct Kirsch {
 /// A quarter of the sheet out to a circle, on which Kirsch's stresses pull; cells grow outwards.
 PlaneMesh kirsch_mesh(ShapeKind kind, int n)
 {
-    return mapped(femoop_test::unit_square_mesh(kind, n, n), [](const Vector& p) {
+    return mapped(unit_square_mesh(kind, n, n), [](const Vector& p) {
         const double r = Kirsch::a * std::pow(Kirsch::far / Kirsch::a, p.x());
         const double angle = 0.5 * std::numbers::pi * p.y();
         return Vector(r * std::cos(angle), p.y() == 1.0 ? r : r * std::sin(angle));
@@ -111,7 +98,7 @@ KirschOutcome solve_kirsch(ShapeKind kind, int n)
 {
     const PlaneMesh mesh = kirsch_mesh(kind, n);
     const LinearElastic material({.E = E, .nu = nu}, StressState::PlaneStress);
-    const ContinuumFormulation formulation(shape_of(kind), standard_rule(kind, material.state()), material, 0.37);
+    const ContinuumFormulation formulation(shape_of(kind), standard_rule(kind, material.state()), material, thickness);
     PlaneProblem problem(mesh, formulation);
     const double on_axis = 1e-12 * Kirsch::far;
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -132,8 +119,8 @@ KirschOutcome solve_kirsch(ShapeKind kind, int n)
 /// A cantilever from x = 0 to L, -c <= y <= c, sheared by P down over its end x = L as a parabola.
 ///      sx = P (L - x) y / I     txy = -P (c^2 - y^2) / 2 I        Source  [TimoshenkoGoodier1970, art. 21]
 struct Cantilever {
-    static constexpr double L = 8.0, c = 1.0, P = 3.0, t = 0.37;
-    static constexpr double I = 2.0 / 3.0 * t * c * c * c;
+    static constexpr double L = 8.0, c = 1.0, P = 3.0;
+    static constexpr double I = 2.0 / 3.0 * thickness * c * c * c;
 
     static StressVector stress(const Vector& at)
     {
@@ -145,10 +132,10 @@ struct Cantilever {
 double solve_cantilever(ShapeKind kind, int n)
 {
     using B = Cantilever;
-    const PlaneMesh mesh = mapped(femoop_test::unit_square_mesh(kind, 4 * n, n),
+    const PlaneMesh mesh = mapped(unit_square_mesh(kind, 4 * n, n),
                                   [](const Vector& p) { return Vector(B::L * p.x(), B::c * (2.0 * p.y() - 1.0)); });
     const LinearElastic material({.E = E, .nu = nu}, StressState::PlaneStress);
-    const ContinuumFormulation formulation(shape_of(kind), standard_rule(kind, material.state()), material, B::t);
+    const ContinuumFormulation formulation(shape_of(kind), standard_rule(kind, material.state()), material, thickness);
     PlaneProblem problem(mesh, formulation);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
         if (mesh.positions[i] == Vector(0.0, -B::c)) {
@@ -166,7 +153,7 @@ TEST_SUITE("convergence")
 {
     TEST_CASE("A thick cylinder's error in energy falls with the power of h that is the shape's degree")
     {
-        for (const ShapeKind kind : femoop_test::plane_shapes()) {
+        for (const ShapeKind kind : plane_shapes()) {
             CAPTURE(name(kind));
             const Outcome coarse = solve_thick_cylinder(kind, 8), fine = solve_thick_cylinder(kind, 16);
             check_rate(kind, coarse.energy_error, fine.energy_error);
@@ -177,7 +164,7 @@ TEST_SUITE("convergence")
 
     TEST_CASE("The sheet with a round hole converges to Kirsch's stresses, three times the pull beside the hole")
     {
-        for (const ShapeKind kind : femoop_test::plane_shapes()) {
+        for (const ShapeKind kind : plane_shapes()) {
             CAPTURE(name(kind));
             const KirschOutcome coarse = solve_kirsch(kind, 8), fine = solve_kirsch(kind, 16);
             check_rate(kind, coarse.energy_error, fine.energy_error);
@@ -187,7 +174,7 @@ TEST_SUITE("convergence")
 
     TEST_CASE("A cantilever with a parabola of shear at its end converges to the theory of elasticity")
     {
-        for (const ShapeKind kind : femoop_test::plane_shapes()) {
+        for (const ShapeKind kind : plane_shapes()) {
             CAPTURE(name(kind));
             const double coarse = solve_cantilever(kind, 8), fine = solve_cantilever(kind, 16);
             CHECK(std::log2(coarse / fine) > shape_of(kind).degree() - 0.15);

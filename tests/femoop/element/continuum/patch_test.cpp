@@ -10,23 +10,16 @@
 #include "tests/femoop/element/continuum/plane_problem.h"
 
 using namespace femoop;
-using femoop_test::PlaneMesh;
-using femoop_test::PlaneProblem;
-using femoop_test::Sides;
+using namespace femoop_test;
 
 namespace {
 
-constexpr double E = 71.0e3, nu = 0.27, thickness = 0.37;
 constexpr double tolerance = 1e-9;
-
-using Vector = Eigen::Vector2d;
-
-bool everywhere(const Vector&) { return true; }
 
 /// A block right of the axis whose inner nodes stand as they like.
 PlaneMesh patch(ShapeKind kind, Sides sides)
 {
-    return mapped(shaken(femoop_test::unit_square_mesh(kind, 3, 3), 0.09, sides),
+    return mapped(shaken(unit_square_mesh(kind, 3, 3), 0.09, sides),
                   [](const Vector& p) { return Vector(2.1 + 2.3 * p.x(), -0.7 + 1.9 * p.y()); });
 }
 
@@ -48,16 +41,9 @@ struct LinearField {
     bool is_axisymmetric;
 };
 
-/// The traction of a constant stress (order of the state) on an edge.
-Vector traction(const StressVector& s, const EdgePoint& edge)
-{
-    const double shear = s[s.size() - 1];
-    return {s[0] * edge.outward.x() + shear * edge.outward.y(), shear * edge.outward.x() + s[1] * edge.outward.y()};
-}
-
 void for_every_patch(const std::function<void(ShapeKind, StressState, const PlaneMesh&)>& check)
 {
-    for (const ShapeKind kind : femoop_test::plane_shapes())
+    for (const ShapeKind kind : plane_shapes())
         for (const StressState state : {StressState::PlaneStress, StressState::PlaneStrain, StressState::Axisymmetric})
             for (const Sides sides : {Sides::Straight, Sides::Curved}) {
                 if (sides == Sides::Curved && shape_of(kind).degree() == 1) continue;
@@ -144,14 +130,14 @@ TEST_SUITE("patch test")
         // 0.
         const double k = 3e-4, c = E / (1.0 - nu * nu), G = E / (2.0 * (1.0 + nu));
         const auto exact = [&](const Vector& p) { return Vector(k * p.x() * p.x(), k * p.x() * p.y()); };
-        for (const ShapeKind kind : femoop_test::plane_shapes()) {
+        for (const ShapeKind kind : plane_shapes()) {
             if (shape_of(kind).degree() < 2) continue;
             CAPTURE(name(kind));
             const LinearElastic material({.E = E, .nu = nu}, StressState::PlaneStress);
             const ContinuumFormulation formulation(shape_of(kind), standard_rule(kind, StressState::PlaneStress),
                                                    material, thickness);
             // Q8 lacks x^2 y^2, which a quadratic field has in a distorted quadrilateral: parallelograms for it.
-            const PlaneMesh slanted = mapped(femoop_test::unit_square_mesh(kind, 3, 3), [](const Vector& p) {
+            const PlaneMesh slanted = mapped(unit_square_mesh(kind, 3, 3), [](const Vector& p) {
                 return Vector(2.1 + 2.3 * p.x() + 0.4 * p.y(), -0.7 + 0.3 * p.x() + 1.9 * p.y());
             });
             const PlaneMesh mesh = kind == ShapeKind::Q8 ? slanted : patch(kind, Sides::Straight);

@@ -2,13 +2,14 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <optional>
+#include <memory>
 #include <stdexcept>
+#include <utility>
 
+#include "femoop/analysis/assembler.h"
+#include "femoop/discretisation/equations.h"
 #include "femoop/element/continuum/element_geometry.h"
-#include "femoop/solver/block_graph.h"
 #include "femoop/solver/symmetric_solver.h"
-#include "femoop/solver/system_pattern.h"
 
 using namespace femoop;
 
@@ -16,103 +17,91 @@ namespace femoop_test {
 
 namespace {
 
-/// The equations of a problem's nodes.
-class Numbering {
-public:
-    Numbering(const PlaneMesh& mesh, const std::function<bool(NodeId, Dof)>& is_free)
-    {
-        BlockGraph graph;
-        for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-            graph.block_sizes.push_back(int(is_free(NodeId(i), Dof::ux)) + int(is_free(NodeId(i), Dof::uy)));
-        for (const std::vector<NodeId>& element : mesh.elements) {
-            std::vector<std::int32_t> blocks;
-            for (const NodeId node : element) blocks.push_back(static_cast<std::int32_t>(node.index));
-            graph.add_clique(blocks);
-        }
-        pattern.emplace(graph, SolverKind::Automatic);
-        for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-            std::int32_t next = pattern->first_equation(i);
-            for (const Dof dof : {Dof::ux, Dof::uy})
-                equations.push_back(is_free(NodeId(i), dof) ? next++ : SystemPattern::none);
-        }
-    }
-    std::vector<std::int32_t> of(const ElementDofs& dofs) const
-    {
-        std::vector<std::int32_t> found;
-        for (const NodeId node : dofs.nodes)
-            for (const std::size_t i : {0, 1}) found.push_back(equations[2 * node.index + i]);
-        return found;
-    }
+/// Nodes with ux and uy, as those of a truss, and no members.
+Discretisation nodes_of(const PlaneMesh& mesh)
+{
+    Discretisation nodes{.kind = AnalysisKind::Truss2d};
+    for (const Eigen::Vector2d& p : mesh.positions) nodes.positions.emplace_back(p.x(), p.y(), 0.0);
+    nodes.support_of_node.assign(mesh.positions.size(), -1);
+    nodes.is_attached.assign(mesh.positions.size(), true);
+    return nodes;
+}
 
-    std::optional<SystemPattern> pattern;
-    std::vector<std::int32_t> equations; ///< two for each node
-};
+std::vector<std::unique_ptr<const Element>> elements_of(const PlaneMesh& mesh, const ContinuumFormulation& formulation)
+{
+    std::vector<std::unique_ptr<const Element>> elements;
+    for (const std::vector<NodeId>& nodes : mesh.elements)
+        elements.push_back(make_continuum_element(formulation, nodes, mesh.positions));
+    return elements;
+}
 
 } // namespace
 
+Vector traction(const StressVector& s, const EdgePoint& edge)
+{
+    const double shear = s[s.size() - 1];
+    return {s[0] * edge.outward.x() + shear * edge.outward.y(), shear * edge.outward.x() + s[1] * edge.outward.y()};
+}
+
 PlaneProblem::PlaneProblem(const PlaneMesh& mesh, const ContinuumFormulation& formulation)
-    : mesh_(mesh), edge_loads_(mesh.elements.size()), u_(Eigen::VectorXd::Zero(2 * Eigen::Index(mesh.positions.size())))
-{
-    for (const std::vector<NodeId>& nodes : mesh.elements)
-        elements_.push_back(make_continuum_element(formulation, nodes, mesh.positions));
-}
+    : mesh_(mesh),
+      structure_(nodes_of(mesh)),
+      elements_(structure_, elements_of(mesh, formulation)),
+      u_(Eigen::VectorXd::Zero(2 * Eigen::Index(mesh.positions.size())))
+{}
 
-void PlaneProblem::prescribe(const Field& displacement, const std::function<bool(const Eigen::Vector2d&)>& where)
+void PlaneProblem::prescribe(NodeId node, Dof dof, double value)
 {
-    for (std::size_t i = 0; i < mesh_.positions.size(); ++i) {
-        if (!where(mesh_.positions[i])) continue;
-        const Eigen::Vector2d u = displacement(mesh_.positions[i]);
-        prescribe(NodeId(i), Dof::ux, u.x());
-        prescribe(NodeId(i), Dof::uy, u.y());
+    std::int32_t& support = structure_.support_of_node[node.index];
+    if (support < 0) {
+        support = static_cast<std::int32_t>(structure_.supports.size());
+        structure_.supports.push_back({.node = node, .blocked = {}});
     }
+    structure_.supports[static_cast<std::size_t>(support)].blocked.insert(dof);
+    CaseLoads::OnNode settlement{.node = node};
+    settlement.value[index(dof)] = value;
+    loads_.settlements.push_back(settlement);
 }
 
-void PlaneProblem::pull(const std::function<Eigen::Vector2d(const EdgePoint&)>& traction,
-                        const std::function<bool(const Eigen::Vector2d&)>& where)
+void PlaneProblem::pull(const std::function<Eigen::Vector2d(const EdgePoint&)>& traction, const Place& where)
 {
     const Shape& shape = shape_of(mesh_.shape);
     for (const auto& [element, edge] : boundary(mesh_)) {
+        const std::vector<NodeId>& nodes = mesh_.elements[element];
         const Shape::Edge ends = shape.edges()[static_cast<std::size_t>(edge)];
-        const auto position = [&, e = element](int i) {
-            return mesh_.positions[mesh_.elements[e][static_cast<std::size_t>(i)].index];
-        };
-        if (where(0.5 * (position(ends[0]) + position(ends[1])))) edge_loads_[element].push_back({edge, traction});
+        const Eigen::Vector2d a = mesh_.positions[nodes[static_cast<std::size_t>(ends[0])].index];
+        const Eigen::Vector2d b = mesh_.positions[nodes[static_cast<std::size_t>(ends[1])].index];
+        if (where(0.5 * (a + b)))
+            loads_.elements.push_back({.element = element, .edge_loads = {{edge, traction}}, .body_loads = {}});
     }
 }
 
-void PlaneProblem::pull_inside(const Field& force) { body_loads_.push_back({force}); }
-
-const Eigen::VectorXd& PlaneProblem::solve()
+void PlaneProblem::pull_inside(const Field& force)
 {
-    const Numbering numbering(mesh_, [&](NodeId node, Dof dof) { return !prescribed_.contains({node, dof}); });
-    for (const auto& [where, value] : prescribed_) u_[2 * where.first.index + static_cast<int>(where.second)] = value;
-    SparseMatrix K = numbering.pattern->matrix();
-    Eigen::VectorXd f = Eigen::VectorXd::Zero(K.rows());
-    ElementMatrix Ke;
-    ElementVector fe;
-    for (std::size_t e = 0; e < elements_.size(); ++e) {
-        const Element& element = *elements_[e];
-        const std::vector<std::int32_t> equations = numbering.of(element.dofs());
-        element.stiffness(Ke);
-        element.equivalent_forces({.edge_loads = edge_loads_[e], .body_loads = body_loads_}, fe);
-        fe -= Ke * displacements_of(e);
-        numbering.pattern->add(K, e, equations, Ke);
-        for (std::size_t i = 0; i < equations.size(); ++i)
-            if (equations[i] != SystemPattern::none) f[equations[i]] += fe[static_cast<int>(i)];
-    }
-    const auto solver = make_solver(numbering.pattern->solver());
-    solver->analyse(*numbering.pattern);
+    for (std::size_t e = 0; e < elements_.size(); ++e)
+        loads_.elements.push_back({.element = e, .edge_loads = {}, .body_loads = {{force}}});
+}
+
+void PlaneProblem::solve()
+{
+    const Equations equations(structure_, elements_, SolverKind::Automatic);
+    const Assembler assembler(structure_, elements_, equations);
+    SparseMatrix K = equations.pattern().matrix();
+    assembler.add_stiffness(K);
+    const auto solver = make_solver(equations.pattern().solver());
+    solver->analyse(equations.pattern());
     if (!solver->factorize(K).is_complete) throw std::runtime_error("PlaneProblem: not held");
-    const Eigen::VectorXd x = solver->solve(f);
-    for (std::size_t i = 0; i < numbering.equations.size(); ++i)
-        if (const std::int32_t equation = numbering.equations[i]; equation != SystemPattern::none)
-            u_[static_cast<Eigen::Index>(i)] = x[equation];
-    return u_;
+    const Eigen::VectorXd x = solver->solve(assembler.load_vector<double>(loads_));
+    const std::vector<double> moved = assembler.settlements(loads_);
+    for (std::size_t i = 0; i < 2 * mesh_.positions.size(); ++i) {
+        const std::int32_t equation = equations.of(NodeId(i / 2), i % 2);
+        u_[static_cast<Eigen::Index>(i)] = equation == Equations::none ? moved[i] : x[equation];
+    }
 }
 
 ElementVector PlaneProblem::displacements_of(std::size_t element) const
 {
-    const std::span<const NodeId> nodes = elements_[element]->dofs().nodes;
+    const std::span<const NodeId> nodes = elements_[element].dofs().nodes;
     ElementVector u(2 * nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) u.segment<2>(2 * Eigen::Index(i)) = displacement(nodes[i]);
     return u;
@@ -124,7 +113,7 @@ double PlaneProblem::strain_energy() const
     ElementMatrix K;
     for (std::size_t e = 0; e < elements_.size(); ++e) {
         const ElementVector u = displacements_of(e);
-        elements_[e]->stiffness(K);
+        elements_[e].stiffness(K);
         twice += u.dot(K * u);
     }
     return 0.5 * twice;
@@ -133,7 +122,7 @@ double PlaneProblem::strain_energy() const
 void PlaneProblem::at_integration_points(const std::function<void(std::size_t, const IntegrationPoint&)>& visit) const
 {
     for (std::size_t e = 0; e < elements_.size(); ++e)
-        for (const IntegrationPoint& point : elements_[e]->formulation().rule().points) visit(e, point);
+        for (const IntegrationPoint& point : element(e).formulation().rule().points) visit(e, point);
 }
 
 double energy_error(const PlaneProblem& problem,
