@@ -48,6 +48,9 @@ cremona_compile_alone(ui_paint
   ui/paint/label/obstacles.cpp
   ui/report/html.cpp)
 cremona_compile_alone(cremona_cli apps/cli/solve.cpp)
+cremona_compile_alone(drawing
+  apps/drawing/results/diagram.cpp
+  apps/drawing/structure/space_supports.cpp)
 cremona_compile_alone(cross_model
   apps/cross/document/pupil_file.cpp
   apps/cross/document/worked_file.cpp)
@@ -74,11 +77,9 @@ cremona_compile_alone(frame_tools
   apps/frame/tools/select_tool.cpp
   apps/frame/tools/snap.cpp)
 cremona_compile_alone(frame_view
-  apps/frame/view/results/diagram.cpp
   apps/frame/view/solver/factor_pictures.cpp
   apps/frame/view/solver/solver_scene.cpp
-  apps/frame/view/solver/structure_walk.cpp
-  apps/frame/view/structure/space_supports.cpp)
+  apps/frame/view/solver/structure_walk.cpp)
 cremona_compile_alone(frame_app
   apps/frame/window/named_set_rows.cpp
   apps/frame/window/number_row.cpp
@@ -114,7 +115,7 @@ cremona_compile_alone(test_frame_session
 cremona_compile_alone(test_frame_model tests/apps/frame/tools_test.cpp)
 cremona_compile_alone(test_frame_predict tests/apps/frame_predict/score_test.cpp)
 cremona_compile_alone(test_frame_tables tests/apps/frame_tables/result_table_test.cpp)
-cremona_compile_alone(test_frame_view tests/apps/frame_view/results_test.cpp)
+cremona_compile_alone(test_drawing tests/apps/drawing/results_test.cpp)
 cremona_compile_alone(test_frame_window tests/apps/frame_window/window_test.cpp)
 cremona_compile_alone(test_mohr tests/apps/mohr/exercise_test.cpp)
 cremona_compile_alone(test_femoop_analysis

@@ -3,9 +3,10 @@
 #include <functional>
 
 #include "apps/cli/analysis_run.h"
-#include "apps/frame/view/frame_view.h"
+#include "apps/drawing/draw.h"
+#include "apps/drawing/sheet/subject.h"
 #include "apps/frame/view/kept_view.h"
-#include "apps/frame/view/sheet/subject.h"
+#include "apps/frame/view/motion_words.h"
 #include "femoop/analysis/mechanism.h"
 
 namespace cli {
@@ -14,16 +15,16 @@ namespace {
 
 Backdrop backdrop_of(const PictureOrder& order, const femoop::Model& model)
 {
-    return {.color = frame::background(order.view), .title = model.title};
+    return {.color = drawing::background(order.view), .title = model.title};
 }
 
 // A region is as high as the panel that the sheet leaves for it.
-frame::ViewOptions looked_at(const PictureOrder& order, const femoop::Model& model, const femoop::Results& results,
-                             const ui::Painter& painter)
+drawing::ViewOptions looked_at(const PictureOrder& order, const femoop::Model& model, const femoop::Results& results,
+                               const ui::Painter& painter)
 {
-    frame::ViewOptions view = order.view;
-    if (!order.region || frame::is_seen_in_space(model.analysis)) return view;
-    const auto plan = frame::Subject(model, &results, order.view).plan(painter.size(), painter.fonts());
+    drawing::ViewOptions view = order.view;
+    if (!order.region || drawing::is_seen_in_space(model.analysis)) return view;
+    const auto plan = drawing::Subject(model, &results, order.view).plan(painter.size(), painter.fonts());
     if (!plan.panels.empty()) view.camera = frame::camera_on(*order.region, plan.panels.front().box.size());
     return view;
 }
@@ -38,10 +39,10 @@ ExitStatus draw_mechanism(const femoop::Model& model, const femoop::MechanismErr
         throw UsageError(tr("--mechanism: found {found}; wanted at most {total}, the number of its motions",
                             {{"found", std::to_string(shown + 1)}, {"total", std::to_string(total)}}));
     report_mechanisms(error, file, console);
-    const frame::MotionChoice motion{error.mechanisms(), shown};
+    const drawing::MotionChoice motion = frame::motion_choice(error.mechanisms(), shown, tr);
     write_picture(
         order.file, backdrop_of(order, model),
-        [&](ui::Painter& painter) { frame::draw(painter, model, motion, order.view); }, tr);
+        [&](ui::Painter& painter) { drawing::draw(painter, model, motion, order.view); }, tr);
     console.message(
         tr("{file} shows the motion {n} of {total}",
            {{"file", order.file.path.string()}, {"n", std::to_string(shown + 1)}, {"total", std::to_string(total)}}));
@@ -61,7 +62,7 @@ ExitStatus draw_picture(const femoop::Model& model, const std::string& file, con
         write_picture(
             order.file, backdrop_of(order, model),
             [&](ui::Painter& painter) {
-                frame::draw(painter, model, &results, looked_at(order, model, results, painter));
+                drawing::draw(painter, model, &results, looked_at(order, model, results, painter));
             },
             console.tr());
         return ExitStatus::Done;
@@ -73,9 +74,9 @@ ExitStatus draw_picture(const femoop::Model& model, const std::string& file, con
     }
 }
 
-frame::ViewOptions view_options(const ui::Catalogue& tr)
+drawing::ViewOptions view_options(const ui::Catalogue& tr)
 {
-    frame::ViewOptions options;
+    drawing::ViewOptions options;
     options.tr = tr;
     if (tr.language() == ui::Language::Portuguese) options.numbers.mark = ui::DecimalMark::Comma;
     return options;

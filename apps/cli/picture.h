@@ -7,8 +7,8 @@
 #include "apps/cli/console.h"
 #include "apps/cli/exit_status.h"
 #include "apps/cli/picture_file.h"
+#include "apps/drawing/view_options.h"
 #include "apps/frame/document/companion/named_view.h"
-#include "apps/frame/view/view_options.h"
 #include "femoop/model/model.h"
 
 namespace cli {
@@ -17,7 +17,7 @@ namespace cli {
 struct PictureOrder {
     PictureFile file;
     std::optional<std::size_t> mechanism; ///< which way of moving is drawn when the structure cannot be solved
-    frame::ViewOptions view;
+    drawing::ViewOptions view;
     std::optional<frame::Region> region; ///< of a plane model that is looked at; the whole when absent
 };
 
@@ -27,6 +27,6 @@ ExitStatus draw_picture(const femoop::Model& model, const std::string& file, con
                         const Console& console);
 
 /// How pictures are drawn when no option says otherwise: in the language of `tr`, with its decimal mark.
-frame::ViewOptions view_options(const ui::Catalogue& tr);
+drawing::ViewOptions view_options(const ui::Catalogue& tr);
 
 } // namespace cli

@@ -25,7 +25,7 @@ public:
 
 private:
     PictureOrder order(const ui::Catalogue& tr) const;
-    void choose_case(frame::ViewOptions& view, const femoop::Model& model, const ui::Catalogue& tr) const;
+    void choose_case(drawing::ViewOptions& view, const femoop::Model& model, const ui::Catalogue& tr) const;
     void look_at_view(PictureOrder& order, const frame::Companion& companion, const femoop::Model& model,
                       const ui::Catalogue& tr) const;
     frame::CompanionReading companion(const Console& console, const femoop::Model& model) const;
@@ -37,7 +37,7 @@ private:
 std::string show_list(const ui::Catalogue& tr)
 {
     std::string text;
-    for (const frame::ShowWord& word : frame::show_words())
+    for (const drawing::ShowWord& word : drawing::show_words())
         text += "\n" + std::string(word.word) + ": " + tr(word.meaning);
     return text;
 }
@@ -82,15 +82,15 @@ void Render::declare(CLI::App& app, const ui::Catalogue& tr)
         ->option_text("N");
 }
 
-frame::ShowSet shown(const std::string& list, const ui::Catalogue& tr)
+drawing::ShowSet shown(const std::string& list, const ui::Catalogue& tr)
 {
-    frame::ShowSet set;
+    drawing::ShowSet set;
     for (const std::string& word : comma_list(list)) {
         try {
-            set = set | frame::parse_show(word);
-        } catch (const frame::ShowError&) {
+            set = set | drawing::parse_show(word);
+        } catch (const drawing::ShowError&) {
             std::vector<std::string> words;
-            for (const frame::ShowWord& known : frame::show_words()) words.emplace_back(known.word);
+            for (const drawing::ShowWord& known : drawing::show_words()) words.emplace_back(known.word);
             throw unknown_choice("--show", word, words, tr);
         }
     }
@@ -119,7 +119,7 @@ frame::CompanionReading Render::companion(const Console& console, const femoop::
 }
 
 // A case that bears the name of the keyword is still reached.
-void Render::choose_case(frame::ViewOptions& view, const femoop::Model& model, const ui::Catalogue& tr) const
+void Render::choose_case(drawing::ViewOptions& view, const femoop::Model& model, const ui::Catalogue& tr) const
 {
     view.is_envelope = *case_ == "envelope" && !model.find_case("envelope");
     if (!view.is_envelope) view.load_case = find_case(model, *case_, tr);
@@ -138,7 +138,7 @@ void Render::look_at_view(PictureOrder& order, const frame::Companion& companion
         for (const frame::NamedView& known : companion.views) names.push_back(known.name);
         throw unknown_choice("--view", *view_, names, tr);
     }
-    const frame::ViewOptions asked_for = order.view;
+    const drawing::ViewOptions asked_for = order.view;
     frame::look_as(order.view, *kept, model);
     order.region = kept->region;
     if (show_) order.view.show = asked_for.show;

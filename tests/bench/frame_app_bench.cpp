@@ -10,8 +10,8 @@
 #include <functional>
 
 #include "apps/cli/bench_frame.h"
+#include "apps/drawing/geometry/structure_shape.h"
 #include "apps/frame/document/number.h"
-#include "apps/frame/view/geometry/structure_shape.h"
 #include "apps/frame/window/application.h"
 #include "ui/context/draw_list_renderer.h"
 #include "ui/context/offscreen.h"

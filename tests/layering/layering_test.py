@@ -67,16 +67,20 @@ ALLOWED = {
     "examples": ["femoop/", "topology/", EIGEN],
     "tests": ["topology/", "femoop/", "ui/", "apps/", "tests/", re.compile(r"")],
 }
-APP_ALLOWED = ["topology/", "femoop/", "ui/", EIGEN, SYSTEM]
-APP_DOCUMENT_ALLOWED = ["topology/", "femoop/", *UI_BASE, EIGEN]  # so that tests drive it without a screen
-APP_VIEW_ALLOWED = [*APP_DOCUMENT_ALLOWED, "ui/paint/", "ui/canvas/"]  # draws through the Painter only
+# Structures are drawn in one way by all apps; the drawing knows no app.
+DRAWING = "apps/drawing/"
+DRAWING_ALLOWED = [DRAWING, "femoop/", *UI_BASE, "ui/paint/", "ui/canvas/", EIGEN]
+DRAWING_VALUES = re.compile(r"apps/drawing/(\w+)\.h$")  # what a picture shows: sets, parts, dimension lines
+APP_ALLOWED = ["topology/", "femoop/", "ui/", DRAWING, EIGEN, SYSTEM]
+APP_DOCUMENT_ALLOWED = ["topology/", "femoop/", *UI_BASE, DRAWING_VALUES, EIGEN]  # tests drive it without a screen
+APP_VIEW_ALLOWED = [*APP_DOCUMENT_ALLOWED, DRAWING, "ui/paint/", "ui/canvas/"]  # draws through the Painter only
 CLI_ALLOWED = [*APP_ALLOWED, "apps/", OPTIONS, JSON]
 BORROWED = {
-    "cross": ["apps/frame/view/", "apps/frame/document/"],  # structures are drawn and edited in one way only
+    "cross": ["apps/frame/document/"],  # structures are edited in one way only
     "frame": ["apps/cross/document/", "apps/mohr/document/"],  # it hands documents of theirs over
 }
 # What is wrong with a structure is said in one way in every picture too.
-VIEW_BORROWED = {"cross": ["apps/frame/view/", "apps/frame/document/fault/"]}
+VIEW_BORROWED = {"cross": ["apps/frame/document/fault/"]}
 APP_WINDOW_PART = re.compile(r"window/|panels?[/_.]|main\.cpp$")
 
 
@@ -84,6 +88,8 @@ def rule(path):
     """What the file at `path` may include."""
     if path.startswith("apps/"):
         app = path.split("/")[1]
+        if app == "drawing":
+            return DRAWING_ALLOWED
         if app == "cli":
             return CLI_ALLOWED
         inside = path.removeprefix(f"apps/{app}/")
@@ -221,16 +227,16 @@ class Rules(unittest.TestCase):
 
     def test_an_apps_document_knows_of_ui_only_what_needs_no_screen_and_its_view_draws_through_the_painter(self):
         self.assert_refused("apps/frame/document/document.h", '#include "ui/paint/painter.h"')
-        self.assert_refused("apps/frame/document/document.h", '#include "apps/frame/view/frame_view.h"')
+        self.assert_refused("apps/frame/document/document.h", '#include "apps/frame/view/kept_view.h"')
         self.assert_allowed("apps/frame/document/document.h", '#include "ui/history/history.h"')
-        self.assert_refused("apps/frame/view/frame_view.cpp", '#include "ui/context/context.h"')
-        self.assert_allowed("apps/frame/view/frame_view.cpp", '#include "ui/paint/painter.h"')
+        self.assert_refused("apps/frame/view/kept_view.cpp", '#include "ui/context/context.h"')
+        self.assert_allowed("apps/frame/view/kept_view.cpp", '#include "ui/paint/painter.h"')
 
     def test_what_judges_a_sketched_diagram_knows_the_mechanics_alone(self):
         self.assert_refused("apps/frame/predict/score.cpp", '#include "ui/text/phrase.h"')
-        self.assert_refused("apps/frame/predict/score.cpp", '#include "apps/frame/view/view_options.h"')
+        self.assert_refused("apps/frame/predict/score.cpp", '#include "apps/frame/view/kept_view.h"')
         self.assert_allowed("apps/frame/predict/score.cpp", '#include "femoop/result/curve.h"')
-        self.assert_allowed("apps/frame/view/frame_view.cpp", '#include "apps/frame/predict/prediction.h"')
+        self.assert_allowed("apps/frame/view/kept_view.cpp", '#include "apps/frame/predict/prediction.h"')
 
     def test_json_stays_in_io_and_out_of_public_headers(self):
         self.assert_refused("femoop/model/model.cpp", "#include <nlohmann/json.hpp>")
@@ -257,9 +263,19 @@ class Rules(unittest.TestCase):
         self.assert_allowed("femoop/solver/cholmod_solver.cpp", "#include <suitesparse/cholmod.h>")
         self.assert_allowed("femoop/solver/metis_ordering.cpp", "#include <metis.h>")
 
+    def test_the_drawing_of_structures_knows_no_app_and_every_app_may_draw_with_it(self):
+        for header in ("apps/frame/document/part.h", "apps/cross/view/scene.h", "ui/context/context.h", "topology/halfedge/ids.h"):
+            self.assert_refused("apps/drawing/sheet/subject.h", f'#include "{header}"')
+        self.assert_allowed("apps/drawing/sheet/subject.h", '#include "ui/paint/painter.h"')
+        for path in ("apps/frame/view/solver.cpp", "apps/cross/view/draw.cpp", "apps/frame/window/canvas.cpp"):
+            self.assert_allowed(path, '#include "apps/drawing/sketch/scene.h"')
+        self.assert_allowed("apps/frame/document/document.h", '#include "apps/drawing/show.h"')
+        self.assert_refused("apps/frame/document/document.h", '#include "apps/drawing/sketch/scene.h"')
+        self.assert_refused("apps/cross/view/draw.cpp", '#include "apps/frame/view/kept_view.h"')
+
     def test_an_app_does_not_know_another_app(self):
         self.assert_refused("apps/cross/document.h", '#include "apps/frame/document.h"')
-        self.assert_allowed("apps/cli/render.cpp", '#include "apps/frame/view/frame_view.h"')
+        self.assert_allowed("apps/cli/render.cpp", '#include "apps/frame/view/kept_view.h"')
 
     def test_headers_are_included_by_full_path_and_every_file_is_listed(self):
         self.assert_refused("femoop/model/model.cpp", '#include "model.h"')

@@ -110,7 +110,7 @@ private:
 
     template <class Draw> void figure(Part part, std::size_t n_lines, const Draw& draw)
     {
-        const frame::StructureShape shape = frame::shape_of(document_.model);
+        const drawing::StructureShape shape = drawing::shape_of(document_.model);
         const ui::Theme theme = look_.full_theme();
         const ui::Size size{width, height_alone(part, shape, width, n_lines, theme)};
         ui::Painter painter(size, fonts_);
@@ -201,7 +201,7 @@ private:
         std::size_t n_lines = 0;
         for (const Column& column : columns_of(problem, solution_.sheets[stage]))
             if (problem.is_on_sheet(column.end)) n_lines = std::max(n_lines, column.n_levels);
-        if (is_beam(frame::shape_of(document_.model))) beam_sheet(n_lines);
+        if (is_beam(drawing::shape_of(document_.model))) beam_sheet(n_lines);
         else frame_sheet(n_lines);
         table(table_of(scene(), Topic::Sheet));
         const TextTable history = table_of(scene(), Topic::Convergence);
@@ -212,7 +212,7 @@ private:
     void beam_sheet(std::size_t n_lines)
     {
         constexpr double most = 40.0, step = 1.25, overlap = 110.0;
-        const frame::StructureShape shape = frame::shape_of(document_.model);
+        const drawing::StructureShape shape = drawing::shape_of(document_.model);
         const ui::Theme theme = look_.full_theme();
         const ui::Size page{width, height_alone(Part::Sheet, shape, width, n_lines, theme)};
         const auto drawn = [&](double whole, double left) {
@@ -230,7 +230,7 @@ private:
     /// Drawn larger until every column has room, and so printed smaller.
     void frame_sheet(std::size_t n_lines)
     {
-        const frame::StructureShape shape = frame::shape_of(document_.model);
+        const drawing::StructureShape shape = drawing::shape_of(document_.model);
         const ui::Theme theme = look_.full_theme();
         const double height = height_alone(Part::Sheet, shape, width, n_lines, theme);
         for (double larger = 1.0;; larger *= 1.25) {

@@ -10,7 +10,7 @@
 
 #include "apps/cross/view/numbers.h"
 #include "apps/cross/view/sheet_parts.h"
-#include "apps/frame/view/sketch/scene.h"
+#include "apps/drawing/sketch/scene.h"
 #include "femoop/io/cross/cross_table.h"
 #include "femoop/io/cross/half_text.h"
 
@@ -269,11 +269,11 @@ private:
     std::string amount(double moment) const { return numbers_.moment(moment) + " " + numbers_.moment_unit(); }
     std::string force(double value) const
     {
-        return frame::with_minus(numbers_.units().text(value, ui::Measure::Force));
+        return drawing::with_minus(numbers_.units().text(value, ui::Measure::Force));
     }
     std::string plain(double value) const
     {
-        return frame::with_minus(ui::number_text(value, numbers_.units().format()));
+        return drawing::with_minus(ui::number_text(value, numbers_.units().format()));
     }
     std::string signed_factor(double value) const
     {

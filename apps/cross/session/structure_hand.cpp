@@ -96,7 +96,7 @@ Aim aim_at(const Model& model, const Drawn& drawn, ui::Point at, double scale)
     for (const Side side : {Side::Left, Side::Right})
         if (const auto sign = sign_beyond(model, drawn, side, scale); sign && ui::distance(*sign, at) < 12.0 * scale)
             return EndAim{side, *sign};
-    const frame::LoadMark* const load = pick_load(drawn, at);
+    const drawing::LoadMark* const load = pick_load(drawn, at);
     const auto span = span_at(model, drawn, at, scale);
     if (span && (load == nullptr || at.y > span->at.y)) return *span; // arrows end on the member
     if (load != nullptr) return LoadAim{*load};

@@ -13,7 +13,7 @@ struct NodeAim {
     femoop::NodeId node;
 };
 struct LoadAim {
-    frame::LoadMark mark;
+    drawing::LoadMark mark;
 };
 struct SpanAim {
     femoop::MemberId member;

@@ -93,7 +93,7 @@ std::optional<TypedValue> largest_of(const Session& session, const frame::Part& 
     return best ? std::optional<TypedValue>(best->id) : std::nullopt;
 }
 
-double distance_to(const frame::LoadMark& mark, ui::Point at)
+double distance_to(const drawing::LoadMark& mark, ui::Point at)
 {
     double nearest = std::min(ui::distance(mark.root, at), ui::distance(mark.tip, at));
     for (std::size_t i = 0; i < mark.area.size(); ++i) {
@@ -108,7 +108,7 @@ double distance_to(const frame::LoadMark& mark, ui::Point at)
 void consider_loads(Nearest& nearest, const Session& session, const Drawn& drawn, const std::string& text)
 {
     const ui::DisplayUnits units = units_in(session);
-    for (const frame::LoadMark& mark : drawn.loads)
+    for (const drawing::LoadMark& mark : drawn.loads)
         for (const frame::Number& number : frame::numbers(session.document().model, mark.load))
             if (is_value(number) && units.text(std::abs(*number.value), number.measure) == text)
                 nearest.consider(number.id, distance_to(mark, nearest.at()));
@@ -286,7 +286,7 @@ std::optional<TypedValue> written_at(const Session& session, const Drawn& drawn,
 std::optional<TypedValue> value_at(const Session& session, const Drawn& drawn, ui::Point at)
 {
     if (const auto written = written_at(session, drawn, at)) return written;
-    const frame::LoadMark* const load = drawn.is_in_structure(at) ? pick_load(drawn, at) : nullptr;
+    const drawing::LoadMark* const load = drawn.is_in_structure(at) ? pick_load(drawn, at) : nullptr;
     return load != nullptr ? largest_of(session, load->load) : std::nullopt;
 }
 

@@ -69,7 +69,7 @@ Drawn draw(ui::Painter& painter, const Scene& scene)
     }
     if (scene.paper != nullptr) return draw_exercise(painter, scene);
     const ui::Theme theme = scene.look.full_theme();
-    const frame::StructureShape shape = frame::shape_of(scene.document.model);
+    const drawing::StructureShape shape = drawing::shape_of(scene.document.model);
     Panels panels = panels_for(shape, painter.size(), theme, scene.look.zoom, share_of_small_pictures(shape));
     if (scene.look.shears) make_room_for_reactions(panels, shape, theme);
     draw_borders(painter, panels, theme);
@@ -116,9 +116,9 @@ std::optional<femoop::NodeId> pick_node(const Drawn& drawn, ui::Point at, double
     return found;
 }
 
-const frame::LoadMark* pick_load(const Drawn& drawn, ui::Point at)
+const drawing::LoadMark* pick_load(const Drawn& drawn, ui::Point at)
 {
-    const auto is_there = [&](const frame::LoadMark& mark) {
+    const auto is_there = [&](const drawing::LoadMark& mark) {
         if (mark.area.empty()) return false;
         ui::Box box{mark.area.front(), mark.area.front()};
         for (const ui::Point& p : mark.area) box = ui::united(box, {p, p});

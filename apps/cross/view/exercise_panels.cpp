@@ -14,7 +14,7 @@ constexpr double narrow = 38.0;       // width of a window, likewise
 double lines_below(const Paper& paper) { return paper.n_sheets() > 1 ? 7.0 : 4.0; }
 
 /// Room for dimension lines on the left and below, since all lengths are needed.
-ui::PlaneCamera roomy_camera(const frame::StructureShape& shape, ui::Size size, double em)
+ui::PlaneCamera roomy_camera(const drawing::StructureShape& shape, ui::Size size, double em)
 {
     std::vector<ui::World2> nodes;
     for (const Eigen::Vector3d& node : shape.nodes) nodes.push_back({node.x(), node.y()});
@@ -27,7 +27,7 @@ ui::PlaneCamera roomy_camera(const frame::StructureShape& shape, ui::Size size, 
 }
 
 /// In a narrow window the sheet lies below the structure, which the moments stand beside once it is right.
-Panels narrow_panels(const frame::StructureShape& shape, ui::Size size, const ui::Theme& theme, const Paper& paper)
+Panels narrow_panels(const drawing::StructureShape& shape, ui::Size size, const ui::Theme& theme, const Paper& paper)
 {
     constexpr double closer = 0.55; // margins for small cells
     const double em = theme.type().normal, top = 0.34 * size.height;
@@ -45,7 +45,7 @@ Panels narrow_panels(const frame::StructureShape& shape, ui::Size size, const ui
 
 } // namespace
 
-Panels exercise_panels(const frame::StructureShape& shape, ui::Size size, const ui::Theme& theme, const Paper& paper,
+Panels exercise_panels(const drawing::StructureShape& shape, ui::Size size, const ui::Theme& theme, const Paper& paper,
                        Room room)
 {
     const double em = theme.type().normal, below = lines_below(paper) * em;

@@ -11,7 +11,7 @@ namespace cross {
 enum class Room : std::uint8_t { Usual, Beside };
 
 /// The sheet gets the room of the pictures that are not shown; the moments come next to the structure once it is right.
-Panels exercise_panels(const frame::StructureShape& shape, ui::Size size, const ui::Theme& theme, const Paper& paper,
+Panels exercise_panels(const drawing::StructureShape& shape, ui::Size size, const ui::Theme& theme, const Paper& paper,
                        Room room);
 
 } // namespace cross

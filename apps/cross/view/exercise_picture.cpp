@@ -14,8 +14,8 @@
 #include "apps/cross/view/sheet_places.h"
 #include "apps/cross/view/structure_pictures.h"
 #include "apps/cross/view/verdict_mark.h"
-#include "apps/frame/view/structure/members.h"
-#include "apps/frame/view/structure/supports.h"
+#include "apps/drawing/structure/members.h"
+#include "apps/drawing/structure/supports.h"
 #include "ui/paint/wrapped_lines.h"
 
 namespace cross {
@@ -43,7 +43,7 @@ public:
           problem_(paper_.form.problem),
           drawn_(drawn),
           theme_(theme_in(panel, scene.look)),
-          shape_(frame::shape_of(scene.document.model)),
+          shape_(drawing::shape_of(scene.document.model)),
           columns_(blank_columns(paper_, scene.paper_stage))
     {
         lay_out();
@@ -155,7 +155,7 @@ private:
     /// Beside a place along a member: over a beam and right of a column, or on the other side.
     ui::Point beside(femoop::MemberId id, double t, double side) const
     {
-        const frame::MemberShape& member = shape_[id];
+        const drawing::MemberShape& member = shape_[id];
         const ui::Point a = panel_.at(member.start_node), b = panel_.at(member.end_node);
         const ui::Point d = ui::direction(b - a);
         const bool is_upright = std::abs(d.y) > 0.7;
@@ -389,7 +389,7 @@ private:
     const fc::Problem& problem_;
     Drawn& drawn_;
     ui::Theme theme_;
-    frame::StructureShape shape_;
+    drawing::StructureShape shape_;
     std::vector<BlankColumn> columns_;
     BlockLayout layout_;
     bool is_narrow_ = false;
@@ -413,13 +413,13 @@ void draw_cells(ui::Painter& painter, const Panel& panel, const Scene& scene, Dr
 {
     const ui::Theme theme = theme_in(panel, scene.look);
     draw_title(painter, panel, title_of(scene), theme);
-    draw_structure_in(painter, panel, scene, {}, [](const frame::Scene& in) {
-        frame::draw_members(in, frame::Presence::Subject);
+    draw_structure_in(painter, panel, scene, {}, [](const drawing::Scene& in) {
+        drawing::draw_members(in, drawing::Presence::Subject);
         {
             const ui::LayerScope layer(in.sketch.painter(), ui::Layer::Symbols);
-            frame::draw_supports(in);
+            drawing::draw_supports(in);
         }
-        frame::draw_joints(in);
+        drawing::draw_joints(in);
     });
     const ui::ClipScope clip(painter, panel.box);
     PaperWriter writer(painter, panel, scene, drawn);
@@ -432,7 +432,7 @@ void draw_cells(ui::Painter& painter, const Panel& panel, const Scene& scene, Dr
 /// A frame is drawn smaller where that makes its cells larger.
 Panels best_panels(ui::Painter& painter, const Scene& scene)
 {
-    const frame::StructureShape shape = frame::shape_of(scene.document.model);
+    const drawing::StructureShape shape = drawing::shape_of(scene.document.model);
     const ui::Theme theme = scene.look.full_theme();
     const auto with = [&](Room room) { return exercise_panels(shape, painter.size(), theme, *scene.paper, room); };
     const auto fit = [&](const Panels& panels) {

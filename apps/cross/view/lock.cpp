@@ -4,7 +4,7 @@
 
 namespace cross {
 
-void draw(frame::Sketch& sketch, const Lock& lock)
+void draw(drawing::Sketch& sketch, const Lock& lock)
 {
     const double w = sketch.px(6.5), h = sketch.px(4.6), r = sketch.px(4.2);
     const ui::Role role = lock.is_shut ? ui::Role::Support : ui::Role::Changed;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/frame/view/sketch/sketch.h"
+#include "apps/drawing/sketch/sketch.h"
 
 namespace cross {
 
@@ -14,6 +14,6 @@ struct Lock {
     ui::Point at; ///< its middle
     bool is_shut = true;
 };
-void draw(frame::Sketch& sketch, const Lock& lock);
+void draw(drawing::Sketch& sketch, const Lock& lock);
 
 } // namespace cross

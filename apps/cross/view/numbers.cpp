@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "apps/drawing/sketch/scene.h"
 #include "apps/frame/document/fault/sentence.h"
-#include "apps/frame/view/sketch/scene.h"
 #include "femoop/methods/cross/fraction.h"
 
 namespace cross {
@@ -37,16 +37,16 @@ std::string with_decimals(double value, int decimals, ui::DecimalMark mark)
     std::string written(text.data());
     if (mark == ui::DecimalMark::Comma) std::ranges::replace(written, '.', ',');
     const bool is_zero = written.find_first_not_of("-0.,") == std::string::npos;
-    return is_zero && written.front() == '-' ? written.substr(1) : frame::with_minus(written);
+    return is_zero && written.front() == '-' ? written.substr(1) : drawing::with_minus(written);
 }
 
 } // namespace
 
 ui::DisplayUnits units_of(const femoop::Model& model, const ui::Catalogue& tr)
 {
-    frame::ViewOptions options;
+    drawing::ViewOptions options;
     options.numbers = format_in(tr);
-    return frame::display_units(model, options);
+    return drawing::display_units(model, options);
 }
 
 std::string fault_text(const femoop::Fault& fault, const ui::Catalogue& tr) { return frame::sentence(fault, tr); }
@@ -78,9 +78,9 @@ std::string Numbers::moment(double value) const { return written(units_.shown(va
 std::string Numbers::written(double shown) const
 {
     if (fractions_)
-        if (const auto fraction = fc::fraction_of(shown)) return frame::with_minus(fc::fraction_text(*fraction));
-    if (digits_ > 0) return frame::with_minus(ui::number_text(shown, {digits_, units_.format().mark}));
-    if (std::abs(shown) >= 1e7) return frame::with_minus(ui::number_text(shown, units_.format()));
+        if (const auto fraction = fc::fraction_of(shown)) return drawing::with_minus(fc::fraction_text(*fraction));
+    if (digits_ > 0) return drawing::with_minus(ui::number_text(shown, {digits_, units_.format().mark}));
+    if (std::abs(shown) >= 1e7) return drawing::with_minus(ui::number_text(shown, units_.format()));
     return with_decimals(shown, decimals_, units_.format().mark);
 }
 

@@ -19,7 +19,7 @@ struct Extent {
     double height() const { return high.y - low.y; }
 };
 
-Extent extent_of(const frame::StructureShape& shape)
+Extent extent_of(const drawing::StructureShape& shape)
 {
     if (shape.nodes.empty()) return {{0.0, 0.0}, {1.0, 0.0}};
     Extent extent{{shape.nodes[0].x(), shape.nodes[0].y()}, {shape.nodes[0].x(), shape.nodes[0].y()}};
@@ -127,7 +127,7 @@ bool is_flat(const Extent& extent) { return extent.height() <= slender * extent.
 
 } // namespace
 
-Panel panel_alone(Part part, const frame::StructureShape& shape, ui::Size sheet, const ui::Theme& theme)
+Panel panel_alone(Part part, const drawing::StructureShape& shape, ui::Size sheet, const ui::Theme& theme)
 {
     const Extent extent = extent_of(shape);
     const double em = theme.type().normal;
@@ -147,9 +147,9 @@ Panel panel_alone(Part part, const frame::StructureShape& shape, ui::Size sheet,
     return panel;
 }
 
-bool is_beam(const frame::StructureShape& shape) { return is_flat(extent_of(shape)); }
+bool is_beam(const drawing::StructureShape& shape) { return is_flat(extent_of(shape)); }
 
-Panel stretch_of_sheet(const frame::StructureShape& shape, ui::Size page, double whole_width, double left,
+Panel stretch_of_sheet(const drawing::StructureShape& shape, ui::Size page, double whole_width, double left,
                        const ui::Theme& theme)
 {
     Panel panel = panel_alone(Part::Sheet, shape, {whole_width, page.height}, theme);
@@ -159,12 +159,12 @@ Panel stretch_of_sheet(const frame::StructureShape& shape, ui::Size page, double
     return panel;
 }
 
-void make_room_beside(Panel& sheet, const frame::StructureShape& shape, const ui::Theme& theme, double ems)
+void make_room_beside(Panel& sheet, const drawing::StructureShape& shape, const ui::Theme& theme, double ems)
 {
     draw_out(sheet, extent_of(shape), theme.type().normal, ems);
 }
 
-double height_alone(Part part, const frame::StructureShape& shape, double width, std::size_t n_lines,
+double height_alone(Part part, const drawing::StructureShape& shape, double width, std::size_t n_lines,
                     const ui::Theme& theme)
 {
     const Extent extent = extent_of(shape);
@@ -178,7 +178,7 @@ double height_alone(Part part, const frame::StructureShape& shape, double width,
     return part == Part::Sheet ? em * (10.0 + 1.4 * lines) : part == Part::Structure ? 15.0 * em : 11.0 * em;
 }
 
-Eigen::Vector2d middle_of(const frame::StructureShape& shape)
+Eigen::Vector2d middle_of(const drawing::StructureShape& shape)
 {
     const Extent extent = extent_of(shape);
     return {0.5 * (extent.low.x + extent.high.x), 0.5 * (extent.low.y + extent.high.y)};
@@ -214,13 +214,13 @@ void look_closer(Panel& panel, const Eigen::Vector2d& own, const Zoom& zoom)
 
 } // namespace
 
-double share_of_small_pictures(const frame::StructureShape& shape)
+double share_of_small_pictures(const drawing::StructureShape& shape)
 {
     constexpr std::size_t of_a_portal = 4;
     return shape.members.size() <= of_a_portal ? 0.34 : 0.26;
 }
 
-Panels panels_for(const frame::StructureShape& shape, ui::Size sheet, const ui::Theme& theme, const Zoom& zoom,
+Panels panels_for(const drawing::StructureShape& shape, ui::Size sheet, const ui::Theme& theme, const Zoom& zoom,
                   double small_share)
 {
     const Extent extent = extent_of(shape);
@@ -240,7 +240,7 @@ Panels panels_for(const frame::StructureShape& shape, ui::Size sheet, const ui::
     return panels;
 }
 
-void make_room_for_reactions(Panels& panels, const frame::StructureShape& shape, const ui::Theme& theme)
+void make_room_for_reactions(Panels& panels, const drawing::StructureShape& shape, const ui::Theme& theme)
 {
     Panel& panel = panels.moments;
     if (panel.is_zoomed) return;
@@ -307,29 +307,29 @@ double draw_title(ui::Painter& painter, const Panel& panel, const std::string& t
     return at.y - panel.box.min.y + 0.35 * style.size;
 }
 
-frame::Grips draw_structure_in(ui::Painter& painter, const Panel& panel, const Scene& scene, const frame::ShowSet& show,
-                               const std::function<void(const frame::Scene&)>& marks)
+drawing::Grips draw_structure_in(ui::Painter& painter, const Panel& panel, const Scene& scene,
+                                 const drawing::ShowSet& show, const std::function<void(const drawing::Scene&)>& marks)
 {
     const ui::ClipScope clip(painter, panel.box);
     const ui::Theme theme = theme_of_marks(panel, scene.look);
     femoop::Model model = scene.document.model;
     for (femoop::Node& node : model.nodes)
         if (panel.stretch != 1.0) node.at[1] = femoop::Quantity(panel.stretch * node.at[1].value());
-    const frame::StructureShape shape = frame::shape_of(model);
-    frame::ViewOptions options;
+    const drawing::StructureShape shape = drawing::shape_of(model);
+    drawing::ViewOptions options;
     options.show = show;
     options.load_case = scene.document.method.load_case;
     options.theme = scene.look.theme;
     options.tr = scene.look.tr;
-    const frame::Projection projection(panel.camera, panel.box.min);
-    const frame::Crowding crowding(shape, projection);
+    const drawing::Projection projection(panel.camera, panel.box.min);
+    const drawing::Crowding crowding(shape, projection);
     ui::Box room = panel.box.grown(-3.0);
     room.min.y += 1.7 * theme_in(panel, scene.look).type().normal; // of the title
-    frame::Sketch sketch({.painter = &painter,
-                          .theme = &theme,
-                          .room = room,
-                          .symbol_factor = crowding.symbol_share(),
-                          .is_crowded = crowding.is_crowded()});
+    drawing::Sketch sketch({.painter = &painter,
+                            .theme = &theme,
+                            .room = room,
+                            .symbol_factor = crowding.symbol_share(),
+                            .is_crowded = crowding.is_crowded()});
     const ui::DisplayUnits units = units_of(scene.document.model, scene.look.tr);
     marks({model, shape, projection, options, units, sketch, crowding});
     sketch.write_captions();

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "apps/cross/view/scene.h"
-#include "apps/frame/view/sketch/scene.h"
+#include "apps/drawing/sketch/scene.h"
 
 namespace cross {
 
@@ -32,27 +32,27 @@ struct Panels {
 };
 
 /// The left share of the width that the small pictures of a frame take: less where the sheet has many columns.
-double share_of_small_pictures(const frame::StructureShape& shape);
+double share_of_small_pictures(const drawing::StructureShape& shape);
 
 /// A structure so much longer than high is drawn as a beam, each picture below the other, which zooms along its axis.
-Panels panels_for(const frame::StructureShape& shape, ui::Size sheet, const ui::Theme& theme, const Zoom& zoom = {},
+Panels panels_for(const drawing::StructureShape& shape, ui::Size sheet, const ui::Theme& theme, const Zoom& zoom = {},
                   double small_share = 0.34);
 /// The picture of the moments drawn smaller or higher, so that arrows of reactions find room; a zoomed one stays.
-void make_room_for_reactions(Panels& panels, const frame::StructureShape& shape, const ui::Theme& theme);
+void make_room_for_reactions(Panels& panels, const drawing::StructureShape& shape, const ui::Theme& theme);
 /// The sheet of a frame with so many ems left and right of it for columns.
-void make_room_beside(Panel& sheet, const frame::StructureShape& shape, const ui::Theme& theme, double ems);
+void make_room_beside(Panel& sheet, const drawing::StructureShape& shape, const ui::Theme& theme, double ems);
 /// The middle of the structure's extent.
-Eigen::Vector2d middle_of(const frame::StructureShape& shape);
+Eigen::Vector2d middle_of(const drawing::StructureShape& shape);
 
 /// A structure so much longer than high that its pictures stand one below the other.
-bool is_beam(const frame::StructureShape& shape);
+bool is_beam(const drawing::StructureShape& shape);
 /// One of the pictures alone on a sheet.
-Panel panel_alone(Part part, const frame::StructureShape& shape, ui::Size sheet, const ui::Theme& theme);
+Panel panel_alone(Part part, const drawing::StructureShape& shape, ui::Size sheet, const ui::Theme& theme);
 /// The sheet of a beam drawn so much broader than the page, and what a page that begins at `left` shows of it.
-Panel stretch_of_sheet(const frame::StructureShape& shape, ui::Size page, double whole_width, double left,
+Panel stretch_of_sheet(const drawing::StructureShape& shape, ui::Size page, double whole_width, double left,
                        const ui::Theme& theme);
 /// How high such a sheet is to be: a beam is flat, and the calculation has so many lines of numbers.
-double height_alone(Part part, const frame::StructureShape& shape, double width, std::size_t n_lines,
+double height_alone(Part part, const drawing::StructureShape& shape, double width, std::size_t n_lines,
                     const ui::Theme& theme);
 
 /// Where a panel is small, type, lines and symbols are smaller, as far as they can still be read.
@@ -66,7 +66,7 @@ void draw_borders(ui::Painter& painter, const Panels& panels, const ui::Theme& t
 double draw_title(ui::Painter& painter, const Panel& panel, const std::string& title, const ui::Theme& theme);
 
 /// Draws marks of a structure in one panel through the frame app's own symbols. \returns what a hand can take hold of
-frame::Grips draw_structure_in(ui::Painter& painter, const Panel& panel, const Scene& scene, const frame::ShowSet& show,
-                               const std::function<void(const frame::Scene&)>& marks);
+drawing::Grips draw_structure_in(ui::Painter& painter, const Panel& panel, const Scene& scene,
+                                 const drawing::ShowSet& show, const std::function<void(const drawing::Scene&)>& marks);
 
 } // namespace cross

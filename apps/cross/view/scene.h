@@ -8,7 +8,7 @@
 #include "apps/cross/document/solution.h"
 #include "apps/cross/view/look.h"
 #include "apps/cross/view/paper.h"
-#include "apps/frame/view/sketch/sketch.h"
+#include "apps/drawing/sketch/sketch.h"
 #include "ui/canvas/plane_camera.h"
 #include "ui/paint/painter.h"
 
@@ -60,7 +60,7 @@ struct Drawn {
     std::vector<CellMark> cells;
     std::vector<JointMark> joints;
     std::vector<NodeMark> nodes;
-    std::vector<frame::LoadMark> loads;
+    std::vector<drawing::LoadMark> loads;
     std::vector<WrittenText> texts; ///< of the structure's picture
     ui::Point corner;               ///< of the structure's picture
     ui::PlaneCamera camera;         ///< within it
@@ -92,6 +92,6 @@ std::optional<femoop::cross::JointId> pick(const Drawn& drawn, ui::Point at, dou
 /// The cell of a pupil's sheet that is there.
 std::optional<femoop::cross::BlankId> pick_cell(const Drawn& drawn, ui::Point at);
 /// The load whose arrows are there; null where there is none.
-const frame::LoadMark* pick_load(const Drawn& drawn, ui::Point at);
+const drawing::LoadMark* pick_load(const Drawn& drawn, ui::Point at);
 
 } // namespace cross

@@ -1,7 +1,7 @@
 #include "apps/cross/view/sheet_parts.h"
 
 #include "apps/cross/view/numbers.h"
-#include "apps/frame/view/sketch/scene.h"
+#include "apps/drawing/sketch/scene.h"
 #include "ui/text/number_format.h"
 
 namespace cross {
@@ -24,7 +24,7 @@ std::string words_of(const SheetPart& part, const Scene& scene)
     if (!part.sway) return tr("loads");
     const femoop::NodeId prop = scene.solution.task->problem.sways[*part.sway].prop;
     const ui::DecimalMark mark = units_of(scene.document.model, tr).format().mark;
-    return tr("{times} × sway at {node}", {{"times", frame::with_minus(ui::number_text(part.times, {4, mark}))},
+    return tr("{times} × sway at {node}", {{"times", drawing::with_minus(ui::number_text(part.times, {4, mark}))},
                                            {"node", scene.document.model[prop].id}});
 }
 

@@ -8,9 +8,9 @@
 #include "apps/cross/view/numbers.h"
 #include "apps/cross/view/sheet_parts.h"
 #include "apps/cross/view/sheet_places.h"
-#include "apps/frame/view/sheet/legend.h"
-#include "apps/frame/view/structure/members.h"
-#include "apps/frame/view/structure/supports.h"
+#include "apps/drawing/sheet/legend.h"
+#include "apps/drawing/structure/members.h"
+#include "apps/drawing/structure/supports.h"
 #include "femoop/methods/cross/symmetry.h"
 
 namespace cross {
@@ -35,7 +35,7 @@ public:
           sheet_(scene.solution.sheet(scene.document)),
           theme_(theme_of_marks(panel, scene.look)),
           numbers_(scene.document, scene.solution, scene.look),
-          shape_(frame::shape_of(scene.document.model)),
+          shape_(drawing::shape_of(scene.document.model)),
           moments_(present_moments(scene.document, scene.solution))
     {
         columns_ = sheet_ != nullptr ? columns_of(problem_, *sheet_) : columns_together();
@@ -413,7 +413,7 @@ private:
     const fc::Sheet* sheet_;
     ui::Theme theme_;
     Numbers numbers_;
-    frame::StructureShape shape_;
+    drawing::StructureShape shape_;
     std::vector<double> moments_, factors_;
     std::vector<Column> columns_;
     double widest_ = 0.0; // number
@@ -460,13 +460,13 @@ std::string title_of(const Scene& scene)
 std::size_t draw_sheet(ui::Painter& painter, const Panel& panel, const Scene& scene)
 {
     draw_title(painter, panel, title_of(scene), theme_in(panel, scene.look));
-    draw_structure_in(painter, panel, scene, {}, [](const frame::Scene& in) {
-        frame::draw_members(in, frame::Presence::Subject);
+    draw_structure_in(painter, panel, scene, {}, [](const drawing::Scene& in) {
+        drawing::draw_members(in, drawing::Presence::Subject);
         {
             const ui::LayerScope layer(in.sketch.painter(), ui::Layer::Symbols);
-            frame::draw_supports(in);
+            drawing::draw_supports(in);
         }
-        frame::draw_joints(in);
+        drawing::draw_joints(in);
     });
     const ui::ClipScope clip(painter, panel.box);
     SheetWriter writer(painter, panel, scene);

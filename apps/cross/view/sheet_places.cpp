@@ -8,7 +8,7 @@ namespace cross {
 namespace {
 
 /// A chain of small boxes along a member.
-void cover(const Panel& panel, const frame::MemberShape& member, std::vector<ui::Box>& taken)
+void cover(const Panel& panel, const drawing::MemberShape& member, std::vector<ui::Box>& taken)
 {
     const ui::Point a = panel.at(member.start_node), b = panel.at(member.end_node);
     const int n = std::max(1, static_cast<int>(ui::distance(a, b) / 6.0));
@@ -22,26 +22,26 @@ void cover(const Panel& panel, const frame::MemberShape& member, std::vector<ui:
 
 } // namespace
 
-EndPlace place_of_end(const Panel& panel, const frame::StructureShape& shape, const femoop::cross::Problem& problem,
+EndPlace place_of_end(const Panel& panel, const drawing::StructureShape& shape, const femoop::cross::Problem& problem,
                       femoop::cross::EndId id, const ui::Theme& theme)
 {
     const femoop::cross::End& end = problem[id];
     const ui::Point joint = panel.at(shape[end.node]);
     if (!end.member) return {id, joint, {0.0, 1.0}, 4.0 * theme.type().normal};
-    const frame::MemberShape& member = shape[*end.member];
+    const drawing::MemberShape& member = shape[*end.member];
     const ui::Point a = panel.at(member.start_node), b = panel.at(member.end_node);
     const ui::Point along = end.which == 0 ? ui::direction(b - a) : ui::direction(a - b);
     return {id, joint, along, ui::distance(a, b)};
 }
 
-std::vector<ui::Box> walls_in(const Panel& panel, const frame::StructureShape& shape)
+std::vector<ui::Box> walls_in(const Panel& panel, const drawing::StructureShape& shape)
 {
     std::vector<ui::Box> taken;
-    for (const frame::MemberShape& member : shape.members) cover(panel, member, taken);
+    for (const drawing::MemberShape& member : shape.members) cover(panel, member, taken);
     return taken;
 }
 
-std::vector<ui::Box> obstacles_in(const Panel& panel, const frame::StructureShape& shape, const femoop::Model& model,
+std::vector<ui::Box> obstacles_in(const Panel& panel, const drawing::StructureShape& shape, const femoop::Model& model,
                                   const ui::Theme& theme)
 {
     std::vector<ui::Box> taken = walls_in(panel, shape);
@@ -55,7 +55,7 @@ std::vector<ui::Box> obstacles_in(const Panel& panel, const frame::StructureShap
     return taken;
 }
 
-ui::Point middle_of(const Panel& panel, const frame::StructureShape& shape)
+ui::Point middle_of(const Panel& panel, const drawing::StructureShape& shape)
 {
     ui::Box around{panel.at(shape.nodes.front()), panel.at(shape.nodes.front())};
     for (const auto& node : shape.nodes) around = ui::united(around, {panel.at(node), panel.at(node)});

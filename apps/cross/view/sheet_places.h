@@ -10,14 +10,14 @@ namespace cross {
 
 /// Where the columns of a sheet may stand on the structure's sketch.
 
-EndPlace place_of_end(const Panel& panel, const frame::StructureShape& shape, const femoop::cross::Problem& problem,
+EndPlace place_of_end(const Panel& panel, const drawing::StructureShape& shape, const femoop::cross::Problem& problem,
                       femoop::cross::EndId end, const ui::Theme& theme);
 /// The members, as chains of small boxes.
-std::vector<ui::Box> walls_in(const Panel& panel, const frame::StructureShape& shape);
+std::vector<ui::Box> walls_in(const Panel& panel, const drawing::StructureShape& shape);
 /// What they must leave free: members, joints, supports.
-std::vector<ui::Box> obstacles_in(const Panel& panel, const frame::StructureShape& shape, const femoop::Model& model,
+std::vector<ui::Box> obstacles_in(const Panel& panel, const drawing::StructureShape& shape, const femoop::Model& model,
                                   const ui::Theme& theme);
-ui::Point middle_of(const Panel& panel, const frame::StructureShape& shape);
+ui::Point middle_of(const Panel& panel, const drawing::StructureShape& shape);
 
 /// A warning at the lower right of a panel.
 void write_below(ui::Painter& painter, const Panel& panel, const ui::Theme& theme, const std::string& words);

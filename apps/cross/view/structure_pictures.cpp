@@ -5,53 +5,53 @@
 #include "apps/cross/view/lock.h"
 #include "apps/cross/view/numbers.h"
 #include "apps/cross/view/stiffness.h"
-#include "apps/frame/view/loads/loads.h"
-#include "apps/frame/view/results/deformed.h"
-#include "apps/frame/view/results/diagram.h"
-#include "apps/frame/view/results/reactions.h"
-#include "apps/frame/view/sketch/symbols.h"
-#include "apps/frame/view/structure/dimensions.h"
-#include "apps/frame/view/structure/members.h"
-#include "apps/frame/view/structure/supports.h"
+#include "apps/drawing/loads/loads.h"
+#include "apps/drawing/results/deformed.h"
+#include "apps/drawing/results/diagram.h"
+#include "apps/drawing/results/reactions.h"
+#include "apps/drawing/sketch/symbols.h"
+#include "apps/drawing/structure/dimensions.h"
+#include "apps/drawing/structure/members.h"
+#include "apps/drawing/structure/supports.h"
 #include "ui/paint/wrapped_lines.h"
 
 namespace cross {
 
 namespace fc = femoop::cross;
-using frame::Show;
+using drawing::Show;
 
 namespace {
 
-void draw_supports_and_joints(const frame::Scene& in)
+void draw_supports_and_joints(const drawing::Scene& in)
 {
     {
         const ui::LayerScope layer(in.sketch.painter(), ui::Layer::Symbols);
-        frame::draw_supports(in);
+        drawing::draw_supports(in);
     }
-    frame::draw_joints(in);
+    drawing::draw_joints(in);
 }
 
 /// Results of the present state, and those that set the scale: what the distribution comes to.
 struct Solved {
-    frame::SolvedCase present, scale;
+    drawing::SolvedCase present, scale;
 };
 
 std::optional<Solved> solved(const Scene& scene)
 {
     if (scene.state == nullptr) return std::nullopt;
-    auto present = frame::solved_case(*scene.state, fc::state_case(*scene.state));
+    auto present = drawing::solved_case(*scene.state, fc::state_case(*scene.state));
     if (!present) return std::nullopt;
     const std::optional<femoop::Results>& balanced = scene.solution.task->balanced;
-    auto scale = balanced && scene.document.stage == 0 ? frame::solved_case(*balanced, fc::state_case(*balanced))
+    auto scale = balanced && scene.document.stage == 0 ? drawing::solved_case(*balanced, fc::state_case(*balanced))
                                                        : std::nullopt;
-    frame::SolvedCase by = scale ? *scale : *present;
+    drawing::SolvedCase by = scale ? *scale : *present;
     return Solved{std::move(*present), std::move(by)};
 }
 
 /// What locks of the sheet that is worked on do now.
 class Locked {
 public:
-    Locked(const Scene& scene, const frame::Scene& in, const frame::SolvedCase& present, double scale)
+    Locked(const Scene& scene, const drawing::Scene& in, const drawing::SolvedCase& present, double scale)
         : scene_(scene), in_(in), present_(present), scale_(scale), numbers_(scene.document, scene.solution, scene.look)
     {
         for (const Eigen::Vector3d& node : in.shape.nodes) middle_ += node / static_cast<double>(in.shape.nodes.size());
@@ -79,21 +79,21 @@ private:
         const bool is_outward = positive.dot(in_.shape[sway.prop] - middle_) >= 0.0;
         const Eigen::Vector3d along = is_outward ? positive : Eigen::Vector3d(-positive);
         const Eigen::Vector3d across(-along.y(), along.x(), 0.0);
-        const frame::SymbolFrame frame{displaced(sway.prop), in_.projection.direction(along),
-                                       in_.projection.direction(across)};
+        const drawing::SymbolFrame frame{displaced(sway.prop), in_.projection.direction(along),
+                                         in_.projection.direction(across)};
         const double reach = in_.sketch.px(24.0);
         const ui::LayerScope layer(in_.sketch.painter(), ui::Layer::Symbols);
         in_.sketch.line(frame.origin, frame(reach, 0.0), in_.sketch.stroke(ui::Role::Support));
         for (const double end : {in_.sketch.px(3.0), reach})
             in_.sketch.disc(frame(end, 0.0), in_.sketch.px(2.4), in_.sketch.stroke(ui::Role::Support).color);
-        const frame::SymbolFrame foot = frame.moved(reach, 0.0);
-        frame::draw_ground(in_.sketch, {foot.origin, foot.y, -foot.x}, in_.sketch.px(10.0));
+        const drawing::SymbolFrame foot = frame.moved(reach, 0.0);
+        drawing::draw_ground(in_.sketch, {foot.origin, foot.y, -foot.x}, in_.sketch.px(10.0));
         in_.sketch.caption({.text = in_.text(force, ui::Measure::Force),
                             .role = ui::Role::Reaction,
                             .target = frame(reach, 0.0),
                             .toward = frame.x,
                             .gap = in_.sketch.px(8.0),
-                            .rank = frame::Rank::Largest});
+                            .rank = drawing::Rank::Largest});
     }
 
     void draw_one(const fc::Sheet& sheet, const fc::Problem& problem, fc::JointId id)
@@ -116,13 +116,13 @@ private:
                             .target = at,
                             .toward = {1.0, -0.1},
                             .gap = in_.sketch.px(9.0),
-                            .rank = frame::Rank::Largest,
+                            .rank = drawing::Rank::Largest,
                             .weight = is_done ? ui::Weight::Regular : ui::Weight::Bold});
     }
 
     const Scene& scene_;
-    const frame::Scene& in_;
-    const frame::SolvedCase& present_;
+    const drawing::Scene& in_;
+    const drawing::SolvedCase& present_;
     double scale_;
     Numbers numbers_;
     Eigen::Vector3d middle_ = Eigen::Vector3d::Zero(); // props stand outside
@@ -157,7 +157,7 @@ namespace {
 constexpr std::size_t most_stiffnesses = 24; // of members that have theirs written
 
 /// "EI", "2EI" at the middle of every member.
-void write_stiffnesses(const Scene& scene, const frame::Scene& in)
+void write_stiffnesses(const Scene& scene, const drawing::Scene& in)
 {
     const std::size_t n = scene.document.model.members.size();
     for (std::size_t m = 0; m < n && n <= most_stiffnesses; ++m) {
@@ -168,7 +168,7 @@ void write_stiffnesses(const Scene& scene, const frame::Scene& in)
                            .role = ui::Role::FaintLabel,
                            .target = 0.5 * (a + b),
                            .toward = below,
-                           .rank = frame::Rank::Minor,
+                           .rank = drawing::Rank::Minor,
                            .size = in.sketch.theme().type().small,
                            .reach = 16.0});
     }
@@ -176,20 +176,20 @@ void write_stiffnesses(const Scene& scene, const frame::Scene& in)
 
 } // namespace
 
-frame::Grips draw_loaded(ui::Painter& painter, const Panel& panel, const Scene& scene)
+drawing::Grips draw_loaded(ui::Painter& painter, const Panel& panel, const Scene& scene)
 {
     const ui::Theme theme = theme_in(panel, scene.look);
     const ui::Catalogue& tr = scene.look.tr;
     const std::string& name = scene.document.model.case_name(scene.document.method.load_case);
     draw_title(painter, panel, tr("Structure and loads: {case}", {{"case", name}}), theme);
-    const frame::ShowSet show{Show::Loads, Show::Values, Show::NodeNames, Show::Dimensions};
-    return draw_structure_in(painter, panel, scene, show, [&](const frame::Scene& in) {
-        frame::draw_members(in, frame::Presence::Subject);
+    const drawing::ShowSet show{Show::Loads, Show::Values, Show::NodeNames, Show::Dimensions};
+    return draw_structure_in(painter, panel, scene, show, [&](const drawing::Scene& in) {
+        drawing::draw_members(in, drawing::Presence::Subject);
         draw_supports_and_joints(in);
-        frame::draw_loads(in);
-        frame::draw_names(in);
+        drawing::draw_loads(in);
+        drawing::draw_names(in);
         write_stiffnesses(scene, in);
-        frame::draw_dimensions(in);
+        drawing::draw_dimensions(in);
     });
 }
 
@@ -201,11 +201,11 @@ void draw_deformed_state(ui::Painter& painter, const Panel& panel, const Scene& 
                                                : tr("Deformed shape, no joint locked");
     draw_title(painter, panel, title, theme_in(panel, scene.look));
     const std::optional<Solved> results = solved(scene);
-    draw_structure_in(painter, panel, scene, {Show::Deformed}, [&](const frame::Scene& in) {
-        frame::draw_members(in, frame::Presence::Behind);
+    draw_structure_in(painter, panel, scene, {Show::Deformed}, [&](const drawing::Scene& in) {
+        drawing::draw_members(in, drawing::Presence::Behind);
         if (results) {
-            const double scale = frame::deformation_scale(in, results->present, results->scale, panel.box.size());
-            frame::draw_deformed(in, results->present, scale);
+            const double scale = drawing::deformation_scale(in, results->present, results->scale, panel.box.size());
+            drawing::draw_deformed(in, results->present, scale);
             if (sheet != nullptr) Locked(scene, in, results->present, scale).draw_all(*sheet);
         }
         draw_supports_and_joints(in);
@@ -220,16 +220,17 @@ void draw_force_state(ui::Painter& painter, const Panel& panel, const Scene& sce
 {
     const bool is_shear = component == femoop::MemberComponent::Vy;
     const std::optional<Solved> results = solved(scene);
-    draw_structure_in(painter, panel, scene, {is_shear ? Show::V : Show::M, Show::Values}, [&](const frame::Scene& in) {
-        frame::draw_members(in, frame::Presence::Subject);
-        if (results) {
-            const frame::Diagram diagram = frame::make_diagram(in, results->present, results->scale, component,
-                                                               panel.box.size());
-            frame::draw_diagram(in, results->present, diagram);
-        }
-        draw_supports_and_joints(in);
-        if (results && is_shear) frame::draw_reactions(in, results->present);
-    });
+    draw_structure_in(painter, panel, scene, {is_shear ? Show::V : Show::M, Show::Values},
+                      [&](const drawing::Scene& in) {
+                          drawing::draw_members(in, drawing::Presence::Subject);
+                          if (results) {
+                              const drawing::Diagram diagram = drawing::make_diagram(
+                                  in, results->present, results->scale, component, panel.box.size());
+                              drawing::draw_diagram(in, results->present, diagram);
+                          }
+                          draw_supports_and_joints(in);
+                          if (results && is_shear) drawing::draw_reactions(in, results->present);
+                      });
 }
 
 } // namespace

@@ -5,7 +5,7 @@
 namespace cross {
 
 /// The structure with the loads of its case. \returns what a hand can take hold of
-frame::Grips draw_loaded(ui::Painter& painter, const Panel& panel, const Scene& scene);
+drawing::Grips draw_loaded(ui::Painter& painter, const Panel& panel, const Scene& scene);
 
 /// The deformed shape of the present state, a lock on each clamped joint with the moment that it holds.
 void draw_deformed_state(ui::Painter& painter, const Panel& panel, const Scene& scene);

@@ -82,7 +82,7 @@ std::optional<ui::Point> in_structure(const Application& application, const std:
     const auto number = [&](std::size_t i) { return i < words.size() ? ui::number_typed(words[i]) : std::nullopt; };
     if (words.size() == 2 && words[0] == "load" && number(1) && *number(1) >= 1.0 &&
         *number(1) <= static_cast<double>(drawn.loads.size())) {
-        const frame::LoadMark& load = drawn.loads[static_cast<std::size_t>(*number(1)) - 1];
+        const drawing::LoadMark& load = drawn.loads[static_cast<std::size_t>(*number(1)) - 1];
         return corner + 0.5 * (load.root + load.tip);
     }
     if (words.size() == 3 && words[0] == "at" && number(1) && number(2))

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "apps/frame/document/measures.h"
+#include "apps/drawing/measures.h"
 #include "femoop/model/quantity/dimension.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/quantity_parser.h"

@@ -2,8 +2,9 @@
 
 #include <cstdint>
 
+#include "apps/drawing/view_options.h"
+#include "apps/frame/document/drawing_names.h"
 #include "apps/frame/document/solution.h"
-#include "apps/frame/view/view_options.h"
 #include "femoop/model/model.h"
 #include "ui/paint/text_measure.h"
 #include "ui/report/report.h"

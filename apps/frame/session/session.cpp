@@ -4,6 +4,7 @@
 #include <atomic>
 #include <utility>
 
+#include "apps/drawing/results/envelope_cases.h"
 #include "apps/frame/document/companion/companion_file.h"
 #include "apps/frame/document/fault/place.h"
 #include "apps/frame/document/fault/sentence.h"
@@ -11,7 +12,6 @@
 #include "apps/frame/document/number.h"
 #include "apps/frame/document/reach.h"
 #include "apps/frame/session/transform.h"
-#include "apps/frame/view/results/envelope_cases.h"
 #include "femoop/io/model_file.h"
 #include "femoop/io/results/results_table.h"
 #include "femoop/model/check/check.h"

@@ -8,14 +8,15 @@
 #include <string_view>
 #include <vector>
 
+#include "apps/drawing/cut.h"
+#include "apps/drawing/pick.h"
+#include "apps/drawing/view_options.h"
 #include "apps/frame/document/change.h"
-#include "apps/frame/document/cut.h"
+#include "apps/frame/document/drawing_names.h"
 #include "apps/frame/document/selection.h"
 #include "apps/frame/document/solution.h"
 #include "apps/frame/predict/prediction.h"
 #include "apps/frame/tables/table.h"
-#include "apps/frame/view/pick.h"
-#include "apps/frame/view/view_options.h"
 #include "femoop/model/fault/fault.h"
 #include "ui/history/history.h"
 #include "ui/text/display_units.h"

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "apps/drawing/geometry/structure_shape.h"
+#include "apps/drawing/pick.h"
+#include "apps/frame/document/drawing_names.h"
 #include "apps/frame/session/session.h"
-#include "apps/frame/view/geometry/structure_shape.h"
-#include "apps/frame/view/pick.h"
 
 namespace frame {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "apps/drawing/results/envelope_cases.h"
 #include "apps/frame/document/naming.h"
 #include "apps/frame/view/kept_view.h"
-#include "apps/frame/view/results/envelope_cases.h"
 
 namespace frame {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "apps/drawing/measures.h"
 #include "apps/frame/document/command.h"
-#include "apps/frame/document/measures.h"
 #include "apps/frame/tables/columns.h"
 #include "apps/frame/tables/name_column.h"
 #include "ui/text/catalogue.h"

@@ -2,10 +2,10 @@
 
 #include <utility>
 
-#include "apps/frame/document/measures.h"
+#include "apps/drawing/measures.h"
+#include "apps/drawing/results/case_numbers.h"
+#include "apps/drawing/results/diagram.h"
 #include "apps/frame/tables/column.h"
-#include "apps/frame/view/results/case_numbers.h"
-#include "apps/frame/view/results/diagram.h"
 #include "femoop/result/components.h"
 #include "femoop/result/envelope.h"
 #include "ui/text/catalogue.h"

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "apps/frame/document/companion/dimension.h"
+#include "apps/drawing/dimension.h"
+#include "apps/frame/document/drawing_names.h"
 #include "apps/frame/tools/tool.h"
 
 namespace frame {

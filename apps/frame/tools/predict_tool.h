@@ -4,7 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "apps/frame/document/moment_side.h"
+#include "apps/drawing/moment_side.h"
+#include "apps/frame/document/drawing_names.h"
 #include "apps/frame/predict/prediction.h"
 #include "apps/frame/tools/settings.h"
 #include "apps/frame/tools/tool.h"

@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "apps/frame/document/moment_side.h"
+#include "apps/drawing/moment_side.h"
+#include "apps/frame/document/drawing_names.h"
 #include "apps/frame/tools/working_plane.h"
 #include "femoop/model/model.h"
 

@@ -7,9 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "apps/drawing/cut.h"
+#include "apps/drawing/dimension.h"
 #include "apps/frame/document/change.h"
-#include "apps/frame/document/companion/dimension.h"
-#include "apps/frame/document/cut.h"
+#include "apps/frame/document/drawing_names.h"
 #include "apps/frame/document/selection.h"
 #include "apps/frame/tools/snap.h"
 #include "femoop/edit/crossing.h"

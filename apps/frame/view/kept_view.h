@@ -1,7 +1,8 @@
 #pragma once
 
+#include "apps/drawing/view_options.h"
 #include "apps/frame/document/companion/named_view.h"
-#include "apps/frame/view/view_options.h"
+#include "apps/frame/document/drawing_names.h"
 
 namespace frame {
 

@@ -1,11 +1,12 @@
 #pragma once
 
+#include "apps/drawing/geometry/projection.h"
+#include "apps/drawing/geometry/structure_shape.h"
+#include "apps/drawing/pick.h"
+#include "apps/drawing/sketch/sketch.h"
+#include "apps/frame/document/drawing_names.h"
 #include "apps/frame/session/session.h"
 #include "apps/frame/tools/hand.h"
-#include "apps/frame/view/geometry/projection.h"
-#include "apps/frame/view/geometry/structure_shape.h"
-#include "apps/frame/view/pick.h"
-#include "apps/frame/view/sketch/sketch.h"
 
 namespace frame {
 

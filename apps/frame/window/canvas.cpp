@@ -8,12 +8,14 @@
 #include <utility>
 #include <variant>
 
+#include "apps/drawing/draw.h"
+#include "apps/drawing/reading.h"
 #include "apps/frame/session/load_commands.h"
 #include "apps/frame/session/snapping.h"
 #include "apps/frame/session/work.h"
-#include "apps/frame/view/frame_view.h"
 #include "apps/frame/view/kept_view.h"
-#include "apps/frame/view/reading.h"
+#include "apps/frame/view/motion_words.h"
+#include "apps/frame/view/predict/guess_picture.h"
 #include "apps/frame/window/blank_picture.h"
 #include "apps/frame/window/hand_picture.h"
 
@@ -28,9 +30,20 @@ ViewOptions looked_at(const Session& session)
 {
     ViewOptions options = session.results_view();
     options.dimensions = session.document().companion.dimensions;
-    if (session.hidden || !session.prediction.is_empty()) options.prediction = &session.prediction;
     if (options.is_envelope) options.show = options.show - ShowSet{Show::Loads, Show::Deformed};
     return options;
+}
+
+bool is_sketched(const Session& session) { return session.hidden || !session.prediction.is_empty(); }
+
+// Judged where the moments of one case are seen.
+std::optional<GuessPicture> guess_picture(const Session& session, const ViewOptions& options)
+{
+    if (!is_sketched(session)) return std::nullopt;
+    const femoop::Results* const results = session.shown_results();
+    const bool is_judged = results && !options.is_envelope && options.show.contains(Show::M);
+    if (!is_judged) return GuessPicture(session.prediction);
+    return GuessPicture(session.prediction, assess(session.prediction, *results, options.load_case));
 }
 
 // While members are drawn the structure is not complete yet, so no motion is played.
@@ -44,7 +57,7 @@ Subject subject(const Desk& desk, const ViewOptions& options)
 {
     const Session& session = desk.session;
     if (const auto i = shown_mechanism(desk))
-        return {session.model(), MotionChoice{session.shown_mechanisms(), *i}, options};
+        return {session.model(), motion_choice(session.shown_mechanisms(), *i, options.tr), options};
     return {session.model(), session.shown_results(), options};
 }
 
@@ -74,12 +87,8 @@ bool Canvas::FittedFor::serves(const FittedFor& wanted) const
 Canvas::FittedFor Canvas::wanted_fit(const Session& session) const
 {
     const ViewOptions options = looked_at(session);
-    return {session.number(),
-            sheet_,
-            options.layout,
-            options.theme,
-            is_seen_in_space(session.model().analysis),
-            options.prediction != nullptr};
+    return {session.number(),    sheet_, options.layout, options.theme, is_seen_in_space(session.model().analysis),
+            is_sketched(session)};
 }
 
 void Canvas::follow_structure(Desk& desk)
@@ -91,6 +100,8 @@ void Canvas::follow_structure(Desk& desk)
     generation_ = session.generation();
     ViewOptions options = looked_at(session);
     options.phase = 1.0; // room for the whole motion
+    const std::optional<GuessPicture> guess = guess_picture(session, options);
+    options.overlay = guess ? &*guess : nullptr;
     const FittedFor wanted = wanted_fit(session);
     const bool must_rest = is_working_ || session.history().is_dragging();
     const bool can_rest = fitted_for_ && fitted_for_->session == session_ && fitted_for_->sheet == sheet_;
@@ -398,7 +409,10 @@ Subject::Picture Canvas::draw(const Desk& desk, const ViewOptions& options, ui::
         if (desk.hand.kind() != ToolKind::Paste) draw_invitation(painter, options);
         return {};
     }
-    Subject::Picture picture = subject(desk, options).draw(painter);
+    const std::optional<GuessPicture> guess = guess_picture(session, options);
+    ViewOptions sketched = options;
+    sketched.overlay = guess ? &*guess : nullptr;
+    Subject::Picture picture = subject(desk, sketched).draw(painter);
     draw_why_blank(painter, session, options);
     if (session.pin && !plan_.panels.empty())
         draw_cut(session, options, *session.pin, {plan_.panels.front().box.min, picture.legend_bottom}, painter);

@@ -3,9 +3,10 @@
 #include <optional>
 #include <vector>
 
+#include "apps/drawing/pick.h"
+#include "apps/drawing/sheet/subject.h"
+#include "apps/frame/document/drawing_names.h"
 #include "apps/frame/session/commands.h"
-#include "apps/frame/view/pick.h"
-#include "apps/frame/view/sheet/subject.h"
 #include "apps/frame/window/aim.h"
 #include "ui/context/imgui_session.h"
 #include "ui/paint/painter.h"

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "apps/frame/document/measures.h"
-#include "apps/frame/view/results/case_numbers.h"
-#include "apps/frame/view/results/diagram.h"
-#include "apps/frame/view/results/envelope_cases.h"
+#include "apps/drawing/measures.h"
+#include "apps/drawing/results/case_numbers.h"
+#include "apps/drawing/results/diagram.h"
+#include "apps/drawing/results/envelope_cases.h"
 #include "apps/frame/window/result_list.h"
 #include "femoop/result/components.h"
 #include "femoop/result/envelope.h"

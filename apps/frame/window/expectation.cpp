@@ -5,11 +5,11 @@
 #include <cmath>
 #include <sstream>
 
+#include "apps/drawing/geometry/structure_shape.h"
+#include "apps/drawing/reading.h"
+#include "apps/drawing/sketch/scene.h"
 #include "apps/frame/session/edit_commands.h"
 #include "apps/frame/session/tabs.h"
-#include "apps/frame/view/geometry/structure_shape.h"
-#include "apps/frame/view/reading.h"
-#include "apps/frame/view/sketch/scene.h"
 #include "ui/app/expectation.h"
 #include "ui/app/headless.h"
 #include "ui/scenario/words.h"

@@ -4,7 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "apps/frame/document/cut.h"
+#include "apps/drawing/cut.h"
+#include "apps/frame/document/drawing_names.h"
 #include "apps/frame/window/application.h"
 
 namespace frame {

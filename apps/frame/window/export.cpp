@@ -3,8 +3,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "apps/drawing/results/envelope_cases.h"
 #include "apps/frame/report/report.h"
-#include "apps/frame/view/results/envelope_cases.h"
 #include "femoop/io/results/results_csv.h"
 #include "femoop/io/whole_file.h"
 #include "ui/context/write_picture.h"

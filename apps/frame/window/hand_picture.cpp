@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
+#include "apps/drawing/geometry/structure_shape.h"
+#include "apps/drawing/sketch/scene.h"
 #include "apps/frame/tools/grid.h"
-#include "apps/frame/view/geometry/structure_shape.h"
-#include "apps/frame/view/sketch/scene.h"
 #include "apps/frame/window/aim.h"
 #include "ui/text/number_format.h"
 

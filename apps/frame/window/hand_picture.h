@@ -1,8 +1,9 @@
 #pragma once
 
+#include "apps/drawing/geometry/projection.h"
+#include "apps/frame/document/drawing_names.h"
 #include "apps/frame/session/session.h"
 #include "apps/frame/tools/hand.h"
-#include "apps/frame/view/geometry/projection.h"
 #include "ui/paint/painter.h"
 #include "ui/paint/theme.h"
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "apps/drawing/geometry/structure_shape.h"
+#include "apps/drawing/member/member_results.h"
 #include "apps/frame/session/snapping.h"
-#include "apps/frame/view/geometry/structure_shape.h"
-#include "apps/frame/view/member/member_results.h"
 #include "apps/frame/window/no_results.h"
 
 namespace frame {

@@ -3,7 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "apps/frame/document/companion/show.h"
+#include "apps/drawing/show.h"
+#include "apps/frame/document/drawing_names.h"
 #include "ui/app/app_options.h"
 
 namespace frame {

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "apps/drawing/measures.h"
+#include "apps/drawing/results/case_numbers.h"
+#include "apps/drawing/results/diagram.h"
 #include "apps/frame/document/fault/sentence.h"
-#include "apps/frame/document/measures.h"
 #include "apps/frame/session/fault_target.h"
-#include "apps/frame/view/results/case_numbers.h"
-#include "apps/frame/view/results/diagram.h"
 #include "apps/frame/window/envelope_panel.h"
 #include "apps/frame/window/no_results.h"
 #include "apps/frame/window/result_list.h"

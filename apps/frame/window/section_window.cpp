@@ -9,8 +9,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "apps/frame/view/section_picture.h"
-#include "apps/frame/view/sketch/scene.h"
+#include "apps/drawing/section_picture.h"
+#include "apps/drawing/sketch/scene.h"
 #include "apps/frame/window/number_row.h"
 #include "femoop/section/outline.h"
 #include "femoop/section/principal_axes.h"

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "apps/drawing/geometry/structure_shape.h"
 #include "apps/frame/session/tabs.h"
-#include "apps/frame/view/geometry/structure_shape.h"
 #include "apps/frame/window/expectation.h"
 #include "femoop/io/whole_file.h"
 #include "ui/scenario/words.h"

@@ -6,10 +6,10 @@
 #include <fstream>
 #include <utility>
 
+#include "apps/drawing/results/envelope_cases.h"
 #include "apps/frame/document/drawing.h"
 #include "apps/frame/session/table_commands.h"
 #include "apps/frame/tables/result_table.h"
-#include "apps/frame/view/results/envelope_cases.h"
 #include "apps/frame/window/no_results.h"
 #include "apps/frame/window/solver_panel.h"
 #include "ui/paint/theme.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "apps/frame/view/frame_view.h"
+#include "apps/drawing/draw.h"
 #include "apps/frame/window/number_row.h"
 #include "femoop/model/quantity/quantity_parser.h"
 #include "ui/paint/painter.h"

@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "apps/frame/view/sketch/scene.h"
-#include "tests/apps/frame_view/view_model.h"
+#include "apps/drawing/sketch/scene.h"
+#include "tests/apps/drawing/view_model.h"
 
 using namespace frame;
 using femoop::MemberId;

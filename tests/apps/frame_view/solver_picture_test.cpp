@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "apps/frame/view/solver/solver_picture.h"
-#include "tests/apps/frame_view/view_model.h"
+#include "tests/apps/drawing/view_model.h"
 #include "tests/golden/scene.h"
 
 using namespace frame;

@@ -2,8 +2,9 @@
 
 #include <vector>
 
-#include "apps/frame/document/companion/dimension.h"
+#include "apps/drawing/dimension.h"
 #include "apps/frame/document/companion/named_view.h"
+#include "apps/frame/document/drawing_names.h"
 #include "apps/frame/document/named_sets.h"
 
 namespace frame {

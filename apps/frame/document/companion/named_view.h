@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "apps/frame/document/companion/show.h"
+#include "apps/drawing/show.h"
+#include "apps/frame/document/drawing_names.h"
 
 namespace frame {
 

@@ -78,51 +78,65 @@ private:
     double length_, height_; ///< of the member, and of an ordinate of its length [px]
 };
 
-const MemberMark* mark_of(const Assessment* assessment, MemberId member)
-{
-    if (assessment == nullptr) return nullptr;
-    const auto found = std::ranges::find(assessment->members, member, &MemberMark::member);
-    return found != assessment->members.end() ? &*found : nullptr;
-}
-
 } // namespace
 
-double guess_scale(const Scene& scene, const Prediction& prediction, const SolvedCase& solved, const Diagram& diagram)
+const MemberMark* GuessPicture::mark_of(MemberId member) const
+{
+    if (!assessment_) return nullptr;
+    const auto found = std::ranges::find(assessment_->members, member, &MemberMark::member);
+    return found != assessment_->members.end() ? &*found : nullptr;
+}
+
+// Logical pixels of an ordinate as long as the model's unit of length.
+double GuessPicture::scale_beside(const Scene& scene, const SolvedCase& solved, const Diagram& moments) const
 {
     double drawn = 0.0, moment = 0.0;
     for (std::size_t i = 0; i < scene.shape.members.size(); ++i) {
-        const Guess* const guess = prediction.on(MemberId(i));
+        const Guess* const guess = prediction_.on(MemberId(i));
         if (guess == nullptr) continue;
         const femoop::Extremes extremes = solved.curves[i].extremes(MemberComponent::Mz);
         drawn = std::max(drawn, guess->largest() * scene.shape.members[i].length);
         moment = std::max({moment, std::abs(extremes.max.value), std::abs(extremes.min.value)});
     }
-    const double height = moment * diagram.pixels_per_unit;
+    const double height = moment * moments.pixels_per_unit;
     return drawn > 0.0 && height > 0.0 ? height / drawn : scene.projection.scale();
 }
 
-void draw_guess(const Scene& scene, const Prediction& prediction, double scale, const Assessment* assessment)
+void GuessPicture::draw(const Scene& scene, double scale) const
 {
     for (std::size_t i = 0; i < scene.shape.members.size(); ++i) {
-        const Guess* const guess = prediction.on(MemberId(i));
+        const Guess* const guess = prediction_.on(MemberId(i));
         if (guess == nullptr) continue;
         const MemberGuess picture(scene, scene.shape.members[i], *guess, scale);
         picture.draw();
-        if (const MemberMark* const mark = mark_of(assessment, MemberId(i)))
+        if (const MemberMark* const mark = mark_of(MemberId(i)))
             picture.write(scene.model[MemberId(i)].id + ": " + percent(mark->score.share, scene.options.tr));
     }
 }
 
-PanelHead guess_head(const Scene& scene, const Prediction& prediction, const Assessment* assessment)
+void GuessPicture::draw_alone(const Scene& scene) const { draw(scene, scene.projection.scale()); }
+
+void GuessPicture::draw_beside(const Scene& scene, const SolvedCase& solved, const Diagram& moments) const
+{
+    draw(scene, scale_beside(scene, solved, moments));
+}
+
+PanelHead GuessPicture::head(const Scene& scene) const
 {
     const ui::Catalogue& tr = scene.options.tr;
     PanelHead head{.name = tr("Your guess of M"), .note = {}, .role = ui::Role::Guess};
     if (scene.options.is_envelope) head.note = tr("an envelope is no diagram of one case; choose a case");
-    else if (prediction.is_stale(scene.model, scene.options.load_case))
+    else if (prediction_.is_stale(scene.model, scene.options.load_case))
         head.note = tr("drawn for another state of the model, or another load case");
-    else if (assessment != nullptr) head.note = tr("dashed, as high as the true diagram");
+    else if (assessment_) head.note = tr("dashed, as high as the true diagram");
     else head.note = tr("H reveals the true diagram");
     return head;
+}
+
+std::vector<std::string> GuessPicture::foot(const TextContext& context) const
+{
+    if (!assessment_) return {};
+    return ScoreWords{context.model, context.shape, context.units, context.tr}.lines(*assessment_);
 }
 
 } // namespace frame

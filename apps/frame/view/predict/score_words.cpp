@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "apps/frame/view/sketch/scene.h"
+#include "apps/drawing/sketch/scene.h"
 
 namespace frame {
 

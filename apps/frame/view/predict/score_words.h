@@ -3,8 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "apps/drawing/geometry/structure_shape.h"
+#include "apps/frame/document/drawing_names.h"
 #include "apps/frame/predict/prediction.h"
-#include "apps/frame/view/geometry/structure_shape.h"
 #include "ui/text/catalogue.h"
 #include "ui/text/display_units.h"
 

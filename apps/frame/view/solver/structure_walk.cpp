@@ -2,8 +2,9 @@
 #include <limits>
 #include <map>
 
-#include "apps/frame/view/frame_view.h"
-#include "apps/frame/view/geometry/projection.h"
+#include "apps/drawing/draw.h"
+#include "apps/drawing/geometry/projection.h"
+#include "apps/frame/document/drawing_names.h"
 #include "apps/frame/view/solver/solver_scene.h"
 #include "femoop/solver/trace/front_matrix.h"
 

@@ -1,0 +1,193 @@
+#include "apps/drawing/loads/forces.h"
+
+#include "apps/drawing/loads/loads.h"
+#include "apps/drawing/structure/supports.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace drawing {
+
+namespace {
+
+using Eigen::Vector3d;
+
+Vector3d axis_in(const MemberShape& member, femoop::Dof dof, femoop::LoadAxes axes)
+{
+    const auto i = static_cast<int>(femoop::index(dof) % 3);
+    return axes == femoop::LoadAxes::Local ? Vector3d(member.axes.row(i)) : Vector3d::Unit(i);
+}
+
+double force_length(const Scene& scene, double value, double largest)
+{
+    const double share = largest > 0.0 ? std::abs(value) / largest : 1.0;
+    return scene.sketch.px(28.0 + 18.0 * share) * scene.options.load_factor;
+}
+
+bool is_occupied(const Scene& scene, femoop::NodeId node, const Vector3d& direction)
+{
+    const auto& members = scene.shape.members_at[node.index];
+    return std::any_of(members.begin(), members.end(), [&](femoop::MemberId id) {
+        return direction.dot(direction_from(scene.shape, scene.model, node, id)) > 0.9;
+    });
+}
+
+} // namespace
+
+void draw_force(const Scene& scene, const ForcePicture& force)
+{
+    const ui::Point at = scene.projection(force.at);
+    const ui::Point d = scene.projection.direction(force.direction);
+    const double gap = scene.sketch.px(3.0) + force.gap;
+    const bool is_push = force.touches == ArrowAt::Head;
+    const ui::Point head = is_push ? at - gap * d : at + (gap + force.length) * d;
+    const ui::Point tail = is_push ? at - (gap + force.length) * d : at + gap * d;
+    draw(scene.sketch, {.tail = tail,
+                        .head = head,
+                        .role = force.role,
+                        .head_size = 10.0,
+                        .facing = force.direction.dot(scene.projection.toward_eye()),
+                        .n_heads = force.n_heads});
+    if (force.grip)
+        scene.sketch.mark({.load = force.grip->load,
+                           .dof = force.grip->dof,
+                           .area = {tail, head},
+                           .root = is_push ? head : tail,
+                           .tip = is_push ? tail : head});
+    if (!scene.shows(Show::Values)) return;
+    scene.sketch.caption({.text = force.text,
+                          .role = force.role,
+                          .target = is_push ? tail : head,
+                          .toward = ui::length(d) < 0.15 ? ui::Point{0.7, -0.7} : (is_push ? -d : d),
+                          .gap = scene.sketch.px(5.0),
+                          .rank = Rank::Load});
+}
+
+void draw_moment(const Scene& scene, const MomentPicture& moment)
+{
+    if (!scene.is_flat()) {
+        draw_force(scene, {.at = moment.at,
+                           .direction = moment.axis,
+                           .length = scene.sketch.px(34.0),
+                           .touches = ArrowAt::Tail,
+                           .gap = scene.sketch.px(4.0),
+                           .text = moment.text,
+                           .role = moment.role,
+                           .n_heads = 2,
+                           .grip = moment.grip});
+        return;
+    }
+    const SymbolFrame f = scene.projection.frame(moment.at, Vector3d::UnitX(), Vector3d::UnitY());
+    draw(scene.sketch, CurvedArrow{.frame = f, .radius = moment.radius, .sense = moment.axis.z(), .role = moment.role});
+    if (moment.grip)
+        scene.sketch.mark({.load = moment.grip->load,
+                           .dof = moment.grip->dof,
+                           .area = {f(-moment.radius, 0.0), f(0.0, moment.radius), f(moment.radius, 0.0)},
+                           .root = f(0.0, 0.0),
+                           .tip = f(0.0, moment.radius)});
+    if (!scene.shows(Show::Values)) return;
+    scene.sketch.caption({.text = moment.text,
+                          .role = moment.role,
+                          .target = f(0.0, 0.0),
+                          .toward = moment.text_side,
+                          .gap = scene.sketch.px(moment.radius + 5.0),
+                          .rank = Rank::Load});
+}
+
+ui::Point text_side(const Scene& scene, femoop::NodeId node)
+{
+    double right = 0.0;
+    for (const femoop::MemberId id : scene.shape.members_at[node.index])
+        right += scene.projection.direction(direction_from(scene.shape, scene.model, node, id)).x;
+    return {right > 0.1 ? -0.7 : 0.7, -0.7};
+}
+
+ArrowAt free_end(const Scene& scene, femoop::NodeId node, const Vector3d& direction)
+{
+    const bool behind = is_occupied(scene, node, -direction);
+    const bool ahead = is_occupied(scene, node, direction);
+    return behind && !ahead ? ArrowAt::Tail : ArrowAt::Head;
+}
+
+void draw_node_load(const Scene& scene, const femoop::NodeLoad& load, const LoadScale& scale)
+{
+    for (const femoop::Component& component : load.components) {
+        const double value = scale.factor * component.value;
+        if (value == 0.0) continue;
+        const Vector3d axis = Vector3d::Unit(static_cast<int>(femoop::index(component.dof) % 3));
+        const Vector3d direction = value < 0.0 ? Vector3d(-axis) : axis;
+        if (femoop::is_rotation(component.dof)) {
+            draw_moment(scene, {.at = scene.shape[load.node],
+                                .axis = direction,
+                                .text = scene.text(std::abs(value), ui::Measure::Moment),
+                                .radius = 18.0,
+                                .text_side = text_side(scene, load.node),
+                                .grip = GripOf{scale.load, component.dof}});
+            continue;
+        }
+        draw_force(scene, {.at = scene.shape[load.node],
+                           .direction = direction,
+                           .length = force_length(scene, value, scale.largest.force),
+                           .touches = free_end(scene, load.node, direction),
+                           .text = scene.text(std::abs(value), ui::Measure::Force),
+                           .grip = GripOf{scale.load, component.dof}});
+    }
+}
+
+void draw_point_load(const Scene& scene, femoop::MemberId id, const femoop::PointLoad& load, const LoadScale& scale,
+                     const LoadStack& stack)
+{
+    const MemberShape& member = scene.shape[id];
+    const double x = place_along(load.at, member.length);
+    const Vector3d at = member.at(x);
+    for (const femoop::Component& component : load.components) {
+        const double value = scale.factor * component.value;
+        if (value == 0.0) continue;
+        const Vector3d direction = (value < 0.0 ? -1.0 : 1.0) * axis_in(member, component.dof, load.axes);
+        if (femoop::is_rotation(component.dof)) {
+            draw_moment(scene, {.at = at,
+                                .axis = direction,
+                                .text = scene.text(std::abs(value), ui::Measure::Moment),
+                                .grip = GripOf{scale.load, component.dof}});
+            continue;
+        }
+        const double over = stack.height(-direction, {x, x});
+        const double least = over > 0.0 ? over + scene.sketch.px(20.0) : 0.0;
+        draw_force(scene, {.at = at,
+                           .direction = direction,
+                           .length = std::max(force_length(scene, value, scale.largest.force), least),
+                           .text = scene.text(std::abs(value), ui::Measure::Force),
+                           .grip = GripOf{scale.load, component.dof}});
+    }
+}
+
+void draw_end_loads(const Scene& scene, femoop::MemberId id, const femoop::EndLoads& load, const LoadScale& scale)
+{
+    const MemberShape& member = scene.shape[id];
+    // Just inside the member's end, since they act inside its releases.
+    const double inside = std::min(0.25 * member.length, scene.sketch.px(20.0) / scene.projection.scale());
+    const auto draw_end = [&](const std::vector<femoop::Component>& components, double along) {
+        for (const femoop::Component& component : components) {
+            const double value = scale.factor * component.value;
+            if (value == 0.0) continue;
+            const Vector3d direction = (value < 0.0 ? -1.0 : 1.0) * axis_in(member, component.dof, load.axes);
+            if (femoop::is_rotation(component.dof))
+                draw_moment(scene, {.at = member.at(along),
+                                    .axis = direction,
+                                    .text = scene.text(std::abs(value), ui::Measure::Moment),
+                                    .radius = 14.0,
+                                    .grip = GripOf{scale.load, component.dof}});
+            else
+                draw_force(scene, {.at = member.at(along),
+                                   .direction = direction,
+                                   .length = force_length(scene, value, scale.largest.force),
+                                   .text = scene.text(std::abs(value), ui::Measure::Force),
+                                   .grip = GripOf{scale.load, component.dof}});
+        }
+    };
+    draw_end(load.start, inside);
+    draw_end(load.end, member.length - inside);
+}
+
+} // namespace drawing

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "apps/drawing/results/solved_case.h"
+#include "apps/drawing/sketch/scene.h"
+
+namespace drawing {
+
+/// The largest displacement of any node or of any point of a member, with the place.
+struct LargestDisplacement {
+    double value = 0.0;
+    femoop::MemberId member;
+    double x = 0.0; ///< along it
+};
+LargestDisplacement largest_displacement(const SolvedCase& solved);
+
+/// The round factor by which displacements are drawn: the one asked for, else one that makes them up to a tenth of the
+/// structure or of the panel, had the structure those of `scaled_by`.
+double deformation_scale(const Scene& scene, const SolvedCase& solved, const SolvedCase& scaled_by, ui::Size panel);
+
+/// The deformed shape, each member by its exact curve, times `scale` and the phase.
+void draw_deformed(const Scene& scene, const SolvedCase& solved, double scale);
+
+} // namespace drawing

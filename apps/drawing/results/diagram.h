@@ -1,0 +1,45 @@
+#pragma once
+
+#include "apps/drawing/results/ordinates.h"
+#include "apps/drawing/results/solved_case.h"
+#include "apps/drawing/sketch/scene.h"
+
+#include <vector>
+
+namespace drawing {
+
+/// One kind of section force, drawn along every member.
+struct Diagram {
+    femoop::MemberComponent component = femoop::MemberComponent::Mz;
+    double largest = 0.0;         ///< absolute value in the structure
+    double pixels_per_unit = 0.0; ///< of the ordinates
+
+    bool is_zero() const { return pixels_per_unit == 0.0; }
+};
+
+/// The diagram at a height that suits the members and the panel; it is the largest value of `scaled_by` that would get
+/// it, unless the diagram would become many times as high.
+Diagram make_diagram(const Scene& scene, const SolvedCase& solved, const SolvedCase& scaled_by,
+                     femoop::MemberComponent component, ui::Size panel);
+
+/// Filled and hatched ordinates along all members with values at ends, jumps and extremes, signs where the side alone
+/// does not tell them. In trusses N is a band as broad as the force is large.
+///
+/// Sides  N, V, T   positive on the upper side of the member (in plane models; +y' in space, Vz on +z')
+///        M         on the side that it stretches, or on the other (ViewOptions::moment_side)
+void draw_diagram(const Scene& scene, const SolvedCase& solved, const Diagram& diagram);
+
+/// The outlines of the diagram alone, faint and without values: a former solution behind the present one. The scene is
+/// that of the former structure.
+void draw_ghost(const Scene& scene, const SolvedCase& solved, const Diagram& diagram);
+
+/// The largest and the smallest value of all cases along every member, as a band, with the extremes of each member.
+/// `diagram` has its scale from `envelope_diagram`.
+void draw_envelope(const Scene& scene, const std::vector<SolvedCase>& cases, const Diagram& diagram);
+Diagram envelope_diagram(const Scene& scene, const std::vector<SolvedCase>& cases, femoop::MemberComponent component,
+                         ui::Size panel);
+
+ui::Role role_of(femoop::MemberComponent component);
+ui::Measure measure_of(femoop::MemberComponent component);
+
+} // namespace drawing

@@ -1,0 +1,117 @@
+#include "apps/drawing/results/envelope_reactions.h"
+
+#include "apps/drawing/measures.h"
+#include "apps/drawing/results/envelope_cases.h"
+#include "apps/drawing/structure/supports.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace drawing {
+
+namespace {
+
+using femoop::Dof;
+
+class ReactionRanges {
+public:
+    ReactionRanges(const Scene& scene, const std::vector<SolvedCase>& cases) : scene_(scene), cases_(cases)
+    {
+        for (const SolvedCase& solved : cases) {
+            const femoop::Magnitudes most = solved.result.magnitudes();
+            force_ = std::max(force_, most.force);
+            moment_ = std::max(moment_, most.moment);
+        }
+    }
+
+    void draw()
+    {
+        for (std::size_t i = 0; i < scene_.model.nodes.size(); ++i) {
+            const femoop::NodeId node{i};
+            if (!cases_.front().result.is_supported(node)) continue;
+            std::vector<std::string> lines;
+            for (const Dof dof : femoop::all_dofs)
+                if (std::string words = range_of(node, dof); !words.empty()) lines.push_back(std::move(words));
+            if (!lines.empty()) write(node, lines);
+        }
+    }
+
+private:
+    struct Bound {
+        double value;
+        const SolvedCase* made_by;
+    };
+
+    // "fy 42 (G) … 56.7 (U) kN"; nothing where there is no reaction.
+    std::string range_of(femoop::NodeId node, Dof dof) const
+    {
+        const auto less = [](const Bound& a, const Bound& b) { return a.value < b.value; };
+        std::vector<Bound> all;
+        for (const SolvedCase& solved : cases_)
+            all.push_back({without_rounding(solved.result.reaction(node)[femoop::index(dof)], dof), &solved});
+        const Bound least = *std::ranges::min_element(all, less), most = *std::ranges::max_element(all, less);
+        if (least.value == 0.0 && most.value == 0.0) return {};
+        const std::string range = least.value == most.value ? words(least, dof)
+                                                            : words(least, dof) + " … " + words(most, dof);
+        return std::string(femoop::force_name(dof)) + " " + range + " " +
+               scene_.units.unit(force_measures.of(dof)).name;
+    }
+
+    // One line under the other beyond the support's symbol, farther off where another support's stand already.
+    void write(femoop::NodeId node, const std::vector<std::string>& lines)
+    {
+        Sketch& sketch = scene_.sketch;
+        ui::TextStyle style = sketch.theme().text(ui::Role::Reaction, ui::Anchor::Center);
+        style.size = sketch.theme().type().small;
+        const double line = 1.35 * style.size;
+        ui::Size size{0.0, line * static_cast<double>(lines.size())};
+        for (const std::string& words : lines)
+            size.width = std::max(size.width, sketch.painter().measure(words, style).width);
+        const ui::Point away = support_side(scene_, node).value_or(ui::Point{0.0, 1.0});
+        const double half = 0.5 * (std::abs(away.x) * size.width + std::abs(away.y) * size.height);
+        ui::Point center = scene_.place(node) + (support_reach(sketch) + half) * away;
+        const auto box = [&] { return ui::box_at(center - 0.5 * ui::Point{size.width, size.height}, size); };
+        while (std::ranges::any_of(written_, [&](const ui::Box& other) { return other.overlaps(box()); }))
+            center = center + line * away;
+        const ui::Box taken = box().grown(2.0);
+        written_.push_back(taken);
+        sketch.keep_clear({taken.min, {taken.max.x, taken.min.y}, taken.max, {taken.min.x, taken.max.y}});
+        sketch.include(taken.min);
+        sketch.include(taken.max);
+        const ui::LayerScope layer(sketch.painter(), ui::Layer::Labels);
+        double y = box().min.y + 0.5 * line;
+        for (const std::string& words : lines) {
+            sketch.painter().text({center.x, y}, words, style);
+            y += line;
+        }
+    }
+
+    double without_rounding(double value, Dof dof) const
+    {
+        constexpr double noise = 1e-9;
+        return std::abs(value) > noise * (femoop::is_rotation(dof) ? moment_ : force_) ? value : 0.0;
+    }
+
+    std::string words(const Bound& bound, Dof dof) const
+    {
+        const std::string number = scene_.number(bound.value, force_measures.of(dof));
+        return cases_.size() == 1 ? number : governed(number, bound.made_by->result.name());
+    }
+
+    const Scene& scene_;
+    const std::vector<SolvedCase>& cases_;
+    double force_ = 0.0, moment_ = 0.0;
+    std::vector<ui::Box> written_; ///< of the supports so far
+};
+
+} // namespace
+
+void draw_reaction_ranges(const Scene& scene, const std::vector<SolvedCase>& cases)
+{
+    if (!cases.empty()) ReactionRanges(scene, cases).draw();
+}
+
+} // namespace drawing

@@ -1,0 +1,27 @@
+// Diagrams of a former solution.
+#include "apps/drawing/results/diagram.h"
+
+namespace drawing {
+
+void draw_ghost(const Scene& scene, const SolvedCase& solved, const Diagram& diagram)
+{
+    if (diagram.is_zero()) return;
+    Sketch& sketch = scene.sketch;
+    ui::Stroke stroke = sketch.thin(role_of(diagram.component));
+    stroke.color = ui::with_opacity(stroke.color, 0.6);
+    stroke.dash = {5.0, 3.0};
+    for (std::size_t i = 0; i < scene.shape.members.size(); ++i) {
+        const femoop::Curve& curve = solved.curves.at(i);
+        const SymbolFrame frame = diagram_frame(scene, scene.shape.members[i], diagram.component);
+        const auto at = [&](double x, double value) {
+            return frame(x * scene.projection.scale(), value * diagram.pixels_per_unit);
+        };
+        std::vector<ui::Point> line{at(0.0, 0.0)};
+        for (const Ordinate& o : ordinates_of(curve, diagram.component, 0.3 / diagram.pixels_per_unit))
+            line.push_back(at(o.x, o.value));
+        line.push_back(at(curve.length(), 0.0));
+        sketch.polyline(line, stroke, Clearance::Soft);
+    }
+}
+
+} // namespace drawing

@@ -1,0 +1,206 @@
+#include "apps/drawing/sheet/legend.h"
+
+#include "apps/drawing/loads/case_terms.h"
+#include "apps/drawing/results/envelope_cases.h"
+#include "ui/paint/wrapped_lines.h"
+#include "ui/text/shortened.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drawing {
+
+namespace {
+
+using femoop::MemberComponent;
+
+constexpr double border = 16.0;
+constexpr std::size_t longest_title = 200; // letters
+
+std::string terms_text(const femoop::Model& model, const femoop::Combination& combination,
+                       const ui::NumberFormat& format)
+{
+    std::string text;
+    for (const auto& term : combination.terms) {
+        const double size = std::abs(term.factor);
+        if (!text.empty()) text += term.factor < 0.0 ? " − " : " + ";
+        else if (term.factor < 0.0) text += "−";
+        if (size != 1.0) text += ui::number_text(size, format) + " ";
+        text += model.case_name(term.of);
+    }
+    return text;
+}
+
+std::string case_text(const femoop::Model& model, const ViewOptions& options)
+{
+    if (options.is_envelope) return envelope_words(model, options);
+    const std::size_t index = options.load_case.index;
+    if (index >= model.n_cases()) return {};
+    const std::string& name = model.case_name(options.load_case);
+    if (index < model.load_cases.size()) return options.tr("load case {case}", {{"case", name}});
+    const auto& combination = model.combinations[index - model.load_cases.size()];
+    return options.tr("combination {case} = {terms}",
+                      {{"case", name}, {"terms", terms_text(model, combination, options.numbers)}});
+}
+
+std::string self_weight_text(const femoop::Model& model, const ViewOptions& options)
+{
+    if (options.is_envelope) return {};
+    double factor = 0.0;
+    for (const CaseTerm& term : terms_of(model, options.load_case)) factor += term.factor * term.load_case->self_weight;
+    if (factor == 0.0) return {};
+    if (factor == 1.0) return options.tr("with self-weight");
+    return options.tr("with {factor} × self-weight", {{"factor", ui::number_text(factor, options.numbers)}});
+}
+
+std::string units_text(const femoop::Model& model, const ViewOptions& options)
+{
+    const ui::DisplayUnits units = display_units(model, options);
+    return options.tr("units {force}, {length}", {{"force", units.unit(ui::Measure::Force).name},
+                                                  {"length", units.unit(ui::Measure::Length).name}});
+}
+
+std::string indeterminacy_text(const femoop::Results& results, const ui::Catalogue& tr)
+{
+    const femoop::Indeterminacy& degree = results.indeterminacy();
+    if (degree.has_foundation) return tr("on an elastic foundation");
+    if (degree.total() == 0) return tr("statically determinate");
+    return tr("statically indeterminate, degree {total} (external {external}, internal {internal})",
+              {{"total", std::to_string(degree.total())},
+               {"external", std::to_string(degree.external)},
+               {"internal", std::to_string(degree.internal)}});
+}
+
+void join(std::string& line, const std::string& part)
+{
+    if (part.empty()) return;
+    line += (line.empty() ? "" : "  ·  ") + part;
+}
+
+std::string diagram_name(const Scene& scene, MemberComponent component)
+{
+    const ui::Catalogue& tr = scene.options.tr;
+    switch (component) {
+    case MemberComponent::N: return tr("axial force");
+    case MemberComponent::Vy:
+    case MemberComponent::Vz: return tr("shear force");
+    case MemberComponent::T: return tr("torsional moment");
+    default: return tr("bending moment");
+    }
+}
+
+std::string sign_note(const Scene& scene, MemberComponent component)
+{
+    const ui::Catalogue& tr = scene.options.tr;
+    if (is_moment(component))
+        return scene.options.moment_side == MomentSide::Tension ? tr("drawn on the tension side")
+                                                                : tr("drawn on the compression side");
+    if (component == MemberComponent::Vy || component == MemberComponent::Vz)
+        return scene.is_flat() ? tr("positive where it turns the piece clockwise") : std::string();
+    if (component != MemberComponent::N) return {};
+    return femoop::is_truss(scene.model.analysis) ? tr("(T) tension, (C) compression") : tr("tension positive");
+}
+
+std::string capitalized(std::string text)
+{
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
+} // namespace
+
+SheetHead sheet_head(const femoop::Model& model, const femoop::Results* results, const ViewOptions& options)
+{
+    SheetHead head{.title = ui::shortened(model.title, longest_title), .line = {}};
+    join(head.line, case_text(model, options));
+    join(head.line, self_weight_text(model, options));
+    if (results && !model.members.empty()) join(head.line, indeterminacy_text(*results, options.tr));
+    join(head.line, units_text(model, options));
+    head.line = capitalized(head.line);
+    return head;
+}
+
+namespace {
+
+ui::TextStyle title_style(const ui::Theme& theme)
+{
+    ui::TextStyle style = theme.text(ui::Role::Label, ui::Anchor::TopLeft);
+    style.weight = ui::Weight::Bold;
+    style.size = theme.type().large;
+    return style;
+}
+
+ui::TextStyle line_style(const ui::Theme& theme)
+{
+    ui::TextStyle style = theme.text(ui::Role::FaintLabel, ui::Anchor::TopLeft);
+    style.size = theme.type().small;
+    return style;
+}
+
+constexpr double title_spacing = 1.45, line_spacing = 1.5; // of the type's size
+
+} // namespace
+
+double head_height(const SheetHead& head, const ui::Theme& theme, const ui::Fonts& fonts, double width)
+{
+    const auto height = [&](const std::string& text, const ui::TextStyle& style, double spacing) {
+        const auto n_lines = ui::wrapped_lines(fonts, text, style, width - 2.0 * border).size();
+        return spacing * style.size * static_cast<double>(n_lines);
+    };
+    return 12.0 + height(head.title, title_style(theme), title_spacing) +
+           height(head.line, line_style(theme), line_spacing);
+}
+
+void draw_head(ui::Painter& painter, const SheetHead& head, const ui::Theme& theme)
+{
+    const ui::LayerScope layer(painter, ui::Layer::Overlay);
+    double y = 12.0;
+    const auto write = [&](const std::string& text, const ui::TextStyle& style, double spacing) {
+        for (const std::string& line :
+             ui::wrapped_lines(painter.fonts(), text, style, painter.size().width - 2.0 * border)) {
+            painter.text({border, y}, line, style);
+            y += spacing * style.size;
+        }
+    };
+    write(head.title, title_style(theme), title_spacing);
+    write(head.line, line_style(theme), line_spacing);
+}
+
+PanelHead diagram_head(const Scene& scene, const std::vector<Diagram>& diagrams)
+{
+    const Diagram& first = diagrams.front();
+    PanelHead head{.role = role_of(first.component)};
+    std::string symbols;
+    for (const Diagram& diagram : diagrams)
+        symbols += (symbols.empty() ? "" : ", ") + std::string(femoop::name(diagram.component, scene.model.analysis));
+    const ui::DisplayUnit unit = scene.units.unit(measure_of(first.component));
+    head.name = capitalized(diagram_name(scene, first.component)) + " " + symbols + " [" + unit.name + "]";
+    head.note = first.largest > 0.0 ? sign_note(scene, first.component) : scene.options.tr("zero everywhere");
+    const bool is_truss_force = femoop::is_truss(scene.model.analysis) && first.component == MemberComponent::N;
+    if (first.is_zero() || is_truss_force) return head;
+    // A round number whose bar is 24 to 60 pixels long.
+    const double shown = round_below(60.0 / first.pixels_per_unit * unit.factor);
+    head.bar = shown / unit.factor * first.pixels_per_unit;
+    head.bar_text = ui::number_text(shown, scene.options.numbers) + " " + unit.name;
+    return head;
+}
+
+PanelHead deformed_head(const Scene& scene, double scale)
+{
+    const ui::Catalogue& tr = scene.options.tr;
+    return {.name = capitalized(tr("deformed shape")),
+            .note = tr("displacements × {scale}", {{"scale", ui::number_text(scale, scene.options.numbers)}}),
+            .role = ui::Role::Deformed};
+}
+
+PanelHead structure_head(const Scene& scene)
+{
+    const bool loads = scene.shows(Show::Loads);
+    const bool reactions = scene.shows(Show::Reactions);
+    const ui::Catalogue& tr = scene.options.tr;
+    if (loads && reactions) return {.name = tr("Loads and reactions"), .note = {}};
+    if (reactions) return {.name = tr("Reactions"), .note = {}};
+    return {.name = loads ? tr("Loads") : tr("Structure"), .note = {}};
+}
+
+} // namespace drawing

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "apps/drawing/results/diagram.h"
+#include "apps/drawing/sheet/panel_head.h"
+#include "apps/drawing/sketch/scene.h"
+#include "femoop/result/results.h"
+
+#include <string>
+#include <vector>
+
+namespace drawing {
+
+/// What stands at the head of the sheet: the title, and in small the case, the units and how determinate the structure
+/// is.
+struct SheetHead {
+    std::string title;
+    std::string line;
+};
+SheetHead sheet_head(const femoop::Model& model, const femoop::Results* results, const ViewOptions& options);
+/// On a sheet of this width [logical pixels], which longer lines are broken for.
+double head_height(const SheetHead& head, const ui::Theme& theme, const ui::Fonts& fonts, double width);
+void draw_head(ui::Painter& painter, const SheetHead& head, const ui::Theme& theme);
+
+PanelHead diagram_head(const Scene& scene, const std::vector<Diagram>& diagrams);
+PanelHead deformed_head(const Scene& scene, double scale);
+PanelHead structure_head(const Scene& scene);
+
+} // namespace drawing

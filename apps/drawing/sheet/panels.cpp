@@ -1,0 +1,52 @@
+#include "apps/drawing/sheet/panels.h"
+
+#include <algorithm>
+#include <array>
+
+namespace drawing {
+
+namespace {
+
+constexpr std::array results{Show::N, Show::V,  Show::Vy, Show::Vz,      Show::M,
+                             Show::T, Show::My, Show::Mz, Show::Deformed};
+
+} // namespace
+
+std::vector<ShowSet> panel_contents(const PanelRequest& request)
+{
+    std::vector<Show> shown;
+    for (const Show item : results)
+        if (request.show.contains(item)) shown.push_back(item);
+    ShowSet base = request.show;
+    for (const Show item : results) base.erase(item);
+    const bool shows_forces = base.contains(Show::Loads) || base.contains(Show::Reactions);
+    const std::size_t n_panels = shown.size() + (shows_forces ? 1 : 0);
+    if (!request.has_results || shown.empty() || n_panels < 2 || request.layout == Layout::Overlay)
+        return {request.show};
+    std::vector<ShowSet> sets;
+    if (shows_forces) sets.push_back(base);
+    ShowSet plain = base;
+    for (const Show item : {Show::Loads, Show::Reactions, Show::Dimensions, Show::LocalAxes, Show::MemberNames})
+        plain.erase(item);
+    for (const Show item : shown) {
+        ShowSet set = plain;
+        set.insert(item);
+        sets.push_back(set);
+    }
+    return sets;
+}
+
+std::vector<Panel> panels(const std::vector<ShowSet>& contents, const ui::Box& area, std::size_t columns)
+{
+    const std::size_t rows = (contents.size() + columns - 1) / columns;
+    const ui::Size size{area.width() / static_cast<double>(columns), area.height() / static_cast<double>(rows)};
+    std::vector<Panel> list;
+    for (std::size_t i = 0; i < contents.size(); ++i) {
+        const ui::Point corner{area.min.x + static_cast<double>(i % columns) * size.width,
+                               area.min.y + static_cast<double>(i / columns) * size.height};
+        list.push_back({ui::box_at(corner, size), contents[i]});
+    }
+    return list;
+}
+
+} // namespace drawing

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "apps/drawing/view_options.h"
+#include "femoop/model/model.h"
+#include "ui/paint/geometry.h"
+
+#include <vector>
+
+namespace drawing {
+
+/// A part of the sheet with a picture of the structure.
+struct Panel {
+    ui::Box box;
+    ShowSet show; ///< what this one shows
+};
+
+/// How a sheet is divided: one picture with everything, or the loads first and then one panel per result.
+struct PanelRequest {
+    ShowSet show;
+    Layout layout = Layout::Automatic;
+    bool has_results = false; ///< without them there is one panel
+};
+/// What each panel shows.
+std::vector<ShowSet> panel_contents(const PanelRequest& request);
+
+/// Panels of one size, row by row. \pre columns > 0
+std::vector<Panel> panels(const std::vector<ShowSet>& contents, const ui::Box& area, std::size_t columns);
+
+} // namespace drawing

@@ -1,0 +1,502 @@
+#include "apps/drawing/sheet/subject.h"
+
+#include "apps/drawing/draw.h"
+#include "apps/drawing/loads/loads.h"
+#include "apps/drawing/results/deformed.h"
+#include "apps/drawing/results/diagram.h"
+#include "apps/drawing/results/envelope_cases.h"
+#include "apps/drawing/results/envelope_reactions.h"
+#include "apps/drawing/results/mechanism_picture.h"
+#include "apps/drawing/results/reactions.h"
+#include "apps/drawing/sheet/legend.h"
+#include "apps/drawing/sheet/moment_overlay.h"
+#include "apps/drawing/structure/dimensions.h"
+#include "apps/drawing/structure/drawn_dimensions.h"
+#include "apps/drawing/structure/members.h"
+#include "apps/drawing/structure/supports.h"
+#include "ui/paint/wrapped_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace drawing {
+
+namespace {
+
+constexpr std::array diagrams{Show::N, Show::V, Show::Vy, Show::Vz, Show::M, Show::T, Show::My, Show::Mz};
+constexpr double edge = 14.0;                                        // [px] kept free around a fitted picture
+constexpr ui::World2 empty_least{-1.0, -1.0}, empty_most{11.0, 7.0}; // corners of an empty sheet
+constexpr ui::World3 empty_corner{-1.0, -1.0, 0.0}, full_corner{9.0, 9.0, 5.0}; // of one in space
+
+bool shows_any(const ShowSet& show, std::span<const Show> items)
+{
+    return std::any_of(items.begin(), items.end(), [&](Show item) { return show.contains(item); });
+}
+
+/// Draws what one panel shows, part by part, and collects the heads that stand over it.
+class PanelPicture {
+public:
+    PanelPicture(const Scene& scene, ui::Size size) : scene_(scene), size_(size) {}
+
+    /// The overlay goes with the moments; where they are not shown at all it stands by itself.
+    void draw_overlay_alone() { is_overlay_alone_ = true; }
+
+    /// `all` has the solved cases where an envelope is drawn, else none.
+    void draw_solved(const SolvedCase* solved, const SolvedCase* scaled_by, const std::vector<SolvedCase>& all)
+    {
+        const bool is_behind = solved && scene_.shows(Show::Deformed) && !shows_any(scene_.options.show, diagrams);
+        draw_highlights(scene_);
+        draw_members(scene_, is_behind ? Presence::Behind : Presence::Subject);
+        if (!all.empty()) draw_bands(all);
+        else if (solved) draw_results(*solved, scaled_by ? *scaled_by : *solved);
+        if (is_overlay_alone_ && all.empty() && has_overlay()) draw_overlay();
+        draw_structure();
+        if (scene_.shows(Show::Loads)) draw_loads(scene_);
+        if (scene_.shows(Show::Reactions)) {
+            if (!all.empty()) draw_reaction_ranges(scene_, all);
+            else if (solved) draw_reactions(scene_, *solved);
+        }
+        finish();
+    }
+
+    void draw_mechanism(const femoop::Mechanism& mechanism)
+    {
+        draw_highlights(scene_);
+        draw_members(scene_, Presence::Behind);
+        draw_motion(scene_, mechanism);
+        draw_structure();
+        finish();
+    }
+
+    const std::vector<PanelHead>& heads() const { return heads_; }
+
+private:
+    void draw_bands(const std::vector<SolvedCase>& all)
+    {
+        for (const Show item : diagrams) {
+            if (!scene_.shows(item)) continue;
+            std::vector<Diagram> drawn;
+            for (const femoop::MemberComponent component : components(item, scene_.model.analysis))
+                drawn.push_back(envelope_diagram(scene_, all, component, size_));
+            if (drawn.empty()) continue;
+            use_one_scale(drawn);
+            for (const Diagram& diagram : drawn) draw_envelope(scene_, all, diagram);
+            heads_.push_back(diagram_head(scene_, drawn));
+            if (item == Show::M && has_overlay()) heads_.push_back(scene_.options.overlay->head(scene_));
+        }
+    }
+
+    bool has_overlay() const { return scene_.options.overlay != nullptr && !scene_.options.overlay->is_empty(); }
+
+    void draw_overlay()
+    {
+        scene_.options.overlay->draw_alone(scene_);
+        heads_.push_back(scene_.options.overlay->head(scene_));
+    }
+
+    void draw_overlay_beside(const SolvedCase& solved, const Diagram& moments)
+    {
+        scene_.options.overlay->draw_beside(scene_, solved, moments);
+        heads_.push_back(scene_.options.overlay->head(scene_));
+    }
+
+    // The former solution of the same case, to the scale of the present one.
+    void draw_former(const std::vector<Diagram>& present)
+    {
+        if (!scene_.options.ghost) return;
+        const Ghost& ghost = *scene_.options.ghost;
+        const auto solved = solved_case(ghost.results, scene_.options.load_case);
+        if (!solved || ghost.model.analysis != scene_.model.analysis) return;
+        const StructureShape shape = shape_of(ghost.model);
+        const Scene former{ghost.model,  shape,         scene_.projection, scene_.options,
+                           scene_.units, scene_.sketch, scene_.crowding};
+        for (const Diagram& diagram : present) draw_ghost(former, *solved, diagram);
+    }
+
+    void draw_results(const SolvedCase& solved, const SolvedCase& scaled_by)
+    {
+        for (const Show item : diagrams) {
+            if (!scene_.shows(item)) continue;
+            std::vector<Diagram> drawn;
+            for (const femoop::MemberComponent component : components(item, scene_.model.analysis))
+                drawn.push_back(make_diagram(scene_, solved, scaled_by, component, size_));
+            if (drawn.empty()) continue;
+            use_one_scale(drawn);
+            draw_former(drawn);
+            for (const Diagram& diagram : drawn) draw_diagram(scene_, solved, diagram);
+            heads_.push_back(diagram_head(scene_, drawn));
+            if (item == Show::M && has_overlay()) draw_overlay_beside(solved, drawn.front());
+        }
+        if (!scene_.shows(Show::Deformed)) return;
+        const double scale = deformation_scale(scene_, solved, scaled_by, size_);
+        draw_deformed(scene_, solved, scale);
+        heads_.push_back(deformed_head(scene_, scale));
+    }
+
+    // My and Mz in one picture are compared by eye.
+    static void use_one_scale(std::vector<Diagram>& list)
+    {
+        double largest = 0.0;
+        double scale = 0.0;
+        for (const Diagram& diagram : list) {
+            if (diagram.largest <= largest) continue;
+            largest = diagram.largest;
+            scale = diagram.pixels_per_unit;
+        }
+        for (Diagram& diagram : list) diagram.pixels_per_unit = diagram.largest > 0.0 ? scale : 0.0;
+        std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.largest > b.largest; });
+    }
+
+    void draw_structure()
+    {
+        {
+            const ui::LayerScope layer(scene_.sketch.painter(), ui::Layer::Symbols);
+            draw_supports(scene_);
+        }
+        draw_joints(scene_);
+    }
+
+    void finish()
+    {
+        if (scene_.shows(Show::LocalAxes)) draw_local_axes(scene_);
+        draw_names(scene_);
+        if (scene_.shows(Show::DrawnDimensions)) draw_drawn_dimensions(scene_);
+        if (scene_.shows(Show::Dimensions)) draw_dimensions(scene_);
+        if (heads_.empty() || scene_.shows(Show::Loads) || scene_.shows(Show::Reactions))
+            heads_.insert(heads_.begin(), structure_head(scene_));
+    }
+
+    const Scene& scene_;
+    ui::Size size_;
+    std::vector<PanelHead> heads_;
+    bool is_overlay_alone_ = false;
+};
+
+/// Without what a kind of model does not have, such as N in a grillage.
+ShowSet without_absent(ShowSet show, femoop::AnalysisKind kind)
+{
+    for (const Show item : diagrams)
+        if (components(item, kind).empty()) show.erase(item);
+    return show;
+}
+
+/// Where panels get small, so do type, lines and symbols, as far as they can still be read.
+/// The one picture of a window does not on the projector: a class reads its numbers, not those of the panels around it.
+/// \param aspect  of the structure: the side of the panel that it does not fill may be shorter
+ui::Theme theme_for(const ui::Theme& theme, Layout layout, ui::Size panel, double aspect)
+{
+    constexpr double least_share = 0.75, least_type = 11.0;
+    if (theme.name() == ui::ThemeName::Projector && layout == Layout::Overlay) return theme;
+    const bool is_wide = aspect * panel.height > panel.width;
+    const ui::Size ample = is_wide ? ui::Size{400.0, 180.0} : ui::Size{250.0, 280.0}; // for symbols of scale 1
+    const double share = std::min(panel.width / ample.width, panel.height / ample.height) / theme.symbol_scale();
+    const double least = std::max(least_share, least_type / theme.type().normal);
+    return share < 1.0 ? theme.scaled(std::max(least, share)) : theme;
+}
+
+} // namespace
+
+Subject::Subject(const femoop::Model& model, const femoop::Results* results, const ViewOptions& options)
+    : model_(model),
+      results_(results),
+      options_(options),
+      theme_(options.theme),
+      units_(display_units(model, options)),
+      shape_(shape_of(model))
+{
+    const auto fits = [&](const femoop::Results& r) {
+        return r.n_members() == model.members.size() && r.n_nodes() == model.nodes.size();
+    };
+    if (results && fits(*results)) solved_ = solved_case(*results, options.load_case);
+    if (options.is_envelope && results && fits(*results))
+        for (const femoop::CaseId id : envelope_cases(model, options)) all_.push_back(*solved_case(*results, id));
+    if (options.scaled_by) scaled_by_ = solved_case(*options.scaled_by, options.load_case);
+}
+
+Subject::Subject(const femoop::Model& model, const MotionChoice& motion, const ViewOptions& options)
+    : Subject(model, nullptr, options)
+{
+    motion_ = motion;
+}
+
+Camera Subject::starting_camera() const { return options_.camera ? *options_.camera : usual_camera(); }
+
+Camera Subject::usual_camera() const
+{
+    if (is_seen_in_space(model_.analysis)) return ui::OrbitCamera();
+    return ui::PlaneCamera();
+}
+
+double Subject::aspect(const Camera& camera) const
+{
+    const Projection projection(camera);
+    if (shape_.nodes.empty()) return 1.0;
+    ui::Box box{projection(shape_.nodes.front()), projection(shape_.nodes.front())};
+    for (const Eigen::Vector3d& node : shape_.nodes) box = ui::united(box, {projection(node), projection(node)});
+    const double least = 1e-3 * std::max(box.width(), box.height());
+    return std::max(box.width(), least) / std::max({box.height(), least, 1e-12});
+}
+
+ui::Box Subject::area(ui::Size sheet, const ui::Fonts& fonts) const
+{
+    ui::Box area{{0.0, 0.0}, {sheet.width, sheet.height}};
+    if (options_.show.contains(Show::Legend))
+        area.min.y += head_height(sheet_head(model_, results_, options_), theme_, fonts, sheet.width);
+    const double line = 1.4 * theme_.type().normal;
+    const std::size_t n_lines = foot_lines(sheet, fonts).size();
+    if (n_lines > 0) area.max.y -= 14.0 + line * static_cast<double>(n_lines);
+    return area;
+}
+
+// Panels beside one another only where the structure becomes clearly larger by it.
+Subject::Plan Subject::plan(ui::Size sheet, const ui::Fonts& fonts) const
+{
+    constexpr double clearly = 1.02;
+    const std::vector<ShowSet> contents = panel_contents({.show = without_absent(options_.show, model_.analysis),
+                                                          .layout = options_.layout,
+                                                          .has_results = solved_.has_value()});
+    const ui::Box room = area(sheet, fonts);
+    std::vector<Panel> list = panels(contents, room, 1);
+    if (contents.size() == 1 && options_.camera) return {std::move(list), *options_.camera};
+    Camera camera = fitted(list, fonts);
+    for (std::size_t columns = 2; columns <= contents.size(); ++columns) {
+        std::vector<Panel> others = panels(contents, room, columns);
+        Camera other = fitted(others, fonts);
+        if (Projection(other).scale() <= clearly * Projection(camera).scale()) continue;
+        list = std::move(others);
+        camera = std::move(other);
+    }
+    return {std::move(list), options_.camera ? *options_.camera : std::move(camera)};
+}
+
+std::vector<Eigen::Vector3d> Subject::fitted_points() const
+{
+    std::vector<Eigen::Vector3d> points = shape_.nodes;
+    const std::vector<Eigen::Vector3d> ends = ends_of_dimensions(model_, options_);
+    points.insert(points.end(), ends.begin(), ends.end());
+    if (!options_.show.contains(Show::Dimensions) || !is_seen_in_space(model_.analysis)) return points;
+    const std::vector<Eigen::Vector3d> corners = dimensioned_corners(shape_);
+    points.insert(points.end(), corners.begin(), corners.end());
+    return points;
+}
+
+void Subject::fit(Camera& camera, ui::Size panel, const ui::Margins& margins) const
+{
+    if (auto* plane = std::get_if<ui::PlaneCamera>(&camera)) {
+        std::vector<ui::World2> points;
+        for (const Eigen::Vector3d& p : fitted_points()) points.push_back({p.x(), p.y()});
+        if (points.empty()) points = {empty_least, empty_most};
+        plane->fit(points, panel, margins);
+        return;
+    }
+    std::vector<ui::World3> points;
+    for (const Eigen::Vector3d& p : fitted_points()) points.push_back({p.x(), p.y(), p.z()});
+    if (points.empty()) points = {empty_corner, full_corner};
+    std::get<ui::OrbitCamera>(camera).fit(points, panel, margins);
+}
+
+ui::Margins Subject::needed_margins(const std::vector<Panel>& panels, const Camera& camera, const ui::Fonts& fonts,
+                                    Fit fit) const
+{
+    ui::Margins margins{edge, edge, edge, edge};
+    const ui::Size size = panels.front().box.size();
+    for (const Panel& panel : panels) {
+        ui::Painter scratch(size, fonts);
+        const Panel at_origin{ui::box_at({}, size), panel.show};
+        const Drawn drawn = draw_panel(scratch, at_origin, camera, Pass::Measure);
+        const auto& marks = fit == Fit::Roomy ? drawn.bounds : drawn.tight_bounds;
+        if (!marks) continue;
+        const Projection projection(camera);
+        ui::Box nodes = *marks;
+        bool is_first = true;
+        for (const Eigen::Vector3d& node : fitted_points()) {
+            const ui::Box at{projection(node), projection(node)};
+            nodes = is_first ? at : ui::united(nodes, at);
+            is_first = false;
+        }
+        margins.left = std::max(margins.left, nodes.min.x - marks->min.x + edge);
+        margins.right = std::max(margins.right, marks->max.x - nodes.max.x + edge);
+        margins.top = std::max(margins.top, nodes.min.y - marks->min.y + edge + drawn.heads_height);
+        margins.bottom = std::max(margins.bottom, marks->max.y - nodes.max.y + edge);
+    }
+    if (options_.overlay && !options_.show.contains(Show::M)) { // room to sketch in
+        const double room = 0.2 * std::min(size.width, size.height);
+        for (double* const margin : {&margins.left, &margins.right, &margins.top, &margins.bottom})
+            *margin = std::max(*margin, room);
+    }
+    if (motion_) { // it moves to both sides
+        margins.left = margins.right = std::max(margins.left, margins.right);
+        margins.top = margins.bottom = std::max(margins.top, margins.bottom);
+    }
+    const auto limit = [](double& a, double& b, double room) {
+        const double factor = std::min(1.0, 0.96 * room / (a + b));
+        a *= factor;
+        b *= factor;
+    };
+    limit(margins.left, margins.right, size.width);
+    limit(margins.top, margins.bottom, size.height);
+    return margins;
+}
+
+Camera Subject::fitted(const std::vector<Panel>& panels, const ui::Fonts& fonts, Fit fit) const
+{
+    Camera camera = starting_camera();
+    const ui::Size size = panels.front().box.size();
+    const double border = 0.16 * std::min(size.width, size.height);
+    this->fit(camera, size, {border, border, border, border});
+    // Marks keep their size on the sheet, so the room that they take changes little from one scale to the next.
+    for (int i = 0; i < 2; ++i) this->fit(camera, size, needed_margins(panels, camera, fonts, fit));
+    return camera;
+}
+
+Camera Subject::fitted(const std::vector<Panel>& panels, const ui::Fonts& fonts) const
+{
+    constexpr double worth_while = 1.3; // labels find other places then
+    const Camera roomy = fitted(panels, fonts, Fit::Roomy), tight = fitted(panels, fonts, Fit::Tight);
+    return Projection(tight).scale() > worth_while * Projection(roomy).scale() ? tight : roomy;
+}
+
+Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, const Camera& camera, Pass pass) const
+{
+    const ui::ClipScope clip(painter, panel.box);
+    const ui::Theme theme = theme_for(theme_, options_.layout, panel.box.size(), aspect(usual_camera()));
+    ViewOptions options = options_;
+    options.show = panel.show;
+    const Projection projection(camera, panel.box.min);
+    const Crowding crowding(shape_, projection);
+    Sketch sketch({.painter = &painter,
+                   .theme = &theme,
+                   .room = panel.box.grown(-4.0),
+                   .symbol_factor = options.symbol_factor * crowding.symbol_share(),
+                   .is_crowded = crowding.is_crowded()});
+    const Scene scene{model_, shape_, projection, options, units_, sketch, crowding};
+    PanelPicture picture(scene, panel.box.size());
+    if (!options_.show.contains(Show::M) && !shows_any(panel.show, diagrams)) picture.draw_overlay_alone();
+    if (motion_) picture.draw_mechanism(motion_->all[motion_->shown]);
+    else picture.draw_solved(solved_ ? &*solved_ : nullptr, scaled_by_ ? &*scaled_by_ : nullptr, all_);
+    Drawn drawn{.bounds = sketch.bounds(), .tight_bounds = sketch.tight_bounds()};
+    const std::vector<ui::Box> rows = head_rows(picture.heads(), theme, painter.fonts(), panel);
+    if (!rows.empty()) drawn.heads_height = rows.back().max.y - panel.box.min.y;
+    if (pass == Pass::Measure) return drawn;
+    for (const ui::Box& row : rows) sketch.reserve(row);
+    sketch.write_captions();
+    for (std::size_t i = 0; i < rows.size(); ++i) draw_panel_head(painter, picture.heads()[i], theme, rows[i]);
+    drawn.n_left_out = sketch.n_left_out();
+    drawn.grips = sketch.grips();
+    return drawn;
+}
+
+std::vector<ui::Box> Subject::head_rows(const std::vector<PanelHead>& heads, const ui::Theme& theme,
+                                        const ui::Fonts& fonts, const Panel& panel) const
+{
+    if (!panel.show.contains(Show::Legend) || motion_) return {};
+    const double width = panel.box.width();
+    std::vector<ui::Box> rows;
+    ui::Point corner = panel.box.min;
+    for (const PanelHead& head : heads) {
+        rows.push_back(ui::box_at(corner, {width, head_height(head, theme, fonts, width)}));
+        corner.y = rows.back().max.y;
+    }
+    return rows;
+}
+
+namespace {
+
+void append(Grips& grips, const Grips& more)
+{
+    grips.loads.insert(grips.loads.end(), more.loads.begin(), more.loads.end());
+    grips.supports.insert(grips.supports.end(), more.supports.begin(), more.supports.end());
+    grips.dimensions.insert(grips.dimensions.end(), more.dimensions.begin(), more.dimensions.end());
+}
+
+bool holds(const ui::Box& panel, const std::optional<ui::Box>& bounds) { return !bounds || panel.contains(*bounds); }
+
+} // namespace
+
+Subject::Picture Subject::draw(ui::Painter& painter) const
+{
+    const Plan sheet = plan(painter.size(), painter.fonts());
+    if (options_.show.contains(Show::Legend)) draw_head(painter, sheet_head(model_, results_, options_), theme_);
+    std::size_t n_left_out = 0;
+    Picture picture;
+    for (const Panel& panel : sheet.panels) {
+        const Drawn drawn = draw_panel(painter, panel, sheet.camera, Pass::Write);
+        if (&panel == &sheet.panels.front()) picture.legend_bottom = panel.box.min.y + drawn.heads_height;
+        n_left_out += drawn.n_left_out;
+        append(picture.grips, drawn.grips);
+        picture.is_whole = picture.is_whole && holds(panel.box, drawn.tight_bounds);
+    }
+    draw_foot(painter);
+    if (n_left_out > 0) draw_left_out(painter, n_left_out);
+    return picture;
+}
+
+// In the first corner where it covers no other string; at the right foot where there is none.
+void Subject::draw_left_out(ui::Painter& painter, std::size_t n_left_out) const
+{
+    const std::string words = options_.tr("labels without room: {count}", {{"count", std::to_string(n_left_out)}});
+    const ui::Box sheet = painter.sheet().grown(-7.0);
+    struct Corner {
+        ui::Point at;
+        ui::Anchor anchor;
+    };
+    const std::array corners{Corner{sheet.max, ui::Anchor::BottomRight},
+                             Corner{{sheet.min.x, sheet.max.y}, ui::Anchor::BottomLeft},
+                             Corner{{sheet.max.x, sheet.min.y}, ui::Anchor::TopRight},
+                             Corner{{0.5 * (sheet.min.x + sheet.max.x), sheet.max.y}, ui::Anchor::Bottom}};
+    const std::vector<ui::Box> taken = painter.picture().text_boxes(painter.fonts());
+    const auto style_at = [&](const Corner& corner) {
+        ui::TextStyle style = theme_.text(ui::Role::FaintLabel, corner.anchor);
+        style.size = theme_.type().small;
+        style.plate = theme_.background();
+        return style;
+    };
+    const auto is_free = [&](const Corner& corner) {
+        ui::Painter trial(painter.size(), painter.fonts());
+        trial.text(corner.at, words, style_at(corner));
+        const ui::Box own = trial.picture().text_boxes(painter.fonts()).front().grown(3.0);
+        return std::none_of(taken.begin(), taken.end(), [&](const ui::Box& box) { return own.overlaps(box); });
+    };
+    const auto* const found = std::find_if(corners.begin(), corners.end(), is_free);
+    const Corner& chosen = found != corners.end() ? *found : corners.front();
+    const ui::LayerScope layer(painter, ui::Layer::Overlay);
+    painter.text(chosen.at, words, style_at(chosen));
+}
+
+bool Subject::has_overlay_words() const
+{
+    return options_.overlay && solved_ && !options_.is_envelope && options_.show.contains(Show::M);
+}
+
+ui::TextStyle Subject::foot_style() const
+{
+    return theme_.text(motion_ ? ui::Role::Error : ui::Role::Label, ui::Anchor::BottomLeft);
+}
+
+std::vector<std::string> Subject::foot_lines(ui::Size sheet, const ui::Fonts& fonts) const
+{
+    std::vector<std::string> sentences, lines;
+    if (motion_) sentences.push_back(motion_->sentence);
+    if (has_overlay_words()) sentences = options_.overlay->foot({model_, shape_, units_, options_.tr});
+    for (const std::string& one : sentences) {
+        const std::vector<std::string> wrapped_one = ui::wrapped_lines(fonts, one, foot_style(), sheet.width - 32.0);
+        lines.insert(lines.end(), wrapped_one.begin(), wrapped_one.end());
+    }
+    return lines;
+}
+
+void Subject::draw_foot(ui::Painter& painter) const
+{
+    const ui::LayerScope layer(painter, ui::Layer::Overlay);
+    ui::TextStyle style = foot_style();
+    const std::vector<std::string> lines = foot_lines(painter.size(), painter.fonts());
+    double y = painter.sheet().max.y - 10.0 - 1.4 * style.size * static_cast<double>(lines.size()) + 1.4 * style.size;
+    for (const std::string& line : lines) {
+        style.weight = has_overlay_words() && &line == &lines.front() ? ui::Weight::Bold : ui::Weight::Regular;
+        painter.text({16.0, y}, line, style);
+        y += 1.4 * style.size;
+    }
+}
+
+} // namespace drawing

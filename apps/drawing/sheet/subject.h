@@ -1,0 +1,87 @@
+#pragma once
+
+#include "apps/drawing/geometry/structure_shape.h"
+#include "apps/drawing/results/solved_case.h"
+#include "apps/drawing/sheet/panel_head.h"
+#include "apps/drawing/sheet/panels.h"
+#include "apps/drawing/sketch/sketch.h"
+#include "apps/drawing/view_options.h"
+#include "femoop/result/results.h"
+#include "ui/paint/painter.h"
+#include "ui/paint/theme.h"
+
+#include <optional>
+#include <vector>
+
+namespace drawing {
+
+/// All that a picture is made from, gathered once.
+class Subject {
+public:
+    Subject(const femoop::Model& model, const femoop::Results* results, const ViewOptions& options);
+    Subject(const femoop::Model& model, const MotionChoice& motion, const ViewOptions& options);
+
+    /// How a sheet of this size is divided, and the camera of its panels.
+    struct Plan {
+        std::vector<Panel> panels;
+        Camera camera;
+    };
+    Plan plan(ui::Size sheet, const ui::Fonts& fonts) const;
+    /// What was drawn.
+    struct Picture {
+        Grips grips;                ///< what a hand can take hold of, where it is on the sheet
+        bool is_whole = true;       ///< no mark of the structure runs out of its panel
+        double legend_bottom = 0.0; ///< of the title and of what stands over the first panel [logical pixels]
+    };
+    Picture draw(ui::Painter& painter) const;
+
+    const femoop::Model& model() const { return model_; }
+    const StructureShape& shape() const { return shape_; }
+    const std::optional<SolvedCase>& solved() const { return solved_; }
+
+private:
+    ui::Box area(ui::Size sheet, const ui::Fonts& fonts) const;
+    Camera starting_camera() const;
+    Camera usual_camera() const;
+    Camera fitted(const std::vector<Panel>& panels, const ui::Fonts& fonts) const;
+    /// Whether the picture keeps room for every caption where it would stand best, or for the marks alone.
+    enum class Fit : std::uint8_t { Roomy, Tight };
+    Camera fitted(const std::vector<Panel>& panels, const ui::Fonts& fonts, Fit fit) const;
+    ui::Margins needed_margins(const std::vector<Panel>& panels, const Camera& camera, const ui::Fonts& fonts,
+                               Fit fit) const;
+    /// What a fitted picture holds whole, apart from marks that keep their size.
+    std::vector<Eigen::Vector3d> fitted_points() const;
+    void fit(Camera& camera, ui::Size panel, const ui::Margins& margins) const;
+    double aspect(const Camera& camera) const;
+
+    /// Draws a panel and returns the room that its marks took; `n_left_out` counts labels without a place.
+    struct Drawn {
+        std::optional<ui::Box> bounds, tight_bounds;
+        double heads_height = 0.0;
+        std::size_t n_left_out = 0;
+        Grips grips{};
+    };
+    enum class Pass : std::uint8_t { Measure, Write };
+    Drawn draw_panel(ui::Painter& painter, const Panel& panel, const Camera& camera, Pass pass) const;
+    std::vector<ui::Box> head_rows(const std::vector<PanelHead>& heads, const ui::Theme& theme, const ui::Fonts& fonts,
+                                   const Panel& panel) const;
+    bool has_overlay_words() const;
+    /// What stands at the foot of the sheet: how the structure moves, or what the overlay says of the moments.
+    void draw_foot(ui::Painter& painter) const;
+    void draw_left_out(ui::Painter& painter, std::size_t n_left_out) const;
+    std::vector<std::string> foot_lines(ui::Size sheet, const ui::Fonts& fonts) const;
+    ui::TextStyle foot_style() const;
+
+    const femoop::Model& model_;
+    const femoop::Results* results_ = nullptr;
+    std::optional<MotionChoice> motion_;
+    const ViewOptions& options_;
+    ui::Theme theme_;
+    ui::DisplayUnits units_;
+    StructureShape shape_;
+    std::optional<SolvedCase> solved_;
+    std::vector<SolvedCase> all_; ///< cases of an envelope
+    std::optional<SolvedCase> scaled_by_;
+};
+
+} // namespace drawing

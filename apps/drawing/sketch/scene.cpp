@@ -1,0 +1,28 @@
+#include "apps/drawing/sketch/scene.h"
+
+namespace drawing {
+
+std::string with_minus(const std::string& text) { return text.starts_with('-') ? "−" + text.substr(1) : text; }
+
+std::string Scene::number(double value, ui::Measure measure) const { return with_minus(units.number(value, measure)); }
+
+std::string Scene::text(double value, ui::Measure measure) const { return with_minus(units.text(value, measure)); }
+
+bool Scene::explains() const
+{
+    for (const Show item : {Show::N, Show::V, Show::M, Show::T, Show::Vy, Show::Vz, Show::My, Show::Mz, Show::Deformed})
+        if (shows(item)) return false;
+    return shows(Show::Values);
+}
+
+ui::DisplayUnits display_units(const femoop::Model& model, const ViewOptions& options)
+{
+    const femoop::Units& units = model.units;
+    const ui::BaseUnits base{.length = std::string(femoop::name(units.length)),
+                             .metres = femoop::metres(units.length),
+                             .force = std::string(femoop::name(units.force)),
+                             .newtons = femoop::newtons(units.force)};
+    return {options.units.value_or(ui::preferred_system(base)), base, options.numbers};
+}
+
+} // namespace drawing

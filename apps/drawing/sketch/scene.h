@@ -1,0 +1,44 @@
+#pragma once
+
+#include "apps/drawing/geometry/crowding.h"
+#include "apps/drawing/geometry/projection.h"
+#include "apps/drawing/geometry/structure_shape.h"
+#include "apps/drawing/sketch/sketch.h"
+#include "apps/drawing/view_options.h"
+#include "femoop/model/model.h"
+#include "ui/text/display_units.h"
+
+namespace drawing {
+
+/// What every part of a picture is drawn from. Lives while one panel is drawn.
+struct Scene {
+    const femoop::Model& model;
+    const StructureShape& shape;
+    const Projection& projection;
+    const ViewOptions& options;
+    const ui::DisplayUnits& units;
+    Sketch& sketch;
+    const Crowding& crowding;
+
+    bool shows(Show item) const { return options.show.contains(item); }
+    ui::Point place(femoop::NodeId node) const { return projection(shape[node]); }
+    /// A symbol frame at a place of a member, x along the member, y along its y' axis.
+    SymbolFrame frame_on(const MemberShape& member, double along) const
+    {
+        return projection.frame(member.at(along), member.x(), member.y());
+    }
+    /// A number as books print it, with a true minus sign; `text` adds the unit.
+    std::string number(double value, ui::Measure measure) const;
+    std::string text(double value, ui::Measure measure) const;
+    /// No result is drawn over the structure, so there is room to say what it is made of.
+    bool explains() const;
+    bool is_flat() const { return projection.is_plane(); }
+};
+
+/// A number's text with a true minus sign for its hyphen.
+std::string with_minus(const std::string& text);
+
+/// The units that numbers of a model are shown in.
+ui::DisplayUnits display_units(const femoop::Model& model, const ViewOptions& options);
+
+} // namespace drawing

@@ -1,0 +1,260 @@
+#include "apps/drawing/sketch/sketch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "ui/text/shortened.h"
+
+namespace drawing {
+
+namespace {
+
+constexpr double same_place = 14.0;      // [px] within which one string stands for two
+constexpr double crowded_reach = 20.0;   // [px]: farther off nobody could tell which of many parts is meant
+constexpr std::size_t most_letters = 60; // of a caption: longer names would push the structure off the sheet
+
+/// Middle of a box whose border lies `gap` from the target, seen along `toward`.
+ui::Point center_beside(ui::Point target, ui::Point toward, double gap, ui::Size size)
+{
+    const ui::Point d = ui::direction(toward);
+    // The box touches the target's gap with its nearest side or corner.
+    const double half = std::abs(d.x) * 0.5 * size.width + std::abs(d.y) * 0.5 * size.height;
+    return target + (gap + half) * d;
+}
+
+ui::Point turned(ui::Point d, double angle)
+{
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    return {c * d.x + s * d.y, -s * d.x + c * d.y};
+}
+
+} // namespace
+
+Sketch::Sketch(const Setup& setup)
+    : painter_(setup.painter),
+      theme_(setup.theme),
+      symbol_scale_(setup.theme->symbol_scale() * setup.symbol_factor),
+      room_(setup.room),
+      is_crowded_(setup.is_crowded),
+      placer_({.room = setup.room})
+{}
+
+double Sketch::lesser_value_size() const
+{
+    const bool is_read_from_afar = theme_->name() == ui::ThemeName::Projector;
+    return is_read_from_afar ? theme_->type().normal : theme_->type().small;
+}
+
+ui::Stroke Sketch::stroke(ui::Role role) const
+{
+    ui::Stroke stroke = theme_->stroke(role);
+    if (!is_crowded_) return stroke;
+    stroke.width *= 0.75;
+    stroke.cap = ui::Cap::Butt;
+    stroke.join = ui::Join::Miter;
+    return stroke;
+}
+
+ui::Stroke Sketch::thin(ui::Role role) const
+{
+    ui::Stroke stroke = this->stroke(role);
+    stroke.width *= 0.7;
+    stroke.dash = {};
+    return stroke;
+}
+
+ui::Firmness Sketch::firmness(Clearance clearance)
+{
+    return clearance == Clearance::Hard ? ui::Firmness::Hard : ui::Firmness::Soft;
+}
+
+void Sketch::include(ui::Point point)
+{
+    if (!ui::is_finite(point)) return;
+    unite(bounds_, {point, point});
+    unite(tight_bounds_, {point, point});
+}
+
+void Sketch::unite(std::optional<ui::Box>& bounds, const ui::Box& box)
+{
+    bounds = bounds ? ui::united(*bounds, box) : box;
+}
+
+void Sketch::line(ui::Point a, ui::Point b, const ui::Stroke& stroke, Clearance clearance)
+{
+    painter_->line(a, b, stroke);
+    include(a);
+    include(b);
+    if (clearance != Clearance::None) placer_.obstacles().add_segment(a, b, stroke.width, firmness(clearance));
+}
+
+void Sketch::polyline(const std::vector<ui::Point>& points, const ui::Stroke& stroke, Clearance clearance,
+                      ui::PathEnds ends)
+{
+    if (points.size() < 2) return;
+    painter_->polyline(points, stroke, ends);
+    for (const ui::Point p : points) include(p);
+    if (clearance != Clearance::None) placer_.obstacles().add_polyline(points, stroke.width, firmness(clearance));
+}
+
+void Sketch::polygon(const std::vector<ui::Point>& points, ui::Color fill, Clearance clearance)
+{
+    if (points.size() < 3) return;
+    painter_->polygon(points, fill);
+    for (const ui::Point p : points) include(p);
+    if (clearance != Clearance::None) placer_.obstacles().add_polygon(points, firmness(clearance));
+}
+
+void Sketch::disc(ui::Point center, double radius, ui::Color fill, Clearance clearance)
+{
+    painter_->disc(center, radius, fill);
+    include(center);
+    if (clearance != Clearance::None) placer_.obstacles().add_disc(center, radius, firmness(clearance));
+}
+
+void Sketch::ring(ui::Point center, double radius, const ui::Stroke& stroke, Clearance clearance)
+{
+    painter_->circle(center, radius, stroke);
+    include(center - ui::Point{radius, radius});
+    include(center + ui::Point{radius, radius});
+    if (clearance != Clearance::None) placer_.obstacles().add_disc(center, radius, firmness(clearance));
+}
+
+void Sketch::keep_clear(const std::vector<ui::Point>& area)
+{
+    for (const ui::Point p : area) include(p);
+    placer_.obstacles().add_polygon(area);
+}
+
+ui::TextStyle Sketch::style_of(const Caption& caption) const
+{
+    ui::TextStyle style = theme_->text(caption.role);
+    if (caption.size > 0.0) style.size = caption.size;
+    style.weight = caption.weight;
+    return style;
+}
+
+void Sketch::caption(Caption caption)
+{
+    if (caption.text.empty() || !ui::is_finite(caption.target)) return;
+    caption.text = ui::shortened(caption.text, most_letters);
+    std::vector<ui::Point>& said_at = said_[{caption.role, caption.text}];
+    const auto is_near = [&](ui::Point other) {
+        const ui::Point apart = other - caption.target;
+        return dot(apart, apart) < same_place * same_place;
+    };
+    if (std::any_of(said_at.begin(), said_at.end(), is_near)) return;
+    said_at.push_back(caption.target);
+    const ui::TextStyle style = style_of(caption);
+    const ui::Size size = ui::label_size(painter_->fonts(), caption.text, style);
+    const ui::Point center = center_beside(caption.target, caption.toward, caption.gap, size);
+    const ui::Point half = 0.5 * ui::Point{size.width, size.height};
+    unite(bounds_, {center - half, center + half});
+    unite(tight_bounds_, {{caption.target.x, center.y - half.y}, {caption.target.x, center.y + half.y}});
+    requests_.push_back({std::move(caption), style, size});
+}
+
+void Sketch::sign(SignMark mark)
+{
+    if (std::all_of(mark.places.begin(), mark.places.end(), ui::is_finite)) signs_.push_back(std::move(mark));
+}
+
+std::vector<Sketch::PlacedSign> Sketch::placed_signs()
+{
+    std::vector<PlacedSign> placed;
+    for (SignMark& mark : signs_) {
+        const double side = 2.0 * mark.radius + 2.0;
+        const auto is_free = [&](ui::Point p) {
+            return placer_.obstacles().ground_of({p, {side, side}}) != ui::Ground::Taken;
+        };
+        const auto free = std::find_if(mark.places.begin(), mark.places.end(), is_free);
+        const ui::Point center = free == mark.places.end() ? mark.places.front() : *free;
+        placer_.obstacles().add_disc(center, mark.radius);
+        placed.push_back({std::move(mark), center});
+    }
+    signs_.clear();
+    return placed;
+}
+
+void Sketch::draw(const PlacedSign& sign)
+{
+    const auto& [mark, center] = sign;
+    const ui::Stroke stroke = thin(mark.role);
+    painter_->disc(center, mark.radius, theme_->background());
+    painter_->circle(center, mark.radius, stroke);
+    const double d = 0.55 * mark.radius;
+    painter_->line(center - ui::Point{d, 0.0}, center + ui::Point{d, 0.0}, stroke);
+    if (mark.is_positive) painter_->line(center - ui::Point{0.0, d}, center + ui::Point{0.0, d}, stroke);
+}
+
+ui::Label Sketch::label_of(const Request& request) const
+{
+    constexpr double pi = std::numbers::pi;
+    const Caption& caption = request.caption;
+    ui::Label label{.target = caption.target, .size = request.size};
+    label.priority = static_cast<double>(caption.rank);
+    label.reach = is_crowded_ ? std::min(caption.reach, crowded_reach) : caption.reach;
+    label.clearance = caption.gap;
+    const auto wish = [&](ui::Point target, double angle, double gap) {
+        label.wishes.push_back(center_beside(target, turned(caption.toward, angle), gap, request.size));
+    };
+    wish(caption.target, 0.0, caption.gap);
+    for (const ui::Point other : caption.others) wish(other, 0.0, caption.gap);
+    for (const double angle : {pi / 5, -pi / 5, pi / 3, -pi / 3}) wish(caption.target, angle, caption.gap);
+    wish(caption.target, 0.0, caption.gap + 8.0);
+    for (const double angle : {pi / 2, -pi / 2, pi, 3 * pi / 4, -3 * pi / 4}) wish(caption.target, angle, caption.gap);
+    for (const ui::Point other : caption.others) wish(other, pi, caption.gap);
+    add_turned(label, caption);
+    return label;
+}
+
+void Sketch::add_turned(ui::Label& label, const Caption& caption)
+{
+    if (caption.along == ui::Point{}) return;
+    const ui::Point along = (caption.along.x < 0.0 ? -1.0 : 1.0) * ui::direction(caption.along);
+    if (std::abs(along.y) < 0.05) return; // level already
+    label.turn = std::atan2(-along.y, along.x);
+    std::vector<ui::Point> targets{caption.target};
+    targets.insert(targets.end(), caption.others.begin(), caption.others.end());
+    label.turned.reserve(2 * targets.size());
+    const ui::Point away = (caption.gap + 0.5 * label.size.height) * ui::left_normal(along);
+    for (const ui::Point target : targets) label.turned.push_back(target + away);
+    for (const ui::Point target : targets) label.turned.push_back(target - away);
+}
+
+bool Sketch::is_in_sight(const Caption& caption) const
+{
+    const auto is_seen = [&](ui::Point target) { return room_.contains(target); };
+    return is_seen(caption.target) || std::any_of(caption.others.begin(), caption.others.end(), is_seen);
+}
+
+void Sketch::write(const Request& request, const ui::PlacedLabel& place)
+{
+    ui::TextStyle style = request.style;
+    if (place.is_over_soft) style.plate = ui::with_opacity(theme_->background(), 0.8);
+    ui::draw_label(*painter_, place, request.caption.text, style);
+}
+
+void Sketch::write_captions()
+{
+    const std::vector<PlacedSign> signs = placed_signs();
+    std::vector<ui::Label> labels;
+    labels.reserve(requests_.size());
+    for (const Request& request : requests_) labels.push_back(label_of(request));
+    const ui::LabelPlacement placed = placer_.place(labels);
+    for (std::size_t i = 0; i < requests_.size(); ++i)
+        if (!placed.labels[i] && is_in_sight(requests_[i].caption)) ++n_left_out_;
+    const ui::LayerScope layer(*painter_, ui::Layer::Labels);
+    for (const auto& place : placed.labels)
+        if (place && place->leader)
+            painter_->line(place->leader->from, place->leader->to, theme_->stroke(ui::Role::Leader));
+    for (const PlacedSign& sign : signs) draw(sign);
+    for (std::size_t i = 0; i < requests_.size(); ++i)
+        if (placed.labels[i]) write(requests_[i], *placed.labels[i]);
+    requests_.clear();
+    said_.clear();
+}
+
+} // namespace drawing

@@ -1,0 +1,163 @@
+#pragma once
+
+#include "apps/drawing/geometry/projection.h"
+#include "apps/drawing/part.h"
+#include "ui/paint/label_placement.h"
+#include "ui/paint/painter.h"
+#include "ui/paint/theme.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace drawing {
+
+/// What labels do where a line stands: nothing, keep clear if they can, or always.
+enum class Clearance : std::uint8_t { None, Soft, Hard };
+
+/// Which labels choose their place first.
+enum class Rank : std::uint8_t { Name, Minor, Value, Extreme, Load, Largest };
+
+/// A string that is put near what it speaks of, wherever there is room.
+struct Caption {
+    std::string text;
+    ui::Role role = ui::Role::Label;
+    ui::Point target;            ///< what it speaks of
+    ui::Point toward{0.0, -1.0}; ///< on which side of the target it would stand
+    double gap = 5.0;            ///< from the target, where it stands on that side
+    Rank rank = Rank::Value;
+    ui::Weight weight = ui::Weight::Regular;
+    double size = 0.0;               ///< em; 0 is the theme's normal size
+    std::vector<ui::Point> others{}; ///< targets that serve as well, such as places along a member
+    double reach = 90.0;             ///< how far off it may stand, with a leader
+    ui::Point along{}; ///< of a member: where there is no room beside it it is written along this; zero: never
+};
+
+/// A plus or a minus in a small disc, which says the sign of an area.
+struct SignMark {
+    std::vector<ui::Point> places; ///< where it may stand, best first; not empty
+    double radius = 6.0;
+    bool is_positive = true;
+    ui::Role role = ui::Role::Label;
+};
+
+/// Where the arrow of a load stands, so that a hand can pull it.
+struct LoadMark {
+    Part load;
+    femoop::Dof dof;             ///< along or about which it acts
+    std::vector<ui::Point> area; ///< of the arrows, or the two ends of one
+    ui::Point root, tip;         ///< from the place it acts at to the end that is pulled
+};
+
+/// Where the symbol of a support stands, so that a hand can turn it about its node.
+struct SupportMark {
+    femoop::NodeId node;
+    ui::Point root, middle; ///< the node, and the middle of the symbol
+    double radius = 0.0;    ///< about the middle
+};
+
+/// Where a dimension line stands, so that a hand can move it.
+struct DimensionMark {
+    DimensionPlace dimension;
+    ui::Point start, end;
+};
+
+/// What of a picture a hand can take hold of.
+struct Grips {
+    std::vector<LoadMark> loads{};
+    std::vector<SupportMark> supports{};
+    std::vector<DimensionMark> dimensions{};
+};
+
+/// Draws the marks of a structure and remembers where they are: labels keep clear of them, and the sheet learns how
+/// much room the picture needs.
+class Sketch {
+public:
+    struct Setup {
+        ui::Painter* painter;
+        const ui::Theme* theme;
+        ui::Box room; ///< what the labels may use
+        double symbol_factor = 1.0;
+        bool is_crowded = false; ///< strokes are slim, without the round joins and ends that nobody would see
+    };
+    explicit Sketch(const Setup& setup);
+
+    ui::Painter& painter() { return *painter_; }
+    const ui::Theme& theme() const { return *theme_; }
+    /// A length in the theme's symbol size.
+    double px(double logical) const { return logical * symbol_scale_; }
+    /// Em of values beside those at extremes; on the projector a class reads them all.
+    double lesser_value_size() const;
+    ui::Stroke stroke(ui::Role role) const;
+    ui::Stroke thin(ui::Role role) const; ///< 0.7 of the role's width, solid
+
+    void line(ui::Point a, ui::Point b, const ui::Stroke& stroke, Clearance clearance = Clearance::Hard);
+    void polyline(const std::vector<ui::Point>& points, const ui::Stroke& stroke, Clearance clearance = Clearance::Hard,
+                  ui::PathEnds ends = ui::PathEnds::Open);
+    void polygon(const std::vector<ui::Point>& points, ui::Color fill, Clearance clearance = Clearance::Hard);
+    void disc(ui::Point center, double radius, ui::Color fill, Clearance clearance = Clearance::Hard);
+    void ring(ui::Point center, double radius, const ui::Stroke& stroke, Clearance clearance = Clearance::Hard);
+    /// Labels keep clear of the area as if it were filled.
+    void keep_clear(const std::vector<ui::Point>& area);
+
+    /// The same string twice within a few pixels is written once.
+    void caption(Caption caption);
+
+    /// Put where no line runs, on a disc that hides what lies below it; labels keep clear of it.
+    void sign(SignMark mark);
+
+    void mark(LoadMark mark) { grips_.loads.push_back(std::move(mark)); }
+    void mark(const SupportMark& mark) { grips_.supports.push_back(mark); }
+    void mark(const DimensionMark& mark) { grips_.dimensions.push_back(mark); }
+    const Grips& grips() const { return grips_; }
+
+    /// Finds places for all signs and captions and writes them. Call once, at the end.
+    void write_captions();
+
+    const std::optional<ui::Box>& bounds() const { return bounds_; } ///< of all marks and of the captions' first wishes
+    /// As if every caption were as narrow as its target.
+    const std::optional<ui::Box>& tight_bounds() const { return tight_bounds_; }
+    void include(ui::Point point);
+    /// Labels keep out of a part of the sheet, which counts to no bounds.
+    void reserve(const ui::Box& box) { placer_.obstacles().add_box(box); }
+    std::size_t n_left_out() const { return n_left_out_; } ///< captions of what is in sight for which there was no room
+
+private:
+    struct Request {
+        Caption caption;
+        ui::TextStyle style;
+        ui::Size size;
+    };
+
+    struct PlacedSign {
+        SignMark mark;
+        ui::Point center;
+    };
+
+    std::vector<PlacedSign> placed_signs();
+    void draw(const PlacedSign& sign);
+    void write(const Request& request, const ui::PlacedLabel& place);
+    bool is_in_sight(const Caption& caption) const;
+    static void unite(std::optional<ui::Box>& bounds, const ui::Box& box);
+    ui::TextStyle style_of(const Caption& caption) const;
+    ui::Label label_of(const Request& request) const;
+    static void add_turned(ui::Label& label, const Caption& caption);
+    static ui::Firmness firmness(Clearance clearance);
+
+    ui::Painter* painter_;
+    const ui::Theme* theme_;
+    double symbol_scale_;
+    ui::Box room_;
+    bool is_crowded_;
+    ui::LabelPlacer placer_;
+    std::vector<Request> requests_;
+    std::map<std::pair<ui::Role, std::string>, std::vector<ui::Point>> said_; ///< where each request has its target
+    std::vector<SignMark> signs_;
+    Grips grips_;
+    std::optional<ui::Box> bounds_, tight_bounds_;
+    std::size_t n_left_out_ = 0;
+};
+
+} // namespace drawing

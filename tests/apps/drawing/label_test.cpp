@@ -1,0 +1,208 @@
+// Labels of a crowded picture: none covers another, a member or a diagram's line.
+#include <doctest/doctest.h>
+
+#include "apps/drawing/draw.h"
+#include "femoop/analysis/linear_static.h"
+#include "tests/apps/drawing/view_model.h"
+
+#include <algorithm>
+#include <chrono>
+
+using namespace drawing;
+
+TEST_SUITE_BEGIN("frame");
+
+namespace {
+
+view_test::Marks crowded_picture(const ui::Fonts& fonts, ShowSet show)
+{
+    const femoop::Model model = view_test::model("crowded_frame");
+    const femoop::Results results = femoop::analyse(model);
+    ui::Painter painter({1600.0, 1000.0}, fonts);
+    draw(painter, model, &results, {.show = show});
+    view_test::Marks marks(fonts);
+    painter.picture().draw_on(marks);
+    return marks;
+}
+
+bool crosses(const ui::Box& box, ui::Point a, ui::Point b)
+{
+    double from = 0.0;
+    double to = 1.0;
+    const auto cut = [&](double start, double delta, double low, double high) {
+        if (delta == 0.0) return start > low && start < high;
+        const double t1 = (low - start) / delta;
+        const double t2 = (high - start) / delta;
+        from = std::max(from, std::min(t1, t2));
+        to = std::min(to, std::max(t1, t2));
+        return from < to;
+    };
+    return cut(a.x, b.x - a.x, box.min.x, box.max.x) && cut(a.y, b.y - a.y, box.min.y, box.max.y);
+}
+
+} // namespace
+
+TEST_CASE("In a frame of five storeys and five bays no label covers another")
+{
+    const ui::Fonts fonts;
+    const view_test::Marks marks = crowded_picture(fonts, parse_show("M,labels"));
+    CHECK(marks.texts.size() > 150);
+    for (std::size_t i = 0; i < marks.texts.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            CAPTURE(marks.texts[i].words);
+            CAPTURE(marks.texts[j].words);
+            CHECK(!marks.texts[i].box.overlaps(marks.texts[j].box));
+        }
+    }
+}
+
+TEST_CASE("In a frame of five storeys and five bays no label lies on a member or on a diagram's line")
+{
+    const ui::Fonts fonts;
+    const ui::Theme theme(ui::ThemeName::Light);
+    const view_test::Marks marks = crowded_picture(fonts, parse_show("M,labels"));
+    int n_lines = 0;
+    for (const auto& line : marks.lines) {
+        const bool counts = line.stroke == theme.stroke(ui::Role::Member) ||
+                            (line.stroke == theme.stroke(ui::Role::BendingMoment) && line.points.size() > 2);
+        if (!counts) continue;
+        ++n_lines;
+        for (const auto& text : marks.texts) {
+            CAPTURE(text.words);
+            for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
+                CHECK(!crosses(text.box, line.points[i], line.points[i + 1]));
+        }
+    }
+    CHECK(n_lines == 2 * 55); // 30 columns and 25 beams, each with its diagram
+}
+
+TEST_CASE("In a crowded frame no leader reads as the minus sign of a number")
+{
+    const ui::Fonts fonts;
+    const ui::Theme theme(ui::ThemeName::Light);
+    const view_test::Marks marks = crowded_picture(fonts, parse_show("M,labels"));
+    int n_leaders = 0;
+    for (const auto& line : marks.lines) {
+        if (line.stroke != theme.stroke(ui::Role::Leader)) continue;
+        ++n_leaders;
+        const ui::Point run = line.points[1] - line.points[0];
+        if (std::abs(run.y) > 0.4 * std::abs(run.x)) continue; // too steep for a minus sign
+        for (const auto& text : marks.texts) {
+            CAPTURE(text.words);
+            const double middle = 0.5 * (text.box.min.y + text.box.max.y);
+            const ui::Box sign{{text.box.min.x - 5.0, middle - 3.0}, {text.box.min.x, middle + 3.0}};
+            CHECK(!crosses(sign, line.points[0], line.points[1]));
+        }
+    }
+    CHECK(n_leaders > 20);
+}
+
+TEST_CASE("Where all results lie over one another no line runs through a diagram's sign and no label covers it")
+{
+    const ui::Fonts fonts;
+    const ui::Theme theme(ui::ThemeName::Light);
+    const femoop::Model model = view_test::example("portal");
+    const femoop::Results results = femoop::analyse(model);
+    ui::Painter painter({700.0, 760.0}, fonts);
+    draw(painter, model, &results,
+         {.show = parse_show("loads,reactions,labels,N,V,M,deformed"), .layout = Layout::Overlay});
+    view_test::Marks marks(fonts);
+    painter.picture().draw_on(marks);
+    int n_signs = 0;
+    for (const auto& disc : marks.discs) {
+        if (disc.fill != theme.background() || disc.radius != 6.0) continue;
+        ++n_signs;
+        const ui::Box sign = ui::Box{disc.center, disc.center}.grown(5.5);
+        for (const auto& text : marks.texts) {
+            CAPTURE(text.words);
+            CHECK(!text.box.overlaps(sign));
+        }
+        for (const auto& line : marks.lines) {
+            const bool is_its_own = sign.contains(line.points.front());
+            const bool is_below = line.stroke == theme.stroke(ui::Role::Leader) || line.stroke.width < 0.75; // hatching
+            if (is_its_own || is_below) continue;
+            for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
+                CHECK(!crosses(sign, line.points[i], line.points[i + 1]));
+        }
+    }
+    CHECK(n_signs >= 5);
+}
+
+TEST_CASE(
+    "On the projector every bar of a Pratt truss has its force written, along the bar where there is no other room")
+{
+    const ui::Fonts fonts;
+    const femoop::Model model = view_test::example("pratt_truss");
+    const femoop::Results results = femoop::analyse(model);
+    ui::Painter painter({1920.0, 1080.0}, fonts);
+    draw(painter, model, &results,
+         {.show = parse_show("loads,reactions,labels,N,deformed"), .theme = ui::ThemeName::Projector});
+    view_test::Marks marks(fonts);
+    painter.picture().draw_on(marks);
+    const auto n_forces = std::count_if(marks.texts.begin(), marks.texts.end(), [](const auto& text) {
+        return text.words == "0" || text.words.ends_with(" (T)") || text.words.ends_with(" (C)");
+    });
+    CHECK(n_forces == static_cast<std::ptrdiff_t>(model.members.size()));
+}
+
+TEST_CASE("On the projector the names of a grillage's members stand beside them without leaders")
+{
+    const ui::Fonts fonts;
+    const femoop::Model model = view_test::example("grillage");
+    ui::Painter painter({1280.0, 800.0}, fonts);
+    draw(painter, model, nullptr, {.show = parse_show("members"), .theme = ui::ThemeName::Projector});
+    view_test::Marks marks(fonts);
+    painter.picture().draw_on(marks);
+    const ui::Theme theme(ui::ThemeName::Projector);
+    CHECK(marks.texts.size() == model.members.size());
+    for (const auto& line : marks.lines) CHECK(line.stroke != theme.stroke(ui::Role::Leader));
+}
+
+TEST_CASE("Lengths of many short steps stand beside their own line")
+{
+    const ui::Fonts fonts;
+    femoop::Model model = view_test::simple_beam(5.0, 3.0);
+    model.load_cases[0].members.clear();
+    model.nodes[1].at = {0.0, 0.3125, 0.0};
+    for (std::size_t i = 2; i <= 16; ++i)
+        model.add(femoop::Node{.id = "n" + std::to_string(i), .at = {0.0, 0.3125 * static_cast<double>(i), 0.0}});
+    ui::Painter painter({640.0, 720.0}, fonts);
+    draw(painter, model, nullptr, {.show = parse_show("values,dimensions"), .theme = ui::ThemeName::Projector});
+    view_test::Marks marks(fonts);
+    painter.picture().draw_on(marks);
+    const auto n_steps = std::count_if(marks.texts.begin(), marks.texts.end(),
+                                       [](const auto& text) { return text.words == "0.3125 m"; });
+    CHECK(n_steps == 16);
+    for (const auto& line : marks.lines)
+        CHECK(line.stroke != ui::Theme(ui::ThemeName::Projector).stroke(ui::Role::Leader));
+}
+
+TEST_CASE("Two hundred members with a diagram and its values are drawn in a frame of the screen")
+{
+    const ui::Fonts fonts;
+    femoop::Model model = view_test::simple_beam(400.0, 3.0);
+    model.members.clear();
+    model.load_cases[0].members.clear();
+    for (std::size_t i = 1; i <= 200; ++i) {
+        const double x = 2.0 * static_cast<double>(i);
+        const auto node = model.add(femoop::Node{.id = "n" + std::to_string(i), .at = {x, 0.1 * x, 0.0}});
+        const femoop::NodeId before = i == 1 ? femoop::NodeId{0} : femoop::NodeId{node.index - 1};
+        model.add(femoop::Member{.id = "m" + std::to_string(i),
+                                 .nodes = {before, node},
+                                 .material = femoop::MaterialId{},
+                                 .section = femoop::SectionId{}});
+        model.load_cases[0].nodes.push_back({.node = node, .components = {{femoop::Dof::uy, -1.0}}});
+    }
+    model.nodes[0].support->kind = femoop::SupportKind::Fixed;
+    const femoop::Results results = femoop::analyse(model);
+    ViewOptions options{.show = {Show::M, Show::Values}};
+    options.camera = fitted_camera(model, &results, options, {1280.0, 800.0}, fonts);
+    const auto begin = std::chrono::steady_clock::now();
+    ui::Painter painter({1280.0, 800.0}, fonts);
+    draw(painter, model, &results, options);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    CHECK(painter.picture().n_shapes() > 400);
+    CHECK(taken.count() < 0.5); // milliseconds when nothing else runs; the bound is for sanitizers and busy machines
+}
+
+TEST_SUITE_END();
