@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "femoop/io/json/json_writer.h"
-#include "femoop/io/results/text_table.h"
 #include "femoop/model/quantity/number_text.h"
+#include "tabular/plain_text.h"
 
 namespace cli {
 
@@ -179,7 +179,7 @@ std::string name_of(const Label& label, Kind kind, const ui::Catalogue& tr)
 }
 
 /// A line for each number; a number keeps six digits of its own, because a table of them mixes every dimension.
-void add_lines(femoop::TextTable& table, const MohrResult& result, Kind kind, const ui::Catalogue& tr)
+void add_lines(tabular::Table& table, const MohrResult& result, Kind kind, const ui::Catalogue& tr)
 {
     const auto label = std::find_if(labels.begin(), labels.end(), [&](const Label& l) { return l.key == result.key; });
     if (label == labels.end()) return;
@@ -261,9 +261,9 @@ std::string mohr_json(const std::vector<MohrResult>& results, const MohrProblem&
 
 std::string mohr_table(const std::vector<MohrResult>& results, const MohrProblem& problem, const ui::Catalogue& tr)
 {
-    femoop::TextTable table({tr("result"), tr("value")});
+    tabular::Table table({tr("result"), tr("value")});
     for (const MohrResult& result : results) add_lines(table, result, problem.state.kind, tr);
-    std::string text = units_line(problem, tr) + table.text();
+    std::string text = units_line(problem, tr) + tabular::plain_text(table);
     if (!is_possible(problem.state))
         text += tr("no section has these second moments: a principal one is negative") + "\n";
     return text;
