@@ -94,8 +94,8 @@ private:
         add(names_.second, amount(s_.principal.second));
         add_angle("θp1", s_.principal.angle);
         add_angle("θs", s_.shear_angle);
-        add(tr_("pole of planes"), pair(fm::pole(s_.plane, s_.rule)));
-        add(tr_("pole of normals"), pair(fm::pole(s_.plane, s_.rule, fm::PoleOf::Normals)));
+        add(tr_("pole of planes"), pair(s_.pole_of_planes));
+        add(tr_("pole of normals"), pair(s_.pole_of_normals));
         if (!fm::is_possible(s_.state)) add(tr_("no section has these"), tr_("a principal one is negative"));
     }
 
@@ -139,7 +139,7 @@ private:
             add(names_.normal + "z", amount(s_.space->z));
             add_shear(tr_("largest shear in the plane"), s_.circle.radius);
         }
-        add_shear(tr_("largest shear in space"), fm::absolute_largest_shear(s_.space_principal));
+        add_shear(tr_("largest shear in space"), s_.absolute_shear);
         add("I1", amount(s_.invariants.I1));
         add("I2", amount(s_.invariants.I2, unit_power(s_.unit, 2)));
         add("I3", amount(s_.invariants.I3, unit_power(s_.unit, 3)));
@@ -160,7 +160,7 @@ private:
         add("σy", amount(s_.stress->y, s_.stress_unit));
         add("τxy", amount(s_.stress->xy, s_.stress_unit));
         for (std::size_t i = 0; i < 3; ++i)
-            add("σ" + std::to_string(i + 1), amount(fm::principal(*s_.stress).values[i], s_.stress_unit));
+            add("σ" + std::to_string(i + 1), amount(s_.principal_stress->values[i], s_.stress_unit));
     }
 
     void add_failure()
