@@ -13,7 +13,7 @@
 #include "apps/cli/output_file.h"
 #include "apps/cli/solid_file.h"
 #include "femoop/io/json/json_writer.h"
-#include "femoop/io/results/text_table.h"
+#include "tabular/plain_text.h"
 #include "topology/embedding/ring_plane.h"
 #include "topology/halfedge/check/shells.h"
 #include "topology/halfedge/check/validate.h"
@@ -121,17 +121,17 @@ std::string json(const std::vector<NamedSolid>& solids, std::size_t n_steps)
 
 std::string counts_table(const std::vector<NamedSolid>& solids, std::size_t n_steps, const ui::Catalogue& tr)
 {
-    femoop::TextTable table({tr("solid"), "V", "E", "F", "L", "S", "G", "V-E+F-(L-F)-2(S-G)", tr("sound")});
+    tabular::Table table({tr("solid"), "V", "E", "F", "L", "S", "G", "V-E+F-(L-F)-2(S-G)", tr("sound")});
     for (const NamedSolid& solid : solids) {
         const topology::EulerCounts n = topology::euler_counts(solid.solid);
         const auto breach = topology::why_not_valid(solid.solid);
-        std::vector<femoop::TextTable::Cell> row{solid.name};
+        std::vector<tabular::Cell> row{solid.name};
         for (const std::size_t count : {n.V, n.E, n.F, n.L, n.S, n.G}) row.emplace_back(std::to_string(count));
         row.emplace_back(std::to_string(n.formula()));
         row.emplace_back(breach ? tr("no") : tr("yes"));
         table.add_row(std::move(row));
     }
-    return tr("steps: {n}", {{"n", std::to_string(n_steps)}}) + "\n" + table.text();
+    return tr("steps: {n}", {{"n", std::to_string(n_steps)}}) + "\n" + tabular::plain_text(table);
 }
 
 /// The tables of every living solid, as the lecture prints them.

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <vector>
 
-#include "femoop/io/results/text_table.h"
+#include "tabular/plain_text.h"
 
 namespace cli {
 
@@ -25,7 +25,7 @@ std::string wrapped(const std::string& text, std::size_t indent)
         std::string line(indent, ' ');
         for (std::string word; words >> word;) {
             const bool is_first = line.size() == indent;
-            if (!is_first && femoop::shown_width(line) + 1 + femoop::shown_width(word) > line_width) {
+            if (!is_first && tabular::shown_width(line) + 1 + tabular::shown_width(word) > line_width) {
                 out += line + '\n';
                 line = std::string(indent, ' ') + word;
             } else {

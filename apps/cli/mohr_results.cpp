@@ -7,8 +7,9 @@
 #include <optional>
 
 #include "femoop/io/json/json_writer.h"
-#include "femoop/io/results/text_table.h"
+#include "femoop/methods/mohr/point_results.h"
 #include "femoop/model/quantity/number_text.h"
+#include "tabular/plain_text.h"
 
 namespace cli {
 
@@ -32,72 +33,61 @@ List list(const Eigen::Vector3d& v) { return {v[0] + 0.0, v[1] + 0.0, v[2] + 0.0
 /// The components as they are given outside: gamma of a strain, Ixy of second moments.
 List given(Kind kind, const PlaneState& state) { return {state.x, state.y, given_shear(kind, state.xy)}; }
 
-void add_plane(Results& results, const MohrProblem& problem)
+void add_plane(Results& results, const MohrProblem& problem, const PointResults& point)
 {
     const Kind kind = problem.state.kind;
-    const PlaneState state = plane(problem.state);
-    const auto [centre, radius] = circle(state);
-    const PlanePrincipal p = femoop::mohr::principal(state);
-    if (problem.rosette) results.push_back({"strain", given(kind, state)});
-    results.push_back({"center", centre});
-    results.push_back({"radius", radius});
-    results.push_back({"principal", List{p.first, p.second}});
-    results.push_back({"theta_p_deg", degrees_or_null(p.angle)});
-    const auto second = p.angle ? std::optional(as_direction(*p.angle + 0.5 * std::numbers::pi)) : std::nullopt;
-    results.push_back({"theta_p2_deg", degrees_or_null(second)});
-    results.push_back({"theta_s_deg", degrees_or_null(largest_shear_angle(state))});
-    results.push_back({"tau_max", radius});
-    if (is_strain(kind)) results.push_back({"gamma_max", 2.0 * radius});
-    // The shear's axis of second moments points down and counts -Ixy, so that axes and circle turn the same way.
-    const auto rule = kind == Kind::Inertia ? ShearRule::TensorDown : ShearRule::ClockwiseUp;
-    const CirclePoint at = pole(state, rule);
-    results.push_back({"pole", List{at.normal, at.shear}});
-    if (!problem.angle) return;
-    results.push_back({"rotated", given(kind, rotated(state, *problem.angle * std::numbers::pi / 180.0))});
+    if (problem.rosette) results.push_back({"strain", given(kind, point.plane)});
+    results.push_back({"center", point.circle.centre});
+    results.push_back({"radius", point.circle.radius});
+    results.push_back({"principal", List{point.principal.first, point.principal.second}});
+    results.push_back({"theta_p_deg", degrees_or_null(point.principal.angle)});
+    results.push_back({"theta_p2_deg", degrees_or_null(point.second_angle)});
+    results.push_back({"theta_s_deg", degrees_or_null(point.shear_angle)});
+    results.push_back({"tau_max", point.circle.radius});
+    if (is_strain(kind)) results.push_back({"gamma_max", 2.0 * point.circle.radius});
+    results.push_back({"pole", List{point.pole_of_planes.normal, point.pole_of_planes.shear}});
+    if (problem.angle) results.push_back({"rotated", given(kind, point.turned)});
 }
 
-void add_space(Results& results, const MohrProblem& problem, const SpaceState& state)
+void add_directions(Results& results, const PointResults& point)
 {
-    const SpacePrincipal p = femoop::mohr::principal(state);
-    const Invariants i = invariants(state);
-    const Deviator d = deviator(p);
-    if (!is_plane(problem.state.kind)) {
-        results.push_back({"principal", List(p.values.begin(), p.values.end())});
-        results.push_back({"tau_max", absolute_largest_shear(p)});
-        std::vector<List> rows;
-        for (const Circle& c : circles(p)) rows.push_back({c.centre, c.radius});
-        results.push_back({"circles", rows});
-        constexpr std::array<std::string_view, 3> keys{"direction_1", "direction_2", "direction_3"};
-        constexpr std::array<std::string_view, 3> sizes{"direction_1_abs", "direction_2_abs", "direction_3_abs"};
-        for (int k = 0; k < 3; ++k) results.push_back({keys[k], list(p.directions.col(k))});
-        for (int k = 0; k < 3; ++k) results.push_back({sizes[k], list(p.directions.col(k).cwiseAbs())});
-    }
-    results.push_back({"tau_max_absolute", absolute_largest_shear(p)});
+    const SpacePrincipal& p = point.space_principal;
+    results.push_back({"principal", List(p.values.begin(), p.values.end())});
+    results.push_back({"tau_max", point.absolute_shear});
+    std::vector<List> rows;
+    for (const Circle& c : circles(p)) rows.push_back({c.centre, c.radius});
+    results.push_back({"circles", rows});
+    constexpr std::array<std::string_view, 3> keys{"direction_1", "direction_2", "direction_3"};
+    constexpr std::array<std::string_view, 3> sizes{"direction_1_abs", "direction_2_abs", "direction_3_abs"};
+    for (int k = 0; k < 3; ++k) results.push_back({keys[k], list(p.directions.col(k))});
+    for (int k = 0; k < 3; ++k) results.push_back({sizes[k], list(p.directions.col(k).cwiseAbs())});
+}
+
+void add_space(Results& results, Kind kind, const PointResults& point)
+{
+    const Invariants& i = point.invariants;
+    const Deviator& d = point.deviator;
+    if (!is_plane(kind)) add_directions(results, point);
+    results.push_back({"tau_max_absolute", point.absolute_shear});
     results.push_back({"invariants", List{i.I1 + 0.0, i.I2 + 0.0, i.I3 + 0.0}});
     results.push_back({"deviatoric", List{d.values[0] + 0.0, d.values[1] + 0.0, d.values[2] + 0.0}});
     results.push_back({"octahedral_normal", d.mean + 0.0});
     results.push_back({"octahedral_shear", d.octahedral_shear});
     results.push_back({"lode_deg", degrees_or_null(d.lode)});
-    if (is_stress(problem.state.kind)) results.push_back({"von_mises", d.equivalent});
+    if (is_stress(kind)) results.push_back({"von_mises", d.equivalent});
 }
 
-void add_stress(Results& results, const MohrProblem& problem)
+void add_stress(Results& results, Kind kind, const PointResults& point)
 {
-    const auto strain_stress = stress(problem.state);
-    if (!is_strain(problem.state.kind) || !strain_stress) return;
-    const double u = problem.reading_unit;
-    const SpaceState s = *strain_stress;
-    if (is_plane(problem.state.kind)) results.push_back({"stress", List{u * s.x, u * s.y, u * s.xy}});
-    else results.push_back({"stress", List{u * s.x, u * s.y, u * s.z, u * s.xy, u * s.yz, u * s.zx}});
-    List values;
-    for (const double value : femoop::mohr::principal(s).values) values.push_back(u * value);
-    results.push_back({"principal_stress", values});
+    if (!point.stress) return;
+    const SpaceState& s = *point.stress;
+    results.push_back({"stress", is_plane(kind) ? List{s.x, s.y, s.xy} : List{s.x, s.y, s.z, s.xy, s.yz, s.zx}});
+    const auto& values = point.principal_stress->values;
+    results.push_back({"principal_stress", List(values.begin(), values.end())});
 }
 
-void add_plane_through(Results& results, const MohrProblem& problem, const SpaceState& state)
+void add_plane_through(Results& results, const OnPlane& on)
 {
-    if (!problem.normal) return;
-    const OnPlane on = on_plane(state, *problem.normal);
     results.push_back({"normal", list(on.normal)});
     results.push_back({"traction", list(on.traction)});
     results.push_back({"sigma_n", on.normal_component + 0.0});
@@ -105,14 +95,8 @@ void add_plane_through(Results& results, const MohrProblem& problem, const Space
 }
 
 /// How far the stress is from failure, in proportion, and the normals of the planes that fail.
-void add_safety(Results& results, const MohrProblem& problem)
+void add_safety(Results& results, const Safety& found)
 {
-    if (!problem.criterion) return;
-    const bool is_given = is_stress(problem.state.kind);
-    SpacePrincipal p = femoop::mohr::principal(is_given ? *in_space(problem.state) : *stress(problem.state));
-    if (!is_given)
-        for (double& value : p.values) value *= problem.reading_unit;
-    const Safety found = safety(*problem.criterion, problem.strength, p);
     results.push_back({"safety_factor", found.factor ? MohrResult::Value(*found.factor) : std::monostate{}});
     std::vector<List> normals;
     for (const Eigen::Vector3d& normal : found.planes) normals.push_back(list(normal));
@@ -179,7 +163,7 @@ std::string name_of(const Label& label, Kind kind, const ui::Catalogue& tr)
 }
 
 /// A line for each number; a number keeps six digits of its own, because a table of them mixes every dimension.
-void add_lines(femoop::TextTable& table, const MohrResult& result, Kind kind, const ui::Catalogue& tr)
+void add_lines(tabular::Table& table, const MohrResult& result, Kind kind, const ui::Catalogue& tr)
 {
     const auto label = std::find_if(labels.begin(), labels.end(), [&](const Label& l) { return l.key == result.key; });
     if (label == labels.end()) return;
@@ -220,15 +204,22 @@ void write(femoop::JsonWriter& json, const List& values)
 
 std::vector<MohrResult> mohr_results(const MohrProblem& problem)
 {
+    const Kind kind = problem.state.kind;
+    const PointResults point = point_results({.state = problem.state,
+                                              .rule = usual_rule(kind),
+                                              .angle = problem.angle.value_or(0.0) * std::numbers::pi / 180.0,
+                                              .normal = problem.normal.value_or(Eigen::Vector3d::Ones()),
+                                              .criterion = problem.criterion,
+                                              .strength = problem.strength,
+                                              .strain_unit = problem.reading_unit});
     Results results;
-    if (is_plane(problem.state.kind)) add_plane(results, problem);
-    if (const auto state = in_space(problem.state)) {
-        // How a rosette's surface strains across itself is known with Poisson's ratio only.
-        if (!problem.rosette || problem.state.nu) add_space(results, problem, *state);
-        add_plane_through(results, problem, *state);
-    }
-    add_stress(results, problem);
-    add_safety(results, problem);
+    if (is_plane(kind)) add_plane(results, problem, point);
+    // How a rosette's surface strains across itself is known with Poisson's ratio only.
+    const bool has_third = point.space && (!problem.rosette || problem.state.nu);
+    if (has_third) add_space(results, kind, point);
+    if (problem.normal && point.space) add_plane_through(results, point.on_plane);
+    add_stress(results, kind, point);
+    if (point.safety) add_safety(results, *point.safety);
     return results;
 }
 
@@ -261,9 +252,9 @@ std::string mohr_json(const std::vector<MohrResult>& results, const MohrProblem&
 
 std::string mohr_table(const std::vector<MohrResult>& results, const MohrProblem& problem, const ui::Catalogue& tr)
 {
-    femoop::TextTable table({tr("result"), tr("value")});
+    tabular::Table table({tr("result"), tr("value")});
     for (const MohrResult& result : results) add_lines(table, result, problem.state.kind, tr);
-    std::string text = units_line(problem, tr) + table.text();
+    std::string text = units_line(problem, tr) + tabular::plain_text(table);
     if (!is_possible(problem.state))
         text += tr("no section has these second moments: a principal one is negative") + "\n";
     return text;

@@ -2,27 +2,12 @@
 
 #include <string_view>
 
+#include "tabular/html.h"
 #include "ui/paint/surface/svg.h"
 
 namespace ui {
 
 namespace {
-
-std::string escaped(std::string_view text)
-{
-    std::string html;
-    for (const char c : text) {
-        switch (c) {
-        case '&': html += "&amp;"; break;
-        case '<': html += "&lt;"; break;
-        case '>': html += "&gt;"; break;
-        case '"': html += "&quot;"; break;
-        case '\n': html += "<br>\n"; break;
-        default: html += c;
-        }
-    }
-    return html;
-}
 
 constexpr std::string_view style = R"(<style>
 body { font: 15px/1.45 "DejaVu Sans", sans-serif; color: #1a1a1a; max-width: 46em; margin: 2em auto; padding: 0 1em; }
@@ -51,38 +36,21 @@ public:
     void operator()(const ReportHeading& heading)
     {
         const std::string tag = "h" + std::to_string(heading.level);
-        html += "<" + tag + ">" + escaped(heading.text) + "</" + tag + ">\n";
+        html += "<" + tag + ">" + tabular::html_text(heading.text) + "</" + tag + ">\n";
     }
-    void operator()(const ReportText& text) { html += "<p>" + escaped(text.text) + "</p>\n"; }
-    void operator()(const ReportTable& table)
-    {
-        html += "<table>\n<thead><tr>";
-        for (const auto& column : table.columns) cell("th", column.is_number, column.heading);
-        html += "</tr></thead>\n<tbody>\n";
-        for (const auto& row : table.rows) {
-            html += "<tr>";
-            for (std::size_t i = 0; i < row.size(); ++i) cell("td", table.columns.at(i).is_number, row[i]);
-            html += "</tr>\n";
-        }
-        html += "</tbody>\n</table>\n";
-    }
+    void operator()(const ReportText& text) { html += "<p>" + tabular::html_text(text.text) + "</p>\n"; }
+    void operator()(const tabular::Table& table) { html += tabular::html(table); }
     void operator()(const ReportFigure& figure)
     {
         html += "<figure>\n";
         html += without_prolog(svg_document(figure.picture, fonts_, rgb(0xFFFFFF)));
-        if (!figure.caption.empty()) html += "\n<figcaption>" + escaped(figure.caption) + "</figcaption>";
+        if (!figure.caption.empty()) html += "\n<figcaption>" + tabular::html_text(figure.caption) + "</figcaption>";
         html += "\n</figure>\n";
     }
 
     std::string html;
 
 private:
-    void cell(std::string_view tag, bool is_number, std::string_view text)
-    {
-        html += "<" + std::string(tag) + (is_number ? " class=\"n\">" : ">") + escaped(text) + "</" + std::string(tag) +
-                ">";
-    }
-
     const Fonts& fonts_;
 };
 
@@ -92,7 +60,7 @@ std::string report_html(const Report& report, const Fonts& fonts)
 {
     HtmlWriter writer(fonts);
     writer.html = "<!DOCTYPE html>\n<html lang=\"" + report.language +
-                  "\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + escaped(report.title) + "</title>\n" +
+                  "\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + tabular::html_text(report.title) + "</title>\n" +
                   std::string(style) + "</head>\n<body>\n";
     for (const ReportBlock& block : report.blocks) std::visit(writer, block);
     return writer.html + "</body>\n</html>\n";

@@ -56,7 +56,8 @@ private:
     };
     struct TableLook {
         double size = 10.0;
-        std::vector<double> widths;
+        std::vector<double> widths{};
+        std::vector<tabular::Alignment> alignments{};
     };
     static constexpr double above_text = 0.9, below_heading = 0.3; // of a heading's size
     static constexpr double under_table = 10.0, caption = 24.0;
@@ -83,7 +84,7 @@ private:
         return scale_of(figure) * figure.picture.size().height + caption;
     }
     // A short table stands on one page; of a long one some rows come before the first break.
-    double beginning_of(const ReportTable& table) const
+    double beginning_of(const tabular::Table& table) const
     {
         constexpr std::size_t most_whole = 12, rows_kept = 3;
         const std::size_t n_rows = table.rows.size() <= most_whole ? table.rows.size() : rows_kept;
@@ -92,16 +93,17 @@ private:
 
     // A table that is too wide for a type that can be read goes on below itself with its further columns; each part
     // begins with the words by which its rows are known.
-    std::vector<ReportTable> legible(const ReportTable& table) const
+    std::vector<tabular::Table> legible(const tabular::Table& table) const
     {
         constexpr double least_size = 8.0; // 6 pt
         if (look_of(table).size >= least_size) return {table};
         const std::vector<double> widths = widths_of(table, text_size - 1.0);
         std::size_t n_keys = 1;
-        while (n_keys < table.columns.size() && n_keys < 2 && !table.columns[n_keys].is_number) ++n_keys;
+        while (n_keys < table.columns.size() && n_keys < 2 && alignment(table, n_keys) == tabular::Alignment::Left)
+            ++n_keys;
         std::vector<std::size_t> keys, chosen;
         for (std::size_t i = 0; i < n_keys; ++i) keys.push_back(i);
-        std::vector<ReportTable> parts;
+        std::vector<tabular::Table> parts;
         double taken = 0.0;
         for (std::size_t i = n_keys; i < table.columns.size(); ++i) {
             const bool is_full = !chosen.empty() && taken + widths[i] > width;
@@ -115,16 +117,6 @@ private:
         }
         parts.push_back(columns_of(table, chosen));
         return parts;
-    }
-    static ReportTable columns_of(const ReportTable& table, const std::vector<std::size_t>& columns)
-    {
-        ReportTable part;
-        for (const std::size_t i : columns) part.columns.push_back(table.columns[i]);
-        for (const auto& row : table.rows) {
-            part.rows.emplace_back();
-            for (const std::size_t i : columns) part.rows.back().push_back(i < row.size() ? row[i] : "");
-        }
-        return part;
     }
     static double scale_of(const ReportFigure& figure) { return std::min(1.0, width / figure.picture.size().width); }
 
@@ -152,11 +144,11 @@ private:
         write(figure.caption, style);
         y_ += 10.0;
     }
-    void put(const ReportTable& table)
+    void put(const tabular::Table& table)
     {
-        for (const ReportTable& part : legible(table)) put_part(part);
+        for (const tabular::Table& part : legible(table)) put_part(part);
     }
-    void put_part(const ReportTable& table)
+    void put_part(const tabular::Table& table)
     {
         const TableLook look = look_of(table);
         need(beginning_of(table));
@@ -166,7 +158,7 @@ private:
                 begin_page();
                 headings(table, look);
             }
-            cells(row, table, look, Weight::Regular);
+            cells(shown_texts(row), look, Weight::Regular);
         }
         y_ += under_table;
     }
@@ -214,9 +206,10 @@ private:
     }
 
     // As large as the page allows.
-    TableLook look_of(const ReportTable& table) const
+    TableLook look_of(const tabular::Table& table) const
     {
         TableLook look;
+        for (std::size_t i = 0; i < table.columns.size(); ++i) look.alignments.push_back(alignment(table, i));
         look.widths = widths_of(table, look.size);
         const double total = std::accumulate(look.widths.begin(), look.widths.end(), 0.0);
         if (total <= width) return look;
@@ -224,14 +217,14 @@ private:
         look.widths = widths_of(table, look.size);
         return look;
     }
-    std::vector<double> widths_of(const ReportTable& table, double size) const
+    std::vector<double> widths_of(const tabular::Table& table, double size) const
     {
         constexpr double gap = 1.4; // of the type's size, between columns
         std::vector<double> widths;
         for (std::size_t i = 0; i < table.columns.size(); ++i) {
-            double most = width_of(table.columns[i].heading, size, Weight::Bold);
+            double most = width_of(table.columns[i].label(), size, Weight::Bold);
             for (const auto& row : table.rows)
-                most = std::max(most, i < row.size() ? width_of(row[i], size, Weight::Regular) : 0.0);
+                most = std::max(most, width_of(shown_text(row.cells[i]), size, Weight::Regular));
             widths.push_back(most + gap * size);
         }
         return widths;
@@ -241,22 +234,20 @@ private:
         return fonts_.measure(text, style_of(size, weight)).width;
     }
 
-    void headings(const ReportTable& table, const TableLook& look)
+    void headings(const tabular::Table& table, const TableLook& look)
     {
-        std::vector<std::string> words;
-        for (const auto& column : table.columns) words.push_back(column.heading);
-        cells(words, table, look, Weight::Bold);
+        cells(labels(table), look, Weight::Bold);
         painter().line({border, y_ - 1.0}, {border + width, y_ - 1.0}, {.color = faint, .width = 0.7});
         y_ += 2.0;
     }
-    void cells(const std::vector<std::string>& row, const ReportTable& table, const TableLook& look, Weight weight)
+    void cells(const std::vector<std::string>& row, const TableLook& look, Weight weight)
     {
         double x = border;
         for (std::size_t i = 0; i < row.size(); ++i) {
             TextStyle style = style_of(look.size, weight);
-            const bool is_number = table.columns.at(i).is_number;
-            if (is_number) style.anchor = Anchor::TopRight;
-            const double at = is_number ? x + look.widths[i] - 0.7 * look.size : x;
+            const bool is_right = look.alignments.at(i) == tabular::Alignment::Right;
+            if (is_right) style.anchor = Anchor::TopRight;
+            const double at = is_right ? x + look.widths[i] - 0.7 * look.size : x;
             painter().text({at, y_}, row[i], style);
             x += look.widths[i];
         }

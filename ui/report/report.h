@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "tabular/table.h"
 #include "ui/paint/picture.h"
 
 namespace ui {
@@ -16,19 +17,11 @@ struct ReportHeading {
 struct ReportText {
     std::string text;
 };
-struct ReportTable {
-    struct Column {
-        std::string heading;
-        bool is_number = false;
-    };
-    std::vector<Column> columns;
-    std::vector<std::vector<std::string>> rows;
-};
 struct ReportFigure {
     Picture picture;
     std::string caption;
 };
-using ReportBlock = std::variant<ReportHeading, ReportText, ReportTable, ReportFigure>;
+using ReportBlock = std::variant<ReportHeading, ReportText, tabular::Table, ReportFigure>;
 
 struct Report {
     std::string title;

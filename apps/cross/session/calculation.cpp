@@ -48,6 +48,8 @@ std::string_view order_words(fc::Order order)
     return "";
 }
 
+tabular::Column to_the_right(std::string heading) { return {std::move(heading), "", tabular::Alignment::Right}; }
+
 class CalculationWriter {
 public:
     CalculationWriter(const Document& document, const Look& look, const ui::Fonts& fonts)
@@ -90,21 +92,14 @@ private:
     }
 
     /// A table that is too broad for a page is cut; each part begins with the names of the rows.
-    void table(const TextTable& told)
+    void table(const tabular::Table& told)
     {
         constexpr std::size_t most = 10; // columns beside the names
         for (const std::string& note : told.notes) text(note);
-        for (std::size_t begin = 1; begin < told.head.size(); begin += most) {
-            const std::size_t end = std::min(told.head.size(), begin + most);
-            ui::ReportTable part{.columns = {{told.head[0], false}}, .rows = {}};
-            for (std::size_t i = begin; i < end; ++i) part.columns.push_back({told.head[i], true});
-            for (const auto& row : told.rows) {
-                std::vector<std::string> cells{row[0]};
-                cells.insert(cells.end(), row.begin() + static_cast<std::ptrdiff_t>(begin),
-                             row.begin() + static_cast<std::ptrdiff_t>(end));
-                part.rows.push_back(std::move(cells));
-            }
-            report_.blocks.push_back(std::move(part));
+        for (std::size_t begin = 1; begin < told.columns.size(); begin += most) {
+            std::vector<std::size_t> columns{0};
+            for (std::size_t i = begin; i < std::min(told.columns.size(), begin + most); ++i) columns.push_back(i);
+            report_.blocks.push_back(columns_of(told, columns));
         }
     }
 
@@ -159,22 +154,22 @@ private:
     void write_factors(const fc::Problem& problem, const fc::Loading& loading)
     {
         const Numbers numbers(document_, solution_, look_);
-        TextTable told{.notes = {},
-                       .head = {tr_("member end"), tr_("stiffness"), "", tr_("distribution factor"), "",
-                                tr_("carry-over"), "FEM [" + numbers.moment_unit() + "]"}};
+        tabular::Table told({tr_("member end"), to_the_right(tr_("stiffness")), to_the_right(""),
+                             to_the_right(tr_("distribution factor")), to_the_right(""),
+                             to_the_right(tr_("carry-over")), to_the_right("FEM [" + numbers.moment_unit() + "]")});
         for (std::size_t e = 0; e < problem.ends.size(); ++e) {
             const fc::End& end = problem.ends[e];
             if (!problem.is_on_sheet(fc::EndId(e))) continue;
             const bool is_on_axis = end.joint && !problem.is_balanced(*end.joint);
             const bool is_free = (end.joint && !is_on_axis) || end.is_hinged;
             const auto fraction = fc::fraction_of(end.factor, 999);
-            told.rows.push_back({end.label, std::string(fc::formula(problem, fc::EndId(e))),
-                                 ui::number_text(end.stiffness, numbers.units().format()),
-                                 is_free      ? numbers.factor(end.factor)
-                                 : is_on_axis ? tr_("on the axis")
-                                              : tr_("fixed"),
-                                 is_free && fraction ? fc::fraction_text(*fraction) : "",
-                                 numbers.factor(end.carry_over), numbers.moment(end, loading.fixed_end[e])});
+            told.add_row({end.label, std::string(fc::formula(problem, fc::EndId(e))),
+                          ui::number_text(end.stiffness, numbers.units().format()),
+                          is_free      ? numbers.factor(end.factor)
+                          : is_on_axis ? tr_("on the axis")
+                                       : tr_("fixed"),
+                          is_free && fraction ? fc::fraction_text(*fraction) : "", numbers.factor(end.carry_over),
+                          numbers.moment(end, loading.fixed_end[e])});
         }
         table(told);
     }
@@ -204,7 +199,7 @@ private:
         if (is_beam(drawing::shape_of(document_.model))) beam_sheet(n_lines);
         else frame_sheet(n_lines);
         table(table_of(scene(), Topic::Sheet));
-        const TextTable history = table_of(scene(), Topic::Convergence);
+        const tabular::Table history = table_of(scene(), Topic::Convergence);
         for (const std::string& note : history.notes) text(note);
     }
 

@@ -25,27 +25,30 @@ std::string question_with_unit(const Session& session, fc::BlankId id)
 
 } // namespace
 
-TextTable exercise_table(const Session& session)
+tabular::Table exercise_table(const Session& session)
 {
     const Paper& paper = *session.paper();
     const ui::Catalogue& tr = session.tr();
-    TextTable table{{exercise_name(session), score_words(session)}, {tr("cell"), tr("number"), tr("judgement")}, {}};
+    tabular::Table table({tr("cell"), tr("number"), tr("judgement")});
+    table.notes = {exercise_name(session), score_words(session)};
     for (std::size_t i = 0; i < paper.form.blanks.size(); ++i) {
         const fc::BlankId id(i);
         if (!paper.is_written(id) && (!paper.is_told || paper.judgements[i].verdict == fc::Verdict::Open)) continue;
         const std::string verdict = paper.is_told ? tr(verdict_words(paper.judgements[i])) : "";
-        table.rows.push_back({question_with_unit(session, id), text_in(session, i), verdict});
+        table.add_row({question_with_unit(session, id), tabular::written_cell(text_in(session, i)), verdict});
     }
     return table;
 }
 
 std::string exercise_in_words(const Session& session)
 {
-    const TextTable table = exercise_table(session);
+    const tabular::Table table = exercise_table(session);
     std::string words;
     for (const std::string& note : table.notes) words += note + "\n";
-    for (const auto& row : table.rows)
-        words += row[0] + ": " + row[1] + (row[2].empty() ? "" : "  (" + row[2] + ")") + "\n";
+    for (const tabular::Row& row : table.rows) {
+        const std::vector<std::string> texts = shown_texts(row);
+        words += texts[0] + ": " + texts[1] + (texts[2].empty() ? "" : "  (" + texts[2] + ")") + "\n";
+    }
     return words;
 }
 

@@ -5,7 +5,7 @@
 namespace cross {
 
 /// What a pupil wrote and what is said of it: cell, number, judgement. \pre the session has a paper
-TextTable exercise_table(const Session& session);
+tabular::Table exercise_table(const Session& session);
 
 /// The same as lines of text, with the score.
 std::string exercise_in_words(const Session& session);

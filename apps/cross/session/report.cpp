@@ -3,7 +3,6 @@
 #include "apps/cross/session/exercise_report.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -35,45 +34,47 @@ public:
           numbers_(scene.document, scene.solution, scene.look)
     {}
 
-    TextTable sheet() const
+    tabular::Table sheet() const
     {
-        TextTable table{.notes = {}, .head = ends_head(tr_("Row"))};
+        tabular::Table table(ends_head(tr_("Row")));
         add_symmetry(table);
-        std::vector<std::string> factors{tr_("factors")};
+        std::vector<tabular::Cell> factors{tr_("factors")};
         const std::vector<double> all = fc::factors_of(half_, scene_.document.method.digits);
         for (std::size_t e = 0; e < all.size(); ++e) {
             const auto joint = half_.is_on_sheet(fc::EndId(e)) ? half_.ends[e].joint : std::nullopt;
-            factors.push_back(joint && half_.is_balanced(*joint) ? numbers_.factor(all[e]) : "");
+            factors.push_back(tabular::written_cell(joint && half_.is_balanced(*joint) ? numbers_.factor(all[e]) : ""));
         }
-        table.rows.push_back(std::move(factors));
+        table.add_row(std::move(factors));
         if (sheet_ == nullptr) {
             add_parts(table);
-            table.rows.push_back(row(tr_("together"), task_.all->moments));
+            table.add_row(row(tr_("together"), task_.all->moments));
+            table.n_sums = 1;
             return table;
         }
         for (const fc::Row& written : fc::rows_of(half_, *sheet_))
-            table.rows.push_back(row(name_of(written), written.values, written.kind));
+            table.add_row(row(name_of(written), written.values, written.kind));
+        table.n_sums = 1;
         add_drift(table);
         return table;
     }
 
     /// The loads, and so many times each sway.
-    void add_parts(TextTable& table) const
+    void add_parts(tabular::Table& table) const
     {
-        for (const SheetPart& part : parts_of(scene_)) table.rows.push_back(row(words_of(part, scene_), part.moments));
+        for (const SheetPart& part : parts_of(scene_)) table.add_row(row(words_of(part, scene_), part.moments));
     }
 
-    TextTable comparison() const
+    tabular::Table comparison() const
     {
         if (!task_.comparison) return missing();
         const fc::Comparison& c = *task_.comparison;
-        TextTable table{
-            .notes = {tr_("Worked to the tolerance; the stiffness method takes axial strain into account.")},
-            .head = {tr_("member end"), tr_("distributed"), tr_("exact"), tr_("inextensible"), tr_("stiffness")}};
+        tabular::Table table(
+            head({tr_("member end"), tr_("distributed"), tr_("exact"), tr_("inextensible"), tr_("stiffness")}));
+        table.notes = {tr_("Worked to the tolerance; the stiffness method takes axial strain into account.")};
         for (std::size_t e = 0; e < problem_.ends.size(); ++e) {
             const fc::End& end = problem_.ends[e];
-            table.rows.push_back({end.label, numbers_.moment(end, c.distributed[e]), numbers_.moment(end, c.limit[e]),
-                                  numbers_.moment(end, c.inextensible[e]), numbers_.moment(end, c.stiffness[e])});
+            table.add_row({end.label, cell(end, c.distributed[e]), cell(end, c.limit[e]), cell(end, c.inextensible[e]),
+                           cell(end, c.stiffness[e])});
         }
         for (std::size_t j = 0; j < problem_.joints.size(); ++j)
             table.notes.push_back(tr_("Joint {joint}: difference {moment}",
@@ -81,34 +82,35 @@ public:
         return table;
     }
 
-    TextTable sways() const
+    tabular::Table sways() const
     {
         if (problem_.sways.empty() && !problem_.halves.empty())
-            return {.notes = {tr_("By symmetry the loads do not make it sway: it has one sheet.")}};
-        if (problem_.sways.empty()) return {.notes = {tr_("Without a prop nothing moves: the structure cannot sway.")}};
+            return said(tr_("By symmetry the loads do not make it sway: it has one sheet."));
+        if (problem_.sways.empty()) return said(tr_("Without a prop nothing moves: the structure cannot sway."));
         if (!task_.all) return missing();
         const fc::Superposition& all = *task_.all;
-        TextTable table{.notes = {tr_("No prop may hold anything: R_jk is the force at prop j in the sheet of sway k, "
-                                      "R_j0 in the sheet of the loads.")},
-                        .head = {tr_("Prop"), "R_j0"}};
-        for (std::size_t k = 0; k < problem_.sways.size(); ++k) table.head.push_back("R_j" + std::to_string(k + 1));
-        table.head.push_back("x");
-        for (std::size_t j = 0; j < problem_.sways.size(); ++j) table.rows.push_back(sway_row(all, j));
+        std::vector<std::string> names{tr_("Prop"), "R_j0"};
+        for (std::size_t k = 0; k < problem_.sways.size(); ++k) names.push_back("R_j" + std::to_string(k + 1));
+        names.emplace_back("x");
+        tabular::Table table(head(names));
+        table.notes = {tr_("No prop may hold anything: R_jk is the force at prop j in the sheet of sway k, R_j0 in the "
+                           "sheet of the loads.")};
+        for (std::size_t j = 0; j < problem_.sways.size(); ++j) table.add_row(sway_row(all, j));
         for (std::size_t j = 0; j < problem_.sways.size(); ++j)
             table.notes.push_back(tr_("prop {node}", {{"node", model_[problem_.sways[j].prop].id}}) + ": " +
                                   equation(all, j));
         return table;
     }
 
-    TextTable convergence() const
+    tabular::Table convergence() const
     {
         if (sheet_ == nullptr) return missing();
         const std::vector<double> history = fc::convergence(*sheet_);
-        TextTable table{.notes = {}, .head = {tr_("Step"), tr_("Joint"), tr_("largest unbalance")}};
+        tabular::Table table(head({tr_("Step"), tr_("Joint"), tr_("largest unbalance")}));
         for (std::size_t i = 0; i < history.size(); ++i) {
             const auto joint = i == 0 ? std::nullopt : sheet_->steps[i - 1].joint;
             const std::string name = i == 0 ? "" : joint ? name_of(*joint) : tr_("all");
-            table.rows.push_back({std::to_string(i), name, numbers_.moment(history[i])});
+            table.add_row({std::to_string(i), name, tabular::written_cell(numbers_.moment(history[i]))});
         }
         if (const auto rate = fc::rate(half_, *sheet_))
             table.notes.push_back(tr_("In one round of all joints the unbalance shrinks to {rate} of what it was.",
@@ -117,41 +119,41 @@ public:
         return table;
     }
 
-    TextTable kani() const
+    tabular::Table kani() const
     {
         if (!task_.kani) return missing();
         const fc::Kani& k = *task_.kani;
-        TextTable table{
-            .notes = {tr_(
-                "Rotation contributions M', cycle by cycle; M = FEM + 2 M' + M' of the far end + sway part.")},
-            .head = ends_head(tr_("Cycle"))};
-        std::vector<std::string> factors{"μ"};
-        for (const double factor : k.rotation_factor) factors.push_back(signed_factor(factor));
-        table.rows.push_back(std::move(factors));
-        table.rows.push_back(row("FEM", problem_.loading.fixed_end));
+        tabular::Table table(ends_head(tr_("Cycle")));
+        table.notes = {
+            tr_("Rotation contributions M', cycle by cycle; M = FEM + 2 M' + M' of the far end + sway part.")};
+        std::vector<tabular::Cell> factors{"μ"};
+        for (const double factor : k.rotation_factor) factors.push_back(tabular::written_cell(signed_factor(factor)));
+        table.add_row(std::move(factors));
+        table.add_row(row("FEM", problem_.loading.fixed_end));
         for (std::size_t i = 0; i < std::min<std::size_t>(k.cycles.size(), most_cycles); ++i)
-            table.rows.push_back(row(std::to_string(i + 1), k.cycles[i].rotation_contribution));
+            table.add_row(row(std::to_string(i + 1), k.cycles[i].rotation_contribution));
         if (!problem_.sways.empty() && !k.cycles.empty())
-            table.rows.push_back(row("M″", without_dust(k.cycles.back().sway_contribution)));
-        table.rows.push_back(row("M", k.moments));
+            table.add_row(row("M″", without_dust(k.cycles.back().sway_contribution)));
+        table.add_row(row("M", k.moments));
+        table.n_sums = 1;
         return table;
     }
 
-    TextTable equations() const
+    tabular::Table equations() const
     {
         if (!task_.equations) return missing();
         const fc::SlopeDeflection& s = *task_.equations;
-        TextTable table{
-            .notes = {tr_("Moments at every joint and the work of every sway, A x = b, in the file's base units.")},
-            .head = {""}};
-        for (Eigen::Index j = 0; j < s.x.size(); ++j) table.head.push_back(unknown(j));
-        table.head.insert(table.head.end(), {"b", "x"});
+        std::vector<std::string> names{""};
+        for (Eigen::Index j = 0; j < s.x.size(); ++j) names.push_back(unknown(j));
+        names.insert(names.end(), {"b", "x"});
+        tabular::Table table(head(names));
+        table.notes = {tr_("Moments at every joint and the work of every sway, A x = b, in the file's base units.")};
         for (Eigen::Index i = 0; i < s.x.size(); ++i) {
-            std::vector<std::string> line{unknown(i)};
-            for (Eigen::Index j = 0; j < s.x.size(); ++j) line.push_back(plain(s.A(i, j)));
-            line.push_back(plain(s.b[i]));
-            line.push_back(plain(is_dust(s, i) ? 0.0 : s.x[i]));
-            table.rows.push_back(std::move(line));
+            std::vector<tabular::Cell> line{unknown(i)};
+            for (Eigen::Index j = 0; j < s.x.size(); ++j) line.push_back(tabular::written_cell(plain(s.A(i, j))));
+            line.push_back(tabular::written_cell(plain(s.b[i])));
+            line.push_back(tabular::written_cell(plain(is_dust(s, i) ? 0.0 : s.x[i])));
+            table.add_row(std::move(line));
         }
         return table;
     }
@@ -161,7 +163,7 @@ private:
 
     /// Why half is enough where it is worked; that it would be, where the whole is; why it is not, where it is asked
     /// for.
-    void add_symmetry(TextTable& table) const
+    void add_symmetry(tabular::Table& table) const
     {
         const auto tr = [&](std::string_view text) { return tr_(text); };
         if (sheet_ == nullptr) return;
@@ -192,49 +194,72 @@ private:
     }
 
     /// What the rounding of every number cost.
-    void add_drift(TextTable& table) const
+    void add_drift(tabular::Table& table) const
     {
         if (scene_.document.method.digits == 0 || sheet_->steps.empty()) return;
         const std::vector<double> off = fc::drift(half_, task_.loading(scene_.document.stage), *sheet_);
         std::vector<double> exact = sheet_->end.moments;
         for (std::size_t e = 0; e < exact.size(); ++e) exact[e] -= off[e];
         const Numbers unrounded = numbers_.unrounded();
-        table.rows.push_back(row(tr_("exact"), exact, unrounded));
-        table.rows.push_back(row(tr_("drift"), off, unrounded));
+        table.add_row(row(tr_("exact"), exact, unrounded));
+        table.add_row(row(tr_("drift"), off, unrounded));
+        table.n_sums += 2;
     }
 
-    std::vector<std::string> row(const std::string& name, const std::vector<double>& values,
-                                 const Numbers& numbers) const
+    std::vector<tabular::Cell> row(const std::string& name, const std::vector<double>& values,
+                                   const Numbers& numbers) const
     {
-        std::vector<std::string> line{name};
-        for (std::size_t e = 0; e < values.size(); ++e) line.push_back(numbers.moment(problem_.ends[e], values[e]));
+        std::vector<tabular::Cell> line{name};
+        for (std::size_t e = 0; e < values.size(); ++e)
+            line.push_back(tabular::written_cell(numbers.moment(problem_.ends[e], values[e])));
         return line;
     }
 
-    TextTable missing() const
+    static tabular::Table said(std::string sentence)
     {
-        TextTable table{.notes = {tr_("There is nothing to show here yet.")}};
+        tabular::Table table;
+        table.notes = {std::move(sentence)};
+        return table;
+    }
+
+    tabular::Table missing() const
+    {
+        tabular::Table table = said(tr_("There is nothing to show here yet."));
         for (const femoop::Fault& fault : task_.remarks) table.notes.push_back(fault_text(fault, tr_));
         return table;
     }
 
-    std::vector<std::string> ends_head(const std::string& first) const
+    /// Names to the left, numbers to the right.
+    static std::vector<tabular::Column> head(const std::vector<std::string>& names)
     {
-        std::vector<std::string> head{first};
-        for (const fc::End& end : problem_.ends) head.push_back(end.label);
-        return head;
+        using enum tabular::Alignment;
+        std::vector<tabular::Column> columns;
+        for (const std::string& name : names) columns.push_back({name, "", columns.empty() ? Left : Right});
+        return columns;
+    }
+
+    std::vector<tabular::Column> ends_head(const std::string& first) const
+    {
+        std::vector<std::string> names{first};
+        for (const fc::End& end : problem_.ends) names.push_back(end.label);
+        return head(names);
+    }
+
+    tabular::Cell cell(const fc::End& end, double moment) const
+    {
+        return tabular::written_cell(numbers_.moment(end, moment));
     }
 
     /// Zeros of balances and carry-overs are left blank, as on paper; beyond the axis, all but the sums.
-    std::vector<std::string> row(const std::string& name, const std::vector<double>& values,
-                                 fc::RowKind kind = fc::RowKind::FixedEnd) const
+    std::vector<tabular::Cell> row(const std::string& name, const std::vector<double>& values,
+                                   fc::RowKind kind = fc::RowKind::FixedEnd) const
     {
         const bool is_sparse = kind == fc::RowKind::Balance || kind == fc::RowKind::CarryOver;
-        std::vector<std::string> line{name};
+        std::vector<tabular::Cell> line{name};
         for (std::size_t e = 0; e < values.size(); ++e) {
             const bool is_blank = (is_sparse && values[e] == 0.0) ||
                                   (kind != fc::RowKind::Total && !half_.is_on_sheet(fc::EndId(e)));
-            line.push_back(is_blank ? "" : numbers_.moment(problem_.ends[e], values[e]));
+            line.push_back(is_blank ? tabular::Cell() : cell(problem_.ends[e], values[e]));
         }
         return line;
     }
@@ -280,12 +305,12 @@ private:
         return value < 0.0 ? "−" + numbers_.factor(-value) : numbers_.factor(value);
     }
 
-    std::vector<std::string> sway_row(const fc::Superposition& all, std::size_t j) const
+    std::vector<tabular::Cell> sway_row(const fc::Superposition& all, std::size_t j) const
     {
         const auto i = static_cast<Eigen::Index>(j);
-        std::vector<std::string> line{model_[problem_.sways[j].prop].id, force(-all.r[i])};
-        for (Eigen::Index k = 0; k < all.x.size(); ++k) line.push_back(force(all.R(i, k)));
-        line.push_back(plain(all.x[i]));
+        std::vector<tabular::Cell> line{model_[problem_.sways[j].prop].id, tabular::written_cell(force(-all.r[i]))};
+        for (Eigen::Index k = 0; k < all.x.size(); ++k) line.push_back(tabular::written_cell(force(all.R(i, k))));
+        line.push_back(tabular::written_cell(plain(all.x[i])));
         return line;
     }
 
@@ -316,47 +341,6 @@ private:
     Numbers numbers_;
 };
 
-std::string in_quotes(const std::string& text, char mark)
-{
-    if (text.find_first_of(std::string("\"\r\n") + mark) == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + '"';
-}
-
-/// Characters that mean something to LaTeX, and those that it writes in mathematics.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 18> latex_signs{{{"&", "\\&"},
-                                                                                     {"%", "\\%"},
-                                                                                     {"#", "\\#"},
-                                                                                     {"_", "\\_"},
-                                                                                     {"$", "\\$"},
-                                                                                     {"{", "\\{"},
-                                                                                     {"}", "\\}"},
-                                                                                     {"^", "\\textasciicircum{}"},
-                                                                                     {"~", "\\textasciitilde{}"},
-                                                                                     {"\\", "\\textbackslash{}"},
-                                                                                     {"<", "\\textless{}"},
-                                                                                     {">", "\\textgreater{}"},
-                                                                                     {"−", "$-$"},
-                                                                                     {"Σ", "$\\Sigma$"},
-                                                                                     {"θ", "$\\theta$"},
-                                                                                     {"Δ", "$\\Delta$"},
-                                                                                     {"μ", "$\\mu$"},
-                                                                                     {"″", "$''$"}}};
-
-std::string in_latex(std::string_view text)
-{
-    std::string out;
-    while (!text.empty()) {
-        const auto* const sign = std::ranges::find_if(latex_signs,
-                                                      [&](const auto& one) { return text.starts_with(one.first); });
-        const bool is_plain = sign == latex_signs.end();
-        out += is_plain ? text.substr(0, 1) : sign->second;
-        text.remove_prefix(is_plain ? 1 : sign->first.size());
-    }
-    return out;
-}
-
 std::string in_lines(const std::vector<femoop::Fault>& faults, const ui::Catalogue& tr)
 {
     std::string words;
@@ -366,14 +350,14 @@ std::string in_lines(const std::vector<femoop::Fault>& faults, const ui::Catalog
 
 } // namespace
 
-TextTable table_of(const Session& session, Topic topic)
+tabular::Table table_of(const Session& session, Topic topic)
 {
     if (session.hides_results() || (topic == Topic::Exercises && session.paper() != nullptr))
         return exercise_table(session);
     return table_of(session.scene(), topic);
 }
 
-TextTable table_of(const Scene& scene, Topic topic)
+tabular::Table table_of(const Scene& scene, Topic topic)
 {
     const Teller teller(scene);
     switch (topic) {
@@ -388,37 +372,9 @@ TextTable table_of(const Scene& scene, Topic topic)
     return {};
 }
 
-std::string as_csv(const TextTable& table, ui::Language language)
+tabular::Separators separators(ui::Language language)
 {
-    const char mark = language == ui::Language::Portuguese ? ';' : ',';
-    std::string text;
-    const auto add = [&](const std::vector<std::string>& row) {
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            std::string cell = row[i];
-            if (cell.starts_with("−")) cell = "-" + cell.substr(std::string_view("−").size()); // for spreadsheets
-            text += (i == 0 ? "" : std::string(1, mark)) + in_quotes(cell, mark);
-        }
-        text += "\n";
-    };
-    add(table.head);
-    std::ranges::for_each(table.rows, add);
-    return text;
-}
-
-std::string as_latex(const TextTable& table)
-{
-    std::string text = "\\begin{tabular}{l" + std::string(table.head.size() - 1, 'r') + "}\n\\hline\n";
-    const auto add = [&](const std::vector<std::string>& row) {
-        for (std::size_t i = 0; i < row.size(); ++i) text += (i == 0 ? "" : " & ") + in_latex(row[i]);
-        text += " \\\\\n";
-    };
-    add(table.head);
-    text += "\\hline\n";
-    for (std::size_t i = 0; i < table.rows.size(); ++i) {
-        if (i + 1 == table.rows.size()) text += "\\hline\n";
-        add(table.rows[i]);
-    }
-    return text + "\\hline\n\\end{tabular}\n";
+    return {language == ui::Language::Portuguese ? ';' : ',', "\n"};
 }
 
 std::string in_words(const Session& session)

@@ -10,6 +10,8 @@
 #include "apps/cross/window/player_bar.h"
 #include "apps/cross/window/results_panel.h"
 #include "femoop/io/whole_file.h"
+#include "tabular/latex.h"
+#include "tabular/markdown.h"
 #include "ui/files/ending.h"
 #include "ui/report/html.h"
 #include "ui/report/pages.h"
@@ -21,12 +23,12 @@ namespace cross {
 using ui::translatable;
 
 Application::Application(ui::Context& context, const ui::Fonts& fonts, Session session)
-    : DocumentApp(
-          context, fonts, std::move(session), command_table(),
-          {.name = translatable("Cremona: moment distribution"),
-           .description = translatable("Sheet in words"),
-           .files = {.extension = ".json", .exports = {".svg", ".png", ".pdf", ".report.pdf", ".html", ".csv", ".tex"}},
-           .sides = {{17.0F, 24.0F}, {0.22F, 0.28F}}}),
+    : DocumentApp(context, fonts, std::move(session), command_table(),
+                  {.name = translatable("Cremona: moment distribution"),
+                   .description = translatable("Sheet in words"),
+                   .files = {.extension = ".json",
+                             .exports = {".svg", ".png", ".pdf", ".report.pdf", ".html", ".csv", ".md", ".tex"}},
+                   .sides = {{17.0F, 24.0F}, {0.22F, 0.28F}}}),
       canvas_(fonts)
 {}
 
@@ -82,10 +84,12 @@ std::optional<ui::Phrase> Application::write(const std::filesystem::path& path)
         if (session().hides_results()) return ui::Phrase(translatable("the exercise is not solved yet"));
         return write_report(path);
     }
-    if (!is_a(".csv") && !is_a(".tex")) return DocumentApp::write(path);
+    if (!is_a(".csv") && !is_a(".md") && !is_a(".tex")) return DocumentApp::write(path);
     if (!session().solution().task) return ui::Phrase(translatable("this structure cannot be distributed"));
-    const TextTable table = table_of(session(), desk().topic);
-    const std::string text = is_a(".csv") ? as_csv(table, session().tr().language()) : as_latex(table);
+    const tabular::Table table = table_of(session(), desk().topic);
+    std::string text;
+    if (is_a(".csv")) text = separated(table, separators(session().tr().language()));
+    else text = is_a(".md") ? markdown(table) : latex(table);
     const std::error_code error = femoop::write_whole_file(path, text);
     if (!error) return std::nullopt;
     return ui::Phrase(translatable("{file} was not saved: {reason}"),

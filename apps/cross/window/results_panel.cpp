@@ -22,22 +22,17 @@ void show_cell(const std::string& text, bool is_name)
 }
 
 /// The names and so many of the further columns.
-TextTable part_of(const TextTable& whole, std::size_t begin, std::size_t n)
+tabular::Table part_of(const tabular::Table& whole, std::size_t begin, std::size_t n)
 {
-    const auto cut = [&](const std::vector<std::string>& row) {
-        std::vector<std::string> cells{row.front()};
-        for (std::size_t i = begin; i < std::min(begin + n, row.size()); ++i) cells.push_back(row[i]);
-        return cells;
-    };
-    TextTable part{.notes = {}, .head = cut(whole.head)};
-    for (const auto& row : whole.rows) part.rows.push_back(cut(row));
-    return part;
+    std::vector<std::size_t> columns{0};
+    for (std::size_t i = begin; i < std::min(begin + n, whole.columns.size()); ++i) columns.push_back(i);
+    return columns_of(whole, columns);
 }
 
 /// Buttons that go to the columns before and after.
-void turn_pages(Desk& desk, const TextTable& table, std::size_t n)
+void turn_pages(Desk& desk, const tabular::Table& table, std::size_t n)
 {
-    const std::size_t last = table.head.size() - 1;
+    const std::size_t last = table.columns.size() - 1;
     desk.first_column = std::clamp<std::size_t>(desk.first_column, 1, last / n * n + 1);
     const auto button = [&](const char* words, bool can, std::size_t to) {
         ImGui::BeginDisabled(!can);
@@ -50,25 +45,26 @@ void turn_pages(Desk& desk, const TextTable& table, std::size_t n)
     button(">###columns after", end < last, first + n);
     const std::string words = desk.tr()(
         "{first} to {last}, of {n}",
-        {{"first", table.head[first]}, {"last", table.head[end]}, {"n", std::to_string(last)}});
+        {{"first", table.columns[first].label()}, {"last", table.columns[end].label()}, {"n", std::to_string(last)}});
     ImGui::TextUnformatted(words.c_str());
 }
 
 /// Of a column with its padding.
-float width_of(const TextTable& table, std::size_t column)
+float width_of(const tabular::Table& table, std::size_t column)
 {
-    float widest = ImGui::CalcTextSize(table.head[column].c_str()).x;
-    for (const auto& row : table.rows) widest = std::max(widest, ImGui::CalcTextSize(row[column].c_str()).x);
+    float widest = ImGui::CalcTextSize(table.columns[column].label().c_str()).x;
+    for (const auto& row : table.rows)
+        widest = std::max(widest, ImGui::CalcTextSize(row.cells[column].shown.c_str()).x);
     return widest + 2.0F * ImGui::GetStyle().CellPadding.x + 1.0F;
 }
 
 /// Where the parts of a table begin that have room beside one another; the last is past its end.
-std::vector<std::size_t> beginnings(const TextTable& table, float room)
+std::vector<std::size_t> beginnings(const tabular::Table& table, float room)
 {
     const float names = width_of(table, 0);
     std::vector<std::size_t> begins{1};
     float taken = names;
-    for (std::size_t i = 1; i < table.head.size(); ++i) {
+    for (std::size_t i = 1; i < table.columns.size(); ++i) {
         const float width = width_of(table, i);
         if (taken + width > room && i > begins.back()) {
             begins.push_back(i);
@@ -76,32 +72,32 @@ std::vector<std::size_t> beginnings(const TextTable& table, float room)
         }
         taken += width;
     }
-    begins.push_back(table.head.size());
+    begins.push_back(table.columns.size());
     return begins;
 }
 
-void show_rows(const TextTable& table)
+void show_rows(const tabular::Table& table)
 {
-    for (const std::string& name : table.head) ImGui::TableSetupColumn(ui::shown_whole(name).c_str());
+    for (const std::string& name : labels(table)) ImGui::TableSetupColumn(ui::shown_whole(name).c_str());
     ImGui::TableHeadersRow();
     for (const auto& row : table.rows) {
         ImGui::TableNextRow();
-        for (std::size_t i = 0; i < row.size(); ++i) {
+        for (std::size_t i = 0; i < row.cells.size(); ++i) {
             ImGui::TableNextColumn();
-            show_cell(row[i], i == 0);
+            show_cell(row.cells[i].shown, i == 0);
         }
     }
 }
 
 /// One part below the other, each with the names of the rows.
-void show_parts(const TextTable& table, const std::vector<std::size_t>& begins)
+void show_parts(const tabular::Table& table, const std::vector<std::size_t>& begins)
 {
     constexpr auto flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingFixedFit;
     if (ImGui::BeginChild("###parts")) {
         for (std::size_t i = 0; i + 1 < begins.size(); ++i) {
-            const TextTable part = part_of(table, begins[i], begins[i + 1] - begins[i]);
+            const tabular::Table part = part_of(table, begins[i], begins[i + 1] - begins[i]);
             ImGui::PushID(static_cast<int>(i));
-            if (ImGui::BeginTable("###part", static_cast<int>(part.head.size()),
+            if (ImGui::BeginTable("###part", static_cast<int>(part.columns.size()),
                                   flags | ImGuiTableFlags_NoHostExtendX)) {
                 show_rows(part);
                 ImGui::EndTable();
@@ -113,22 +109,22 @@ void show_parts(const TextTable& table, const std::vector<std::size_t>& begins)
     ImGui::EndChild();
 }
 
-void show_table(Desk& desk, const TextTable& whole)
+void show_table(Desk& desk, const tabular::Table& whole)
 {
     for (const std::string& note : whole.notes) ui::wrapped_text(note);
-    if (whole.head.empty()) return;
+    if (whole.columns.empty()) return;
     constexpr std::size_t most_cells = 4000; // that are measured in every frame
-    if (whole.head.size() > 1 && whole.head.size() * whole.rows.size() <= most_cells) {
+    if (whole.columns.size() > 1 && whole.columns.size() * whole.rows.size() <= most_cells) {
         const auto begins = beginnings(whole, ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize);
         if (begins.size() > 2) return show_parts(whole, begins);
     }
     constexpr std::size_t most_columns = 64, shown = 48; // of Dear ImGui's tables
-    const bool is_cut = whole.head.size() > most_columns;
+    const bool is_cut = whole.columns.size() > most_columns;
     if (is_cut) turn_pages(desk, whole, shown);
-    const TextTable table = is_cut ? part_of(whole, desk.first_column, shown) : part_of(whole, 1, most_columns);
+    const tabular::Table table = is_cut ? part_of(whole, desk.first_column, shown) : part_of(whole, 1, most_columns);
     const auto flags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
                        ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingFixedFit;
-    if (!ImGui::BeginTable("###table", static_cast<int>(table.head.size()), flags)) return;
+    if (!ImGui::BeginTable("###table", static_cast<int>(table.columns.size()), flags)) return;
     ImGui::TableSetupScrollFreeze(1, 1);
     show_rows(table);
     ImGui::EndTable();

@@ -78,7 +78,7 @@ private:
     {
         std::vector<std::size_t> used;
         for (std::size_t i = 1; i < table.headings.size(); ++i) {
-            const auto says = [i](const Row& row) { return i < row.cells.size() && !row.cells[i].shown.empty(); };
+            const auto says = [i](const Row& row) { return i < row.cells.size() && !row.cells[i].value.shown.empty(); };
             if (std::ranges::any_of(table.rows, says)) used.push_back(i);
         }
         return used;
@@ -100,13 +100,12 @@ private:
 
     void part_of(const Table& table, const std::vector<std::size_t>& columns)
     {
-        ui::ReportTable block;
-        for (const std::size_t i : columns)
-            block.columns.push_back({table.headings[i].label, table.headings[i].is_number});
+        tabular::Table block;
+        for (const std::size_t i : columns) block.columns.push_back(table.headings[i].column);
         for (const Row& row : table.rows) {
-            std::vector<std::string> cells;
-            for (const std::size_t i : columns) cells.push_back(i < row.cells.size() ? row.cells[i].shown : "");
-            block.rows.push_back(std::move(cells));
+            std::vector<tabular::Cell> cells;
+            for (const std::size_t i : columns) cells.push_back(i < row.cells.size() ? row.cells[i].value : "");
+            block.add_row(std::move(cells));
         }
         report_.blocks.push_back(std::move(block));
     }
@@ -259,15 +258,12 @@ private:
         heading(3, tr_("Equilibrium"));
         const Equilibrium equilibrium = result.equilibrium();
         const CaseNumbers numbers(result, manner_.units);
-        Table sums{{{tr_("Force")}, {tr_("Loads"), true}, {tr_("Reactions"), true}}, {}};
+        Table sums{{{tr_("Force")}, number_heading(tr_("Loads")), number_heading(tr_("Reactions"))}, {}};
         for (const Dof dof : equilibrium_dofs(model_.analysis)) {
             const ui::Measure measure = force_measures.of(dof);
-            const auto cell = [&](const NodeVector& of) {
-                return Cell{.shown = numbers.text(of[index(dof)], measure)};
-            };
+            const auto cell = [&](const NodeVector& of) { return Cell{numbers.text(of[index(dof)], measure)}; };
             sums.rows.push_back({std::nullopt,
-                                 {{.shown = "Σ" + std::string(force_name(dof))},
-                                  cell(equilibrium.sum_loads),
+                                 {Cell{"Σ" + std::string(force_name(dof))}, cell(equilibrium.sum_loads),
                                   cell(equilibrium.sum_reactions)}});
         }
         table(sums);
@@ -294,11 +290,11 @@ private:
     void matrix(const MemberTrace& traced, const Eigen::MatrixXd& values)
     {
         Table rows{{{""}}, {}};
-        for (const std::string& dof : traced.dofs) rows.headings.push_back({dof, true});
+        for (const std::string& dof : traced.dofs) rows.headings.push_back(number_heading(dof));
         for (Eigen::Index i = 0; i < values.rows(); ++i) {
-            Row row{std::nullopt, {{.shown = traced.dofs.at(static_cast<std::size_t>(i))}}};
+            Row row{std::nullopt, {Cell{traced.dofs.at(static_cast<std::size_t>(i))}}};
             for (Eigen::Index j = 0; j < values.cols(); ++j)
-                row.cells.push_back({.shown = with_minus(ui::number_text(values(i, j), options_.view.numbers))});
+                row.cells.push_back({with_minus(ui::number_text(values(i, j), options_.view.numbers))});
             rows.rows.push_back(std::move(row));
         }
         table(rows);

@@ -41,13 +41,10 @@ Cell number_cell(const Quantity& value, ui::Measure measure, const ui::DisplayUn
 {
     const double shown = units.shown(value, measure);
     const ui::NumberFormat format{std::max(shown_digits, units.format().digits), units.format().mark};
-    Cell cell{.shown = with_true_minus(ui::number_text(shown, format)), .number = shown};
-    cell.plain = all_digits(value, measure, units);
-    cell.typed = value.has_text() ? std::string(value.text()) : cell.plain;
-    return cell;
+    std::string exact = all_digits(value, measure, units);
+    std::string typed = value.has_text() ? std::string(value.text()) : exact;
+    return {{shown, with_true_minus(ui::number_text(shown, format)), std::move(exact)}, std::move(typed)};
 }
-
-Cell text_cell(const std::string& text) { return {.shown = text, .typed = text, .plain = text}; }
 
 std::string lower(std::string_view text)
 {
@@ -63,11 +60,11 @@ Cell cell_of(const CellValue& value, ui::Measure measure, const Manner& manner)
     if (const auto* const number = std::get_if<Quantity>(&value)) return number_cell(*number, measure, manner.units);
     if (const auto* const share = std::get_if<femoop::Percent>(&value)) {
         Cell cell = number_cell(share->value, ui::Measure::Plain, manner.units);
-        for (std::string* const text : {&cell.shown, &cell.typed, &cell.plain}) *text += '%';
+        for (std::string* const text : {&cell.value.shown, &cell.value.exact, &cell.typed}) *text += '%';
         return cell;
     }
-    if (const auto* const name = std::get_if<std::string>(&value)) return text_cell(*name);
-    if (const auto* const word = std::get_if<ui::Phrase>(&value)) return text_cell(manner.tr(*word));
+    if (const auto* const name = std::get_if<std::string>(&value)) return {*name};
+    if (const auto* const word = std::get_if<ui::Phrase>(&value)) return {manner.tr(*word)};
     return {};
 }
 

@@ -13,7 +13,9 @@ namespace {
 
 Heading heading_of(const Column& column, const Manner& manner)
 {
-    return {manner.units.label(manner.tr(column.heading), column.measure), column.is_number, bool(column.write)};
+    std::string label = manner.units.label(manner.tr(column.heading), column.measure);
+    if (column.is_number) return number_heading(std::move(label), bool(column.write));
+    return {{std::move(label), "", tabular::Alignment::Left}, bool(column.write)};
 }
 
 std::string trimmed(std::string_view text)
@@ -98,7 +100,7 @@ private:
     bool says_nothing_new(const Part& part, const Column& column, const std::string& text) const
     {
         const Cell cell = cell_of(column.read(before_, part), column.measure, manner_);
-        return text == cell.plain || text == cell.typed;
+        return text == exact_text(cell.value) || text == cell.typed;
     }
 
     struct Place {
@@ -173,7 +175,7 @@ std::string sentence(const CellFault& fault, const Table& table, const ui::Catal
     if (fault.column >= table.headings.size())
         return tr("row {row}: {reason}", {{"row", row}, {"reason", fault.reason}});
     return tr("row {row}, {column}: {reason}",
-              {{"row", row}, {"column", table.headings[fault.column].label}, {"reason", fault.reason}});
+              {{"row", row}, {"column", table.headings[fault.column].column.label()}, {"reason", fault.reason}});
 }
 
 Filled filled(const Document& document, TableKind kind, const Target& target, const TextBlock& texts,
@@ -186,13 +188,13 @@ Filled filled(const Document& document, TableKind kind, const Target& target, co
 
 TextBlock read_block(std::string_view tsv, const Table& table, std::size_t first_column)
 {
-    TextBlock block = read_tsv(tsv);
+    TextBlock block = tabular::read_separated(tsv, tabular::tabs.cell);
     if (block.empty()) return block;
     bool are_headings = true;
     for (std::size_t j = 0; j < block.front().size(); ++j) {
         const std::size_t column = first_column + j;
         are_headings = are_headings && column < table.headings.size() &&
-                       trimmed(block.front()[j]) == table.headings[column].label;
+                       trimmed(block.front()[j]) == table.headings[column].column.label();
     }
     if (are_headings) block.erase(block.begin());
     return block;

@@ -147,13 +147,10 @@ private:
     void begin(std::string_view heading) { table_.headings.push_back({manner_.tr(heading)}); }
     void add_heading(const std::string& name, Measure measure)
     {
-        table_.headings.push_back({manner_.units.label(name, measure), true});
+        table_.headings.push_back(number_heading(manner_.units.label(name, measure)));
     }
 
-    void begin_row(const Part& part, const std::string& name)
-    {
-        table_.rows.push_back({part, {{.shown = name, .typed = name, .plain = name}}});
-    }
+    void begin_row(const Part& part, const std::string& name) { table_.rows.push_back({part, {Cell{name}}}); }
 
     template <class Visit> void each_member(Visit&& visit)
     {
@@ -165,11 +162,10 @@ private:
 
     void add(double value, Measure measure, CaseId of)
     {
-        Cell cell{.shown = numbers_[of].number(value, measure)};
-        const double tidy = cell.shown == "0" ? 0.0 : value;
-        const Cell exact = cell_of(Quantity(tidy), measure, manner_);
-        cell.typed = cell.plain = exact.plain;
-        cell.number = exact.number;
+        std::string shown = numbers_[of].number(value, measure);
+        const double tidy = shown == "0" ? 0.0 : value;
+        Cell cell = cell_of(Quantity(tidy), measure, manner_);
+        cell.value.shown = std::move(shown);
         table_.rows.back().cells.push_back(std::move(cell));
     }
 
@@ -184,7 +180,7 @@ private:
     void add_name(CaseId load_case)
     {
         const std::string& name = shown_.model.case_name(load_case);
-        table_.rows.back().cells.push_back({.shown = name, .typed = name, .plain = name});
+        table_.rows.back().cells.push_back({name});
     }
 
     TabledResults shown_;

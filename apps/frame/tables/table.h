@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "apps/frame/document/part.h"
+#include "tabular/separated.h"
 #include "ui/text/catalogue.h"
 #include "ui/text/display_units.h"
 
@@ -18,18 +18,19 @@ struct Manner {
     ui::Catalogue tr;
 };
 
+/// A column, and whether its cells can be changed.
 struct Heading {
-    std::string label; ///< with its unit: "x [m]"
-    bool is_number = false;
+    tabular::Column column; ///< labelled with its unit: "x [m]"
     bool is_editable = false;
-};
 
-/// One value of a table, ready to be read.
+    bool is_number() const { return column.alignment == tabular::Alignment::Right; }
+};
+Heading number_heading(std::string label, bool is_editable = false);
+
+/// One value, with the text in which it is edited: nothing is lost if that is confirmed as it stands.
 struct Cell {
-    std::string shown{};            ///< rounded, with a true minus sign
-    std::string typed{};            ///< as it is edited: nothing is lost if it is confirmed as it stands
-    std::string plain{};            ///< for a spreadsheet: every digit, no unit
-    std::optional<double> number{}; ///< in the unit of the heading; what numbers are sorted by
+    tabular::Cell value{}; ///< shown rounded with a true minus; exact for a spreadsheet, without a unit
+    std::string typed = exact_text(value);
 };
 
 struct Row {
@@ -37,7 +38,7 @@ struct Row {
     std::vector<Cell> cells;
 };
 
-/// What a spreadsheet would show: a value made from a document or its results, in one language and one set of units.
+/// A table that is edited: a value made from a document or its results, in one language and one set of units.
 struct Table {
     std::vector<Heading> headings;
     std::vector<Row> rows;
@@ -53,14 +54,13 @@ CellBlock whole(const Table& table);
 /// The rows in ascending order of a column; numbers by value and before words, rows without a value last.
 std::vector<std::size_t> sorted_rows(const Table& table, std::size_t column);
 
-/// The block with its headings as tab-separated values, as spreadsheets copy and paste them.
-std::string tsv(const Table& table, const CellBlock& block);
+/// What is written of it: the block with its headings.
+tabular::Table values(const Table& table, const CellBlock& block);
 
-/// The same as comma-separated values (RFC 4180); separated by semicolons where the comma is the decimal mark.
+/// As comma-separated values with the line ends of RFC 4180; separated by semicolons where the comma is the decimal
+/// mark.
 std::string csv(const Table& table, ui::DecimalMark mark);
 
-/// Texts by row and column, as a clipboard holds them.
-using TextBlock = std::vector<std::vector<std::string>>;
-TextBlock read_tsv(std::string_view text);
+using tabular::TextBlock; ///< as a clipboard holds them
 
 } // namespace frame

@@ -23,8 +23,10 @@ void TablesPanel::copy(const Desk&) const
     const CellBlock block = grid_.block();
     if (block.rows.empty()) return;
     const bool is_cell = block.rows.size() == 1 && block.first_column == block.last_column;
-    const std::string text = is_cell ? table_.rows[block.rows.front()].cells[block.first_column].plain
-                                     : tsv(table_, block);
+    const tabular::Table copied = values(table_, block);
+    tabular::SeparatedText cell(tabular::tabs);
+    cell << copied.rows.front().cells.front();
+    const std::string text = is_cell ? cell.take() : separated(copied, tabular::tabs);
     ImGui::SetClipboardText(text.c_str());
 }
 

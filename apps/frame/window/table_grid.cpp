@@ -43,8 +43,10 @@ void TableGrid::measure(const Table& table)
     layout_.gutter = ImGui::CalcTextSize(std::to_string(n_rows_).c_str()).x + pad;
     layout_.widths.assign(n_columns_, 0.0F);
     for (std::size_t j = 0; j < n_columns_; ++j) {
-        float width = ImGui::CalcTextSize(table.headings[j].label.c_str()).x + pad; // room for the sort's triangle
-        for (const Row& row : table.rows) width = std::max(width, ImGui::CalcTextSize(row.cells[j].shown.c_str()).x);
+        float width = ImGui::CalcTextSize(table.headings[j].column.label().c_str()).x +
+                      pad; // room for the sort's triangle
+        for (const Row& row : table.rows)
+            width = std::max(width, ImGui::CalcTextSize(row.cells[j].value.shown.c_str()).x);
         layout_.widths[j] = std::max(width, 3.0F * pad) + pad;
     }
 }

@@ -33,7 +33,7 @@ std::string TableGrid::typed_text(const Table& table, Place place) const
 std::string TableGrid::shown_text(const Table& table, Place place) const
 {
     if (place.row >= order_.size()) return draft[place.column];
-    return table.rows[order_[place.row]].cells[place.column].shown;
+    return table.rows[order_[place.row]].cells[place.column].value.shown;
 }
 
 void TableGrid::open(std::string text)

@@ -78,7 +78,7 @@ void TableGrid::draw_row(const Look& look, std::size_t row) const
             list.AddRectFilled(frame.min, frame.max, ImGui::GetColorU32(ImGuiCol_TextSelectedBg));
         const Heading& heading = look.table.headings[j];
         const bool is_derived = look.can_grow && !heading.is_editable;
-        write(frame, shown_text(look.table, {row, j}), heading.is_number,
+        write(frame, shown_text(look.table, {row, j}), heading.is_number(),
               ImGui::GetColorU32(is_derived ? ImGuiCol_TextDisabled : ImGuiCol_Text));
     };
     const float frozen = layout_.view_left + layout_.gutter;
@@ -105,11 +105,11 @@ void TableGrid::draw_headings(const Table& table) const
     const auto heading = [&](std::size_t j, float x) {
         const float room = sorted_by_ == j ? ImGui::GetFontSize() : 0.0F;
         const Frame frame{{x, y}, {x + layout_.widths[j], bottom}};
-        write({{x + (table.headings[j].is_number ? room : 0.0F), y}, frame.max}, table.headings[j].label,
-              table.headings[j].is_number, ink);
+        write({{x + (table.headings[j].is_number() ? room : 0.0F), y}, frame.max}, table.headings[j].column.label(),
+              table.headings[j].is_number(), ink);
         if (sorted_by_ != j) return;
         const float r = 0.25F * ImGui::GetFontSize(), sign = is_descending_ ? 1.0F : -1.0F;
-        const float side = table.headings[j].is_number ? x + 3.0F * r : frame.max.x - 3.0F * r;
+        const float side = table.headings[j].is_number() ? x + 3.0F * r : frame.max.x - 3.0F * r;
         const ImVec2 c{side, 0.5F * (y + bottom)};
         const ImVec2 tip{c.x, c.y + sign * r}, a{c.x - r, c.y - sign * r}, b{c.x + r, c.y - sign * r};
         list.AddTriangleFilled(tip, a, b, ink);

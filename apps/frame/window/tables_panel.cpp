@@ -253,8 +253,9 @@ std::optional<std::string> TablesPanel::cell(const Desk& desk) const
 {
     if (!shows_table(desk) || table_.headings.empty()) return std::nullopt;
     const std::size_t row = grid_.first_row();
-    const std::string name = row < grid_.order().size() ? table_.rows[grid_.order()[row]].cells.front().shown : "new";
-    return ui::Catalogue()(title(kind_)) + ": " + name + ", " + table_.headings[grid_.column()].label;
+    const std::string name = row < grid_.order().size() ? table_.rows[grid_.order()[row]].cells.front().value.shown
+                                                        : "new";
+    return ui::Catalogue()(title(kind_)) + ": " + name + ", " + table_.headings[grid_.column()].column.label();
 }
 
 // ---- files ----

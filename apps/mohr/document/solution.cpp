@@ -235,26 +235,6 @@ Solution read(const Document& document, Reader& reader)
     return solution;
 }
 
-void solve_plane(Solution& s)
-{
-    s.plane = fm::plane(s.state);
-    s.circle = fm::circle(s.plane);
-    s.principal = fm::principal(s.plane);
-    s.shear_angle = fm::largest_shear_angle(s.plane);
-    s.turned = fm::rotated(s.plane, s.angle);
-}
-
-void solve_space(Solution& s, const std::array<double, 3>& normal)
-{
-    s.space = fm::in_space(s.state);
-    if (!s.space) return;
-    s.space_principal = fm::principal(*s.space);
-    s.deviator = fm::deviator(s.space_principal);
-    s.invariants = fm::invariants(*s.space);
-    s.on_plane = fm::on_plane(*s.space, {normal[0], normal[1], normal[2]});
-    if (fm::is_strain(s.state.kind)) s.stress = fm::stress(s.state);
-}
-
 } // namespace
 
 Phrase phrase(const femoop::Fault& fault)
@@ -298,10 +278,13 @@ Solution solve(const Document& document, fm::ShearRule rule)
     s.rule = document.subject == Subject::Inertia ? fm::ShearRule::TensorDown
              : is_in_space(document.subject)      ? fm::ShearRule::ClockwiseUp
                                                   : rule;
-    solve_plane(s);
-    solve_space(s, document.normal);
-    if (!s.strength) return s;
-    s.safety = fm::safety(*document.criterion, *s.strength, s.stress ? fm::principal(*s.stress) : s.space_principal);
+    const auto& n = document.normal;
+    static_cast<fm::PointResults&>(s) = fm::point_results({.state = s.state,
+                                                           .rule = s.rule,
+                                                           .angle = s.angle,
+                                                           .normal = Eigen::Vector3d(n[0], n[1], n[2]),
+                                                           .criterion = s.strength ? document.criterion : std::nullopt,
+                                                           .strength = s.strength.value_or(fm::Strength{})});
     return s;
 }
 
@@ -347,10 +330,10 @@ void add_space_remarks(const Solution& s, std::vector<Phrase>& all)
 
 void add_third_remark(const Solution& s, std::vector<Phrase>& all)
 {
-    const double absolute = fm::absolute_largest_shear(s.space_principal);
-    if (absolute <= s.circle.radius * (1.0 + 1e-9)) return;
-    all.emplace_back(translatable("The third principal value lies outside the circle of this plane, "
-                                  "so the largest shear in space acts on planes that are inclined to it."));
+    if (s.absolute_shear <= s.circle.radius * (1.0 + 1e-9)) return;
+    all.emplace_back(translatable(
+        "The third principal value lies outside the circle of this plane, so the largest shear in space acts on "
+        "planes that are inclined to it."));
 }
 
 } // namespace

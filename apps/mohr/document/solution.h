@@ -6,11 +6,10 @@
 
 #include "apps/mohr/document/document.h"
 #include "femoop/methods/mohr/construction.h"
-#include "femoop/methods/mohr/criterion.h"
 #include "femoop/methods/mohr/loading_path.h"
+#include "femoop/methods/mohr/point_results.h"
 #include "femoop/methods/mohr/rosette.h"
 #include "femoop/methods/mohr/section_stress.h"
-#include "femoop/methods/mohr/state.h"
 #include "femoop/model/fault/fault.h"
 #include "ui/text/phrase.h"
 
@@ -33,32 +32,21 @@ struct SectionState {
     std::vector<femoop::mohr::FibreStress> distribution;
 };
 
-/// Everything that follows from a document. All components count in `unit`, angles are radians.
-struct Solution {
+/// Everything that follows from a document: how it was typed, and what a textbook's table holds. All components count
+/// in `unit`, angles are radians.
+struct Solution : femoop::mohr::PointResults {
     femoop::mohr::State state;
     std::string unit;        ///< "MPa", "cm^4"; "10⁻⁶" of strains
     std::string stress_unit; ///< of stresses that follow from strains, of E
     std::optional<femoop::mohr::Rosette> rosette{};
     std::optional<SectionState> section{};
 
-    double angle = 0.0; ///< of the plane's normal from x
-    femoop::mohr::PlaneState plane, turned;
-    femoop::mohr::Circle circle;
-    femoop::mohr::PlanePrincipal principal;
-    std::optional<double> shear_angle{};
+    double angle = 0.0;             ///< of the plane's normal from x
     femoop::mohr::ShearRule rule{}; ///< in which way the shear is drawn
-
-    std::optional<femoop::mohr::SpaceState> space{}; ///< absent for second moments of area
-    femoop::mohr::SpacePrincipal space_principal;    ///< of `space`, likewise
-    femoop::mohr::Deviator deviator;
-    femoop::mohr::Invariants invariants;
-    femoop::mohr::OnPlane on_plane;                   ///< on the plane of the document's normal
-    std::optional<femoop::mohr::SpaceState> stress{}; ///< of a strain, with E and nu
 
     femoop::mohr::LoadingPath path; ///< in `unit`
 
     std::optional<femoop::mohr::Strength> strength{}; ///< of the criterion, in the unit of the stress
-    std::optional<femoop::mohr::Safety> safety{};
 };
 
 /// Why the document's numbers cannot be used, everything that is wrong with them; empty if they can.

@@ -2,18 +2,22 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <sstream>
 #include <string_view>
-#include <utility>
+#include <system_error>
 
 #include "apps/mohr/session/report.h"
 #include "apps/mohr/view/axis.h"
 #include "apps/mohr/view/names.h"
+#include "femoop/io/json/table_json.h"
 #include "femoop/io/whole_file.h"
 #include "femoop/model/quantity/number_text.h"
+#include "tabular/latex.h"
+#include "tabular/markdown.h"
+#include "tabular/separated.h"
 #include "ui/files/ending.h"
 
 namespace mohr {
@@ -22,101 +26,6 @@ namespace fm = femoop::mohr;
 using ui::translatable;
 
 namespace {
-
-std::string quoted(const std::string& text)
-{
-    if (text.find_first_of(",\"\n") == std::string::npos) return text;
-    std::string out = "\"";
-    for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return out + '"';
-}
-
-/// With the minus signs that spreadsheets read.
-std::string plain(std::string text)
-{
-    constexpr std::string_view minus = "−";
-    for (auto at = text.find(minus); at != std::string::npos; at = text.find(minus))
-        text.replace(at, minus.size(), "-");
-    return text;
-}
-
-using Sign = std::pair<std::string_view, std::string_view>;
-
-/// Letters that take what follows them as an index.
-constexpr std::array<Sign, 7> tex_letters{{{"σ", "\\sigma"},
-                                           {"τ", "\\tau"},
-                                           {"ε", "\\varepsilon"},
-                                           {"γ", "\\gamma"},
-                                           {"θ", "\\theta"},
-                                           {"ν", "\\nu"},
-                                           {"φ", "\\varphi"}}};
-
-constexpr std::array<Sign, 23> tex_signs{{
-    {"′", "\\ensuremath{'}"},
-    {"°", "\\ensuremath{^\\circ}"},
-    {"−", "\\ensuremath{-}"},
-    {"·", "\\ensuremath{\\cdot}"},
-    {"√", "\\ensuremath{\\surd}"},
-    {"⁰", "\\ensuremath{^0}"},
-    {"¹", "\\ensuremath{^1}"},
-    {"²", "\\ensuremath{^2}"},
-    {"³", "\\ensuremath{^3}"},
-    {"⁴", "\\ensuremath{^4}"},
-    {"⁻", "\\ensuremath{^{-}}"},
-    {"⁶", "\\ensuremath{^{6}}"},
-    {"–", "--"},
-    {"_", "\\_"},
-    {"%", "\\%"},
-    {"&", "\\&"},
-    {"#", "\\#"},
-    {"$", "\\$"},
-    {"{", "\\{"},
-    {"}", "\\}"},
-    {"^", "\\textasciicircum{}"},
-    {"~", "\\textasciitilde{}"},
-    {"\\", "\\textbackslash{}"},
-}};
-
-template <std::size_t N> const Sign* sign_at(std::string_view text, const std::array<Sign, N>& signs)
-{
-    const auto found = std::ranges::find_if(signs, [&](const Sign& sign) { return text.starts_with(sign.first); });
-    return found == signs.end() ? nullptr : &*found;
-}
-
-/// The letters, digits and primes at the beginning of a text: an index. They are taken from it.
-std::string index_of(std::string_view& text)
-{
-    constexpr std::string_view prime = "′";
-    std::string index;
-    while (!text.empty()) {
-        const bool is_prime = text.starts_with(prime);
-        const bool is_plain = std::isalnum(static_cast<unsigned char>(text.front())) != 0;
-        if (!is_prime && !is_plain) break;
-        index += is_prime ? '\'' : text.front();
-        text.remove_prefix(is_prime ? prime.size() : 1);
-    }
-    return index;
-}
-
-/// Plain text as LaTeX writes it: Greek letters with their indices, and a minus before a number, are mathematics.
-std::string tex(std::string_view text)
-{
-    std::string out;
-    while (!text.empty()) {
-        if (const Sign* letter = sign_at(text, tex_letters)) {
-            text.remove_prefix(letter->first.size());
-            const std::string index = index_of(text);
-            out += "\\ensuremath{" + std::string(letter->second) + (index.empty() ? "" : "_{" + index + "}") + "}";
-            continue;
-        }
-        const Sign* const sign = sign_at(text, tex_signs);
-        const bool is_minus = text.front() == '-' && text.size() > 1 && text[1] >= '0' && text[1] <= '9';
-        if (sign != nullptr) out += sign->second;
-        else out += is_minus ? "\\ensuremath{-}" : std::string(1, text.front());
-        text.remove_prefix(sign != nullptr ? sign->first.size() : 1);
-    }
-    return out;
-}
 
 /// The diagram in centimetres.
 class Drawing {
@@ -155,9 +64,9 @@ private:
                      high = std::max(frame_.high, 0.0) + past;
         const double reach = 1.15 * frame_.reach, tip = s_.rule == fm::ShearRule::ClockwiseUp ? reach : -reach;
         out_ << "  \\draw[->] " << at(low, 0.0) << " -- " << at(high, 0.0) << " node[right] {"
-             << tex(axis_title(names.normal, s_.unit)) << "};\n";
+             << tabular::latex_text(axis_title(names.normal, s_.unit)) << "};\n";
         out_ << "  \\draw[->] " << at(0.0, -tip) << " -- " << at(0.0, tip) << " node[right] {"
-             << tex(axis_title(names.shear, s_.unit)) << "};\n";
+             << tabular::latex_text(axis_title(names.shear, s_.unit)) << "};\n";
     }
 
     void add_circle(const fm::Circle& circle, std::string_view style)
@@ -167,7 +76,8 @@ private:
 
     void add_point(double normal, double shear, const std::string& name, std::string_view side)
     {
-        out_ << "  \\fill " << at(normal, shear) << " circle (0.05) node[" << side << "] {" << tex(name) << "};\n";
+        out_ << "  \\fill " << at(normal, shear) << " circle (0.05) node[" << side << "] {" << tabular::latex_text(name)
+             << "};\n";
     }
 
     void add_plane()
@@ -207,18 +117,23 @@ private:
     std::ostringstream out_;
 };
 
+/// Names and values with their units, both as words.
+tabular::Table words_of(const tabular::Table& group)
+{
+    tabular::Table words = columns_of(group, {0, 1});
+    words.columns[1].alignment = tabular::Alignment::Left;
+    return words;
+}
+
 } // namespace
 
-std::string csv(const Session& session)
+tabular::Table result_list(const Session& session)
 {
-    std::string text = "group,name,value,unit\n";
-    for (const ResultGroup& group : result_groups(session))
-        for (const ResultLine& line : group.lines) {
-            const std::string value = line.number ? femoop::number_text(*line.number + 0.0) : line.value;
-            text += quoted(group.heading) + "," + quoted(line.name) + "," + quoted(plain(value)) + "," +
-                    quoted(line.unit) + "\n";
-        }
-    return text;
+    tabular::Table list({"group", "name", "value", "unit"});
+    for (const tabular::Table& group : result_tables(session))
+        for (const tabular::Row& row : group.rows)
+            list.add_row({group.title, row.cells[0], row.cells[1], row.cells[2]});
+    return list;
 }
 
 std::string latex(const Session& session)
@@ -227,22 +142,31 @@ std::string latex(const Session& session)
                        "\n\\usepackage{tikz}\n\\begin{document}\n"
                        "\\begin{center}\n" +
                        Drawing(session).text() + "\\end{center}\n\n";
-    for (const ResultGroup& group : result_groups(session)) {
-        text += "\\noindent\\begin{minipage}{\\linewidth}\n\\textbf{" + tex(group.heading) +
-                "}\n\n\\begin{tabular}{ll}\n";
-        for (const ResultLine& line : group.lines) text += tex(line.name) + " & " + tex(line.value) + " \\\\\n";
-        text += "\\end{tabular}\n\\end{minipage}\n\n\\medskip\n";
-    }
+    for (const tabular::Table& group : result_tables(session))
+        text += "\\noindent\\begin{minipage}{\\linewidth}\n\\textbf{" + tabular::latex_text(group.title) + "}\n\n" +
+                tabular::latex(words_of(group)) + "\\end{minipage}\n\n\\medskip\n";
     return text + "\\end{document}\n";
+}
+
+std::string markdown(const Session& session)
+{
+    std::string text;
+    for (const tabular::Table& group : result_tables(session))
+        text += (text.empty() ? "" : "\n") + tabular::markdown(words_of(group));
+    return text;
 }
 
 std::optional<Exported> export_results(const Session& session, const std::filesystem::path& path)
 {
-    const bool is_csv = ui::has_ending(path, ".csv");
-    if (!is_csv && !ui::has_ending(path, ".tex")) return std::nullopt;
+    std::function<std::string()> text;
+    if (ui::has_ending(path, ".csv")) text = [&] { return tabular::separated(result_list(session)); };
+    else if (ui::has_ending(path, ".json")) text = [&] { return femoop::table_json(result_list(session)); };
+    else if (ui::has_ending(path, ".md")) text = [&] { return markdown(session); };
+    else if (ui::has_ending(path, ".tex")) text = [&] { return latex(session); };
+    else return std::nullopt;
     if (session.is_concealing())
         return Exported{ui::Phrase(translatable("The results are shown when the exercise is done."))};
-    const std::error_code error = femoop::write_whole_file(path, is_csv ? csv(session) : latex(session));
+    const std::error_code error = femoop::write_whole_file(path, text());
     if (!error) return Exported{};
     return Exported{ui::Phrase(translatable("{file} cannot be written: {reason}"),
                                {{"file", path.filename().string()}, {"reason", error.message()}})};

@@ -5,16 +5,21 @@
 #include <string>
 
 #include "apps/mohr/session/session.h"
+#include "tabular/table.h"
 
 namespace mohr {
 
-/// The results as comma-separated values: group, name, value, unit; decimal points and every digit.
-std::string csv(const Session& session);
+/// The results in rows of group, name, value and unit, as programs read them: every digit and a decimal point.
+tabular::Table result_list(const Session& session);
 
 /// A LaTeX document of its own: the circle or the three circles as a TikZ picture, and the results as tables.
 std::string latex(const Session& session);
 
-/// Writes the results to a .csv or a .tex. \returns why it cannot, or nothing; absent altogether for another ending
+/// The results as tables with headings, for a page of notes.
+std::string markdown(const Session& session);
+
+/// Writes the results to a .csv, .json, .md or .tex. \returns why it cannot, or nothing; absent altogether for another
+/// ending
 struct Exported {
     std::optional<ui::Phrase> reason{};
 };

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double per_degree = 180.0 / std::numbers::pi;
 
-/// Builds the groups, in one language and one unit.
+/// Builds the tables, in one language and one unit.
 class Teller {
 public:
     explicit Teller(const Session& session)
@@ -25,7 +25,7 @@ public:
           names_(names_of(document_.subject))
     {}
 
-    std::vector<ResultGroup> groups()
+    std::vector<tabular::Table> tables()
     {
         if (is_in_space(document_.subject)) add_directions();
         else add_circle();
@@ -33,7 +33,7 @@ public:
         if (s_.strength) add_failure();
         if (s_.space) add_space();
         if (s_.stress) add_stress();
-        return std::move(groups_);
+        return std::move(tables_);
     }
 
 private:
@@ -52,19 +52,29 @@ private:
         return "(" + look_.number(v[0]) + "; " + look_.number(v[1]) + "; " + look_.number(v[2]) + ")";
     }
 
-    void begin(const std::string& heading) { groups_.push_back({heading, {}}); }
-    void add(const std::string& name, const std::string& value) { groups_.back().lines.push_back({name, value}); }
+    std::string pair(const fm::CirclePoint& point) const
+    {
+        return "(" + look_.number(point.normal) + "; " + look_.number(point.shear) + ")";
+    }
+
+    void begin(const std::string& heading)
+    {
+        tables_.emplace_back(std::vector<tabular::Column>{"", "", ""});
+        tables_.back().title = heading;
+    }
+    void add(const std::string& name, const std::string& value)
+    {
+        tables_.back().add_row({name, tabular::written_cell(value), ""});
+    }
     void add(const std::string& name, const Amount& amount)
     {
         const std::string text = with_unit(look_.number(amount.value), amount.unit);
-        groups_.back().lines.push_back({name, text, amount.value, amount.unit});
+        tables_.back().add_row({name, {amount.value, text}, amount.unit});
     }
     void add_angle(const std::string& name, const std::optional<double>& angle)
     {
-        add(name, degrees(angle));
-        if (!angle) return;
-        groups_.back().lines.back().number = *angle * per_degree;
-        groups_.back().lines.back().unit = "°";
+        if (!angle) return add(name, degrees(angle));
+        tables_.back().add_row({name, {*angle * per_degree, degrees(angle)}, "°"});
     }
 
     /// Of a strain both what the tensor has and what a gauge or a book means.
@@ -84,10 +94,8 @@ private:
         add(names_.second, amount(s_.principal.second));
         add_angle("θp1", s_.principal.angle);
         add_angle("θs", s_.shear_angle);
-        const fm::CirclePoint pole = fm::pole(s_.plane, s_.rule);
-        add(tr_("pole of planes"), "(" + look_.number(pole.normal) + "; " + look_.number(pole.shear) + ")");
-        const fm::CirclePoint other = fm::pole(s_.plane, s_.rule, fm::PoleOf::Normals);
-        add(tr_("pole of normals"), "(" + look_.number(other.normal) + "; " + look_.number(other.shear) + ")");
+        add(tr_("pole of planes"), pair(s_.pole_of_planes));
+        add(tr_("pole of normals"), pair(s_.pole_of_normals));
         if (!fm::is_possible(s_.state)) add(tr_("no section has these"), tr_("a principal one is negative"));
     }
 
@@ -131,7 +139,7 @@ private:
             add(names_.normal + "z", amount(s_.space->z));
             add_shear(tr_("largest shear in the plane"), s_.circle.radius);
         }
-        add_shear(tr_("largest shear in space"), fm::absolute_largest_shear(s_.space_principal));
+        add_shear(tr_("largest shear in space"), s_.absolute_shear);
         add("I1", amount(s_.invariants.I1));
         add("I2", amount(s_.invariants.I2, unit_power(s_.unit, 2)));
         add("I3", amount(s_.invariants.I3, unit_power(s_.unit, 3)));
@@ -151,8 +159,8 @@ private:
         add("σx", amount(s_.stress->x, s_.stress_unit));
         add("σy", amount(s_.stress->y, s_.stress_unit));
         add("τxy", amount(s_.stress->xy, s_.stress_unit));
-        const fm::SpacePrincipal p = fm::principal(*s_.stress);
-        for (std::size_t i = 0; i < 3; ++i) add("σ" + std::to_string(i + 1), amount(p.values[i], s_.stress_unit));
+        for (std::size_t i = 0; i < 3; ++i)
+            add("σ" + std::to_string(i + 1), amount(s_.principal_stress->values[i], s_.stress_unit));
     }
 
     void add_failure()
@@ -181,12 +189,12 @@ private:
     const Document& document_;
     const Solution& s_;
     Names names_;
-    std::vector<ResultGroup> groups_;
+    std::vector<tabular::Table> tables_;
 };
 
 } // namespace
 
-std::vector<ResultGroup> result_groups(const Session& session) { return Teller(session).groups(); }
+std::vector<tabular::Table> result_tables(const Session& session) { return Teller(session).tables(); }
 
 std::string in_words(const Session& session)
 {
@@ -200,10 +208,10 @@ std::string in_words(const Session& session)
                  ui::with_minus_signs(session.document().state()[i]);
     words += "\n";
     if (session.is_concealing()) return words + "\n" + tr("The results are shown when the exercise is done.") + "\n";
-    for (const ResultGroup& group : result_groups(session)) {
-        words += "\n" + group.heading + "\n";
-        for (const ResultLine& line : group.lines)
-            words += "  " + line.name + (line.name.empty() ? "" : ": ") + line.value + "\n";
+    for (const tabular::Table& group : result_tables(session)) {
+        words += "\n" + group.title + "\n";
+        for (const auto& [cells, kind] : group.rows)
+            words += "  " + cells[0].shown + (cells[0].shown.empty() ? "" : ": ") + cells[1].shown + "\n";
     }
     for (const ui::Phrase& remark : remarks(session.document(), session.solution())) words += "\n" + tr(remark) + "\n";
     return words;

@@ -21,7 +21,7 @@ Application::Application(ui::Context& context, const ui::Fonts& fonts, Session s
     : DocumentApp(context, fonts, std::move(session), command_table(),
                   {.name = translatable("Cremona: Mohr's circle"),
                    .description = translatable("State in words"),
-                   .files = {.extension = ".mohr", .exports = {".svg", ".png", ".pdf", ".csv", ".tex"}},
+                   .files = {.extension = ".mohr", .exports = {".svg", ".png", ".pdf", ".csv", ".json", ".md", ".tex"}},
                    .sides = {{17.0F, 20.0F}, {0.25F, 0.3F}}}),
       canvas_(fonts)
 {}

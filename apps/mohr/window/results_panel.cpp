@@ -48,20 +48,20 @@ void show_tensor(const Session& session, ui::ImGuiSession& gui)
     show_matrix(session, "###turned", tr("in x′, y′"), femoop::mohr::tensor(s.turned));
 }
 
-void show_group(const ResultGroup& group, ui::ImGuiSession& gui)
+void show_group(const tabular::Table& group, ui::ImGuiSession& gui)
 {
     ImGui::Spacing();
     ImGui::Separator();
     ImGui::PushFont(gui.bold());
-    ui::wrapped_text(group.heading);
+    ui::wrapped_text(group.title);
     ImGui::PopFont();
-    if (!ImGui::BeginTable(("###" + group.heading).c_str(), 2, ImGuiTableFlags_SizingStretchProp)) return;
-    for (const ResultLine& line : group.lines) {
+    if (!ImGui::BeginTable(("###" + group.title).c_str(), 2, ImGuiTableFlags_SizingStretchProp)) return;
+    for (const auto& [cells, kind] : group.rows) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        ui::wrapped_text(line.name);
+        ui::wrapped_text(cells[0].shown);
         ImGui::TableNextColumn();
-        ui::wrapped_text(line.value);
+        ui::wrapped_text(cells[1].shown);
     }
     ImGui::EndTable();
 }
@@ -75,7 +75,7 @@ void results_panel(const Session& session, ui::ImGuiSession& gui)
         ImGui::Separator();
     }
     show_tensor(session, gui);
-    for (const ResultGroup& group : result_groups(session)) show_group(group, gui);
+    for (const tabular::Table& group : result_tables(session)) show_group(group, gui);
 }
 
 } // namespace mohr

@@ -7,7 +7,7 @@
 #include "femoop/methods/cross/fraction.h"
 #include "femoop/methods/cross/rounding.h"
 #include "femoop/methods/cross/symmetry.h"
-#include "femoop/model/quantity/number_text.h"
+#include "tabular/separated.h"
 
 namespace femoop::cross {
 
@@ -241,26 +241,19 @@ private:
     JsonWriter json_;
 };
 
-/// A cell of a CSV file, in quotation marks where it needs them.
-std::string cell(const std::string& text)
-{
-    if (text.find_first_of(",\"\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
-}
-
-void add_rows(std::string& csv, const Worked& worked, std::size_t stage, const Sheet& sheet)
+void add_rows(tabular::SeparatedText& csv, const Worked& worked, std::size_t stage, const Sheet& sheet)
 {
     const Problem& half = worked.problem.of_sheet(stage);
     for (const Row& row : rows_of(half, sheet)) {
-        csv += std::to_string(stage) + ',' + std::string(step_names[static_cast<std::size_t>(row.kind)]) + ',';
-        if (row.joint) csv += cell(worked.model[worked.problem[*row.joint].node].id);
+        csv << std::to_string(stage) << step_names[static_cast<std::size_t>(row.kind)];
+        csv << (row.joint ? worked.model[worked.problem[*row.joint].node].id : std::string());
         const bool is_sum = row.kind == RowKind::Total;
         const std::vector<double> values = is_sum ? cleaned(row.values, worked.procedure.digits) : row.values;
-        for (std::size_t e = 0; e < values.size(); ++e)
-            csv += ',' + (is_sum || half.is_on_sheet(EndId(e)) ? number_text(values[e]) : "");
-        csv += '\n';
+        for (std::size_t e = 0; e < values.size(); ++e) {
+            const bool is_written = is_sum || half.is_on_sheet(EndId(e));
+            csv << (is_written ? tabular::Cell(values[e]) : tabular::Cell());
+        }
+        csv.end_row();
     }
 }
 
@@ -270,12 +263,15 @@ std::string sheet_json(const Worked& worked) { return SheetJson(worked).write();
 
 std::string sheet_csv(const Worked& worked)
 {
-    std::string csv = "stage,step,joint";
-    for (const End& end : worked.problem.ends) csv += ',' + cell(end.label);
-    csv += '\n';
+    tabular::SeparatedText csv;
+    csv << "stage"
+        << "step"
+        << "joint";
+    for (const End& end : worked.problem.ends) csv << end.label;
+    csv.end_row();
     add_rows(csv, worked, 0, worked.all.held.sheet);
     for (std::size_t k = 0; k < worked.all.sways.size(); ++k) add_rows(csv, worked, k + 1, worked.all.sways[k].sheet);
-    return csv;
+    return csv.take();
 }
 
 } // namespace femoop::cross

@@ -1,10 +1,10 @@
 #include "femoop/io/cross/cross_table.h"
 
 #include "femoop/io/cross/half_text.h"
-#include "femoop/io/results/text_table.h"
 #include "femoop/methods/cross/fraction.h"
 #include "femoop/methods/cross/rounding.h"
 #include "femoop/model/quantity/number_text.h"
+#include "tabular/plain_text.h"
 
 namespace femoop::cross {
 
@@ -27,7 +27,10 @@ public:
     }
 
 private:
-    std::string print(const TextTable& table) const { return table.text(0, decimal_mark(tr_)); }
+    std::string print(const tabular::Table& table) const
+    {
+        return tabular::plain_text(table, {.decimal_mark = decimal_mark(tr_)});
+    }
     std::string number(double value) const { return localized(number_text(rounded(value, shown_digits)), tr_); }
     std::string moment(double value) const
     {
@@ -52,7 +55,8 @@ private:
 
     std::string factors(const Problem& half) const
     {
-        TextTable table({tr_("member end"), tr_("stiffness"), "", tr_("distribution factor"), "", tr_("carry-over")});
+        tabular::Table table(
+            {tr_("member end"), tr_("stiffness"), "", tr_("distribution factor"), "", tr_("carry-over")});
         for (std::size_t e = 0; e < half.ends.size(); ++e) {
             if (!half.is_on_sheet(EndId(e))) continue;
             const End& end = half.ends[e];
@@ -84,12 +88,12 @@ private:
     std::string sheet(std::size_t stage, const Loading& loading, const Sheet& sheet) const
     {
         const Problem& half = problem_.of_sheet(stage);
-        std::vector<std::string> headers{tr_("step"), tr_("joint")};
+        std::vector<tabular::Column> headers{tr_("step"), tr_("joint")};
         for (std::size_t e = 0; e < half.ends.size(); ++e)
             if (half.is_on_sheet(EndId(e))) headers.push_back(half.ends[e].label);
-        TextTable table(headers);
+        tabular::Table table(headers);
         for (const Row& row : rows_of(half, sheet)) {
-            std::vector<TextTable::Cell> cells{word(row.kind), row.joint ? name(problem_[*row.joint].node) : ""};
+            std::vector<tabular::Cell> cells{word(row.kind), row.joint ? name(problem_[*row.joint].node) : ""};
             for (std::size_t e = 0; e < row.values.size(); ++e)
                 if (half.is_on_sheet(EndId(e))) cells.emplace_back(row.values[e]);
             table.add_row(std::move(cells));
@@ -138,14 +142,14 @@ private:
     /// The forces of the props in every sheet, and how much of each sway lets them vanish.
     std::string equations() const
     {
-        std::vector<std::string> headers{tr_("prop at"), tr_("loads")};
+        std::vector<tabular::Column> headers{tr_("prop at"), tr_("loads")};
         for (std::size_t k = 0; k < problem_.sways.size(); ++k)
             headers.push_back(fill(tr_("sway {0}"), {std::to_string(k + 1)}));
         headers.push_back(tr_("multiplier"));
-        TextTable table(headers);
+        tabular::Table table(headers);
         for (Eigen::Index j = 0; j < worked_.all.R.rows(); ++j) {
-            std::vector<TextTable::Cell> cells{name(problem_.sways[static_cast<std::size_t>(j)].prop),
-                                               -worked_.all.r[j] + 0.0};
+            std::vector<tabular::Cell> cells{name(problem_.sways[static_cast<std::size_t>(j)].prop),
+                                             -worked_.all.r[j] + 0.0};
             for (const double r : worked_.all.R.row(j)) cells.emplace_back(r);
             cells.emplace_back(worked_.all.x[j]);
             table.add_row(std::move(cells));
@@ -155,7 +159,7 @@ private:
 
     std::string finals() const
     {
-        TextTable table(
+        tabular::Table table(
             {tr_("member end"), tr_("distributed"), tr_("its limit"), tr_("stiffness method"), tr_("difference")});
         const Comparison& all = worked_.comparison;
         for (std::size_t e = 0; e < problem_.ends.size(); ++e)

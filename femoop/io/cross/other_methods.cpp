@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "femoop/io/json/json_writer.h"
-#include "femoop/io/results/text_table.h"
 #include "femoop/model/fault/fault.h"
 #include "femoop/model/quantity/number_text.h"
+#include "tabular/plain_text.h"
 
 namespace femoop::cross {
 
@@ -47,16 +47,16 @@ std::string heading(const Model& model, const Problem& problem, const std::strin
            "\n\n";
 }
 
-void add_row(TextTable& table, const std::string& name, const std::vector<double>& values, std::size_t kind = 0)
+void add_row(tabular::Table& table, const std::string& name, const std::vector<double>& values, std::size_t kind = 0)
 {
-    std::vector<TextTable::Cell> cells{name};
+    std::vector<tabular::Cell> cells{name};
     cells.insert(cells.end(), values.begin(), values.end());
     table.add_row(std::move(cells), kind);
 }
 
-std::vector<std::string> headers(const std::string& first, const Problem& problem)
+std::vector<tabular::Column> headers(const std::string& first, const Problem& problem)
 {
-    std::vector<std::string> all{first};
+    std::vector<tabular::Column> all{first};
     for (const End& end : problem.ends) all.push_back(end.label);
     return all;
 }
@@ -82,7 +82,7 @@ void write_list(JsonWriter& json, const std::vector<double>& values)
 std::string kani_text(const Model& model, const Problem& problem, const Kani& kani, const Translator& tr)
 {
     const double largest = largest_of(kani.moments);
-    TextTable table(headers(tr("cycle"), problem));
+    tabular::Table table(headers(tr("cycle"), problem));
     add_row(table, "mu", kani.rotation_factor, 1);
     add_row(table, tr("FEM"), cleaned(problem.loading.fixed_end, largest));
     for (std::size_t i = 0; i < kani.cycles.size(); ++i)
@@ -90,7 +90,8 @@ std::string kani_text(const Model& model, const Problem& problem, const Kani& ka
     if (!problem.sways.empty() && !kani.cycles.empty())
         add_row(table, "M\"", cleaned(kani.cycles.back().sway_contribution, largest));
     add_row(table, tr("TOTAL"), cleaned(kani.moments, largest));
-    return heading(model, problem, tr("Kani's method"), tr) + table.text(0, decimal_mark(tr)) +
+    return heading(model, problem, tr("Kani's method"), tr) +
+           tabular::plain_text(table, {.decimal_mark = decimal_mark(tr)}) +
            tr("TOTAL = FEM + 2 M' + M' of the far end + M\" of the sways") + "\n";
 }
 
@@ -119,20 +120,21 @@ std::string equations_text(const Model& model, const Problem& problem, const Slo
                            const Translator& tr)
 {
     const std::vector<std::string> names = unknowns(model, problem);
-    std::vector<std::string> head{""};
+    std::vector<tabular::Column> head{""};
     head.insert(head.end(), names.begin(), names.end());
     head.insert(head.end(), {tr("right-hand side"), tr("solution")});
-    TextTable table(std::move(head));
+    tabular::Table table(std::move(head));
     for (std::size_t i = 0; i < names.size(); ++i) {
         const auto row = static_cast<Eigen::Index>(i);
         std::vector<double> values = listed_of(equations.A.row(row));
         values.insert(values.end(), {equations.b[row] + 0.0, equations.x[row] + 0.0});
         add_row(table, names[i], values, i);
     }
-    TextTable moments(headers("", problem));
+    tabular::Table moments(headers("", problem));
     add_row(moments, tr("TOTAL"), cleaned(equations.moments, largest_of(equations.moments)));
-    return heading(model, problem, tr("Slope-deflection equations"), tr) + table.text(0, decimal_mark(tr)) + "\n" +
-           moments.text(0, decimal_mark(tr));
+    return heading(model, problem, tr("Slope-deflection equations"), tr) +
+           tabular::plain_text(table, {.decimal_mark = decimal_mark(tr)}) + "\n" +
+           tabular::plain_text(moments, {.decimal_mark = decimal_mark(tr)});
 }
 
 std::string equations_json(const Model& model, const Problem& problem, const SlopeDeflection& equations)

@@ -1,60 +1,17 @@
 #include "femoop/io/results/results_csv.h"
 
-#include <array>
-#include <charconv>
 #include <string_view>
 
 #include "femoop/model/quantity/dimension.h"
 #include "femoop/result/components.h"
 #include "femoop/result/envelope.h"
+#include "tabular/separated.h"
 
 namespace femoop {
 
+using tabular::SeparatedText;
+
 namespace {
-
-/// Builds the text of one file, cell by cell.
-class CsvText {
-public:
-    CsvText& operator<<(std::string_view cell)
-    {
-        separate();
-        if (cell.find_first_of(",\"\r\n") == std::string_view::npos) {
-            text_ += cell;
-            return *this;
-        }
-        text_ += '"';
-        for (const char c : cell) text_ += c == '"' ? std::string("\"\"") : std::string(1, c);
-        text_ += '"';
-        return *this;
-    }
-
-    CsvText& operator<<(double number)
-    {
-        separate();
-        std::array<char, 32> digits{};
-        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number == 0.0 ? 0.0 : number).ptr;
-        text_.append(digits.data(), end);
-        return *this;
-    }
-
-    void end_row()
-    {
-        text_ += '\n';
-        is_row_begin_ = true;
-    }
-
-    std::string take() { return std::move(text_); }
-
-private:
-    void separate()
-    {
-        if (!is_row_begin_) text_ += ',';
-        is_row_begin_ = false;
-    }
-
-    std::string text_;
-    bool is_row_begin_ = true;
-};
 
 std::string unit(Dof dof, const Units& units) { return is_rotation(dof) ? "rad" : unit_text(dimension::length, units); }
 
@@ -69,12 +26,15 @@ std::string unit(MemberComponent component, const Units& units)
     return unit_text(is_moment(component) ? dimension::moment : dimension::force, units);
 }
 
-std::string header(std::string_view what, const std::string& unit) { return std::string(what) + " [" + unit + "]"; }
+std::string header(std::string_view what, const std::string& unit)
+{
+    return tabular::Column(std::string(what), unit).label();
+}
 
 std::string displacements(const Model& model, const Results& results, const std::vector<CaseId>& cases)
 {
     const std::vector<Dof> dofs = dof_list(model.analysis);
-    CsvText csv;
+    SeparatedText csv;
     csv << "case"
         << "node";
     for (const Dof dof : dofs) csv << header(name(dof), unit(dof, model.units));
@@ -92,7 +52,7 @@ std::string displacements(const Model& model, const Results& results, const std:
 std::string reactions(const Model& model, const Results& results, const std::vector<CaseId>& cases)
 {
     const std::vector<Dof> dofs = dof_list(model.analysis);
-    CsvText csv;
+    SeparatedText csv;
     csv << "case"
         << "node";
     for (const Dof dof : dofs) csv << header(force_name(dof), force_unit(dof, model.units));
@@ -111,7 +71,7 @@ std::string reactions(const Model& model, const Results& results, const std::vec
 std::string stations(const Model& model, const Results& results, const std::vector<CaseId>& cases, std::size_t n)
 {
     const std::vector<MemberComponent> components = member_components(model.analysis);
-    CsvText csv;
+    SeparatedText csv;
     csv << "case"
         << "member" << header("x", unit_text(dimension::length, model.units));
     for (const MemberComponent component : components)
@@ -130,7 +90,7 @@ std::string stations(const Model& model, const Results& results, const std::vect
 std::string extremes(const Model& model, const Results& results, const std::vector<CaseId>& cases)
 {
     const std::string x = unit_text(dimension::length, model.units);
-    CsvText csv;
+    SeparatedText csv;
     csv << "case"
         << "member"
         << "component"
@@ -153,7 +113,7 @@ std::string extremes(const Model& model, const Results& results, const std::vect
 std::string equilibrium(const Model& model, const Results& results, const std::vector<CaseId>& cases)
 {
     const std::vector<Dof> dofs = equilibrium_dofs(model.analysis);
-    CsvText csv;
+    SeparatedText csv;
     csv << "case"
         << "sum of";
     for (const Dof dof : dofs) csv << header(force_name(dof), force_unit(dof, model.units));
@@ -172,7 +132,7 @@ std::string equilibrium(const Model& model, const Results& results, const std::v
     return csv.take();
 }
 
-void add_range(CsvText& csv, const Model& model, const GoverningRange& range)
+void add_range(SeparatedText& csv, const Model& model, const GoverningRange& range)
 {
     csv << range.max.value << model.case_name(range.max.load_case) << range.min.value
         << model.case_name(range.min.load_case);
@@ -181,7 +141,7 @@ void add_range(CsvText& csv, const Model& model, const GoverningRange& range)
 
 /// Displacements of all nodes and reactions of those that are supported; `begin` writes what stands before the range.
 template <class Begin>
-void add_nodes(CsvText& csv, const Model& model, const Results& results, const Envelope& envelope, Begin&& begin)
+void add_nodes(SeparatedText& csv, const Model& model, const Results& results, const Envelope& envelope, Begin&& begin)
 {
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
         const std::string& node = model.nodes[i].id;
@@ -199,7 +159,7 @@ void add_nodes(CsvText& csv, const Model& model, const Results& results, const E
 
 std::string node_envelope(const Model& model, const Results& results, const Envelope& envelope)
 {
-    CsvText csv;
+    SeparatedText csv;
     csv << "node"
         << "result"
         << "unit"
@@ -217,7 +177,7 @@ std::string node_envelope(const Model& model, const Results& results, const Enve
 std::string member_envelope(const Model& model, const Envelope& envelope)
 {
     const std::string x = unit_text(dimension::length, model.units);
-    CsvText csv;
+    SeparatedText csv;
     csv << "member"
         << "component"
         << "unit"
@@ -258,7 +218,7 @@ std::string long_envelope_csv(const Model& model, const Results& results, const 
                               std::size_t n_stations)
 {
     const Envelope envelope(results, cases);
-    CsvText csv;
+    SeparatedText csv;
     csv << "part"
         << "id" << header("x", unit_text(dimension::length, model.units)) << "component"
         << "unit"
@@ -285,7 +245,7 @@ std::string long_envelope_csv(const Model& model, const Results& results, const 
 std::string long_csv(const Model& model, const Results& results, const std::vector<CaseId>& cases,
                      std::size_t n_stations)
 {
-    CsvText csv;
+    SeparatedText csv;
     csv << "case"
         << "part"
         << "id" << header("x", unit_text(dimension::length, model.units)) << "component"

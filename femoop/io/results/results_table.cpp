@@ -7,12 +7,12 @@
 #include <numeric>
 #include <string_view>
 
-#include "femoop/io/results/text_table.h"
 #include "femoop/model/quantity/dimension.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/result/components.h"
 #include "femoop/result/envelope.h"
 #include "femoop/result/structure_words.h"
+#include "tabular/plain_text.h"
 
 namespace femoop {
 
@@ -20,20 +20,20 @@ namespace {
 
 constexpr std::size_t indent = 2;
 
-std::string with_unit(std::string_view what, Dimension dimension, const Units& units)
+tabular::Column in_unit(std::string_view what, Dimension dimension, const Units& units)
 {
-    const std::string unit = unit_text(dimension, units);
-    return unit.empty() ? std::string(what) : std::string(what) + " [" + unit + "]";
+    return {std::string(what), unit_text(dimension, units)};
 }
 
-std::string displacement_header(Dof dof, const Units& units)
+tabular::Column displacement_header(Dof dof, const Units& units)
 {
-    return is_rotation(dof) ? std::string(name(dof)) + " [rad]" : with_unit(name(dof), dimension::length, units);
+    return is_rotation(dof) ? tabular::Column(std::string(name(dof)), "rad")
+                            : in_unit(name(dof), dimension::length, units);
 }
 
-std::string force_header(Dof dof, const Units& units)
+tabular::Column force_header(Dof dof, const Units& units)
 {
-    return with_unit(force_name(dof), is_rotation(dof) ? dimension::moment : dimension::force, units);
+    return in_unit(force_name(dof), is_rotation(dof) ? dimension::moment : dimension::force, units);
 }
 
 Dimension dimension_of(MemberComponent component)
@@ -42,14 +42,15 @@ Dimension dimension_of(MemberComponent component)
     return is_moment(component) ? dimension::moment : dimension::force;
 }
 
-std::string component_header(MemberComponent component, const Model& model)
+tabular::Column component_header(MemberComponent component, const Model& model)
 {
-    return with_unit(name(component, model.analysis), dimension_of(component), model.units);
+    return in_unit(name(component, model.analysis), dimension_of(component), model.units);
 }
 
-std::string section(const std::string& title, const TextTable& table, const Translator& tr)
+std::string section(const std::string& title, const tabular::Table& table, const Translator& tr)
 {
-    return table.is_empty() ? std::string() : "\n" + title + "\n" + table.text(indent, decimal_mark(tr));
+    return table.is_empty() ? std::string()
+                            : "\n" + title + "\n" + tabular::plain_text(table, {indent, decimal_mark(tr)});
 }
 
 /// 0 for what is nothing but round-off beside numbers of this size.
@@ -120,51 +121,54 @@ std::vector<MemberComponent> shown_forces(const Model& model, const std::vector<
     return {MemberComponent::N};
 }
 
-TextTable displacement_table(const Model& model, const CaseResult& result, const Magnitudes& most, const Translator& tr)
+tabular::Table displacement_table(const Model& model, const CaseResult& result, const Magnitudes& most,
+                                  const Translator& tr)
 {
     const std::vector<Dof> dofs = dof_list(model.analysis);
-    std::vector<std::string> headers{tr("node")};
+    std::vector<tabular::Column> headers{tr("node")};
     for (const Dof dof : dofs) headers.push_back(displacement_header(dof, model.units));
 
-    TextTable table(headers);
+    tabular::Table table(headers);
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
         const NodeVector u = result.displacement(NodeId(i));
-        std::vector<TextTable::Cell> row{model.nodes[i].id};
+        std::vector<tabular::Cell> row{model.nodes[i].id};
         for (const Dof dof : dofs) row.emplace_back(tidy(u[index(dof)], displacement_size(dof, most)));
         table.add_row(std::move(row));
     }
     return table;
 }
 
-TextTable reaction_table(const Model& model, const CaseResult& result, const Magnitudes& most, const Translator& tr)
+tabular::Table reaction_table(const Model& model, const CaseResult& result, const Magnitudes& most,
+                              const Translator& tr)
 {
     const std::vector<Dof> dofs = dof_list(model.analysis);
-    std::vector<std::string> headers{tr("node")};
+    std::vector<tabular::Column> headers{tr("node")};
     for (const Dof dof : dofs) headers.push_back(force_header(dof, model.units));
 
-    TextTable table(headers);
+    tabular::Table table(headers);
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
         if (!result.is_supported(NodeId(i))) continue;
         const NodeVector reaction = result.reaction(NodeId(i));
-        std::vector<TextTable::Cell> row{model.nodes[i].id};
+        std::vector<tabular::Cell> row{model.nodes[i].id};
         for (const Dof dof : dofs) row.emplace_back(tidy(reaction[index(dof)], force_size(dof, most)));
         table.add_row(std::move(row));
     }
     return table;
 }
 
-TextTable end_force_table(const Model& model, const CaseResult& result, const Magnitudes& most, const Translator& tr)
+tabular::Table end_force_table(const Model& model, const CaseResult& result, const Magnitudes& most,
+                               const Translator& tr)
 {
     const std::vector<MemberComponent> components = shown_forces(model, {result});
-    std::vector<std::string> headers{tr("member"), tr("at node")};
+    std::vector<tabular::Column> headers{tr("member"), tr("at node")};
     for (const MemberComponent component : components) headers.push_back(component_header(component, model));
 
-    TextTable table(headers);
+    tabular::Table table(headers);
     for (std::size_t i = 0; i < model.members.size(); ++i) {
         const Curve curve = result.curve(MemberId(i));
         for (std::size_t end = 0; end < 2; ++end) {
-            std::vector<TextTable::Cell> row{end == 0 ? model.members[i].id : std::string(),
-                                             model[model.members[i].nodes[end]].id};
+            std::vector<tabular::Cell> row{end == 0 ? model.members[i].id : std::string(),
+                                           model[model.members[i].nodes[end]].id};
             const double x = end == 0 ? 0.0 : curve.length();
             const Side side = end == 0 ? Side::After : Side::Before;
             for (const MemberComponent component : components)
@@ -175,18 +179,19 @@ TextTable end_force_table(const Model& model, const CaseResult& result, const Ma
     return table;
 }
 
-TextTable extremes_table(const Model& model, const CaseResult& result, const std::vector<MemberComponent>& components,
-                         const Magnitudes& most, const Translator& tr)
+tabular::Table extremes_table(const Model& model, const CaseResult& result,
+                              const std::vector<MemberComponent>& components, const Magnitudes& most,
+                              const Translator& tr)
 {
-    const std::string at = with_unit(tr("at x"), dimension::length, model.units);
-    TextTable table({tr("member"), "", tr("largest"), at, tr("smallest"), at});
+    const tabular::Column at = in_unit(tr("at x"), dimension::length, model.units);
+    tabular::Table table({tr("member"), "", tr("largest"), at, tr("smallest"), at});
     for (std::size_t i = 0; i < model.members.size(); ++i) {
         const Curve curve = result.curve(MemberId(i));
         for (const MemberComponent component : components) {
             const Extremes extremes = curve.extremes(component);
             const double size = size_of(component, most);
             table.add_row({component == components.front() ? model.members[i].id : std::string(),
-                           component_header(component, model), tidy(extremes.max.value, size), extremes.max.x,
+                           component_header(component, model).label(), tidy(extremes.max.value, size), extremes.max.x,
                            tidy(extremes.min.value, size), extremes.min.x},
                           static_cast<std::size_t>(component));
         }
@@ -216,11 +221,11 @@ std::string equilibrium_text(const Model& model, const Equilibrium& equilibrium,
                              const Translator& tr)
 {
     const std::vector<Dof> dofs = equilibrium_dofs(model.analysis);
-    std::vector<std::string> headers{""};
+    std::vector<tabular::Column> headers{""};
     for (const Dof dof : dofs) headers.push_back(force_header(dof, model.units));
 
-    TextTable table(headers);
-    std::vector<TextTable::Cell> loads{tr("loads")}, reactions{tr("reactions")}, sums{tr("sum")};
+    tabular::Table table(headers);
+    std::vector<tabular::Cell> loads{tr("loads")}, reactions{tr("reactions")}, sums{tr("sum")};
     const double moment = std::max(most.moment, most.force * reach(model)); // about the origin
     for (const Dof dof : dofs) {
         const double size = is_rotation(dof) ? moment : most.force;
@@ -247,17 +252,17 @@ public:
         : model_(model), table_({std::string(what), "", tr("largest"), tr("case"), tr("smallest"), tr("case")})
     {}
     /// \param size  of the numbers that these may be round-off of
-    void add(const std::string& of, Dof dof, const std::string& header, const GoverningRange& range, double size)
+    void add(const std::string& of, Dof dof, const tabular::Column& of_what, const GoverningRange& range, double size)
     {
-        table_.add_row({of, header, tidy(range.max.value, size), model_.case_name(range.max.load_case),
+        table_.add_row({of, of_what.label(), tidy(range.max.value, size), model_.case_name(range.max.load_case),
                         tidy(range.min.value, size), model_.case_name(range.min.load_case)},
                        index(dof));
     }
-    const TextTable& table() const { return table_; }
+    const tabular::Table& table() const { return table_; }
 
 private:
     const Model& model_;
-    TextTable table_;
+    tabular::Table table_;
 };
 
 Magnitudes largest_of(const Results& results, const std::vector<CaseId>& cases)
@@ -273,17 +278,18 @@ Magnitudes largest_of(const Results& results, const std::vector<CaseId>& cases)
     return most;
 }
 
-TextTable member_envelope(const Model& model, const Envelope& envelope, const std::vector<MemberComponent>& components,
-                          const Magnitudes& most, const Translator& tr)
+tabular::Table member_envelope(const Model& model, const Envelope& envelope,
+                               const std::vector<MemberComponent>& components, const Magnitudes& most,
+                               const Translator& tr)
 {
-    const std::string at = with_unit(tr("at x"), dimension::length, model.units);
-    TextTable table({tr("member"), "", tr("largest"), at, tr("case"), tr("smallest"), at, tr("case")});
+    const tabular::Column at = in_unit(tr("at x"), dimension::length, model.units);
+    tabular::Table table({tr("member"), "", tr("largest"), at, tr("case"), tr("smallest"), at, tr("case")});
     for (std::size_t i = 0; i < model.members.size(); ++i)
         for (const MemberComponent component : components) {
             const GoverningExtremes extremes = envelope.extremes(MemberId(i), component);
             const double size = size_of(component, most);
             table.add_row({component == components.front() ? model.members[i].id : std::string(),
-                           component_header(component, model), tidy(extremes.max.value, size), extremes.max.x,
+                           component_header(component, model).label(), tidy(extremes.max.value, size), extremes.max.x,
                            model.case_name(extremes.max.load_case), tidy(extremes.min.value, size), extremes.min.x,
                            model.case_name(extremes.min.load_case)},
                           static_cast<std::size_t>(component));
@@ -291,14 +297,14 @@ TextTable member_envelope(const Model& model, const Envelope& envelope, const st
     return table;
 }
 
-TextTable matrix_table(const std::vector<std::string>& rows, const std::vector<std::string>& columns,
-                       const Eigen::MatrixXd& matrix)
+tabular::Table matrix_table(const std::vector<std::string>& rows, const std::vector<std::string>& columns,
+                            const Eigen::MatrixXd& matrix)
 {
-    std::vector<std::string> headers{""};
+    std::vector<tabular::Column> headers{""};
     headers.insert(headers.end(), columns.begin(), columns.end());
-    TextTable table(headers);
+    tabular::Table table(headers);
     for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-        std::vector<TextTable::Cell> row{rows[static_cast<std::size_t>(i)]};
+        std::vector<tabular::Cell> row{rows[static_cast<std::size_t>(i)]};
         for (Eigen::Index j = 0; j < matrix.cols(); ++j) row.emplace_back(matrix(i, j));
         table.add_row(std::move(row));
     }
@@ -309,9 +315,9 @@ TextTable matrix_table(const std::vector<std::string>& rows, const std::vector<s
 }
 
 /// The rows of the member's axes beside those of the nodes.
-TextTable fixed_end_table(const MemberTrace& trace, const MemberTrace::FixedEnd& forces, const Translator& tr)
+tabular::Table fixed_end_table(const MemberTrace& trace, const MemberTrace::FixedEnd& forces, const Translator& tr)
 {
-    TextTable table({"", tr("own axes"), "", tr("axes of the nodes")});
+    tabular::Table table({"", tr("own axes"), "", tr("axes of the nodes")});
     for (std::size_t i = 0; i < trace.dofs.size(); ++i) {
         const auto row = static_cast<Eigen::Index>(i);
         table.add_row({trace.own_dofs[i], forces.local[row], trace.dofs[i], forces.global[row]});
@@ -331,7 +337,7 @@ std::string constraint_text(Constraint constraint, const Translator& tr)
 
 std::string equations_text(const MemberTrace& trace, const Translator& tr)
 {
-    TextTable table({tr("row"), tr("place in the system matrix")});
+    tabular::Table table({tr("row"), tr("place in the system matrix")});
     for (std::size_t i = 0; i < trace.dofs.size(); ++i)
         table.add_row({trace.dofs[i],
                        trace.equations[i] == 0 ? tr("none: held by a support") : std::to_string(trace.equations[i])});
@@ -358,7 +364,7 @@ std::string case_text(const Model& model, const Results& results, CaseId id, con
     const CaseResult result = results[id];
     const Magnitudes most = result.magnitudes();
     const std::string title = case_title(model, id, tr);
-    std::string text = "\n" + title + "\n" + std::string(shown_width(title), '=') + "\n";
+    std::string text = "\n" + title + "\n" + std::string(tabular::shown_width(title), '=') + "\n";
     text += section(tr("Displacements of the nodes"), displacement_table(model, result, most, tr), tr);
     text += section(tr("Reactions of the supports on the structure"), reaction_table(model, result, most, tr), tr);
     text += section(tr("Section forces at the ends of the members") + "\n  (" + sign_legend(model.analysis, tr) + ")",
@@ -392,7 +398,7 @@ std::string envelope_text(const Model& model, const Results& results, const std:
     std::string names;
     for (const CaseId id : cases) names += (names.empty() ? "" : ", ") + model.case_name(id);
     const std::string title = fill(tr("Envelope of {0}"), {names});
-    return "\n" + title + "\n" + std::string(shown_width(title), '=') + "\n" +
+    return "\n" + title + "\n" + std::string(tabular::shown_width(title), '=') + "\n" +
            section(tr("Displacements of the nodes"), displacements.table(), tr) +
            section(tr("Reactions of the supports on the structure"), reactions.table(), tr) +
            section(tr("Extreme section forces along the members"),

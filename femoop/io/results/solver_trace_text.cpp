@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "femoop/io/results/text_table.h"
 #include "femoop/model/fault/fault.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/solver/index.h"
 #include "femoop/solver/trace/front_matrix.h"
+#include "tabular/plain_text.h"
 
 namespace femoop {
 
@@ -16,9 +16,10 @@ constexpr std::size_t indent = 2;
 constexpr std::size_t most_names = 8;    // of a list that stands in a table
 constexpr std::size_t most_columns = 40; // of a matrix in letters
 
-std::string section(const std::string& title, const TextTable& table, const Translator& tr)
+std::string section(const std::string& title, const tabular::Table& table, const Translator& tr)
 {
-    return table.is_empty() ? std::string() : "\n" + title + "\n" + table.text(indent, decimal_mark(tr));
+    return table.is_empty() ? std::string()
+                            : "\n" + title + "\n" + tabular::plain_text(table, {indent, decimal_mark(tr)});
 }
 
 std::size_t whole(double number) { return static_cast<std::size_t>(number); }
@@ -32,8 +33,8 @@ public:
 
     std::string fronts() const
     {
-        TextTable table({tr_("step"), tr_("eliminated"), tr_("left in the front"), tr_("children"), tr_("rows"),
-                         tr_("columns of L"), tr_("update matrix"), tr_("all that wait"), tr_("parent")});
+        tabular::Table table({tr_("step"), tr_("eliminated"), tr_("left in the front"), tr_("children"), tr_("rows"),
+                              tr_("columns of L"), tr_("update matrix"), tr_("all that wait"), tr_("parent")});
         for (std::size_t f = 0; f < walk_.fronts.size(); ++f) {
             const EliminationWalk::Front& front = walk_.fronts[f];
             std::vector<std::string> children;
@@ -134,11 +135,11 @@ private:
     template <class Letter> static std::string triangle(const std::vector<std::string>& labels, const Letter& letter)
     {
         std::size_t width = 0;
-        for (const std::string& label : labels) width = std::max(width, shown_width(printable(label)));
+        for (const std::string& label : labels) width = std::max(width, tabular::shown_width(printable(label)));
         std::string text;
         for (std::size_t row = 0; row < labels.size(); ++row) {
             const std::string label = printable(labels[row]);
-            text += std::string(indent, ' ') + label + std::string(width - shown_width(label), ' ') + ' ';
+            text += std::string(indent, ' ') + label + std::string(width - tabular::shown_width(label), ' ') + ' ';
             for (std::size_t column = 0; column <= row; ++column) text += {' ', letter(row, column)};
             text += '\n';
         }
@@ -187,8 +188,8 @@ std::string choice(const SolverTrace& trace, const Translator& tr)
 
 std::string comparison(const SolverTrace& trace, const Translator& tr)
 {
-    TextTable table({tr("order"), tr("entries of L"), tr("fill-in"), tr("operations"), tr("front"), tr("levels"),
-                     tr("waiting"), tr("profile"), tr("its operations")});
+    tabular::Table table({tr("order"), tr("entries of L"), tr("fill-in"), tr("operations"), tr("front"), tr("levels"),
+                          tr("waiting"), tr("profile"), tr("its operations")});
     for (const Ordering ordering : all_orderings) {
         const EliminationCounts& counts = trace.walk(ordering).counts;
         table.add_row({ordering_words(ordering, tr), counts.n_entries, counts.n_fill(), whole(counts.n_operations),

@@ -40,9 +40,9 @@ ui::Report report_of(const Document& document, ui::Language language = ui::Langu
 /// The last row of the first table that begins with a row of that name.
 std::vector<std::string> total_of_sheet(const ui::Report& report)
 {
-    for (const auto& table : all<ui::ReportTable>(report))
+    for (const auto& table : all<tabular::Table>(report))
         for (const auto& row : table.rows)
-            if (row.front() == "Σ") return row;
+            if (row.cells.front().shown == "Σ") return shown_texts(row);
     return {};
 }
 
@@ -86,8 +86,9 @@ TEST_CASE("Rounded sheets are reported with what they would be exactly and the d
     document.method.digits = 3;
     const ui::Report report = report_of(document);
     bool has_drift = false;
-    for (const auto& table : all<ui::ReportTable>(report))
-        has_drift = has_drift || std::ranges::any_of(table.rows, [](const auto& row) { return row[0] == "drift"; });
+    for (const auto& table : all<tabular::Table>(report))
+        has_drift = has_drift ||
+                    std::ranges::any_of(table.rows, [](const auto& row) { return row.cells[0].shown == "drift"; });
     CHECK(has_drift);
 }
 
@@ -104,7 +105,7 @@ TEST_CASE("No table of a calculation is broader than a page however many spans t
         member.nodes = {femoop::NodeId(model.nodes.size() - 1), model.add(std::move(node))};
         model.add(std::move(member));
     }
-    for (const auto& table : all<ui::ReportTable>(report_of(document))) CHECK(table.columns.size() <= 11);
+    for (const auto& table : all<tabular::Table>(report_of(document))) CHECK(table.columns.size() <= 11);
 }
 
 TEST_CASE("What cannot be distributed is reported with the reason")

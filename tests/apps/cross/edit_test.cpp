@@ -5,6 +5,7 @@
 #include "apps/cross/session/beam_edit.h"
 #include "apps/cross/session/report.h"
 #include "femoop/model/check/check.h"
+#include "tabular/latex.h"
 
 using namespace cross;
 using femoop::Model;
@@ -140,12 +141,12 @@ TEST_CASE("A structure that was changed no longer carries what was expected of t
 TEST_CASE("A sheet in LaTeX has a column for every end and one for the row's name")
 {
     const Session session;
-    const TextTable table = table_of(session, Topic::Sheet);
-    CHECK(table.head == std::vector<std::string>{"Row", "AB", "BA", "BC", "CB", "CD", "DC"});
-    CHECK(as_latex(table).starts_with("\\begin{tabular}{lrrrrrr}"));
-    CHECK(as_csv(table, ui::Language::English).find("FEM,0.00,-64.00,114.00,-114.00,84.00,-84.00\n") !=
+    const tabular::Table table = table_of(session, Topic::Sheet);
+    CHECK(labels(table) == std::vector<std::string>{"Row", "AB", "BA", "BC", "CB", "CD", "DC"});
+    CHECK(latex(table).starts_with("\\begin{tabular}{lrrrrrr}"));
+    CHECK(separated(table, separators(ui::Language::English)).find("FEM,0.00,-64.00,114.00,-114.00,84.00,-84.00\n") !=
           std::string::npos);
-    CHECK(as_csv(table, ui::Language::Portuguese).find("FEM;0.00;-64.00;") != std::string::npos);
+    CHECK(separated(table, separators(ui::Language::Portuguese)).find("FEM;0.00;-64.00;") != std::string::npos);
 }
 
 TEST_CASE("Every table has rows as long as its head for a frame that sways")
@@ -154,16 +155,7 @@ TEST_CASE("Every table has rows as long as its head for a frame that sways")
     REQUIRE(session.open("examples/portal.json"));
     for (const TopicEntry& entry : topics()) {
         CAPTURE(std::string(entry.id));
-        const TextTable table = table_of(session, entry.topic);
-        for (const auto& row : table.rows) CHECK(row.size() == table.head.size());
+        const tabular::Table table = table_of(session, entry.topic);
+        for (const auto& row : table.rows) CHECK(row.cells.size() == table.columns.size());
     }
-}
-
-TEST_CASE("CSV doubles quotation marks and LaTeX gets no character that means something to it")
-{
-    const TextTable table{.notes = {}, .head = {"joint \"A\"", "a,b"}, .rows = {{"$ { } ^ ~ \\ & % # _", "−1"}}};
-    CHECK(as_csv(table, ui::Language::English) == "\"joint \"\"A\"\"\",\"a,b\"\n$ { } ^ ~ \\ & % # _,-1\n");
-    CHECK(as_latex(table).find(
-              "\\$ \\{ \\} \\textasciicircum{} \\textasciitilde{} \\textbackslash{} \\& \\% \\# \\_ & $-$1") !=
-          std::string::npos);
 }

@@ -34,10 +34,10 @@ template <class Block> std::vector<Block> all(const ui::Report& report)
 }
 
 /// Its rows say "name 0", "name 1" and so on.
-ui::ReportTable table_of(const std::string& name, int n_rows)
+tabular::Table table_of(const std::string& name, int n_rows)
 {
-    ui::ReportTable table{{{"Row", false}}, {}};
-    for (int i = 0; i < n_rows; ++i) table.rows.push_back({name + " " + std::to_string(i)});
+    tabular::Table table({"Row"});
+    for (int i = 0; i < n_rows; ++i) table.add_row({name + " " + std::to_string(i)});
     return table;
 }
 
@@ -51,20 +51,20 @@ std::optional<std::size_t> page_of(const std::vector<ui::PdfPage>& pages, const 
 }
 
 /// The first table whose first column has this heading.
-ui::ReportTable table_with(const ui::Report& report, const std::string& heading)
+tabular::Table table_with(const ui::Report& report, const std::string& heading)
 {
-    for (const ui::ReportTable& table : all<ui::ReportTable>(report))
+    for (const tabular::Table& table : all<tabular::Table>(report))
         if (table.columns.front().heading == heading) return table;
     return {};
 }
 
 /// The cells under the heading that begins like this; none where the table has no such column.
-std::vector<std::string> column_of(const ui::ReportTable& table, const std::string& heading)
+std::vector<std::string> column_of(const tabular::Table& table, const std::string& heading)
 {
     std::vector<std::string> cells;
     for (std::size_t i = 0; i < table.columns.size(); ++i)
         if (table.columns[i].heading.starts_with(heading))
-            for (const std::vector<std::string>& row : table.rows) cells.push_back(row[i]);
+            for (const tabular::Row& row : table.rows) cells.push_back(row.cells[i].shown);
     return cells;
 }
 
@@ -94,7 +94,7 @@ TEST_SUITE("frame report")
         Document document{femoop::read_model_file(source_folder() + "/examples/portal.json")};
         document.model.sections[1].Iz = femoop::Quantity(4.2e-4); // of IPE 400, whose table has 23130 cm^4
         const ui::Report report = make_report(document.model, solve(document), {}, ui::Fonts());
-        const ui::ReportTable sections = table_with(report, "Section");
+        const tabular::Table sections = table_with(report, "Section");
         // EN 10365, HEB 240 and IPE 400, in cm
         CHECK(column_of(sections, "A ") == std::vector<std::string>{"106", "84.5"});
         CHECK(column_of(sections, "Iz ") == std::vector<std::string>{"11260", "42000"});
@@ -112,7 +112,7 @@ TEST_SUITE("frame report")
         document.model.sections[0].shape->h = 0.5;
         document.model.members[0].theory = femoop::BeamTheory::Timoshenko;
         const ui::Report report = make_report(document.model, solve(document), {}, ui::Fonts());
-        const ui::ReportTable sections = table_with(report, "Section");
+        const tabular::Table sections = table_with(report, "Section");
         CHECK(column_of(sections, "Asy ") == std::vector<std::string>{"1250"}); // 5/6 b h
         CHECK(column_of(sections, "Asz ").empty());
     }
@@ -176,8 +176,8 @@ TEST_SUITE("frame report")
     TEST_CASE("A long table goes on with its headings on the next page, and nothing stands outside the paper")
     {
         ui::Report report;
-        ui::ReportTable table{{{"Node", false}, {"x [m]", true}}, {}};
-        for (int i = 0; i < 200; ++i) table.rows.push_back({"N" + std::to_string(i), std::to_string(i)});
+        tabular::Table table({"Node", {"x", "m", tabular::Alignment::Right}});
+        for (int i = 0; i < 200; ++i) table.add_row({"N" + std::to_string(i), std::to_string(i)});
         report.blocks.emplace_back(ui::ReportHeading{2, "Nodes"});
         report.blocks.emplace_back(table);
         const ui::Fonts fonts;
@@ -196,10 +196,11 @@ TEST_SUITE("frame report")
     TEST_CASE("A table too wide for the paper goes on below itself in type that can be read, its rows named again")
     {
         ui::Report report;
-        ui::ReportTable table{{{"Node", false}}, {{"N1"}}};
+        tabular::Table table({"Node"});
+        table.add_row({"N1"});
         for (int i = 0; i < 30; ++i) {
-            table.columns.push_back({"column " + std::to_string(i), true});
-            table.rows[0].push_back("value " + std::to_string(i));
+            table.columns.push_back({"column " + std::to_string(i), "", tabular::Alignment::Right});
+            table.rows[0].cells.push_back("value " + std::to_string(i));
         }
         report.blocks.emplace_back(table);
         const std::vector<ui::PdfPage> pages = ui::report_pages(report, ui::Fonts());

@@ -22,8 +22,8 @@ std::vector<double> column(const Table& table, std::string_view label)
 {
     std::vector<double> values;
     for (std::size_t j = 0; j < table.headings.size(); ++j) {
-        if (table.headings[j].label != label) continue;
-        for (const Row& row : table.rows) values.push_back(row.cells[j].number.value());
+        if (table.headings[j].column.label() != label) continue;
+        for (const Row& row : table.rows) values.push_back(row.cells[j].value.number.value());
     }
     return values;
 }
@@ -90,10 +90,10 @@ TEST_SUITE("frame tables: results")
         const Solution solution = solve(document);
         const Table table = result_table({document.model, *solution.results, CaseId(0)}, TableKind::MemberEnds,
                                          english(document.model));
-        const std::string text = tsv(table, whole(table));
+        const std::string text = separated(values(table, whole(table)), tabular::tabs);
         CHECK(text.starts_with("Member\tN, start [kN]\tV, start [kN]\tM, start [kN·m]"));
         CHECK(text.find("−") == std::string::npos);
         const double V = (*solution.results)[CaseId(0)].curve(femoop::MemberId(1)).forces(0.0).Vy;
-        CHECK(std::stod(table.rows[1].cells[2].plain) == doctest::Approx(V).epsilon(1e-13));
+        CHECK(std::stod(table.rows[1].cells[2].value.exact) == doctest::Approx(V).epsilon(1e-13));
     }
 }

@@ -5,6 +5,8 @@
 
 #include "apps/mohr/session/export.h"
 #include "apps/mohr/session/report.h"
+#include "femoop/io/json/table_json.h"
+#include "tabular/separated.h"
 
 using namespace mohr;
 
@@ -21,11 +23,20 @@ TEST_CASE("Results as CSV have a line each with every digit and a decimal point 
     Session session;
     session.look.tr = ui::Catalogue(ui::Language::Portuguese);
     session.set_number({Group::State, 2}, "33,3 MPa");
-    const std::string text = csv(session);
+    const std::string text = tabular::separated(result_list(session));
     CHECK(has(text, "group,name,value,unit\n"));
     CHECK(has(text, ",raio,44.82"));
     CHECK_FALSE(has(text, "44,81"));
     CHECK(has(text, "\"(50; 33,3)\""));
+}
+
+TEST_CASE("Results as JSON are rows of numbers, as Markdown a table for each group")
+{
+    const Session session;
+    const std::string json = femoop::table_json(result_list(session));
+    CHECK(has(json, "\"columns\": [\"group\", \"name\", \"value\", \"unit\"]"));
+    CHECK(has(json, "\"radius\", "));
+    CHECK(has(markdown(session), "### Circle\n\n|  |  |\n|---|---|\n| centre | "));
 }
 
 TEST_CASE("A LaTeX sheet closes what it opens and writes Greek letters as commands")

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "tabular/table.h"
+
+namespace tabular {
+
+/// A text as LaTeX writes it, in text as in mathematics: the ten characters that mean something to it are escaped,
+/// Greek letters take the letters and digits after them as an index, signs and a minus before a number are mathematics.
+/// What is left beyond ASCII are the accents of the language.
+std::string latex_text(std::string_view text);
+
+/// A `tabular`: headings between rules where there are any, rows that are sums below another. Title and notes are left
+/// out.
+std::string latex(const Table& table);
+
+} // namespace tabular
