@@ -17,7 +17,7 @@ namespace femoop {
 
 namespace {
 
-constexpr std::int32_t none = -1;
+constexpr std::int32_t no_block = -1;
 
 struct Named {
     Ordering ordering;
@@ -66,11 +66,11 @@ std::vector<std::int32_t> cuthill_mckee(const BlockAdjacency& adjacency)
 {
     const std::size_t n = adjacency.n_blocks();
     std::vector<std::int32_t> order;
-    std::vector<std::int32_t> seen(n, none);
+    std::vector<std::int32_t> seen(n, no_block);
     order.reserve(n);
     std::int32_t mark = 0;
     for (std::size_t block = 0; block < n; ++block) {
-        if (seen[block] != none) continue;
+        if (seen[block] != no_block) continue;
         const std::size_t first = order.size();
         auto root = static_cast<std::int32_t>(block);
         constexpr int passes = 3; // the far end of the far end is far enough; the last pass is the order
@@ -121,21 +121,21 @@ auto places_beside(const BlockAdjacency& adjacency, const std::vector<std::int32
 std::vector<std::int32_t> postordered(const std::vector<std::int32_t>& order, const std::vector<std::int32_t>& parent)
 {
     const std::size_t n = order.size();
-    std::vector<std::int32_t> first_child(n + 1, none); // of n: the roots
-    std::vector<std::int32_t> next_sibling(n, none);
+    std::vector<std::int32_t> first_child(n + 1, no_block); // of n: the roots
+    std::vector<std::int32_t> next_sibling(n, no_block);
     for (std::size_t i = n; i-- > 0;) {
-        const std::size_t p = parent[i] == none ? n : at(parent[i]);
+        const std::size_t p = parent[i] == no_block ? n : at(parent[i]);
         next_sibling[i] = first_child[p];
         first_child[p] = static_cast<std::int32_t>(i);
     }
     std::vector<std::int32_t> result;
     result.reserve(n);
     std::vector<std::int32_t> path;
-    for (std::int32_t root = first_child[n]; root != none; root = next_sibling[at(root)]) {
+    for (std::int32_t root = first_child[n]; root != no_block; root = next_sibling[at(root)]) {
         path.push_back(root);
         while (!path.empty()) {
             const std::int32_t node = path.back();
-            if (const std::int32_t child = first_child[at(node)]; child != none) {
+            if (const std::int32_t child = first_child[at(node)]; child != no_block) {
                 first_child[at(node)] = next_sibling[at(child)];
                 path.push_back(child);
             } else {
