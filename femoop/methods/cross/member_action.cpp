@@ -53,7 +53,7 @@ private:
 
     Element element(ActionSet actions) const
     {
-        return {structure_.properties_of(member_), geometry_, end_conditions_, {}, actions};
+        return {structure_.properties_of(member_), geometry_, end_conditions_, actions};
     }
 
     MemberAction unloaded() const

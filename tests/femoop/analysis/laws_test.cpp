@@ -413,7 +413,7 @@ TEST_SUITE("laws")
             }
             const Results whole = analyse(model);
             Model cut = model;
-            split_member(cut, id, 0.5 * whole.frame(id).length);
+            split_member(cut, id, 0.5 * whole.geometry(id).length);
             const Results halves = analyse(cut);
             CHECK(difference(whole.at("P"), halves.at("P"), model.nodes.size()) < 1e-7);
             const Curve curve = whole.at("P").curve(id), first = halves.at("P").curve(id);
