@@ -22,7 +22,7 @@ using namespace femoop_test;
 
 namespace {
 
-constexpr double sheet_length = 3.1, sheet_height = 0.7, E_bar = 205.0e3, A_bar = 0.013, pull = 13.0;
+constexpr double sheet_length = 3.1, sheet_height = 0.7, bar_modulus = 205.0e3, bar_area = 0.013, pull = 13.0;
 constexpr double sheet_turn = 0.5; // of everything, so that all supports are inclined [rad]
 
 /// The corners A B C D of a sheet with bars AB and DC, which all may move along x' only, A and D not at all.
@@ -30,10 +30,10 @@ Model two_bars()
 {
     Model model;
     model.analysis = AnalysisKind::Truss2d;
-    model.materials.push_back({.id = "steel", .E = E_bar});
+    model.materials.push_back({.id = "steel", .E = bar_modulus});
     Section section;
     section.id = "bar";
-    section.A = A_bar;
+    section.A = bar_area;
     model.sections.push_back(section);
     const std::array<Eigen::Vector2d, 4> corners{
         {{0.0, 0.0}, {sheet_length, 0.0}, {sheet_length, sheet_height}, {0.0, sheet_height}}};
@@ -84,7 +84,7 @@ TEST_CASE("Bars along a sheet and the sheet itself share a traction as their sti
     const Eigen::VectorXd u = solver->solve(assembler.load_vector<double>(loads));
 
     // The sheet cannot narrow: it is E / (1 - nu^2) per area.
-    const double stiffness = (E * thickness * sheet_height / (1.0 - nu * nu) + 2.0 * E_bar * A_bar) / sheet_length;
+    const double stiffness = (E * thickness * sheet_height / (1.0 - nu * nu) + 2.0 * bar_modulus * bar_area) / sheet_length;
     REQUIRE(u.size() == 2);
     for (const double value : u)
         CHECK(value == doctest::Approx(pull * thickness * sheet_height / stiffness).epsilon(1e-12));
