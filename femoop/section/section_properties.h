@@ -48,7 +48,7 @@ struct SectionProperties {
 ///           5/6 sum bf tf for z'; l: 5/6 of each leg, h t for y' and b t for z'
 /// Source    [TimoshenkoGoodier1970], section 109 (rectangle), 112 (rolled sections),
 ///           116 (thin tubes); [GereTimoshenko], form factors for shear
-/// Lesson    courseware/reference/sections.md
+/// Reference courseware/reference/sections.md
 /// \pre      `why_not(shape)` (femoop/section/shape.h) has nothing to say.
 /// \throws   std::invalid_argument with that reason.
 SectionProperties shape_properties(const SectionShape& shape);

@@ -54,24 +54,30 @@ CheckCounts verify_folder(const std::string& folder)
     return counts;
 }
 
+/// Every check of a folder counts: a file that is lost, or a check that is no longer made, changes these.
+void check_folder(const std::string& folder, int n_passed, int n_skipped)
+{
+    CAPTURE(folder);
+    const CheckCounts counts = verify_folder(folder);
+    CHECK(counts.passed == n_passed);
+    CHECK(counts.skipped == n_skipped);
+}
+
 } // namespace
 
-TEST_CASE("Published beams, frames, trusses and grillages come out as published")
-{
-    CHECK(verify_folder("members").passed >= 90);
-}
+// Skipped are 10 checks of P-delta, 5 of buckling and 12 of modes, which no analysis gives yet.
+TEST_CASE("Published beams, frames, trusses and grillages come out as published") { check_folder("members", 90, 27); }
 
-TEST_CASE("Frames of moment distribution come out as their exact end moments")
-{
-    CHECK(verify_folder("cross").passed >= 10);
-}
+TEST_CASE("Frames and sheets of moment distribution come out as published") { check_folder("cross", 102, 0); }
 
-TEST_CASE("Beams of influence lines come out as published") { CHECK(verify_folder("influence").passed >= 4); }
+// Skipped are the influence lines and the trains themselves, 9 blocks that nothing compares yet.
+TEST_CASE("Beams that have influence lines come out as published under loads that stand")
+{
+    check_folder("influence", 4, 9);
+}
 
 TEST_CASE(
     "What only closed forms tell: rigid and inextensible members, offsets, joints, misfits, shapes, profiles, ...")
 {
-    const CheckCounts counts = verify_folder("own");
-    CHECK(counts.passed >= 934);
-    CHECK(counts.skipped == 0);
+    check_folder("own", 937, 0);
 }

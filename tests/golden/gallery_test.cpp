@@ -2,6 +2,8 @@
 #include "tests/golden/comparison.h"
 #include "tests/golden/gallery.h"
 #include "tests/golden/scene.h"
+#include "tests/golden/text_alone.h"
+#include "tests/source_folder.h"
 #include "ui/context/gl.h"
 #include "ui/paint/painter.h"
 #include "ui/paint/surface/golden_text.h"
@@ -124,6 +126,24 @@ TEST_CASE("A picture written as PNG is read back to the last bit")
     if (!exhibit.pixels) return;
     ui::write_png(folder.path("picture.png"), *exhibit.pixels);
     CHECK(ui::read_png(folder.path("picture.png")) == *exhibit.pixels);
+}
+
+TEST_CASE("A picture is kept without its pixels only where it is listed, beside one of its kind that has them")
+{
+    const std::filesystem::path golden = source_folder() + "/tests/golden";
+    const auto has = [&](const std::string& name) { return std::filesystem::exists(golden / "pictures" / name); };
+    const auto kinds = golden::text_alone(golden / "text_alone.txt");
+    for (const auto& [name, kind] : kinds) {
+        CAPTURE(name);
+        CHECK(has(name + ".txt"));
+        CHECK_FALSE(has(name + ".png"));
+        CHECK(has(kind + ".png"));
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(golden / "pictures")) {
+        const std::string name = entry.path().stem().string();
+        CAPTURE(name);
+        CHECK((has(name + ".png") || kinds.contains(name)));
+    }
 }
 
 TEST_SUITE_END();

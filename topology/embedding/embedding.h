@@ -38,8 +38,10 @@ std::string sentence(const EmbeddingFinding& finding, const EntityName& name = t
 /// Looks at the geometry of a sound solid with straight edges; empty where it bounds what it seems to bound. A face
 /// that is found to be of no area or in no plane is not looked at further, and a lone vertex as a ring need only lie
 /// inside. An outer loop tells by itself which way its face looks, so that it is counter-clockwise; whether the faces
-/// of a shell look outward is seen from the shell's volume. Misses   faces that touch with their edges alone, and a
-/// shell that is turned while it lies within another's box Accuracy distances up to 1e-9 of the solid's extent are none
+/// of a shell look outward is seen from the shell's volume.
+///
+/// Misses   faces that touch with their edges alone, and a shell that is turned while it lies within another's box
+/// Accuracy distances up to 1e-9 of the solid's extent are none
 /// Cost     the edges times the faces whose boxes they meet
 std::vector<EmbeddingFinding> embedding_faults(const Solid& solid);
 

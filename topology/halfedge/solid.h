@@ -59,6 +59,7 @@ private:
 /// finds them. Positions are data that vertices carry.
 ///
 /// Source   [Mantyla1988, ch. 9 to 11]
+/// Lesson   courseware/01-euler-operators.md; the classes drawn: courseware/reference/euler-operators.md
 class Solid {
 public:
     bool is_empty() const { return t_.faces.n_living() == 0; }

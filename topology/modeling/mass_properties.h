@@ -16,6 +16,7 @@ struct MassProperties {
     Point centroid;      ///< of the volume; the first vertex where there is no volume
 };
 
+/// Units    any unit of length: area in its square, volume in its cube
 /// Assumes  planar faces, outer loops counter-clockwise seen from outside, rings clockwise
 /// Accuracy exact but for round-off, whatever the faces' outline; lengths are taken from the first vertex
 MassProperties mass_properties(const Solid& solid);

@@ -35,10 +35,12 @@ enum class LineKind { Empty, Operator, UndoOrRedo };
 ///
 /// A step is a line that is an operator; `undo` and `redo` take steps back, by the inverse operators, and do them
 /// again.
+///
+/// Lesson   courseware/01-euler-operators.md; every operator: courseware/reference/euler-scripts.md
 class ScriptRunner {
 public:
-    /// Does what the line says; `observer` is told what each of its operators did. \throws LineError without number;
-    /// nothing is changed then
+    /// Does what the line says; `observer` is told what each of its operators did.
+    /// \throws LineError without number; nothing is changed then
     LineKind run_line(std::string_view line, Observer* observer = nullptr);
 
     /// Takes a solid that was made elsewhere, as the first thing that cannot be undone. \pre its name is free
@@ -51,10 +53,8 @@ public:
     std::size_t n_steps() const { return n_done_; }                           ///< done and not undone
     std::size_t n_undone() const { return history_.size() - n_done_; }        ///< that redo can do again
     const Done& operator[](std::size_t step) const { return history_[step]; } ///< done, then undone ones
-    const std::deque<NamedSolid>& solids() const
-    {
-        return solids_;
-    } ///< in the order in which they were made, dead ones too
+    /// In the order in which they were made, dead ones too.
+    const std::deque<NamedSolid>& solids() const { return solids_; }
 
 private:
     friend class ScriptLine;

@@ -38,8 +38,8 @@ enum class Order : std::uint8_t { Largest, LeftToRight, AllAtOnce, Listed };
 struct Procedure {
     Order order = Order::Largest; ///< ties: file order
     std::vector<JointId> joints;  ///< Order::Listed: again and again
-    std::optional<double>
-        tolerance; ///< stops when no unbalance is larger; default 0.001 of the largest fixed-end moment
+    /// Stops when no unbalance is larger; default 0.001 of the largest fixed-end moment.
+    std::optional<double> tolerance;
     std::optional<std::size_t> balances; ///< stops after so many instead
     bool ends_with_balance = false;      ///< with `balances`: nothing is carried over after the last
     int digits = 0;                      ///< every number is rounded to so many significant ones; 0: exact
@@ -47,6 +47,10 @@ struct Procedure {
 };
 
 /// A distribution with every number that it writes.
+///
+/// Signs    moments on the ends of the members, counter-clockwise positive (courseware/conventions.md)
+/// Units    the model's base units
+/// Source   [Cross1930]
 struct Sheet {
     State start; ///< the row of fixed-end moments
     std::vector<Step> steps;

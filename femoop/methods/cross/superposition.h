@@ -20,6 +20,11 @@ struct Stage {
 ///
 /// Without sways it is the one sheet. Each sheet ends at its tolerance; those of the sways are worked on until what is
 /// added of them is as exact as the first.
+///
+/// Signs    moments on the ends of the members, counter-clockwise positive; forces and displacements of a prop along its
+///          direction
+/// Units    the model's base units, rotations in radians
+/// Assumes  members do not change their length
 struct Superposition {
     Stage held;
     std::vector<Stage> sways;          ///< parallel to Problem::sways

@@ -16,8 +16,8 @@ using femoop::MemberId;
 namespace {
 
 /// Draws the results along a member and compares them.
-void check(const std::string& name, const femoop::Model& model, MemberId member, const ViewOptions& options,
-           std::optional<double> cursor)
+void check_picture(const std::string& name, const femoop::Model& model, MemberId member, const ViewOptions& options,
+                   std::optional<double> cursor)
 {
     const femoop::Results results = femoop::analyse(model);
     const MemberResultsSubject subject{model, results, options, member, cursor};
@@ -69,29 +69,29 @@ TEST_SUITE("frame: results along a member")
 
     TEST_CASE("A beam of a portal with a cursor")
     {
-        check("member_portal", view_test::example("portal"), MemberId(1), {}, 2.4);
+        check_picture("member_portal", view_test::example("portal"), MemberId(1), {}, 2.4);
     }
 
     TEST_CASE("A beam with loads of every kind, on the projector in Portuguese")
     {
         ViewOptions options{.theme = ui::ThemeName::Projector, .tr = ui::Catalogue(ui::Language::Portuguese)};
         options.numbers.mark = ui::DecimalMark::Comma;
-        check("member_every_load", view_test::model("every_load"), MemberId(1), options, std::nullopt);
+        check_picture("member_every_load", view_test::model("every_load"), MemberId(1), options, std::nullopt);
     }
 
     TEST_CASE("A member in space: two shears, torsion, two moments, two deflections")
     {
         const ViewOptions options{.theme = ui::ThemeName::Dark};
-        check("member_space", view_test::example("bent_cantilever"), MemberId(0), options, 1.0);
+        check_picture("member_space", view_test::example("bent_cantilever"), MemberId(0), options, 1.0);
     }
 
     TEST_CASE("A bar of a truss shows its force and its deflection")
     {
-        check("member_truss", view_test::example("pratt_truss"), MemberId(2), {}, std::nullopt);
+        check_picture("member_truss", view_test::example("pratt_truss"), MemberId(2), {}, std::nullopt);
     }
 
     TEST_CASE("A beam on an elastic foundation: the series are cut with dots")
     {
-        check("member_foundation", view_test::example("beam_on_ground"), MemberId(0), {}, 1.5);
+        check_picture("member_foundation", view_test::example("beam_on_ground"), MemberId(0), {}, 1.5);
     }
 }

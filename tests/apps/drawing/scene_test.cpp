@@ -32,7 +32,7 @@ ViewOptions of_case(ViewOptions options, const femoop::Model& model, std::string
     return options;
 }
 
-void check(const std::string& name, const femoop::Model& model, const ViewOptions& options, ui::Size size)
+void check_picture(const std::string& name, const femoop::Model& model, const ViewOptions& options, ui::Size size)
 {
     const femoop::Results results = femoop::analyse(model);
     golden::check_scene(name, {.size = size, .background = background(options)},
@@ -44,83 +44,84 @@ void check(const std::string& name, const femoop::Model& model, const ViewOption
 TEST_CASE("Portal: loads, reactions and diagrams on light ground")
 {
     const auto model = view_test::example("portal");
-    check("frame_portal", model, of_case(shown("loads,reactions,labels,N,V,M"), model, "G"), {1200.0, 800.0});
+    check_picture("frame_portal", model, of_case(shown("loads,reactions,labels,N,V,M"), model, "G"), {1200.0, 800.0});
 }
 
 TEST_CASE("Portal: a combination on dark ground in Portuguese, with the deformed shape")
 {
     const auto model = view_test::example("portal");
-    check("frame_portal_combination", model,
-          of_case(in_portuguese(shown("loads,reactions,labels,M,deformed", ui::ThemeName::Dark)), model, "ULS"),
-          {1200.0, 900.0});
+    check_picture("frame_portal_combination", model,
+                  of_case(in_portuguese(shown("loads,reactions,labels,M,deformed", ui::ThemeName::Dark)), model, "ULS"),
+                  {1200.0, 900.0});
 }
 
 TEST_CASE("Continuous beam on the projector: shear and moment below one another")
 {
-    check("frame_continuous_beam", view_test::example("continuous_beam"),
-          shown("loads,reactions,labels,V,M", ui::ThemeName::Projector), {1400.0, 1000.0});
+    check_picture("frame_continuous_beam", view_test::example("continuous_beam"),
+                  shown("loads,reactions,labels,V,M", ui::ThemeName::Projector), {1400.0, 1000.0});
 }
 
 TEST_CASE("Eight hundred members: small symbols, slim lines, and the numbers that have room")
 {
-    check("frame_storeys", femoop::StoreyFrame{.bays = 12, .storeys = 32}.model(), shown("loads,reactions,labels,M"),
-          {1000.0, 800.0});
+    check_picture("frame_storeys", femoop::StoreyFrame{.bays = 12, .storeys = 32}.model(),
+                  shown("loads,reactions,labels,M"), {1000.0, 800.0});
 }
 
 TEST_CASE("Gerber beam in print in Portuguese, moments on the compression side, with dimensions")
 {
     ViewOptions options = in_portuguese(shown("loads,reactions,labels,M,dimensions", ui::ThemeName::Print));
     options.moment_side = MomentSide::Compression;
-    check("frame_gerber_beam", view_test::example("gerber_beam"), options, {1200.0, 600.0});
+    check_picture("frame_gerber_beam", view_test::example("gerber_beam"), options, {1200.0, 600.0});
 }
 
 TEST_CASE("Pratt truss in Portuguese: bars as broad as their force is large")
 {
-    check("frame_truss", view_test::example("pratt_truss"), in_portuguese(shown("loads,reactions,labels,N")),
-          {1300.0, 760.0});
+    check_picture("frame_truss", view_test::example("pratt_truss"), in_portuguese(shown("loads,reactions,labels,N")),
+                  {1300.0, 760.0});
 }
 
 TEST_CASE("Grillage seen from above at an angle")
 {
-    check("frame_grillage", view_test::example("grillage"), shown("loads,reactions,labels,M"), {1300.0, 560.0});
+    check_picture("frame_grillage", view_test::example("grillage"), shown("loads,reactions,labels,M"), {1300.0, 560.0});
 }
 
 TEST_CASE("Bent cantilever in space on dark ground: moments, torsion, deformed shape")
 {
-    check("frame_bent_cantilever", view_test::example("bent_cantilever"),
-          shown("loads,reactions,labels,dimensions,M,T,deformed", ui::ThemeName::Dark), {1300.0, 860.0});
+    check_picture("frame_bent_cantilever", view_test::example("bent_cantilever"),
+                  shown("loads,reactions,labels,dimensions,M,T,deformed", ui::ThemeName::Dark), {1300.0, 860.0});
 }
 
 TEST_CASE("A crowded frame keeps all its values apart")
 {
-    check("frame_crowded", view_test::model("crowded_frame"), shown("M,labels"), {1500.0, 950.0});
+    check_picture("frame_crowded", view_test::model("crowded_frame"), shown("M,labels"), {1500.0, 950.0});
 }
 
 TEST_CASE("Loads of every kind on one structure, with dimensions")
 {
-    check("frame_every_load", view_test::model("every_load"), shown("loads,labels,dimensions"), {1400.0, 850.0});
+    check_picture("frame_every_load", view_test::model("every_load"), shown("loads,labels,dimensions"),
+                  {1400.0, 850.0});
 }
 
 TEST_CASE("Supports of every kind in print")
 {
-    check("frame_supports", view_test::model("supports"), shown("loads,values,nodes", ui::ThemeName::Print),
-          {1600.0, 640.0});
+    check_picture("frame_supports", view_test::model("supports"), shown("loads,values,nodes", ui::ThemeName::Print),
+                  {1600.0, 640.0});
 }
 
 TEST_CASE("Joints and special members: hinges, releases, springs, arms, foundation, local axes")
 {
-    check("frame_joints", view_test::model("joints"), shown("labels,axes"), {1400.0, 560.0});
+    check_picture("frame_joints", view_test::model("joints"), shown("labels,axes"), {1400.0, 560.0});
 }
 
 TEST_CASE("Supports and loads in space")
 {
-    check("frame_space", view_test::model("space"), shown("loads,values,nodes,legend"), {1200.0, 760.0});
+    check_picture("frame_space", view_test::model("space"), shown("loads,values,nodes,legend"), {1200.0, 760.0});
 }
 
 TEST_CASE("Three-hinged arch on the projector in Portuguese: no moment where the arch is funicular")
 {
-    check("frame_arch", view_test::example("three_hinged_arch"),
-          in_portuguese(shown("loads,reactions,labels,N", ui::ThemeName::Projector)), {1500.0, 700.0});
+    check_picture("frame_arch", view_test::example("three_hinged_arch"),
+                  in_portuguese(shown("loads,reactions,labels,N", ui::ThemeName::Projector)), {1500.0, 700.0});
 }
 
 TEST_CASE("The section under the cursor is read")

@@ -17,7 +17,7 @@ SolverLook look(ui::ThemeName theme, Ordering ordering, std::size_t step, ui::La
     return {.theme = ui::Theme(theme), .tr = ui::Catalogue(language), .ordering = ordering, .step = step};
 }
 
-void check(const std::string& name, const femoop::Model& model, ui::Size size, const SolverLook& look)
+void check_picture(const std::string& name, const femoop::Model& model, ui::Size size, const SolverLook& look)
 {
     const femoop::SolverTrace trace = femoop::trace_solver(model);
     golden::check_scene(name, {.size = size, .background = look.theme.background()},
@@ -40,26 +40,26 @@ TEST_SUITE("frame: the solver at work")
 {
     TEST_CASE("A step of dissection: separators by number, the tree, the matrix, four factors")
     {
-        check("solver_dissection", view_test::example("storey_frame"), {1280.0, 800.0},
-              look(ui::ThemeName::Light, Ordering::NestedDissection, 14));
+        check_picture("solver_dissection", view_test::example("storey_frame"), {1280.0, 800.0},
+                      look(ui::ThemeName::Light, Ordering::NestedDissection, 14));
     }
 
     TEST_CASE("On a broad dark sheet the four pictures stand in a row")
     {
-        check("solver_row_dark", view_test::example("storey_frame"), {1280.0, 430.0},
-              look(ui::ThemeName::Dark, Ordering::CuthillMcKee, 7));
+        check_picture("solver_row_dark", view_test::example("storey_frame"), {1280.0, 430.0},
+                      look(ui::ThemeName::Dark, Ordering::CuthillMcKee, 7));
     }
 
     TEST_CASE("In Portuguese on a projector")
     {
-        check("solver_projector", view_test::example("pratt_truss"), {1280.0, 800.0},
-              look(ui::ThemeName::Projector, Ordering::MinimumDegree, 4, ui::Language::Portuguese));
+        check_picture("solver_projector", view_test::example("pratt_truss"), {1280.0, 800.0},
+                      look(ui::ThemeName::Projector, Ordering::MinimumDegree, 4, ui::Language::Portuguese));
     }
 
     TEST_CASE("In print entries differ without colour; in space too")
     {
-        check("solver_space_print", view_test::model("space"), {1280.0, 800.0},
-              look(ui::ThemeName::Print, Ordering::NestedDissection, 6));
+        check_picture("solver_space_print", view_test::model("space"), {1280.0, 800.0},
+                      look(ui::ThemeName::Print, Ordering::NestedDissection, 6));
     }
 
     TEST_CASE("Every step of every order is drawn on sheets of any shape, its words on the sheet")

@@ -49,6 +49,7 @@ struct Bridge {
 /// Cost     the half-edges that change their vertex or loop; no operator looks at the whole solid, but RINGMV, which
 ///          searches outward from both faces until they meet
 /// Source   [Mantyla1988, ch. 9 and 11]
+/// Lesson   courseware/01-euler-operators.md, run by examples/02_tetrahedron.cpp
 class EulerOperator {
 public:
     explicit EulerOperator(Solid& solid) : solid_(&solid) {}
