@@ -17,7 +17,7 @@ namespace {
 using namespace femoop::mohr;
 using femoop::translatable;
 using List = std::vector<double>;
-using Results = std::vector<MohrResult>;
+using MohrResults = std::vector<MohrResult>;
 
 double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 
@@ -32,7 +32,7 @@ List list(const Eigen::Vector3d& v) { return {v[0] + 0.0, v[1] + 0.0, v[2] + 0.0
 /// The components as they are given outside: gamma of a strain, Ixy of second moments.
 List given(Kind kind, const PlaneState& state) { return {state.x, state.y, given_shear(kind, state.xy)}; }
 
-void add_plane(Results& results, const MohrProblem& problem)
+void add_plane(MohrResults& results, const MohrProblem& problem)
 {
     const Kind kind = problem.state.kind;
     const PlaneState state = plane(problem.state);
@@ -56,7 +56,7 @@ void add_plane(Results& results, const MohrProblem& problem)
     results.push_back({"rotated", given(kind, rotated(state, *problem.angle * std::numbers::pi / 180.0))});
 }
 
-void add_space(Results& results, const MohrProblem& problem, const SpaceState& state)
+void add_space(MohrResults& results, const MohrProblem& problem, const SpaceState& state)
 {
     const SpacePrincipal p = femoop::mohr::principal(state);
     const Invariants i = invariants(state);
@@ -81,7 +81,7 @@ void add_space(Results& results, const MohrProblem& problem, const SpaceState& s
     if (is_stress(problem.state.kind)) results.push_back({"von_mises", d.equivalent});
 }
 
-void add_stress(Results& results, const MohrProblem& problem)
+void add_stress(MohrResults& results, const MohrProblem& problem)
 {
     const auto strain_stress = stress(problem.state);
     if (!is_strain(problem.state.kind) || !strain_stress) return;
@@ -94,7 +94,7 @@ void add_stress(Results& results, const MohrProblem& problem)
     results.push_back({"principal_stress", values});
 }
 
-void add_plane_through(Results& results, const MohrProblem& problem, const SpaceState& state)
+void add_plane_through(MohrResults& results, const MohrProblem& problem, const SpaceState& state)
 {
     if (!problem.normal) return;
     const OnPlane on = on_plane(state, *problem.normal);
@@ -105,7 +105,7 @@ void add_plane_through(Results& results, const MohrProblem& problem, const Space
 }
 
 /// How far the stress is from failure, in proportion, and the normals of the planes that fail.
-void add_safety(Results& results, const MohrProblem& problem)
+void add_safety(MohrResults& results, const MohrProblem& problem)
 {
     if (!problem.criterion) return;
     const bool is_given = is_stress(problem.state.kind);
@@ -220,7 +220,7 @@ void write(femoop::JsonWriter& json, const List& values)
 
 std::vector<MohrResult> mohr_results(const MohrProblem& problem)
 {
-    Results results;
+    MohrResults results;
     if (is_plane(problem.state.kind)) add_plane(results, problem);
     if (const auto state = in_space(problem.state)) {
         // How a rosette's surface strains across itself is known with Poisson's ratio only.

@@ -8,7 +8,7 @@ namespace ui {
 
 namespace {
 
-std::string escaped(std::string_view text)
+std::string as_html(std::string_view text)
 {
     std::string html;
     for (const char c : text) {
@@ -51,9 +51,9 @@ public:
     void operator()(const ReportHeading& heading)
     {
         const std::string tag = "h" + std::to_string(heading.level);
-        html += "<" + tag + ">" + escaped(heading.text) + "</" + tag + ">\n";
+        html += "<" + tag + ">" + as_html(heading.text) + "</" + tag + ">\n";
     }
-    void operator()(const ReportText& text) { html += "<p>" + escaped(text.text) + "</p>\n"; }
+    void operator()(const ReportText& text) { html += "<p>" + as_html(text.text) + "</p>\n"; }
     void operator()(const ReportTable& table)
     {
         html += "<table>\n<thead><tr>";
@@ -70,7 +70,7 @@ public:
     {
         html += "<figure>\n";
         html += without_prolog(svg_document(figure.picture, fonts_, rgb(0xFFFFFF)));
-        if (!figure.caption.empty()) html += "\n<figcaption>" + escaped(figure.caption) + "</figcaption>";
+        if (!figure.caption.empty()) html += "\n<figcaption>" + as_html(figure.caption) + "</figcaption>";
         html += "\n</figure>\n";
     }
 
@@ -79,7 +79,7 @@ public:
 private:
     void cell(std::string_view tag, bool is_number, std::string_view text)
     {
-        html += "<" + std::string(tag) + (is_number ? " class=\"n\">" : ">") + escaped(text) + "</" + std::string(tag) +
+        html += "<" + std::string(tag) + (is_number ? " class=\"n\">" : ">") + as_html(text) + "</" + std::string(tag) +
                 ">";
     }
 
@@ -92,7 +92,7 @@ std::string report_html(const Report& report, const Fonts& fonts)
 {
     HtmlWriter writer(fonts);
     writer.html = "<!DOCTYPE html>\n<html lang=\"" + report.language +
-                  "\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + escaped(report.title) + "</title>\n" +
+                  "\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + as_html(report.title) + "</title>\n" +
                   std::string(style) + "</head>\n<body>\n";
     for (const ReportBlock& block : report.blocks) std::visit(writer, block);
     return writer.html + "</body>\n</html>\n";
