@@ -29,7 +29,7 @@ endif()
 # In a unity build a name of one source is seen by its neighbours, which may well use it for a variable of their own.
 if(CREMONA_UNITY)
   set(CMAKE_UNITY_BUILD ON)
-  set(CMAKE_UNITY_BUILD_BATCH_SIZE 12)
+  set(CMAKE_UNITY_BUILD_BATCH_SIZE ${CREMONA_UNITY_BATCH})
   target_compile_options(cremona_warnings INTERFACE
     $<$<CXX_COMPILER_ID:GNU>:-Wno-shadow -Wshadow=local -Wno-subobject-linkage>
     $<$<CXX_COMPILER_ID:Clang,AppleClang>:-Wno-shadow>)

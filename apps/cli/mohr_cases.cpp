@@ -35,7 +35,7 @@ JsonValue member(JsonValue object, std::string_view key)
 }
 
 /// One comparison: a key of `expected` and how it came out.
-struct Check {
+struct StateCheck {
     std::string what, expected, result, tolerance;
     Verdict verdict = Verdict::Passed;
 };
@@ -44,10 +44,10 @@ class CaseFile {
 public:
     CaseFile(std::string name, const ui::Catalogue& tr) : name_(std::move(name)), tr_(tr) {}
 
-    std::vector<Check> run(JsonValue root) const
+    std::vector<StateCheck> run(JsonValue root) const
     {
         if (!root.is(JsonKind::Array)) throw refused("", tr_("wanted a list of cases: [{\"id\": ..., ...}]"));
-        std::vector<Check> checks;
+        std::vector<StateCheck> checks;
         std::size_t i = 0;
         for (const JsonValue entry : root) {
             const std::string place = "[" + std::to_string(i++) + "]";
@@ -63,7 +63,7 @@ private:
         return UsageError(name_ + ": " + (place.empty() ? "" : place + ": ") + reason);
     }
 
-    void run_entry(JsonValue entry, const std::string& id, std::vector<Check>& checks) const
+    void run_entry(JsonValue entry, const std::string& id, std::vector<StateCheck>& checks) const
     {
         const JsonValue expected = member(entry, "expected");
         if (!member(entry, "input").is(JsonKind::Object) || !expected.is(JsonKind::Object))
@@ -166,10 +166,10 @@ private:
         return values;
     }
 
-    Check compare(const std::string& id, JsonValue expected, const std::vector<MohrResult>& results, double rtol,
-                  double atol) const
+    StateCheck compare(const std::string& id, JsonValue expected, const std::vector<MohrResult>& results, double rtol,
+                       double atol) const
     {
-        Check check;
+        StateCheck check;
         check.what = id + ": " + std::string(expected.key());
         const MohrResult::Value target = wanted(expected, check.what);
         check.expected = text(target);
@@ -185,7 +185,7 @@ private:
 
     /// A list is compared within one tolerance, that of its largest number.
     bool agrees(const MohrResult::Value& result, const MohrResult::Value& target, double rtol, double atol,
-                Check& check) const
+                StateCheck& check) const
     {
         const auto numbers = [](const MohrResult::Value& value) {
             if (const auto* one = std::get_if<double>(&value)) return std::vector<double>{*one};
@@ -206,7 +206,7 @@ private:
     const ui::Catalogue& tr_;
 };
 
-std::string line(const std::string& file, const Check& check, const ui::Catalogue& tr)
+std::string line(const std::string& file, const StateCheck& check, const ui::Catalogue& tr)
 {
     const std::string begin = file + ": " + check.what;
     if (check.verdict == Verdict::Skipped)
@@ -218,19 +218,19 @@ std::string line(const std::string& file, const Check& check, const ui::Catalogu
     return begin + " = " + numbers + ": " + (check.verdict == Verdict::Passed ? tr("passed") : tr("FAILED")) + "\n";
 }
 
-std::size_t n_of(const std::vector<Check>& checks, Verdict verdict)
+std::size_t n_of(const std::vector<StateCheck>& checks, Verdict verdict)
 {
     return static_cast<std::size_t>(
-        std::count_if(checks.begin(), checks.end(), [&](const Check& check) { return check.verdict == verdict; }));
+        std::count_if(checks.begin(), checks.end(), [&](const StateCheck& check) { return check.verdict == verdict; }));
 }
 
-std::string json(const std::string& file, const std::vector<Check>& checks)
+std::string json(const std::string& file, const std::vector<StateCheck>& checks)
 {
     constexpr std::array<std::string_view, 3> words{"passed", "failed", "skipped"};
     femoop::JsonWriter json;
     json.begin_object(femoop::JsonWriter::Layout::Block).member("cremona", 1);
     json.key("checks").begin_array(femoop::JsonWriter::Layout::Block);
-    for (const Check& check : checks)
+    for (const StateCheck& check : checks)
         json.begin_object()
             .member("file", file)
             .member("what", check.what)
@@ -258,10 +258,10 @@ ExitStatus run_mohr_cases(const std::string& file, bool is_json, Console& consol
         return ExitStatus::BadInput;
     }
     const ui::Catalogue english;
-    const std::vector<Check> checks = CaseFile(name, is_json ? english : tr).run(reading.document->root());
+    const std::vector<StateCheck> checks = CaseFile(name, is_json ? english : tr).run(reading.document->root());
     if (is_json) console.print(json(name, checks));
     else {
-        for (const Check& check : checks) console.print(line(name, check, tr));
+        for (const StateCheck& check : checks) console.print(line(name, check, tr));
         console.print(tr("{passed} passed, {failed} failed, {skipped} skipped",
                          {{"passed", std::to_string(n_of(checks, Verdict::Passed))},
                           {"failed", std::to_string(n_of(checks, Verdict::Failed))},

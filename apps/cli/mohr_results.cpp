@@ -18,7 +18,7 @@ namespace {
 using namespace femoop::mohr;
 using femoop::translatable;
 using List = std::vector<double>;
-using Results = std::vector<MohrResult>;
+using MohrResults = std::vector<MohrResult>;
 
 double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 
@@ -33,7 +33,7 @@ List list(const Eigen::Vector3d& v) { return {v[0] + 0.0, v[1] + 0.0, v[2] + 0.0
 /// The components as they are given outside: gamma of a strain, Ixy of second moments.
 List given(Kind kind, const PlaneState& state) { return {state.x, state.y, given_shear(kind, state.xy)}; }
 
-void add_plane(Results& results, const MohrProblem& problem, const PointResults& point)
+void add_plane(MohrResults& results, const MohrProblem& problem, const PointResults& point)
 {
     const Kind kind = problem.state.kind;
     if (problem.rosette) results.push_back({"strain", given(kind, point.plane)});
@@ -49,7 +49,7 @@ void add_plane(Results& results, const MohrProblem& problem, const PointResults&
     if (problem.angle) results.push_back({"rotated", given(kind, point.turned)});
 }
 
-void add_directions(Results& results, const PointResults& point)
+void add_directions(MohrResults& results, const PointResults& point)
 {
     const SpacePrincipal& p = point.space_principal;
     results.push_back({"principal", List(p.values.begin(), p.values.end())});
@@ -63,7 +63,7 @@ void add_directions(Results& results, const PointResults& point)
     for (int k = 0; k < 3; ++k) results.push_back({sizes[k], list(p.directions.col(k).cwiseAbs())});
 }
 
-void add_space(Results& results, Kind kind, const PointResults& point)
+void add_space(MohrResults& results, Kind kind, const PointResults& point)
 {
     const Invariants& i = point.invariants;
     const Deviator& d = point.deviator;
@@ -77,7 +77,7 @@ void add_space(Results& results, Kind kind, const PointResults& point)
     if (is_stress(kind)) results.push_back({"von_mises", d.equivalent});
 }
 
-void add_stress(Results& results, Kind kind, const PointResults& point)
+void add_stress(MohrResults& results, Kind kind, const PointResults& point)
 {
     if (!point.stress) return;
     const SpaceState& s = *point.stress;
@@ -86,7 +86,7 @@ void add_stress(Results& results, Kind kind, const PointResults& point)
     results.push_back({"principal_stress", List(values.begin(), values.end())});
 }
 
-void add_plane_through(Results& results, const OnPlane& on)
+void add_plane_through(MohrResults& results, const OnPlane& on)
 {
     results.push_back({"normal", list(on.normal)});
     results.push_back({"traction", list(on.traction)});
@@ -95,7 +95,7 @@ void add_plane_through(Results& results, const OnPlane& on)
 }
 
 /// How far the stress is from failure, in proportion, and the normals of the planes that fail.
-void add_safety(Results& results, const Safety& found)
+void add_safety(MohrResults& results, const Safety& found)
 {
     results.push_back({"safety_factor", found.factor ? MohrResult::Value(*found.factor) : std::monostate{}});
     std::vector<List> normals;
@@ -212,7 +212,7 @@ std::vector<MohrResult> mohr_results(const MohrProblem& problem)
                                               .criterion = problem.criterion,
                                               .strength = problem.strength,
                                               .strain_unit = problem.reading_unit});
-    Results results;
+    MohrResults results;
     if (is_plane(kind)) add_plane(results, problem, point);
     // How a rosette's surface strains across itself is known with Poisson's ratio only.
     const bool has_third = point.space && (!problem.rosette || problem.state.nu);

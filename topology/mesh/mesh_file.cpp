@@ -10,7 +10,7 @@ namespace topology {
 
 namespace {
 
-double number(std::string_view word)
+double coordinate(std::string_view word)
 {
     if (const auto value = finite_number(word)) return *value;
     throw error(MeshFault::BadNumber, {std::string(word)});
@@ -42,7 +42,7 @@ std::size_t whole(std::string_view word, std::size_t below)
 Point point(const std::vector<std::string_view>& words, std::size_t first)
 {
     if (words.size() < first + 3) throw error(MeshFault::TooFewWords, {});
-    return {number(words[first]), number(words[first + 1]), number(words[first + 2])};
+    return {coordinate(words[first]), coordinate(words[first + 1]), coordinate(words[first + 2])};
 }
 
 void read_obj_line(const std::vector<std::string_view>& words, Mesh& mesh)

@@ -33,9 +33,9 @@ File nameless_file(const std::string& text)
 }
 
 /// A session of its own, so that it outlives the terminal of this program; reads from the file.
-class Surroundings {
+class SpawnSettings {
 public:
-    explicit Surroundings(int input)
+    explicit SpawnSettings(int input)
     {
         posix_spawnattr_init(&attributes);
         posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID);
@@ -43,13 +43,13 @@ public:
         posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
         if (input != STDIN_FILENO) posix_spawn_file_actions_addclose(&actions, input);
     }
-    ~Surroundings()
+    ~SpawnSettings()
     {
         posix_spawn_file_actions_destroy(&actions);
         posix_spawnattr_destroy(&attributes);
     }
-    Surroundings(const Surroundings&) = delete;
-    Surroundings& operator=(const Surroundings&) = delete;
+    SpawnSettings(const SpawnSettings&) = delete;
+    SpawnSettings& operator=(const SpawnSettings&) = delete;
 
     posix_spawnattr_t attributes{};
     posix_spawn_file_actions_t actions{};
@@ -82,10 +82,10 @@ std::optional<Phrase> start_program(const Handover& handover, const std::filesys
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
-    const Surroundings surroundings(fileno(document.get()));
+    const SpawnSettings settings(fileno(document.get()));
     pid_t child = 0;
-    const int error = posix_spawn(&child, program.c_str(), &surroundings.actions, &surroundings.attributes,
-                                  arguments.data(), environ);
+    const int error = posix_spawn(&child, program.c_str(), &settings.actions, &settings.attributes, arguments.data(),
+                                  environ);
     if (error != 0) return not_started(handover.program, error);
     std::thread([child] { waitpid(child, nullptr, 0); }).detach(); // else it stays in the table when it has ended
     return std::nullopt;

@@ -18,7 +18,7 @@ namespace ui {
 
 namespace {
 
-std::string last_error()
+std::string last_window_error()
 {
     const char* words = nullptr;
     glfwGetError(&words);
@@ -32,7 +32,7 @@ public:
     {
         require_room_to_draw();
         if (!glfwInit())
-            throw ContextError("no window can be opened: " + last_error() +
+            throw ContextError("no window can be opened: " + last_window_error() +
                                "; on a machine without a display use `cremona render` or `--screenshot`");
     }
     ~Glfw() { glfwTerminate(); }
@@ -166,7 +166,7 @@ void Window::Parts::open(const Setup& setup)
     const Size size = on_screen(setup.size);
     window = glfwCreateWindow(static_cast<int>(size.width), static_cast<int>(size.height), setup.title.c_str(), nullptr,
                               nullptr);
-    if (!window) throw ContextError("no window with OpenGL 3.3 can be opened: " + last_error());
+    if (!window) throw ContextError("no window with OpenGL 3.3 can be opened: " + last_window_error());
     glfwMakeContextCurrent(window);
     glfwSwapInterval(1);
     gl = std::make_unique<gl::Functions>(glfwGetProcAddress);

@@ -1,5 +1,6 @@
 #include "ui/paint/label_placement.h"
 
+#include "ui/paint/label/cells.h"
 #include "ui/paint/label/full_cells.h"
 #include "ui/paint/label/obstacle_map.h"
 
@@ -130,8 +131,8 @@ public:
         : places_(n_labels),
           corner_(options.room.min),
           gap_(options.gap),
-          n_columns_(n_cells(options.room.width())),
-          n_rows_(n_cells(options.room.height())),
+          n_columns_(n_cells(options.room.width(), cell_side, most_cells_a_side)),
+          n_rows_(n_cells(options.room.height(), cell_side, most_cells_a_side)),
           cells_(static_cast<std::size_t>(n_columns_) * static_cast<std::size_t>(n_rows_))
     {}
 
@@ -177,11 +178,6 @@ private:
     struct CellRange {
         int x0, y0, x1, y1;
     };
-
-    static int n_cells(double side)
-    {
-        return static_cast<int>(std::clamp(std::ceil(side / cell_side), 1.0, most_cells_a_side));
-    }
 
     std::size_t index(int x, int y) const { return static_cast<std::size_t>(y * n_columns_ + x); }
 

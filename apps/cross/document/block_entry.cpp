@@ -1,7 +1,5 @@
 #include "apps/cross/document/block_entry.h"
 
-#include "femoop/io/json/json_document.h"
-
 namespace cross {
 
 std::string with_entry(const std::string& block_json, std::string_view key, const std::optional<std::string>& json)
@@ -16,6 +14,13 @@ std::string with_entry(const std::string& block_json, std::string_view key, cons
         if (value.key() != key) add(value.key(), femoop::compact_json(value));
     if (json) add(key, *json);
     return "{" + text + "}";
+}
+
+femoop::JsonValue entry_of(femoop::JsonValue object, std::string_view key)
+{
+    for (const femoop::JsonValue value : object)
+        if (value.key() == key) return value;
+    return {};
 }
 
 } // namespace cross

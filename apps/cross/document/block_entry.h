@@ -4,9 +4,14 @@
 #include <string>
 #include <string_view>
 
+#include "femoop/io/json/json_document.h"
+
 namespace cross {
 
 /// A `cross` block with another value under one of its keys, or without it; all else in it stays.
 std::string with_entry(const std::string& block_json, std::string_view key, const std::optional<std::string>& json);
+
+/// What an object has under `key`; absent where it has nothing.
+femoop::JsonValue entry_of(femoop::JsonValue object, std::string_view key);
 
 } // namespace cross

@@ -16,15 +16,8 @@ using femoop::translatable;
 
 namespace {
 
-constexpr std::string_view key = "exercise";
+constexpr std::string_view exercise_key = "exercise";
 constexpr std::size_t most_cells = 5000, longest_text = 60;
-
-JsonValue member(JsonValue object, std::string_view name)
-{
-    for (const JsonValue value : object)
-        if (value.key() == name) return value;
-    return {};
-}
 
 /// Reads an exercise and writes down whatever in it is none.
 class PupilReader {
@@ -33,15 +26,15 @@ public:
     {
         Pupil pupil;
         read_seed(pupil, block);
-        const JsonValue cells = member(block, "cells"), helped = member(block, "helped");
+        const JsonValue cells = entry_of(block, "cells"), helped = entry_of(block, "helped");
         if (reader_.is_list(cells, place_))
             for (const JsonValue cell : cells) read_cell(pupil, cell);
         pupil.helped.resize(pupil.written.size());
         if (reader_.is_list(helped, place_))
             for (const JsonValue cell : helped) read_helped(pupil, cell);
-        const JsonValue judges_at_once = member(block, "judges_at_once");
+        const JsonValue judges_at_once = entry_of(block, "judges_at_once");
         pupil.judges_at_once = !judges_at_once.is_present() || reader_.boolean(judges_at_once, place_);
-        pupil.is_judged = reader_.boolean(member(block, "is_judged"), place_);
+        pupil.is_judged = reader_.boolean(entry_of(block, "is_judged"), place_);
         if (auto faults = reader_.take_faults(); !faults.empty()) throw femoop::ModelError(std::move(faults));
         return pupil;
     }
@@ -49,7 +42,7 @@ public:
 private:
     void read_seed(Pupil& pupil, JsonValue block)
     {
-        const JsonValue difficulty = member(block, "difficulty"), seed = member(block, "seed");
+        const JsonValue difficulty = entry_of(block, "difficulty"), seed = entry_of(block, "seed");
         if (!difficulty.is_present() && !seed.is_present()) return;
         if (!difficulty.is_present()) return reader_.missing_key("difficulty", place_);
         if (!seed.is_present()) return reader_.missing_key("seed", place_);
@@ -90,7 +83,7 @@ private:
         return std::nullopt;
     }
 
-    femoop::Place top_, cross_ = top_.key("cross"), place_ = cross_.key(key);
+    femoop::Place top_, cross_ = top_.key("cross"), place_ = cross_.key(exercise_key);
     femoop::ValueReader reader_;
 };
 
@@ -120,7 +113,7 @@ std::optional<Pupil> pupil_in(const std::string& block_json)
 {
     const femoop::JsonReading reading = femoop::parse_json(block_json);
     if (!reading.document) return std::nullopt;
-    const JsonValue block = member(reading.document->root(), key);
+    const JsonValue block = entry_of(reading.document->root(), exercise_key);
     if (!block.is_present()) return std::nullopt;
     if (block.is(JsonKind::Object)) return PupilReader().read(block);
     femoop::ValueReader reader;
@@ -131,7 +124,7 @@ std::optional<Pupil> pupil_in(const std::string& block_json)
 
 std::string with_pupil(const std::string& block_json, const std::optional<Pupil>& pupil)
 {
-    return with_entry(block_json, key, pupil ? std::optional(json_of(*pupil)) : std::nullopt);
+    return with_entry(block_json, exercise_key, pupil ? std::optional(json_of(*pupil)) : std::nullopt);
 }
 
 } // namespace cross

@@ -19,7 +19,7 @@ using femoop::translatable;
 
 namespace {
 
-constexpr std::string_view key = "worked";
+constexpr std::string_view worked_key = "worked";
 constexpr std::size_t most_turns = 20000; // of all branches
 
 /// Joints by name; nothing: all at once.
@@ -35,13 +35,6 @@ struct Saved {
     std::vector<SavedPlay> plays;
 };
 
-JsonValue member(JsonValue object, std::string_view name)
-{
-    for (const JsonValue value : object)
-        if (value.key() == name) return value;
-    return {};
-}
-
 /// Reads what was worked and writes down whatever in it is none.
 class WorkedReader {
 public:
@@ -49,8 +42,8 @@ public:
     {
         Saved saved;
         if (reader_.is_object(worked, cross_)) {
-            saved.sheet = whole(member(worked, "sheet"), place_);
-            if (const JsonValue plays = member(worked, "plays"); reader_.is_list(plays, place_))
+            saved.sheet = whole(entry_of(worked, "sheet"), place_);
+            if (const JsonValue plays = entry_of(worked, "plays"); reader_.is_list(plays, place_))
                 for (const JsonValue play : plays) saved.plays.push_back(read_play(play, saved.plays.size()));
         }
         if (auto faults = reader_.take_faults(); !faults.empty()) throw femoop::ModelError(std::move(faults));
@@ -63,9 +56,9 @@ private:
         const femoop::Place plays = place_.key("plays"), place = plays.entry(i);
         SavedPlay play;
         if (!reader_.is_object(value, plays)) return play;
-        play.way = whole(member(value, "way"), place);
-        play.at = whole(member(value, "at"), place);
-        const JsonValue ways = member(value, "ways");
+        play.way = whole(entry_of(value, "way"), place);
+        play.at = whole(entry_of(value, "at"), place);
+        const JsonValue ways = entry_of(value, "ways");
         if (!reader_.is_list(ways, place)) return play;
         for (const JsonValue way : ways) {
             play.ways.emplace_back();
@@ -94,7 +87,7 @@ private:
         return 0;
     }
 
-    femoop::Place top_, cross_ = top_.key("cross"), place_ = cross_.key(key);
+    femoop::Place top_, cross_ = top_.key("cross"), place_ = cross_.key(worked_key);
     femoop::ValueReader reader_;
     std::size_t n_turns_ = 0;
 };
@@ -181,17 +174,17 @@ std::optional<std::string> worked_json(const Document& document)
 
 std::string with_worked(const std::string& block_json, const Document& document)
 {
-    return with_entry(block_json, key, worked_json(document));
+    return with_entry(block_json, worked_key, worked_json(document));
 }
 
 void take_worked(std::string& block_json, Document& document)
 {
     const femoop::JsonReading reading = femoop::parse_json(block_json);
     if (!reading.document) return;
-    const JsonValue worked = member(reading.document->root(), key);
+    const JsonValue worked = entry_of(reading.document->root(), worked_key);
     if (!worked.is_present()) return;
     const Saved saved = WorkedReader().read(worked);
-    block_json = with_entry(block_json, key, std::nullopt);
+    block_json = with_entry(block_json, worked_key, std::nullopt);
     if (!document.pupil) set_worked(document, saved);
 }
 

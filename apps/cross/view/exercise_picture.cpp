@@ -395,7 +395,7 @@ private:
     bool is_narrow_ = false;
 };
 
-std::string title_of(const Scene& scene)
+std::string paper_title_of(const Scene& scene)
 {
     const ui::Catalogue& tr = scene.look.tr;
     const Numbers numbers(scene.document, scene.solution, scene.look);
@@ -412,7 +412,7 @@ std::string title_of(const Scene& scene)
 void draw_cells(ui::Painter& painter, const Panel& panel, const Scene& scene, Drawn& drawn)
 {
     const ui::Theme theme = theme_in(panel, scene.look);
-    draw_title(painter, panel, title_of(scene), theme);
+    draw_title(painter, panel, paper_title_of(scene), theme);
     draw_structure_in(painter, panel, scene, {}, [](const drawing::Scene& in) {
         drawing::draw_members(in, drawing::Presence::Subject);
         {

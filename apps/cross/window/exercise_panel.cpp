@@ -91,7 +91,7 @@ void show_mistakes(Session& session)
     }
 }
 
-std::string stage_name(const Session& session, std::size_t stage)
+std::string paper_stage_name(const Session& session, std::size_t stage)
 {
     const Paper& paper = *session.paper();
     if (stage == 0) return session.tr()("Loads, sways propped");
@@ -100,12 +100,13 @@ std::string stage_name(const Session& session, std::size_t stage)
     return session.tr()("Sway at {node}", {{"node", session.document().model[sway.prop].id}});
 }
 
-void show_stages(Session& session)
+void show_paper_stages(Session& session)
 {
     if (session.paper()->n_stages() < 2) return;
     separate();
     for (std::size_t stage = 0; stage < session.paper()->n_stages(); ++stage) {
-        const std::string name = ui::item_label(stage_name(session, stage), "paper stage" + std::to_string(stage));
+        const std::string name = ui::item_label(paper_stage_name(session, stage),
+                                                "paper stage" + std::to_string(stage));
         if (ImGui::RadioButton(name.c_str(), session.paper_stage() == stage)) session.show_paper_stage(stage);
     }
 }
@@ -128,7 +129,7 @@ void ExercisePanel::show_beginning(Desk& desk, const CommandTable& commands)
     ui::command_button(desk, commands, "exercise.new");
     ui::command_button(desk, commands, "exercise.own");
     if (desk.session.paper() == nullptr) return;
-    show_stages(desk.session);
+    show_paper_stages(desk.session);
     separate();
     const auto& command = *commands.find("exercise.judge_at_once");
     bool is_on = command.is_on(desk);

@@ -12,9 +12,9 @@ namespace {
 
 using Reason = std::optional<Phrase>;
 
-constexpr std::string_view menu = translatable("Operator");
+constexpr std::string_view operator_menu = translatable("Operator");
 
-constexpr std::array<std::string_view, n_verbs> ids{
+constexpr std::array<std::string_view, n_verbs> operator_ids{
     "operator.mvfs", "operator.kvfs", "operator.mev",  "operator.split",  "operator.kev",   "operator.mef",
     "operator.kef",  "operator.kemr", "operator.mekr", "operator.kfmrh",  "operator.mfkrh", "operator.mvr",
     "operator.kvr",  "operator.semv", "operator.jekv", "operator.ringmv", "operator.move",  "operator.sweep"};
@@ -40,13 +40,16 @@ void show_operators(Desk& desk)
     desk.has_panels = true;
 }
 
-std::string command_id(const OperatorForm& form) { return std::string(ids[static_cast<std::size_t>(form.verb)]); }
+std::string command_id(const OperatorForm& form)
+{
+    return std::string(operator_ids[static_cast<std::size_t>(form.verb)]);
+}
 
 void add_operator_commands(CommandTable& table)
 {
     for (const OperatorForm& form : operator_forms()) {
-        table.add({.id = ids[static_cast<std::size_t>(form.verb)],
-                   .menu = menu,
+        table.add({.id = operator_ids[static_cast<std::size_t>(form.verb)],
+                   .menu = operator_menu,
                    .label = form.meaning,
                    .run =
                        [verb = form.verb](Desk& desk) {
@@ -63,25 +66,25 @@ void add_operator_commands(CommandTable& table)
                    }});
     }
     table.add({.id = "operator.draw",
-               .menu = menu,
+               .menu = operator_menu,
                .label = translatable("Draw lines, and be told their operators"),
                .shortcuts = {{Key::L, {}}},
                .run = [](Desk& desk) { desk.session.draw_or_look(); },
                .is_on = [](const Desk& desk) { return desk.session.is_drawing(); }});
     table.add({.id = "operator.accept",
-               .menu = menu,
+               .menu = operator_menu,
                .label = translatable("Apply the operator"),
                .shortcuts = {{Key::Enter, {}}},
                .run = [](Desk& desk) { desk.session.accept(); },
                .why_not = why_not_accept});
     table.add({.id = "operator.take_back",
-               .menu = menu,
+               .menu = operator_menu,
                .label = translatable("Take back the last argument"),
                .shortcuts = {{Key::Backspace, {}}},
                .run = [](Desk& desk) { desk.session.take_back_choice(); },
                .why_not = needs_draft});
     table.add({.id = "operator.cancel",
-               .menu = menu,
+               .menu = operator_menu,
                .label = translatable("Give up the operator"),
                .shortcuts = {{Key::Escape, {}}},
                .run =

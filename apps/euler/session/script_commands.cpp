@@ -7,7 +7,7 @@ using ui::translatable;
 
 namespace {
 
-constexpr std::string_view menu = translatable("Step");
+constexpr std::string_view script_menu = translatable("Step");
 
 } // namespace
 
@@ -21,12 +21,12 @@ void show_script(Desk& desk)
 void add_script_commands(CommandTable& table)
 {
     table.add({.id = "script.write",
-               .menu = menu,
+               .menu = script_menu,
                .label = translatable("Write a line of the script"),
                .shortcuts = {{Key::S, {}}},
                .run = show_script});
     table.add({.id = "script.edit",
-               .menu = menu,
+               .menu = script_menu,
                .label = translatable("Edit the script as text"),
                .shortcuts = {{Key::S, ui::shift}},
                .run =
@@ -37,7 +37,7 @@ void add_script_commands(CommandTable& table)
                .why_not = [](const Desk& desk) { return desk.session.why_not_edit_text(); },
                .is_on = [](const Desk& desk) { return desk.session.edited_text.has_value(); }});
     table.add({.id = "script.accept",
-               .menu = menu,
+               .menu = script_menu,
                .label = translatable("Apply the text"),
                .shortcuts = {{Key::Enter, ui::ctrl}},
                .run = [](Desk& desk) { desk.session.accept_text(); },

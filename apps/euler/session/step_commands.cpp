@@ -13,7 +13,7 @@ namespace {
 
 using Reason = std::optional<Phrase>;
 
-constexpr std::string_view menu = translatable("Step");
+constexpr std::string_view step_menu = translatable("Step");
 
 Reason why_not_forward(const Desk& desk)
 {
@@ -63,13 +63,13 @@ void change_speed(Desk& desk, double factor)
 void add_walk(CommandTable& table)
 {
     table.add({.id = "step.first",
-               .menu = menu,
+               .menu = step_menu,
                .label = translatable("To the beginning"),
                .shortcuts = {{Key::Home, {}}},
                .run = [](Desk& desk) { go(desk, 0); },
                .why_not = why_not_back});
     table.add({.id = "step.back",
-               .menu = menu,
+               .menu = step_menu,
                .label = translatable("Back"),
                .shortcuts = {{Key::PageUp, {}}, {Key::Left, {}}, {Key::Z, ui::ctrl}},
                .run =
@@ -80,7 +80,7 @@ void add_walk(CommandTable& table)
                .why_not = why_not_back,
                .live_label = back_label});
     table.add({.id = "step.forward",
-               .menu = menu,
+               .menu = step_menu,
                .label = translatable("Forward"),
                .shortcuts = {{Key::PageDown, {}}, {Key::Right, {}}, {Key::Y, ui::ctrl}, {Key::Z, ui::ctrl_shift}},
                .run =
@@ -91,7 +91,7 @@ void add_walk(CommandTable& table)
                .why_not = why_not_forward,
                .live_label = forward_label});
     table.add({.id = "step.last",
-               .menu = menu,
+               .menu = step_menu,
                .label = translatable("To the end"),
                .shortcuts = {{Key::End, {}}},
                .run = [](Desk& desk) { go(desk, desk.session.n_steps()); },
@@ -108,7 +108,7 @@ Reason why_not_open_sweep(const Desk& desk)
 void add_opening(CommandTable& table)
 {
     table.add({.id = "step.open_sweep",
-               .menu = menu,
+               .menu = step_menu,
                .label = translatable("Open the sweep into MEV and MEF"),
                .shortcuts = {{Key::O, {}}},
                .run = [](Desk& desk) { desk.session.open_sweep(); },
@@ -118,7 +118,7 @@ void add_opening(CommandTable& table)
 void add_player(CommandTable& table)
 {
     table.add({.id = "step.play",
-               .menu = menu,
+               .menu = step_menu,
                .label = translatable("Play"),
                .shortcuts = {{Key::Space, {}}},
                .run = play_or_rest,
@@ -128,12 +128,12 @@ void add_player(CommandTable& table)
                },
                .is_on = [](const Desk& desk) { return desk.session.is_playing; }});
     table.add({.id = "step.slower",
-               .menu = menu,
+               .menu = step_menu,
                .label = translatable("Slower"),
                .shortcuts = {{Key::Down, {}}},
                .run = [](Desk& desk) { change_speed(desk, 0.5); }});
     table.add({.id = "step.faster",
-               .menu = menu,
+               .menu = step_menu,
                .label = translatable("Faster"),
                .shortcuts = {{Key::Up, {}}},
                .run = [](Desk& desk) { change_speed(desk, 2.0); }});

@@ -18,13 +18,13 @@ namespace euler {
 
 namespace {
 
-constexpr std::size_t most_letters = 200; // of a row
+constexpr std::size_t most_letters_of_row = 200; // of a row
 
 // What of a row has room, whose end gives way to an ellipsis.
 std::string fitted(const std::string& row)
 {
     const float room = ImGui::GetContentRegionAvail().x;
-    std::size_t n = most_letters;
+    std::size_t n = most_letters_of_row;
     std::string shown = ui::shortened(row, n);
     for (float width = ImGui::CalcTextSize(shown.c_str()).x; width > room && n > 1;
          width = ImGui::CalcTextSize(shown.c_str()).x) {
@@ -59,7 +59,7 @@ void line(Session& session, std::size_t i)
 int& seen_step(int place) { return *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("seen"), place); }
 
 // The last item, which is the present line; it may take some frames until the list knows how long it is.
-void bring_into_sight(int place)
+void bring_step_into_sight(int place)
 {
     if (ImGui::IsItemVisible()) seen_step(place) = place;
     else ImGui::SetScrollHereY();
@@ -70,14 +70,14 @@ void list(Session& session)
     const auto place = static_cast<int>(session.place());
     const bool has_moved = seen_step(place) != place;
     beginning(session);
-    if (has_moved && place == 0) bring_into_sight(place);
+    if (has_moved && place == 0) bring_step_into_sight(place);
     ImGuiListClipper clipper; // a script may have a million lines
     clipper.Begin(static_cast<int>(session.n_steps()));
     if (has_moved && place > 0) clipper.ForceDisplayRangeByIndices(place - 1, place);
     while (clipper.Step())
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             line(session, static_cast<std::size_t>(i) + 1);
-            if (has_moved && i + 1 == place) bring_into_sight(place);
+            if (has_moved && i + 1 == place) bring_step_into_sight(place);
         }
 }
 

@@ -165,13 +165,13 @@ std::optional<ui::Phrase> why_not_paste(const Model& model, std::span<const Part
 
 namespace {
 
-Vector2d place_of(const Model& model, NodeId node) { return femoop::position_of(model, node).head<2>(); }
+Vector2d place_in_plane(const Model& model, NodeId node) { return femoop::position_of(model, node).head<2>(); }
 
 Vector2d grip_in(const Model& model)
 {
-    Vector2d grip = place_of(model, NodeId(0));
+    Vector2d grip = place_in_plane(model, NodeId(0));
     for (std::size_t i = 1; i < model.nodes.size(); ++i) {
-        const Vector2d place = place_of(model, NodeId(i));
+        const Vector2d place = place_in_plane(model, NodeId(i));
         if (std::pair(place.x(), place.y()) < std::pair(grip.x(), grip.y())) grip = place;
     }
     return grip;

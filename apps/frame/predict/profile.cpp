@@ -13,8 +13,8 @@ using femoop::Curve;
 using femoop::MemberComponent;
 using femoop::Side;
 
-constexpr double rounding = 1e-6; // of the largest value: below it a number is zero
-constexpr double faint = 0.05;    // of the largest value: a jump that no eye sees
+constexpr double rounding = 1e-6;   // of the largest value: below it a number is zero
+constexpr double faint_jump = 0.05; // of the largest value: a jump that no eye sees
 
 void bridge(Profile& profile, std::size_t left, std::size_t right)
 {
@@ -78,7 +78,7 @@ std::vector<Truth::Jump> jumps_of(const Curve& curve, MemberComponent component,
     std::vector<Truth::Jump> jumps;
     for (const double x : curve.breaks()) {
         const double size = curve.value(component, x, Side::After) - curve.value(component, x, Side::Before);
-        if (x > 0.0 && x < curve.length() && std::abs(size) > faint * largest)
+        if (x > 0.0 && x < curve.length() && std::abs(size) > faint_jump * largest)
             jumps.push_back({x / curve.length(), size / largest});
     }
     return jumps;

@@ -7,6 +7,7 @@
 
 #include "apps/frame/document/drawing.h"
 #include "apps/frame/session/edit_commands.h"
+#include "apps/frame/session/in_plane.h"
 
 namespace frame {
 
@@ -16,8 +17,6 @@ using ui::translatable;
 namespace {
 
 using Reason = std::optional<ui::Phrase>;
-
-bool is_in_plane(const Desk& desk) { return femoop::n_coordinates(desk.session.model().analysis) == 2; }
 
 Reason why_not_copy(const Desk& desk)
 {

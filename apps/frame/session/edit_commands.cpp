@@ -5,6 +5,7 @@
 
 #include "apps/frame/document/drawing.h"
 #include "apps/frame/session/clipboard_commands.h"
+#include "apps/frame/session/in_plane.h"
 #include "apps/frame/session/predict_commands.h"
 #include "femoop/edit/place.h"
 
@@ -31,8 +32,6 @@ constexpr std::array tool_entries{
     ToolEntry{ToolKind::Delete, "draw.delete", translatable("Delete"), Key::X},
     ToolEntry{ToolKind::Predict, "draw.predict", translatable("Predict the moments"), Key::K},
 };
-
-bool is_in_plane(const Desk& desk) { return femoop::n_coordinates(desk.session.model().analysis) == 2; }
 
 Reason why_not_take(const Desk& desk, ToolKind tool)
 {

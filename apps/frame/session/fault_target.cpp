@@ -37,7 +37,7 @@ std::optional<Part> mended_part(const Model& model, const Fault& fault)
 }
 
 /// The node or member that a load acts on; another part itself.
-Part bearer_of(const Model& model, const Part& part)
+Part marked_part_of(const Model& model, const Part& part)
 {
     if (const auto* const p = std::get_if<NodeLoadPlace>(&part))
         return model.load_cases[p->load_case].nodes[p->load].node;
@@ -55,7 +55,7 @@ std::optional<Part> part_about(const Model& model, const Fault& fault)
     const std::optional<FaultPlace> place = place_of(fault);
     if (!place || !place->is_load()) return mended;
     const std::optional<Part> load = part_at(*place, model);
-    return load && load != mended ? std::optional(bearer_of(model, *load)) : mended;
+    return load && load != mended ? std::optional(marked_part_of(model, *load)) : mended;
 }
 
 std::vector<std::string> names_in(const Fault& fault)
@@ -92,7 +92,7 @@ std::optional<CaseId> case_about(const Session& session, const Fault& fault)
     return std::nullopt;
 }
 
-void show_case(Session& session, CaseId id)
+void bring_case_forth(Session& session, CaseId id)
 {
     session.view.load_case = id;
     session.view.is_envelope = false;
@@ -128,7 +128,7 @@ std::optional<BottomView> table_with(const Model& model, const Part& part, const
 void go_to(Desk& desk, const Fault& fault)
 {
     Session& session = desk.session;
-    if (const auto id = case_about(session, fault)) show_case(session, *id);
+    if (const auto id = case_about(session, fault)) bring_case_forth(session, *id);
     const std::optional<Part> about = part_about(session.model(), fault);
     const Selection named = about ? Selection(*about) : parts_named(session.model(), fault);
     if (!named.is_empty()) session.selection = named;

@@ -28,7 +28,7 @@ std::optional<Phrase> why_shown_case_takes_no_load(const Session& session)
 namespace {
 
 using Reason = std::optional<Phrase>;
-constexpr std::string_view menu = translatable("Loads");
+constexpr std::string_view load_menu = translatable("Loads");
 
 /// The nodes and members that are meant by the selection: themselves, and those whose loads are selected.
 struct Targets {
@@ -332,13 +332,13 @@ void add_load_commands(CommandTable& table)
 {
     for (const ToolLoad& entry : tool_loads)
         table.add({.id = entry.id,
-                   .menu = menu,
+                   .menu = load_menu,
                    .label = entry.label,
                    .run = [entry](Desk& desk) { load(desk, entry); },
                    .why_not = [kind = entry.kind](const Desk& desk) { return why_not_load(desk, kind); }});
     for (const OtherLoad& entry : other_loads)
         table.add({.id = entry.id,
-                   .menu = menu,
+                   .menu = load_menu,
                    .label = entry.label,
                    .run = [entry](Desk& desk) { entry.run(desk, entry.label); },
                    .why_not = entry.why_not});

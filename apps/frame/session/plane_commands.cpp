@@ -9,7 +9,7 @@ using Normal = WorkingPlane::Normal;
 
 namespace {
 
-constexpr std::array entries{
+constexpr std::array plane_entries{
     PlaneEntry{Normal::Z, "draw.plane_xy", translatable("Draw in the plane xy"), "xy"},
     PlaneEntry{Normal::Y, "draw.plane_xz", translatable("Draw in the plane xz"), "xz"},
     PlaneEntry{Normal::X, "draw.plane_yz", translatable("Draw in the plane yz"), "yz"},
@@ -32,11 +32,11 @@ void work_in(Desk& desk, Normal normal)
 
 } // namespace
 
-std::span<const PlaneEntry> working_planes() { return entries; }
+std::span<const PlaneEntry> working_planes() { return plane_entries; }
 
 void add_plane_commands(CommandTable& table)
 {
-    for (const PlaneEntry& entry : entries)
+    for (const PlaneEntry& entry : plane_entries)
         table.add({.id = entry.id,
                    .menu = translatable("Draw"),
                    .label = entry.label,

@@ -10,6 +10,7 @@
 #include "apps/frame/document/fault/place.h"
 #include "apps/frame/document/load_cases.h"
 #include "apps/frame/document/section_command.h"
+#include "apps/frame/document/selected_members.h"
 #include "apps/frame/session/case_commands.h"
 #include "femoop/edit/condense.h"
 #include "femoop/io/model_file.h"
@@ -26,14 +27,6 @@ using ui::translatable;
 namespace {
 
 std::string text_of(std::size_t n) { return std::to_string(n); }
-
-std::vector<MemberId> selected_members(const Session& session)
-{
-    std::vector<MemberId> members;
-    for (const Part& part : session.selection.parts())
-        if (const auto* const member = std::get_if<MemberId>(&part)) members.push_back(*member);
-    return members;
-}
 
 /// Like that of the selected members, else steel.
 femoop::Material pattern(const Session& session, const std::vector<MemberId>& members)
@@ -69,7 +62,7 @@ void add_property_commands(CommandTable& table)
 
 void new_material(Session& session)
 {
-    const std::vector<MemberId> members = selected_members(session);
+    const std::vector<MemberId> members = selected_members(session.selection);
     const femoop::Material material = pattern(session, members);
     session.change(
         {translatable("New material"), [&](Document& document) { add_material(document, material, members); }});

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "apps/frame/document/number.h"
+#include "apps/frame/document/selected_members.h"
 #include "femoop/edit/naming.h"
 #include "femoop/section/profile.h"
 
@@ -14,14 +15,6 @@ using namespace femoop;
 using ui::translatable;
 
 namespace {
-
-std::vector<MemberId> selected_members(const Session& session)
-{
-    std::vector<MemberId> members;
-    for (const Part& part : session.selection.parts())
-        if (const auto* const member = std::get_if<MemberId>(&part)) members.push_back(*member);
-    return members;
-}
 
 std::optional<SectionId> selected_section(const Session& session)
 {
@@ -51,7 +44,7 @@ void SectionDraft::begin(Session& session, std::optional<SectionId> existing)
     is_open_ = true;
     existing_ = existing;
     target_ = SectionTarget::This;
-    members_ = selected_members(session);
+    members_ = selected_members(session.selection);
     selected_ = session.selection;
     const Model& model = session.model();
     section_ = existing ? model[*existing] : Section{.id = fresh_id(model.sections, "s1")};

@@ -15,7 +15,7 @@ struct TableEntry {
     TableKind kind;
     std::string_view id;
 };
-constexpr std::array entries{
+constexpr std::array table_entries{
     TableEntry{TableKind::Nodes, "view.table.nodes"},
     TableEntry{TableKind::Members, "view.table.members"},
     TableEntry{TableKind::Joints, "view.table.joints"},
@@ -57,7 +57,7 @@ void open_or_close(BottomView& bottom)
 
 std::string_view command_id(TableKind kind)
 {
-    for (const TableEntry& entry : entries) {
+    for (const TableEntry& entry : table_entries) {
         if (entry.kind == kind) return entry.id;
     }
     return "";
@@ -71,7 +71,7 @@ void add_table_commands(CommandTable& table)
                .shortcuts = {{Key::F4, {}}},
                .run = [](Desk& desk) { open_or_close(desk.bottom); },
                .is_on = [](const Desk& desk) { return desk.bottom.is_open; }});
-    for (const TableEntry& entry : entries) {
+    for (const TableEntry& entry : table_entries) {
         table.add({.id = entry.id,
                    .menu = tables_menu,
                    .label = title(entry.kind),

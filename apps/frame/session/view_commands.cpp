@@ -6,16 +6,16 @@
 #include "apps/drawing/results/envelope_cases.h"
 #include "apps/frame/document/naming.h"
 #include "apps/frame/view/kept_view.h"
+#include "ui/desk/standard_commands.h"
 
 namespace frame {
 
 using ui::Key;
 using ui::Phrase;
 using ui::translatable;
+using ui::standard::view_menu;
 
 namespace {
-
-constexpr std::string_view view_menu = translatable("View");
 
 const std::vector<NamedView>& views(const Session& session) { return session.document().companion.views; }
 

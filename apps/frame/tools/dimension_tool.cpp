@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "apps/frame/document/dimensioning.h"
+#include "apps/frame/tools/snap.h"
 #include "femoop/edit/member_line.h"
 #include "ui/text/catalogue.h"
 
@@ -15,8 +16,6 @@ using femoop::Model;
 using femoop::NodeId;
 
 namespace {
-
-Vector2d place_of(const Model& model, NodeId node) { return {model[node].at[0], model[node].at[1]}; }
 
 std::optional<NodeId> node_at(const Model& model, const Vector2d& place)
 {

@@ -9,6 +9,7 @@
 #include "apps/frame/document/drawing.h"
 #include "apps/frame/document/loading.h"
 #include "apps/frame/tools/dimension_tool.h"
+#include "apps/frame/tools/snap.h"
 #include "ui/text/catalogue.h"
 
 namespace frame {
@@ -18,8 +19,6 @@ using femoop::Model;
 using ui::translatable;
 
 namespace {
-
-Vector2d place_of(const Model& model, femoop::NodeId node) { return {model[node].at[0], model[node].at[1]}; }
 
 /// A rectangle along the axes.
 struct Window {

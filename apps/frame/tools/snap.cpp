@@ -20,8 +20,6 @@ struct Line {
     double foot(const Vector2d& place) const { return chord.dot(place - start) / chord.squaredNorm(); }
 };
 
-Vector2d place_of(const Model& model, femoop::NodeId node) { return {model[node].at[0], model[node].at[1]}; }
-
 bool moves(const SnapOptions& options, femoop::NodeId node)
 {
     return std::ranges::find(options.moving, node) != options.moving.end();
@@ -122,6 +120,8 @@ void offer_parts(Magnet& magnet, const Model& model, const Vector2d& pointer, co
 }
 
 } // namespace
+
+Vector2d place_of(const Model& model, femoop::NodeId node) { return {model[node].at[0], model[node].at[1]}; }
 
 Snap snap(const Model& model, const Vector2d& pointer, const SnapOptions& options)
 {

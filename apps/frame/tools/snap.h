@@ -44,6 +44,9 @@ struct SnapOptions {
 /// \pre a plane model (truss2d, frame2d, grillage)
 Snap snap(const femoop::Model& model, const Eigen::Vector2d& pointer, const SnapOptions& options);
 
+/// Where a node of a plane model is.
+Eigen::Vector2d place_of(const femoop::Model& model, femoop::NodeId node);
+
 /// A distance of grid lines that is round (1, 2 or 5 times a power of ten) and at least `smallest`.
 double round_grid(double smallest);
 

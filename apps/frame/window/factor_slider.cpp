@@ -17,14 +17,14 @@ constexpr int exact_digits = 15;
 
 enum class Gesture : std::uint8_t { None, Reset, Type };
 
-struct Rows {
+struct SliderCorners {
     ImVec2 name, number, slider, end; ///< corners; `name` and `slider` begin at the left
 };
 
 // Its name with the number at the end of the line.
-Rows write_name(const std::string& name, const std::string& number)
+SliderCorners write_name(const std::string& name, const std::string& number)
 {
-    Rows rows;
+    SliderCorners rows;
     rows.name = ImGui::GetCursorScreenPos();
     ImGui::TextUnformatted(name.c_str());
     ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(number.c_str()).x);
@@ -40,7 +40,7 @@ bool is_over(const ImVec2& least, const ImVec2& most)
     return ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(least, most);
 }
 
-Gesture gesture(const Rows& rows)
+Gesture gesture(const SliderCorners& rows)
 {
     if (!is_over(rows.name, rows.end) || !ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return Gesture::None;
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return Gesture::Reset;
@@ -93,7 +93,7 @@ void type(const FactorSlider& slider, const FactorLook& look, double& factor)
 
 bool show(const FactorSlider& slider, const FactorLook& look, double& factor)
 {
-    const Rows rows = write_name(slider.name, "× " + ui::number_text(factor, look.format));
+    const SliderCorners rows = write_name(slider.name, "× " + ui::number_text(factor, look.format));
     if (look.fields.is_open(slider.id)) {
         type(slider, look, factor);
         return false;

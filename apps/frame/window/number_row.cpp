@@ -40,14 +40,14 @@ void Rows::name(const std::string& text) const
 
 namespace {
 
-constexpr int exact_digits = 15;
+constexpr int digits_to_edit = 15;
 
 // As it is edited: the text that was typed, or every digit of the number in the unit shown.
 std::string exact_text(const std::optional<femoop::Quantity>& value, ui::Measure measure, const ui::DisplayUnits& units)
 {
     if (!value) return "";
     if (value->has_text()) return std::string(value->text());
-    return ui::number_text(units.shown(*value, measure), {exact_digits, units.format().mark});
+    return ui::number_text(units.shown(*value, measure), {digits_to_edit, units.format().mark});
 }
 
 std::string reason(const femoop::Fault& fault, const ui::Catalogue& tr)
@@ -96,7 +96,7 @@ void take_text(Desk& desk, ui::NumberFields& fields, const SharedNumber& number,
 void take_drag(Desk& desk, const SharedNumber& number, double shown)
 {
     Session& session = desk.session;
-    const auto value = quantity_typed(ui::number_text(shown, {exact_digits}), number.of_first.measure,
+    const auto value = quantity_typed(ui::number_text(shown, {digits_to_edit}), number.of_first.measure,
                                       session.model().units, session.units());
     if (const auto* const quantity = std::get_if<femoop::Quantity>(&value)) set(session, number, *quantity, Step::Drag);
 }
@@ -151,7 +151,7 @@ bool edit_quantity(Desk& desk, ui::NumberFields& fields, const FieldPlace& place
                                                               .value = units.shown(value, place.measure),
                                                               .width = place.width});
     if (event.kind != Kind::Dragged && event.kind != Kind::Typed) return false;
-    const std::string text = event.kind == Kind::Typed ? event.text : ui::number_text(event.value, {exact_digits});
+    const std::string text = event.kind == Kind::Typed ? event.text : ui::number_text(event.value, {digits_to_edit});
     const auto typed = quantity_typed(text, place.measure, session.model().units, units);
     if (const auto* const fault = std::get_if<femoop::Fault>(&typed)) {
         fields.reject(event, reason(*fault, session.view.tr));

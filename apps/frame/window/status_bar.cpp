@@ -45,15 +45,13 @@ std::vector<std::string> parts_of(const Session& session)
     return parts;
 }
 
-float width_of(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
-
 /// The first parts, as many as there is room for.
 std::string first_of(const std::vector<std::string>& parts, float room)
 {
     std::string text;
     for (const std::string& part : parts) {
         const std::string longer = text.empty() ? part : text + "   ·   " + part;
-        if (!text.empty() && width_of(longer) > room) break;
+        if (!text.empty() && ImGui::CalcTextSize(longer.c_str()).x > room) break;
         text = longer;
     }
     return text;
@@ -67,7 +65,7 @@ void status_bar(const Session& session)
     const ui::DisplayUnits units = session.units();
     const std::string right = units.unit(ui::Measure::Force).name + ", " + units.unit(ui::Measure::Length).name + ", " +
                               units.unit(ui::Measure::Displacement).name;
-    const float at = ImGui::GetWindowWidth() - width_of(right) - ImGui::GetFontSize();
+    const float at = ImGui::GetWindowWidth() - ImGui::CalcTextSize(right.c_str()).x - ImGui::GetFontSize();
     ImGui::TextUnformatted(first_of(parts_of(session), at - 2.0F * ImGui::GetFontSize()).c_str());
     ImGui::SameLine(at);
     ImGui::TextDisabled("%s", right.c_str());

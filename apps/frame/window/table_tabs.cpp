@@ -11,12 +11,6 @@ namespace frame {
 
 using ui::translatable;
 
-namespace {
-
-bool shows_table(const Desk& desk) { return desk.bottom.shows(BottomContent::Table); }
-
-} // namespace
-
 // One tab beside the other, in a second row where there is no room.
 bool TablesPanel::begin_tab(const std::string& label, bool is_chosen)
 {
@@ -34,7 +28,7 @@ bool TablesPanel::begin_tab(const std::string& label, bool is_chosen)
 
 bool TablesPanel::tab(Desk& desk, TableKind kind)
 {
-    const bool is_chosen = desk.bottom.table == kind && shows_table(desk);
+    const bool is_chosen = desk.bottom.table == kind && desk.bottom.shows(BottomContent::Table);
     const std::string label = desk.session.view.tr(title(kind)) + "###" + std::string(command_id(kind));
     if (!begin_tab(label, is_chosen)) return false;
     desk.bottom = {true, kind};
@@ -46,7 +40,8 @@ bool TablesPanel::tab(Desk& desk, TableKind kind)
 void TablesPanel::show_group(Desk& desk, std::string_view label, std::initializer_list<TableKind> kinds)
 {
     const ui::Catalogue& tr = desk.session.view.tr;
-    const bool is_chosen = std::ranges::find(kinds, desk.bottom.table) != kinds.end() && shows_table(desk);
+    const bool is_chosen = std::ranges::find(kinds, desk.bottom.table) != kinds.end() &&
+                           desk.bottom.shows(BottomContent::Table);
     const std::string name = tr(is_chosen ? title(desk.bottom.table) : label);
     const std::string list = "###tables of " + std::string(label);
     if (begin_tab(name + " …###" + std::string(label), is_chosen)) ImGui::OpenPopup(list.c_str());
@@ -75,8 +70,9 @@ void TablesPanel::show_tabs(Desk& desk)
     show_group(desk, translatable("Envelope"), {Envelope, ReactionEnvelope});
     show_member_tab(desk);
     const ui::Catalogue& tr = desk.session.view.tr;
-    if (shows_table(desk) && begin_tab(tr("CSV…") + "###csv", false)) ask_for_file(desk);
-    if (shows_table(desk) && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tr("Export the table as CSV…").c_str());
+    if (desk.bottom.shows(BottomContent::Table) && begin_tab(tr("CSV…") + "###csv", false)) ask_for_file(desk);
+    if (desk.bottom.shows(BottomContent::Table) && ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s", tr("Export the table as CSV…").c_str());
 }
 
 // It names the member whose diagrams it shows.

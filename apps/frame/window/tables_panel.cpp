@@ -27,8 +27,6 @@ namespace {
 constexpr float least_height_of_diagrams = 20.0F;
 constexpr float least_height_of_solver = 27.0F;
 
-bool shows_table(const Desk& desk) { return desk.bottom.shows(BottomContent::Table); }
-
 Table table_of(const Session& session, TableKind kind)
 {
     if (!is_result(kind)) return data_table(session.model(), kind, session.manner());
@@ -133,7 +131,7 @@ void TablesPanel::show(Desk& desk, ui::ImGuiSession& gui, const ui::Fonts& fonts
                                                 ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
     const bool is_clicked = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
     if (is_clicked && !is_over) leave();
-    if (is_clicked && is_over && !shows_table(desk)) has_keyboard_ = true;
+    if (is_clicked && is_over && !desk.bottom.shows(BottomContent::Table)) has_keyboard_ = true;
     ImGui::PopStyleVar();
     ImGui::EndChild();
     ImGui::PopStyleVar();
@@ -210,16 +208,16 @@ ui::Input TablesPanel::take(Desk& desk, const ui::Input& input)
         return input;
     }
     take_keyboard_if_opened(desk);
-    if (!has_keyboard_ || (table_.headings.empty() && shows_table(desk))) return input;
+    if (!has_keyboard_ || (table_.headings.empty() && desk.bottom.shows(BottomContent::Table))) return input;
     ImGui::GetIO().ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard; // the arrows are the table's
     ui::Input rest = input;
     rest.keys.clear();
-    if (shows_table(desk)) follow(desk);
+    if (desk.bottom.shows(BottomContent::Table)) follow(desk);
     for (const ui::KeyEvent& event : input.keys) {
         const bool is_taken = event.is_down && take_key(desk, event.chord());
         if (!is_taken) rest.keys.push_back(event);
     }
-    const bool is_typed = has_keyboard_ && !input.modifiers.ctrl && shows_table(desk);
+    const bool is_typed = has_keyboard_ && !input.modifiers.ctrl && desk.bottom.shows(BottomContent::Table);
     if (is_typed && !table_.headings.empty()) {
         grid_.type(input.text, table_);
         rest.text.clear();
@@ -251,7 +249,7 @@ bool TablesPanel::take_key(Desk& desk, const ui::Chord& chord)
 
 std::optional<std::string> TablesPanel::cell(const Desk& desk) const
 {
-    if (!shows_table(desk) || table_.headings.empty()) return std::nullopt;
+    if (!desk.bottom.shows(BottomContent::Table) || table_.headings.empty()) return std::nullopt;
     const std::size_t row = grid_.first_row();
     const std::string name = row < grid_.order().size() ? table_.rows[grid_.order()[row]].cells.front().value.shown
                                                         : "new";

@@ -44,14 +44,14 @@ void tool_button(Desk& desk, const CommandTable& commands, const ToolEntry& entr
     if (is_clicked) run(command, desk);
 }
 
-struct SupportChoice {
+struct SupportTool {
     femoop::SupportKind kind;
     std::string_view label;
 };
 constexpr std::array supports{
-    SupportChoice{femoop::SupportKind::Pin, translatable("Pinned")},
-    SupportChoice{femoop::SupportKind::Roller, translatable("Roller")},
-    SupportChoice{femoop::SupportKind::Fixed, translatable("Fixed")},
+    SupportTool{femoop::SupportKind::Pin, translatable("Pinned")},
+    SupportTool{femoop::SupportKind::Roller, translatable("Roller")},
+    SupportTool{femoop::SupportKind::Fixed, translatable("Fixed")},
 };
 
 struct LoadChoice {
@@ -75,7 +75,7 @@ const std::array loads{
 void support_settings(Desk& desk)
 {
     ToolSettings& settings = desk.hand.settings();
-    for (const SupportChoice& choice : supports) {
+    for (const SupportTool& choice : supports) {
         const std::string label = desk.session.view.tr(choice.label) + "###" + std::string(choice.label);
         if (ImGui::RadioButton(label.c_str(), settings.support == choice.kind)) settings.support = choice.kind;
         ImGui::SameLine();

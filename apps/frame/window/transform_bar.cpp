@@ -11,7 +11,7 @@
 namespace frame {
 
 using ui::Measure;
-using Kind = Transform::Kind;
+using TransformKind = Transform::Kind;
 
 namespace {
 
@@ -24,14 +24,14 @@ public:
     // True where a number was changed.
     bool show()
     {
-        const bool shifts = transform_.kind == Kind::Move || transform_.kind == Kind::Copy;
+        const bool shifts = transform_.kind == TransformKind::Move || transform_.kind == TransformKind::Copy;
         number(shifts ? "Δx" : "x", "x", Measure::Length, transform_.x);
         number(shifts ? "Δy" : "y", "y", Measure::Length, transform_.y);
-        if (transform_.kind == Kind::Rotate || transform_.kind == Kind::Mirror)
+        if (transform_.kind == TransformKind::Rotate || transform_.kind == TransformKind::Mirror)
             number(tr_("angle"), "angle", Measure::Angle, transform_.angle);
-        if (transform_.kind == Kind::Scale) factor();
-        if (transform_.kind == Kind::Copy) times();
-        if (transform_.kind == Kind::Rotate || transform_.kind == Kind::Mirror) {
+        if (transform_.kind == TransformKind::Scale) factor();
+        if (transform_.kind == TransformKind::Copy) times();
+        if (transform_.kind == TransformKind::Rotate || transform_.kind == TransformKind::Mirror) {
             is_changed_ |= ImGui::Checkbox((tr_("a copy") + "###copy").c_str(), &transform_.keeps_original);
             ImGui::SameLine();
         }

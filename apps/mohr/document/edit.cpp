@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "apps/mohr/document/degree.h"
 #include "femoop/model/quantity/number_text.h"
 #include "ui/text/arithmetic.h"
 #include "ui/text/catalogue.h"
@@ -14,8 +14,6 @@ namespace fm = femoop::mohr;
 using ui::translatable;
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 Edit judged(Document document)
 {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <utility>
 #include <variant>
 
+#include "apps/mohr/document/degree.h"
 #include "apps/mohr/document/section_text.h"
 #include "femoop/methods/mohr/space_construction.h"
 #include "femoop/methods/mohr/typed_components.h"
@@ -23,7 +23,6 @@ using ui::translatable;
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double micro = 1e-6; // what strains count in
 
 /// Collects what the document's numbers say, and every fault, one a number.
@@ -184,7 +183,7 @@ void read_elasticity(const Document& document, Reader& reader, Solution& solutio
     solution.state.E = micro * (is_GPa ? 1e3 : 1.0) * E.values.front();
 }
 
-Phrase sentence(fm::StrengthFlaw flaw, std::string_view name)
+Phrase flaw_sentence(fm::StrengthFlaw flaw, std::string_view name)
 {
     switch (flaw) {
     case fm::StrengthFlaw::NotPositive:
@@ -196,7 +195,7 @@ Phrase sentence(fm::StrengthFlaw flaw, std::string_view name)
     return {translatable("{name} must be at most 1"), {{"name", std::string(name)}}};
 }
 
-double fm::Strength::*member(StrengthPlace place)
+double fm::Strength::*member_at(StrengthPlace place)
 {
     constexpr std::array members{&fm::Strength::fy,  &fm::Strength::ft,  &fm::Strength::fc, &fm::Strength::c,
                                  &fm::Strength::phi, &fm::Strength::sci, &fm::Strength::m,  &fm::Strength::s};
@@ -210,18 +209,19 @@ void read_strength(const Document& document, Reader& reader, Solution& solution)
     if (!document.criterion || !has_stress) return;
     const std::string unit = fm::is_stress(solution.state.kind) ? solution.unit : solution.stress_unit;
     fm::Strength strength;
-    for (const StrengthPlace place : strengths_of(*document.criterion)) {
+    for (const StrengthPlace place : ::mohr::strengths_of(*document.criterion)) {
         const bool is_plain = place == StrengthPlace::phi || place == StrengthPlace::m || place == StrengthPlace::s;
         const std::string& text = document.strengths[static_cast<std::size_t>(place)];
         const NumberId number{Group::Strength, static_cast<std::size_t>(place)};
         const double value = reader.read_in(text, is_plain ? "" : unit,
                                             is_plain ? femoop::dimension::none : femoop::dimension::stress, number);
-        strength.*member(place) = place == StrengthPlace::phi ? value * degree : value;
+        strength.*member_at(place) = place == StrengthPlace::phi ? value * degree : value;
     }
     if (const auto bad = why_not(*document.criterion, strength))
-        for (const StrengthPlace place : strengths_of(*document.criterion))
-            if (member(place) == bad->value)
-                reader.refuse(sentence(bad->flaw, name(place)), {Group::Strength, static_cast<std::size_t>(place)});
+        for (const StrengthPlace place : ::mohr::strengths_of(*document.criterion))
+            if (member_at(place) == bad->value)
+                reader.refuse(flaw_sentence(bad->flaw, name(place)),
+                              {Group::Strength, static_cast<std::size_t>(place)});
     solution.strength = strength;
 }
 

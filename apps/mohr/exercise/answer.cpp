@@ -5,6 +5,7 @@
 #include <functional>
 #include <numbers>
 
+#include "apps/mohr/document/degree.h"
 #include "femoop/methods/mohr/state.h"
 
 namespace mohr {
@@ -14,7 +15,6 @@ using enum Asked;
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double stress_per_strain = 1e-3; // MPa of a strain of 1e-6 times E in GPa
 
 double given_shear(const Exercise& e, double xy)

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "apps/mohr/document/degree.h"
 #include "femoop/methods/dice.h"
 #include "femoop/methods/mohr/state.h"
 #include "femoop/model/quantity/number_text.h"
@@ -14,8 +14,6 @@ namespace fm = femoop::mohr;
 using femoop::Dice;
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 /// Half the difference of the normal components, the shear and the radius are whole.
 fm::PlaneState whole_state(Dice& dice)

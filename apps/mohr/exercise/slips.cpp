@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "apps/mohr/document/degree.h"
+#include "apps/mohr/exercise/slip_words.h"
 #include "apps/mohr/exercise/space_slips.h"
 #include "ui/text/catalogue.h"
 
@@ -15,17 +16,13 @@ using ui::translatable;
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
-
 constexpr auto half_difference = translatable("this is half the difference: the centre is half the sum");
-constexpr auto no_root = translatable("the square root is missing");
 constexpr auto no_centre = translatable("the centre is left out: the circle does not lie about the origin");
 constexpr auto shear_direction = translatable("this is the direction of the largest shear");
 constexpr auto once_for_twice = translatable("the plane turns by θ, the point on the circle by 2θ");
 constexpr auto sense_turned = translatable(
     "the sense is turned: positive is counter-clockwise, and the shear's sign counts");
 constexpr auto difference_not_halved = translatable("the difference is not halved");
-constexpr auto sign_turned = translatable("the sign is turned");
 constexpr auto whole_gamma = translatable("the circle counts half of γ");
 
 /// Components and what the circle has of them.

@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 
+#include "apps/mohr/exercise/slip_words.h"
 #include "ui/text/catalogue.h"
 
 namespace mohr {
@@ -16,8 +17,6 @@ using ui::translatable;
 
 namespace {
 
-constexpr auto no_root = translatable("the square root is missing");
-constexpr auto sign_turned = translatable("the sign is turned");
 constexpr auto upside_down = translatable("it is upside down: the strength is divided by what acts");
 constexpr auto not_in_order = translatable(
     "the order is another: σ1 is the largest and σ3 the smallest, with their signs");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "apps/mohr/document/degree.h"
 #include "apps/mohr/view/axis.h"
 #include "apps/mohr/view/circle_picture.h"
 #include "apps/mohr/view/labels.h"
@@ -15,8 +16,6 @@ namespace fm = femoop::mohr;
 using ui::Role;
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 /// Angles to the right, components up.
 struct Graph {

@@ -18,7 +18,7 @@ using ui::Role;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 enum class Words : std::uint8_t { All, Few };
 

@@ -18,7 +18,7 @@ using ui::Role;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Two principal stresses of the plane, and what the third one is of their sum.
 struct InPlane {

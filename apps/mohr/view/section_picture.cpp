@@ -41,7 +41,7 @@ void draw_outline(const Depth& d, double middle)
 }
 
 /// One component over the depth, its value at the fibre written beside it.
-struct Diagram {
+struct ForceDiagram {
     double zero, reach; ///< where 0 lies, and pixels of the largest value
     double right;       ///< its room ends there
     double fm::FibreStress::*component;
@@ -49,7 +49,7 @@ struct Diagram {
     std::string name;
 };
 
-void draw_diagram(const Depth& d, const Diagram& diagram)
+void draw_diagram(const Depth& d, const ForceDiagram& diagram)
 {
     double largest = 0.0;
     for (const fm::FibreStress& s : d.section().distribution)

@@ -19,7 +19,7 @@ using ui::Role;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The eye's direction, with a scale of its own: `radius` pixels for a length of 1 about `middle`.
 struct View {

@@ -13,7 +13,7 @@ TEST_SUITE_BEGIN("pictures");
 
 namespace {
 
-struct Shot {
+struct ExerciseShot {
     std::size_t n_filled = 0; ///< cells with what belongs there
     std::vector<std::pair<std::size_t, std::string>> written{};
     std::size_t stage = 0;
@@ -29,7 +29,7 @@ Document exercise(fc::Difficulty difficulty, std::uint32_t seed)
     return document;
 }
 
-void check(const std::string& name, Document document, const Shot& shot)
+void check_exercise(const std::string& name, Document document, const ExerciseShot& shot)
 {
     const Solution solution = solve(document);
     REQUIRE(solution.task);
@@ -57,36 +57,36 @@ void check(const std::string& name, Document document, const Shot& shot)
 
 TEST_CASE("An empty sheet shows cells and loads and no number that answers")
 {
-    check("cross_exercise_empty", exercise(fc::Difficulty::PinnedEnd, 4), {.cell = fc::BlankId(0)});
+    check_exercise("cross_exercise_empty", exercise(fc::Difficulty::PinnedEnd, 4), {.cell = fc::BlankId(0)});
 }
 
 TEST_CASE("Right and following and wrong cells are told apart without colours")
 {
-    Shot shot{.n_filled = 26, .written = {{1, "1,5"}, {9, "-36"}}};
-    check("cross_exercise_midway", exercise(fc::Difficulty::SeveralSpans, 2), shot);
+    ExerciseShot shot{.n_filled = 26, .written = {{1, "1,5"}, {9, "-36"}}};
+    check_exercise("cross_exercise_midway", exercise(fc::Difficulty::SeveralSpans, 2), shot);
 }
 
 TEST_CASE("A sheet that is right shows the moments")
 {
-    check("cross_exercise_solved", exercise(fc::Difficulty::Overhang, 3), {.n_filled = 500});
+    check_exercise("cross_exercise_solved", exercise(fc::Difficulty::Overhang, 3), {.n_filled = 500});
 }
 
 TEST_CASE("In Portuguese on the projector a frame's cells are read from the last row")
 {
-    Shot shot{.n_filled = 14, .written = {{3, "1/2"}}, .size = {1280.0, 960.0}};
+    ExerciseShot shot{.n_filled = 14, .written = {{3, "1/2"}}, .size = {1280.0, 960.0}};
     shot.look.theme = ui::ThemeName::Projector;
     shot.look.tr = ui::Catalogue(ui::Language::Portuguese);
-    check("cross_exercise_projector_pt", exercise(fc::Difficulty::Frame, 5), shot);
+    check_exercise("cross_exercise_projector_pt", exercise(fc::Difficulty::Frame, 5), shot);
 }
 
 TEST_CASE("Sheets of a swaying frame are added below the last of them")
 {
-    check("cross_exercise_sway", exercise(fc::Difficulty::SwayFrame, 1), {.n_filled = 60, .stage = 2});
+    check_exercise("cross_exercise_sway", exercise(fc::Difficulty::SwayFrame, 1), {.n_filled = 60, .stage = 2});
 }
 
 TEST_CASE("Printed a swaying frame's own sheet needs no colour")
 {
-    Shot shot{.n_filled = 40, .stage = 1};
+    ExerciseShot shot{.n_filled = 40, .stage = 1};
     shot.look.theme = ui::ThemeName::Print;
-    check("cross_exercise_print", exercise(fc::Difficulty::SwayFrame, 1), shot);
+    check_exercise("cross_exercise_print", exercise(fc::Difficulty::SwayFrame, 1), shot);
 }

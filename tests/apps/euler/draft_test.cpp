@@ -27,7 +27,7 @@ topology::HalfEdgeId corner(const Stepper& lesson, const char* face_name, const 
 {
     return find_corner(in(lesson).named(), face(lesson, face_name), word);
 }
-std::string english(const std::optional<ui::Phrase>& phrase) { return phrase ? ui::Catalogue()(*phrase) : ""; }
+std::string in_english(const std::optional<ui::Phrase>& phrase) { return phrase ? ui::Catalogue()(*phrase) : ""; }
 
 bool has(const std::vector<Entity>& list, Entity entity)
 {
@@ -69,10 +69,11 @@ TEST_SUITE("palette")
         const std::vector<Entity> legal = draft.legal_picks(lesson.runner());
         CHECK(legal.size() == 4);
         CHECK(has(legal, corner(lesson, "f1", "v4")));
-        CHECK(english(draft.why_not(lesson.runner(), corner(lesson, "f1", "w"))) ==
-              "one half-edge lies in loop l1 and the other in loop l3; "
-              "an operator for two loops is MEKR, for two faces KEF");
-        CHECK(english(draft.why_not(lesson.runner(), face(lesson, "f1"))) == "f1 is no half-edge");
+        CHECK(
+            in_english(draft.why_not(lesson.runner(), corner(lesson, "f1", "w"))) ==
+            "one half-edge lies in loop l1 and the other in loop l3; an operator for two loops is MEKR, for two faces "
+            "KEF");
+        CHECK(in_english(draft.why_not(lesson.runner(), face(lesson, "f1"))) == "f1 is no half-edge");
     }
 
     TEST_CASE("MEKR is offered only where a face has two loops, and RINGMV rings alone")
@@ -82,13 +83,13 @@ TEST_SUITE("palette")
         CHECK_FALSE(mekr.choose(lesson.runner(), std::string("s1")));
         CHECK_FALSE(ringmv.choose(lesson.runner(), std::string("s1")));
         CHECK(mekr.legal_picks(lesson.runner()).size() == 5);
-        CHECK(english(mekr.why_not(lesson.runner(), corner(lesson, "f2", "v1"))) ==
+        CHECK(in_english(mekr.why_not(lesson.runner(), corner(lesson, "f2", "v1"))) ==
               "face f2 has one loop; MEKR needs two");
         CHECK(ringmv.legal_picks(lesson.runner()) == std::vector<Entity>{corner(lesson, "f1", "w")});
-        CHECK(english(ringmv.why_not(lesson.runner(), corner(lesson, "f1", "v1"))) ==
+        CHECK(in_english(ringmv.why_not(lesson.runner(), corner(lesson, "f1", "v1"))) ==
               "l1 is the outer loop of face f1; a ring is needed");
         CHECK_FALSE(ringmv.choose(lesson.runner(), corner(lesson, "f1", "w")));
-        CHECK(english(ringmv.why_not(lesson.runner(), face(lesson, "f1"))) ==
+        CHECK(in_english(ringmv.why_not(lesson.runner(), face(lesson, "f1"))) ==
               "f1 is given twice; two faces are needed");
     }
 
@@ -96,10 +97,10 @@ TEST_SUITE("palette")
     {
         const Stepper lesson(plate);
         Draft draft(Verb::Mvr);
-        CHECK(english(draft.choose(lesson.runner(), std::string("s7"))) == "there is no solid s7");
+        CHECK(in_english(draft.choose(lesson.runner(), std::string("s7"))) == "there is no solid s7");
         CHECK_FALSE(draft.choose(lesson.runner(), std::string("s1")));
         CHECK_FALSE(draft.choose(lesson.runner(), face(lesson, "f2")));
-        CHECK(english(draft.choose(lesson.runner(), std::string("v3"))) ==
+        CHECK(in_english(draft.choose(lesson.runner(), std::string("v3"))) ==
               "the name v3 is in use in s1; choose another");
         CHECK(draft.chosen().size() == 2);
     }
@@ -161,7 +162,7 @@ TEST_SUITE("palette")
             }
             if (!draft.is_complete() || draft.form().verb == Verb::Kvfs) continue;
             CAPTURE(draft.line(runner));
-            REQUIRE(english(lesson.apply(draft.line(runner))) == "");
+            REQUIRE(in_english(lesson.apply(draft.line(runner))) == "");
             REQUIRE_FALSE(topology::why_not_valid(in(lesson).solid));
             REQUIRE(lesson.report(lesson.place()).after == topology::euler_counts(in(lesson).solid));
             ++n_done;

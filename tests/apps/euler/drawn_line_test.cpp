@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/euler/document/drawing/drawn_line.h"
+#include "tests/apps/euler/first_solid.h"
 #include "topology/halfedge/check/validate.h"
 #include "topology/planar/planar_figure.h"
 #include "ui/text/catalogue.h"
@@ -13,8 +14,6 @@ using namespace euler;
 using topology::Point;
 
 namespace {
-
-const topology::Solid& solid(const Stepper& lesson) { return lesson.runner().solids().front().solid; }
 
 std::optional<std::size_t> place(const Stepper& lesson)
 {
@@ -54,12 +53,12 @@ void require_planar(const topology::Solid& solid)
 
 void require_sound(const Stepper& lesson)
 {
-    REQUIRE_FALSE(topology::why_not_valid(solid(lesson)));
-    const topology::EulerCounts counts = topology::euler_counts(solid(lesson));
+    REQUIRE_FALSE(topology::why_not_valid(first_solid(lesson)));
+    const topology::EulerCounts counts = topology::euler_counts(first_solid(lesson));
     REQUIRE(counts.formula() == 0);
     REQUIRE(counts.S == 1);
     REQUIRE(counts.G == 0);
-    require_planar(solid(lesson));
+    require_planar(first_solid(lesson));
 }
 
 } // namespace
@@ -77,8 +76,8 @@ TEST_SUITE("drawn line")
             CHECK(draw(lesson, c, a) == "mef");
             require_sound(lesson);
             const topology::Frame frame;
-            const topology::FaceId made = *lesson.runner().solids().front().names.faces.find("f2", solid(lesson));
-            CHECK(topology::PlanarFigure(solid(lesson), frame).area(made) == 10.0);
+            const topology::FaceId made = *lesson.runner().solids().front().names.faces.find("f2", first_solid(lesson));
+            CHECK(topology::PlanarFigure(first_solid(lesson), frame).area(made) == 10.0);
         }
     }
 
@@ -102,7 +101,7 @@ TEST_SUITE("drawn line")
         CHECK(draw(lesson, {4, -3, 0}, {4, 3, 0}) == "semv mev mev");
         CHECK(draw(lesson, {0, 0, 0}, {4, 3, 0}) == "mef");
         CHECK(draw(lesson, {2, 0, 0}, {6, 0, 0}) == "semv semv"); // both ends in the middle of an edge, all of it there
-        CHECK(solid(lesson).counts().faces == 2);
+        CHECK(first_solid(lesson).counts().faces == 2);
         require_sound(lesson);
     }
 
@@ -147,9 +146,9 @@ TEST_SUITE("drawn line")
                 draw(lesson, from, to);
                 if (place(lesson)) require_sound(lesson);
             }
-            CHECK(solid(lesson).counts().faces > 8);
+            CHECK(first_solid(lesson).counts().faces > 8);
             lesson.go_to(0);
-            CHECK(solid(lesson).is_empty());
+            CHECK(first_solid(lesson).is_empty());
         }
     }
 }

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "apps/euler/document/stepper.h"
+#include "tests/apps/euler/first_solid.h"
 #include "topology/text/line_error.h"
 #include "ui/text/catalogue.h"
 
@@ -21,8 +22,6 @@ mev s1 f1 v2 v3 0 1 0   # the second
 mef s1 f1 v1 v3 f2
 # That is all.
 )";
-
-const topology::Solid& solid(const Stepper& lesson) { return lesson.runner().solids().front().solid; }
 
 } // namespace
 
@@ -59,16 +58,16 @@ TEST_SUITE("stepper")
     TEST_CASE("Back and forth again every link is as it was")
     {
         Stepper lesson(triangle);
-        const topology::Solid end = solid(lesson);
+        const topology::Solid end = first_solid(lesson);
         lesson.go_to(2);
         CHECK(lesson.place() == 2);
         CHECK(lesson.n_steps() == 4);
-        CHECK(solid(lesson).counts().edges == 1);
+        CHECK(first_solid(lesson).counts().edges == 1);
         CHECK(lesson.script() == triangle);
         lesson.go_to(0);
-        CHECK(solid(lesson).is_empty());
+        CHECK(first_solid(lesson).is_empty());
         lesson.go_to(4);
-        CHECK(solid(lesson) == end);
+        CHECK(first_solid(lesson) == end);
     }
 
     TEST_CASE(
@@ -83,7 +82,7 @@ TEST_SUITE("stepper")
         CHECK(lesson.n_steps() == 4);
         CHECK(lesson.script() == triangle);
         lesson.go_to(4);
-        CHECK(solid(lesson).counts().faces == 2);
+        CHECK(first_solid(lesson).counts().faces == 2);
     }
 
     TEST_CASE("A new step takes the place of those that were undone, and their comments go with them")
@@ -129,8 +128,8 @@ mev s1 f1 v2 v4 5 5 0  # elsewhere
         const Stepper lesson(triangle);
         Stepper preview = lesson;
         CHECK_FALSE(preview.apply("mvr s1 f2 w 0.2 0.2 0"));
-        CHECK(solid(preview).counts().loops == 3);
-        CHECK(solid(lesson).counts().loops == 2);
+        CHECK(first_solid(preview).counts().loops == 3);
+        CHECK(first_solid(lesson).counts().loops == 2);
     }
 
     TEST_CASE("A sweep is one step of many operators, taken back by its own lines")

@@ -17,7 +17,7 @@ TEST_SUITE_BEGIN("euler view: order of painting");
 
 namespace {
 
-constexpr ui::Size sheet{640.0, 480.0};
+constexpr ui::Size overlap_sheet{640.0, 480.0};
 
 /// Depth [px] of a face's plane at a place of the sheet.
 double depth(const topology::Solid& solid, topology::FaceId f, ui::Point at, const ui::OrbitCamera& camera)
@@ -32,7 +32,7 @@ double depth(const topology::Solid& solid, topology::FaceId f, ui::Point at, con
 int n_wrong(const Made& made, const ui::OrbitCamera& camera, std::mt19937& random)
 {
     const Shapes shapes = solid_shapes(made.subjects(), camera, {});
-    std::uniform_real_distribution<double> x(0.0, sheet.width), y(0.0, sheet.height);
+    std::uniform_real_distribution<double> x(0.0, overlap_sheet.width), y(0.0, overlap_sheet.height);
     int wrong = 0;
     for (int i = 0; i < 400; ++i) {
         const ui::Point at{x(random), y(random)};
@@ -58,7 +58,7 @@ TEST_CASE("From every side, of faces that cover a place the one in front is pain
         for (int i = 0; i < 12; ++i) {
             ui::OrbitCamera camera;
             camera.look(azimuth(random), elevation(random));
-            camera = fitted(camera, made.subjects(), {}, sheet);
+            camera = fitted(camera, made.subjects(), {}, overlap_sheet);
             CAPTURE(name);
             CAPTURE(camera.azimuth());
             CAPTURE(camera.elevation());
@@ -72,7 +72,7 @@ TEST_CASE("Nothing is painted in a face's hole")
     const Made made(example("through_hole"));
     ui::OrbitCamera camera;
     camera.look(ui::StandardView::Top);
-    camera = fitted(camera, made.subjects(), {}, sheet);
+    camera = fitted(camera, made.subjects(), {}, overlap_sheet);
     const Shapes shapes = solid_shapes(made.subjects(), camera, {});
     const ui::Point in_hole = camera.to_sheet({2.0, 2.0, 2.0}), beside = camera.to_sheet({0.5, 3.1, 2.0});
     const auto n_at = [&](ui::Point at) {
@@ -88,7 +88,7 @@ TEST_CASE("A face seen from inside is painted before the one on the other side o
     const Made lamina(example("cube", 5));
     ui::OrbitCamera camera;
     camera.look(ui::StandardView::Top);
-    const Shapes shapes = solid_shapes(lamina.subjects(), fitted(camera, lamina.subjects(), {}, sheet), {});
+    const Shapes shapes = solid_shapes(lamina.subjects(), fitted(camera, lamina.subjects(), {}, overlap_sheet), {});
     REQUIRE(shapes.pieces.size() == 2);
     CHECK(shapes.pieces[0].is_back);
     CHECK_FALSE(shapes.pieces[1].is_back);

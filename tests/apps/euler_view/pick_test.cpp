@@ -13,7 +13,7 @@ TEST_SUITE_BEGIN("euler view: picking");
 
 namespace {
 
-constexpr ui::Size sheet{640.0, 480.0};
+constexpr ui::Size pick_sheet{640.0, 480.0};
 const std::set<EntityKind> all{EntityKind::Vertex, EntityKind::HalfEdge, EntityKind::Edge, EntityKind::Face};
 
 /// A solid on the sheet.
@@ -21,7 +21,7 @@ struct Seen {
     explicit Seen(std::string_view script, const Look& look = {}) : made(script), subjects(made.subjects())
     {
         camera.look(-0.95, 0.42);
-        camera = fitted(camera, subjects, look, sheet);
+        camera = fitted(camera, subjects, look, pick_sheet);
         shapes = solid_shapes(subjects, camera, look);
     }
     ui::Point at(std::string_view vertex) const

@@ -22,13 +22,13 @@ TEST_SUITE_BEGIN("euler view: plane");
 
 namespace {
 
-constexpr ui::Size sheet{800.0, 600.0};
+constexpr ui::Size planar_sheet{800.0, 600.0};
 const topology::Names no_names;
 
 Shapes in_plane(const std::vector<Subject>& subjects, std::optional<Part> outside = std::nullopt)
 {
     const PlanarMap map(subjects, outside);
-    return map.shapes(subjects, map.fitted(sheet), {});
+    return map.shapes(subjects, map.fitted(planar_sheet), {});
 }
 
 bool cross_inside(ui::Point a, ui::Point b, ui::Point c, ui::Point d)
@@ -106,7 +106,7 @@ struct StepInPlane {
         for (const Shapes::Vertex& vertex : shapes.vertices) found[vertex.vertex.index + 1] = vertex.at;
         return found;
     }
-    ui::OrbitCamera camera() const { return new_map.fitted(sheet); }
+    ui::OrbitCamera camera() const { return new_map.fitted(planar_sheet); }
 
     topology::ScriptRunner before, after;
     std::vector<Subject> old_subjects, new_subjects;
@@ -174,7 +174,7 @@ TEST_CASE("Between the maps of random steps every place is a number")
                               after = random_sphere(seed, 9 + static_cast<int>(seed) / 3);
         const std::vector<Subject> old_subjects{{&before, &no_names}}, new_subjects{{&after, &no_names}};
         const PlanarMap old_map(old_subjects), new_map(new_subjects);
-        const ui::OrbitCamera camera = new_map.fitted(sheet);
+        const ui::OrbitCamera camera = new_map.fitted(planar_sheet);
         for (const double share : {0.0, 0.3, 0.7, 1.0}) {
             const PlanarMap map = new_map.on_its_way(new_subjects, old_map, old_subjects, share);
             const Shapes shapes = map.shapes(new_subjects, camera, {});
@@ -232,7 +232,7 @@ TEST_CASE("The plane model has a side for every half-edge, two for every edge, a
     for (const char* name : {"cube", "torus", "through_hole", "hoffmann"}) {
         const Made made(example(name));
         const std::vector<Subject> subjects = made.subjects();
-        const Shapes shapes = plane_model(subjects, fitted_plane_model(subjects, sheet), {});
+        const Shapes shapes = plane_model(subjects, fitted_plane_model(subjects, planar_sheet), {});
         CAPTURE(name);
         CHECK(shapes.arrows.size() == made.solid().half_edges().n_living());
         std::map<topology::EdgeId, int> n_sides;
@@ -245,12 +245,12 @@ TEST_CASE("The plane model has a side for every half-edge, two for every edge, a
 
 TEST_CASE("Random solids of every genus have a plane model on the sheet, without a place that is not finite")
 {
-    const ui::Box room{{0.0, 0.0}, {sheet.width, sheet.height}};
+    const ui::Box room{{0.0, 0.0}, {planar_sheet.width, planar_sheet.height}};
     for (std::uint32_t seed = 1; seed <= 40; ++seed) {
         RandomWalk walk(seed);
         for (std::uint32_t i = 0; i < 2 * seed; ++i) walk.step(2.0);
         const std::vector<Subject> subjects{{&walk.solid, &no_names}};
-        const Shapes shapes = plane_model(subjects, fitted_plane_model(subjects, sheet), {});
+        const Shapes shapes = plane_model(subjects, fitted_plane_model(subjects, planar_sheet), {});
         CAPTURE(seed);
         for (const Shapes::Vertex& vertex : shapes.vertices) CHECK(room.contains(vertex.at));
         for (const Shapes::Arrow& arrow : shapes.arrows)

@@ -13,7 +13,7 @@ TEST_SUITE_BEGIN("euler view: pointers");
 
 namespace {
 
-constexpr ui::Size sheet{900.0, 700.0};
+constexpr ui::Size pointer_sheet{900.0, 700.0};
 
 } // namespace
 
@@ -24,10 +24,10 @@ TEST_CASE("Every entity of a pointer graph has a box of its own, and is picked t
     const Subject subject = cube.subjects().front();
     for (const topology::HalfEdgeId h : cube.solid().half_edges()) {
         const auto graph = topology::pointer_graph(cube.solid(), h, 2);
-        const PointerDrawing drawing(graph, subject, {}, sheet, fonts);
+        const PointerDrawing drawing(graph, subject, {}, pointer_sheet, fonts);
         REQUIRE(drawing.nodes().size() == graph.nodes.size());
         CAPTURE(h);
-        CHECK(drawing.pick({0.5 * sheet.width, 0.5 * sheet.height}) == topology::Entity(h));
+        CHECK(drawing.pick({0.5 * pointer_sheet.width, 0.5 * pointer_sheet.height}) == topology::Entity(h));
         for (const PointerDrawing::Node& node : drawing.nodes()) CHECK(drawing.pick(node.box.center()) == node.entity);
     }
 }
@@ -37,7 +37,7 @@ TEST_CASE("Links of one entity to another are one arrow with all their names")
     const ui::Fonts fonts;
     const Made edge(example("cube", 2)); // one edge, whose halves are each other's next, prev and mate
     const auto graph = topology::pointer_graph(edge.solid(), topology::HalfEdgeId{0});
-    const PointerDrawing drawing(graph, edge.subjects().front(), {}, sheet, fonts);
+    const PointerDrawing drawing(graph, edge.subjects().front(), {}, pointer_sheet, fonts);
     const auto has = [&](const std::string& label) {
         return std::any_of(drawing.arrows().begin(), drawing.arrows().end(),
                            [&](const PointerDrawing::Arrow& arrow) { return arrow.label == label; });

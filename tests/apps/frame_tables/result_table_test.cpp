@@ -12,7 +12,7 @@ using femoop::CaseId;
 
 namespace {
 
-Manner english(const femoop::Model& model)
+Manner in_english(const femoop::Model& model)
 {
     return {{ui::UnitSystem::KnM, base_units(model.units), {}}, ui::Catalogue()};
 }
@@ -46,7 +46,7 @@ TEST_SUITE("frame tables: results")
         const Document document = starting_document();
         const Solution solution = solve(document);
         const Table table = result_table({document.model, *solution.results, CaseId(0)}, TableKind::Reactions,
-                                         english(document.model));
+                                         in_english(document.model));
         const std::vector<double> fy = column(table, "fy [kN]");
         REQUIRE(fy.size() == 2);
         CHECK(fy[0] + fy[1] == doctest::Approx(20.0 * 6.0));
@@ -57,7 +57,7 @@ TEST_SUITE("frame tables: results")
     {
         const Document document = combined();
         const Solution solution = solve(document);
-        const Manner manner = english(document.model);
+        const Manner manner = in_english(document.model);
         const auto of = [&](TableKind kind, std::size_t load_case, std::string_view label) {
             const TabledResults results{document.model, *solution.results, CaseId(load_case)};
             return column(result_table(results, kind, manner), label);
@@ -79,7 +79,7 @@ TEST_SUITE("frame tables: results")
         const Solution solution = solve(document);
         const auto ux = [&](std::size_t load_case) {
             const TabledResults results{document.model, *solution.results, CaseId(load_case)};
-            return column(result_table(results, TableKind::Displacements, english(document.model)), "ux [mm]")[1];
+            return column(result_table(results, TableKind::Displacements, in_english(document.model)), "ux [mm]")[1];
         };
         CHECK(ux(2) == doctest::Approx(1.35 * ux(0) - 1.5 * ux(1)));
     }
@@ -89,7 +89,7 @@ TEST_SUITE("frame tables: results")
         const Document document = starting_document();
         const Solution solution = solve(document);
         const Table table = result_table({document.model, *solution.results, CaseId(0)}, TableKind::MemberEnds,
-                                         english(document.model));
+                                         in_english(document.model));
         const std::string text = separated(values(table, whole(table)), tabular::tabs);
         CHECK(text.starts_with("Member\tN, start [kN]\tV, start [kN]\tM, start [kN·m]"));
         CHECK(text.find("−") == std::string::npos);

@@ -18,7 +18,7 @@ TEST_SUITE_BEGIN("frame window");
 
 namespace {
 
-const std::string folder = source_folder() + "/";
+const std::string top_folder = source_folder() + "/";
 
 } // namespace
 
@@ -33,7 +33,7 @@ TEST_CASE("Files that are dropped on the window open in tabs of their own, and n
             desk.session.change(
                 {ui::translatable("Change"), [](Document& document) { set_title(document, "Changed"); }});
             application.frame(
-                {.dropped_files = {folder + "examples/truss.json", folder + "examples/gerber_beam.json"}});
+                {.dropped_files = {top_folder + "examples/truss.json", top_folder + "examples/gerber_beam.json"}});
             REQUIRE(n_tabs(desk) == 3);
             CHECK(desk.session.file_name() == "gerber_beam.json");
             CHECK(tab(desk, 0).model().title == "Changed");

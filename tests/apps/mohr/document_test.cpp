@@ -31,14 +31,14 @@ std::string reason(const Edit& edit)
     return ui::Catalogue()(edit.fault->reason);
 }
 
-constexpr Subject all[] = {Subject::PlaneStress, Subject::PlaneStrain, Subject::Strain, Subject::Rosette,
-                           Subject::Inertia,     Subject::SpaceStress, Subject::Section};
+constexpr Subject all_subjects[] = {Subject::PlaneStress, Subject::PlaneStrain, Subject::Strain, Subject::Rosette,
+                                    Subject::Inertia,     Subject::SpaceStress, Subject::Section};
 
 } // namespace
 
 TEST_CASE("Every textbook state can be solved")
 {
-    for (const Subject subject : all) {
+    for (const Subject subject : all_subjects) {
         CAPTURE(static_cast<int>(subject));
         CHECK_FALSE(why_not(of(subject)));
     }
@@ -185,7 +185,7 @@ TEST_CASE("Special states are told in words")
 
 TEST_CASE("What is written is read back the same")
 {
-    for (const Subject subject : all) {
+    for (const Subject subject : all_subjects) {
         CAPTURE(static_cast<int>(subject));
         Document d = of(subject);
         d.criterion = fm::Criterion::HoekBrown;

@@ -18,7 +18,7 @@ TEST_SUITE_BEGIN("mohr");
 
 namespace {
 
-constexpr Difficulty all[] = {Difficulty::Easy, Difficulty::Medium, Difficulty::Hard};
+constexpr Difficulty all_difficulties[] = {Difficulty::Easy, Difficulty::Medium, Difficulty::Hard};
 
 std::vector<std::optional<double>> right_answers(const Exercise& e)
 {
@@ -42,7 +42,7 @@ std::string words(const Judgement& judgement) { return ui::Catalogue()(judgement
 
 TEST_CASE("An exercise is the same for its seed and another for the next one")
 {
-    for (const Difficulty d : all) {
+    for (const Difficulty d : all_difficulties) {
         CHECK(exercise(ExerciseTopic::PlaneStress, d, 7).state == exercise(ExerciseTopic::PlaneStress, d, 7).state);
         CHECK_FALSE(exercise(ExerciseTopic::PlaneStress, d, 7).state ==
                     exercise(ExerciseTopic::PlaneStress, d, 8).state);
@@ -53,7 +53,7 @@ TEST_CASE("Every exercise has a circle; easy ones whole answers, hard ones a she
 {
     for (std::uint32_t seed = 0; seed < 200; ++seed) {
         CAPTURE(seed);
-        for (const Difficulty d : all) {
+        for (const Difficulty d : all_difficulties) {
             const Exercise e = exercise(ExerciseTopic::PlaneStress, d, seed);
             CHECK_FALSE(why_not(document_of(e)));
             CHECK(solution_of(Asked::Radius, e) > 5.0);
@@ -69,7 +69,7 @@ TEST_CASE("Every exercise has a circle; easy ones whole answers, hard ones a she
 TEST_CASE("The right answers of every exercise are judged right and agree with the circle")
 {
     for (std::uint32_t seed = 0; seed < 50; ++seed)
-        for (const Difficulty d : all) {
+        for (const Difficulty d : all_difficulties) {
             const Exercise e = exercise(ExerciseTopic::PlaneStress, d, seed);
             for (const Judgement& judgement : judge(e, right_answers(e))) CHECK(judgement.verdict == Verdict::Right);
             Document document = document_of(e);

@@ -17,7 +17,7 @@ using namespace femoop;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The area between a root fillet of radius r and its corner.
 struct Fillet {

@@ -16,7 +16,7 @@ using doctest::Approx;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double h = 0.37, b = 0.23, bf = 0.19, tf = 0.031, tw = 0.017, t = 0.013, d = 0.29;
 
 SectionShape rectangle()

@@ -17,7 +17,7 @@ using namespace topology;
 
 namespace {
 
-std::string page()
+std::string lesson_page()
 {
     std::ifstream file(source_folder() + "/courseware/01-euler-operators.md");
     return {std::istreambuf_iterator<char>(file), {}};
@@ -49,7 +49,7 @@ TEST_SUITE("lesson on Euler operators")
 {
     TEST_CASE("Every script of the lesson leaves a sound solid with the counts that its last line tells")
     {
-        const std::vector<std::string> scripts = blocks(page(), "eul");
+        const std::vector<std::string> scripts = blocks(lesson_page(), "eul");
         REQUIRE(scripts.size() == 4);
         for (const std::string& script : scripts) {
             CAPTURE(script);
@@ -65,12 +65,12 @@ TEST_SUITE("lesson on Euler operators")
     {
         ScriptRunner runner;
         run_script(runner, "mvfs s1 f1 v1 0 0 0\nmev s1 f1 v1 v2 0 1 0\n", {});
-        CHECK(blocks(page(), "text").front() == table_text(runner.solids().front().solid));
+        CHECK(blocks(lesson_page(), "text").front() == table_text(runner.solids().front().solid));
     }
 
     TEST_CASE("The experiment that fails on purpose gives the message that the lesson explains")
     {
-        const std::string text = page();
+        const std::string text = lesson_page();
         REQUIRE(blocks(text, "fails").size() == 1);
         ScriptRunner runner;
         std::string message;

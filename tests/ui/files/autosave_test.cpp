@@ -12,13 +12,12 @@
 
 #include "femoop/io/whole_file.h"
 #include "tests/folder.h"
+#include "tests/ui/files/drafts_in.h"
 #include "ui/files/autosave.h"
 
 namespace fs = std::filesystem;
 
 namespace {
-
-ui::DraftFolder drafts_in(const fs::path& folder) { return {folder, ".txt", femoop::write_whole_file}; }
 
 ui::Unsaved text(const std::string& words) { return ui::unsaved_text(words, std::nullopt, femoop::write_whole_file); }
 

@@ -10,14 +10,13 @@
 
 #include "femoop/io/whole_file.h"
 #include "tests/folder.h"
+#include "tests/ui/files/drafts_in.h"
 #include "ui/files/draft.h"
 #include "ui/files/recent_files.h"
 
 namespace fs = std::filesystem;
 
 namespace {
-
-ui::DraftFolder drafts_in(const fs::path& folder) { return {folder, ".txt", femoop::write_whole_file}; }
 
 ui::WriteDocument document(const std::string& text)
 {

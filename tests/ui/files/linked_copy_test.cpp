@@ -12,8 +12,8 @@ namespace fs = std::filesystem;
 namespace {
 
 /// A program whose document is a text.
-struct Program {
-    Program(ui::Link link, const std::string& text) : document(text), copy(std::move(link), text) {}
+struct LinkedProgram {
+    LinkedProgram(ui::Link link, const std::string& text) : document(text), copy(std::move(link), text) {}
 
     void tick()
     {
@@ -26,8 +26,8 @@ struct Program {
 };
 
 struct Pair {
-    Program giver{*ui::Link::made(femoop::write_whole_file), "10 kN"};
-    Program taker{ui::Link(giver.copy.folder(), femoop::write_whole_file), "10 kN"};
+    LinkedProgram giver{*ui::Link::made(femoop::write_whole_file), "10 kN"};
+    LinkedProgram taker{ui::Link(giver.copy.folder(), femoop::write_whole_file), "10 kN"};
 
     void tick()
     {

@@ -14,12 +14,12 @@ using doctest::Approx;
 namespace {
 
 /// Ink on the paper: the coverage summed over a fine grid [px^2].
-double ink(const ui::Mesh& mesh, const ui::Box& room)
+double ink(const ui::Mesh& mesh, const ui::Box& sheet)
 {
     constexpr double step = 0.25;
     double sum = 0.0;
-    for (double y = room.min.y + step / 2; y < room.max.y; y += step)
-        for (double x = room.min.x + step / 2; x < room.max.x; x += step) sum += mesh.coverage_at({x, y});
+    for (double y = sheet.min.y + step / 2; y < sheet.max.y; y += step)
+        for (double x = sheet.min.x + step / 2; x < sheet.max.x; x += step) sum += mesh.coverage_at({x, y});
     return sum * step * step;
 }
 
@@ -37,7 +37,7 @@ ui::Mesh filled(std::vector<ui::Point> points)
     return mesh;
 }
 
-const ui::Box room{{0.0, 0.0}, {60.0, 60.0}};
+const ui::Box sheet{{0.0, 0.0}, {60.0, 60.0}};
 
 } // namespace
 
@@ -49,7 +49,7 @@ TEST_CASE("A line spends its length times its width of ink, thin, thick or slant
     const double length = ui::distance(a, b);
     for (const double width : {0.4, 1.0, 1.7, 3.0, 9.0}) {
         CAPTURE(width);
-        CHECK(ink(stroked({a, b}, {.width = width}), room) == Approx(length * width).epsilon(0.02));
+        CHECK(ink(stroked({a, b}, {.width = width}), sheet) == Approx(length * width).epsilon(0.02));
     }
 }
 
@@ -57,9 +57,9 @@ TEST_CASE("A square cap adds a width of length, a round one a disc in two halves
 {
     const ui::Point a{15.0, 30.0}, b{43.0, 25.0};
     const double length = ui::distance(a, b), width = 8.0;
-    CHECK(ink(stroked({a, b}, {.width = width, .cap = ui::Cap::Square}), room) ==
+    CHECK(ink(stroked({a, b}, {.width = width, .cap = ui::Cap::Square}), sheet) ==
           Approx((length + width) * width).epsilon(0.02));
-    CHECK(ink(stroked({a, b}, {.width = width, .cap = ui::Cap::Round}), room) ==
+    CHECK(ink(stroked({a, b}, {.width = width, .cap = ui::Cap::Round}), sheet) ==
           Approx(length * width + std::numbers::pi * width * width / 4.0).epsilon(0.02));
 }
 
@@ -67,7 +67,7 @@ TEST_CASE("At a right angle a mitre fills the corner, a bevel cuts half a square
 {
     const std::vector<ui::Point> corner = {{10.0, 50.0}, {10.0, 10.0}, {50.0, 10.0}};
     const double width = 8.0, legs = 80.0 * width, h = width / 2.0;
-    const auto with = [&](ui::Join join) { return ink(stroked(corner, {.width = width, .join = join}), room); };
+    const auto with = [&](ui::Join join) { return ink(stroked(corner, {.width = width, .join = join}), sheet); };
     // the legs overlap in a square of h by h inside and leave one open outside
     CHECK(with(ui::Join::Miter) == Approx(legs).epsilon(0.01));
     CHECK(with(ui::Join::Bevel) == Approx(legs - h * h / 2.0).epsilon(0.01));
@@ -92,7 +92,7 @@ TEST_CASE("A closed line has no ends: its ink is its circumference times its wid
     double around = 0.0;
     for (std::size_t i = 0; i < 3; ++i) around += ui::distance(triangle[i], triangle[(i + 1) % 3]);
     const auto mesh = stroked(triangle, {.width = 2.0, .join = ui::Join::Miter}, ui::PathEnds::Closed);
-    CHECK(ink(mesh, room) == Approx(2.0 * around).epsilon(0.02));
+    CHECK(ink(mesh, sheet) == Approx(2.0 * around).epsilon(0.02));
 }
 
 TEST_CASE("A line that turns straight back, repeats points or has no length stays finite")
@@ -107,17 +107,17 @@ TEST_CASE("A line that turns straight back, repeats points or has no length stay
                 CHECK(std::isfinite(v.x));
                 CHECK(std::isfinite(v.y));
             }
-            CHECK(ink(mesh, room) > 0.0);
+            CHECK(ink(mesh, sheet) > 0.0);
         }
     }
 }
 
 TEST_CASE("A filled polygon spends its area of ink, convex or not")
 {
-    CHECK(ink(filled({{10.0, 10.0}, {50.0, 14.0}, {30.0, 45.0}}), room) ==
+    CHECK(ink(filled({{10.0, 10.0}, {50.0, 14.0}, {30.0, 45.0}}), sheet) ==
           Approx(0.5 * (40.0 * 35.0 - 4.0 * 20.0)).epsilon(0.01));
     // an L of legs 10 wide
-    CHECK(ink(filled({{10.0, 10.0}, {20.0, 10.0}, {20.0, 40.0}, {50.0, 40.0}, {50.0, 50.0}, {10.0, 50.0}}), room) ==
+    CHECK(ink(filled({{10.0, 10.0}, {20.0, 10.0}, {20.0, 40.0}, {50.0, 40.0}, {50.0, 50.0}, {10.0, 50.0}}), sheet) ==
           Approx(40.0 * 10.0 + 30.0 * 10.0).epsilon(0.01));
 }
 
@@ -129,7 +129,7 @@ TEST_CASE("A region with holes is filled once, and not in its holes, whichever w
     for (int i = 0; i < 2; ++i) {
         ui::Mesh mesh;
         ui::add_region(mesh, std::vector{outer, hole, other});
-        CHECK(ink(mesh, room) == Approx(50.0 * 50.0 - 20.0 * 20.0 - 0.5 * 5.0 * 6.0).epsilon(0.01));
+        CHECK(ink(mesh, sheet) == Approx(50.0 * 50.0 - 20.0 * 20.0 - 0.5 * 5.0 * 6.0).epsilon(0.01));
         CHECK(mesh.coverage_at({30.0, 30.0}) == 0.0);
         CHECK(mesh.coverage_at({48.5, 12.0}) == 0.0);
         CHECK(mesh.coverage_at({10.0, 30.0}) == 1.0);
@@ -144,7 +144,7 @@ TEST_CASE("A moment diagram that changes sign is filled on both sides of the mem
     REQUIRE(loops.size() == 2);
     CHECK(std::abs(ui::twice_area(loops[0])) == Approx(20.0 * 20.0));
     CHECK(std::abs(ui::twice_area(loops[1])) == Approx(20.0 * 20.0));
-    CHECK(ink(filled(bow_tie), room) == Approx(20.0 * 20.0).epsilon(0.02));
+    CHECK(ink(filled(bow_tie), sheet) == Approx(20.0 * 20.0).epsilon(0.02));
 }
 
 TEST_CASE("A diagram that is zero along part of its member is filled only where it is not")
@@ -198,7 +198,7 @@ TEST_CASE("A diagram that is zero along part of its member is filled only where 
         std::vector<ui::Point> backwards(c.outline.rbegin(), c.outline.rend());
         for (const auto& outline : {c.outline, backwards}) {
             const ui::Mesh mesh = filled(outline);
-            CHECK(ink(mesh, room) == Approx(c.area).epsilon(0.02));
+            CHECK(ink(mesh, sheet) == Approx(c.area).epsilon(0.02));
             for (const ui::Point p : c.filled) CHECK(mesh.coverage_at(p) == Approx(1.0));
             for (const ui::Point p : c.bare) CHECK(mesh.coverage_at(p) == Approx(0.0));
         }
@@ -235,8 +235,8 @@ TEST_CASE("A triangulation covers nothing twice where corners of two flanges lie
 
 TEST_CASE("Polygons without area or with repeated corners do no harm")
 {
-    CHECK(ink(filled({{10.0, 10.0}, {40.0, 10.0}, {25.0, 10.0}}), room) < 35.0); // at most its soft border
-    CHECK(ink(filled({{10.0, 10.0}, {40.0, 10.0}, {40.0, 10.0}, {40.0, 40.0}, {10.0, 40.0}, {10.0, 10.0}}), room) ==
+    CHECK(ink(filled({{10.0, 10.0}, {40.0, 10.0}, {25.0, 10.0}}), sheet) < 35.0); // at most its soft border
+    CHECK(ink(filled({{10.0, 10.0}, {40.0, 10.0}, {40.0, 10.0}, {40.0, 40.0}, {10.0, 40.0}, {10.0, 10.0}}), sheet) ==
           Approx(900.0).epsilon(0.01));
     CHECK(filled({{10.0, 10.0}, {10.0, 10.0}, {10.0, 10.0}}).indices.empty());
 }
@@ -245,7 +245,7 @@ TEST_CASE("A disc spends pi r^2 of ink")
 {
     ui::Mesh mesh;
     ui::add_disc(mesh, {30.2, 29.6}, 11.0);
-    CHECK(ink(mesh, room) == Approx(std::numbers::pi * 121.0).epsilon(0.01));
+    CHECK(ink(mesh, sheet) == Approx(std::numbers::pi * 121.0).epsilon(0.01));
 }
 
 TEST_CASE("Dashes follow the pattern along the corner and begin where the offset says")

@@ -36,9 +36,9 @@ using Finding = std::optional<Breach>;
 Finding breach(Invariant invariant, Entity a, Entity b) { return Breach{invariant, {a, b}}; }
 
 /// Each check may follow the links that the checks before it have passed.
-class Inspection {
+class TablesInspection {
 public:
-    explicit Inspection(const Tables& tables) : t_(tables) {}
+    explicit TablesInspection(const Tables& tables) : t_(tables) {}
 
     Finding edges() const
     {
@@ -188,9 +188,9 @@ private:
 
 std::optional<Breach> why_not_valid(const Solid& solid)
 {
-    const Inspection inspection(solid.tables());
-    for (const auto check : {&Inspection::edges, &Inspection::half_edges, &Inspection::vertices, &Inspection::chains,
-                             &Inspection::loops, &Inspection::faces})
+    const TablesInspection inspection(solid.tables());
+    for (const auto check : {&TablesInspection::edges, &TablesInspection::half_edges, &TablesInspection::vertices,
+                             &TablesInspection::chains, &TablesInspection::loops, &TablesInspection::faces})
         if (auto found = (inspection.*check)()) return found;
     return std::nullopt;
 }

@@ -3,22 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/paint/label/cells.h"
+
 namespace ui {
 
 namespace {
 
-constexpr int enough = 4;          // labels that found no room, for the next one to believe it
-constexpr double cell_side = 40.0; // [px]: about as far as a label stands from its target
-constexpr double most_cells_a_side = 512.0;
-
-int n_cells(double side) { return static_cast<int>(std::clamp(std::ceil(side / cell_side), 1.0, most_cells_a_side)); }
+constexpr int enough = 4;               // labels that found no room, for the next one to believe it
+constexpr double full_cell_side = 40.0; // [px]: about as far as a label stands from its target
+constexpr double most_full_cells = 512.0;
 
 } // namespace
 
 FullCells::FullCells(const Box& room)
     : corner_(room.min),
-      n_columns_(n_cells(room.width())),
-      n_rows_(n_cells(room.height())),
+      n_columns_(n_cells(room.width(), full_cell_side, most_full_cells)),
+      n_rows_(n_cells(room.height(), full_cell_side, most_full_cells)),
       cells_(static_cast<std::size_t>(n_columns_) * static_cast<std::size_t>(n_rows_))
 {}
 
@@ -26,7 +26,8 @@ FullCells::FullCells(const Box& room)
 std::size_t FullCells::index(Point target) const
 {
     const auto at = [](double place, int n) {
-        return static_cast<std::size_t>(std::clamp(std::floor(place / cell_side), 0.0, static_cast<double>(n - 1)));
+        return static_cast<std::size_t>(
+            std::clamp(std::floor(place / full_cell_side), 0.0, static_cast<double>(n - 1)));
     };
     return at(target.y - corner_.y, n_rows_) * static_cast<std::size_t>(n_columns_) +
            at(target.x - corner_.x, n_columns_);

@@ -4,24 +4,24 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/paint/label/cells.h"
+
 namespace ui {
 
 namespace {
 
-constexpr double cell_side = 6.0; // [px]: a line of type holds one whole cell at least
-constexpr double most_cells_a_side = 4096.0;
-
-int n_cells(double side) { return static_cast<int>(std::clamp(std::ceil(side / cell_side), 1.0, most_cells_a_side)); }
+constexpr double map_cell_side = 6.0; // [px]: a line of type holds one whole cell at least
+constexpr double most_map_cells = 4096.0;
 
 /// The cell that a coordinate lies in; that beside the grid for what lies outside.
 int cell_at(double place, int n)
 {
-    return static_cast<int>(std::clamp(std::floor(place / cell_side), -1.0, static_cast<double>(n)));
+    return static_cast<int>(std::clamp(std::floor(place / map_cell_side), -1.0, static_cast<double>(n)));
 }
 
 /// The first and the last cell that lie as a whole between two coordinates.
-int first_whole(double place) { return static_cast<int>(std::ceil(place / cell_side)); }
-int last_whole(double place) { return static_cast<int>(std::floor(place / cell_side)) - 1; }
+int first_whole(double place) { return static_cast<int>(std::ceil(place / map_cell_side)); }
+int last_whole(double place) { return static_cast<int>(std::floor(place / map_cell_side)) - 1; }
 
 /// The part of a segment between two levels, as a range of x; empty (first > second) where there is none.
 std::pair<double, double> range_between(Point a, Point b, double y0, double y1)
@@ -63,8 +63,8 @@ std::int32_t MarkedCells::n_marks(int x0, int y0, int x1, int y1) const
 ObstacleMap::ObstacleMap(const LabelObstacles& obstacles)
     : obstacles_(obstacles),
       corner_(obstacles.room_.min),
-      n_columns_(n_cells(obstacles.room_.width())),
-      n_rows_(n_cells(obstacles.room_.height())),
+      n_columns_(n_cells(obstacles.room_.width(), map_cell_side, most_map_cells)),
+      n_rows_(n_cells(obstacles.room_.height(), map_cell_side, most_map_cells)),
       hard_{{n_columns_, n_rows_}, {n_columns_, n_rows_}},
       soft_{{n_columns_, n_rows_}, {n_columns_, n_rows_}}
 {
@@ -85,7 +85,7 @@ void ObstacleMap::mark(Marks& marks, const LabelObstacles::Segment& segment) con
         for (int x = from; x <= to; ++x) cells.mark(x, y);
     };
     for (int y = first; y <= last; ++y) {
-        const double top = y * cell_side, bottom = top + cell_side;
+        const double top = y * map_cell_side, bottom = top + map_cell_side;
         mark_range(marks.crossed, range_between(a, b, top, bottom), 0.0, y);
         mark_range(marks.near, range_between(a, b, top - reach, bottom + reach), reach, y);
     }

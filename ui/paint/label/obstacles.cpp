@@ -4,21 +4,21 @@
 #include <array>
 #include <cmath>
 
+#include "ui/paint/label/cells.h"
+
 namespace ui {
 
 namespace {
 
-constexpr double cell_side = 32.0; // [px]: about the size of a label
-constexpr double most_cells_a_side = 512.0;
-
-int n_cells(double side) { return static_cast<int>(std::clamp(std::ceil(side / cell_side), 1.0, most_cells_a_side)); }
+constexpr double obstacle_cell_side = 32.0; // [px]: about the size of a label
+constexpr double most_obstacle_cells = 512.0;
 
 } // namespace
 
 LabelObstacles::LabelObstacles(const Box& room)
     : room_(room),
-      n_columns_(n_cells(room.width())),
-      n_rows_(n_cells(room.height())),
+      n_columns_(n_cells(room.width(), obstacle_cell_side, most_obstacle_cells)),
+      n_rows_(n_cells(room.height(), obstacle_cell_side, most_obstacle_cells)),
       cells_(static_cast<std::size_t>(n_columns_) * static_cast<std::size_t>(n_rows_))
 {}
 
@@ -26,7 +26,7 @@ LabelObstacles::LabelObstacles(const Box& room)
 LabelObstacles::CellRange LabelObstacles::cells(const Box& box) const
 {
     const auto at = [](double place, int n) {
-        return static_cast<int>(std::clamp(std::floor(place / cell_side), 0.0, static_cast<double>(n - 1)));
+        return static_cast<int>(std::clamp(std::floor(place / obstacle_cell_side), 0.0, static_cast<double>(n - 1)));
     };
     return {at(box.min.x - room_.min.x, n_columns_), at(box.min.y - room_.min.y, n_rows_),
             at(box.max.x - room_.min.x, n_columns_), at(box.max.y - room_.min.y, n_rows_)};
@@ -43,9 +43,10 @@ void LabelObstacles::add_segment(Point a, Point b, double width, Firmness firmne
     if (is_in_one_cell) return cell(range.x0, range.y0).segments.push_back(index);
     for (int y = range.y0; y <= range.y1; ++y) {
         for (int x = range.x0; x <= range.x1; ++x) {
-            const Point corner{room_.min.x + x * cell_side, room_.min.y + y * cell_side};
+            const Point corner{room_.min.x + x * obstacle_cell_side, room_.min.y + y * obstacle_cell_side};
             const bool is_border = x == 0 || y == 0 || x == n_columns_ - 1 || y == n_rows_ - 1;
-            const OrientedBox square({corner.x + 0.5 * cell_side, corner.y + 0.5 * cell_side}, {cell_side, cell_side});
+            const OrientedBox square({corner.x + 0.5 * obstacle_cell_side, corner.y + 0.5 * obstacle_cell_side},
+                                     {obstacle_cell_side, obstacle_cell_side});
             if (is_border || square.grown(0.5 * width + 1e-6).meets_segment(a, b)) cell(x, y).segments.push_back(index);
         }
     }

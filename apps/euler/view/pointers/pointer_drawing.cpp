@@ -19,11 +19,11 @@ using topology::EntityKind;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double padding = 9.0;      // [px] of a name in its box
-constexpr double head_length = 10.0; // [px]
-constexpr double bow = 0.14;         // of an arrow's length, aside, where another runs back
-constexpr double least_ring = 0.36;  // of the sheet: where the neighbours stand
+using std::numbers::pi;
+constexpr double padding = 9.0;              // [px] of a name in its box
+constexpr double pointer_head_length = 10.0; // [px]
+constexpr double bow = 0.14;                 // of an arrow's length, aside, where another runs back
+constexpr double least_ring = 0.36;          // of the sheet: where the neighbours stand
 
 /// Where a half-edge's neighbour is looked for, by the link that leads to it [rad, counter-clockwise from the right].
 std::optional<double> usual_angle(std::string_view label)
@@ -166,7 +166,7 @@ void PointerDrawing::draw(ui::Painter& painter) const
     for (const Arrow& arrow : arrows_) {
         const ui::Stroke line = theme_.stroke(arrow.is_pale ? ui::Role::HiddenEdge : ui::Role::Edge);
         painter.polyline(arrow.line, line);
-        draw_head(painter, arrow.line, head_length * theme_.symbol_scale(), line.color);
+        draw_head(painter, arrow.line, pointer_head_length * theme_.symbol_scale(), line.color);
     }
     painter.set_layer(ui::Layer::Symbols);
     for (const Node& node : nodes_) {

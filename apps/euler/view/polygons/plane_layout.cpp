@@ -12,9 +12,9 @@ using topology::LoopId;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double between = 0.5;    // two faces, where the polygon of one without rings has the radius 1
-constexpr double with_rings = 1.8; // radius of the others
+using std::numbers::pi;
+constexpr double between_faces = 0.5; // two faces, where the polygon of one without rings has the radius 1
+constexpr double with_rings = 1.8;    // radius of the others
 constexpr double columns_per_row = 1.6;
 constexpr int n_of_circle = 48;
 
@@ -124,7 +124,7 @@ std::vector<PlaneLayout::Place> PlaneLayout::face_places(std::span<const Subject
         for (const FaceId f : subject.solid->faces()) {
             const bool has_rings = n_loops(*subject.solid, f) > 1;
             places.push_back({{}, has_rings ? with_rings : 1.0});
-            area += std::pow(2.0 * places.back().radius + between, 2);
+            area += std::pow(2.0 * places.back().radius + between_faces, 2);
         }
     const double width = std::sqrt(columns_per_row * area);
     double x = 0.0, y = 0.0, height = 0.0;
@@ -132,11 +132,11 @@ std::vector<PlaneLayout::Place> PlaneLayout::face_places(std::span<const Subject
         std::size_t end = i;
         for (x = 0.0, height = 0.0; end < places.size() && (end == i || x + places[end].radius < width); ++end) {
             places[end].middle.x = x + places[end].radius;
-            x += 2.0 * places[end].radius + between;
+            x += 2.0 * places[end].radius + between_faces;
             height = std::max(height, 2.0 * places[end].radius);
         }
         for (; i < end; ++i) places[i].middle.y = y - 0.5 * height;
-        y -= height + between;
+        y -= height + between_faces;
     }
     return places;
 }

@@ -16,10 +16,10 @@ using topology::Solid;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double beside_side = 11.0; // [px]
-constexpr double gap = 4.0;          // [px] between a half-edge's line and the next one's
-constexpr int n_of_circle = 48;
+using std::numbers::pi;
+constexpr double beside_arrow = 11.0; // [px]
+constexpr double line_gap = 4.0;      // [px] between a half-edge's line and the next one's
+constexpr int n_of_arc = 48;
 
 class PlaneModel {
 public:
@@ -110,17 +110,17 @@ private:
     {
         const Polygon& polygon = layout_.polygon(subject, solid(subject).loop(h));
         const double room = polygon.inner_radius() * camera_.scale();
-        const double aside = std::min(beside_side * symbol_scale_, 0.35 * room) / room;
+        const double aside = std::min(beside_arrow * symbol_scale_, 0.35 * room) / room;
         const double length = 2.0 * pi * room / std::max(1, polygon.n);
-        return side(subject, h, aside, std::min(0.2, (gap + 2.0) * symbol_scale_ / length));
+        return side(subject, h, aside, std::min(0.2, (line_gap + 2.0) * symbol_scale_ / length));
     }
 
     std::vector<ui::Point> around(ui::Point middle) const
     {
         constexpr double radius = 18.0; // [px]
         std::vector<ui::Point> line;
-        for (int k = 0; k <= n_of_circle; ++k) {
-            const double angle = pi * (0.6 + 1.7 * k / n_of_circle);
+        for (int k = 0; k <= n_of_arc; ++k) {
+            const double angle = pi * (0.6 + 1.7 * k / n_of_arc);
             line.push_back(middle + radius * symbol_scale_ * ui::Point{std::cos(angle), -std::sin(angle)});
         }
         return line;

@@ -15,10 +15,10 @@ using topology::Vector;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double beside_edge = 11.0;      // [px]
 constexpr double around_lone = 18.0;      // [px]
-constexpr double inside = 1.6;            // times as far from the edge, of a face that is seen from inside
+constexpr double inside_factor = 1.6;     // times as far from the edge, of a face that is seen from inside
 constexpr double shortest = 18.0;         // [px] of a line with a head
 constexpr double shortest_of_many = 60.0; // likewise, of a solid of thousands of edges
 constexpr double gap = 3.0;               // [px] to the neighbour's line
@@ -46,7 +46,7 @@ double ArrowLines::offset(FaceId f) const
 {
     constexpr double most_of_room = 0.4;
     const bool is_back = dot(bodies_[f].normal, sight_.toward_eye()) < 0.0;
-    const double wanted = sight_.px(beside_edge * symbol_scale_ * (is_back ? inside : 1.0));
+    const double wanted = sight_.px(beside_edge * symbol_scale_ * (is_back ? inside_factor : 1.0));
     const double radius = bodies_[f].inner_radius;
     return radius > 0.0 ? std::min(wanted, most_of_room * radius) : wanted;
 }

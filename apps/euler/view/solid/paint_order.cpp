@@ -131,18 +131,18 @@ std::vector<std::size_t> back_to_front(std::span<const SeenPiece> pieces)
 
 namespace {
 
-constexpr std::size_t n_cells = 24; // of a map, along each side
+constexpr std::size_t n_map_cells = 24; // of a map, along each side
 
 std::size_t cell_of(double at, double min, double max)
 {
     if (!(max > min)) return 0;
-    const double place = std::floor(static_cast<double>(n_cells) * (at - min) / (max - min));
-    return static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(n_cells - 1)));
+    const double place = std::floor(static_cast<double>(n_map_cells) * (at - min) / (max - min));
+    return static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(n_map_cells - 1)));
 }
 
 } // namespace
 
-CoverMap::CoverMap(std::span<const SeenPiece> pieces) : pieces_(pieces), cells_(n_cells * n_cells)
+CoverMap::CoverMap(std::span<const SeenPiece> pieces) : pieces_(pieces), cells_(n_map_cells * n_map_cells)
 {
     if (pieces.empty()) return;
     bounds_ = pieces.front().bounds;
@@ -151,7 +151,7 @@ CoverMap::CoverMap(std::span<const SeenPiece> pieces) : pieces_(pieces), cells_(
         const Cell first = cell(pieces[i].bounds.min), last = cell(pieces[i].bounds.max);
         for (std::size_t row = first.row; row <= last.row; ++row)
             for (std::size_t column = first.column; column <= last.column; ++column)
-                cells_[row * n_cells + column].push_back(i);
+                cells_[row * n_map_cells + column].push_back(i);
     }
 }
 
@@ -164,7 +164,7 @@ bool CoverMap::is_covered(ui::Point at, double nearness) const
 {
     constexpr double clearly = 0.5; // [px]
     const Cell here = cell(at);
-    const std::vector<std::size_t>& near = cells_[here.row * n_cells + here.column];
+    const std::vector<std::size_t>& near = cells_[here.row * n_map_cells + here.column];
     return std::any_of(near.begin(), near.end(), [&](std::size_t i) {
         const SeenPiece& piece = pieces_[i];
         return piece.plane && piece.bounds.contains(at) && (*piece.plane)(at) > nearness + clearly &&

@@ -18,7 +18,7 @@ using ui::translatable;
 
 namespace {
 
-std::string name_of(const FaultPlace::Step& step)
+std::string name_in(const FaultPlace::Step& step)
 {
     if (!step.name.empty() || !step.index) return step.name;
     return "#" + std::to_string(*step.index + 1);
@@ -26,7 +26,7 @@ std::string name_of(const FaultPlace::Step& step)
 
 std::string load_words(const FaultPlace& place, const Catalogue& tr)
 {
-    const std::string load_case = name_of(place.steps[0]), bearer = name_of(place.steps[1]);
+    const std::string load_case = name_in(place.steps[0]), bearer = name_in(place.steps[1]);
     const std::initializer_list<Catalogue::Argument> names{{"case", load_case}, {"id", bearer}};
     if (place.steps[1].key == "nodes") return tr("Case {case}, load on node {id}", names);
     if (place.steps[1].key == "settlements") return tr("Case {case}, settlement of node {id}", names);
@@ -35,7 +35,7 @@ std::string load_words(const FaultPlace& place, const Catalogue& tr)
 
 std::string entry_words(const FaultPlace::Step& step, const Catalogue& tr)
 {
-    const std::string name = name_of(step);
+    const std::string name = name_in(step);
     if (step.key == "materials") return tr("Material {id}", {{"id", name}});
     if (step.key == "sections") return tr("Section {id}", {{"id", name}});
     if (step.key == "nodes") return tr("Node {id}", {{"id", name}});

@@ -3,7 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <numbers>
+
+#include "tests/femoop/methods/mohr/degree.h"
 
 using namespace femoop::mohr;
 using doctest::Approx;
@@ -12,16 +13,15 @@ TEST_SUITE_BEGIN("femoop mohr");
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr SpaceState state{-19.0, 24.6, -58.3, -14.7, 11.8, 16.45};
-constexpr Strength strength{
+constexpr SpaceState loaded_state{-19.0, 24.6, -58.3, -14.7, 11.8, 16.45};
+constexpr Strength strengths{
     .fy = 250.0, .ft = 31.0, .fc = 290.0, .c = 21.0, .phi = 33.0 * degree, .sci = 120.0, .m = 9.0, .s = 0.7};
 constexpr Criterion all[] = {Criterion::Tresca,      Criterion::VonMises,      Criterion::Rankine,
                              Criterion::MohrCoulomb, Criterion::DruckerPrager, Criterion::HoekBrown};
 
 SpacePrincipal scaled(double k)
 {
-    SpaceState s = state;
+    SpaceState s = loaded_state;
     for (double SpaceState::*part :
          {&SpaceState::x, &SpaceState::y, &SpaceState::z, &SpaceState::xy, &SpaceState::yz, &SpaceState::zx})
         s.*part *= k;
@@ -48,17 +48,17 @@ TEST_CASE("A stress that is multiplied by its safety factor fails by every crite
 {
     for (const Criterion criterion : all) {
         CAPTURE(static_cast<int>(criterion));
-        const auto factor = safety(criterion, strength, scaled(1.0)).factor;
+        const auto factor = safety(criterion, strengths, scaled(1.0)).factor;
         REQUIRE(factor);
-        CHECK(*safety(criterion, strength, scaled(*factor)).factor == Approx(1.0));
-        CHECK(*safety(criterion, strength, scaled(0.5)).factor == Approx(2.0 * *factor));
+        CHECK(*safety(criterion, strengths, scaled(*factor)).factor == Approx(1.0));
+        CHECK(*safety(criterion, strengths, scaled(0.5)).factor == Approx(2.0 * *factor));
     }
 }
 
 TEST_CASE("Uniaxial tension and compression fail at the strengths that are known of the criteria")
 {
     const auto factor = [](Criterion criterion, double stress) {
-        return safety(criterion, strength, principal(SpaceState{.x = stress})).factor;
+        return safety(criterion, strengths, principal(SpaceState{.x = stress})).factor;
     };
     CHECK(*factor(Criterion::Tresca, 100.0) == Approx(2.5));
     CHECK(*factor(Criterion::VonMises, -100.0) == Approx(2.5));
@@ -74,8 +74,8 @@ TEST_CASE("Uniaxial tension and compression fail at the strengths that are known
 TEST_CASE("In pure shear von Mises fails at fy over root three and Tresca at half of fy")
 {
     const SpacePrincipal shear = principal(SpaceState{.xy = 100.0});
-    CHECK(*safety(Criterion::VonMises, strength, shear).factor == Approx(2.5 / std::sqrt(3.0)));
-    CHECK(*safety(Criterion::Tresca, strength, shear).factor == Approx(1.25));
+    CHECK(*safety(Criterion::VonMises, strengths, shear).factor == Approx(2.5 / std::sqrt(3.0)));
+    CHECK(*safety(Criterion::Tresca, strengths, shear).factor == Approx(1.25));
 }
 
 TEST_CASE("Hydrostatic pressure never fails and hydrostatic tension fails where the criterion has a tip")
@@ -84,11 +84,11 @@ TEST_CASE("Hydrostatic pressure never fails and hydrostatic tension fails where 
     for (const Criterion criterion : {Criterion::Tresca, Criterion::VonMises, Criterion::MohrCoulomb,
                                       Criterion::DruckerPrager, Criterion::HoekBrown}) {
         CAPTURE(static_cast<int>(criterion));
-        CHECK_FALSE(safety(criterion, strength, pressure).factor);
-        CHECK(safety(criterion, strength, pressure).planes.empty());
+        CHECK_FALSE(safety(criterion, strengths, pressure).factor);
+        CHECK(safety(criterion, strengths, pressure).planes.empty());
     }
     const auto tension = [](Criterion criterion, double t) {
-        return safety(criterion, strength, principal(SpaceState{.x = t, .y = t, .z = t})).factor;
+        return safety(criterion, strengths, principal(SpaceState{.x = t, .y = t, .z = t})).factor;
     };
     CHECK(*tension(Criterion::MohrCoulomb, 21.0 / std::tan(33.0 * degree)) == Approx(1.0));
     CHECK(*tension(Criterion::HoekBrown, 0.7 * 120.0 / 9.0) == Approx(1.0));
@@ -97,11 +97,11 @@ TEST_CASE("Hydrostatic pressure never fails and hydrostatic tension fails where 
 
 TEST_CASE("On a failing plane of Mohr and Coulomb the shear is the cohesion less the friction")
 {
-    const double k = *safety(Criterion::MohrCoulomb, strength, scaled(1.0)).factor;
-    const auto planes = safety(Criterion::MohrCoulomb, strength, scaled(k)).planes;
+    const double k = *safety(Criterion::MohrCoulomb, strengths, scaled(1.0)).factor;
+    const auto planes = safety(Criterion::MohrCoulomb, strengths, scaled(k)).planes;
     REQUIRE(planes.size() == 2);
     for (const auto& normal : planes) {
-        const OnPlane on = on_plane(state, normal);
+        const OnPlane on = on_plane(loaded_state, normal);
         CHECK(k * on.shear == Approx(21.0 - k * on.normal_component * std::tan(33.0 * degree)));
     }
 }
@@ -110,9 +110,9 @@ TEST_CASE("A failing plane touches the envelope and every other plane lies below
 {
     for (const Criterion criterion : {Criterion::Tresca, Criterion::MohrCoulomb, Criterion::HoekBrown}) {
         CAPTURE(static_cast<int>(criterion));
-        const Safety s = safety(criterion, strength, scaled(1.0));
+        const Safety s = safety(criterion, strengths, scaled(1.0));
         const SpacePrincipal failing = scaled(*s.factor);
-        const auto curves = envelope(criterion, strength, -400.0, 400.0);
+        const auto curves = envelope(criterion, strengths, -400.0, 400.0);
         const Circle circle = circles(failing)[0];
         double tightest = 1e9;
         for (int i = 0; i <= 720; ++i) {
@@ -121,7 +121,7 @@ TEST_CASE("A failing plane touches the envelope and every other plane lies below
                 tightest, room_below(curves, circle.centre + circle.radius * std::cos(t), circle.radius * std::sin(t)));
         }
         CHECK(std::abs(tightest) < 0.02 * circle.radius);
-        const OnPlane on = on_plane(state, s.planes.front());
+        const OnPlane on = on_plane(loaded_state, s.planes.front());
         CHECK(std::abs(room_below(curves, *s.factor * on.normal_component, *s.factor * on.shear)) <
               0.02 * circle.radius);
     }
@@ -133,9 +133,9 @@ TEST_CASE("Circles of failing plane stresses touch von Mises' ellipse and Drucke
         for (const SpaceState& plane :
              {SpaceState{.x = 30.0, .y = -50.0, .xy = 20.0}, SpaceState{.x = -30.0, .y = -80.0, .xy = 5.0}}) {
             CAPTURE(static_cast<int>(criterion));
-            const double k = *safety(criterion, strength, principal(plane)).factor;
+            const double k = *safety(criterion, strengths, principal(plane)).factor;
             const Circle c = circle({k * plane.x, k * plane.y, k * plane.xy});
-            const auto curves = envelope(criterion, strength, -600.0, 600.0);
+            const auto curves = envelope(criterion, strengths, -600.0, 600.0);
             double tightest = 1e9;
             for (int i = 1; i < 720; ++i) {
                 const double t = i * 0.25 * degree;
@@ -148,7 +148,7 @@ TEST_CASE("Circles of failing plane stresses touch von Mises' ellipse and Drucke
 
 TEST_CASE("A strength that a criterion cannot use is named")
 {
-    Strength wrong = strength;
+    Strength wrong = strengths;
     wrong.phi = 90.0 * degree;
     CHECK(why_not(Criterion::MohrCoulomb, wrong)->flaw == StrengthFlaw::AngleOutOfRange);
     CHECK_FALSE(why_not(Criterion::Tresca, wrong));
@@ -156,5 +156,5 @@ TEST_CASE("A strength that a criterion cannot use is named")
     CHECK(why_not(Criterion::VonMises, wrong)->value == &Strength::fy);
     wrong.s = 1.1;
     CHECK(why_not(Criterion::HoekBrown, wrong)->flaw == StrengthFlaw::AboveOne);
-    for (const Criterion criterion : all) CHECK_FALSE(why_not(criterion, strength));
+    for (const Criterion criterion : all) CHECK_FALSE(why_not(criterion, strengths));
 }

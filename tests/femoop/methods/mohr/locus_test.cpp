@@ -15,7 +15,7 @@ TEST_SUITE_BEGIN("femoop mohr");
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const Strength strength{.fy = 250.0, .ft = 40.0, .fc = 120.0, .c = 60.0, .phi = 0.5, .sci = 150.0, .m = 10.0, .s = 0.7};
 
 } // namespace

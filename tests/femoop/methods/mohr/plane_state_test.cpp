@@ -7,6 +7,8 @@
 #include <numbers>
 #include <random>
 
+#include "tests/femoop/methods/mohr/degree.h"
+
 using namespace femoop::mohr;
 using doctest::Approx;
 
@@ -14,8 +16,7 @@ TEST_SUITE_BEGIN("femoop mohr");
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double degree = pi / 180.0;
+using std::numbers::pi;
 constexpr PlaneState hibbeler{-20.0, 90.0, 60.0}; // Mechanics of Materials, example 9.3: 116, -46.4 MPa at 66.3 degrees
 
 /// Turned by the matrix product Q T Q^T, whose rows are the new axes.
@@ -101,35 +102,35 @@ TEST_CASE("Principal values of 100 000 random plane tensors are Eigen's and thei
 TEST_CASE("A principal value that nearly vanishes keeps its digits")
 {
     // det = 1e8 * 1e-8 - 0.25 = 0.75, so the second value is 0.75 / 1e8 to sixteen digits
-    const PlanePrincipal p = principal({1e8, 1e-8, 0.5});
+    const PlanePrincipal p = principal(PlaneState{1e8, 1e-8, 0.5});
     CHECK(p.second == Approx(7.5e-9).epsilon(1e-14));
 }
 
 TEST_CASE("A point circle has no principal direction and the smallest shear gives it one")
 {
-    CHECK_FALSE(principal({7.0, 7.0, 0.0}).angle);
+    CHECK_FALSE(principal(PlaneState{7.0, 7.0, 0.0}).angle);
     CHECK_FALSE(largest_shear_angle({7.0, 7.0, 0.0}));
-    CHECK(principal({7.0, 7.0, 0.0}).first == 7.0);
-    CHECK_FALSE(principal({0.0, 0.0, 0.0}).angle);
-    CHECK(*principal({7.0, 7.0, 1e-30}).angle == Approx(0.25 * pi));
+    CHECK(principal(PlaneState{7.0, 7.0, 0.0}).first == 7.0);
+    CHECK_FALSE(principal(PlaneState{0.0, 0.0, 0.0}).angle);
+    CHECK(*principal(PlaneState{7.0, 7.0, 1e-30}).angle == Approx(0.25 * pi));
 }
 
 TEST_CASE("Degenerate states have their directions exactly: uniaxial along x or y and pure shear of either sign")
 {
-    CHECK(*principal({30.0, 0.0, 0.0}).angle == 0.0);
-    CHECK(principal({30.0, 0.0, 0.0}).second == 0.0);
-    CHECK(*principal({0.0, 30.0, 0.0}).angle == 0.5 * pi);
-    CHECK(*principal({0.0, 30.0, -0.0}).angle == 0.5 * pi);
-    CHECK(*principal({0.0, 0.0, 20.0}).angle == 0.25 * pi);
-    CHECK(*principal({0.0, 0.0, -20.0}).angle == -0.25 * pi);
-    CHECK(principal({0.0, 0.0, -20.0}).second == -20.0);
+    CHECK(*principal(PlaneState{30.0, 0.0, 0.0}).angle == 0.0);
+    CHECK(principal(PlaneState{30.0, 0.0, 0.0}).second == 0.0);
+    CHECK(*principal(PlaneState{0.0, 30.0, 0.0}).angle == 0.5 * pi);
+    CHECK(*principal(PlaneState{0.0, 30.0, -0.0}).angle == 0.5 * pi);
+    CHECK(*principal(PlaneState{0.0, 0.0, 20.0}).angle == 0.25 * pi);
+    CHECK(*principal(PlaneState{0.0, 0.0, -20.0}).angle == -0.25 * pi);
+    CHECK(principal(PlaneState{0.0, 0.0, -20.0}).second == -20.0);
 }
 
 TEST_CASE("The circle of huge and of tiny components is the same circle in another unit")
 {
     for (const double scale : {1e-300, 1e-100, 1e100, 1e300}) {
         CAPTURE(scale);
-        const PlanePrincipal p = principal({scale * -20.0, scale * 90.0, scale * 60.0});
+        const PlanePrincipal p = principal(PlaneState{scale * -20.0, scale * 90.0, scale * 60.0});
         CHECK(p.first / scale == Approx(116.394102980498531).epsilon(1e-14));
         CHECK(p.second / scale == Approx(-46.394102980498531).epsilon(1e-14));
         CHECK(*p.angle / degree == Approx(66.25522354).epsilon(1e-9));

@@ -3,8 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
+
+#include "tests/femoop/methods/mohr/degree.h"
 
 using namespace femoop::mohr;
 using doctest::Approx;
@@ -12,8 +13,6 @@ using doctest::Approx;
 TEST_SUITE_BEGIN("femoop mohr");
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 Rosette rosette(const std::array<double, 3>& degrees, const std::array<double, 3>& readings)
 {

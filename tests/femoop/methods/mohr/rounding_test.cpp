@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "femoop/methods/mohr/criterion.h"
 #include "femoop/methods/mohr/hooke.h"
@@ -11,6 +10,7 @@
 #include "femoop/methods/mohr/rounding.h"
 #include "femoop/methods/mohr/space_construction.h"
 #include "femoop/methods/mohr/space_state.h"
+#include "tests/femoop/methods/mohr/degree.h"
 
 using namespace femoop::mohr;
 using doctest::Approx;
@@ -18,8 +18,6 @@ using doctest::Approx;
 TEST_SUITE_BEGIN("femoop mohr");
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 /// Units in which the same state is told, from strains of stars to those of atoms.
 constexpr std::array scales{1e-90, 1e-26, 1e-20, 1e-9, 1.0, 1e12, 1e80};

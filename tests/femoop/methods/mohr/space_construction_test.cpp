@@ -14,7 +14,7 @@ TEST_SUITE_BEGIN("femoop mohr");
 
 namespace {
 
-constexpr SpaceState state{-19.0, 4.6, -8.3, -4.7, 11.8, 6.45};
+constexpr SpaceState oblique_state{-19.0, 4.6, -8.3, -4.7, 11.8, 6.45};
 const Eigen::Vector3d normal(0.3, -0.8, 0.4);
 
 /// How far a point lies off an arc, along its radius.
@@ -36,7 +36,7 @@ TEST_CASE("The arcs of a plane's angles with directions 1 and 3 meet in its poin
 {
     std::mt19937 random(7);
     std::normal_distribution<double> part;
-    const SpacePrincipal p = principal(state);
+    const SpacePrincipal p = principal(oblique_state);
     for (int i = 0; i < 500; ++i) {
         const Eigen::Vector3d n(part(random), part(random), part(random));
         const auto steps = construction(p, n);
@@ -44,7 +44,7 @@ TEST_CASE("The arcs of a plane's angles with directions 1 and 3 meet in its poin
         const CirclePoint at = steps[8].points.front().at;
         CHECK(is_on(steps[6].arcs.front(), at));
         CHECK(is_on(steps[7].arcs.front(), at));
-        const OnPlane on = on_plane(state, n);
+        const OnPlane on = on_plane(oblique_state, n);
         CHECK(at.normal == Approx(on.normal_component));
         CHECK(at.shear == Approx(on.shear));
     }
@@ -52,7 +52,7 @@ TEST_CASE("The arcs of a plane's angles with directions 1 and 3 meet in its poin
 
 TEST_CASE("The line from a principal value leans from the upright by the normal's angle with its direction")
 {
-    const SpacePrincipal p = principal(state);
+    const SpacePrincipal p = principal(oblique_state);
     const auto steps = construction(p, normal);
     const auto lean = [](const ConstructionStep::Line& line) {
         return std::atan2(std::abs(line.to.normal - line.from.normal), line.to.shear - line.from.shear);
@@ -65,7 +65,7 @@ TEST_CASE("The line from a principal value leans from the upright by the normal'
 
 TEST_CASE("A line's other points lie on the circles that share its principal value")
 {
-    const SpacePrincipal p = principal(state);
+    const SpacePrincipal p = principal(oblique_state);
     const auto [largest, upper, lower] = circles(p);
     const auto steps = construction(p, normal);
     const auto distance = [](const Circle& c, const CirclePoint& at) {
@@ -90,14 +90,14 @@ TEST_CASE("A state of three equal values is a point and equal pairs still lead t
 
 TEST_CASE("Principal values and directions make the state again")
 {
-    const SpacePrincipal p = principal(state);
+    const SpacePrincipal p = principal(oblique_state);
     const SpaceState again = from_principal(p);
-    CHECK((tensor(again) - tensor(state)).norm() == Approx(0.0).epsilon(1e-12));
+    CHECK((tensor(again) - tensor(oblique_state)).norm() == Approx(0.0).epsilon(1e-12));
 }
 
 TEST_CASE("A principal direction can be chosen and the others stay square to it and right-handed")
 {
-    const SpacePrincipal p = principal(state);
+    const SpacePrincipal p = principal(oblique_state);
     for (int i = 0; i < 3; ++i)
         for (const Eigen::Vector3d& along : {Eigen::Vector3d(0.0, 0.0, 5.0), Eigen::Vector3d(1.0, -2.0, 0.3),
                                              Eigen::Vector3d(p.directions.col((i + 1) % 3))}) {

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <filesystem>
+
+#include "femoop/io/whole_file.h"
+#include "ui/files/draft.h"
+
+inline ui::DraftFolder drafts_in(const std::filesystem::path& folder)
+{
+    return {folder, ".txt", femoop::write_whole_file};
+}
