@@ -1,5 +1,7 @@
 #include "apps/cross/document/block_entry.h"
 
+#include "femoop/io/json/json_document.h"
+
 namespace cross {
 
 std::string with_entry(const std::string& block_json, std::string_view key, const std::optional<std::string>& json)

@@ -4,7 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "femoop/io/json/json_document.h"
+namespace femoop {
+class JsonValue;
+}
 
 namespace cross {
 
