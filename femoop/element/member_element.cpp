@@ -1,5 +1,6 @@
 #include "femoop/element/member_element.h"
 
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <utility>
 
