@@ -234,6 +234,20 @@ void ImGuiSession::look_for_field()
     }
 }
 
+namespace {
+
+// Escape leaves a panel for the window around it, and the panel would be framed like something that has the keyboard.
+void unframe_panels(ImGuiContext& gui)
+{
+    constexpr auto escape = static_cast<std::size_t>(Key::Escape);
+    const ImGuiIO& io = gui.IO;
+    if (io.KeysDownDuration[escape] < 0.0F && io.KeysDownDurationPrev[escape] < 0.0F) return;
+    for (const ImGuiWindow* const window : gui.Windows)
+        if (window->ChildId != 0 && window->ChildId == gui.NavId) gui.NavId = 0;
+}
+
+} // namespace
+
 void ImGuiSession::begin_frame(const Input& input)
 {
     ImGui::SetCurrentContext(imgui_);
@@ -246,9 +260,7 @@ void ImGuiSession::begin_frame(const Input& input)
     }
     feed(input);
     ImGui::NewFrame();
-    // Escape left a panel for the window around it, and that would be framed like something that has the keyboard.
-    const auto is_escape = [](const KeyEvent& event) { return event.is_down && event.key == Key::Escape; };
-    if (std::ranges::any_of(input.keys, is_escape)) imgui_->NavDisableHighlight = true;
+    unframe_panels(*imgui_);
 }
 
 void ImGuiSession::end_frame()

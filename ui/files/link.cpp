@@ -16,6 +16,29 @@ constexpr std::uintmax_t most_bytes = 100'000'000;
 
 constexpr const char* file_of(Link::End end) { return end == Link::End::Giver ? "giver" : "taker"; }
 
+constexpr std::string_view prefix = "cremona-link-";
+
+// Of nothing but what the two ends told.
+void remove_folder(const fs::path& folder)
+{
+    std::error_code ignored;
+    for (const Link::End end : {Link::End::Giver, Link::End::Taker}) fs::remove(folder / file_of(end), ignored);
+    fs::remove(folder, ignored);
+}
+
+// Folders of programs that were killed: nobody holds them any more. A young one may be about to be held.
+void remove_left_behind(const fs::path& temporary)
+{
+    constexpr std::chrono::minutes young(1);
+    std::error_code error;
+    for (fs::directory_iterator entry(temporary, error), end; !error && entry != end; entry.increment(error)) {
+        if (!entry->path().filename().string().starts_with(prefix)) continue;
+        std::error_code unknown;
+        const auto age = fs::file_time_type::clock::now() - fs::last_write_time(entry->path(), unknown);
+        if (!unknown && age > young && FolderLock(entry->path()).is_held()) remove_folder(entry->path());
+    }
+}
+
 std::optional<std::string> text_of(const fs::path& path)
 {
     std::ifstream file(path, std::ios::binary);
@@ -29,15 +52,21 @@ std::optional<std::string> text_of(const fs::path& path)
 std::optional<Link> Link::made(WriteWhole write)
 {
     std::error_code error;
-    std::string name = (fs::temp_directory_path(error) / "cremona-link-XXXXXX").string();
-    if (error || mkdtemp(name.data()) == nullptr) return std::nullopt;
-    return Link(name, write, End::Giver);
+    const fs::path temporary = fs::temp_directory_path(error);
+    if (error) return std::nullopt;
+    remove_left_behind(temporary);
+    std::string name = (temporary / (std::string(prefix) + "XXXXXX")).string();
+    if (mkdtemp(name.data()) == nullptr) return std::nullopt;
+    Link link(name, write, End::Giver);
+    link.lock_ = FolderLock(name);
+    return link;
 }
 
 Link::Link(Link&& other) noexcept
     : folder_(std::exchange(other.folder_, {})),
       write_(other.write_),
       end_(other.end_),
+      lock_(std::move(other.lock_)),
       seen_(other.seen_),
       last_(std::move(other.last_))
 {}
@@ -49,6 +78,7 @@ Link& Link::operator=(Link&& other) noexcept
     folder_ = std::exchange(other.folder_, {});
     write_ = other.write_;
     end_ = other.end_;
+    lock_ = std::move(other.lock_);
     seen_ = other.seen_;
     last_ = std::move(other.last_);
     return *this;
@@ -58,10 +88,7 @@ Link::~Link() { close(); }
 
 void Link::close()
 {
-    if (folder_.empty() || end_ != End::Giver) return;
-    std::error_code ignored; // of a folder that holds nothing but these
-    for (const End end : {End::Giver, End::Taker}) fs::remove(folder_ / file_of(end), ignored);
-    fs::remove(folder_, ignored);
+    if (!folder_.empty() && end_ == End::Giver) remove_folder(folder_);
 }
 
 std::error_code Link::tell(std::string_view text)

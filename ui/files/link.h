@@ -7,6 +7,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "ui/files/folder_lock.h"
 #include "ui/files/write_whole.h"
 
 namespace ui {
@@ -17,7 +18,7 @@ namespace ui {
 ///     taker   was started with a copy of it                                           FOLDER/taker
 ///
 /// What an end tells replaces what it told before, whole; the other finds it when it looks. An end that is killed
-/// leaves nothing half-written.
+/// leaves nothing half-written, and the folder of a giver that was killed is taken away by the next one.
 class Link {
 public:
     enum class End : std::uint8_t { Giver, Taker };
@@ -53,6 +54,7 @@ private:
     std::filesystem::path folder_;
     WriteWhole write_;
     End end_;
+    FolderLock lock_{}; ///< of a giver's folder
     std::optional<Mark> seen_;
     std::optional<std::string> last_; ///< that was heard
 };

@@ -149,7 +149,9 @@ Model vierendeel(Numbers v)
 Model arch(Numbers v)
 {
     const auto hinges = static_cast<ArchHinges>(whole(v[4]));
-    return Arch{.chords = whole(v[0]), .span = v[1], .rise = v[2], .load = v[3], .hinges = hinges}.model();
+    Model model = Arch{.chords = whole(v[0]), .span = v[1], .rise = v[2], .load = v[3], .hinges = hinges}.model();
+    model.title = translatable("Parabolic arch"); // the others are called what their tile is
+    return model;
 }
 Model grillage(Numbers v)
 {

@@ -2,6 +2,7 @@
 
 #include "apps/frame/session/case_commands.h"
 #include "apps/frame/session/edit_commands.h"
+#include "apps/frame/session/kind_commands.h"
 #include "apps/frame/session/load_commands.h"
 #include "apps/frame/session/new_commands.h"
 #include "apps/frame/session/other_programs.h"
@@ -255,6 +256,7 @@ CommandTable command_table()
     add_method_commands(table);
     add_tab_commands(table);
     add_edit_commands(table);
+    add_kind_commands(table);
     add_property_commands(table);
     add_set_commands(table);
     add_tool_commands(table);

@@ -14,11 +14,11 @@ using ui::translatable;
 namespace {
 
 constexpr std::array kind_entries{
-    KindEntry{AnalysisKind::Truss2d, "file.new_truss2d", translatable("Plane truss")},
-    KindEntry{AnalysisKind::Frame2d, "file.new_frame2d", translatable("Plane frame")},
-    KindEntry{AnalysisKind::Grillage, "file.new_grillage", translatable("Grillage")},
-    KindEntry{AnalysisKind::Truss3d, "file.new_truss3d", translatable("Space truss")},
-    KindEntry{AnalysisKind::Frame3d, "file.new_frame3d", translatable("Space frame")},
+    KindEntry{AnalysisKind::Truss2d, "file.new_truss2d", translatable("Plane truss"), "edit.kind_truss2d"},
+    KindEntry{AnalysisKind::Frame2d, "file.new_frame2d", translatable("Plane frame"), "edit.kind_frame2d"},
+    KindEntry{AnalysisKind::Grillage, "file.new_grillage", translatable("Grillage"), "edit.kind_grillage"},
+    KindEntry{AnalysisKind::Truss3d, "file.new_truss3d", translatable("Space truss"), "edit.kind_truss3d"},
+    KindEntry{AnalysisKind::Frame3d, "file.new_frame3d", translatable("Space frame"), "edit.kind_frame3d"},
 };
 
 } // namespace

@@ -11,6 +11,7 @@ namespace frame {
 struct KindEntry {
     femoop::AnalysisKind kind;
     std::string_view id, label; ///< of the command that begins one; "Space frame"
+    std::string_view change_id; ///< of the command that makes a structure one
 };
 std::span<const KindEntry> kinds();
 std::string_view label_of(femoop::AnalysisKind kind);

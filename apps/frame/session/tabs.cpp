@@ -21,17 +21,6 @@ bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b
     return std::filesystem::equivalent(a, b, error);
 }
 
-// Where M is shown of a frame, N is shown of a truss, and the other way: M says nothing there.
-ShowSet suited(ShowSet show, bool is_truss)
-{
-    const auto [telling, silent] = is_truss ? std::pair{Show::N, Show::M} : std::pair{Show::M, Show::N};
-    if (show.contains(silent) && !show.contains(telling)) {
-        show.erase(silent);
-        show.insert(telling);
-    }
-    return show;
-}
-
 // What belongs to the person, not to the document.
 void take_look(Session& session, const Session& from)
 {
@@ -48,6 +37,16 @@ void take_look(Session& session, const Session& from)
 }
 
 } // namespace
+
+ShowSet suited(ShowSet show, bool is_truss)
+{
+    const auto [telling, silent] = is_truss ? std::pair{Show::N, Show::M} : std::pair{Show::M, Show::N};
+    if (show.contains(silent) && !show.contains(telling)) {
+        show.erase(silent);
+        show.insert(telling);
+    }
+    return show;
+}
 
 std::size_t n_tabs(const Desk& desk) { return desk.shelf.size() + 1; }
 

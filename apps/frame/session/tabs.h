@@ -17,6 +17,9 @@ void add_tab(Desk& desk, Session session);
 /// Takes the document off the desk, saved or not; where it was the last one, an empty one comes.
 void close_tab(Desk& desk);
 
+/// What is shown where another kind of structure comes: N of a truss where M was shown of a frame, and the other way.
+ShowSet suited(ShowSet show, bool is_truss);
+
 /// An empty sheet in a tab of its own.
 void new_document(Desk& desk, femoop::AnalysisKind kind = femoop::AnalysisKind::Frame2d);
 /// Shows the file's document, in a tab of its own, or in the one where it is open already. Where it has an error the

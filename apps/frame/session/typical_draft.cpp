@@ -72,7 +72,8 @@ void TypicalDraft::cancel(Session& session)
 
 std::optional<ui::Phrase> TypicalDraft::show(Session& session)
 {
-    const femoop::Model made = structure().model(numbers());
+    femoop::Model made = structure().model(numbers());
+    made.title = session.view.tr(made.title);
     const femoop::Model& there = session.history().settled().model; // until the change
     const bool was_truss = femoop::is_truss(there.analysis), is_truss = femoop::is_truss(made.analysis);
     can_stand_beside_ = !there.nodes.empty() && there.analysis == made.analysis;

@@ -13,6 +13,7 @@
 #include "apps/frame/session/load_commands.h"
 #include "apps/frame/session/snapping.h"
 #include "apps/frame/session/work.h"
+#include "apps/frame/tools/load_tool.h"
 #include "apps/frame/view/kept_view.h"
 #include "apps/frame/view/motion_words.h"
 #include "apps/frame/view/predict/guess_picture.h"
@@ -285,8 +286,10 @@ void carry_out(Session& session, const std::optional<Change>& change)
 // A load that is put where it would not be seen is none that was meant.
 std::optional<ui::Phrase> why_not_press(const Desk& desk, const Aim& aim)
 {
-    const bool is_load = desk.hand.kind() == ToolKind::Load && (aim.node || aim.cut);
-    return is_load ? why_shown_case_takes_no_load(desk.session) : std::nullopt;
+    if (desk.hand.kind() != ToolKind::Load || (!aim.node && !aim.cut)) return std::nullopt;
+    if (auto reason = why_shown_case_takes_no_load(desk.session)) return reason;
+    if (!aim.node || force_of(desk.hand.settings(), desk.session.model().analysis)) return std::nullopt;
+    return ui::translatable("a node cannot have this load; click a member, or choose another load");
 }
 
 } // namespace

@@ -263,7 +263,7 @@ void SectionWindow::show_families(Desk& desk)
         if (!is_clicked) continue;
         family_ = is_chosen ? std::nullopt : std::optional(family);
         filter_.clear();
-        is_listing_ = true;
+        is_listing_ = begins_filter_ = true;
     }
 }
 
@@ -276,19 +276,30 @@ std::vector<const femoop::Profile*> SectionWindow::listed_profiles() const
     return listed;
 }
 
+/// \returns whether Enter was pressed in it
+bool SectionWindow::show_filter(const Desk& desk)
+{
+    ImGui::SetNextItemWidth(-1.0F);
+    ImGui::PushID(family_ ? static_cast<int>(*family_) : -1); // another family's field is another: it keeps no text
+    if (std::exchange(begins_filter_, false)) ImGui::SetKeyboardFocusHere();
+    const std::string hint = desk.session.view.tr("Type a part of its name: 300");
+    const bool is_entered = ImGui::InputTextWithHint(
+        "###filter", hint.c_str(), &filter_, ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
+    ImGui::PopID();
+    return is_entered;
+}
+
+// Enter takes the profile where it is the only one left.
 void SectionWindow::show_profiles(Desk& desk)
 {
     SectionDraft& draft = desk.section;
     const ui::Catalogue& tr = desk.session.view.tr;
-    ImGui::SetNextItemWidth(-1.0F);
-    ImGui::PushID(family_ ? static_cast<int>(*family_) : -1); // another family's field is another: it keeps no text
-    ImGui::InputTextWithHint("###filter", tr("Type a part of its name: 300").c_str(), &filter_,
-                             ImGuiInputTextFlags_AutoSelectAll);
-    ImGui::PopID();
+    const bool is_entered = show_filter(desk);
     ImGui::BeginChild("###profiles", {0.0F, 4.0F * ImGui::GetTextLineHeightWithSpacing()}, true);
     const femoop::Profile* const chosen = draft.section().profile ? femoop::find_profile(*draft.section().profile)
                                                                   : nullptr;
     const std::vector<const femoop::Profile*> listed = listed_profiles();
+    if (is_entered && listed.size() == 1) draft.choose_profile(desk.session, listed.front()->name);
     if (listed.empty()) ui::wrapped_text(tr("no profile has {text} in its name", {{"text", filter_}}));
     for (const femoop::Profile* const profile : listed) {
         const std::string label(profile->name);

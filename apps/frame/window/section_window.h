@@ -26,6 +26,7 @@ private:
     void show_name(Desk& desk);
     void show_shapes(Desk& desk, ui::ImGuiSession& gui);
     void show_families(Desk& desk);
+    bool show_filter(const Desk& desk);
     void show_profiles(Desk& desk);
     void show_picture(Desk& desk, ui::ImGuiSession& gui, float height) const;
     void show_buttons(Desk& desk, const ui::NumberFields& fields) const;
@@ -39,6 +40,7 @@ private:
     std::optional<ui::Phrase> reason_;            ///< why it is not taken
     std::string filter_;                          ///< of profiles
     std::optional<femoop::ProfileFamily> family_; ///< of profiles; all when absent
+    bool begins_filter_ = false;                  ///< a family was chosen: a part of a name is typed next
     bool is_listing_ = false;                     ///< profiles are looked through, though none is chosen
 };
 

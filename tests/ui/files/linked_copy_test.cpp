@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -126,5 +127,22 @@ TEST_SUITE("ui files")
         CHECK(fs::exists(giver->folder()));
         fs::create_symlink("/dev/zero", giver->folder() / "taker");
         CHECK_FALSE(giver->heard());
+    }
+
+    TEST_CASE("A folder whose program was killed is taken away by the next link, one in use is not")
+    {
+        const auto old_folder = [](const fs::path& folder) {
+            fs::last_write_time(folder, fs::file_time_type::clock::now() - std::chrono::hours(1));
+            return folder;
+        };
+        const fs::path left = fs::temp_directory_path() / "cremona-link-killed";
+        fs::create_directory(left);
+        std::ofstream(left / "giver") << "10 kN";
+        old_folder(left);
+        const ui::Link in_use = *ui::Link::made(femoop::write_whole_file);
+        CHECK(!fs::exists(left));
+        const fs::path used = old_folder(in_use.folder());
+        const ui::Link another = *ui::Link::made(femoop::write_whole_file);
+        CHECK(fs::exists(used));
     }
 }
