@@ -398,6 +398,14 @@ std::unique_ptr<LinearStatic::Parts> make_system(const Model& model, const Analy
     });
 }
 
+/// Digits do not tell a mechanism from a structure that holds only just; its supports do, as far as they hold it as a
+/// rigid body.
+[[noreturn]] void refuse_cases(const Model& model, const Structure& structure, std::vector<Fault> faults)
+{
+    if (auto causes = unheld_parts(model, structure); !causes.empty()) throw ModelError(std::move(causes));
+    throw ModelError(std::move(faults));
+}
+
 } // namespace
 
 LinearStatic::LinearStatic(const Model& model, const AnalysisOptions& options)
@@ -421,14 +429,16 @@ Results LinearStatic::solve(const Model& model)
     solution->cases = cases_of(model);
     solution->own_end_of = parts_->equations.own_end_of();
     solution->solutions = parts_->solve(model, solution->loads);
-    if (solution->solutions.empty() && !solution->loads.empty()) throw ModelError(unsolved_cases(*solution));
+    if (solution->solutions.empty() && !solution->loads.empty())
+        refuse_cases(model, structure, unsolved_cases(*solution));
     add_reactions(*solution);
     if (needs_precision(*solution))
         if (auto precise = parts_->solve_precisely(model, solution->loads); !precise.empty()) {
             solution->solutions = std::move(precise);
             add_reactions(*solution);
         }
-    if (auto faults = ill_conditioned_cases(*solution); !faults.empty()) throw ModelError(std::move(faults));
+    if (auto faults = ill_conditioned_cases(*solution); !faults.empty())
+        refuse_cases(model, structure, std::move(faults));
     solution->indeterminacy = count_indeterminacy(structure, parts_->n_held());
     solution->warnings = parts_->warnings;
     for (Fault& warning : inaccurate_cases(*solution)) solution->warnings.push_back(std::move(warning));
