@@ -1,6 +1,7 @@
 #include "apps/cli/analysis_run.h"
 
 #include <algorithm>
+#include <array>
 #include <exception>
 
 #include "apps/cli/argument.h"
@@ -11,12 +12,20 @@ namespace cli {
 using femoop::Fault;
 using femoop::FaultKind;
 
+namespace {
+
+/// What makes a structure unsolvable that is well described.
+constexpr std::array structural{FaultKind::ConstraintConflict, FaultKind::IllConditionedCase,
+                                FaultKind::CrossJointFree,     FaultKind::CrossSwayUndetermined,
+                                FaultKind::NoSupport,          FaultKind::TooFewSupports,
+                                FaultKind::PartWithoutSupport, FaultKind::PartWithTooFewSupports};
+
+} // namespace
+
 ExitStatus status_of(const std::vector<Fault>& faults)
 {
-    const bool is_structural = std::all_of(faults.begin(), faults.end(), [](const Fault& fault) {
-        return fault.kind == FaultKind::ConstraintConflict || fault.kind == FaultKind::IllConditionedCase ||
-               fault.kind == FaultKind::CrossJointFree || fault.kind == FaultKind::CrossSwayUndetermined;
-    });
+    const bool is_structural = std::ranges::all_of(
+        faults, [](const Fault& fault) { return std::ranges::find(structural, fault.kind) != structural.end(); });
     return is_structural ? ExitStatus::CannotSolve : ExitStatus::BadInput;
 }
 

@@ -8,6 +8,7 @@
 #include "femoop/analysis/equilibrium.h"
 #include "femoop/analysis/mechanism_report.h"
 #include "femoop/analysis/overflow_check.h"
+#include "femoop/analysis/rigid_body.h"
 #include "femoop/analysis/static_system.h"
 #include "femoop/analysis/stopwatch.h"
 #include "femoop/model/check/check.h"
@@ -135,6 +136,18 @@ struct LinearStatic::Parts {
     std::vector<Fault> warnings;
 };
 
+namespace {
+
+/// Digits do not tell a mechanism from a structure that holds only just; its supports do, as far as they hold it as a
+/// rigid body.
+[[noreturn]] void refuse_cases(const Model& model, const Discretisation& structure, std::vector<Fault> faults)
+{
+    if (auto causes = unheld_parts(model, structure); !causes.empty()) throw ModelError(std::move(causes));
+    throw ModelError(std::move(faults));
+}
+
+} // namespace
+
 LinearStatic::LinearStatic(const Model& model, const AnalysisOptions& options)
 {
     require_sound(model);
@@ -164,14 +177,16 @@ Results LinearStatic::solve(const Model& model)
     solution->cases = cases_of(model);
     solution->member_end_dofs_of = parts_->system.equations().member_end_dofs_of();
     solution->solutions = parts_->solve(model, solution->loads);
-    if (solution->solutions.empty() && !solution->loads.empty()) throw ModelError(unsolved_cases(*solution));
+    if (solution->solutions.empty() && !solution->loads.empty())
+        refuse_cases(model, structure, unsolved_cases(*solution));
     add_reactions(*solution);
     if (needs_precision(*solution))
         if (auto precise = parts_->solve_precisely(model, solution->loads); !precise.empty()) {
             solution->solutions = std::move(precise);
             add_reactions(*solution);
         }
-    if (auto faults = ill_conditioned_cases(*solution); !faults.empty()) throw ModelError(std::move(faults));
+    if (auto faults = ill_conditioned_cases(*solution); !faults.empty())
+        refuse_cases(model, structure, std::move(faults));
     solution->indeterminacy = count_indeterminacy(structure, parts_->system.restraints().rotations.size());
     solution->warnings = parts_->warnings;
     for (Fault& warning : inaccurate_cases(*solution)) solution->warnings.push_back(std::move(warning));

@@ -57,6 +57,7 @@ private:
         const NodeId root = action.nodes[1 - end];
         overhangs_.is_tip[tip.index] = true;
         action.is_overhang = true;
+        overhangs_.parts.push_back({root, tip, action.x});
         move_forces(action, end);
         members_at_[tip.index].clear();
         std::erase(members_at_[root.index], i);
@@ -96,6 +97,14 @@ private:
 Overhangs take_off_overhangs(const Discretisation& structure, std::vector<LoadedMember>& members, CaseForces& forces)
 {
     return Pruning(structure, members, forces).run();
+}
+
+void take_along(const Overhangs& overhangs, std::vector<Eigen::Vector2d>& displacement)
+{
+    constexpr double aslant = 1e-9;
+    for (auto part = overhangs.parts.rbegin(); part != overhangs.parts.rend(); ++part)
+        if (part->axis.cwiseAbs().minCoeff() < aslant)
+            displacement[part->tip.index] = part->axis.dot(displacement[part->root.index]) * part->axis;
 }
 
 } // namespace femoop::cross

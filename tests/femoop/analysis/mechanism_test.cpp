@@ -68,6 +68,8 @@ std::vector<std::string> causes(const Model& model)
         analyse(model);
     } catch (const MechanismError& error) {
         for (const Fault& cause : error.causes()) sentences.push_back(message(cause));
+    } catch (const ModelError& error) {
+        for (const Fault& fault : error.faults()) sentences.push_back(message(fault));
     }
     return sentences;
 }
@@ -128,6 +130,22 @@ TEST_SUITE("mechanisms")
         REQUIRE(sentences.size() == 2);
         CHECK(sentences[0].find("A, B and C sway to the right together") != std::string::npos);
         CHECK(sentences[1].find("turn together about (0, ") != std::string::npos);
+    }
+
+    TEST_CASE("A beam on one pin is no structure that holds, however short a member in it and however far off it lies")
+    {
+        for (const double shortest : {1e-4, 1e-6, 1e-8, 1e-10}) {
+            std::vector<std::pair<double, double>> places;
+            for (const double along : {0.0, 4.0, 4.0 + shortest, 8.0})
+                places.emplace_back(1e4 + 0.8253 * along, 3e3 + 0.5646 * along);
+            Model model = frame(places, {{0, 1}, {1, 2}, {2, 3}});
+            hold(model, 0, SupportKind::Pin);
+            model.load_cases[0].nodes.push_back({NodeId(3), {{Dof::uy, -1.0}}});
+            CAPTURE(shortest);
+            CHECK(causes(model) ==
+                  std::vector<std::string>{"the supports hold 2 of the 3 ways in which the structure can move as a "
+                                           "whole; add supports, or let them act in other directions"});
+        }
     }
 
     TEST_CASE("A structure without support, or without enough of it, is told so before its motions")

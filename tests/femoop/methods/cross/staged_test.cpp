@@ -2,6 +2,7 @@
 // right.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -85,6 +86,37 @@ TEST_CASE("Each node of a storey holds its sway, with the same force")
         file["cross"]["stages"][1]["sway"]["node"] = node;
         CHECK(verified(file).failed == 0);
     }
+}
+
+namespace {
+
+/// The portal with an overhang from C.
+json with_overhang(double dx, double dy)
+{
+    json file = file_of(portal);
+    const auto corner = std::ranges::find(file["nodes"], "C", [](const json& node) { return node["id"]; });
+    const double x = (*corner)["at"][0], y = (*corner)["at"][1];
+    json member = file["members"][0];
+    member["id"] = "CE";
+    member["nodes"] = {"C", "E"};
+    file["nodes"].push_back({{"id", "E"}, {"at", {x + dx, y + dy}}});
+    file["members"].push_back(member);
+    return file;
+}
+
+} // namespace
+
+TEST_CASE("A prop at the tip of an overhang holds the sway where it acts along the overhang")
+{
+    json file = with_overhang(1.5, 0.0);
+    const int n_before = verified(file).passed;
+    file["cross"]["stages"][0]["prop"]["node"] = "E";
+    file["cross"]["stages"][1]["sway"]["node"] = "E";
+    CHECK(verified(file).failed == 0);
+    CHECK(verified(file).passed == n_before);
+    file = with_overhang(0.0, 1.5); // a prop there would hold the joint's rotation too
+    file["cross"]["stages"][0]["prop"]["node"] = "E";
+    CHECK(refusal(file).starts_with("cross.stages[0].prop: \"E ux\" is none of B ux, C ux"));
 }
 
 TEST_CASE("A prop that no sway moves is refused with those that would do")
