@@ -1,8 +1,7 @@
 #include "tests/scenarios/script_files.h"
+#include "tests/text_of.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 
 namespace fs = std::filesystem;
@@ -16,12 +15,6 @@ std::vector<fs::path> scenarios_in(const fs::path& folder)
         if (entry.path().extension() == ".scenario") files.push_back(entry.path());
     std::ranges::sort(files);
     return files;
-}
-
-std::string text_of(const fs::path& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
 }
 
 std::string scenario_on(const std::string& page)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tests/folder.h"
+#include "tests/text_of.h"
 
 #include <filesystem>
 #include <string>
@@ -10,7 +11,6 @@
 std::filesystem::path repository();
 /// The scenarios of a folder of it, in the order of their names.
 std::vector<std::filesystem::path> scenarios_in(const std::filesystem::path& folder);
-std::string text_of(const std::filesystem::path& path);
 /// The blocks of a page that are marked as scenarios, one after the other.
 std::string scenario_on(const std::string& page);
 

@@ -1,8 +1,6 @@
 // The reference page of the command line: its examples run and print what it says, and it leaves no option out.
 #include <doctest/doctest.h>
 
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <sstream>
 #include <string>
@@ -10,7 +8,7 @@
 
 #include "tests/apps/cli/run_cremona.h"
 #include "tests/apps/cli/shown_commands.h"
-#include "tests/source_folder.h"
+#include "tests/text_of.h"
 
 using cli_test::has;
 using cli_test::Run;
@@ -19,11 +17,7 @@ TEST_SUITE_BEGIN("cremona");
 
 namespace {
 
-std::string page()
-{
-    std::ifstream file(source_folder() + "/courseware/reference/command-line.md");
-    return {std::istreambuf_iterator<char>(file), {}};
-}
+std::string page() { return text_of_source("courseware/reference/command-line.md"); }
 
 } // namespace
 

@@ -3,8 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -16,6 +14,7 @@
 #include "tests/apps/cli/shown_commands.h"
 #include "tests/golden/comparison.h"
 #include "tests/source_folder.h"
+#include "tests/text_of.h"
 #include "ui/context/pixels.h"
 
 using namespace femoop;
@@ -26,13 +25,7 @@ TEST_SUITE_BEGIN("lesson");
 
 namespace {
 
-std::string text_of(const std::string& name)
-{
-    std::ifstream file(source_folder() + "/" + name);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-std::string page() { return text_of("courseware/02-the-front-walks.md"); }
+std::string page() { return text_of_source("courseware/02-the-front-walks.md"); }
 
 /// A frame of bays and storeys, fixed at its feet, numbered storey by storey.
 Model frame(int columns, int storeys)
@@ -100,7 +93,7 @@ TEST_CASE("The lesson's table of operations is that of frames of k columns and k
 
 TEST_CASE("The lesson's answers are right: the hub first fills L, and node F3 saves most when it is fixed")
 {
-    json grillage = json::parse(text_of("examples/grillage.json"));
+    json grillage = json::parse(text_of_source("examples/grillage.json"));
     std::stable_partition(grillage["nodes"].begin(), grillage["nodes"].end(),
                           [](const json& node) { return node["id"] == "X"; });
     const json walks = trace_of(grillage)["orderings"];
@@ -108,7 +101,7 @@ TEST_CASE("The lesson's answers are right: the hub first fills L, and node F3 sa
     for (const char* other : {"cuthill-mckee", "minimum-degree", "nested-dissection"})
         CHECK(walks[other]["fill_in"] == 0);
 
-    const Model storeys = read_model(text_of("examples/storey_frame.json"));
+    const Model storeys = read_model(text_of_source("examples/storey_frame.json"));
     for (std::size_t i = 0; i < storeys.nodes.size(); ++i) {
         Model model = storeys;
         CAPTURE(model.nodes[i].id);

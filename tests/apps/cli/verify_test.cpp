@@ -1,11 +1,10 @@
 #include <doctest/doctest.h>
 
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "tests/apps/cli/run_cremona.h"
+#include "tests/text_of.h"
 
 using cli_test::cantilever;
 using cli_test::cremona;
@@ -118,8 +117,7 @@ TEST_CASE("The sheet of a cross block is worked in its order and compared row by
 
 TEST_CASE("A wrong number anywhere in a cross block fails the row that it stands in")
 {
-    std::ifstream file("tests/cases/cross/MD-001.json");
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::string text = text_of("tests/cases/cross/MD-001.json");
     const auto with = [&](const std::string& from, const std::string& to) {
         std::string changed = text;
         const auto at = changed.find(from, changed.find("\"cross\""));

@@ -1,13 +1,11 @@
 #include <doctest/doctest.h>
 
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <string>
 
 #include "apps/euler/document/gallery/gallery.h"
 #include "apps/euler/document/stepper.h"
-#include "tests/source_folder.h"
+#include "tests/text_of.h"
 #include "topology/halfedge/check/validate.h"
 #include "ui/text/catalogue.h"
 
@@ -19,8 +17,7 @@ TEST_SUITE("gallery")
     {
         for (const GalleryItem& item : gallery()) {
             CAPTURE(item.name);
-            std::ifstream file(source_folder() + "/examples/" + std::string(item.name) + ".eul", std::ios::binary);
-            CHECK(item.script == std::string{std::istreambuf_iterator<char>(file), {}});
+            CHECK(item.script == text_of_source("examples/" + std::string(item.name) + ".eul"));
         }
     }
 

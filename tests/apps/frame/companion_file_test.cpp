@@ -1,7 +1,6 @@
 #include <doctest/doctest.h>
 
 #include <fstream>
-#include <iterator>
 #include <regex>
 
 #include "apps/frame/document/companion/companion_file.h"
@@ -13,6 +12,7 @@
 #include "femoop/io/whole_file.h"
 #include "tests/folder.h"
 #include "tests/source_folder.h"
+#include "tests/text_of.h"
 
 namespace fs = std::filesystem;
 
@@ -25,12 +25,6 @@ using frame::Session;
 using frame::write_companion;
 
 namespace {
-
-std::string text_of(const fs::path& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 void write(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 

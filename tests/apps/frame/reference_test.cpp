@@ -1,19 +1,13 @@
 #include <doctest/doctest.h>
 
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include "apps/frame/session/commands.h"
-#include "tests/source_folder.h"
+#include "tests/text_of.h"
 
 namespace {
 
-std::string page()
-{
-    std::ifstream file(source_folder() + "/courseware/reference/frame-app.md", std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
+std::string page() { return text_of_source("courseware/reference/frame-app.md"); }
 
 /// The line of a command in the page's table of keys.
 std::string line(const frame::CommandTable::Entry& command)

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
 
@@ -11,6 +9,7 @@
 #include "femoop/io/model_file.h"
 #include "tests/folder.h"
 #include "tests/source_folder.h"
+#include "tests/text_of.h"
 #include "ui/paint/surface/golden_text.h"
 #include "ui/report/html.h"
 #include "ui/report/pages.h"
@@ -266,8 +265,7 @@ TEST_SUITE("frame report")
         const ui::Fonts fonts;
         const auto pages = ui::report_pages(report_of("examples/portal.json"), fonts);
         ui::write_pdf(folder.path() / "report.pdf", pages, fonts, {.background = ui::rgb(0xFFFFFF), .title = "Portal"});
-        std::ifstream file(folder.path() / "report.pdf", std::ios::binary);
-        const std::string content{std::istreambuf_iterator<char>(file), {}};
+        const std::string content = text_of(folder.path() / "report.pdf");
         CHECK(content.starts_with("%PDF"));
         CHECK(content.find("/Count " + std::to_string(pages.size())) != std::string::npos);
     }

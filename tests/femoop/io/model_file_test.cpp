@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -16,6 +14,7 @@
 #include "tests/femoop/io/bad_files.h"
 #include "tests/folder.h"
 #include "tests/source_folder.h"
+#include "tests/text_of.h"
 
 using namespace femoop;
 
@@ -39,11 +38,7 @@ void check_round_trip(const Model& model)
 }
 
 /// Every key of the format, laid out as the writer lays it out. The schema's test reads it too.
-std::string everything()
-{
-    std::ifstream file(source_folder() + "/tests/femoop/io/everything.json", std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
+std::string everything() { return text_of_source("tests/femoop/io/everything.json"); }
 
 } // namespace
 

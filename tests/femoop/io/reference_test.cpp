@@ -1,13 +1,11 @@
 #include <doctest/doctest.h>
 
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "femoop/analysis/linear_static.h"
 #include "femoop/io/model_file.h"
-#include "tests/source_folder.h"
+#include "tests/text_of.h"
 
 using namespace femoop;
 
@@ -16,8 +14,7 @@ namespace {
 /// The fenced blocks of JSON in a page of the reference.
 std::vector<std::string> json_blocks(const std::string& page)
 {
-    std::ifstream file(source_folder() + "/courseware/reference/" + page);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::string text = text_of_source("courseware/reference/" + page);
     const std::string opening = "```json\n", closing = "```";
     std::vector<std::string> blocks;
     for (std::size_t begin = text.find(opening); begin != std::string::npos; begin = text.find(opening, begin)) {

@@ -1,12 +1,10 @@
 // The scripts of examples/ are right side out and as large as they look.
 #include <doctest/doctest.h>
 
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <string>
 
-#include "tests/source_folder.h"
+#include "tests/text_of.h"
 #include "topology/modeling/mass_properties.h"
 #include "topology/script/script_runner.h"
 
@@ -23,8 +21,7 @@ TEST_CASE("The scripts of the examples make solids of the volume that their coor
                                                 {"shell_and_hole", 64.0 - 8.0 + 4.0}};
     for (const auto& known : volumes) {
         CAPTURE(known.first);
-        std::ifstream file(source_folder() + "/examples/" + known.first + ".eul");
-        const std::string text{std::istreambuf_iterator<char>(file), {}};
+        const std::string text = text_of_source("examples/" + known.first + ".eul");
         ScriptRunner runner;
         run_script(runner, text, {});
         REQUIRE(runner.solids().size() == 1);

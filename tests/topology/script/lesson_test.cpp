@@ -1,12 +1,10 @@
 // The lesson on Euler operators: what it shows runs, comes to the counts that it tells, and fails where it says so.
 #include <doctest/doctest.h>
 
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
-#include "tests/source_folder.h"
+#include "tests/text_of.h"
 #include "topology/halfedge/check/shells.h"
 #include "topology/halfedge/check/validate.h"
 #include "topology/script/script_runner.h"
@@ -17,11 +15,7 @@ using namespace topology;
 
 namespace {
 
-std::string lesson_page()
-{
-    std::ifstream file(source_folder() + "/courseware/01-euler-operators.md");
-    return {std::istreambuf_iterator<char>(file), {}};
-}
+std::string lesson_page() { return text_of_source("courseware/01-euler-operators.md"); }
 
 /// What stands between the fences of a kind, in the order of the page.
 std::vector<std::string> blocks(const std::string& text, const std::string& kind)

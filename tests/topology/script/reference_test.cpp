@@ -2,13 +2,11 @@
 #include <doctest/doctest.h>
 
 #include <cctype>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "tests/source_folder.h"
+#include "tests/text_of.h"
 #include "topology/halfedge/check/shells.h"
 #include "topology/halfedge/check/validate.h"
 #include "topology/script/script_runner.h"
@@ -18,14 +16,8 @@ using namespace topology;
 
 namespace {
 
-std::string text_of(const std::string& file_name)
-{
-    std::ifstream file(source_folder() + "/" + file_name);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-std::string page() { return text_of("courseware/reference/euler-scripts.md"); }
-std::string page_of_arguments() { return text_of("courseware/reference/euler-operators.md"); }
+std::string page() { return text_of_source("courseware/reference/euler-scripts.md"); }
+std::string page_of_arguments() { return text_of_source("courseware/reference/euler-operators.md"); }
 
 std::vector<std::string> scripts_of(const std::string& text)
 {
@@ -72,8 +64,9 @@ TEST_SUITE("script reference")
 
     TEST_CASE("The drawing of the classes and its table show every link that the entities have")
     {
-        const std::string drawing = text_of("courseware/reference/half-edge-classes.svg"), table = page_of_arguments();
-        std::istringstream entities(text_of("topology/halfedge/entities.h"));
+        const std::string drawing = text_of_source("courseware/reference/half-edge-classes.svg"),
+                          table = page_of_arguments();
+        std::istringstream entities(text_of_source("topology/halfedge/entities.h"));
         std::string name;
         for (std::string line; std::getline(entities, line);) {
             if (line.starts_with("struct ")) name = line.substr(7, line.find(' ', 7) - 7);

@@ -10,6 +10,7 @@
 
 #include "femoop/io/whole_file.h"
 #include "tests/folder.h"
+#include "tests/text_of.h"
 #include "tests/ui/files/drafts_in.h"
 #include "ui/files/draft.h"
 #include "ui/files/recent_files.h"
@@ -21,12 +22,6 @@ namespace {
 ui::WriteDocument document(const std::string& text)
 {
     return [text](const fs::path& draft) { return femoop::write_whole_file(draft, text); };
-}
-
-std::string text_of(const fs::path& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
 }
 
 /// Keeps a draft in another process, which is then killed.

@@ -2,21 +2,15 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <set>
 
-#include "tests/source_folder.h"
+#include "tests/text_of.h"
 #include "tests/ui/text/glossary.h"
 #include "ui/text/catalogue.h"
 
 namespace {
 
-std::vector<std::vector<Term>> glossary_tables()
-{
-    std::ifstream page(source_folder() + "/courseware/glossary.md", std::ios::binary);
-    return read_glossary(std::string{std::istreambuf_iterator<char>(page), {}});
-}
+std::vector<std::vector<Term>> glossary_tables() { return read_glossary(text_of_source("courseware/glossary.md")); }
 
 std::vector<Term> glossary_terms()
 {

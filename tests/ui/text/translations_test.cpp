@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -13,6 +11,7 @@
 #include "apps/euler/document/stepper.h"
 #include "femoop/model/fault/fault.h"
 #include "tests/source_folder.h"
+#include "tests/text_of.h"
 #include "topology/embedding/embedding.h"
 #include "topology/halfedge/check/validate.h"
 #include "topology/halfedge/operators/refusal.h"
@@ -23,12 +22,6 @@
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 // The string literals, adjacent ones joined, from `place` on; empty if none stands there.
 std::string literal(const std::string& source, std::size_t place)
