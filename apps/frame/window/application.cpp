@@ -277,7 +277,11 @@ void Application::show_body()
     const auto right = [this](float width) { show_right(width); };
     const auto picture = [this] { show_canvas(); };
     if (desk_.has_panels) sides_.show(left, right, picture);
-    else picture();
+    else {
+        ImGui::PushStyleColor(ImGuiCol_ChildBg, 0U);
+        picture();
+        ImGui::PopStyleColor();
+    }
     ImGui::EndChild();
     ui::end_body();
     if (told) show_banner(desk_, *told);

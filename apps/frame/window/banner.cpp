@@ -25,7 +25,7 @@ ui::FootMessage message_of(const Notice& notice, const ui::Catalogue& tr)
 
 /// What keeps the picture from showing results, with its head; nothing where it shows them, or says it itself.
 struct Hindrance {
-    std::string head; ///< "" where the faults say all
+    std::string head; ///< all that is said, since the picture has the faults; "" where they are said here
     std::vector<femoop::Fault> faults;
 };
 
@@ -34,8 +34,7 @@ Hindrance hindrance(const Session& session)
     const ui::Catalogue& tr = session.view.tr;
     if (!session.shown_mechanisms().empty()) return {}; // the picture itself says how a mechanism moves
     if (const BlankCase* const blank = session.shown_blank())
-        return {tr("Case {case} has no results.", {{"case", session.model().case_name(blank->id)}}) + " ",
-                blank->faults};
+        return {tr("Case {case} has no results.", {{"case", session.model().case_name(blank->id)}}), blank->faults};
     if (session.solution().results) return {};
     std::vector<femoop::Fault> errors = session.solution().faults;
     std::erase_if(errors, [](const auto& fault) { return femoop::severity(fault.kind) != femoop::Severity::Error; });
@@ -46,8 +45,9 @@ Hindrance hindrance(const Session& session)
 ui::FootMessage message_of(const Hindrance& hindrance, const ui::Catalogue& tr)
 {
     const std::size_t n_more = hindrance.faults.size() - 1;
-    std::string line = hindrance.head + sentence(hindrance.faults.front(), tr);
-    if (n_more > 0) line += "   " + tr("… and {count} more", {{"count", std::to_string(n_more)}});
+    std::string line = hindrance.head.empty() ? sentence(hindrance.faults.front(), tr) : hindrance.head;
+    if (hindrance.head.empty() && n_more > 0)
+        line += "   " + tr("… and {count} more", {{"count", std::to_string(n_more)}});
     return {{std::move(line)},
             {button(tr, ui::translatable("Go there"), "###go to fault"),
              button(tr, ui::translatable("Problems"), "###problems")}};

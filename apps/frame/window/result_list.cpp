@@ -9,11 +9,15 @@ namespace frame {
 
 namespace {
 
+// A column is as broad as what stands in it from its left edge: text that was moved to the right would keep it as broad
+// as it is.
 void right_aligned(const std::string& text)
 {
-    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
-    if (room > 0.0F) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
-    ImGui::TextUnformatted(text.c_str());
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float room = std::max(0.0F, ImGui::GetContentRegionAvail().x - size.x);
+    ImGui::GetWindowDrawList()->AddText({at.x + room, at.y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+    ImGui::Dummy(size);
 }
 
 } // namespace
