@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 
@@ -12,5 +13,5 @@ try {
     return end.status;
 } catch (const std::exception& error) {
     std::cerr << "mohr: " << error.what() << '\n';
-    return 2;
+    std::quick_exit(2); // without OpenBLAS, which waits at the end for memory where there is none
 }

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "ui/paint/surface/write_file.h"
+
 namespace ui {
 
 namespace {
@@ -32,6 +34,12 @@ void unpack(std::uint32_t argb, std::uint8_t* rgba)
     rgba[3] = 255;
 }
 
+cairo_status_t append(void* text, const unsigned char* bytes, unsigned int n)
+{
+    static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), n);
+    return CAIRO_STATUS_SUCCESS;
+}
+
 } // namespace
 
 void write_png(const std::filesystem::path& path, const Pixels& pixels)
@@ -49,9 +57,11 @@ void write_png(const std::filesystem::path& path, const Pixels& pixels)
         }
     }
     cairo_surface_mark_dirty(image.get());
-    if (const auto status = cairo_surface_write_to_png(image.get(), path.string().c_str());
+    std::string bytes;
+    if (const auto status = cairo_surface_write_to_png_stream(image.get(), append, &bytes);
         status != CAIRO_STATUS_SUCCESS)
-        throw file_error(path, "cannot be written; check that its folder exists and may be written to", status);
+        throw file_error(path, "the picture cannot be made", status);
+    write_file(path, bytes);
 }
 
 Pixels read_png(const std::filesystem::path& path)

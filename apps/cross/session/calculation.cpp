@@ -8,6 +8,7 @@
 #include "apps/cross/session/report.h"
 #include "apps/cross/view/columns.h"
 #include "apps/cross/view/numbers.h"
+#include "apps/cross/view/sheet_bays.h"
 #include "apps/cross/view/sheet_picture.h"
 #include "apps/cross/view/structure_pictures.h"
 #include "femoop/analysis/linear_static.h"
@@ -203,23 +204,36 @@ private:
         for (const std::string& note : history.notes) text(note);
     }
 
-    /// Broader until every column has room, then page after page; those that a page cuts are whole on the next.
+    /// As broad as its columns need, on as many pages as that takes.
     void beam_sheet(std::size_t n_lines)
     {
-        constexpr double most = 40.0, step = 1.25, overlap = 110.0;
         const drawing::StructureShape shape = drawing::shape_of(document_.model);
         const ui::Theme theme = look_.full_theme();
-        const ui::Size page{width, height_alone(Part::Sheet, shape, width, n_lines, theme)};
-        const auto drawn = [&](double whole, double left) {
-            ui::Painter painter(page, fonts_);
-            const std::size_t n_missing = draw_sheet(painter, stretch_of_sheet(shape, page, whole, left, theme),
-                                                     scene());
-            return std::pair(n_missing, painter.picture());
-        };
-        double whole = width;
-        while (drawn(whole, 0.0).first > 0 && whole < most * width) whole *= step;
-        for (double left = 0.0; left < std::max(1.0, whole - overlap); left += width - overlap)
-            report_.blocks.push_back(ui::ReportFigure{drawn(whole, std::min(left, whole - width)).second, ""});
+        const double height = height_alone(Part::Sheet, shape, width, n_lines, theme);
+        const std::vector<Bay> bays = bays_of_sheet(scene());
+        ui::Painter probe({width, height}, fonts_);
+        const double whole = breadth_of_beam(probe, panel_alone(Part::Sheet, shape, {width, height}, theme), bays);
+        const Panel all = panel_alone(Part::Sheet, shape, {whole, height}, theme);
+        const BayScale scale = sheet_bays(probe, all, scene());
+        Panel drawn_out = all;
+        drawn_out.bays = scale;
+        for (const Stretch& stretch : cut_into_pages(drawn_out, bays, width)) {
+            ui::Painter painter({width, height}, fonts_);
+            Panel page = stretch_of_sheet(shape, {stretch.right - stretch.left, height}, whole, stretch.left, theme);
+            page.bays = scale;
+            draw_sheet(painter, page, scene());
+            report_.blocks.push_back(ui::ReportFigure{painter.picture(), ""});
+        }
+    }
+
+    /// That of the page, unless numbers got too small there.
+    double breadth_of_beam(ui::Painter& probe, const Panel& page, const std::vector<Bay>& bays) const
+    {
+        constexpr double smallest = 0.75, legible = 0.9; // of the usual size of type
+        const ColumnNeeds needs = column_needs(probe, page, scene());
+        const double margins = width - page.camera.scale() * (bays.back().end - bays.front().start);
+        const auto at = [&](double share) { return breadth_needed(bays, needs, share * needs.largest_type) + margins; };
+        return bays.empty() || at(smallest) <= width ? width : at(legible);
     }
 
     /// Drawn larger until every column has room, and so printed smaller.

@@ -70,7 +70,9 @@ Drawn draw(ui::Painter& painter, const Scene& scene)
     if (scene.paper != nullptr) return draw_exercise(painter, scene);
     const ui::Theme theme = scene.look.full_theme();
     const drawing::StructureShape shape = drawing::shape_of(scene.document.model);
-    Panels panels = panels_for(shape, painter.size(), theme, scene.look.zoom, share_of_small_pictures(shape));
+    const double share = share_of_small_pictures(shape);
+    const Panel whole = panels_for(shape, painter.size(), theme, {}, share).sheet;
+    Panels panels = panels_for(shape, painter.size(), theme, scene.look.zoom, share, sheet_bays(painter, whole, scene));
     if (scene.look.shears) make_room_for_reactions(panels, shape, theme);
     draw_borders(painter, panels, theme);
     drawn.loads = draw_loaded(painter, panels.structure, scene).loads;
@@ -90,16 +92,50 @@ Drawn draw(ui::Painter& painter, const Scene& scene)
                 drawn.joints.push_back({femoop::cross::JointId(j), part, at});
     drawn.middle = middle_of(shape);
     for (const Part part : {Part::Structure, Part::Deformed, Part::Moments, Part::Sheet})
-        drawn.views.push_back({panels[part].box, panels[part].camera, panels[part].stretch});
+        drawn.views.push_back({panels[part].box, panels[part].camera, panels[part].stretch, panels[part].bays});
     return drawn;
+}
+
+Eigen::Vector2d Drawn::View::drawn_at(ui::Point at) const
+{
+    const ui::World2 drawn = camera.to_world(at - box.min);
+    return {drawn.x, drawn.y / stretch};
+}
+
+Zoom Drawn::View::drawn(const Zoom& zoom) const
+{
+    return {zoom.factor, zoom.middle ? std::optional(drawn(*zoom.middle)) : std::nullopt};
+}
+
+Zoom Drawn::View::place(const Zoom& zoom) const
+{
+    return {zoom.factor, zoom.middle ? std::optional(place(*zoom.middle)) : std::nullopt};
+}
+
+const Drawn::View* Drawn::view_at(ui::Point at) const
+{
+    const auto view = std::ranges::find_if(views, [&](const View& one) { return one.box.contains(at); });
+    return view == views.end() ? nullptr : &*view;
 }
 
 std::optional<Eigen::Vector2d> Drawn::place_at(ui::Point at) const
 {
-    const auto view = std::ranges::find_if(views, [&](const View& one) { return one.box.contains(at); });
-    if (view == views.end()) return std::nullopt;
-    const ui::World2 place = view->camera.to_world(at - view->box.min);
-    return Eigen::Vector2d(place.x, place.y / view->stretch);
+    const View* const view = view_at(at);
+    return view == nullptr ? std::nullopt : std::optional(view->place(view->drawn_at(at)));
+}
+
+std::optional<Zoom> Drawn::zoomed_at(const Zoom& zoom, ui::Point at, double factor) const
+{
+    const View* const view = view_at(at);
+    if (view == nullptr) return std::nullopt;
+    return view->place(zoomed(view->drawn(zoom), view->drawn(middle), view->drawn_at(at), factor));
+}
+
+std::optional<Zoom> Drawn::moved_along(const Zoom& zoom, ui::Point from, ui::Point to) const
+{
+    const View* const view = view_at(from);
+    if (view == nullptr) return std::nullopt;
+    return view->place(moved(view->drawn(zoom), view->drawn(middle), view->drawn_at(to) - view->drawn_at(from)));
 }
 
 std::optional<femoop::NodeId> pick_node(const Drawn& drawn, ui::Point at, double reach)

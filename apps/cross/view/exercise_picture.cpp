@@ -11,6 +11,7 @@
 #include "apps/cross/view/exercise_panels.h"
 #include "apps/cross/view/given.h"
 #include "apps/cross/view/numbers.h"
+#include "apps/cross/view/sheet_bays.h"
 #include "apps/cross/view/sheet_places.h"
 #include "apps/cross/view/structure_pictures.h"
 #include "apps/cross/view/verdict_mark.h"
@@ -30,6 +31,7 @@ constexpr double cell_height = 1.2;
 constexpr double label_size = 0.8;
 constexpr double usual_cells = 1.1;              // size of type, of the usual one
 constexpr double largest_cells = 1.7;            // likewise, where all find room beside their member ends
+constexpr double least_cells = 7.0;              // [px]
 constexpr std::size_t lines_of_head_and_sum = 2; // that a block has besides those that it is asked for
 
 /// Writes the cells of one sheet into their boxes.
@@ -45,12 +47,11 @@ public:
           theme_(theme_in(panel, scene.look)),
           shape_(drawing::shape_of(scene.document.model)),
           columns_(blank_columns(paper_, scene.paper_stage))
-    {
-        lay_out();
-    }
+    {}
 
     void draw()
     {
+        lay_out();
         const ui::LayerScope layer(painter_, ui::Layer::Labels);
         mark_joint();
         for (std::size_t e = 0; e < columns_.size(); ++e)
@@ -62,9 +63,24 @@ public:
     }
 
     /// Of two layouts the greater one is better: how many columns find room, and their size of type.
-    std::pair<std::ptrdiff_t, double> fit() const
+    std::pair<std::ptrdiff_t, double> fit()
     {
+        lay_out();
         return {std::ranges::count_if(layout_.boxes, [](const auto& box) { return box.has_value(); }), layout_.type};
+    }
+
+    /// How the spans of a beam are drawn so that its columns find room.
+    BayScale bays() const
+    {
+        std::vector<fc::EndId> ends;
+        for (std::size_t e = 0; e < columns_.size(); ++e)
+            if (!columns_[e].cells.empty()) ends.emplace_back(e);
+        const double type = std::max(usual_cells * theme_.type().normal, largest_type());
+        return bay_scale_for(bays_of(shape_, problem_, ends), panel_,
+                             {.ems = column_width(type) / type,
+                              .largest_type = type,
+                              .least_type = least_cells,
+                              .support = support_reach(theme_)});
     }
 
     bool has_room() const
@@ -93,7 +109,7 @@ private:
         request.largest_type = usual_cells * theme_.type().normal;
         request.most_lines = n_lines() - std::min(n_lines(), lines_of_head_and_sum);
         request.fewest_lines = request.most_lines;
-        request.least_type = 7.0;
+        request.least_type = least_cells;
         request.n_rows = 3;
         request.width_of = [this](double type) { return column_width(type); };
         request.middle = middle_of(panel_, shape_);
@@ -439,7 +455,11 @@ Panels best_panels(ui::Painter& painter, const Scene& scene)
         Drawn nothing;
         return PaperWriter(painter, panels.sheet, scene, nothing).fit();
     };
-    const Panels usual = with(Room::Usual);
+    Panels usual = with(Room::Usual);
+    if (is_beam(shape)) {
+        Drawn nothing;
+        usual.sheet.bays = PaperWriter(painter, usual.sheet, scene, nothing).bays();
+    }
     if (usual.is_stacked) return usual;
     const Panels roomy = with(Room::Beside);
     return fit(roomy) > fit(usual) ? roomy : usual;

@@ -68,7 +68,10 @@ void draw_out(Panel& panel, Extent extent, double em, double beside = 6.5, doubl
 Panels stacked(const Extent& extent, ui::Size sheet, const ui::Theme& theme)
 {
     const double em = theme.type().normal, margin = std::min(4.6 * em, 0.1 * sheet.width);
-    const std::array shares{0.24, 0.16, 0.20};
+    constexpr double lines_of_loads = 13.5; // title, value, arrows, beam, dimension lines
+    const double first_share = std::clamp(lines_of_loads * em / sheet.height, 0.24, 0.29);
+    const double less = 0.25 * (first_share - 0.24);
+    const std::array shares{first_share, 0.16 - less, 0.20 - less};
     Panels panels{.is_stacked = true};
     double top = 0.0;
     const auto next = [&](Panel& panel, double height, double middle) {
@@ -77,11 +80,11 @@ Panels stacked(const Extent& extent, ui::Size sheet, const ui::Theme& theme)
         top += height;
     };
     const double first = shares[0] * sheet.height; // dimension lines keep their size
-    next(panels.structure, first, std::max(0.45 * first, first - 6.4 * em));
+    next(panels.structure, first, first - 6.4 * std::min(em, first / lines_of_loads));
     next(panels.deformed, shares[1] * sheet.height, 0.56 * shares[1] * sheet.height);
     next(panels.moments, shares[2] * sheet.height, 0.56 * shares[2] * sheet.height);
     next(panels.sheet, sheet.height - top, 2.9 * em);
-    panels.structure.ems_high = 10.5;
+    panels.structure.ems_high = lines_of_loads;
     panels.deformed.ems_high = 7.0;
     panels.moments.ems_high = 9.0;
     return panels;
@@ -201,14 +204,15 @@ namespace {
 /// What was in the middle makes room for what the zoom looks at.
 void look_closer(Panel& panel, const Eigen::Vector2d& own, const Zoom& zoom)
 {
-    const ui::Point middle = panel.camera.to_sheet({own.x(), panel.stretch * own.y()});
+    const ui::Point middle = panel.camera.to_sheet({panel.bays(own.x()), panel.stretch * own.y()});
     const Eigen::Vector2d at = zoom.middle.value_or(own);
     const double scale = zoom.factor * panel.camera.scale();
     const ui::Point corner = panel.box.min, end = panel.box.max - corner;
     const ui::World2 low = panel.camera.to_world({}), high = panel.camera.to_world(end);
     panel.is_zoomed = true;
     panel.zoom = zoom.factor;
-    panel.camera = ui::PlaneCamera({middle.x - scale * at.x(), middle.y + scale * panel.stretch * at.y()}, scale);
+    panel.camera = ui::PlaneCamera({middle.x - scale * panel.bays(at.x()), middle.y + scale * panel.stretch * at.y()},
+                                   scale);
     panel.whole = {corner + panel.camera.to_sheet(low), corner + panel.camera.to_sheet(high)};
 }
 
@@ -221,12 +225,13 @@ double share_of_small_pictures(const drawing::StructureShape& shape)
 }
 
 Panels panels_for(const drawing::StructureShape& shape, ui::Size sheet, const ui::Theme& theme, const Zoom& zoom,
-                  double small_share)
+                  double small_share, const BayScale& bays)
 {
     const Extent extent = extent_of(shape);
     Panels panels = is_flat(extent) ? stacked(extent, sheet, theme) : beside(extent, sheet, theme, small_share);
     for (Panel* const panel : {&panels.structure, &panels.deformed, &panels.moments, &panels.sheet})
         panel->whole = panel->box;
+    panels.sheet.bays = bays;
     Zoom look = zoom;
     const Eigen::Vector2d own = middle_of(shape);
     if (look.middle && panels.is_stacked) look.middle->y() = own.y();
@@ -313,8 +318,10 @@ drawing::Grips draw_structure_in(ui::Painter& painter, const Panel& panel, const
     const ui::ClipScope clip(painter, panel.box);
     const ui::Theme theme = theme_of_marks(panel, scene.look);
     femoop::Model model = scene.document.model;
-    for (femoop::Node& node : model.nodes)
+    for (femoop::Node& node : model.nodes) {
+        if (!panel.bays.is_to_scale()) node.at[0] = femoop::Quantity(panel.bays(node.at[0].value()));
         if (panel.stretch != 1.0) node.at[1] = femoop::Quantity(panel.stretch * node.at[1].value());
+    }
     const drawing::StructureShape shape = drawing::shape_of(model);
     drawing::ViewOptions options;
     options.show = show;

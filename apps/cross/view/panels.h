@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "apps/cross/view/bay_scale.h"
 #include "apps/cross/view/scene.h"
 #include "apps/drawing/sketch/scene.h"
 
@@ -13,6 +14,7 @@ struct Panel {
     ui::Box box;
     ui::PlaneCamera camera; ///< within the box
     double stretch = 1.0;   ///< of heights: a calculation's sketch need not be to scale
+    BayScale bays;          ///< of lengths, likewise
     bool is_zoomed = false;
     double zoom = 1.0;     ///< how much larger than the whole structure would be
     ui::Box whole;         ///< what of the picture would be seen of the whole structure, at this zoom
@@ -20,7 +22,7 @@ struct Panel {
 
     ui::Point at(const Eigen::Vector3d& place) const
     {
-        return box.min + camera.to_sheet({place.x(), stretch * place.y()});
+        return box.min + camera.to_sheet({bays(place.x()), stretch * place.y()});
     }
 };
 
@@ -35,8 +37,9 @@ struct Panels {
 double share_of_small_pictures(const drawing::StructureShape& shape);
 
 /// A structure so much longer than high is drawn as a beam, each picture below the other, which zooms along its axis.
+/// \param bays  of its sheet
 Panels panels_for(const drawing::StructureShape& shape, ui::Size sheet, const ui::Theme& theme, const Zoom& zoom = {},
-                  double small_share = 0.34);
+                  double small_share = 0.34, const BayScale& bays = {});
 /// The picture of the moments drawn smaller or higher, so that arrows of reactions find room; a zoomed one stays.
 void make_room_for_reactions(Panels& panels, const drawing::StructureShape& shape, const ui::Theme& theme);
 /// The sheet of a frame with so many ems left and right of it for columns.

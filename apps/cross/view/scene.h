@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/cross/document/solution.h"
+#include "apps/cross/view/bay_scale.h"
 #include "apps/cross/view/look.h"
 #include "apps/cross/view/paper.h"
 #include "apps/drawing/sketch/sketch.h"
@@ -70,12 +71,24 @@ struct Drawn {
         ui::Box box;
         ui::PlaneCamera camera;
         double stretch = 1.0;
+        BayScale bays;
+
+        /// In lengths as the picture has them, which need not be the structure's.
+        Eigen::Vector2d drawn_at(ui::Point at) const;
+        Eigen::Vector2d drawn(Eigen::Vector2d place) const { return {bays(place.x()), place.y()}; }
+        Eigen::Vector2d place(Eigen::Vector2d drawn) const { return {bays.inverse(drawn.x()), drawn.y()}; }
+        Zoom drawn(const Zoom& zoom) const;
+        Zoom place(const Zoom& zoom) const;
     };
     std::vector<View> views;                          ///< the structure's first
     Eigen::Vector2d middle = Eigen::Vector2d::Zero(); ///< of the structure
 
     /// The place of the structure that is shown there; nothing beside the pictures.
     std::optional<Eigen::Vector2d> place_at(ui::Point at) const;
+    /// A hand zooms at a place, or moves the pictures along: what lies under it stays under it. Nothing beside them.
+    std::optional<Zoom> zoomed_at(const Zoom& zoom, ui::Point at, double factor) const;
+    std::optional<Zoom> moved_along(const Zoom& zoom, ui::Point from, ui::Point to) const;
+    const View* view_at(ui::Point at) const; ///< null beside the pictures
     bool is_in_structure(ui::Point at) const { return !views.empty() && views.front().box.contains(at); }
     ui::Point on_sheet(ui::World2 place) const { return corner + camera.to_sheet(place); }
     ui::World2 in_structure(ui::Point at) const { return camera.to_world(at - corner); }

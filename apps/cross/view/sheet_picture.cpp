@@ -6,6 +6,7 @@
 #include "apps/cross/view/block_layout.h"
 #include "apps/cross/view/columns.h"
 #include "apps/cross/view/numbers.h"
+#include "apps/cross/view/sheet_bays.h"
 #include "apps/cross/view/sheet_parts.h"
 #include "apps/cross/view/sheet_places.h"
 #include "apps/drawing/sheet/legend.h"
@@ -41,18 +42,26 @@ public:
         columns_ = sheet_ != nullptr ? columns_of(problem_, *sheet_) : columns_together();
         factors_ = fc::factors_of(problem_, scene.document.method.digits);
         widest_ = widest();
-        lay_out();
     }
 
     void draw()
     {
+        lay_out();
         const ui::LayerScope layer(painter_, ui::Layer::Labels);
         if (problem_.mirror) draw_axis(*problem_.mirror);
         mark_joints();
         for (std::size_t e = 0; e < problem_.ends.size(); ++e)
-            if (layout_.boxes[e]) draw_column(fc::EndId(e));
+            if (layout_.boxes[e] && layout_.boxes[e]->overlaps(panel_.box)) draw_column(fc::EndId(e));
         if (sheet_ != nullptr && !sheet_->steps.empty()) draw_flights();
         draw_left_out();
+    }
+
+    ColumnNeeds column_needs() const
+    {
+        return {.ems = column_width(1.0),
+                .largest_type = largest_type(),
+                .least_type = BlockRequest().least_type,
+                .support = support_reach(theme_)};
     }
 
     std::size_t n_left_out() const
@@ -98,7 +107,7 @@ private:
         if (request.places.size() > most_ends_at_once) request.room = in_sight();
         request.walls = walls_in(panel_, shape_);
         request.obstacles = obstacles_in(panel_, shape_, scene_.document.model, theme_);
-        request.largest_type = 1.05 * em * std::clamp(panel_.zoom, 1.0, most_magnified);
+        request.largest_type = largest_type();
         request.n_rows = 3;
         if (is_beam(shape_)) request.hardly_smaller = 0.65; // columns of a beam are read along it
         request.most_lines = wanted_lines();
@@ -108,6 +117,11 @@ private:
         std::vector<std::optional<ui::Box>> by_end(problem_.ends.size());
         for (std::size_t i = 0; i < request.places.size(); ++i) by_end[request.places[i].end.index] = layout_.boxes[i];
         layout_.boxes = std::move(by_end);
+    }
+
+    double largest_type() const
+    {
+        return 1.05 * theme_in(panel_, scene_.look).type().normal * std::clamp(panel_.zoom, 1.0, most_magnified);
     }
 
     /// Of a large structure only what is seen is laid out.
@@ -472,6 +486,25 @@ std::size_t draw_sheet(ui::Painter& painter, const Panel& panel, const Scene& sc
     SheetWriter writer(painter, panel, scene);
     writer.draw();
     return writer.n_left_out();
+}
+
+ColumnNeeds column_needs(ui::Painter& painter, const Panel& whole, const Scene& scene)
+{
+    return SheetWriter(painter, whole, scene).column_needs();
+}
+
+std::vector<Bay> bays_of_sheet(const Scene& scene)
+{
+    const fc::Problem& problem = scene.solution.sheet_problem(scene.document);
+    std::vector<fc::EndId> ends;
+    for (std::size_t e = 0; e < problem.ends.size(); ++e) ends.emplace_back(e);
+    return bays_of(frame::shape_of(scene.document.model), problem, ends);
+}
+
+BayScale sheet_bays(ui::Painter& painter, const Panel& whole, const Scene& scene)
+{
+    if (!is_beam(frame::shape_of(scene.document.model))) return {};
+    return bay_scale_for(bays_of_sheet(scene), whole, column_needs(painter, whole, scene));
 }
 
 } // namespace cross

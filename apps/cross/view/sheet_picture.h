@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/cross/view/panels.h"
+#include "apps/cross/view/sheet_bays.h"
 
 namespace cross {
 
@@ -10,5 +10,12 @@ namespace cross {
 /// places: balances from the joint, carry-overs from the near end.
 /// \returns how many member ends have no room for their columns, seen or not
 std::size_t draw_sheet(ui::Painter& painter, const Panel& panel, const Scene& scene);
+
+/// What the columns of a sheet need. \param whole  the sheet as it is without a zoom
+ColumnNeeds column_needs(ui::Painter& painter, const Panel& whole, const Scene& scene);
+/// Its spans, with a column for every member end.
+std::vector<Bay> bays_of_sheet(const Scene& scene);
+/// How the spans of a beam's sheet are drawn so that its columns find room; a frame's to scale.
+BayScale sheet_bays(ui::Painter& painter, const Panel& whole, const Scene& scene);
 
 } // namespace cross

@@ -7,6 +7,8 @@ namespace cross {
 
 namespace {
 
+constexpr double support_breadth = 0.8; // half the breadth of a support, of its reach
+
 /// A chain of small boxes along a member.
 void cover(const Panel& panel, const drawing::MemberShape& member, std::vector<ui::Box>& taken)
 {
@@ -21,6 +23,8 @@ void cover(const Panel& panel, const drawing::MemberShape& member, std::vector<u
 }
 
 } // namespace
+
+double support_reach(const ui::Theme& theme) { return support_breadth * 15.0 * theme.symbol_scale(); }
 
 EndPlace place_of_end(const Panel& panel, const drawing::StructureShape& shape, const femoop::cross::Problem& problem,
                       femoop::cross::EndId id, const ui::Theme& theme)
@@ -45,11 +49,12 @@ std::vector<ui::Box> obstacles_in(const Panel& panel, const drawing::StructureSh
                                   const ui::Theme& theme)
 {
     std::vector<ui::Box> taken = walls_in(panel, shape);
-    const double reach = 15.0 * theme.symbol_scale();
+    const double reach = support_reach(theme) / support_breadth;
     for (std::size_t n = 0; n < shape.nodes.size(); ++n) {
         const ui::Point at = panel.at(shape.nodes[n]);
         const bool has_support = model.nodes[n].support.has_value();
-        const double below = has_support ? 2.0 * reach : 0.4 * reach, side = has_support ? 0.8 * reach : 0.4 * reach;
+        const double below = has_support ? 2.0 * reach : 0.4 * reach,
+                     side = has_support ? support_breadth * reach : 0.4 * reach;
         taken.push_back({at + ui::Point{-side, -0.4 * reach}, at + ui::Point{side, below}});
     }
     return taken;

@@ -17,6 +17,8 @@ std::vector<ui::Box> walls_in(const Panel& panel, const drawing::StructureShape&
 /// What they must leave free: members, joints, supports.
 std::vector<ui::Box> obstacles_in(const Panel& panel, const drawing::StructureShape& shape, const femoop::Model& model,
                                   const ui::Theme& theme);
+/// Half the breadth of a support, of which columns keep off [px].
+double support_reach(const ui::Theme& theme);
 ui::Point middle_of(const Panel& panel, const drawing::StructureShape& shape);
 
 /// A warning at the lower right of a panel.

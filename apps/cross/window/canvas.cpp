@@ -96,8 +96,8 @@ void Canvas::put_load(Session& session, const Aim& aim, ui::Point at)
 void Canvas::zoom(Session& session, double factor)
 {
     if (drawn_.views.empty()) return;
-    const auto at = pointer_ ? drawn_.place_at(*pointer_) : drawn_.place_at(drawn_.views.back().box.center());
-    if (at) session.look.zoom = zoomed(session.look.zoom, drawn_.middle, *at, factor);
+    const ui::Point at = pointer_.value_or(drawn_.views.back().box.center());
+    session.look.zoom = drawn_.zoomed_at(session.look.zoom, at, factor).value_or(session.look.zoom);
 }
 
 /// The wheel zooms; the middle button, or the left one beside everything, moves the pictures along.
@@ -114,9 +114,9 @@ void Canvas::move_about(Session& session, ui::Point at)
     // A click moves nothing: it would pin the middle, and what is changed next would leave the picture.
     is_panning_ = is_panning_ || (dragged_ && ui::distance(at, *dragged_) > ui::click_reach);
     if (dragged_ && !is_panning_) return;
-    const auto from = dragged_ ? drawn_.place_at(*dragged_) : std::nullopt, to = drawn_.place_at(at);
-    if (from && to) session.look.zoom = moved(session.look.zoom, drawn_.middle, *to - *from);
-    if (to) dragged_ = at;
+    if (const auto zoom = dragged_ ? drawn_.moved_along(session.look.zoom, *dragged_, at) : std::nullopt)
+        session.look.zoom = *zoom;
+    if (drawn_.view_at(at) != nullptr) dragged_ = at;
 }
 
 void Canvas::follow_pupil(Session& session, ui::Point at)

@@ -219,6 +219,7 @@ void Session::step_forward()
 void Session::step_back()
 {
     if (motion_) look_at_place();
+    if (has_just_opened_sweep()) return close_sweep();
     forget_passing_notice();
     give_up();
     stepper_.go_to(place() - 1);
@@ -440,7 +441,22 @@ void Session::open_sweep()
 {
     is_playing = false;
     motion_.reset();
+    Stepper closed = stepper_;
     stepper_.open_sweep();
+    note_change();
+    opening_ = Opening{std::move(closed), n_changes_, place()};
+}
+
+bool Session::has_just_opened_sweep() const
+{
+    return opening_ && opening_->n_changes == n_changes_ && opening_->place == place();
+}
+
+void Session::close_sweep()
+{
+    give_up();
+    stepper_ = std::move(opening_->closed);
+    opening_.reset();
     note_change();
 }
 

@@ -116,6 +116,7 @@ public:
     void take_back_choice();     ///< the last one; without one the operator is given up
     void give_up();
     void open_sweep();                                      ///< into its MEV and MEF \pre it is the last step done
+    bool has_just_opened_sweep() const;                     ///< a step back makes it one step again
     bool accept();                                          ///< does what the operator would do
     std::optional<ui::Phrase> apply(std::string_view line); ///< one more line. \returns why not, nothing being changed
 
@@ -169,6 +170,13 @@ private:
         bool is_back;
         double done = 0.0; ///< 0 to 1
     };
+    /// The lesson before a sweep was opened, and where it stood afterwards.
+    struct Opening {
+        Stepper closed;
+        std::uint64_t n_changes;
+        std::size_t place;
+    };
+    void close_sweep();
     double progress() const; ///< of the step on its way, 0 to 1 \pre there is one
     void forget_passing_notice();
     void look_at_place();
@@ -195,6 +203,7 @@ private:
         faulty_path_; ///< of a file that is open up to its fault: it is not written over
     bool is_dirty_ = false;
     std::uint64_t n_changes_ = 0; ///< of the script
+    std::optional<Opening> opening_;
     std::vector<Snapshot> before_, after_, at_end_;
     std::optional<StepReport> report_;
     std::optional<Motion> motion_;

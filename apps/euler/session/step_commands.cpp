@@ -23,7 +23,7 @@ Reason why_not_forward(const Desk& desk)
 
 Reason why_not_back(const Desk& desk)
 {
-    if (desk.session.place() > 0) return std::nullopt;
+    if (desk.session.place() > 0 || desk.session.has_just_opened_sweep()) return std::nullopt;
     return translatable("nothing is done yet");
 }
 
@@ -31,6 +31,7 @@ Reason why_not_back(const Desk& desk)
 Phrase back_label(const Desk& desk)
 {
     const Session& session = desk.session;
+    if (session.has_just_opened_sweep()) return translatable("Back to the sweep as one step");
     if (session.place() == 0) return translatable("Back");
     return {translatable("Back by {operator}"), {{"operator", session.stepper().report(session.place()).inverse_name}}};
 }

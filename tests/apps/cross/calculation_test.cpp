@@ -8,9 +8,11 @@
 #include "apps/cross/document/file.h"
 #include "apps/cross/session/calculation.h"
 #include "femoop/methods/cross/superposition.h"
+#include "ui/paint/surface/golden_text.h"
 #include "ui/report/html.h"
 
 using namespace cross;
+namespace fc = femoop::cross;
 
 namespace {
 
@@ -92,11 +94,14 @@ TEST_CASE("Rounded sheets are reported with what they would be exactly and the d
     CHECK(has_drift);
 }
 
-TEST_CASE("No table of a calculation is broader than a page however many spans there are")
+namespace {
+
+/// Three spans and twelve more.
+Document fifteen_spans()
 {
     Document document = starting_document();
     femoop::Model& model = document.model;
-    for (int i = 0; i < 12; ++i) { // three spans become fifteen
+    for (int i = 0; i < 12; ++i) {
         femoop::Node node = model.nodes.back();
         node.id = "N" + std::to_string(i);
         node.at[0] = femoop::Quantity(20.0 + 5.0 * (i + 1));
@@ -105,6 +110,36 @@ TEST_CASE("No table of a calculation is broader than a page however many spans t
         member.nodes = {femoop::NodeId(model.nodes.size() - 1), model.add(std::move(node))};
         model.add(std::move(member));
     }
+    return document;
+}
+
+std::size_t n_written(const std::string& text, const ui::Report& report)
+{
+    std::size_t n = 0;
+    for (const auto& figure : all<ui::ReportFigure>(report)) {
+        const std::string told = ui::golden_text(figure.picture);
+        for (std::size_t at = told.find(text); at != std::string::npos; at = told.find(text, at + 1)) ++n;
+    }
+    return n;
+}
+
+} // namespace
+
+TEST_CASE("Each column of a long beam's sheet is printed once, whole, beside its member end")
+{
+    const Document document = fifteen_spans();
+    const Solution solution = solve(document);
+    const ui::Report report = report_of(document);
+    for (const fc::End& end : solution.task->problem.ends) {
+        CAPTURE(end.label);
+        CHECK(n_written('"' + end.label + '"', report) == 1);
+    }
+    CHECK(n_written("without room", report) == 0);
+}
+
+TEST_CASE("No table of a calculation is broader than a page however many spans there are")
+{
+    const Document document = fifteen_spans();
     for (const auto& table : all<tabular::Table>(report_of(document))) CHECK(table.columns.size() <= 11);
 }
 

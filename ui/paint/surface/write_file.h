@@ -5,7 +5,8 @@
 
 namespace ui {
 
-/// Writes a picture's file. \throws std::runtime_error naming the file, with a remedy, unless every byte is written
+/// Writes a picture's file. \throws std::runtime_error naming the file, with a remedy, unless every byte is written; a
+/// file that was not there is then not left behind in part
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 } // namespace ui
