@@ -8,6 +8,7 @@
 #include "apps/frame/view/kept_view.h"
 #include "apps/frame/view/motion_words.h"
 #include "femoop/analysis/mechanism.h"
+#include "ui/text/language_manner.h"
 
 namespace cli {
 
@@ -78,7 +79,7 @@ drawing::ViewOptions view_options(const ui::Catalogue& tr)
 {
     drawing::ViewOptions options;
     options.tr = tr;
-    if (tr.language() == ui::Language::Portuguese) options.numbers.mark = ui::DecimalMark::Comma;
+    options.numbers.mark = ui::decimal_mark(tr.language());
     return options;
 }
 

@@ -17,6 +17,8 @@
 #include "femoop/model/check/check.h"
 #include "femoop/result/describe.h"
 #include "ui/text/catalogue.h"
+#include "ui/text/language_manner.h"
+#include "ui/workbench/file_sentences.h"
 
 namespace frame {
 
@@ -331,7 +333,7 @@ bool Session::save_companion()
     return !error;
 }
 
-std::string Session::file_name() const { return path_ ? path_->filename().string() : view.tr("Untitled"); }
+std::string Session::file_name() const { return ui::file_name(path_, view.tr); }
 
 std::optional<ui::Phrase> Session::why_no_results() const
 {
@@ -396,7 +398,7 @@ ui::DisplayUnits Session::units() const
 void Session::set_language(ui::Language language)
 {
     view.tr = ui::Catalogue(language);
-    view.numbers.mark = language == ui::Language::Portuguese ? ui::DecimalMark::Comma : ui::DecimalMark::Point;
+    view.numbers.mark = ui::decimal_mark(language);
 }
 
 } // namespace frame
