@@ -13,7 +13,7 @@
 #include "apps/cli/output_file.h"
 #include "apps/cli/solid_file.h"
 #include "femoop/io/json/json_writer.h"
-#include "tabular/plain_text.h"
+#include "femoop/tabular/plain_text.h"
 #include "topology/embedding/ring_plane.h"
 #include "topology/halfedge/check/shells.h"
 #include "topology/halfedge/check/validate.h"

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <vector>
 
-#include "tabular/plain_text.h"
+#include "femoop/tabular/plain_text.h"
 
 namespace cli {
 

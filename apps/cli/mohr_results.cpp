@@ -9,7 +9,7 @@
 #include "femoop/io/json/json_writer.h"
 #include "femoop/methods/mohr/point_results.h"
 #include "femoop/model/quantity/number_text.h"
-#include "tabular/plain_text.h"
+#include "femoop/tabular/plain_text.h"
 
 namespace cli {
 

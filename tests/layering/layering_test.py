@@ -9,7 +9,7 @@ import sys
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-CODE = ("tabular", "topology", "femoop", "ui", "apps", "examples", "tests")
+CODE = ("topology", "femoop", "ui", "apps", "examples", "tests")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
 STANDARD = re.compile(r"[a-z_0-9]+$")  # <vector>, <cmath>: no slash and no ".h"
@@ -50,13 +50,13 @@ UI_BASE = ["ui/history/", "ui/command/", "ui/text/", "ui/scenario/"]
 
 # The longest folder that matches a file names its rule: what it may include besides the standard library.
 ALLOWED = {
-    "tabular": ["tabular/"],
+    "femoop/tabular": ["femoop/tabular/"],  # tables alone: ui knows it too
     "topology": ["topology/"],
-    "femoop": ["femoop/", "tabular/", EIGEN],
-    "femoop/io": ["femoop/", "tabular/", EIGEN, JSON, SYSTEM],
-    **{f"femoop/{folder}": [f"femoop/{folder}/", *below, "tabular/", EIGEN] for folder, below in FEMOOP.items()},
+    "femoop": ["femoop/", EIGEN],
+    "femoop/io": ["femoop/", EIGEN, JSON, SYSTEM],
+    **{f"femoop/{folder}": [f"femoop/{folder}/", *below, EIGEN] for folder, below in FEMOOP.items()},
     "femoop/solver": [NUMBERS, EIGEN, SPARSE, SYSTEM],
-    "ui": ["ui/", "tabular/", WINDOW, FONTS_AND_CAIRO, SYSTEM],
+    "ui": ["ui/", "femoop/tabular/", WINDOW, FONTS_AND_CAIRO, SYSTEM],
     "ui/app": ["ui/", WINDOW, OPTIONS],
     "ui/paint": ["ui/paint/", FONTS_AND_CAIRO],
     "ui/canvas": ["ui/canvas/", "ui/paint/"],
@@ -67,14 +67,14 @@ ALLOWED = {
     "ui/files": [*UI_BASE, "ui/files/", SYSTEM],
     "ui/workbench": [*UI_BASE, "ui/files/", "ui/workbench/"],
     "examples": ["femoop/", "topology/", EIGEN],
-    "tests": ["tabular/", "topology/", "femoop/", "ui/", "apps/", "tests/", re.compile(r"")],
+    "tests": ["topology/", "femoop/", "ui/", "apps/", "tests/", re.compile(r"")],
 }
 # Structures are drawn in one way by all apps; the drawing knows no app.
 DRAWING = "apps/drawing/"
-DRAWING_ALLOWED = [DRAWING, "tabular/", "femoop/", *UI_BASE, "ui/paint/", "ui/canvas/", EIGEN]
+DRAWING_ALLOWED = [DRAWING, "femoop/", *UI_BASE, "ui/paint/", "ui/canvas/", EIGEN]
 DRAWING_VALUES = re.compile(r"apps/drawing/(\w+)\.h$")  # what a picture shows: sets, parts, dimension lines
-APP_ALLOWED = ["tabular/", "topology/", "femoop/", "ui/", DRAWING, EIGEN, SYSTEM]
-APP_DOCUMENT_ALLOWED = ["tabular/", "topology/", "femoop/", *UI_BASE, DRAWING_VALUES, EIGEN]  # tests drive it without a screen
+APP_ALLOWED = ["topology/", "femoop/", "ui/", DRAWING, EIGEN, SYSTEM]
+APP_DOCUMENT_ALLOWED = ["topology/", "femoop/", *UI_BASE, DRAWING_VALUES, EIGEN]  # tests drive it without a screen
 APP_VIEW_ALLOWED = [*APP_DOCUMENT_ALLOWED, DRAWING, "ui/paint/", "ui/canvas/"]  # draws through the Painter only
 CLI_ALLOWED = [*APP_ALLOWED, "apps/", OPTIONS, JSON]
 BORROWED = {
@@ -208,9 +208,9 @@ class Rules(unittest.TestCase):
             self.assert_refused("topology/halfedge/ids.h", f'#include "{header}"')
         self.assert_refused("topology/geometry/vector.h", "#include <Eigen/Core>")
         for path in ("femoop/io/results/tables.cpp", "ui/report/html.cpp", "apps/mohr/session/report.cpp"):
-            self.assert_allowed(path, '#include "tabular/table.h"')
+            self.assert_allowed(path, '#include "femoop/tabular/table.h"')
         for header in ("femoop/model/model.h", "ui/text/catalogue.h", "topology/halfedge/ids.h"):
-            self.assert_refused("tabular/table.h", f'#include "{header}"')
+            self.assert_refused("femoop/tabular/table.h", f'#include "{header}"')
         self.assert_allowed("femoop/model/model.h", "#include <Eigen/Core>")
 
     def test_ui_knows_no_mechanics_and_ui_base_the_standard_library_alone(self):

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "tabular/html.h"
+#include "femoop/tabular/html.h"
 #include "ui/paint/surface/svg.h"
 
 namespace ui {

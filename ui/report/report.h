@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "tabular/table.h"
+#include "femoop/tabular/table.h"
 #include "ui/paint/picture.h"
 
 namespace ui {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "apps/cross/session/commands.h"
-#include "tabular/separated.h"
+#include "femoop/tabular/separated.h"
 #include "ui/text/refusal.h"
 
 namespace cross {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "apps/frame/document/part.h"
-#include "tabular/separated.h"
+#include "femoop/tabular/separated.h"
 #include "ui/text/catalogue.h"
 #include "ui/text/display_units.h"
 

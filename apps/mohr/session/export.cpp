@@ -15,9 +15,9 @@
 #include "femoop/io/json/table_json.h"
 #include "femoop/io/whole_file.h"
 #include "femoop/model/quantity/number_text.h"
-#include "tabular/latex.h"
-#include "tabular/markdown.h"
-#include "tabular/separated.h"
+#include "femoop/tabular/latex.h"
+#include "femoop/tabular/markdown.h"
+#include "femoop/tabular/separated.h"
 #include "ui/files/ending.h"
 #include "ui/workbench/file_sentences.h"
 

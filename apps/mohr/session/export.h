@@ -5,7 +5,7 @@
 #include <string>
 
 #include "apps/mohr/session/session.h"
-#include "tabular/table.h"
+#include "femoop/tabular/table.h"
 
 namespace mohr {
 

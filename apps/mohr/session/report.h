@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "apps/mohr/session/session.h"
-#include "tabular/table.h"
+#include "femoop/tabular/table.h"
 
 namespace mohr {
 

@@ -7,7 +7,7 @@
 #include "femoop/methods/cross/fraction.h"
 #include "femoop/methods/cross/rounding.h"
 #include "femoop/methods/cross/symmetry.h"
-#include "tabular/separated.h"
+#include "femoop/tabular/separated.h"
 
 namespace femoop::cross {
 

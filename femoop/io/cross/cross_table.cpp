@@ -4,7 +4,7 @@
 #include "femoop/methods/cross/fraction.h"
 #include "femoop/methods/cross/rounding.h"
 #include "femoop/model/quantity/number_text.h"
-#include "tabular/plain_text.h"
+#include "femoop/tabular/plain_text.h"
 
 namespace femoop::cross {
 

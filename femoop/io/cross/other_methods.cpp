@@ -7,7 +7,7 @@
 #include "femoop/io/json/json_writer.h"
 #include "femoop/model/fault/fault.h"
 #include "femoop/model/quantity/number_text.h"
-#include "tabular/plain_text.h"
+#include "femoop/tabular/plain_text.h"
 
 namespace femoop::cross {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "tabular/table.h"
+#include "femoop/tabular/table.h"
 
 namespace femoop {
 

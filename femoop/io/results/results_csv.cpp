@@ -5,7 +5,7 @@
 #include "femoop/model/quantity/dimension.h"
 #include "femoop/result/components.h"
 #include "femoop/result/envelope.h"
-#include "tabular/separated.h"
+#include "femoop/tabular/separated.h"
 
 namespace femoop {
 

@@ -12,7 +12,7 @@
 #include "femoop/result/components.h"
 #include "femoop/result/envelope.h"
 #include "femoop/result/structure_words.h"
-#include "tabular/plain_text.h"
+#include "femoop/tabular/plain_text.h"
 
 namespace femoop {
 

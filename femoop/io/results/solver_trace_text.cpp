@@ -6,7 +6,7 @@
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/solver/index.h"
 #include "femoop/solver/trace/front_matrix.h"
-#include "tabular/plain_text.h"
+#include "femoop/tabular/plain_text.h"
 
 namespace femoop {
 

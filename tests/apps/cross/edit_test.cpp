@@ -5,7 +5,7 @@
 #include "apps/cross/session/beam_edit.h"
 #include "apps/cross/session/report.h"
 #include "femoop/model/check/check.h"
-#include "tabular/latex.h"
+#include "femoop/tabular/latex.h"
 
 using namespace cross;
 using femoop::Model;

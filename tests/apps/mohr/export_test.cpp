@@ -6,7 +6,7 @@
 #include "apps/mohr/session/export.h"
 #include "apps/mohr/session/report.h"
 #include "femoop/io/json/table_json.h"
-#include "tabular/separated.h"
+#include "femoop/tabular/separated.h"
 
 using namespace mohr;
 

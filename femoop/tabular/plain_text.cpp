@@ -1,4 +1,4 @@
-#include "tabular/plain_text.h"
+#include "femoop/tabular/plain_text.h"
 
 #include <algorithm>
 #include <array>

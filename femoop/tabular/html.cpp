@@ -1,4 +1,4 @@
-#include "tabular/html.h"
+#include "femoop/tabular/html.h"
 
 namespace tabular {
 

@@ -1,4 +1,4 @@
-#include "tabular/separated.h"
+#include "femoop/tabular/separated.h"
 
 #include <doctest/doctest.h>
 

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "tabular/html.h"
-#include "tabular/latex.h"
-#include "tabular/markdown.h"
+#include "femoop/tabular/html.h"
+#include "femoop/tabular/latex.h"
+#include "femoop/tabular/markdown.h"
 
 using namespace tabular;
 

@@ -1,4 +1,4 @@
-#include "tabular/table.h"
+#include "femoop/tabular/table.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "tabular/markdown.h"
+#include "femoop/tabular/markdown.h"
 
 namespace tabular {
 

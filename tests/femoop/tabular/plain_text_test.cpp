@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "tabular/plain_text.h"
+#include "femoop/tabular/plain_text.h"
 
 using tabular::plain_text;
 using tabular::Table;

@@ -1,4 +1,4 @@
-#include "tabular/latex.h"
+#include "femoop/tabular/latex.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tabular/table.h"
+#include "femoop/tabular/table.h"
 
 namespace tabular {
 

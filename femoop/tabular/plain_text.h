@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "tabular/table.h"
+#include "femoop/tabular/table.h"
 
 namespace tabular {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "tabular/table.h"
+#include "femoop/tabular/table.h"
 
 namespace tabular {
 
