@@ -4,6 +4,8 @@
 #include <array>
 
 #include "femoop/analysis/linear_static.h"
+#include "femoop/discretisation/case_loads.h"
+#include "femoop/load/case_terms.h"
 #include "femoop/methods/cross/kinematics.h"
 
 namespace femoop::cross {
