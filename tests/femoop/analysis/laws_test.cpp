@@ -370,6 +370,7 @@ TEST_SUITE("laws")
             Model clamped = model, loose = model;
             clamped.nodes.back().support = Support{.kind = SupportKind::Fixed};
             for (Node& node : loose.nodes) node.support.reset();
+            for (Member& member : loose.members) member.foundation.reset();
             for (LoadCase& load_case : loose.load_cases) load_case.settlements.clear();
             LinearStatic analysis(model);
             CHECK_THROWS_AS(analysis.update(loose), MechanismError);

@@ -36,8 +36,11 @@ Eigen::VectorXd rigid_motion(const ElementDofs& dofs, const Discretisation& stru
     Eigen::Index row = 0;
     for (const NodeId node : dofs.nodes) {
         const Eigen::Vector3d& at = structure.positions[node.index];
-        const Eigen::Vector3d shift = is_rotation(motion) ? Eigen::Vector3d(unit.cross(at)) : unit;
-        const Eigen::Vector3d turn = is_rotation(motion) ? unit : Eigen::Vector3d(Eigen::Vector3d::Zero());
+        Eigen::Vector3d shift = unit, turn = Eigen::Vector3d::Zero();
+        if (is_rotation(motion)) {
+            shift = unit.cross(at);
+            turn = unit;
+        }
         for (const Dof dof : dofs.of_each_node) {
             const auto axis = static_cast<Eigen::Index>(index(dof)) % 3;
             u[row++] = is_rotation(dof) ? turn[axis] : shift[axis];

@@ -29,7 +29,7 @@ TEST_SUITE("joint condensation")
         CHECK(K(1, 1) == doctest::Approx(3.0 * EI / L));
         CHECK(K(0, 1) == doctest::Approx(3.0 * EI / (L * L)));
         CHECK(K.row(3).norm() == 0.0);
-        CHECK(hinged.loose().empty());
+        CHECK(hinged.free_motions().empty());
     }
 
     TEST_CASE("A hinge moves q L^2 / 8 to the clamped end")
@@ -110,11 +110,11 @@ TEST_SUITE("joint condensation")
     TEST_CASE("A beam released in v and rotation at one end and in v at the other is loose")
     {
         const JointCondensation loose(beam(), joints(0.0, rigid_joint, 0.0, rigid_joint));
-        REQUIRE(loose.loose().size() == 1);
-        const Eigen::VectorXd& mode = loose.loose().front().mode;
+        REQUIRE(loose.free_motions().size() == 1);
+        const Eigen::VectorXd& mode = loose.free_motions().front().mode;
         CHECK(mode[0] == doctest::Approx(mode[2])); // it slides sideways as a whole
         CHECK(mode[1] == 0.0);
-        CHECK(JointCondensation::drive(loose.loose().front(), Eigen::Vector4d(2.0, 0.0, 3.0, 0.0)) ==
+        CHECK(JointCondensation::work(loose.free_motions().front(), Eigen::Vector4d(2.0, 0.0, 3.0, 0.0)) ==
               doctest::Approx(5.0 * mode[0]));
     }
 
