@@ -103,8 +103,7 @@ public:
             unpack(elastic.end_displacements(d, f), s.d);
         } else p = strain_forces(elastic, d, Part::Elastic) + f;
         if (is_constrained) {
-            const Element constrained(*properties_, geometry_, end_conditions_,
-                                      constrained_actions(*end_conditions_));
+            const Element constrained(*properties_, geometry_, end_conditions_, constrained_actions(*end_conditions_));
             p += strain_forces(constrained, pack(ends(Part::Constraint)), Part::Constraint) +
                  constrained.rigid_joint_forces(loading_.without_strain());
         }

@@ -11,8 +11,8 @@ namespace femoop {
 ///          |   +-> |xi    edges 1-2, 2-3, 3-4, 4-1: Line2
 ///          1-------2
 ///
-/// Accuracy it has no bending mode: one element alone is 1 / (1 - nu^2) + (a / b)^2 / 2 (1 + nu) times as stiff in plane
-///          stress as the beam of its length 2a and depth 2b: it locks in shear
+/// Accuracy it has no bending mode and locks in shear: one element alone, of length 2a and depth 2b, is in plane stress
+///          1 / (1 - nu^2) + (a / b)^2 / 2 (1 + nu) times as stiff as the beam
 /// Source   [CookMalkusPleshaWitt2002]
 class Q4 final : public Shape {
 public:

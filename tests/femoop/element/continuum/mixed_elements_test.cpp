@@ -84,7 +84,8 @@ TEST_CASE("Bars along a sheet and the sheet itself share a traction as their sti
     const Eigen::VectorXd u = solver->solve(assembler.load_vector<double>(loads));
 
     // The sheet cannot narrow: it is E / (1 - nu^2) per area.
-    const double stiffness = (E * thickness * sheet_height / (1.0 - nu * nu) + 2.0 * bar_modulus * bar_area) / sheet_length;
+    const double stiffness = (E * thickness * sheet_height / (1.0 - nu * nu) + 2.0 * bar_modulus * bar_area) /
+                             sheet_length;
     REQUIRE(u.size() == 2);
     for (const double value : u)
         CHECK(value == doctest::Approx(pull * thickness * sheet_height / stiffness).epsilon(1e-12));
