@@ -17,7 +17,7 @@ void draw_ghost(const Scene& scene, const SolvedCase& solved, const Diagram& dia
             return frame(x * scene.projection.scale(), value * diagram.pixels_per_unit);
         };
         std::vector<ui::Point> line{at(0.0, 0.0)};
-        for (const Ordinate& o : ordinates_of(curve, diagram.component, 0.3 / diagram.pixels_per_unit))
+        for (const Ordinate& o : ordinates_of(SectionForce(curve, diagram.component), 0.3 / diagram.pixels_per_unit))
             line.push_back(at(o.x, o.value));
         line.push_back(at(curve.length(), 0.0));
         sketch.polyline(line, stroke, Clearance::Soft);

@@ -8,25 +8,13 @@ namespace drawing {
 
 namespace {
 
-using femoop::Curve;
-using femoop::MemberComponent;
 using femoop::Side;
-
-/// The shear force whose zeros are the extremes of a bending moment.
-std::optional<MemberComponent> slope_of(MemberComponent component)
-{
-    if (component == MemberComponent::Mz) return MemberComponent::Vy;
-    if (component == MemberComponent::My) return MemberComponent::Vz;
-    return std::nullopt;
-}
 
 bool are_equal(double a, double b, double least) { return std::abs(a - b) <= least; }
 
 class Collector {
 public:
-    Collector(const Curve& curve, MemberComponent component, double least)
-        : curve_(curve), component_(component), least_(least)
-    {}
+    Collector(const LineFunction& function, double least) : function_(function), least_(least) {}
 
     std::vector<MarkedValue> collect()
     {
@@ -39,12 +27,12 @@ public:
     }
 
 private:
-    double at(double x, Side side = Side::After) const { return curve_.value(component_, x, side); }
+    double at(double x, Side side = Side::After) const { return function_.value(x, side); }
 
     void add(double x, double value, bool is_peak)
     {
         for (MarkedValue& other : found_) {
-            if (std::abs(other.x - x) > 1e-6 * curve_.length() || !are_equal(other.value, value, least_)) continue;
+            if (std::abs(other.x - x) > 1e-6 * function_.length() || !are_equal(other.value, value, least_)) continue;
             other.is_peak = other.is_peak || is_peak;
             return;
         }
@@ -53,7 +41,7 @@ private:
 
     void add_ends_and_breaks()
     {
-        const std::vector<double> breaks = curve_.breaks();
+        const std::vector<double> breaks = function_.breaks();
         for (std::size_t i = 0; i < breaks.size(); ++i) {
             const double x = breaks[i];
             const double before = at(x, Side::Before);
@@ -69,20 +57,17 @@ private:
         }
     }
 
-    // A bending moment has a kink where its shear force jumps.
+    // Where the slope jumps, as that of a bending moment does where its shear force jumps.
     bool has_kink(double x) const
     {
-        const auto slope = slope_of(component_);
-        if (!slope) return false;
-        const double jump = curve_.value(*slope, x, Side::After) - curve_.value(*slope, x, Side::Before);
-        return std::abs(jump) * curve_.length() > 1e-3 * least_;
+        const auto before = function_.slope(x, Side::Before), after = function_.slope(x, Side::After);
+        return before && after && std::abs(*after - *before) * function_.length() > 1e-3 * least_;
     }
 
     void add_extremes()
     {
-        if (const auto slope = slope_of(component_))
-            for (const double x : curve_.zeros(*slope)) add(x, at(x), true);
-        const femoop::Extremes extremes = curve_.extremes(component_);
+        for (const double x : function_.level_places()) add(x, at(x), true);
+        const femoop::Extremes extremes = function_.extremes();
         add(extremes.max.x, extremes.max.value, true);
         add(extremes.min.x, extremes.min.value, true);
     }
@@ -110,17 +95,16 @@ private:
         return b.x > end && are_equal(a.value, b.value, least_) && are_equal(at(0.5 * (end + b.x)), a.value, least_);
     }
 
-    const Curve& curve_;
-    MemberComponent component_;
+    const LineFunction& function_;
     double least_;
     std::vector<MarkedValue> found_;
 };
 
 } // namespace
 
-std::vector<MarkedValue> marked_values(const Curve& curve, MemberComponent component, double least)
+std::vector<MarkedValue> marked_values(const LineFunction& function, double least)
 {
-    return Collector(curve, component, least).collect();
+    return Collector(function, least).collect();
 }
 
 } // namespace drawing

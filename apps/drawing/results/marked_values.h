@@ -1,6 +1,6 @@
 #pragma once
 
-#include "femoop/result/curve.h"
+#include "apps/drawing/results/line_function.h"
 
 #include <vector>
 
@@ -8,14 +8,14 @@ namespace drawing {
 
 /// A value of a diagram that is worth writing beside it.
 struct MarkedValue {
-    double x = 0.0; ///< along the member
+    double x = 0.0; ///< along the line
     double value = 0.0;
-    bool is_peak = false;         ///< largest or smallest between load points, or of the whole member
+    bool is_peak = false;         ///< largest or smallest between load points, or of the whole line
     std::vector<double> others{}; ///< places with the same value, where it could be written as well
 };
 
 /// Values at the ends, on both sides of jumps, at kinks and at the exact places of extremes. A stretch of one value is
 /// marked once, in its middle. Values below `least` are left out.
-std::vector<MarkedValue> marked_values(const femoop::Curve& curve, femoop::MemberComponent component, double least);
+std::vector<MarkedValue> marked_values(const LineFunction& function, double least);
 
 } // namespace drawing

@@ -8,7 +8,6 @@ namespace drawing {
 namespace {
 
 using Eigen::Vector3d;
-using femoop::Curve;
 using femoop::MemberComponent;
 using femoop::Side;
 
@@ -26,19 +25,17 @@ Vector3d positive_side(const Scene& scene, const MemberShape& member, MemberComp
     return is_turned ? Vector3d(-side) : side;
 }
 
-/// Values along one member, close enough together that the line between them is the curve on the sheet.
+/// Values along one line, close enough together that the line between them is the curve on the sheet.
 class Ordinates {
 public:
-    Ordinates(const Curve& curve, MemberComponent component, double tolerance)
-        : curve_(curve), component_(component), tolerance_(tolerance)
-    {}
+    Ordinates(const LineFunction& function, double tolerance) : function_(function), tolerance_(tolerance) {}
 
     std::vector<Ordinate> sample()
     {
-        const std::vector<double> breaks = curve_.breaks();
+        const std::vector<double> breaks = function_.breaks();
         for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-            const Ordinate begin{breaks[i], curve_.value(component_, breaks[i], Side::After)};
-            const Ordinate end{breaks[i + 1], curve_.value(component_, breaks[i + 1], Side::Before)};
+            const Ordinate begin{breaks[i], function_.value(breaks[i], Side::After)};
+            const Ordinate end{breaks[i + 1], function_.value(breaks[i + 1], Side::Before)};
             points_.push_back(begin);
             subdivide(begin, end, 0);
             points_.push_back(end);
@@ -53,7 +50,7 @@ private:
         constexpr int most_depth = 7;
         if (depth >= most_depth || !(b.x > a.x)) return;
         const double x = 0.5 * (a.x + b.x);
-        const Ordinate middle{x, curve_.value(component_, x)};
+        const Ordinate middle{x, function_.value(x)};
         const bool is_straight = std::abs(middle.value - 0.5 * (a.value + b.value)) <= tolerance_;
         if (is_straight && depth >= least_depth) return;
         if (is_straight && depth == 0 && is_straight_at(a, b, 0.25) && is_straight_at(a, b, 0.81)) return;
@@ -64,12 +61,11 @@ private:
 
     bool is_straight_at(const Ordinate& a, const Ordinate& b, double t) const
     {
-        const double value = curve_.value(component_, a.x + t * (b.x - a.x));
+        const double value = function_.value(a.x + t * (b.x - a.x));
         return std::abs(value - (a.value + t * (b.value - a.value))) <= tolerance_;
     }
 
-    const Curve& curve_;
-    MemberComponent component_;
+    const LineFunction& function_;
     double tolerance_;
     std::vector<Ordinate> points_;
 };
@@ -91,9 +87,9 @@ SymbolFrame diagram_frame(const Scene& scene, const MemberShape& member, MemberC
     return scene.projection.frame(member.start, member.x(), positive_side(scene, member, component));
 }
 
-std::vector<Ordinate> ordinates_of(const Curve& curve, MemberComponent component, double tolerance)
+std::vector<Ordinate> ordinates_of(const LineFunction& function, double tolerance)
 {
-    return Ordinates(curve, component, tolerance).sample();
+    return Ordinates(function, tolerance).sample();
 }
 
 } // namespace drawing

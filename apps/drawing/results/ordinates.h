@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/drawing/results/line_function.h"
 #include "apps/drawing/sketch/scene.h"
 #include "femoop/result/results.h"
 
@@ -15,14 +16,14 @@ bool has_signs(const Scene& scene, femoop::MemberComponent component);
 /// The frame in which a member's diagram is drawn: x along the member, y to where positive values are drawn.
 SymbolFrame diagram_frame(const Scene& scene, const MemberShape& member, femoop::MemberComponent component);
 
-/// A value at a place of a member.
+/// A value at a place of a line.
 struct Ordinate {
     double x;
     double value;
 };
 
-/// Values along a member, close enough together that the line between them is the curve to within the tolerance; both
+/// Values along a line, close enough together that the line between them is the curve to within the tolerance; both
 /// sides of a jump.
-std::vector<Ordinate> ordinates_of(const femoop::Curve& curve, femoop::MemberComponent component, double tolerance);
+std::vector<Ordinate> ordinates_of(const LineFunction& function, double tolerance);
 
 } // namespace drawing

@@ -18,7 +18,7 @@ namespace {
 constexpr double L = 8.0, q = 5.0;
 const ui::PlaneCamera camera({100.0, 300.0}, 50.0); // the beam runs from (100, 300) to (500, 300)
 
-struct Scene {
+struct PickingScene {
     femoop::Model model = view_test::simple_beam(L, q);
     femoop::Results results = femoop::analyse(model);
     ui::Fonts fonts;
@@ -32,7 +32,7 @@ struct Scene {
 
 TEST_CASE("Near a node the node is picked, beside it the member with the place along it")
 {
-    const Scene scene;
+    const PickingScene scene;
     CHECK(scene.at({503.0, 298.0}).node == femoop::NodeId{1});
     const Pick member = scene.at({250.0, 304.0});
     CHECK(!member.node);
@@ -43,7 +43,7 @@ TEST_CASE("Near a node the node is picked, beside it the member with the place a
 
 TEST_CASE("Over a diagram a member is picked from farther off")
 {
-    Scene scene;
+    PickingScene scene;
     scene.options.show = {Show::M};
     const Pick member = scene.at({300.0, 340.0});
     REQUIRE(member.cut);
@@ -52,7 +52,7 @@ TEST_CASE("Over a diagram a member is picked from farther off")
 
 TEST_CASE("A reading tells the section's forces with units")
 {
-    Scene scene;
+    PickingScene scene;
     draw_reading(scene.painter, scene.model, scene.results, scene.options, {femoop::MemberId{}, 2.0}, {200.0, 310.0});
     view_test::Marks marks(scene.fonts);
     scene.painter.picture().draw_on(marks);

@@ -83,7 +83,7 @@ TEST_CASE("The moment of a simple beam is marked once: q L^2 / 8 in its middle")
 {
     const auto results = femoop::analyse(view_test::simple_beam(L, q));
     const femoop::Curve curve = results[femoop::CaseId{}].curve(femoop::MemberId{});
-    const auto marked = marked_values(curve, MemberComponent::Mz, 1e-6);
+    const auto marked = marked_values(SectionForce(curve, MemberComponent::Mz), 1e-6);
     REQUIRE(marked.size() == 1);
     CHECK(marked[0].x == doctest::Approx(L / 2));
     CHECK(marked[0].value == doctest::Approx(q * L * L / 8));
@@ -94,7 +94,7 @@ TEST_CASE("The shear force of a simple beam is marked at its two ends: q L / 2 a
 {
     const auto results = femoop::analyse(view_test::simple_beam(L, q));
     const femoop::Curve curve = results[femoop::CaseId{}].curve(femoop::MemberId{});
-    const auto marked = marked_values(curve, MemberComponent::Vy, 1e-6);
+    const auto marked = marked_values(SectionForce(curve, MemberComponent::Vy), 1e-6);
     REQUIRE(marked.size() == 2);
     CHECK(marked[0].value == doctest::Approx(q * L / 2));
     CHECK(marked[1].value == doctest::Approx(-q * L / 2));
@@ -108,12 +108,12 @@ TEST_CASE("Under a point load both sides of the jump and the kink of the moment 
     load.components.push_back({.dof = femoop::Dof::uy, .value = -P});
     model.load_cases[0].members.assign(1, {.member = femoop::MemberId{}, .load = load});
     const femoop::Curve curve = femoop::analyse(model)[femoop::CaseId{}].curve(femoop::MemberId{});
-    const auto shear = marked_values(curve, MemberComponent::Vy, 1e-6);
+    const auto shear = marked_values(SectionForce(curve, MemberComponent::Vy), 1e-6);
     REQUIRE(shear.size() == 2); // one per stretch, in its middle
     CHECK(shear[0].x == doctest::Approx(a / 2));
     CHECK(shear[0].value == doctest::Approx(P * (L - a) / L));
     CHECK(shear[1].value == doctest::Approx(-P * a / L));
-    const auto moment = marked_values(curve, MemberComponent::Mz, 1e-6);
+    const auto moment = marked_values(SectionForce(curve, MemberComponent::Mz), 1e-6);
     REQUIRE(moment.size() == 1);
     CHECK(moment[0].x == doctest::Approx(a));
     CHECK(moment[0].value == doctest::Approx(P * a * (L - a) / L));
