@@ -9,7 +9,7 @@ namespace {
 
 constexpr double one_place = 1e-9; // of the beam's length: nodes nearer to each other are one place
 
-std::vector<double> places_along(const frame::StructureShape& shape)
+std::vector<double> places_along(const drawing::StructureShape& shape)
 {
     std::vector<double> places;
     for (const Eigen::Vector3d& node : shape.nodes) places.push_back(node.x());
@@ -52,7 +52,7 @@ BayScale scale_of(const std::vector<Bay>& bays, const std::vector<double>& bread
 }
 
 /// A member that is longer than the span stands there with none of its ends, or one.
-bool is_filled_by(const Bay& bay, const frame::MemberShape& member)
+bool is_filled_by(const Bay& bay, const drawing::MemberShape& member)
 {
     const auto [low, high] = std::minmax(member.start_node.x(), member.end_node.x());
     const double near = 0.01 * (bay.end - bay.start);
@@ -61,7 +61,7 @@ bool is_filled_by(const Bay& bay, const frame::MemberShape& member)
 
 } // namespace
 
-std::vector<Bay> bays_of(const frame::StructureShape& shape, const femoop::cross::Problem& problem,
+std::vector<Bay> bays_of(const drawing::StructureShape& shape, const femoop::cross::Problem& problem,
                          const std::vector<femoop::cross::EndId>& ends)
 {
     const std::vector<double> places = places_along(shape);
@@ -69,7 +69,7 @@ std::vector<Bay> bays_of(const frame::StructureShape& shape, const femoop::cross
     for (std::size_t i = 1; i < places.size(); ++i) bays.push_back({.start = places[i - 1], .end = places[i]});
     for (const femoop::cross::EndId end : ends) {
         if (!problem[end].member) continue;
-        const frame::MemberShape& member = shape[*problem[end].member];
+        const drawing::MemberShape& member = shape[*problem[end].member];
         for (Bay& bay : bays) bay.n_columns += is_filled_by(bay, member) ? 1 : 0;
     }
     return bays;

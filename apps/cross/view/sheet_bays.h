@@ -22,7 +22,7 @@ struct Bay {
 };
 
 /// Spans from node to node, with the columns that these ends have there.
-std::vector<Bay> bays_of(const frame::StructureShape& shape, const femoop::cross::Problem& problem,
+std::vector<Bay> bays_of(const drawing::StructureShape& shape, const femoop::cross::Problem& problem,
                          const std::vector<femoop::cross::EndId>& ends);
 /// What a span, or all of them, need for their columns at a size of type [px].
 double breadth_needed(const Bay& bay, const ColumnNeeds& needs, double type);

@@ -498,12 +498,12 @@ std::vector<Bay> bays_of_sheet(const Scene& scene)
     const fc::Problem& problem = scene.solution.sheet_problem(scene.document);
     std::vector<fc::EndId> ends;
     for (std::size_t e = 0; e < problem.ends.size(); ++e) ends.emplace_back(e);
-    return bays_of(frame::shape_of(scene.document.model), problem, ends);
+    return bays_of(drawing::shape_of(scene.document.model), problem, ends);
 }
 
 BayScale sheet_bays(ui::Painter& painter, const Panel& whole, const Scene& scene)
 {
-    if (!is_beam(frame::shape_of(scene.document.model))) return {};
+    if (!is_beam(drawing::shape_of(scene.document.model))) return {};
     return bay_scale_for(bays_of_sheet(scene), whole, column_needs(painter, whole, scene));
 }
 

@@ -68,7 +68,7 @@ std::string LinkedPrograms::text_now(const Linked& linked, const Session& sessio
     const auto load_case = session.model().find_case(handed.load_case);
     if (members.empty() || !load_case) return linked.text; // it has gone: what was handed over stays
     const auto& results = session.solution().results;
-    const double x = results ? std::min(handed.x, results->frame(members.front()).length) : handed.x;
+    const double x = results ? std::min(handed.x, results->geometry(members.front()).length) : handed.x;
     const Offer offer = handed.program == circle ? circle_at(session, {members.front(), x}, *load_case)
                                                  : moment_distribution(session, members, *load_case);
     const auto* const handover = std::get_if<ui::Handover>(&offer);

@@ -71,7 +71,7 @@ void Session::refresh()
     ++generation_;
     const auto is_lost = [this](const Cut& cut) {
         return cut.member.index >= model().members.size() || !solution_.results ||
-               cut.x > solution_.results->frame(cut.member).length;
+               cut.x > solution_.results->geometry(cut.member).length;
     };
     if (pin && is_lost(*pin)) pin.reset();
     if (hover && is_lost(*hover)) hover.reset();
