@@ -81,7 +81,7 @@ bool MemberPanel::take(Session& session, const ui::Chord& chord)
     const bool is_arrow = chord.key == ui::Key::Left || chord.key == ui::Key::Right;
     const std::optional<femoop::MemberId> member = member_of(session);
     if (!is_arrow || chord.modifiers.ctrl || !member || !session.solution().results) return false;
-    const double length = session.solution().results->frame(*member).length;
+    const double length = session.solution().results->geometry(*member).length;
     const double step = length / (chord.modifiers.shift ? 100.0 : 20.0);
     const double now = pinned(session, *member).value_or(0.5 * length);
     const double next = chord.key == ui::Key::Left ? now - step : now + step;

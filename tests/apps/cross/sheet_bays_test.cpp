@@ -21,7 +21,7 @@ std::size_t n_without_room(double last_span, const Look& look)
     const Solution solution = solve(document);
     const ui::Fonts fonts;
     ui::Painter painter(window, fonts);
-    const frame::StructureShape shape = frame::shape_of(document.model);
+    const drawing::StructureShape shape = drawing::shape_of(document.model);
     const ui::Theme theme = look.full_theme();
     const Scene scene{document, solution, nullptr, 1.0, {}, look};
     const BayScale bays = sheet_bays(painter, panels_for(shape, window, theme).sheet, scene);

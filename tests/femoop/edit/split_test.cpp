@@ -8,6 +8,7 @@
 #include "femoop/edit/merge.h"
 #include "femoop/edit/reverse.h"
 #include "femoop/edit/split.h"
+#include "femoop/load/place_along.h"
 #include "femoop/model/check/check.h"
 #include "tests/femoop/analysis/random_structure.h"
 
@@ -193,7 +194,7 @@ TEST_SUITE("edit: cutting members")
         const SplitMember parts = split_member(model, MemberId(0), 4.0);
         CHECK(model.expected[0].member == parts.first);
         CHECK(model.expected[1].member == parts.second);
-        CHECK(distance(*model.expected[1].at, 6.0) == doctest::Approx(3.0));
+        CHECK(along(*model.expected[1].at, 6.0) == doctest::Approx(3.0));
         CHECK(model.expected[2].member == parts.first);
     }
 
