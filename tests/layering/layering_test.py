@@ -40,6 +40,7 @@ ALLOWED = {
     "ui/text": UI_BASE,
     "ui/scenario": UI_BASE,
     "ui/files": [*UI_BASE, "ui/files/", SYSTEM],
+    "ui/workbench": [*UI_BASE, "ui/files/", "ui/workbench/"],
     "examples": ["femoop/", "topology/", EIGEN],
     "tests": ["tabular/", "topology/", "femoop/", "ui/", "apps/", "tests/", re.compile(r"")],
 }

@@ -12,15 +12,11 @@
 #include "ui/paint/surface/svg.h"
 #include "ui/paint/surface/write_file.h"
 #include "ui/text/catalogue.h"
+#include "ui/workbench/file_sentences.h"
 
 namespace ui {
 
 namespace {
-
-Phrase not_written(const std::filesystem::path& path, const std::string& reason)
-{
-    return {translatable("{file} was not written: {reason}"), {{"file", path.filename().string()}, {"reason", reason}}};
-}
 
 /// A name in the folder for temporary files, which goes with its file.
 class ScratchFile {

@@ -6,16 +6,16 @@
 
 namespace ui {
 
-/// Something that an app tells its user: one sentence, gone when it has been read.
+/// Something that an app tells its user: one sentence.
 struct Notice {
     Phrase sentence;
-    double seconds_left = 6.0;
+    std::optional<double> seconds_left = 6.0; ///< to read it; absent: it stays until it is closed
 };
 
 /// Time goes by.
 inline void tick(std::optional<Notice>& notice, double seconds)
 {
-    if (notice && (notice->seconds_left -= seconds) <= 0.0) notice.reset();
+    if (notice && notice->seconds_left && (*notice->seconds_left -= seconds) <= 0.0) notice.reset();
 }
 
 } // namespace ui

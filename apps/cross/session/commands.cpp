@@ -191,7 +191,7 @@ void add_work_commands(CommandTable& table)
                    .shortcuts = {{entry.key, {}}},
                    .run =
                        [run = entry.run](Desk& desk) {
-                           if (const auto reason = run(desk.session)) desk.session.notice = Notice{*reason};
+                           if (const auto reason = run(desk.session)) desk.session.tell(*reason);
                        },
                    .why_not = [why = entry.why_not](const Desk& desk) { return why(desk.session); }});
     table.add({.id = "work.play",

@@ -56,14 +56,14 @@ void Session::leave_unfit_exercise()
     Document without = document();
     without.pupil.reset();
     restart_with(std::move(without));
-    saved_.reset();
+    forget_saved();
     tell(translatable("the exercise that is saved here does not fit this structure and was left out"));
 }
 
 bool Session::refuse_in_exercise()
 {
     if (paper() == nullptr) return false;
-    notice = Notice{translatable("the exercise is about this structure as it is; end the exercise first")};
+    tell(translatable("the exercise is about this structure as it is; end the exercise first"));
     return true;
 }
 
@@ -88,7 +88,6 @@ void Session::begin_exercise(const Seeded& seeded)
     Document fresh{.model = fc::seeded_model(seeded.difficulty, seeded.seed)};
     const bool judges_at_once = !document().pupil || document().pupil->judges_at_once;
     fresh.pupil = Pupil{.seeded = seeded, .judges_at_once = judges_at_once};
-    path_.reset();
     restart_with(std::move(fresh));
     cell_ = neighbour(1, true);
 }
@@ -99,7 +98,7 @@ void Session::begin_own_exercise()
     next.pupil = Pupil{.number = seen_.size()};
     const bool has_paper = paper_of(next).has_value();
     if (!has_paper) {
-        notice = Notice{translatable("this structure has too many cells for an exercise")};
+        tell(translatable("this structure has too many cells for an exercise"));
         return;
     }
     paper_stage_ = 0;
@@ -146,7 +145,7 @@ void Session::change_pupil(Pupil pupil, const Phrase& label)
     judge_anew(*paper_, document());
     note_mistakes();
     find_state();
-    if (hid && !hides_results()) notice = Notice{translatable("every cell is right: the sheet is done")};
+    if (hid && !hides_results()) tell(translatable("every cell is right: the sheet is done"));
 }
 
 std::optional<Phrase> Session::write(fc::BlankId cell, const std::string& text)

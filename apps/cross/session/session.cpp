@@ -21,15 +21,13 @@ namespace {
 constexpr double seconds_of_a_turn = 1.2;
 constexpr std::size_t most_turns = 2000; // by "finish"
 
-Phrase not_opened(const std::filesystem::path& path, const femoop::ModelError& error, const ui::Catalogue& tr)
-{
-    const std::string why = frame::sentence(error.faults().front(), tr);
-    return {translatable("{file} was not opened: {reason}"), {{"file", path.filename().string()}, {"reason", why}}};
-}
-
 } // namespace
 
-Session::Session() : history_(starting_document(), translatable("Begin")), saved_(history_.current()) { solve_anew(); }
+Session::Session()
+    : OpenDocument(starting_document(), femoop::write_whole_file), history_(starting_document(), translatable("Begin"))
+{
+    solve_anew();
+}
 
 void Session::solve_anew(Haste haste)
 {
@@ -253,7 +251,7 @@ void Session::redo()
 
 void Session::restart_with(Document document)
 {
-    saved_ = document;
+    begin(document);
     seen_ = {Seen{{}, document.pupil ? document.pupil->helped : std::vector<bool>{}}};
     present_ = 0;
     cell_.reset();
@@ -266,66 +264,27 @@ void Session::restart_with(Document document)
     solve_anew();
 }
 
-void Session::begin_anew()
-{
-    path_.reset();
-    restart_with(starting_document());
-}
+void Session::begin_anew() { restart_with(starting_document()); }
 
-bool Session::open(const std::filesystem::path& path)
+std::optional<Phrase> Session::read(const std::filesystem::path& path)
 {
     try {
         restart_with(read_document_file(path));
-        path_ = path;
         leave_unfit_exercise();
-        return true;
+        return std::nullopt;
     } catch (const femoop::ModelError& error) {
-        notice = Notice{not_opened(path, error, tr())};
-        return false;
+        return Phrase(frame::sentence(error.faults().front(), tr()));
     }
 }
 
-bool Session::open_copy(const std::filesystem::path& path)
-{
-    if (!open(path)) return false;
-    path_.reset();
-    return true;
-}
-
-bool Session::save(const std::filesystem::path& path)
-{
-    if (const std::error_code error = femoop::write_whole_file(path, write_document(to_save()))) {
-        notice = Notice{{translatable("{file} was not saved: {reason}"),
-                         {{"file", path.filename().string()}, {"reason", error.message()}}}};
-        return false;
-    }
-    path_ = path;
-    saved_ = document();
-    notice = Notice{{translatable("{file} was saved"), {{"file", path.filename().string()}}}};
-    return true;
-}
-
-bool Session::recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original)
-{
-    if (!open(draft)) return false;
-    path_ = original;
-    saved_.reset();
-    return true;
-}
-
-// The score goes with it.
-Document Session::to_save() const
+std::string Session::file_text() const
 {
     Document whole = document();
     if (whole.pupil) whole.pupil->helped = seen_[present_].helped;
-    return whole;
+    return write_document(whole);
 }
 
-ui::Unsaved Session::unsaved() const
-{
-    return ui::unsaved_text(write_document(to_save()), path_, femoop::write_whole_file,
-                            femoop::size_words(document().model, tr()));
-}
+std::string Session::about() const { return femoop::size_words(document().model, tr()); }
 
 std::string Session::linked_text() const { return femoop::write_model(document().model); }
 
@@ -363,8 +322,6 @@ void Session::take_over(const std::string& text)
     history_.apply(std::move(next), translatable("Take over from the frame"));
     solve_anew();
 }
-
-std::string Session::file_name() const { return path_ ? path_->filename().string() : tr()("untitled"); }
 
 void Session::tick(double seconds)
 {

@@ -10,10 +10,9 @@
 #include "apps/cross/document/solution.h"
 #include "apps/cross/view/paper.h"
 #include "apps/cross/view/scene.h"
-#include "ui/files/autosave.h"
 #include "ui/history/history.h"
-#include "ui/text/notice.h"
 #include "ui/text/phrase.h"
+#include "ui/workbench/open_document.h"
 
 namespace cross {
 
@@ -23,7 +22,7 @@ using ui::Notice;
 enum class Tool : std::uint8_t { None, UniformLoad, PointLoad };
 
 /// What is open, how far it is worked and how it is looked at: the app without its window.
-class Session {
+class Session : public ui::OpenDocument<Document> {
 public:
     Session();
 
@@ -50,7 +49,7 @@ public:
     /// Changes the structure or its loads; while a hand drags, as one step.
     void change(femoop::Model model, const ui::Phrase& label);
     void drag(femoop::Model model, const ui::Phrase& label);
-    void settle();
+    void settle() override;
     void undo();
     void redo();
 
@@ -81,19 +80,10 @@ public:
     std::size_t points() const; ///< cells that were right without help, the first time
 
     void begin_anew();
-    bool open(const std::filesystem::path& path);      ///< false, with a notice, where it cannot be read
-    bool open_copy(const std::filesystem::path& path); ///< the same as a document without a file
-    bool save(const std::filesystem::path& path);      ///< likewise
-    /// Opens a draft of a file's document, or of one that has no file yet, as one that is not saved.
-    bool recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original);
-    ui::Unsaved unsaved() const;
     /// A frame that has handed over its structure goes on with it in its own window (ui/files/linked_copy.h).
     std::string linked_text() const;
     bool is_news(const std::string& text) const; ///< taking it over would change the structure
     void take_over(const std::string& text);     ///< the structure, as a step; the notice tells why not
-    const std::optional<std::filesystem::path>& path() const { return path_; }
-    bool is_dirty() const { return !saved_ || !is_same_task(document(), *saved_); }
-    std::string file_name() const;
 
     /// Another number whenever nodes, joints and cells may be others than before.
     std::size_t n_solved() const { return n_solved_; }
@@ -105,13 +95,16 @@ public:
 
     Look look;
     std::optional<femoop::cross::JointId> hover;
-    std::optional<Notice> notice;
-    void tell(const ui::Phrase& sentence) { notice = Notice{sentence}; }
-    const ui::Catalogue& tr() const { return look.tr; }
+    const ui::Catalogue& tr() const override { return look.tr; }
 
     Scene scene() const;
 
 private:
+    std::optional<ui::Phrase> read(const std::filesystem::path& path) override;
+    const Document& current() const override { return document(); }
+    std::string file_text() const override; ///< the score goes with it
+    std::string about() const override;
+    bool is_same(const Document& a, const Document& b) const override { return is_same_task(a, b); }
     void solve_anew(Haste haste = Haste::None);
     void work_anew(); ///< the sheets alone
     void find_state();
@@ -123,12 +116,10 @@ private:
     void note_all_seen();
     bool refuse_in_exercise(); ///< true, with a notice, while a pupil fills the sheet
     void restart_with(Document document);
-    Document to_save() const;
     template <class Change> void play_on(const Change& change, const ui::Phrase& label);
     void take(const Play::Turn& turn);
 
     ui::History<Document> history_;
-    std::optional<Document> saved_; ///< none of what a crash has left
     Solution solution_;
     std::optional<femoop::Results> state_;
     std::shared_ptr<femoop::cross::StateAnalysis> states_; ///< of the solution's structure; null before the first
@@ -144,7 +135,6 @@ private:
     };
     std::vector<Seen> seen_;  ///< of every exercise on what is open, by Pupil::number
     std::size_t present_ = 0; ///< the exercise of the paper
-    std::optional<std::filesystem::path> path_;
 };
 
 } // namespace cross

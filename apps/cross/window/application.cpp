@@ -92,27 +92,22 @@ std::optional<ui::Phrase> Application::write(const std::filesystem::path& path)
     else text = is_a(".md") ? markdown(table) : latex(table);
     const std::error_code error = femoop::write_whole_file(path, text);
     if (!error) return std::nullopt;
-    return ui::Phrase(translatable("{file} was not saved: {reason}"),
-                      {{"file", path.filename().string()}, {"reason", error.message()}});
+    return ui::not_written(path, error.message());
 }
 
 std::optional<ui::Phrase> Application::write_report(const std::filesystem::path& path) const
 {
-    const auto not_saved = [&](const std::string& reason) {
-        return ui::Phrase(translatable("{file} was not saved: {reason}"),
-                          {{"file", path.filename().string()}, {"reason", reason}});
-    };
     try {
         const ui::Report report = calculation(session().document(), session().look, fonts());
         if (ui::has_ending(path, ".html")) {
             const std::error_code error = femoop::write_whole_file(path, ui::report_html(report, fonts()));
-            return error ? std::optional(not_saved(error.message())) : std::nullopt;
+            return error ? std::optional(ui::not_written(path, error.message())) : std::nullopt;
         }
         ui::write_pdf(path, ui::report_pages(report, fonts()), fonts(),
                       {.background = ui::rgb(0xFFFFFF), .title = report.title});
         return std::nullopt;
     } catch (const std::exception& error) {
-        return not_saved(error.what());
+        return ui::not_written(path, error.what());
     }
 }
 

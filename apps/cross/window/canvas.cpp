@@ -134,7 +134,7 @@ void Canvas::press(Session& session, ui::Point at)
 {
     if (hand_.press(session, drawn_, at, ui::Theme(session.look.theme).symbol_scale()) || !session.hover) return;
     session.is_playing = false;
-    if (const auto reason = session.balance(*session.hover)) session.notice = Notice{*reason};
+    if (const auto reason = session.balance(*session.hover)) session.tell(*reason);
 }
 
 void Canvas::release(Session& session)
@@ -144,7 +144,7 @@ void Canvas::release(Session& session)
     const auto joint = node && task ? task->problem.joint_at(*node) : std::nullopt;
     if (!joint) return;
     session.is_playing = false;
-    if (const auto reason = session.balance(*joint)) session.notice = Notice{*reason};
+    if (const auto reason = session.balance(*joint)) session.tell(*reason);
 }
 
 bool Canvas::is_over_structure(ui::Point beam) const

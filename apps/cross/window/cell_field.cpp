@@ -110,7 +110,7 @@ bool CellField::take(Session& session, femoop::cross::BlankId cell)
     if (text_ == written_) return true;
     const auto reason = session.write(cell, text_);
     if (!reason) return true;
-    session.notice = Notice{*reason};
+    session.tell(*reason);
     reason_ = session.tr()(*reason);
     session.go_to_cell(cell);
     cell_ = cell;

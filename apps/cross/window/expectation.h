@@ -18,7 +18,7 @@ namespace cross {
 ///     score 3          cells right without help    solved no
 ///     exercise nothing or its name                 typing nothing, or what the cell asks
 ///     hint nothing, or the last one of the cell
-///     notice nothing   file untitled   changed no       undo Put a support
+///     notice nothing   file Untitled   changed no       undo Put a support
 ///     zoom 1.2
 ///
 /// Numbers have four digits, in the file's units. \returns what was found instead and what was wanted

@@ -12,6 +12,7 @@
 #include "apps/euler/view/solid/clear_view.h"
 #include "femoop/io/whole_file.h"
 #include "ui/text/catalogue.h"
+#include "ui/workbench/file_sentences.h"
 
 namespace euler {
 
@@ -19,18 +20,13 @@ using ui::translatable;
 
 namespace {
 
+constexpr std::nullopt_t until_closed = std::nullopt;
 constexpr double seconds_per_step = 0.9, seconds_between_steps = 0.6;
 
 // Slow at both ends, as a hand moves.
 double eased(double t) { return t * t * (3.0 - 2.0 * t); }
 
 } // namespace
-
-Notice passing_notice(ui::Phrase sentence)
-{
-    constexpr double seconds_to_read = 6.0;
-    return {.sentence = std::move(sentence), .seconds_left = seconds_to_read};
-}
 
 bool lives(const topology::Solid& solid, topology::Entity e)
 {
@@ -102,8 +98,7 @@ void Session::show(Stepper lesson)
 bool Session::open(const std::filesystem::path& path)
 {
     const auto refuse = [&](const ui::Phrase& why) {
-        notice = Notice{
-            {translatable("{file} was not opened: {reason}"), {{"file", path.filename().string()}, {"reason", why}}}};
+        notice = Notice{ui::not_opened(path, why), until_closed};
         return false;
     };
     std::error_code none;
@@ -125,15 +120,14 @@ bool Session::save(const std::filesystem::path& path)
 {
     const Stepper::Script script = stepper_.whole();
     if (const std::error_code error = femoop::write_whole_file(path, script.text())) {
-        notice = Notice{{translatable("{file} was not written: {reason}"),
-                         {{"file", path.filename().string()}, {"reason", error.message()}}}};
+        notice = Notice{ui::not_saved(path, error), until_closed};
         return false;
     }
     path_ = path;
     faulty_path_.reset();
     saved_ = script;
     is_dirty_ = false;
-    notice = passing_notice({translatable("{file} was written"), {{"file", path.filename().string()}}});
+    tell(ui::saved(path));
     return true;
 }
 
@@ -159,11 +153,7 @@ ui::Unsaved Session::unsaved() const
             .about = tr()("steps: {count}", {{"count", std::to_string(n_steps())}})};
 }
 
-std::string Session::file_name() const
-{
-    const auto& path = path_ ? path_ : faulty_path_;
-    return path ? path->filename().string() : tr()("Untitled");
-}
+std::string Session::file_name() const { return ui::file_name(path_ ? path_ : faulty_path_, tr()); }
 
 // Takes the last step back and does it again, to see what was before it.
 void Session::look_at_place()
@@ -228,7 +218,7 @@ void Session::step_back()
 
 bool Session::tick(double seconds)
 {
-    if (notice && notice->seconds_left && (*notice->seconds_left -= seconds) < 0.0) notice.reset();
+    ui::tick(notice, seconds);
     if (motion_) {
         motion_->done += seconds * speed / seconds_per_step;
         if (motion_->done >= 1.0) look_at_place();
@@ -263,7 +253,7 @@ std::optional<ui::Phrase> Session::draw(const topology::Point& from, const topol
         if (auto reason = apply(step.line)) return reason;
         told += (told.empty() ? "" : "\n") + report()->name + ": " + tr()(step.why);
     }
-    notice = passing_notice(ui::Phrase(told));
+    tell(ui::Phrase(told));
     return std::nullopt;
 }
 
@@ -391,7 +381,7 @@ void Session::pick(const Part& part)
         return;
     }
     if (auto reason = why_not_pick(part)) {
-        notice = passing_notice(std::move(*reason));
+        tell(std::move(*reason));
         return;
     }
     choose(as_argument(*after_[part.subject].solid, draft_->next().kind, part.entity, legal_));
@@ -420,7 +410,7 @@ bool Session::accept()
 {
     if (!draft_ || !draft_->is_complete()) return false;
     const auto reason = apply(draft_->line(stepper_.runner()));
-    if (reason) notice = passing_notice(*reason);
+    if (reason) tell(*reason);
     return !reason;
 }
 

@@ -17,18 +17,11 @@
 #include "ui/canvas/orbit_camera.h"
 #include "ui/canvas/plane_camera.h"
 #include "ui/files/autosave.h"
-#include "ui/text/phrase.h"
+#include "ui/text/notice.h"
 
 namespace euler {
 
-/// Something that the app tells its user: one sentence.
-struct Notice {
-    ui::Phrase sentence;
-    std::optional<double> seconds_left{}; ///< then it goes by itself; until it is closed when absent
-};
-
-/// A notice that needs no answer: it goes when it has been read.
-Notice passing_notice(ui::Phrase sentence);
+using ui::Notice;
 
 bool lives(const topology::Solid& solid, topology::Entity entity);
 
@@ -161,7 +154,7 @@ public:
     ui::PlaneCamera polygon_eye;  ///< on the plane model
     bool is_fitted = true;        ///< the camera shows everything, until it is moved by hand
     std::optional<Notice> notice;
-    void tell(ui::Phrase sentence) { notice = passing_notice(std::move(sentence)); }
+    void tell(ui::Phrase sentence) { notice = Notice{std::move(sentence)}; }
     const ui::Catalogue& tr() const { return look.tr; }
 
 private:

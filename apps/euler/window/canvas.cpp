@@ -356,8 +356,7 @@ void Canvas::draw_line(Session& session, ui::Point at)
                           ui::click_reach; // over the border of two places of the grid too
     if (line_start_ && is_click) line_end_ = line_start_;
     if (!line_start_ || !ImGui::IsMouseReleased(ImGuiMouseButton_Left)) return;
-    if (const auto reason = session.draw(*std::exchange(line_start_, std::nullopt), *line_end_))
-        session.notice = passing_notice(*reason);
+    if (const auto reason = session.draw(*std::exchange(line_start_, std::nullopt), *line_end_)) session.tell(*reason);
 }
 
 // The place that is meant, and the line on its way.

@@ -15,7 +15,7 @@ namespace {
 
 void take(Session& session, std::string_view words)
 {
-    if (auto reason = session.answer(words)) session.notice = passing_notice(std::move(*reason));
+    if (auto reason = session.answer(words)) session.tell(std::move(*reason));
 }
 
 void side_button(Session& session, Side side, const std::string& title)

@@ -17,6 +17,7 @@
 #include "femoop/model/check/check.h"
 #include "femoop/result/describe.h"
 #include "ui/text/catalogue.h"
+#include "ui/workbench/file_sentences.h"
 
 namespace frame {
 
@@ -331,7 +332,7 @@ bool Session::save_companion()
     return !error;
 }
 
-std::string Session::file_name() const { return path_ ? path_->filename().string() : view.tr("Untitled"); }
+std::string Session::file_name() const { return ui::file_name(path_, view.tr); }
 
 std::optional<ui::Phrase> Session::why_no_results() const
 {

@@ -12,10 +12,9 @@
 #include "ui/paint/surface/pdf.h"
 #include "ui/report/html.h"
 #include "ui/report/pages.h"
+#include "ui/workbench/file_sentences.h"
 
 namespace frame {
-
-using ui::translatable;
 
 namespace {
 
@@ -71,8 +70,7 @@ private:
     {
         const std::error_code error = femoop::write_whole_file(path_, content);
         if (!error) return std::nullopt;
-        return ui::Phrase(translatable("{file} was not written: {reason}"),
-                          {{"file", path_.filename().string()}, {"reason", error.message()}});
+        return ui::not_written(path_, error.message());
     }
 
     const std::filesystem::path& path_;
@@ -96,8 +94,7 @@ std::optional<ui::Phrase> export_to(const std::filesystem::path& path, const Ses
     try {
         return Exporter(path, session, fonts).write(picture, png_scale);
     } catch (const std::exception& error) {
-        return ui::Phrase(translatable("{file} was not written: {reason}"),
-                          {{"file", path.filename().string()}, {"reason", error.what()}});
+        return ui::not_written(path, error.what());
     }
 }
 

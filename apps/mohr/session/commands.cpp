@@ -98,7 +98,7 @@ std::optional<Phrase> why_no_angle(const Desk& desk)
 void turn_to(Session& session, std::optional<double> angle)
 {
     if (angle) session.set_angle(*angle * 180.0 / std::numbers::pi);
-    else session.notice = Notice{Phrase(translatable("every direction is principal"))};
+    else session.tell(Phrase(translatable("every direction is principal")));
 }
 
 void add_plane_commands(CommandTable& table)

@@ -19,6 +19,7 @@
 #include "tabular/markdown.h"
 #include "tabular/separated.h"
 #include "ui/files/ending.h"
+#include "ui/workbench/file_sentences.h"
 
 namespace mohr {
 
@@ -168,8 +169,7 @@ std::optional<Exported> export_results(const Session& session, const std::filesy
         return Exported{ui::Phrase(translatable("The results are shown when the exercise is done."))};
     const std::error_code error = femoop::write_whole_file(path, text());
     if (!error) return Exported{};
-    return Exported{ui::Phrase(translatable("{file} cannot be written: {reason}"),
-                               {{"file", path.filename().string()}, {"reason", error.message()}})};
+    return Exported{ui::not_written(path, error.message())};
 }
 
 } // namespace mohr

@@ -46,7 +46,7 @@ Phrase listed(const std::vector<Phrase>& sentences)
 
 } // namespace
 
-Session::Session() : history_(textbook_state()), saved_(textbook_state())
+Session::Session() : OpenDocument(textbook_state(), femoop::write_whole_file), history_(textbook_state())
 {
     eye.look(0.6, 0.45);
     solve_anew();
@@ -169,7 +169,7 @@ void Session::set_subject(Subject subject)
     Document next = document();
     next.subject = subject;
     Edit edit{next, why_not(next)};
-    if (const auto reason = apply(std::move(edit), translatable("Change the kind of state"))) notice = Notice{*reason};
+    if (const auto reason = apply(std::move(edit), translatable("Change the kind of state"))) tell(*reason);
 }
 
 void Session::set_criterion(std::optional<fm::Criterion> criterion)
@@ -177,7 +177,7 @@ void Session::set_criterion(std::optional<fm::Criterion> criterion)
     Document next = document();
     next.criterion = criterion;
     Edit edit{next, why_not(next)};
-    if (const auto reason = apply(std::move(edit), translatable("Choose a criterion"))) notice = Notice{*reason};
+    if (const auto reason = apply(std::move(edit), translatable("Choose a criterion"))) tell(*reason);
 }
 
 void Session::set_rule(fm::ShearRule rule)
@@ -211,7 +211,7 @@ void Session::give_up_exercise()
 
 void Session::restart(Document document)
 {
-    saved_ = document;
+    begin(document);
     history_ = ui::History<Document>(std::move(document));
     is_playing = false;
     path_time_.reset();
@@ -220,65 +220,19 @@ void Session::restart(Document document)
     solve_anew();
 }
 
-void Session::begin_anew()
-{
-    path_.reset();
-    restart(textbook_state());
-}
+void Session::begin_anew() { restart(textbook_state()); }
 
-bool Session::open(const std::filesystem::path& path)
+std::optional<Phrase> Session::read(const std::filesystem::path& path)
 {
-    const std::string name = path.filename().string();
     const auto text = text_of(path);
-    if (!text) {
-        notice = Notice{Phrase(translatable("{file} cannot be read"), {{"file", name}})};
-        return false;
-    }
+    if (!text) return Phrase(translatable("it cannot be read"));
     auto read = read_file_text(*text);
-    if (const auto* faults = std::get_if<std::vector<Phrase>>(&read)) {
-        tell(Phrase(translatable("{file}: {reason}"), {{"file", name}, {"reason", listed(*faults)}}));
-        return false;
-    }
-    path_ = path;
+    if (const auto* faults = std::get_if<std::vector<Phrase>>(&read)) return listed(*faults);
     restart(std::get<Document>(std::move(read)));
-    return true;
+    return std::nullopt;
 }
 
-bool Session::open_copy(const std::filesystem::path& path)
-{
-    if (!open(path)) return false;
-    path_.reset();
-    return true;
-}
-
-bool Session::save(const std::filesystem::path& path)
-{
-    history_.settle();
-    const std::string name = path.filename().string();
-    if (const std::error_code error = femoop::write_whole_file(path, file_text(document()))) {
-        notice = Notice{
-            Phrase(translatable("{file} cannot be written: {reason}"), {{"file", name}, {"reason", error.message()}})};
-        return false;
-    }
-    path_ = path;
-    saved_ = document();
-    notice = Notice{Phrase(translatable("{file} was written"), {{"file", name}})};
-    return true;
-}
-
-bool Session::recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original)
-{
-    if (!open(draft)) return false;
-    path_ = original;
-    saved_.reset();
-    return true;
-}
-
-ui::Unsaved Session::unsaved() const
-{
-    return ui::unsaved_text(file_text(document()), path_, femoop::write_whole_file,
-                            is_concealing() ? std::string() : status_text(*this));
-}
+std::string Session::about() const { return is_concealing() ? std::string() : status_text(*this); }
 
 bool Session::is_news(const std::string& text) const
 {
@@ -297,8 +251,6 @@ void Session::take_over(const std::string& text)
     if (const auto reason = apply({std::move(next), std::move(fault)}, translatable("Take over from the frame")))
         tell(*reason);
 }
-
-std::string Session::file_name() const { return path_ ? path_->filename().string() : tr()(translatable("untitled")); }
 
 void Session::tick(double seconds)
 {

@@ -9,9 +9,8 @@
 #include "apps/mohr/document/file.h"
 #include "apps/mohr/session/hand.h"
 #include "apps/mohr/session/practice.h"
-#include "ui/files/autosave.h"
 #include "ui/history/history.h"
-#include "ui/text/notice.h"
+#include "ui/workbench/open_document.h"
 
 namespace mohr {
 
@@ -22,7 +21,7 @@ inline constexpr std::string_view exercise_keeps_state = ui::translatable(
     "an exercise has this state; type the answers into its fields, or end it: Exercises, End the exercise");
 
 /// What is open and how it is looked at: the app without its window.
-class Session {
+class Session : public ui::OpenDocument<Document> {
 public:
     Session();
 
@@ -34,7 +33,7 @@ public:
     std::optional<ui::Phrase> apply(Edit edit, const ui::Phrase& label);
     /// Goes on with a gesture; an edit that `apply` would refuse is passed over.
     void drag(Edit edit, const ui::Phrase& label);
-    void settle(); ///< ends it
+    void settle() override; ///< ends it
     /// A hand takes hold of what is drawn; then it drags it about, until `settle`.
     void grip(Handle handle, const Drawn& drawn);
     void drag_to(ui::Point at, bool is_fine); ///< \pre it has hold of something
@@ -67,20 +66,11 @@ public:
     bool is_concealing() const { return practice_ && !practice_->is_finished(); }
 
     void begin_anew();
-    bool open(const std::filesystem::path& path);      ///< false, with a notice, where it cannot be read
-    bool open_copy(const std::filesystem::path& path); ///< the same as a document without a file
-    bool save(const std::filesystem::path& path);      ///< likewise
-    /// Opens a draft of a file's document, or of one that has no file yet, as one that is not saved.
-    bool recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original);
-    ui::Unsaved unsaved() const;
     /// A frame that has handed over a section goes on with it in its own window (ui/files/linked_copy.h): it is told
     /// the section, and tells section, N, V, M and material.
     std::string linked_text() const { return file_text_of_section(document()); }
     bool is_news(const std::string& text) const; ///< taking it over would change the document
     void take_over(const std::string& text);     ///< as a step; the notice tells why not
-    const std::optional<std::filesystem::path>& path() const { return path_; }
-    bool is_dirty() const { return !saved_ || document() != *saved_; }
-    std::string file_name() const;
 
     /// Time goes by.
     void tick(double seconds);
@@ -99,13 +89,15 @@ public:
     Look look;
     ui::OrbitCamera eye;
     std::optional<Handle> hover;
-    std::optional<Notice> notice;
-    void tell(const ui::Phrase& sentence) { notice = Notice{sentence}; }
-    const ui::Catalogue& tr() const { return look.tr; }
+    const ui::Catalogue& tr() const override { return look.tr; }
 
     Scene scene() const;
 
 private:
+    std::optional<ui::Phrase> read(const std::filesystem::path& path) override;
+    const Document& current() const override { return document(); }
+    std::string file_text() const override { return mohr::file_text(document()); }
+    std::string about() const override;
     Frame frame() const; ///< of what is drawn now
     bool would_leave_exercise(const Document& next) const;
     void solve_anew();
@@ -113,13 +105,11 @@ private:
     void restart(Document document);
 
     ui::History<Document> history_;
-    std::optional<Document> saved_; ///< none of what a crash has left
     Solution solution_;
     std::optional<std::size_t> step_;
     std::optional<Practice> practice_;
     std::optional<double> path_time_; ///< 0 to 1, while the path is played
     std::optional<Grip> grip_;
-    std::optional<std::filesystem::path> path_;
 };
 
 } // namespace mohr

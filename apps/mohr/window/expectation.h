@@ -18,7 +18,7 @@ namespace mohr {
 ///     step 5 of 10                      of the construction; `nothing`
 ///     verdicts right open open open     of an exercise's answers: open, right, follows, wrong; `nothing`
 ///     slip the sum is not halved        of the first wrong answer; `nothing`      points 3
-///     notice nothing    file untitled    changed no
+///     notice nothing    file Untitled    changed no
 ///
 /// Numbers have four digits. \returns what was found instead and what was wanted
 std::optional<std::string> why_not(std::string_view expectation, const Application& application);

@@ -18,6 +18,16 @@ TEST_CASE("A name with a comma or a quotation mark stays one cell")
     CHECK(files[0].text.find("\nP,\"left, \"\"A\"\"\",0,0,") != std::string::npos);
 }
 
+TEST_CASE("A node and a case named like formulas stay words in every table")
+{
+    Model model = two_cases();
+    model.nodes[0].id = "=A";
+    model.load_cases[0].id = "-P";
+    const Results results = analyse(model);
+    CHECK(results_csv(model, results, {CaseId(0)}, 2)[0].text.find("\n'-P,'=A,0,0,") != std::string::npos);
+    CHECK(long_csv(model, results, {CaseId(0)}, 2).find("\n'-P,node,'=A,,ux,0,m\n") != std::string::npos);
+}
+
 TEST_CASE("The members' table has a row for each station, two where a force jumps")
 {
     const Model model = two_cases();

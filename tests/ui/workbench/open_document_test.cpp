@@ -1,0 +1,109 @@
+#include "ui/workbench/open_document.h"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "femoop/io/whole_file.h"
+#include "tests/folder.h"
+
+namespace {
+
+/// A session of a text; one that begins with "bad" is none.
+class Note : public ui::OpenDocument<std::string> {
+public:
+    Note() : OpenDocument("", femoop::write_whole_file) {}
+
+    std::string text;
+    const ui::Catalogue& tr() const override { return tr_; }
+    std::string told() const { return notice ? tr_(notice->sentence) : ""; }
+
+private:
+    std::optional<ui::Phrase> read(const std::filesystem::path& path) override
+    {
+        std::ifstream file(path);
+        const std::string found{std::istreambuf_iterator<char>(file), {}};
+        if (!file || found.starts_with("bad")) return ui::Phrase(ui::translatable("it cannot be read"));
+        text = found;
+        begin(text);
+        return std::nullopt;
+    }
+    const std::string& current() const override { return text; }
+    std::string file_text() const override { return text; }
+    std::string about() const override { return std::to_string(text.size()); }
+
+    ui::Catalogue tr_;
+};
+
+} // namespace
+
+TEST_SUITE("ui workbench")
+{
+    TEST_CASE("A document is dirty until it is saved, and again when it differs from what was saved")
+    {
+        const Folder folder;
+        Note note;
+        CHECK(note.file_name() == "Untitled");
+        CHECK_FALSE(note.is_dirty());
+        note.text = "first";
+        CHECK(note.is_dirty());
+        REQUIRE(note.save(folder.path("a.txt")));
+        CHECK(note.told() == "a.txt was saved");
+        CHECK(folder.read("a.txt") == "first");
+        CHECK_FALSE(note.is_dirty());
+        note.text = "second";
+        CHECK(note.is_dirty());
+        note.text = "first";
+        CHECK_FALSE(note.is_dirty());
+    }
+
+    TEST_CASE("A file that cannot be read leaves document and file as they were and says why")
+    {
+        const Folder folder;
+        Note note;
+        REQUIRE(note.open(folder.write("good.txt", "good")));
+        CHECK_FALSE(note.open(folder.write("broken.txt", "bad")));
+        CHECK(note.told() == "broken.txt was not opened: it cannot be read");
+        CHECK(note.file_name() == "good.txt");
+        CHECK(note.text == "good");
+    }
+
+    TEST_CASE("What cannot be saved stays dirty, under the file that it had")
+    {
+        const Folder folder;
+        Note note;
+        REQUIRE(note.open(folder.write("good.txt", "good")));
+        note.text = "better";
+        CHECK_FALSE(note.save(folder.path("no folder/a.txt")));
+        CHECK(note.told().starts_with("a.txt was not saved: "));
+        CHECK(note.is_dirty());
+        CHECK(note.file_name() == "good.txt");
+    }
+
+    TEST_CASE("A copy has no file, and a draft has that of the document whose work it is and is not saved")
+    {
+        const Folder folder;
+        Note note;
+        REQUIRE(note.open_copy(folder.write("example.txt", "good")));
+        CHECK_FALSE(note.path());
+        CHECK_FALSE(note.is_dirty());
+        REQUIRE(note.recover(folder.write("draft", "work"), folder.path("mine.txt")));
+        CHECK(note.file_name() == "mine.txt");
+        CHECK(note.is_dirty());
+        CHECK(note.unsaved().about == "4");
+        CHECK(note.unsaved().original == folder.path("mine.txt"));
+    }
+
+    TEST_CASE("A notice goes when it has been read, unless it waits to be closed")
+    {
+        std::optional<ui::Notice> passing = ui::Notice{ui::Phrase("a")};
+        std::optional<ui::Notice> lasting = ui::Notice{ui::Phrase("b"), std::nullopt};
+        for (auto* const notice : {&passing, &lasting}) ui::tick(*notice, 5.0);
+        CHECK(passing);
+        for (auto* const notice : {&passing, &lasting}) ui::tick(*notice, 1.5);
+        CHECK_FALSE(passing);
+        CHECK(lasting);
+    }
+}

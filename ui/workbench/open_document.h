@@ -1,0 +1,98 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "ui/files/autosave.h"
+#include "ui/files/write_whole.h"
+#include "ui/text/notice.h"
+#include "ui/workbench/file_sentences.h"
+
+namespace ui {
+
+/// The document that a session has open: its file, what of it is saved, and what is told of that. A session says how
+/// its documents are read and written.
+template <class Document> class OpenDocument {
+public:
+    virtual ~OpenDocument() = default;
+
+    bool open(
+        const std::filesystem::path& path) ///< false, with a notice, where it cannot be read; then nothing changes
+    {
+        if (const std::optional<Phrase> reason = read(path)) {
+            tell(not_opened(path, *reason));
+            return false;
+        }
+        path_ = path;
+        return true;
+    }
+    bool open_copy(const std::filesystem::path& path) ///< the same as a document without a file
+    {
+        if (!open(path)) return false;
+        path_.reset();
+        return true;
+    }
+    bool save(const std::filesystem::path& path) ///< whole or not at all; false, with a notice, if that fails
+    {
+        settle();
+        if (const std::error_code hindrance = write_(path, file_text())) {
+            tell(not_saved(path, hindrance));
+            return false;
+        }
+        path_ = path;
+        saved_ = current();
+        tell(ui::saved(path));
+        return true;
+    }
+    /// Opens a draft of a file's document, or of one that has no file yet, as one that is not saved.
+    bool recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original)
+    {
+        if (!open(draft)) return false;
+        path_ = original;
+        forget_saved();
+        return true;
+    }
+
+    const std::optional<std::filesystem::path>& path() const { return path_; }
+    std::string file_name() const { return ui::file_name(path_, tr()); }
+    bool is_dirty() const { return !saved_ || !is_same(current(), *saved_); }
+    Unsaved unsaved() const { return unsaved_text(file_text(), path_, write_, about()); }
+
+    std::optional<Notice> notice;
+    void tell(const Phrase& sentence) { notice = Notice{sentence}; }
+
+    virtual const Catalogue& tr() const = 0;
+
+protected:
+    OpenDocument(Document saved, WriteWhole write) : saved_(std::move(saved)), write_(write) {}
+    OpenDocument(const OpenDocument&) = default;
+    OpenDocument(OpenDocument&&) = default;
+    OpenDocument& operator=(const OpenDocument&) = default;
+    OpenDocument& operator=(OpenDocument&&) = default;
+
+    /// Puts the file's document in the place of this one, by `begin`. \returns why it cannot
+    virtual std::optional<Phrase> read(const std::filesystem::path& path) = 0;
+    virtual const Document& current() const = 0;
+    virtual std::string file_text() const = 0;
+    virtual std::string about() const = 0; ///< what a draft holds, in a few words
+    virtual void settle() {}               ///< ends a gesture
+    virtual bool is_same(const Document& a, const Document& b) const { return a == b; }
+
+    /// Another document takes this one's place, without a file.
+    void begin(const Document& document)
+    {
+        path_.reset();
+        saved_ = document;
+    }
+
+    void forget_saved() { saved_.reset(); } ///< what is open differs from its file
+
+private:
+    std::optional<std::filesystem::path> path_;
+    std::optional<Document> saved_; ///< none of what a crash has left
+    WriteWhole write_;
+};
+
+} // namespace ui
