@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "femoop/model/check/suggestion.h"
+#include "ui/text/trimmed.h"
 
 namespace cli {
 
@@ -14,13 +15,6 @@ template <class Number> bool reads_as(const std::string& text, Number& number)
     const char* end = text.data() + text.size();
     const auto result = std::from_chars(text.data(), end, number);
     return result.ec == std::errc() && result.ptr == end && !text.empty();
-}
-
-std::string trimmed(std::string_view text)
-{
-    const auto first = text.find_first_not_of(' ');
-    if (first == std::string_view::npos) return "";
-    return std::string(text.substr(first, text.find_last_not_of(' ') - first + 1));
 }
 
 std::string quoted(const std::string& text) { return '"' + text + '"'; }
@@ -51,7 +45,7 @@ std::vector<std::string> comma_list(std::string_view text)
     std::vector<std::string> parts;
     while (true) {
         const auto comma = text.find(',');
-        parts.push_back(trimmed(text.substr(0, comma)));
+        parts.emplace_back(ui::trimmed(text.substr(0, comma)));
         if (comma == std::string_view::npos) return parts;
         text.remove_prefix(comma + 1);
     }

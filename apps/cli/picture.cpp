@@ -7,6 +7,7 @@
 #include "apps/frame/view/kept_view.h"
 #include "apps/frame/view/sheet/subject.h"
 #include "femoop/analysis/mechanism.h"
+#include "ui/text/language_manner.h"
 
 namespace cli {
 
@@ -77,7 +78,7 @@ frame::ViewOptions view_options(const ui::Catalogue& tr)
 {
     frame::ViewOptions options;
     options.tr = tr;
-    if (tr.language() == ui::Language::Portuguese) options.numbers.mark = ui::DecimalMark::Comma;
+    options.numbers.mark = ui::decimal_mark(tr.language());
     return options;
 }
 

@@ -6,18 +6,11 @@
 #include <utility>
 
 #include "ui/text/number_format.h"
+#include "ui/text/trimmed.h"
 
 namespace ui {
 
 namespace {
-
-std::string_view trimmed(std::string_view text)
-{
-    const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-    return text;
-}
 
 std::string quoted(std::string_view text) { return text.empty() ? "nothing" : '"' + std::string(text) + '"'; }
 

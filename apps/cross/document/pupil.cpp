@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ui/text/number_format.h"
+#include "ui/text/trimmed.h"
 
 namespace cross {
 
@@ -11,17 +12,10 @@ namespace {
 
 constexpr double largest_typed = 1e12;
 
-std::string_view trimmed(std::string_view text)
-{
-    const auto first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 /// Of a number without calculation: 0.01 for "0.43", 1 for "36"; nothing for a calculation.
 std::optional<double> last_digit(std::string_view text)
 {
-    text = trimmed(text);
+    text = ui::trimmed(text);
     if (!text.empty() && (text.front() == '-' || text.front() == '+')) text.remove_prefix(1);
     if (text.find_first_not_of("0123456789.,") != std::string_view::npos) return std::nullopt;
     const auto mark = text.find_first_of(".,");

@@ -12,6 +12,7 @@
 #include "apps/cross/view/structure_pictures.h"
 #include "femoop/analysis/linear_static.h"
 #include "femoop/methods/cross/fraction.h"
+#include "ui/text/language_manner.h"
 
 namespace cross {
 
@@ -59,7 +60,7 @@ public:
         look_.size = 1.0;
         look_.zoom = {};
         report_.title = document.model.title.empty() ? tr_("Moment distribution") : document.model.title;
-        report_.language = tr_.language() == ui::Language::Portuguese ? "pt-BR" : "en";
+        report_.language = ui::language_tag(tr_.language());
     }
 
     ui::Report write()

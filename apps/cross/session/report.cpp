@@ -12,6 +12,7 @@
 #include "apps/frame/view/sketch/scene.h"
 #include "femoop/io/cross/cross_table.h"
 #include "femoop/io/cross/half_text.h"
+#include "ui/text/language_manner.h"
 
 namespace cross {
 
@@ -374,7 +375,7 @@ tabular::Table table_of(const Scene& scene, Topic topic)
 
 tabular::Separators separators(ui::Language language)
 {
-    return {language == ui::Language::Portuguese ? ';' : ',', "\n"};
+    return {ui::decimal_mark(language) == ui::DecimalMark::Comma ? ';' : ',', "\n"};
 }
 
 std::string in_words(const Session& session)

@@ -8,6 +8,7 @@
 #include "apps/frame/document/fault/sentence.h"
 #include "apps/frame/view/sketch/scene.h"
 #include "femoop/methods/cross/fraction.h"
+#include "ui/text/language_manner.h"
 
 namespace cross {
 
@@ -15,11 +16,7 @@ namespace fc = femoop::cross;
 
 namespace {
 
-ui::NumberFormat format_in(const ui::Catalogue& tr)
-{
-    const bool has_comma = tr.language() == ui::Language::Portuguese;
-    return {.digits = 4, .mark = has_comma ? ui::DecimalMark::Comma : ui::DecimalMark::Point};
-}
+ui::NumberFormat format_in(const ui::Catalogue& tr) { return {.digits = 4, .mark = ui::decimal_mark(tr.language())}; }
 
 double largest_fixed_end(const fc::Problem& problem)
 {

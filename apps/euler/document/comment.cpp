@@ -1,18 +1,11 @@
 #include "apps/euler/document/comment.h"
 
 #include "topology/text/words.h"
+#include "ui/text/trimmed.h"
 
 namespace euler {
 
 namespace {
-
-std::string trimmed(std::string_view text)
-{
-    const std::size_t begin = text.find_first_not_of(" \t\r");
-    return begin == std::string_view::npos
-               ? ""
-               : std::string(text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1));
-}
 
 constexpr std::string_view display = "    "; // so deep a line shows a command and is no part of a sentence
 
@@ -21,7 +14,7 @@ std::string after_mark(std::string_view line)
 {
     for (std::size_t at = line.find('#'); at != std::string_view::npos; at = line.find('#', at + 1))
         if (at == 0 || line[at - 1] == ' ' || line[at - 1] == '\t')
-            return line.substr(at + 1).starts_with(display) ? "" : trimmed(line.substr(at + 1));
+            return line.substr(at + 1).starts_with(display) ? "" : std::string(ui::trimmed(line.substr(at + 1)));
     return "";
 }
 
@@ -31,7 +24,7 @@ void append(std::string& paragraph, const std::string& text)
     paragraph += text;
 }
 
-bool is_blank(std::string_view line) { return trimmed(line).empty(); }
+bool is_blank(std::string_view line) { return ui::trimmed(line).empty(); }
 
 } // namespace
 
@@ -49,7 +42,7 @@ std::string comment(std::string_view above, std::string_view line)
 std::string first_comment(std::string_view text)
 {
     std::string paragraph;
-    for (topology::Lines lines(text); lines.next() && trimmed(lines.line()).starts_with('#');)
+    for (topology::Lines lines(text); lines.next() && ui::trimmed(lines.line()).starts_with('#');)
         append(paragraph, after_mark(lines.line()));
     return paragraph;
 }

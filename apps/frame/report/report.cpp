@@ -20,6 +20,7 @@
 #include "femoop/result/components.h"
 #include "femoop/result/structure_words.h"
 #include "ui/paint/painter.h"
+#include "ui/text/language_manner.h"
 #include "ui/text/number_format.h"
 
 namespace frame {
@@ -65,7 +66,7 @@ public:
         else write_results();
         if (options_.matrices && solution_.results) write_matrices();
         report_.title = model_.title;
-        report_.language = tr_.language() == ui::Language::Portuguese ? "pt-BR" : "en";
+        report_.language = ui::language_tag(tr_.language());
         return std::move(report_);
     }
 

@@ -17,6 +17,7 @@
 #include "femoop/model/check/check.h"
 #include "femoop/result/describe.h"
 #include "ui/text/catalogue.h"
+#include "ui/text/language_manner.h"
 #include "ui/workbench/file_sentences.h"
 
 namespace frame {
@@ -397,7 +398,7 @@ ui::DisplayUnits Session::units() const
 void Session::set_language(ui::Language language)
 {
     view.tr = ui::Catalogue(language);
-    view.numbers.mark = language == ui::Language::Portuguese ? ui::DecimalMark::Comma : ui::DecimalMark::Point;
+    view.numbers.mark = ui::decimal_mark(language);
 }
 
 } // namespace frame

@@ -4,6 +4,7 @@
 
 #include "apps/frame/tables/new_row.h"
 #include "ui/text/catalogue.h"
+#include "ui/text/trimmed.h"
 
 namespace frame {
 
@@ -18,17 +19,9 @@ Heading heading_of(const Column& column, const Manner& manner)
     return {{std::move(label), "", tabular::Alignment::Left}, bool(column.write)};
 }
 
-std::string trimmed(std::string_view text)
-{
-    const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };
-    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-    return std::string(text);
-}
-
 bool is_blank(const std::vector<std::string>& texts)
 {
-    return std::ranges::all_of(texts, [](const std::string& text) { return trimmed(text).empty(); });
+    return std::ranges::all_of(texts, [](const std::string& text) { return ui::trimmed(text).empty(); });
 }
 
 /// Fills the cells of a copy of the document, one line of texts after the other.
@@ -88,7 +81,7 @@ private:
         const Part part = parts_[target_.order.empty() ? row : target_.order.at(row)];
         for (std::size_t j = 0; j < texts.size(); ++j) {
             const std::size_t column = target_.column + j;
-            const std::string text = trimmed(texts[j]);
+            const std::string text(ui::trimmed(texts[j]));
             if (is_beyond(row, column, text) || says_nothing_new(part, columns_[column], text)) continue;
             const bool is_beside_others = texts.size() > 1;
             if (columns_[column].write || !is_beside_others) write({row, column}, part, text);
@@ -121,7 +114,8 @@ private:
         std::vector<std::string> line(columns_.size());
         for (std::size_t j = 0; j < texts.size(); ++j) {
             const std::size_t column = target_.column + j;
-            if (!is_beyond(row, column, trimmed(texts[j]))) line[column] = trimmed(texts[j]);
+            const std::string text(ui::trimmed(texts[j]));
+            if (!is_beyond(row, column, text)) line[column] = text;
         }
         for (std::size_t column = 0; column < line.size(); ++column) {
             const bool is_needed = columns_[column].need == Need::Required;
@@ -194,7 +188,7 @@ TextBlock read_block(std::string_view tsv, const Table& table, std::size_t first
     for (std::size_t j = 0; j < block.front().size(); ++j) {
         const std::size_t column = first_column + j;
         are_headings = are_headings && column < table.headings.size() &&
-                       trimmed(block.front()[j]) == table.headings[column].column.label();
+                       ui::trimmed(block.front()[j]) == table.headings[column].column.label();
     }
     if (are_headings) block.erase(block.begin());
     return block;

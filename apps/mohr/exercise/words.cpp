@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "femoop/model/quantity/number_text.h"
+#include "ui/text/language_manner.h"
 
 namespace mohr {
 
@@ -121,7 +122,7 @@ Phrase sentence(Asked asked, const Exercise& e)
 std::string question(Asked asked, const Exercise& e, const ui::Catalogue& tr)
 {
     std::string words = tr(sentence(asked, e));
-    if (tr.language() != ui::Language::Portuguese) return words;
+    if (ui::decimal_mark(tr.language()) == ui::DecimalMark::Point) return words;
     const auto is_digit = [&](std::size_t i) { return i < words.size() && words[i] >= '0' && words[i] <= '9'; };
     for (std::size_t i = 1; i < words.size(); ++i)
         if (words[i] == '.' && is_digit(i - 1) && is_digit(i + 1)) words[i] = ',';

@@ -3,6 +3,7 @@
 #include "femoop/methods/mohr/plane_state.h"
 #include "ui/paint/theme.h"
 #include "ui/text/catalogue.h"
+#include "ui/text/language_manner.h"
 #include "ui/text/number_format.h"
 
 namespace mohr {
@@ -20,10 +21,7 @@ struct Look {
     ui::Catalogue tr;
 
     ui::Theme full_theme() const { return ui::Theme(theme).scaled(size); }
-    ui::NumberFormat format() const
-    {
-        return {4, tr.language() == ui::Language::Portuguese ? ui::DecimalMark::Comma : ui::DecimalMark::Point};
-    }
+    ui::NumberFormat format() const { return {4, ui::decimal_mark(tr.language())}; }
     std::string number(double value) const { return ui::with_minus_signs(ui::number_text(value, format())); }
 };
 

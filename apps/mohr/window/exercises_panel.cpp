@@ -9,6 +9,7 @@
 #include "apps/mohr/view/names.h"
 #include "apps/mohr/window/choice.h"
 #include "ui/paint/theme.h"
+#include "ui/text/language_manner.h"
 #include "ui/widgets/command_menu.h"
 #include "ui/widgets/wrapped_text.h"
 
@@ -37,7 +38,7 @@ std::string given_words(const Session& session)
         words += (i == 0 ? "" : "\n") + std::string(names(document.subject)[i]) + " = " +
                  with_unit(ui::with_minus_signs(document.state()[i]), unit);
     }
-    if (session.tr().language() == ui::Language::Portuguese) std::ranges::replace(words, '.', ',');
+    if (ui::decimal_mark(session.tr().language()) == ui::DecimalMark::Comma) std::ranges::replace(words, '.', ',');
     return words;
 }
 

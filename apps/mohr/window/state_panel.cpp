@@ -15,6 +15,7 @@
 #include "apps/mohr/window/choice.h"
 #include "femoop/model/quantity/number_text.h"
 #include "ui/text/arithmetic.h"
+#include "ui/text/language_manner.h"
 #include "ui/widgets/command_menu.h"
 #include "ui/widgets/wrapped_text.h"
 
@@ -119,7 +120,7 @@ void StatePanel::number_row(Desk& desk, const std::string& label, NumberId numbe
     const auto leading = number.group == Group::Section ? std::nullopt : ui::leading_number(text);
     const std::string id = "###" + std::to_string(static_cast<int>(number.group)) + "." + std::to_string(number.place);
     std::string shown = text;
-    if (session.tr().language() == ui::Language::Portuguese && number.group != Group::Section)
+    if (ui::decimal_mark(session.tr().language()) == ui::DecimalMark::Comma && number.group != Group::Section)
         for (char& c : shown) c = c == '.' ? ',' : c;
     const auto event = fields_.show(
         id, {ui::with_minus_signs(shown), shown, leading ? std::optional(leading->value) : std::nullopt});

@@ -1,6 +1,7 @@
 #include "apps/frame/document/companion/show.h"
 
 #include "ui/text/catalogue.h"
+#include "ui/text/trimmed.h"
 
 #include <algorithm>
 #include <array>
@@ -39,13 +40,6 @@ const std::array<ShowWord, 20>& words()
     return list;
 }
 
-std::string_view trimmed(std::string_view word)
-{
-    while (!word.empty() && word.front() == ' ') word.remove_prefix(1);
-    while (!word.empty() && word.back() == ' ') word.remove_suffix(1);
-    return word;
-}
-
 bool same_letters(std::string_view a, std::string_view b)
 {
     const auto same = [](unsigned char c, unsigned char d) { return std::tolower(c) == std::tolower(d); };
@@ -80,7 +74,7 @@ ShowSet parse_show(std::string_view list)
     ShowSet set;
     while (!list.empty()) {
         const std::size_t comma = std::min(list.find(','), list.size());
-        const std::string_view word = trimmed(list.substr(0, comma));
+        const std::string_view word = ui::trimmed(list.substr(0, comma));
         if (!word.empty()) set = set | shown_by(word);
         list.remove_prefix(std::min(comma + 1, list.size()));
     }
