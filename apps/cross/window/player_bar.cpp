@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <cmath>
 #include <string>
 
 namespace cross {
@@ -31,6 +32,15 @@ void empty_bar(const std::string& words)
     ImGui::PopStyleColor();
 }
 
+/// Where a hand has moved the step to. One of real numbers: that of whole ones has a handle as broad as a step, which
+/// covers the words where the steps are few.
+int slider(int done, int all, const std::string& words)
+{
+    auto place = static_cast<float>(done);
+    ImGui::SliderFloat("###jump", &place, 0.0F, static_cast<float>(all), words.c_str(), ImGuiSliderFlags_NoInput);
+    return static_cast<int>(std::lround(place));
+}
+
 /// On the way that is gone: what is done, and what lies ahead.
 void jump_bar(Desk& desk)
 {
@@ -38,15 +48,12 @@ void jump_bar(Desk& desk)
     const Play* const play = session.play();
     const int done = play != nullptr ? static_cast<int>(play->length()) : 0;
     const int all = play != nullptr ? done + static_cast<int>(play->n_ahead()) : 0;
-    int place = done;
     ImGui::SetNextItemWidth(-1.0F);
     ImGui::BeginDisabled(all == 0);
-    const auto words = [&](const char* n) {
-        return desk.tr()("step {n} of {total}", {{"n", n}, {"total", std::to_string(all)}});
-    };
-    if (all == 0) empty_bar(words("0"));
-    else if (ImGui::SliderInt("###jump", &place, 0, all, words("%d").c_str()) && place != done)
-        session.jump(static_cast<std::size_t>(place));
+    const std::string words = desk.tr()("step {n} of {total}",
+                                        {{"n", std::to_string(done)}, {"total", std::to_string(all)}});
+    if (all == 0) empty_bar(words);
+    else if (const int place = slider(done, all, words); place != done) session.jump(static_cast<std::size_t>(place));
     ImGui::EndDisabled();
 }
 
