@@ -1,6 +1,7 @@
 #include "femoop/analysis/linear_static.h"
 
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -78,8 +79,7 @@ struct LinearStatic::Parts {
                                  (is_soft() && system.reduced().condition() >= poor_condition);
         if (is_doubtful || system.reduced().has_unrestrained_unknown() || report.has_too_few_members())
             report.require_geometric_stability();
-        if (is_doubtful)
-            if (auto warning = report.soft_parts()) warnings.push_back(std::move(*warning));
+        if (is_doubtful) soft_parts = report.soft_parts();
         is_beyond_doubles = !pivots.is_complete;
         report.require_held_members();
         statistics.factor = watch.lap();
@@ -88,7 +88,7 @@ struct LinearStatic::Parts {
     void update(const Model& model, std::shared_ptr<const Discretisation> structure)
     {
         watch.lap();
-        warnings.clear();
+        soft_parts.reset();
         system.update(std::move(structure));
         statistics.assemble = watch.lap();
         factorize(model);
@@ -133,7 +133,7 @@ struct LinearStatic::Parts {
     AnalysisStatistics statistics;
     double smallest_pivot = 1.0;    ///< of its diagonal entry
     bool is_beyond_doubles = false; ///< it holds, but not in doubles: no pivots are left to solve with
-    std::vector<Fault> warnings;
+    std::optional<MechanismReport::SoftParts> soft_parts;
 };
 
 namespace {
@@ -180,15 +180,18 @@ Results LinearStatic::solve(const Model& model)
     if (solution->solutions.empty() && !solution->loads.empty())
         refuse_cases(model, structure, unsolved_cases(*solution));
     add_reactions(*solution);
+    bool is_precise = parts_->is_beyond_doubles;
     if (needs_precision(*solution))
         if (auto precise = parts_->solve_precisely(model, solution->loads); !precise.empty()) {
             solution->solutions = std::move(precise);
             add_reactions(*solution);
+            is_precise = true;
         }
     if (auto faults = ill_conditioned_cases(*solution); !faults.empty())
         refuse_cases(model, structure, std::move(faults));
     solution->indeterminacy = count_indeterminacy(structure, parts_->system.restraints().rotations.size());
-    solution->warnings = parts_->warnings;
+    if (const auto& soft = parts_->soft_parts; soft && (!is_precise || soft->is_nearly_loose))
+        solution->warnings.push_back(soft->warning);
     for (Fault& warning : inaccurate_cases(*solution)) solution->warnings.push_back(std::move(warning));
     const Results results(solution);
     if (auto faults = overflowing_cases(*solution, results); !faults.empty()) throw ModelError(std::move(faults));

@@ -67,12 +67,14 @@ bool MechanismReport::has_too_few_members() const
     return !count.has_foundation && count.total() < 0;
 }
 
-std::optional<Fault> MechanismReport::soft_parts() const
+std::optional<MechanismReport::SoftParts> MechanismReport::soft_parts() const
 {
+    constexpr double loose = 1e-9;
     const ReducedSystem::SoftMotion soft = system_.reduced().softest_motion();
     if (!std::isfinite(soft.condition)) return std::nullopt;
-    return nearly_singular_fault(model_, soft.condition, system_.motion(soft.x).displacements,
-                                 model_dofs(structure_.kind).size());
+    return SoftParts{.warning = nearly_singular_fault(model_, soft.condition, system_.motion(soft.x).displacements,
+                                                      model_dofs(structure_.kind).size()),
+                     .is_nearly_loose = soft.stiffness <= loose};
 }
 
 void MechanismReport::require_finite_stiffness() const

@@ -38,8 +38,12 @@ public:
     /// Fewer forces than equations: something moves, whatever the pivots say.
     bool has_too_few_members() const;
 
+    struct SoftParts {
+        Fault warning;
+        bool is_nearly_loose; ///< soft beside every other part, not only beside some very stiff one
+    };
     /// Warns of the parts that are soft beside the rest; nothing if no condition can be estimated.
-    std::optional<Fault> soft_parts() const;
+    std::optional<SoftParts> soft_parts() const;
 
 private:
     void require_finite_stiffness() const;

@@ -1,5 +1,6 @@
 #include "femoop/analysis/reduced_system.h"
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -94,7 +95,9 @@ ReducedSystem::SoftMotion ReducedSystem::softest_motion() const
     const NullModes soft = null_modes(matrix(), zero_eigenvalue, one);
     const Eigen::VectorXd x = soft.is_singular() ? soft.modes.col(0) : soft.softest;
     const double condition = soft.is_singular() && is_factored_ ? this->condition() : soft.condition;
-    return {.x = is_constrained_ ? Eigen::VectorXd(T_ * x) : x, .condition = condition};
+    const double energy = x.dot(matrix().selfadjointView<Eigen::Lower>() * x) / x.squaredNorm();
+    const double stiffness = std::abs(energy) / matrix().diagonal().minCoeff();
+    return {.x = is_constrained_ ? Eigen::VectorXd(T_ * x) : x, .condition = condition, .stiffness = stiffness};
 }
 
 Eigen::MatrixXd ReducedSystem::solved(const Eigen::MatrixXd& B)

@@ -41,6 +41,7 @@ public:
     struct SoftMotion {
         Eigen::VectorXd x; ///< over all unknowns, largest entry 1
         double condition;  ///< estimate; infinite if the factorization broke down
+        double stiffness;  ///< against it, of the least that any unknown alone has; rounding may raise it
     };
     SoftMotion softest_motion() const; ///< as far as rounding in K lets see
 

@@ -35,8 +35,9 @@ NumberFieldEvent NumberFields::show(std::string_view id, const Look& look)
     const float width = look.width > 0.0F ? look.width : ImGui::GetContentRegionAvail().x;
     ImGui::PushID(static_cast<int>(key));
     if (!is_typing()) typing_ = 0;
-    if (look.begins && typing_ == 0) open_editor(key, look.exact_text);
+    if (typing_ == 0 && (look.begins || takes_over(key))) open_editor(key, look.exact_text);
     NumberFieldEvent event = typing_ == key ? show_editor(key, width, look.width > 0.0F) : show_value(key, look, width);
+    before_ = key;
     ImGui::PopID();
     return event;
 }
@@ -72,9 +73,23 @@ NumberFieldEvent NumberFields::show_value(unsigned id, const Look& look, float w
     return {};
 }
 
+bool NumberFields::takes_over(unsigned id) const
+{
+    if (ImGui::GetFrameCount() > last_shown_ + 1) return false;
+    return follower_ == Follower::Next || (follower_ == Follower::Before && id == wanted_);
+}
+
+// After the last field comes the first one, in the next frame.
+void NumberFields::leave_by_tab()
+{
+    follower_ = ImGui::GetIO().KeyShift ? Follower::Before : Follower::Next;
+    wanted_ = before_;
+}
+
 void NumberFields::open_editor(unsigned id, std::string text)
 {
     typing_ = id;
+    follower_ = Follower::None;
     ++n_openings_;
     last_shown_ = ImGui::GetFrameCount();
     is_open_ = false;
@@ -124,16 +139,20 @@ NumberFieldEvent NumberFields::show_editor(unsigned id, float width, bool is_in_
     const bool has_reason = !reason_.empty();
     if (has_reason) ImGui::PushStyleColor(ImGuiCol_FrameBg, ImVec4(0.85F, 0.25F, 0.15F, 0.25F));
     ImGui::PushID(n_openings_); // an editor of its own: Dear ImGui would undo what was typed into the one before
+    ImGui::PushAllowKeyboardFocus(false); // Tab is ours: the other fields are none to Dear ImGui until they are opened
     const bool is_confirmed = ImGui::InputText(
         "###text", &text_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    ImGui::PopAllowKeyboardFocus();
     ImGui::PopID();
     if (has_reason) ImGui::PopStyleColor();
     const bool is_left = ImGui::IsItemDeactivated();
+    const bool is_tab = ImGui::IsItemActive() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab));
     const bool is_given_up = is_left && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
     if (has_reason) show_reason(is_in_row);
-    if (!is_confirmed && !is_left) return {};
+    if (!is_confirmed && !is_left && !is_tab) return {};
 
     typing_ = 0;
+    if (is_tab) leave_by_tab();
     last_typed_ = id;
     reason_.clear();
     if (is_given_up || text_ == opening_text_) return {};
@@ -143,6 +162,7 @@ NumberFieldEvent NumberFields::show_editor(unsigned id, float width, bool is_in_
 void NumberFields::reject(const NumberFieldEvent& event, std::string reason)
 {
     typing_ = last_typed_;
+    follower_ = Follower::None;
     ++n_openings_;
     is_open_ = false;
     text_ = event.text;

@@ -21,7 +21,7 @@ struct NumberFieldEvent {
 };
 
 /// Number fields: drag left or right to change the value (Shift: finer), click to type, Enter or a click elsewhere to
-/// confirm, Esc to leave the value as it was. What cannot be understood stays in the field with the reason beneath it,
+/// confirm, Tab and Shift+Tab to go on to the next and the one before, Esc to leave the value as it was. What cannot be understood stays in the field with the reason beneath it,
 /// in a window of its own where the field stands in a row with others.
 ///
 /// One object serves all fields of a window: only one can be edited at a time.
@@ -50,6 +50,8 @@ public:
 private:
     NumberFieldEvent show_value(unsigned id, const Look& look, float width);
     void open_editor(unsigned id, std::string text);
+    bool takes_over(unsigned id) const; ///< the field left by Tab goes on to this one
+    void leave_by_tab();
     NumberFieldEvent show_editor(unsigned id, float width, bool is_in_row);
     void show_reason(bool is_in_row) const;
     NumberFieldEvent drag(double start);
@@ -62,6 +64,11 @@ private:
     std::string opening_text_;
     std::string reason_;
     unsigned last_typed_ = 0;
+
+    enum class Follower : std::uint8_t { None, Next, Before };
+    Follower follower_ = Follower::None; ///< whom Tab has opened the way for
+    unsigned before_ = 0;                ///< the field shown last, of the frame before for the first one
+    unsigned wanted_ = 0;                ///< the field that Shift+Tab goes to
 
     unsigned dragging_ = 0;
     double drag_start_ = 0.0;

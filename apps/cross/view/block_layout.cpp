@@ -1,7 +1,6 @@
 #include "apps/cross/view/block_layout.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -10,15 +9,24 @@ namespace cross {
 namespace {
 
 constexpr double past_middle = 0.7;
+constexpr double still_legible = 0.7;  // of the largest type: rather so than where it misleads
 constexpr std::size_t last_resort = 3; // the fixed-end moment, what left, the last number
+
+/// How many columns may stand one behind another, seen from their member. On the inside of an upright member the one
+/// behind looks like one of the beam's above it.
+struct Rows {
+    enum class Inside : std::uint8_t { Allowed, Avoided };
+    std::size_t n = 1;
+    Inside inside = Inside::Allowed;
+};
 
 /// Columns of one size, put beside their ends one after the other.
 class Trial {
 public:
     enum class Side : std::uint8_t { Below, Above }; // of a beam, where both have room
 
-    Trial(const BlockRequest& request, double type, std::size_t n_lines, Side side, std::size_t n_rows = 1)
-        : request_(request), type_(type), down_(side == Side::Below ? 1.0 : -1.0), n_rows_(n_rows)
+    Trial(const BlockRequest& request, double type, std::size_t n_lines, Side side, Rows rows = {})
+        : request_(request), type_(type), down_(side == Side::Below ? 1.0 : -1.0), rows_(rows)
     {
         layout_ = {.boxes = {}, .type = type, .n_lines = n_lines};
         const double lines = line_height * static_cast<double>(n_lines);
@@ -42,7 +50,7 @@ public:
 private:
     std::optional<ui::Box> found(const EndPlace& place) const
     {
-        for (std::size_t row = 0; row < n_rows_; ++row)
+        for (std::size_t row = 0; row < rows_.n; ++row)
             for (const double apart : {0.3, 1.0}) {
                 if (const auto box = found_in(row, apart, place)) return box;
                 if (row == 0) break;
@@ -52,11 +60,11 @@ private:
 
     std::optional<ui::Box> found_in(std::size_t row, double apart, const EndPlace& place) const
     {
-        const double share = n_rows_ > 1 ? past_middle : 0.5; // of the member: how far from its joint
+        const double share = rows_.n > 1 ? past_middle : 0.5; // of the member: how far from its joint
         const double most = std::max(0.0, share * place.length - 0.5 * extent(place.along));
         for (const double shift : {0.0, 0.5, 1.0, 1.6, 2.4, 3.5, 5.0, 7.0}) {
             if (shift > 0.0 && shift * type_ > most) break;
-            for (const ui::Point side : sides(place)) {
+            for (const ui::Point side : sides(place, row)) {
                 const double drop = static_cast<double>(row) * (extent(side) + apart * type_);
                 const ui::Box box = at(place, side, shift * type_, drop);
                 if (is_free(box) && (row == 0 || is_in_sight(at(place, side, shift * type_, 0.0), box))) return box;
@@ -66,12 +74,14 @@ private:
     }
 
     /// On the side of a beam that is tried first, outside a column; then on the other.
-    std::array<ui::Point, 2> sides(const EndPlace& place) const
+    std::vector<ui::Point> sides(const EndPlace& place, std::size_t row) const
     {
         const ui::Point normal = ui::left_normal(place.along);
         const bool is_flat = std::abs(place.along.y) < 0.5;
         const ui::Point wanted = is_flat ? ui::Point{0.0, down_} : place.joint - request_.middle;
-        return ui::dot(normal, wanted) >= -1e-6 ? std::array{normal, -normal} : std::array{-normal, normal};
+        const ui::Point first = ui::dot(normal, wanted) >= -1e-6 ? normal : -normal;
+        if (row > 0 && !is_flat && rows_.inside == Rows::Inside::Avoided) return {first};
+        return {first, -first};
     }
 
     double extent(ui::Point d) const { return std::abs(d.x) * size_.width + std::abs(d.y) * size_.height; }
@@ -101,7 +111,7 @@ private:
 
     const BlockRequest& request_;
     double type_, down_;
-    std::size_t n_rows_;
+    Rows rows_;
     ui::Size size_;
     BlockLayout layout_;
 };
@@ -116,21 +126,23 @@ auto n_left_out(const BlockLayout& layout)
 namespace {
 
 /// As large as they are whole, down to a size of type.
-std::optional<BlockLayout> whole(const BlockRequest& request, double least_type, std::size_t n_rows)
+std::optional<BlockLayout> whole(const BlockRequest& request, double least_type, Rows rows)
 {
     for (double type = request.largest_type; type > least_type; type *= 0.9)
         for (std::size_t n = request.most_lines + 1; n-- > request.fewest_lines;)
             for (const Trial::Side side : {Trial::Side::Below, Trial::Side::Above})
-                if (auto layout = Trial(request, type, n, side, n_rows).run_whole()) return layout;
+                if (auto layout = Trial(request, type, n, side, rows).run_whole()) return layout;
     return std::nullopt;
 }
 
 BlockLayout laid_out_inside(const BlockRequest& request)
 {
     if (request.n_rows > 1) {
-        if (auto layout = whole(request, request.hardly_smaller * request.largest_type, 1)) return *layout;
-        if (auto layout = whole(request, request.least_type, request.n_rows)) return *layout;
-    } else if (auto layout = whole(request, request.least_type, 1)) {
+        if (auto layout = whole(request, request.hardly_smaller * request.largest_type, {})) return *layout;
+        const Rows outside{.n = request.n_rows, .inside = Rows::Inside::Avoided};
+        if (auto layout = whole(request, still_legible * request.largest_type, outside)) return *layout;
+        if (auto layout = whole(request, request.least_type, {.n = request.n_rows})) return *layout;
+    } else if (auto layout = whole(request, request.least_type, {})) {
         return *layout;
     }
     const double least = request.least_type;

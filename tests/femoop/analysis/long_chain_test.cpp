@@ -272,6 +272,22 @@ TEST_SUITE("long chains")
         }
     }
 
+    TEST_CASE("A member of 0.1 mm at the middle of a beam of 8 m bends it by P L^3 / 48 E I, and nothing is warned of")
+    {
+        constexpr double P = -10.0, L = 8.0, tiny = 1e-4;
+        Model model = row(AnalysisKind::Frame2d, 1, 0.5 * (L - tiny));
+        model.nodes[0].support = Support{.kind = SupportKind::Pin};
+        const NodeId middle = last(model);
+        add_leg(model, {0.5 * (L + tiny), 0.0, 0.0}, 1);
+        const NodeId end = add_leg(model, {L, 0.0, 0.0}, 1);
+        model.nodes[end.index].support = Support{.kind = SupportKind::Roller};
+        pull(model, middle, Dof::uy, P);
+        const Results results = analyse(model);
+        CHECK(results.at("P").displacement(middle)[1] == close_to(P * L * L * L / (48.0 * EI)));
+        CHECK(results.at("P").reaction(NodeId(0))[1] == close_to(-P * (L + tiny) / (2.0 * L)));
+        CHECK(results.warnings().empty());
+    }
+
     TEST_CASE("A combination of cases of a long chain adds them: 1.3 P + 0.7 H")
     {
         constexpr double P = -1.1, H = 2.7, L = 14.0;

@@ -105,4 +105,45 @@ TEST_CASE("Dragging passes through values that a person would type, and settles 
     CHECK(field.events.back().value > 12.0);
 }
 
+TEST_CASE("Tab takes what was typed and goes on to the next field, after the last to the first; Shift+Tab goes back")
+{
+    if (!ui_test::has_renderer()) return;
+    ui_test::WidgetStage stage{1.0};
+    ui::NumberFields fields;
+    std::string open, typed;
+    const auto frame = [&](const ui::Input& input) {
+        stage.frame(input, [&] {
+            open.clear();
+            for (const std::string name : {"a", "b", "c"}) {
+                const ui::NumberFieldEvent event = fields.show(name, {.text = "1", .exact_text = "1", .value = 1.0});
+                if (event.kind == Kind::Typed) typed += name + "=" + event.text + " ";
+                if (event.text == "no") fields.reject(event, "no number");
+                if (fields.is_open(name)) open += name;
+            }
+        });
+    };
+    const auto tab = [&](ui::Modifiers modifiers) {
+        frame({.modifiers = modifiers, .keys = {{ui::Key::Tab, true, modifiers}}});
+        frame({.modifiers = modifiers, .keys = {{ui::Key::Tab, false, modifiers}}});
+        frame({});
+        frame({});
+    };
+    stage.frame({}, [&] { fields.open("a", "1"); });
+    frame({});
+    frame({});
+    for (const std::string next : {"b", "c", "a"}) {
+        frame({.text = "7"});
+        tab({});
+        CHECK(open == next);
+    }
+    CHECK(typed == "a=7 b=7 c=7 ");
+    for (const std::string next : {"c", "b", "a"}) {
+        tab({.shift = true});
+        CHECK(open == next);
+    }
+    frame({.text = "no"});
+    tab({});
+    CHECK(open == "a");
+}
+
 TEST_SUITE_END();
