@@ -10,7 +10,7 @@ endfunction()
 
 # Names of these are unique in a dozen of their sources, not yet in all: never more than a dozen at a time, not even where
 # CREMONA_UNITY_BATCH says so.
-foreach(target IN ITEMS femoop frame_view)
+foreach(target IN ITEMS drawing femoop frame_view)
   if(TARGET ${target} AND CREMONA_UNITY_BATCH GREATER 12)
     set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE 12)
   endif()

@@ -16,7 +16,7 @@ namespace femoop {
 ///                         or a system that the memory cannot hold
 ///          MechanismError the structure can move: each independent mechanism
 ///          Cancelled      by options.progress
-/// Lesson   courseware/reference/model-file.md
+/// Reference courseware/reference/model-file.md
 Results analyse(const Model& model, const AnalysisOptions& options = {});
 
 /// The same analysis in steps, for a model that changes while its structure stays: what did not change is kept.

@@ -15,8 +15,8 @@ std::vector<double> places_along(const drawing::StructureShape& shape)
     for (const Eigen::Vector3d& node : shape.nodes) places.push_back(node.x());
     std::ranges::sort(places);
     const double least = places.empty() ? 0.0 : one_place * (places.back() - places.front());
-    const auto [first, last] = std::ranges::unique(places, [&](double a, double b) { return b - a <= least; });
-    places.erase(first, last);
+    const auto are_one = [least](double a, double b) { return b - a <= least; };
+    places.erase(std::unique(places.begin(), places.end(), are_one), places.end());
     return places;
 }
 

@@ -105,19 +105,6 @@ void draw_reaction(const Scene& scene, const Reaction& reaction)
     draw_force(scene, force);
 }
 
-/// The direction in which a support holds, where it holds in one alone and that is slanting.
-std::optional<Vector3d> slanting_normal(const Scene& scene, femoop::NodeId node)
-{
-    const femoop::Support& support = *scene.model[node].support;
-    const femoop::DofSet blocked = support.blocked(scene.model.analysis);
-    if (!scene.is_flat() || blocked.contains(Dof::ux) == blocked.contains(Dof::uy) || !support.springs.empty())
-        return std::nullopt;
-    const Vector3d normal = plane_support_axes(support).at(blocked.contains(Dof::ux) ? 0 : 1);
-    constexpr double upright = 1e-6;
-    const bool is_slanting = std::abs(normal.x()) > upright && std::abs(normal.y()) > upright;
-    return is_slanting ? std::optional(normal) : std::nullopt;
-}
-
 /// Both components as the one force that they are.
 void draw_resultant(const Scene& scene, const Reaction& along_normal, const Vector3d& normal)
 {
@@ -128,6 +115,30 @@ void draw_resultant(const Scene& scene, const Reaction& along_normal, const Vect
 }
 
 } // namespace
+
+std::optional<Vector3d> slanting_normal(const femoop::Model& model, femoop::NodeId node)
+{
+    if (!model[node].support || !femoop::is_plane(model.analysis)) return std::nullopt;
+    const femoop::Support& support = *model[node].support;
+    const femoop::DofSet blocked = support.blocked(model.analysis);
+    if (blocked.contains(Dof::ux) == blocked.contains(Dof::uy) || !support.springs.empty()) return std::nullopt;
+    const Vector3d normal = plane_support_axes(support).at(blocked.contains(Dof::ux) ? 0 : 1);
+    constexpr double upright = 1e-6;
+    const bool is_slanting = std::abs(normal.x()) > upright && std::abs(normal.y()) > upright;
+    return is_slanting ? std::optional(normal) : std::nullopt;
+}
+
+bool has_slanting_support(const femoop::Model& model)
+{
+    for (std::size_t i = 0; i < model.nodes.size(); ++i)
+        if (slanting_normal(model, femoop::NodeId(i))) return true;
+    return false;
+}
+
+double resultant(const femoop::NodeVector& reaction)
+{
+    return std::hypot(reaction[femoop::index(Dof::ux)], reaction[femoop::index(Dof::uy)]);
+}
 
 void draw_reactions(const Scene& scene, const SolvedCase& solved)
 {
@@ -144,7 +155,7 @@ void draw_reactions(const Scene& scene, const SolvedCase& solved)
         const bool has_moment = scene.is_flat() && is_there(Dof::rz);
         for (const Dof dof : femoop::all_dofs)
             if (is_there(dof)) draw_reaction(scene, {node, dof, r[femoop::index(dof)], has_moment});
-        const auto normal = slanting_normal(scene, node);
+        const auto normal = scene.is_flat() ? slanting_normal(scene.model, node) : std::nullopt;
         const double along = normal ? normal->x() * r[0] + normal->y() * r[1] : 0.0;
         if (std::abs(along) > noise * largest.force) draw_resultant(scene, {node, Dof::ux, along, has_moment}, *normal);
     }

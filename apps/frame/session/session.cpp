@@ -55,7 +55,6 @@ void Session::restart(Document document)
     view.camera.reset();
     shown_view.reset();
     look_at.reset();
-    view.units.reset();
     view.scaled_by.reset();
     view.ghost.reset();
     view.is_envelope = false;

@@ -27,6 +27,7 @@ void take_look(Session& session, const Session& from)
     session.view.tr = from.view.tr;
     session.view.numbers = from.view.numbers;
     session.view.theme = from.view.theme;
+    session.view.units = from.view.units;
     session.view.layout = from.view.layout;
     const bool is_truss = femoop::is_truss(session.model().analysis);
     const bool was_truss = femoop::is_truss(from.model().analysis);

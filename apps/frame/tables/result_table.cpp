@@ -5,6 +5,7 @@
 #include "apps/drawing/measures.h"
 #include "apps/drawing/results/case_numbers.h"
 #include "apps/drawing/results/diagram.h"
+#include "apps/drawing/results/reactions.h"
 #include "apps/frame/tables/column.h"
 #include "femoop/result/components.h"
 #include "femoop/result/envelope.h"
@@ -44,11 +45,14 @@ public:
         const std::vector<Dof> list = dof_list(kind_);
         begin(translatable("Node"));
         for (const Dof dof : list) add_heading(std::string(force_name(dof)), force_measures.of(dof));
+        const bool has_slanting = drawing::has_slanting_support(shown_.model);
+        if (has_slanting) add_heading("R", Measure::Force);
         for (std::size_t i = 0; i < shown_.model.nodes.size(); ++i) {
             if (!result().is_supported(NodeId(i))) continue;
             begin_row(NodeId(i), shown_.model.nodes[i].id);
             const NodeVector r = result().reaction(NodeId(i));
             for (const Dof dof : list) add(r[index(dof)], force_measures.of(dof), shown_.load_case);
+            if (has_slanting) add_resultant(NodeId(i), r);
         }
         return std::move(table_);
     }
@@ -167,6 +171,12 @@ private:
         Cell cell = cell_of(Quantity(tidy), measure, manner_);
         cell.value.shown = std::move(shown);
         table_.rows.back().cells.push_back(std::move(cell));
+    }
+
+    void add_resultant(NodeId node, const NodeVector& reaction)
+    {
+        if (!drawing::slanting_normal(shown_.model, node)) return table_.rows.back().cells.push_back({});
+        add(drawing::resultant(reaction), Measure::Force, shown_.load_case);
     }
 
     void add(const GoverningExtreme& extreme, Measure measure)

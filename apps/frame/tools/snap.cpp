@@ -93,15 +93,36 @@ void offer_line(Magnet& magnet, const Line& line, const Vector2d& pointer, const
     if (is_inside(share) && !begins_on_line) magnet.offer(line.at(share), SnapKind::Perpendicular);
 }
 
-void offer_ray(Magnet& magnet, const Vector2d& pointer, const Vector2d& from, double grid)
+/// A ray of 15 degrees, or a multiple of it, from where drawing began.
+struct Ray {
+    Ray(const Vector2d& from, const Vector2d& pointer) : start(from)
+    {
+        constexpr double step = std::numbers::pi / 12.0;
+        const Vector2d arm = pointer - from;
+        const double angle = rounded(std::atan2(arm.y(), arm.x()), step);
+        direction = rounded({std::cos(angle), std::sin(angle)}, std::abs(std::sin(2.0 * angle)) < 1e-9 ? 1.0 : 0.0);
+        along = arm.dot(direction);
+    }
+    Vector2d at(double length) const { return start + length * direction; }
+    /// Nearest to the pointer: at a multiple of `step` from the origin where the ray is level or upright, since then its
+    /// coordinate is what is read, else from its start.
+    Vector2d round_place(double step) const
+    {
+        const double counted_from = direction.cwiseAbs().maxCoeff() == 1.0 ? direction.dot(start) : 0.0;
+        const double length = rounded(counted_from + along, step) - counted_from;
+        return at(length > 0.0 ? length : along);
+    }
+
+    Vector2d start, direction;
+    double along; ///< to the foot of the pointer
+};
+
+void offer_ray(Magnet& magnet, const Vector2d& pointer, const Vector2d& from, const SnapOptions& options)
 {
-    constexpr double step = std::numbers::pi / 12.0;
-    const Vector2d arm = pointer - from;
-    const double angle = rounded(std::atan2(arm.y(), arm.x()), step);
-    const Vector2d direction(std::cos(angle), std::sin(angle));
-    const double along = arm.dot(direction), round_length = rounded(along, grid);
-    magnet.offer(from + (round_length > 0.0 ? round_length : along) * direction, SnapKind::Ray);
-    magnet.offer(from + along * direction, SnapKind::Ray);
+    const Ray ray(from, pointer);
+    const Vector2d on_grid = ray.round_place(options.grid);
+    const bool is_near = options.grid > 0.0 && (on_grid - pointer).norm() <= options.reach;
+    magnet.offer(is_near ? on_grid : ray.round_place(options.fine), SnapKind::Ray);
 }
 
 void offer_parts(Magnet& magnet, const Model& model, const Vector2d& pointer, const SnapOptions& options)
@@ -130,7 +151,7 @@ Snap snap(const Model& model, const Vector2d& pointer, const SnapOptions& option
     if (options.from) magnet.offer(*options.from, SnapKind::Node);
     if (options.to_parts) offer_parts(magnet, model, pointer, options);
     if (options.grid > 0.0) magnet.offer(rounded(pointer, options.grid), SnapKind::Grid);
-    if (options.from && options.to_parts) offer_ray(magnet, pointer, *options.from, options.grid);
+    if (options.from && options.to_parts) offer_ray(magnet, pointer, *options.from, options);
     return magnet.best().value_or(Snap{rounded(pointer, options.fine), SnapKind::Free});
 }
 

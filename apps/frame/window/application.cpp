@@ -134,7 +134,7 @@ void Application::take_keys(const ui::Input& all)
     const bool is_popup_open = had_popup_ || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     const bool is_blocked = overlays_.takes_keys() || questions_.is_open() || kept_files_.is_open() ||
                             tables_.is_asking() || is_popup_open;
-    if (is_blocked) return;
+    if (is_blocked) return TablesPanel::lend_keyboard();
     const ui::Input input = tables_.take(desk_, all);
     const bool types = ImGui::GetIO().WantTextInput || fields_.is_typing();
     const bool types_place = !types && !input.modifiers.ctrl && desk_.hand.type(input.text);

@@ -11,6 +11,7 @@
 #include "apps/drawing/measures.h"
 #include "apps/drawing/results/case_numbers.h"
 #include "apps/drawing/results/diagram.h"
+#include "apps/drawing/results/reactions.h"
 #include "apps/frame/document/fault/sentence.h"
 #include "apps/frame/session/fault_target.h"
 #include "apps/frame/window/envelope_panel.h"
@@ -61,10 +62,15 @@ void reactions(const ShownCase& shown)
     }
     std::vector<std::string> headings{shown.tr()("Node")};
     for (const Dof dof : list) headings.push_back(shown.units.label(force_name(dof), force_measures.of(dof)));
+    const bool has_slanting = drawing::has_slanting_support(shown.model());
+    if (has_slanting) headings.push_back(shown.units.label("R", ui::Measure::Force));
     result_list("reactions", headings, supported.size(), [&](std::size_t i) {
         part_cell(shown.session, supported[i], shown.model()[supported[i]].id);
         const NodeVector r = shown.result.reaction(supported[i]);
         for (const Dof dof : list) number_cell(shown.numbers.number(r[index(dof)], force_measures.of(dof)));
+        if (!has_slanting) return;
+        const bool is_slanting = drawing::slanting_normal(shown.model(), supported[i]).has_value();
+        number_cell(is_slanting ? shown.numbers.number(drawing::resultant(r), ui::Measure::Force) : "");
     });
 }
 

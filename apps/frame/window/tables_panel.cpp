@@ -140,8 +140,10 @@ void TablesPanel::show(Desk& desk, ui::ImGuiSession& gui, const ui::Fonts& fonts
 void TablesPanel::leave()
 {
     has_keyboard_ = false;
-    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    lend_keyboard();
 }
+
+void TablesPanel::lend_keyboard() { ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard; }
 
 void TablesPanel::show_splitter(float room)
 {

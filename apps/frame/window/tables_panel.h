@@ -30,6 +30,8 @@ public:
 
     /// Takes what is meant for the table. \returns what is left for others
     ui::Input take(Desk& desk, const ui::Input& input);
+    /// To a window that everything else waits for, until `take` is called again.
+    static void lend_keyboard();
 
     /// Where the cursor is, in English: "Sections: column, Depth h [mm]"; nothing where no table is shown.
     std::optional<std::string> cell(const Desk& desk) const;

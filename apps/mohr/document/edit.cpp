@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "apps/mohr/document/degree.h"
+#include "apps/mohr/document/section_text.h"
 #include "femoop/model/quantity/number_text.h"
+#include "femoop/model/quantity/quantity_parser.h"
 #include "ui/text/arithmetic.h"
 #include "ui/text/catalogue.h"
 
@@ -48,6 +51,19 @@ std::string usual_unit(const Document& document, NumberId number)
     return "";
 }
 
+/// A fibre that another section does not reach goes to its edge.
+void keep_fibre_inside(Document& document)
+{
+    if (document.subject != Subject::Section) return;
+    const auto figure = section_figure(document.section);
+    const auto* section = std::get_if<fm::SectionFigure>(&figure);
+    const auto fibre = femoop::parse_quantity(document.state()[3], dimension_of(Subject::Section, 3), newtons_and_mm);
+    const auto* y = std::get_if<double>(&fibre);
+    if (section == nullptr || y == nullptr) return;
+    if (*y > section->top()) document.state()[3] = with_unit(section->top(), "mm");
+    if (*y < section->bottom()) document.state()[3] = with_unit(section->bottom(), "mm");
+}
+
 } // namespace
 
 Edit with_number(const Document& document, NumberId number, std::string_view text)
@@ -56,6 +72,7 @@ Edit with_number(const Document& document, NumberId number, std::string_view tex
     const auto leading = ui::leading_number(text);
     if (!leading || number.group == Group::Section) {
         text_of(next, number) = std::string(text);
+        if (number.group == Group::Section) keep_fibre_inside(next);
         return judged(std::move(next));
     }
     const std::string unit = unit_behind(text);

@@ -133,17 +133,24 @@ TEST_SUITE("frame session")
         CHECK(later.session.document() == drawn);
     }
 
-    TEST_CASE("Language and theme go along from tab to tab, the load case and the camera stay")
+    TEST_CASE("Language, theme and units go along from tab to tab, the load case and the camera stay")
     {
         Desk desk = desk_with("portal.json");
         desk.session.view.load_case = femoop::CaseId(2);
         new_document(desk);
         desk.session.set_language(ui::Language::Portuguese);
         desk.session.view.theme = ui::ThemeName::Dark;
+        desk.session.view.units = ui::UnitSystem::KnCm;
         show_tab(desk, 0);
         CHECK(desk.session.view.tr.language() == ui::Language::Portuguese);
         CHECK(desk.session.view.theme == ui::ThemeName::Dark);
         CHECK(desk.session.view.load_case == femoop::CaseId(2));
+        CHECK(desk.session.view.units == ui::UnitSystem::KnCm);
+        REQUIRE(open_file(desk, examples + "truss.json"));
+        CHECK(desk.session.view.units == ui::UnitSystem::KnCm);
+        close_tab(desk);
+        close_tab(desk);
+        CHECK(desk.session.view.units == ui::UnitSystem::KnCm);
     }
 
     TEST_CASE("Of a truss the normal forces are shown where moments were shown of a frame, and the other way")

@@ -133,6 +133,16 @@ TEST_SUITE("frame tools")
         CHECK(round.place.x() == doctest::Approx(0.05));
     }
 
+    TEST_CASE("What is drawn level or upright ends on the grid's lines, else at tenths of them, from wherever it began")
+    {
+        const frame::SnapOptions from_column{.reach = 0.3, .grid = 1.0, .fine = 0.1, .from = Vector2d(20.23, 4.75)};
+        CHECK(snapped(20.28, 9.18, from_column) == Snap{{20.23, 9.0}, SnapKind::Ray});
+        CHECK(snapped(20.28, 9.43, from_column).place.isApprox(Vector2d(20.23, 9.4)));
+        CHECK(snapped(24.63, 4.81, from_column).place.isApprox(Vector2d(24.6, 4.75)));
+        const Snap slanting = snapped(23.1, 7.6, from_column); // at 45 degrees, 4.06 long
+        CHECK((slanting.place - *from_column.from).norm() == doctest::Approx(4.0));
+    }
+
     TEST_CASE("The grid is round")
     {
         CHECK(frame::round_grid(0.3) == doctest::Approx(0.5));

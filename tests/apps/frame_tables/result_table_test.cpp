@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "apps/frame/document/number.h"
 #include "apps/frame/document/solution.h"
 #include "femoop/result/components.h"
@@ -51,6 +53,26 @@ TEST_SUITE("frame tables: results")
         REQUIRE(fy.size() == 2);
         CHECK(fy[0] + fy[1] == doctest::Approx(20.0 * 6.0));
         CHECK(table.rows[1].part == Part(femoop::NodeId(3)));
+    }
+
+    TEST_CASE("The reaction of a slanting roller stands in the table as the one force that it is, too")
+    {
+        Document document = starting_document();
+        const auto reactions = [&] {
+            const Solution solution = solve(document);
+            return result_table({document.model, *solution.results, CaseId(0)}, TableKind::Reactions,
+                                in_english(document.model));
+        };
+        CHECK(reactions().headings.size() == 4);
+        document.model.nodes[3].support->kind = femoop::SupportKind::Roller;
+        CHECK(reactions().headings.size() == 4);
+        document.model.nodes[3].support->angle = femoop::Quantity(30.0);
+        const Table table = reactions();
+        REQUIRE(table.headings.size() == 5);
+        CHECK(table.headings[4].column.label() == "R [kN]");
+        const double fy = table.rows[1].cells[2].value.number.value();
+        CHECK(table.rows[1].cells[4].value.number.value() == doctest::Approx(std::abs(fy) / std::sqrt(0.75))); // cos 30
+        CHECK_FALSE(table.rows[0].cells[4].value.number.has_value());
     }
 
     TEST_CASE("The extremes of a member are no smaller than its ends, and the envelope's no smaller than a case's")

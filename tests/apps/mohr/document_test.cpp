@@ -144,6 +144,22 @@ TEST_CASE("A fibre of a section has the stresses of Navier and Jourawski and oth
     CHECK(with_plane(d, {1.0, 2.0, 3.0}).fault);
 }
 
+TEST_CASE("A fibre that another section does not reach goes to its edge, and one that it reaches stays")
+{
+    Document d = of(Subject::Section);
+    d.section = "IPE 400";
+    d.state() = {"0 N", "0 N", "90 kN*m", "-200 mm"};
+    const auto fibre_in = [&](const std::string& section) {
+        const Edit edit = with_number(d, {Group::Section, 0}, section);
+        CHECK_FALSE(edit.fault);
+        return edit.document.state()[3];
+    };
+    CHECK(fibre_in("IPE 360") == "-180 mm");
+    CHECK(fibre_in("IPE 450") == "-200 mm");
+    d.state()[3] = "20 cm";
+    CHECK(fibre_in("IPE 360") == "180 mm");
+}
+
 TEST_CASE("A criterion tells how far the state is from failure, in any unit")
 {
     Document d = of(Subject::PlaneStress);
