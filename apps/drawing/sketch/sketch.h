@@ -2,6 +2,7 @@
 
 #include "apps/drawing/geometry/projection.h"
 #include "apps/drawing/part.h"
+#include "femoop/model/dof.h"
 #include "ui/paint/label_placement.h"
 #include "ui/paint/painter.h"
 #include "ui/paint/theme.h"
