@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -240,8 +241,11 @@ Solution read(const Document& document, Reader& reader)
 Phrase phrase(const femoop::Fault& fault)
 {
     Phrase words(femoop::pattern(fault.kind));
-    for (std::size_t i = 0; i < fault.arguments.size(); ++i)
-        words.arguments.emplace_back(std::to_string(i), fault.arguments[i]);
+    for (std::size_t i = 0; i < fault.arguments.size(); ++i) {
+        std::string text = fault.arguments[i];
+        text.erase(0, text.find_first_not_of(' ')); // of a component that is named without its state
+        words.arguments.emplace_back(std::to_string(i), std::move(text));
+    }
     return words;
 }
 
