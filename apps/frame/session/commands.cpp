@@ -124,11 +124,12 @@ void add_show_commands(CommandTable& table)
 }
 
 // Keeps the present solution to compare later ones with it; drops the one that is kept.
-void keep_or_drop_ghost(Session& session)
+void keep_or_drop_reference(Session& session)
 {
-    std::shared_ptr<const Ghost>& ghost = session.view.ghost;
-    if (ghost) ghost.reset();
-    else ghost = std::make_shared<const Ghost>(Ghost{session.model(), *session.solution().results});
+    std::shared_ptr<const ReferenceResults>& kept = session.reference;
+    if (kept) kept.reset();
+    else
+        kept = std::make_shared<const ReferenceResults>(ReferenceResults{session.model(), *session.solution().results});
 }
 
 Reason needs_cases(const Desk& desk)
@@ -168,12 +169,12 @@ void add_camera_commands(CommandTable& table)
                .menu = view_menu,
                .label = translatable("Compare with the present results"),
                .shortcuts = {{Key::G, {}}},
-               .run = [](Desk& desk) { keep_or_drop_ghost(desk.session); },
+               .run = [](Desk& desk) { keep_or_drop_reference(desk.session); },
                .why_not = [](const Desk& desk) -> Reason {
-                   if (desk.session.view.ghost || desk.session.solution().results) return std::nullopt;
+                   if (desk.session.reference || desk.session.solution().results) return std::nullopt;
                    return translatable("the model has no results");
                },
-               .is_on = [](const Desk& desk) { return desk.session.view.ghost != nullptr; }});
+               .is_on = [](const Desk& desk) { return desk.session.reference != nullptr; }});
     ui::standard::add_projector(table);
     table.add({.id = "view.moment_side",
                .menu = view_menu,
