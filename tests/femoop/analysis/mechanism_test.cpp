@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "femoop/analysis/linear_static.h"
 
@@ -483,6 +485,21 @@ TEST_SUITE("mechanisms")
         CHECK(all[0].find("member DE is loose") != std::string::npos);
         CHECK(all[1].find("node E moves along y") != std::string::npos);
         CHECK(all[2] == twist[0]);
+    }
+
+    TEST_CASE("A bar square to the only way in which its node may move does not hold it, whatever rounding leaves")
+    {
+        Model upright = frame({{0.3, 0}, {0.1 + 0.2, 5}}, {{0, 1}}); // 5.6e-17 out of plumb
+        Model slope = frame({{0, 3}, {0, 0}}, {{0, 1}});
+        slope.nodes[1].support = Support{.fixed = {Dof::ux}, .angle = 90.0};
+        Model slant = frame({{0, 0}, {3, 1.7}}, {{0, 1}});
+        slant.nodes[1].support = Support{.fixed = {Dof::ux}, .angle = std::atan2(1.7, 3.0) * 180.0 / std::numbers::pi};
+        upright.nodes[1].support = Support{.fixed = {Dof::uy}};
+        for (Model model : {upright, slope, slant}) {
+            model.analysis = AnalysisKind::Truss2d;
+            hold(model, 0, SupportKind::Pin);
+            CHECK(mechanisms(model).size() == 1);
+        }
     }
 
     TEST_CASE("A very soft spring is nearly a mechanism, not one, and the warning gives the condition")
