@@ -70,11 +70,13 @@ bool MechanismReport::has_too_few_members() const
 std::optional<MechanismReport::SoftParts> MechanismReport::soft_parts() const
 {
     constexpr double loose = 1e-9;
+    constexpr double by_length = 0.01; // over n^4: a row of n members is softer by so much than one, and no looser
+    const double n = static_cast<double>(structure_.members.size());
     const ReducedSystem::SoftMotion soft = system_.reduced().softest_motion();
     if (!std::isfinite(soft.condition)) return std::nullopt;
     return SoftParts{.warning = nearly_singular_fault(model_, soft.condition, system_.motion(soft.x).displacements,
                                                       model_dofs(structure_.kind).size()),
-                     .is_nearly_loose = soft.stiffness <= loose};
+                     .is_nearly_loose = soft.stiffness <= std::min(loose, by_length / (n * n * n * n))};
 }
 
 void MechanismReport::require_finite_stiffness() const
