@@ -431,6 +431,28 @@ TEST_SUITE("mechanisms")
         CHECK(three[2] == can_move + "node B moves along y; nothing holds uy; add a brace or a support");
     }
 
+    TEST_CASE("Of three thousand loose members a dozen are told, the others counted")
+    {
+        constexpr std::size_t n = 3000;
+        Model model = frame({{0, 0}, {4, 0}}, {});
+        for (const std::size_t end : {0U, 1U}) hold(model, end, SupportKind::Fixed);
+        for (std::size_t i = 0; i < n; ++i) {
+            Member member{.id = std::to_string(i),
+                          .nodes = {NodeId(0), NodeId(1)},
+                          .material = MaterialId(0),
+                          .section = SectionId(0)};
+            member.start.release = member.end.release = {Dof::ux};
+            model.add(member);
+        }
+        try {
+            analyse(model);
+            FAIL("the members are loose");
+        } catch (const MechanismError& error) {
+            CHECK(error.mechanisms().size() == 12);
+            CHECK(error.n_more() == n - 12);
+        }
+    }
+
     TEST_CASE("A member between nodes that slide is loose besides, and its picture moves it alone")
     {
         Model model = frame({{0, 0}, {4, 0}, {8, 0}}, {{0, 1}, {1, 2}});
