@@ -2,7 +2,7 @@
 include(CMakePackageConfigHelpers)
 set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/cremona")
 
-install(TARGETS tabular topology femoop EXPORT cremona
+install(TARGETS files tabular topology femoop EXPORT cremona
   ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/cremona")
 install(EXPORT cremona NAMESPACE cremona:: FILE cremonaTargets.cmake DESTINATION "${package_folder}")

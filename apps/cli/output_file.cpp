@@ -4,7 +4,7 @@
 #include <system_error>
 
 #include "apps/cli/console.h"
-#include "femoop/io/whole_file.h"
+#include "femoop/files/whole_file.h"
 
 namespace cli {
 
@@ -32,7 +32,7 @@ void require_writable(const fs::path& path, const ui::Catalogue& tr)
 void write_file(const fs::path& path, std::string_view text, const ui::Catalogue& tr)
 {
     require_writable(path, tr);
-    if (const std::error_code error = femoop::write_whole_file(path, text))
+    if (const std::error_code error = files::write_whole_file(path, text))
         throw cannot_write(path, tr(error.message()), tr);
 }
 

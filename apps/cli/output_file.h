@@ -7,7 +7,7 @@
 
 namespace cli {
 
-/// Writes a file whole or not at all (femoop/io/whole_file.h).
+/// Writes a file whole or not at all (femoop/files/whole_file.h).
 /// \throws UsageError saying what hinders: a folder that does not exist, a folder of that name, no permission, a full
 /// disk
 void write_file(const std::filesystem::path& path, std::string_view text, const ui::Catalogue& tr);

@@ -137,7 +137,7 @@ Elimination Eliminator::result(std::size_t n_cases)
 
 } // namespace
 
-Elimination eliminate(std::vector<ConstraintRow> rows, std::size_t n_unknowns, std::size_t n_cases,
+Elimination eliminate(const std::vector<ConstraintRow>& rows, std::size_t n_unknowns, std::size_t n_cases,
                       const Eigen::VectorXd& scale)
 {
     Eliminator eliminator(n_unknowns, scale);

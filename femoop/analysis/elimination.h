@@ -39,7 +39,7 @@ struct Elimination {
 };
 
 /// `scale` makes translations and rotations comparable: the largest coefficient x scale is the pivot.
-Elimination eliminate(std::vector<ConstraintRow> rows, std::size_t n_unknowns, std::size_t n_cases,
+Elimination eliminate(const std::vector<ConstraintRow>& rows, std::size_t n_unknowns, std::size_t n_cases,
                       const Eigen::VectorXd& scale);
 
 } // namespace femoop

@@ -188,9 +188,9 @@ std::vector<Mechanism> mechanisms_of(const Model& model, const std::shared_ptr<c
         for (double& u : motion.displacements) u *= factor;
         for (double& u : motion.member_ends) u *= factor;
         Mechanism mechanism{.fault = words(model, *structure, nodes, FaultKind::MechanismNodeTurns),
-                            .motion = std::move(nodes),
-                            .member_ends = {}};
-        mechanism.member_ends = member_ends(structure, equations, motion);
+                            .motion = {},
+                            .member_ends = member_ends(structure, equations, motion)};
+        mechanism.motion = std::move(nodes);
         if (mechanism.fault.kind == FaultKind::MechanismNodeTurns) mechanism.fault = swing(model, mechanism);
         mechanisms.push_back(std::move(mechanism));
     }

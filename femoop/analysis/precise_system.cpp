@@ -1,7 +1,5 @@
 #include "femoop/analysis/precise_system.h"
 
-#include <utility>
-
 namespace femoop {
 
 namespace {
@@ -14,22 +12,19 @@ PreciseSparseMatrix reduced(const PreciseSparseMatrix& A, const PreciseSparseMat
         .triangularView<Eigen::Lower>();
 }
 
-std::unique_ptr<PreciseSolver> solver_of(PreciseSparseMatrix K, const SymmetricSolver* rough)
-{
-    return std::make_unique<PreciseSolver>(std::move(K), rough);
-}
-
 } // namespace
 
-PreciseSystem::PreciseSystem(Part elastic) : K_(std::move(elastic.K)), solver_(solver_of(K_, elastic.rough)) {}
+PreciseSystem::PreciseSystem(const Part& elastic)
+    : K_(elastic.K), solver_(std::make_unique<PreciseSolver>(K_, elastic.rough))
+{}
 
-PreciseSystem::PreciseSystem(Part elastic, Part own, const Sparse& T, const Sparse& S)
-    : K_(std::move(elastic.K)),
-      own_(std::move(own.K)),
+PreciseSystem::PreciseSystem(const Part& elastic, const Part& own, const Sparse& T, const Sparse& S)
+    : K_(elastic.K),
+      own_(own.K),
       T_(T.cast<DoubleDouble>()),
       S_(S.cast<DoubleDouble>()),
-      solver_(solver_of(reduced(K_, T_), elastic.rough)),
-      own_solver_(solver_of(reduced(own_, S_), own.rough))
+      solver_(std::make_unique<PreciseSolver>(reduced(K_, T_), elastic.rough)),
+      own_solver_(std::make_unique<PreciseSolver>(reduced(own_, S_), own.rough))
 {}
 
 std::optional<PreciseSystem::Displacements> PreciseSystem::solve(const PreciseMatrix& F, const Eigen::MatrixXd& x0)

@@ -15,12 +15,12 @@ public:
     using Sparse = Eigen::SparseMatrix<double>;
     /// A stiffness, and its factorization in doubles: null where that broke down, or there is nothing to factor.
     struct Part {
-        PreciseSparseMatrix K;
+        const PreciseSparseMatrix& K;
         const SymmetricSolver* rough = nullptr;
     };
 
-    explicit PreciseSystem(Part elastic); ///< without constraints
-    PreciseSystem(Part elastic, Part own, const Sparse& T, const Sparse& S);
+    explicit PreciseSystem(const Part& elastic); ///< without constraints
+    PreciseSystem(const Part& elastic, const Part& own, const Sparse& T, const Sparse& S);
 
     struct Displacements {
         PreciseMatrix all, constraint;

@@ -31,12 +31,12 @@ SparseMatrix picking(const std::vector<std::int32_t>& unknowns, Eigen::Index n_u
 
 } // namespace
 
-ReducedSystem::ReducedSystem(const Equations& equations, SparseMatrix K) : equations_(equations), K_(std::move(K)) {}
+ReducedSystem::ReducedSystem(const Equations& equations, SparseMatrix&& K) : equations_(equations) { K_.swap(K); }
 
-void ReducedSystem::constrain(const Elimination& elimination, SparseMatrix own)
+void ReducedSystem::constrain(const Elimination& elimination, SparseMatrix&& own)
 {
     is_constrained_ = true;
-    own_ = std::move(own);
+    own_.swap(own);
     T_ = elimination.T;
     S_ = picking(elimination.dependent, K_.rows());
     K_reduced_ = reduced(K_, T_);
@@ -58,9 +58,9 @@ void ReducedSystem::analyse(const AnalysisOptions& options)
     solver_->analyse(equations_.pattern());
 }
 
-void ReducedSystem::update(SparseMatrix K)
+void ReducedSystem::update(SparseMatrix&& K)
 {
-    K_ = std::move(K);
+    K_.swap(K);
     is_factored_ = false;
 }
 
@@ -135,11 +135,11 @@ Eigen::VectorXd ReducedSystem::out_of_balance(const Eigen::MatrixXd& F, const Di
     return residual.cwiseAbs().colwise().maxCoeff().transpose();
 }
 
-PreciseSystem ReducedSystem::precise(PreciseSparseMatrix K, PreciseSparseMatrix own) const
+PreciseSystem ReducedSystem::precise(PreciseSparseMatrix&& K, PreciseSparseMatrix&& own) const
 {
-    PreciseSystem::Part elastic{.K = std::move(K), .rough = is_factored_ ? solver_.get() : nullptr};
-    if (!is_constrained_) return PreciseSystem(std::move(elastic));
-    return {std::move(elastic), {.K = std::move(own), .rough = own_solver_.get()}, T_, S_};
+    const PreciseSystem::Part elastic{.K = K, .rough = is_factored_ ? solver_.get() : nullptr};
+    if (!is_constrained_) return PreciseSystem(elastic);
+    return {elastic, {.K = own, .rough = own_solver_.get()}, T_, S_};
 }
 
 } // namespace femoop

@@ -19,16 +19,18 @@ namespace femoop {
 /// K is elastic: what constraints take from members is not in it. The forces that the constraints carry are what F and
 /// K x leave out of balance at the unknowns that follow; they go to the constrained members in proportion to their own
 /// stiffness, the limit of EA and EI that grow together.
+///
+/// What is handed over is swapped in: Eigen copies a sparse matrix that is moved.
 class ReducedSystem {
 public:
     /// Of all unknowns of the equations. \pre K is their lower triangle and has their pattern.
-    ReducedSystem(const Equations& equations, SparseMatrix K);
+    ReducedSystem(const Equations& equations, SparseMatrix&& K);
 
     /// Leaves only the independent unknowns. `own` is what the constraints take from members, over all unknowns.
-    void constrain(const Elimination& elimination, SparseMatrix own);
+    void constrain(const Elimination& elimination, SparseMatrix&& own);
 
     void analyse(const AnalysisOptions& options); ///< symbolic
-    void update(SparseMatrix K);                  ///< other numbers, to be factored. \pre no constraints, analyse
+    void update(SparseMatrix&& K);                ///< other numbers, to be factored. \pre no constraints, analyse
     Pivots factorize();                           ///< \pre analyse
     /// The system that is factored; nothing where no unknown is left.
     const SparseMatrix& matrix() const { return is_constrained_ ? K_reduced_ : K_; }
@@ -59,7 +61,7 @@ public:
     Eigen::VectorXd out_of_balance(const Eigen::MatrixXd& F, const Displacements& u) const;
 
     /// The same system from stiffnesses of 32 digits, to be used while this one lives.
-    PreciseSystem precise(PreciseSparseMatrix K, PreciseSparseMatrix own) const;
+    PreciseSystem precise(PreciseSparseMatrix&& K, PreciseSparseMatrix&& own) const;
 
 private:
     void factorize_own();

@@ -6,10 +6,10 @@
 #include <sstream>
 #include <utility>
 
+#include "femoop/files/whole_file.h"
 #include "femoop/io/file_text.h"
 #include "femoop/io/json/json_document.h"
 #include "femoop/io/reader/model_reader.h"
-#include "femoop/io/whole_file.h"
 #include "femoop/model/check/check_parts.h"
 
 namespace femoop {
@@ -60,7 +60,7 @@ Model read_model_file(const std::filesystem::path& path) { return sound_model(ex
 
 void write_model_file(const Model& model, const std::filesystem::path& path)
 {
-    const std::error_code error = write_whole_file(path, write_model(model));
+    const std::error_code error = files::write_whole_file(path, write_model(model));
     if (error) throw ModelError({file_fault(FaultKind::FileUnwritable, path, static_cast<std::errc>(error.value()))});
 }
 

@@ -24,7 +24,7 @@ Eigen::ArrayXd energies(const PreciseMatrix& D, const PreciseMatrix& R)
 
 } // namespace
 
-PreciseSolver::PreciseSolver(PreciseSparseMatrix K, const SymmetricSolver* rough) : K_(std::move(K)), rough_(rough) {}
+PreciseSolver::PreciseSolver(const PreciseSparseMatrix& K, const SymmetricSolver* rough) : K_(K), rough_(rough) {}
 
 double PreciseSolver::Factorization::work() const { return m_nonZerosPerCol.cast<double>().squaredNorm(); }
 

@@ -18,7 +18,7 @@ namespace femoop {
 class PreciseSolver {
 public:
     /// `rough` has factored K rounded to doubles; null where it could not. It is used while this lives.
-    PreciseSolver(PreciseSparseMatrix K, const SymmetricSolver* rough);
+    PreciseSolver(const PreciseSparseMatrix& K, const SymmetricSolver* rough);
 
     /// Nothing where K is too ill-conditioned, or too large to be factored in 32 digits.
     std::optional<PreciseMatrix> solve(const PreciseMatrix& B);

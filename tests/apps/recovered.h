@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "femoop/io/whole_file.h"
+#include "femoop/files/whole_file.h"
 #include "tests/folder.h"
 #include "ui/files/autosave.h"
 
@@ -16,7 +16,7 @@
 /// is "lesson" in the folder. \pre the desk's document has changes
 template <class Desk> Desk recovered(const Desk& desk, const Folder& folder, const std::string& extension)
 {
-    const ui::DraftFolder drafts{folder.path() / "state", extension, femoop::write_whole_file};
+    const ui::DraftFolder drafts{folder.path() / "state", extension, files::write_whole_file};
     const std::vector<ui::Unsaved> unsaved = desk.unsaved();
     REQUIRE(unsaved.size() == 1);
     ui::Draft draft(drafts);

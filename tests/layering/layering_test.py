@@ -50,15 +50,16 @@ UI_BASE = ["ui/history/", "ui/command/", "ui/text/", "ui/scenario/"]
 
 # The longest folder that matches a file names its rule: what it may include besides the standard library.
 ALLOWED = {
-    "femoop/tabular": ["femoop/tabular/"],  # tables alone: ui knows it too
+    "femoop/tabular": ["femoop/tabular/"],  # tables and whole files alone: ui knows them too
+    "femoop/files": ["femoop/files/", SYSTEM],
     "topology": ["topology/"],
     "femoop": ["femoop/", EIGEN],
     "femoop/io": ["femoop/", EIGEN, JSON, SYSTEM],
     **{f"femoop/{folder}": [f"femoop/{folder}/", *below, EIGEN] for folder, below in FEMOOP.items()},
     "femoop/solver": [NUMBERS, EIGEN, SPARSE, SYSTEM],
-    "ui": ["ui/", "femoop/tabular/", WINDOW, FONTS_AND_CAIRO, SYSTEM],
+    "ui": ["ui/", "femoop/tabular/", "femoop/files/", WINDOW, FONTS_AND_CAIRO, SYSTEM],
     "ui/app": ["ui/", WINDOW, OPTIONS],
-    "ui/paint": ["ui/paint/", FONTS_AND_CAIRO],
+    "ui/paint": ["ui/paint/", "femoop/files/", FONTS_AND_CAIRO],
     "ui/canvas": ["ui/canvas/", "ui/paint/"],
     "ui/history": UI_BASE,
     "ui/command": UI_BASE,
@@ -209,8 +210,11 @@ class Rules(unittest.TestCase):
         self.assert_refused("topology/geometry/vector.h", "#include <Eigen/Core>")
         for path in ("femoop/io/results/tables.cpp", "ui/report/html.cpp", "apps/mohr/session/report.cpp"):
             self.assert_allowed(path, '#include "femoop/tabular/table.h"')
+        for path in ("femoop/io/model_file.cpp", "ui/paint/surface/write_file.cpp", "apps/mohr/session/export.cpp"):
+            self.assert_allowed(path, '#include "femoop/files/whole_file.h"')
         for header in ("femoop/model/model.h", "ui/text/catalogue.h", "topology/halfedge/ids.h"):
             self.assert_refused("femoop/tabular/table.h", f'#include "{header}"')
+            self.assert_refused("femoop/files/whole_file.h", f'#include "{header}"')
         self.assert_allowed("femoop/model/model.h", "#include <Eigen/Core>")
 
     def test_ui_knows_no_mechanics_and_ui_base_the_standard_library_alone(self):

@@ -90,7 +90,7 @@ gl::Uint linked(const gl::Functions& gl, const char* fragment_source)
     throw ContextError("OpenGL: the driver refuses the program: " + std::string(words.data()));
 }
 
-const void* offset_of(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
+const void* offset_of(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); } // NOLINT: as OpenGL asks
 
 struct Scissor {
     int x, y, width, height; // from the bottom left corner

@@ -104,7 +104,8 @@ private:
         if (index < n_wishes()) return label_->turned[index - n_level];
         const std::size_t on_rings = index - n_wishes();
         const Point direction = directions[on_rings % n_directions];
-        const double away = label_->clearance + step_ * static_cast<double>(on_rings / n_directions);
+        const std::size_t ring = on_rings / n_directions;
+        const double away = label_->clearance + step_ * static_cast<double>(ring);
         const double own_reach = std::abs(direction.x) * half_.x + std::abs(direction.y) * half_.y;
         return label_->target + (away + own_reach) * direction;
     }

@@ -6,8 +6,8 @@
 #include "apps/cross/document/file.h"
 #include "apps/frame/document/fault/place.h"
 #include "apps/frame/document/fault/sentence.h"
+#include "femoop/files/whole_file.h"
 #include "femoop/io/model_file.h"
-#include "femoop/io/whole_file.h"
 #include "femoop/result/structure_words.h"
 
 namespace cross {
@@ -24,7 +24,7 @@ constexpr std::size_t most_turns = 2000; // by "finish"
 } // namespace
 
 Session::Session()
-    : OpenDocument(starting_document(), femoop::write_whole_file), history_(starting_document(), translatable("Begin"))
+    : OpenDocument(starting_document(), files::write_whole_file), history_(starting_document(), translatable("Begin"))
 {
     solve_anew();
 }

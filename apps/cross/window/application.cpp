@@ -9,7 +9,7 @@
 #include "apps/cross/session/report.h"
 #include "apps/cross/window/player_bar.h"
 #include "apps/cross/window/results_panel.h"
-#include "femoop/io/whole_file.h"
+#include "femoop/files/whole_file.h"
 #include "femoop/tabular/latex.h"
 #include "femoop/tabular/markdown.h"
 #include "ui/files/ending.h"
@@ -90,7 +90,7 @@ std::optional<ui::Phrase> Application::write(const std::filesystem::path& path)
     std::string text;
     if (is_a(".csv")) text = separated(table, separators(session().tr().language()));
     else text = is_a(".md") ? markdown(table) : latex(table);
-    const std::error_code error = femoop::write_whole_file(path, text);
+    const std::error_code error = files::write_whole_file(path, text);
     if (!error) return std::nullopt;
     return ui::not_written(path, error.message());
 }
@@ -100,7 +100,7 @@ std::optional<ui::Phrase> Application::write_report(const std::filesystem::path&
     try {
         const ui::Report report = calculation(session().document(), session().look, fonts());
         if (ui::has_ending(path, ".html")) {
-            const std::error_code error = femoop::write_whole_file(path, ui::report_html(report, fonts()));
+            const std::error_code error = files::write_whole_file(path, ui::report_html(report, fonts()));
             return error ? std::optional(ui::not_written(path, error.message())) : std::nullopt;
         }
         ui::write_pdf(path, ui::report_pages(report, fonts()), fonts(),

@@ -10,7 +10,7 @@
 #include "apps/euler/session/argument_pick.h"
 #include "apps/euler/session/script_text.h"
 #include "apps/euler/view/solid/clear_view.h"
-#include "femoop/io/whole_file.h"
+#include "femoop/files/whole_file.h"
 #include "ui/text/catalogue.h"
 #include "ui/workbench/file_sentences.h"
 
@@ -119,7 +119,7 @@ bool Session::open(const std::filesystem::path& path)
 bool Session::save(const std::filesystem::path& path)
 {
     const Stepper::Script script = stepper_.whole();
-    if (const std::error_code error = femoop::write_whole_file(path, script.text())) {
+    if (const std::error_code error = files::write_whole_file(path, script.text())) {
         notice = Notice{ui::not_saved(path, error), until_closed};
         return false;
     }
@@ -147,7 +147,7 @@ ui::Unsaved Session::unsaved() const
             .copy =
                 [this] {
                     return [script = stepper_.whole()](const std::filesystem::path& draft) {
-                        return femoop::write_whole_file(draft, script.text());
+                        return files::write_whole_file(draft, script.text());
                     };
                 },
             .about = tr()("steps: {count}", {{"count", std::to_string(n_steps())}})};

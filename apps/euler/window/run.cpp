@@ -9,7 +9,7 @@
 #include "apps/euler/window/application.h"
 #include "apps/euler/window/describe.h"
 #include "apps/euler/window/stage.h"
-#include "femoop/io/whole_file.h"
+#include "femoop/files/whole_file.h"
 #include "ui/app/run_app.h"
 #include "ui/app/window_loop.h"
 #include "ui/context/window.h"
@@ -62,7 +62,7 @@ int complain(const std::string& sentence)
 
 int run(Options options)
 {
-    const auto folder = ui::draft_folder("euler", ".eul", femoop::write_whole_file);
+    const auto folder = ui::draft_folder("euler", ".eul", files::write_whole_file);
     ui::complete(options, folder);
     Session session = begin(options);
     if (options.is_headless() && session.script_fault)

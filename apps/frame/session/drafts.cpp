@@ -1,8 +1,8 @@
 #include "apps/frame/document/companion/companion_file.h"
 #include "apps/frame/session/commands.h"
 #include "apps/frame/session/tabs.h"
+#include "femoop/files/whole_file.h"
 #include "femoop/io/model_file.h"
-#include "femoop/io/whole_file.h"
 #include "femoop/result/structure_words.h"
 
 namespace frame {
@@ -12,7 +12,7 @@ namespace {
 std::error_code write_draft(const Document& document, const std::filesystem::path& draft)
 {
     if (const std::error_code error = save_companion_of(draft, document)) return error;
-    return femoop::write_whole_file(draft, femoop::write_model(document.model));
+    return files::write_whole_file(draft, femoop::write_model(document.model));
 }
 
 ui::Unsaved unsaved_of(const Session& session)

@@ -20,7 +20,7 @@
 #include "apps/frame/window/status_bar.h"
 #include "apps/frame/window/tool_bar.h"
 #include "apps/frame/window/transform_bar.h"
-#include "femoop/io/whole_file.h"
+#include "femoop/files/whole_file.h"
 #include "ui/files/link.h"
 #include "ui/widgets/offer.h"
 #include "ui/widgets/panel.h"
@@ -235,7 +235,7 @@ void Application::hand_over(ui::Handover handover)
     handover.options = {"--lang", std::string(code(view.tr.language())), "--theme", std::string(text(view.theme))};
     handed_ = std::move(handover);
     if (!start_program_) return;
-    auto link = ui::Link::made(femoop::write_whole_file);
+    auto link = ui::Link::made(files::write_whole_file);
     ui::Handover linked = *handed_;
     if (link) linked.options.insert(linked.options.end(), {"--link", link->folder().string()});
     const auto reason = start_program_(linked);

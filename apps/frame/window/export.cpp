@@ -5,8 +5,8 @@
 
 #include "apps/drawing/results/envelope_cases.h"
 #include "apps/frame/report/report.h"
+#include "femoop/files/whole_file.h"
 #include "femoop/io/results/results_csv.h"
-#include "femoop/io/whole_file.h"
 #include "ui/context/write_picture.h"
 #include "ui/files/ending.h"
 #include "ui/paint/surface/pdf.h"
@@ -68,7 +68,7 @@ private:
 
     std::optional<ui::Phrase> text(const std::string& content) const
     {
-        const std::error_code error = femoop::write_whole_file(path_, content);
+        const std::error_code error = files::write_whole_file(path_, content);
         if (!error) return std::nullopt;
         return ui::not_written(path_, error.message());
     }

@@ -6,7 +6,7 @@
 #include "apps/frame/session/session.h"
 #include "apps/frame/window/application.h"
 #include "apps/frame/window/stage.h"
-#include "femoop/io/whole_file.h"
+#include "femoop/files/whole_file.h"
 #include "ui/app/run_app.h"
 #include "ui/app/window_loop.h"
 #include "ui/context/start_program.h"
@@ -81,7 +81,7 @@ ui::MakeApp remembering_app_with(const Session& session, const Options& options,
 
 int run(Options options)
 {
-    const auto folder = ui::draft_folder("frame", ".json", femoop::write_whole_file);
+    const auto folder = ui::draft_folder("frame", ".json", files::write_whole_file);
     ui::complete(options, folder);
     Session session = begin(options);
     if (options.is_headless() && session.notice) {

@@ -8,7 +8,7 @@
 #include "apps/drawing/geometry/structure_shape.h"
 #include "apps/frame/session/tabs.h"
 #include "apps/frame/window/expectation.h"
-#include "femoop/io/whole_file.h"
+#include "femoop/files/whole_file.h"
 #include "ui/scenario/words.h"
 
 namespace frame {
@@ -81,7 +81,7 @@ std::optional<std::string> OffscreenStage::keep_handed(Desk& desk, std::string_v
 {
     if (auto reason = ui::run_by_name(application().commands(), id, desk)) return reason;
     if (desk.handed.empty()) return ui::Catalogue()(desk.session.notice->sentence);
-    const std::error_code error = femoop::write_whole_file(path, desk.handed.back().document);
+    const std::error_code error = files::write_whole_file(path, desk.handed.back().document);
     return error ? std::optional(error.message()) : std::nullopt;
 }
 

@@ -11,7 +11,7 @@
 #include "apps/frame/tables/result_table.h"
 #include "apps/frame/window/no_results.h"
 #include "apps/frame/window/solver_panel.h"
-#include "femoop/io/whole_file.h"
+#include "femoop/files/whole_file.h"
 #include "ui/paint/theme.h"
 #include "ui/text/catalogue.h"
 #include "ui/widgets/panel.h"
@@ -280,7 +280,7 @@ std::optional<ui::Phrase> TablesPanel::export_to(const Desk& desk, const std::fi
     const Table table = table_of(desk.session, desk.bottom.table);
     const ui::Phrase::Argument file{"file", path.filename().string()};
     if (table.headings.empty()) return why_no_table(desk.session);
-    if (!femoop::write_whole_file(path, csv(table, desk.session.units().format().mark))) return std::nullopt;
+    if (!files::write_whole_file(path, csv(table, desk.session.units().format().mark))) return std::nullopt;
     return ui::Phrase(translatable("{file} was not saved"), {file});
 }
 

@@ -12,8 +12,8 @@
 #include "apps/mohr/session/report.h"
 #include "apps/mohr/view/axis.h"
 #include "apps/mohr/view/names.h"
+#include "femoop/files/whole_file.h"
 #include "femoop/io/json/table_json.h"
-#include "femoop/io/whole_file.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/tabular/latex.h"
 #include "femoop/tabular/markdown.h"
@@ -167,7 +167,7 @@ std::optional<Exported> export_results(const Session& session, const std::filesy
     else return std::nullopt;
     if (session.is_concealing())
         return Exported{ui::Phrase(translatable("The results are shown when the exercise is done."))};
-    const std::error_code error = femoop::write_whole_file(path, text());
+    const std::error_code error = files::write_whole_file(path, text());
     if (!error) return Exported{};
     return Exported{ui::not_written(path, error.message())};
 }

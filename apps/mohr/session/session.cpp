@@ -8,7 +8,7 @@
 
 #include "apps/mohr/document/file.h"
 #include "apps/mohr/session/report.h"
-#include "femoop/io/whole_file.h"
+#include "femoop/files/whole_file.h"
 #include "femoop/model/quantity/number_text.h"
 #include "ui/text/number_format.h"
 
@@ -46,7 +46,7 @@ Phrase listed(const std::vector<Phrase>& sentences)
 
 } // namespace
 
-Session::Session() : OpenDocument(textbook_state(), femoop::write_whole_file), history_(textbook_state())
+Session::Session() : OpenDocument(textbook_state(), files::write_whole_file), history_(textbook_state())
 {
     eye.look(0.6, 0.45);
     solve_anew();

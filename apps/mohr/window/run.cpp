@@ -3,7 +3,7 @@
 #include "apps/mohr/session/report.h"
 #include "apps/mohr/window/application.h"
 #include "apps/mohr/window/stage.h"
-#include "femoop/io/whole_file.h"
+#include "femoop/files/whole_file.h"
 #include "ui/app/run_app.h"
 
 namespace mohr {
@@ -11,7 +11,7 @@ namespace mohr {
 int run(const ui::AppOptions& options)
 {
     return ui::run_with<Application, OffscreenStage, Session>(
-        options, "mohr", ui::draft_folder("mohr", ".mohr", femoop::write_whole_file));
+        options, "mohr", ui::draft_folder("mohr", ".mohr", files::write_whole_file));
 }
 
 } // namespace mohr

@@ -66,7 +66,7 @@ private:
 /// Source  [BunchKaufman1977]; rows outside the square have no say
 class PivotedSquare {
 public:
-    PivotedSquare(Matrix A, std::int32_t* order, double* coupling) : A_(A), order_(order), coupling_(coupling) {}
+    PivotedSquare(const Matrix& A, std::int32_t* order, double* coupling) : A_(A), order_(order), coupling_(coupling) {}
 
     /// Returns how many pivots.
     Index run()

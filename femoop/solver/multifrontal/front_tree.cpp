@@ -105,7 +105,7 @@ private:
 
 FrontTree::FrontTree(const LowerPattern& pattern) : n_equations_(pattern.n())
 {
-    Builder(*this, pattern);
+    const Builder built(*this, pattern);
     find_places();
 }
 

@@ -112,3 +112,5 @@ TEST_CASE("The lesson's answers are right: the hub first fills L, and node F3 sa
         CHECK(n >= 1380);
     }
 }
+
+TEST_SUITE_END();

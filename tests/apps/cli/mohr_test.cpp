@@ -166,3 +166,5 @@ TEST_CASE("Mohr's circle speaks Portuguese with a decimal comma")
     CHECK(has(run.out, "raio do círculo"));
     CHECK(has(run.out, "81,3941"));
 }
+
+TEST_SUITE_END();

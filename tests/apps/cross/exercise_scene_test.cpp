@@ -90,3 +90,5 @@ TEST_CASE("Printed a swaying frame's own sheet needs no colour")
     shot.look.theme = ui::ThemeName::Print;
     check_exercise("cross_exercise_print", exercise(fc::Difficulty::SwayFrame, 1), shot);
 }
+
+TEST_SUITE_END();

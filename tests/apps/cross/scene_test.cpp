@@ -149,3 +149,5 @@ TEST_CASE("What cannot be distributed is said in place of the pictures")
 {
     check("cross_refused", example("grillage"), {});
 }
+
+TEST_SUITE_END();

@@ -8,8 +8,8 @@
 #include "apps/frame/document/document.h"
 #include "apps/frame/session/commands.h"
 #include "apps/frame/session/view_commands.h"
+#include "femoop/files/whole_file.h"
 #include "femoop/io/model_file.h"
-#include "femoop/io/whole_file.h"
 #include "tests/folder.h"
 #include "tests/source_folder.h"
 #include "tests/text_of.h"
@@ -325,7 +325,7 @@ TEST_SUITE("frame session")
         document.companion = example;
         frame::Desk desk{Session{frame::starting_document()}};
         desk.session.change({"Draw", [&](Document& to) { to = document; }});
-        const ui::DraftFolder drafts{folder.path(), ".json", femoop::write_whole_file};
+        const ui::DraftFolder drafts{folder.path(), ".json", files::write_whole_file};
         {
             ui::Draft draft(drafts);
             REQUIRE(!draft.keep(desk.unsaved().at(0).copy(), std::nullopt));

@@ -9,7 +9,7 @@
 #include "apps/frame/session/linked_programs.h"
 #include "apps/frame/session/other_programs.h"
 #include "apps/mohr/session/session.h"
-#include "femoop/io/whole_file.h"
+#include "femoop/files/whole_file.h"
 #include "tests/folder.h"
 #include "ui/files/linked_copy.h"
 
@@ -38,8 +38,8 @@ template <class Other> Taker<Other> started(Desk& desk, LinkedPrograms& linked, 
     const Folder folder;
     Other other;
     REQUIRE(other.open_copy(folder.write("handed", handover.document)));
-    ui::Link link = *ui::Link::made(femoop::write_whole_file);
-    ui::Link end(link.folder(), femoop::write_whole_file);
+    ui::Link link = *ui::Link::made(files::write_whole_file);
+    ui::Link end(link.folder(), files::write_whole_file);
     linked.add(std::move(link), desk.session, handover);
     return Taker<Other>(std::move(other), std::move(end));
 }

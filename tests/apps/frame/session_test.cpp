@@ -10,8 +10,8 @@
 #include "apps/frame/session/edit_commands.h"
 #include "apps/frame/session/tabs.h"
 #include "femoop/edit/naming.h"
+#include "femoop/files/whole_file.h"
 #include "femoop/io/model_file.h"
-#include "femoop/io/whole_file.h"
 #include "tests/folder.h"
 #include "tests/source_folder.h"
 
@@ -184,7 +184,7 @@ TEST_SUITE("frame session")
     {
         const Folder folder;
         Desk desk = desk_with("portal.json");
-        ui::Autosave autosave({folder.path() / "state", ".json", femoop::write_whole_file});
+        ui::Autosave autosave({folder.path() / "state", ".json", files::write_whole_file});
         const auto n_drafts = [&] {
             autosave.tick([&] { return desk.unsaved(); }, ui::Autosave::interval);
             autosave.wait();
@@ -223,7 +223,7 @@ TEST_SUITE("frame session")
     TEST_CASE("Work that was kept survives, and is the same bit for bit")
     {
         const Folder folder;
-        const ui::DraftFolder drafts{folder.path() / "state", ".json", femoop::write_whole_file};
+        const ui::DraftFolder drafts{folder.path() / "state", ".json", files::write_whole_file};
         Desk desk = desk_with("portal.json");
         desk.session.change({"Move", [](Document& document) { document.model.nodes[1].at[0] = 0.1 + 0.2; }});
         {

@@ -264,3 +264,5 @@ TEST_CASE("Everything that is wrong with a file is told at once, each thing once
               .size() == 3);
     CHECK(refusals(R"({"cremona": 1, "mohr": "what", "nu": true})").size() == 2);
 }
+
+TEST_SUITE_END();

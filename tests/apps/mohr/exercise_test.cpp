@@ -112,3 +112,5 @@ TEST_CASE("Common slips are recognized by name and the others get the operation 
     CHECK(words(at(0, 77.0)) == "add both normal components and halve");
     CHECK(words(at(7, 100.0)) == "the difference of the extreme principal stresses is not halved");
 }
+
+TEST_SUITE_END();

@@ -239,3 +239,5 @@ TEST_CASE("A safety factor upside down or by another criterion is named")
     const Exercise rock = hard(ExerciseTopic::Criteria);
     CHECK(judged(rock, FactorCoulomb, 0.5 * solution_of(FactorCoulomb, rock)).verdict == Verdict::Wrong);
 }
+
+TEST_SUITE_END();

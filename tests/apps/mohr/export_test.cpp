@@ -96,3 +96,5 @@ TEST_CASE("An exercise tells its answers neither in words nor in a sheet nor by 
     CHECK_FALSE(session.set_angle(30.0));
     CHECK(has(in_words(session), "\n  "));
 }
+
+TEST_SUITE_END();

@@ -173,3 +173,5 @@ TEST_CASE("A strain's stresses stand among the principal stresses that Tresca al
     document.criterion = femoop::mohr::Criterion::Tresca;
     check("mohr_rosette_tresca", document);
 }
+
+TEST_SUITE_END();

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "femoop/io/whole_file.h"
+#include "femoop/files/whole_file.h"
 #include "tests/folder.h"
 #include "tests/ui/files/drafts_in.h"
 #include "ui/files/autosave.h"
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-ui::Unsaved text(const std::string& words) { return ui::unsaved_text(words, std::nullopt, femoop::write_whole_file); }
+ui::Unsaved text(const std::string& words) { return ui::unsaved_text(words, std::nullopt, files::write_whole_file); }
 
 /// A program that keeps drafts.
 struct Program {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "femoop/io/whole_file.h"
+#include "femoop/files/whole_file.h"
 #include "tests/folder.h"
 #include "tests/text_of.h"
 #include "tests/ui/files/drafts_in.h"
@@ -21,7 +21,7 @@ namespace {
 
 ui::WriteDocument document(const std::string& text)
 {
-    return [text](const fs::path& draft) { return femoop::write_whole_file(draft, text); };
+    return [text](const fs::path& draft) { return files::write_whole_file(draft, text); };
 }
 
 /// Keeps a draft in another process, which is then killed.
@@ -127,11 +127,11 @@ TEST_SUITE("ui files")
     {
         const Folder folder;
         const fs::path list = folder.path() / "state" / "recent";
-        ui::RecentFiles recent(list, femoop::write_whole_file);
+        ui::RecentFiles recent(list, files::write_whole_file);
         CHECK(recent.paths().empty());
         for (int i = 0; i < 14; ++i) recent.add("/tmp/" + std::to_string(i) + ".json");
         recent.add("/tmp/9.json");
-        const ui::RecentFiles again(list, femoop::write_whole_file);
+        const ui::RecentFiles again(list, files::write_whole_file);
         REQUIRE(again.paths().size() == 10);
         CHECK(again.paths()[0] == "/tmp/9.json");
         CHECK(again.paths()[1] == "/tmp/13.json");
@@ -142,7 +142,7 @@ TEST_SUITE("ui files")
     {
         const Folder folder;
         const fs::path list = folder.path() / "recent";
-        ui::RecentFiles one(list, femoop::write_whole_file), other(list, femoop::write_whole_file);
+        ui::RecentFiles one(list, files::write_whole_file), other(list, files::write_whole_file);
         one.add("/tmp/1.json");
         other.add("/tmp/2.json");
         one.add("/tmp/3.json");

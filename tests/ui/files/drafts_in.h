@@ -2,10 +2,10 @@
 
 #include <filesystem>
 
-#include "femoop/io/whole_file.h"
+#include "femoop/files/whole_file.h"
 #include "ui/files/draft.h"
 
 inline ui::DraftFolder drafts_in(const std::filesystem::path& folder)
 {
-    return {folder, ".txt", femoop::write_whole_file};
+    return {folder, ".txt", files::write_whole_file};
 }

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <string>
 
-#include "femoop/io/whole_file.h"
+#include "femoop/files/whole_file.h"
 #include "tests/folder.h"
 
 namespace {
@@ -14,7 +14,7 @@ namespace {
 /// A session of a text; one that begins with "bad" is none.
 class Note : public ui::OpenDocument<std::string> {
 public:
-    Note() : OpenDocument("", femoop::write_whole_file) {}
+    Note() : OpenDocument("", files::write_whole_file) {}
 
     std::string text;
     const ui::Catalogue& tr() const override { return tr_; }

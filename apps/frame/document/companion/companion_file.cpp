@@ -7,12 +7,12 @@
 
 #include "apps/frame/document/document.h"
 #include "apps/frame/document/set_library.h"
+#include "femoop/files/whole_file.h"
 #include "femoop/io/file_text.h"
 #include "femoop/io/json/json_document.h"
 #include "femoop/io/json/json_writer.h"
 #include "femoop/io/model_file.h"
 #include "femoop/io/reader/value_reader.h"
-#include "femoop/io/whole_file.h"
 #include "femoop/model/check/suggestion.h"
 #include "femoop/model/fault/translator.h"
 #include "femoop/model/quantity/in_units.h"
@@ -336,7 +336,7 @@ std::error_code save_companion_of(const fs::path& model_file, const Document& do
 {
     const Companion& companion = document.companion;
     const fs::path path = companion_path(model_file);
-    if (!companion.is_empty()) return write_whole_file(path, write_companion(companion, document.model));
+    if (!companion.is_empty()) return files::write_whole_file(path, write_companion(companion, document.model));
     std::error_code error;
     fs::remove(path, error);
     return error;

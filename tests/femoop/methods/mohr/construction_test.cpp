@@ -62,3 +62,5 @@ TEST_CASE("The construction of a point circle ends with the point")
     CHECK(steps.back().stage == ConstructionStage::Point);
     CHECK(steps.size() == 4);
 }
+
+TEST_SUITE_END();

@@ -158,3 +158,5 @@ TEST_CASE("A strength that a criterion cannot use is named")
     CHECK(why_not(Criterion::HoekBrown, wrong)->flaw == StrengthFlaw::AboveOne);
     for (const Criterion criterion : all) CHECK_FALSE(why_not(criterion, strengths));
 }
+
+TEST_SUITE_END();

@@ -38,3 +38,5 @@ TEST_CASE("The stress path of one state is its point and of none is nothing")
     CHECK(stress_path({{30.0, -6.0, 8.0}}, 9).size() == 1);
     CHECK(stress_path({}, 9).empty());
 }
+
+TEST_SUITE_END();

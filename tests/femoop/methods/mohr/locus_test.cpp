@@ -95,3 +95,5 @@ TEST_CASE("The envelope of a plane strain touches every circle at failure")
             CHECK(std::abs(gap) < 0.01 * c.radius);
         }
 }
+
+TEST_SUITE_END();

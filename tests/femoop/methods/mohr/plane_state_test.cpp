@@ -170,3 +170,5 @@ TEST_CASE("The line from the pole of planes to a point of the circle is parallel
             CHECK(std::abs(as_direction(line - expected)) < 1e-12);
         }
 }
+
+TEST_SUITE_END();

@@ -73,3 +73,5 @@ TEST_CASE("Two gauges along one direction are refused also half a turn apart")
     CHECK(why_not(rosette({0.0, 90.0, 90.05}, {})));
     CHECK_FALSE(why_not(rosette({0.0, 90.0, 91.0}, {})));
 }
+
+TEST_SUITE_END();

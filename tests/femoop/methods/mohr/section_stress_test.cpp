@@ -218,3 +218,5 @@ TEST_CASE("A normal force and a moment that cancel at a fibre leave nothing ther
     CHECK(stress(section, {.N = N, .M = M}, y).sigma == 0.0);
     CHECK(stress(section, {.N = 1e-20, .M = 0.0}, y).sigma == Approx(1e-20 / section.area()).epsilon(1e-12));
 }
+
+TEST_SUITE_END();

@@ -108,3 +108,5 @@ TEST_CASE("A principal direction can be chosen and the others stay square to it 
             CHECK(principal(from_principal(turned)).values[0] == Approx(p.values[0]));
         }
 }
+
+TEST_SUITE_END();

@@ -155,3 +155,5 @@ TEST_CASE("Lode's angle is 0 in axial tension, 30 degrees in pure shear, 60 in a
     const Deviator d = deviator(principal(ugural));
     CHECK(std::cos(3.0 * *d.lode) == Approx(1.5 * std::sqrt(3.0) * d.J3 / std::pow(d.J2, 1.5)));
 }
+
+TEST_SUITE_END();

@@ -99,3 +99,5 @@ TEST_CASE("No section has a negative principal second moment")
     CHECK(!is_possible(plane_state(Kind::Inertia, -3.0, 4.0, 0.0)));
     CHECK(is_possible(plane_state(Kind::PlaneStress, 1.0, 1.0, 5.0)));
 }
+
+TEST_SUITE_END();

@@ -1,4 +1,4 @@
-#include "femoop/io/whole_file.h"
+#include "femoop/files/whole_file.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -10,10 +10,10 @@
 #include <csignal>
 #include <sys/stat.h>
 #include <unistd.h>
-#define FEMOOP_HAS_POSIX_FILES 1
+#define FILES_HAS_POSIX 1
 #endif
 
-namespace femoop {
+namespace files {
 
 namespace fs = std::filesystem;
 
@@ -32,7 +32,7 @@ struct Draft {
     File file;
 };
 
-#ifdef FEMOOP_HAS_POSIX_FILES
+#ifdef FILES_HAS_POSIX
 
 Draft draft_beside(const fs::path& target)
 {
@@ -154,4 +154,4 @@ std::error_code write_whole_file(const fs::path& path, std::string_view text)
     return replace(target, old, text);
 }
 
-} // namespace femoop
+} // namespace files

@@ -7,20 +7,20 @@
 #include <sys/resource.h>
 #endif
 
-#include "femoop/io/whole_file.h"
+#include "femoop/files/whole_file.h"
 #include "tests/folder.h"
 
 namespace fs = std::filesystem;
 
-TEST_SUITE("io")
+TEST_SUITE("files")
 {
     TEST_CASE("A file is replaced whole, keeps its permissions, and nothing is left beside it")
     {
         const Folder folder;
         const fs::path path = folder.path("beam.json");
-        REQUIRE_FALSE(femoop::write_whole_file(path, "the old text, which is longer"));
+        REQUIRE_FALSE(files::write_whole_file(path, "the old text, which is longer"));
         fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
-        REQUIRE_FALSE(femoop::write_whole_file(path, "new"));
+        REQUIRE_FALSE(files::write_whole_file(path, "new"));
         CHECK(folder.read("beam.json") == "new");
         CHECK(fs::status(path).permissions() ==
               (fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read));
@@ -30,9 +30,9 @@ TEST_SUITE("io")
     TEST_CASE("A link stays a link, and its target is replaced")
     {
         const Folder folder;
-        REQUIRE_FALSE(femoop::write_whole_file(folder.path("target.json"), "old"));
+        REQUIRE_FALSE(files::write_whole_file(folder.path("target.json"), "old"));
         fs::create_symlink("target.json", folder.path("link.json"));
-        REQUIRE_FALSE(femoop::write_whole_file(folder.path("link.json"), "new"));
+        REQUIRE_FALSE(files::write_whole_file(folder.path("link.json"), "new"));
         CHECK(fs::is_symlink(folder.path("link.json")));
         CHECK(folder.read("target.json") == "new");
     }
@@ -41,20 +41,20 @@ TEST_SUITE("io")
     {
         const Folder folder;
         fs::create_symlink("target.json", folder.path("link.json"));
-        REQUIRE_FALSE(femoop::write_whole_file(folder.path("link.json"), "new"));
+        REQUIRE_FALSE(files::write_whole_file(folder.path("link.json"), "new"));
         CHECK(fs::is_symlink(folder.path("link.json")));
         CHECK(folder.read("target.json") == "new");
         fs::create_symlink("round.json", folder.path("round.json"));
-        CHECK(femoop::write_whole_file(folder.path("round.json"), "x") == std::errc::too_many_symbolic_link_levels);
+        CHECK(files::write_whole_file(folder.path("round.json"), "x") == std::errc::too_many_symbolic_link_levels);
         CHECK(fs::is_symlink(folder.path("round.json")));
     }
 
     TEST_CASE("A write-protected file is left alone, whoever asks")
     {
         const Folder folder;
-        REQUIRE_FALSE(femoop::write_whole_file(folder.path("kept.json"), "old"));
+        REQUIRE_FALSE(files::write_whole_file(folder.path("kept.json"), "old"));
         fs::permissions(folder.path("kept.json"), fs::perms::owner_read);
-        CHECK(femoop::write_whole_file(folder.path("kept.json"), "new") == std::errc::permission_denied);
+        CHECK(files::write_whole_file(folder.path("kept.json"), "new") == std::errc::permission_denied);
         CHECK(folder.read("kept.json") == "old");
         CHECK(folder.n_entries() == 1);
     }
@@ -67,7 +67,7 @@ TEST_SUITE("io")
         REQUIRE(getrlimit(RLIMIT_FSIZE, &before) == 0);
         const rlimit small{.rlim_cur = 1000, .rlim_max = before.rlim_max};
         REQUIRE(setrlimit(RLIMIT_FSIZE, &small) == 0);
-        const std::error_code error = femoop::write_whole_file(folder.path("large.json"), std::string(5000, 'x'));
+        const std::error_code error = files::write_whole_file(folder.path("large.json"), std::string(5000, 'x'));
         REQUIRE(setrlimit(RLIMIT_FSIZE, &before) == 0);
         CHECK(error == std::errc::file_too_large);
         CHECK(folder.n_entries() == 0);
@@ -78,14 +78,14 @@ TEST_SUITE("io")
     {
         const Folder folder;
         fs::create_directory(folder.path("sub"));
-        CHECK(femoop::write_whole_file(folder.path("sub"), "text") == std::errc::is_a_directory);
-        CHECK(femoop::write_whole_file(folder.path("none/beam.json"), "text") == std::errc::no_such_file_or_directory);
+        CHECK(files::write_whole_file(folder.path("sub"), "text") == std::errc::is_a_directory);
+        CHECK(files::write_whole_file(folder.path("none/beam.json"), "text") == std::errc::no_such_file_or_directory);
         CHECK(folder.n_entries() == 1);
     }
 
     TEST_CASE("A full disk is said")
     {
         if (!fs::exists("/dev/full")) return;
-        CHECK(femoop::write_whole_file("/dev/full", "text") == std::errc::no_space_on_device);
+        CHECK(files::write_whole_file("/dev/full", "text") == std::errc::no_space_on_device);
     }
 }
