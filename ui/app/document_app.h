@@ -177,6 +177,7 @@ template <class Desk> void DocumentApp<Desk>::take_keys(const Input& input)
         const auto* const command = commands_.find(event.chord());
         if (command == nullptr) continue;
         const auto reason = run(*command, desk_);
+        ImGui::GetIO().ClearInputCharacters(); // the letter was a command, and none for a field that this opens
         if (reason && !is_escape) desk_.tell(*reason);
     }
 }

@@ -37,7 +37,7 @@ template <class Session> void open_first(Session& session, const std::filesystem
 template <class Application>
 void remember(Application& application, const AppOptions& options, const std::optional<DraftFolder>& folder)
 {
-    application.desk().has_panels = *options.settings.has_panels;
+    begin_as_left(application.desk(), options.settings);
     if (folder) application.remember_in(*folder);
 }
 

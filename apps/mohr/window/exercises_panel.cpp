@@ -87,8 +87,9 @@ void ExercisesPanel::show_question(Desk& desk, std::size_t place)
     const std::string text = answer ? session.look.number(*answer) : "";
     const bool begins = desk.is_asking_next && practice.first_open() == place;
     if (begins) desk.is_asking_next = false;
-    const auto event = fields_.show("###answer" + std::to_string(place),
-                                    {.text = text, .exact_text = text, .value = std::nullopt, .begins = begins});
+    const auto event = fields_.show(
+        "###answer" + std::to_string(place),
+        {.text = text, .exact_text = text, .value = std::nullopt, .begins = begins, .stays = true});
     if (event.kind == Kind::Typed) {
         const auto reason = session.answer(place, event.text);
         if (reason) fields_.reject(event, session.tr()(*reason));
