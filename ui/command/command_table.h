@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <compare>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -90,25 +91,39 @@ public:
         return found == with_argument_.end() ? nullptr : &found->second;
     }
 
-    /// Those whose label, in the catalogue's language or in English, goes with what was typed, the best first. Where a
-    /// label has the words themselves, those with mere letters of them are left out.
+    /// Those whose label, in the catalogue's language or in English, goes with what was typed, the best first; of equal
+    /// ones those that can run, and of these those of the fewest words. Where a label has the words themselves, those
+    /// with mere letters of them are left out.
     std::vector<const Entry*> matching(std::string_view typed, const Session& session, const Catalogue& tr) const
     {
-        std::vector<std::pair<int, const Entry*>> ranked;
+        std::vector<std::pair<Merit, const Entry*>> ranked;
         for (const Entry& command : commands_) {
-            if (const std::optional<int> rank = best_rank(typed, command, session, tr))
-                ranked.emplace_back(*rank, &command);
+            const std::optional<int> rank = best_rank(typed, command, session, tr);
+            if (!rank) continue;
+            Merit merit{*rank};
+            if (!typed.empty())
+                merit = {*rank, ui::why_not(command, session).has_value(),
+                         std::ranges::count(ui::label(command, session, tr), ' ')};
+            ranked.emplace_back(merit, &command);
         }
         std::ranges::stable_sort(ranked, {}, [](const auto& pair) { return pair.first; });
         std::vector<const Entry*> found;
-        for (const auto& [rank, command] : ranked) {
-            if (rank > worst_rank_of_words && ranked.front().first <= worst_rank_of_words) break;
+        for (const auto& [merit, command] : ranked) {
+            if (merit.rank > worst_rank_of_words && ranked.front().first.rank <= worst_rank_of_words) break;
             found.push_back(command);
         }
         return found;
     }
 
 private:
+    /// The least is the best.
+    struct Merit {
+        int rank;
+        bool is_refused = false;
+        std::ptrdiff_t n_blanks = 0; ///< in the label
+        auto operator<=>(const Merit&) const = default;
+    };
+
     static std::optional<int> best_rank(std::string_view typed, const Entry& command, const Session& session,
                                         const Catalogue& tr)
     {

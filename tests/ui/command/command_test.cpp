@@ -148,6 +148,28 @@ TEST_SUITE("ui command")
         CHECK(table.matching("bulb", {}, tr).at(0)->id == "lamp.unscrew");
     }
 
+    TEST_CASE("Of commands with the same words those that can run come first, and of these labels of fewer words")
+    {
+        ui::CommandTable<Lamp> table;
+        const auto add = [&](std::string_view id, std::string_view label, bool can_run) {
+            table.add(
+                {.id = id,
+                 .menu = "Lamp",
+                 .label = label,
+                 .run = [](Lamp&) {},
+                 .why_not =
+                     [can_run](const Lamp&) { return can_run ? std::nullopt : std::optional<ui::Phrase>("not now"); }});
+        };
+        add("refused", "Light", false);
+        add("long", "Light of the hall", true);
+        add("short", "Light up", true);
+        std::string order;
+        for (const auto* command : table.matching("light", {}, ui::Catalogue()))
+            order += std::string(command->id) + ' ';
+        CHECK(order == "short long refused ");
+        CHECK(table.matching("", {}, ui::Catalogue()).at(1)->id == "long"); // where nothing was typed: as in the menus
+    }
+
     TEST_CASE("A whole word is better than its beginning, that better than its middle, and that than scattered letters")
     {
         CHECK(ui::match_rank("moment", "Bending moment") == 0);
