@@ -109,7 +109,7 @@ template <class Desk> void add_undo_and_redo(CommandTable<Desk>& table)
 }
 
 /// `fit`: what is shown whole, "Show the whole model", and the keys for it.
-template <class Desk> void add_zoom(CommandTable<Desk>& table, std::string_view fit, std::vector<Chord> keys)
+template <class Desk> void add_zoom(CommandTable<Desk>& table, std::string_view fit, const std::vector<Chord>& keys)
 {
     MenuBuilder<Desk> menu(table, view_menu);
     menu.step({"view.fit", fit, std::move(keys)}, asks(Request::Fit));

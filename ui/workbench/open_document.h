@@ -71,9 +71,9 @@ public:
 protected:
     OpenDocument(Document saved, WriteWhole write) : saved_(std::move(saved)), write_(write) {}
     OpenDocument(const OpenDocument&) = default;
-    OpenDocument(OpenDocument&&) = default;
+    OpenDocument(OpenDocument&&) noexcept = default;
     OpenDocument& operator=(const OpenDocument&) = default;
-    OpenDocument& operator=(OpenDocument&&) = default;
+    OpenDocument& operator=(OpenDocument&&) noexcept = default;
 
     /// Puts the file's document in the place of this one, by `begin`. \returns why it cannot
     virtual std::optional<Phrase> read(const std::filesystem::path& path) = 0;
