@@ -88,8 +88,13 @@ Link::~Link() { close(); }
 
 void Link::close()
 {
-    if (!folder_.empty() && end_ == End::Giver) remove_folder(folder_);
+    if (folder_.empty()) return;
+    std::error_code ignored;
+    if (end_ == End::Giver) remove_folder(folder_);
+    else fs::remove(folder_ / file_of(end_), ignored);
 }
+
+fs::path Link::file_of_other() const { return folder_ / file_of(end_ == End::Giver ? End::Taker : End::Giver); }
 
 std::error_code Link::tell(std::string_view text)
 {
@@ -99,7 +104,7 @@ std::error_code Link::tell(std::string_view text)
 
 std::optional<std::string> Link::heard()
 {
-    const fs::path path = folder_ / file_of(end_ == End::Giver ? End::Taker : End::Giver);
+    const fs::path path = file_of_other();
     std::error_code error;
     const bool is_file = fs::is_regular_file(fs::symlink_status(path, error));
     const Mark mark{fs::last_write_time(path, error), error ? 0 : fs::file_size(path, error)};
@@ -112,6 +117,12 @@ std::optional<std::string> Link::heard()
     if (text == last_) return std::nullopt;
     last_ = text;
     return text;
+}
+
+bool Link::is_withdrawn() const
+{
+    std::error_code error;
+    return last_ && fs::symlink_status(file_of_other(), error).type() == fs::file_type::not_found;
 }
 
 bool Link::is_cut() const

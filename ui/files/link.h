@@ -31,14 +31,15 @@ public:
     Link& operator=(Link&& other) noexcept;
     Link(const Link&) = delete;
     Link& operator=(const Link&) = delete;
-    ~Link(); ///< a giver takes the folder away
+    ~Link(); ///< a giver takes the folder away, a taker what it has told
 
     const std::filesystem::path& folder() const { return folder_; }
     /// Says what this end has. \returns what hindered it
     std::error_code tell(std::string_view text);
     /// What the other end has told since the last call; nothing where it told nothing new.
     std::optional<std::string> heard();
-    bool is_cut() const; ///< the folder has gone: the other end will hear nothing
+    bool is_withdrawn() const; ///< the other end has told something, and has ended since
+    bool is_cut() const;       ///< the folder has gone: the other end will hear nothing
 
 private:
     /// A file that is replaced whole is another one.
@@ -50,6 +51,7 @@ private:
     Link(std::filesystem::path folder, WriteWhole write, End end) : folder_(std::move(folder)), write_(write), end_(end)
     {}
     void close();
+    std::filesystem::path file_of_other() const;
 
     std::filesystem::path folder_;
     WriteWhole write_;

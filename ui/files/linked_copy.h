@@ -24,7 +24,7 @@ public:
 
     /// Time goes by: twice a second it tells the other end what has changed here, and looks what has changed there.
     void tick(double seconds, const Document& document);
-    /// What the other end has and this one has not.
+    /// What the other end has and this one has not; nothing once its program has ended.
     const std::optional<std::string>& offered() const { return offered_; }
     /// It stays as it is here; what is offered next is another change.
     void keep() { offered_.reset(); }

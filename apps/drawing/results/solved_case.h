@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace drawing {
@@ -12,7 +13,7 @@ namespace drawing {
 /// The results of the case that is drawn, with the exact solution of every member at hand.
 class SolvedCase {
 public:
-    explicit SolvedCase(femoop::CaseResult of_case) : result(of_case) {}
+    explicit SolvedCase(femoop::CaseResult of_case) : result(std::move(of_case)) {}
 
     femoop::CaseResult result;
     std::vector<femoop::Curve> curves; ///< of the members
@@ -35,10 +36,6 @@ std::vector<femoop::MemberComponent> components(Show item, femoop::AnalysisKind 
 /// The largest absolute value of a section force in the whole structure; 0 where it is nothing but rounding beside the
 /// other forces, moments being compared with forces times `size`, the structure's.
 double largest_value(const SolvedCase& solved, femoop::MemberComponent component, double size);
-
-/// The value that a scale is made for: the one given while a number is dragged, unless there is none or the picture
-/// would grow beyond bounds.
-double held(double given, double now);
 
 /// 1, 2 or 5 times a power of ten, not above the value. \pre value > 0 and finite.
 double round_below(double value);

@@ -72,7 +72,7 @@ void Application::remember_in(const ui::DraftFolder& folder) { kept_files_ = ui:
 void Application::animate(double seconds)
 {
     time_ = is_swinging() ? time_ + seconds : full_swing;
-    desk_.session.view.phase = std::sin(2.0 * std::numbers::pi * time_ / seconds_per_swing);
+    desk_.session.draw_state.phase = std::sin(2.0 * std::numbers::pi * time_ / seconds_per_swing);
 }
 
 void Application::pass_notice(double seconds)
@@ -231,7 +231,7 @@ void Application::take(const ui::ChosenFile& file)
 // The other program speaks and looks as this one does, and hears of what changes here.
 void Application::hand_over(ui::Handover handover)
 {
-    const ViewOptions& view = desk_.session.view;
+    const DrawOptions& view = desk_.session.view;
     handover.options = {"--lang", std::string(code(view.tr.language())), "--theme", std::string(text(view.theme))};
     handed_ = std::move(handover);
     if (!start_program_) return;
@@ -315,8 +315,8 @@ void Application::show_tabs()
     for (const TopicEntry& entry : topics()) {
         std::string title = desk_.session.view.tr(entry.label);
         const std::size_t n_faults = desk_.session.solution().faults.size();
-        if (entry.topic == Topic::Problems && n_faults > 0) title += " (" + std::to_string(n_faults) + ")";
-        if (row.show(title + "###" + std::string(entry.id), entry.topic == desk_.topic)) desk_.topic = entry.topic;
+        if (entry.value == Topic::Problems && n_faults > 0) title += " (" + std::to_string(n_faults) + ")";
+        if (row.show(title + "###" + std::string(entry.id), entry.value == desk_.topic)) desk_.topic = entry.value;
     }
 }
 

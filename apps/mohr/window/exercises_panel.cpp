@@ -58,7 +58,7 @@ std::string verdict_words(const Judgement& judgement, const ui::Catalogue& tr)
 void ExercisesPanel::show(Desk& desk, const CommandTable& commands)
 {
     choice(desk, commands, "###exercise topic", exercise_topics(),
-           [&](const ExerciseTopicEntry& entry) { return entry.topic == desk.exercise_topic; });
+           [&](const ExerciseTopicEntry& entry) { return entry.value == desk.exercise_topic; });
     for (const char* id : {"exercise.easy", "exercise.medium", "exercise.hard"}) ui::command_button(desk, commands, id);
     ImGui::Separator();
     if (!desk.session.practice()) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 
 #include "femoop/files/whole_file.h"
 #include "ui/files/linked_copy.h"
@@ -89,6 +90,29 @@ TEST_SUITE("ui files")
         pair.giver.document = "10 kN";
         pair.tick();
         CHECK(pair.taker.offered() == "nothing");
+    }
+
+    TEST_CASE("A program that has ended offers nothing any more")
+    {
+        Pair pair;
+        pair.taker.document = "7 kN";
+        pair.tick();
+        REQUIRE(pair.giver.offered() == "7 kN");
+        {
+            const ui::LinkedCopy ended = std::move(pair.taker.copy);
+        }
+        pair.giver.tick();
+        CHECK(pair.giver.offered() == "nothing");
+
+        Pair other;
+        other.giver.document = "12 kN";
+        other.tick();
+        REQUIRE(other.taker.offered() == "12 kN");
+        {
+            const ui::LinkedCopy ended = std::move(other.giver.copy);
+        }
+        other.taker.tick();
+        CHECK(other.taker.offered() == "nothing");
     }
 
     TEST_CASE("Texts of one length that follow one another at once are both heard")
