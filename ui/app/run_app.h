@@ -37,7 +37,10 @@ template <class Session> void open_first(Session& session, const std::filesystem
 template <class Application>
 void remember(Application& application, const AppOptions& options, const std::optional<DraftFolder>& folder)
 {
-    application.desk().has_panels = *options.settings.has_panels;
+    auto& desk = application.desk();
+    desk.has_panels = *options.settings.has_panels;
+    if constexpr (requires { desk.take_up_tools(""); })
+        if (options.settings.tools) desk.take_up_tools(*options.settings.tools);
     if (folder) application.remember_in(*folder);
 }
 

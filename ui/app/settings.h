@@ -20,7 +20,8 @@ struct Settings {
     std::optional<Language> language{};
     std::optional<UnitSystem> units{}; ///< absent: those that go with the document
     std::optional<bool> has_panels{};
-    std::optional<Size> window{}; ///< [logical pixels]
+    std::optional<Size> window{};       ///< [logical pixels]
+    std::optional<std::string> tools{}; ///< how the app's own tools are set, a line in its own words
 
     /// These, and of others what they lack.
     Settings or_else(const Settings& others) const;
