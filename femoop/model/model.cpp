@@ -1,5 +1,7 @@
 #include "femoop/model/model.h"
 
+#include "femoop/model/memory_footprint.h"
+
 #include <stdexcept>
 #include <utility>
 
@@ -47,6 +49,34 @@ std::optional<CaseId> Model::find_case(std::string_view id) const
     if (const auto found = find<CaseId>(load_cases, id)) return found;
     if (const auto found = find<CaseId>(combinations, id)) return CaseId(load_cases.size() + found->index);
     return std::nullopt;
+}
+
+namespace {
+
+constexpr std::size_t typed_text = 64; // of one quantity, with its allocation
+
+std::size_t footprint(const LoadCase& load_case)
+{
+    const std::size_t one_component = sizeof(Component) + typed_text;
+    return sizeof(LoadCase) + load_case.nodes.size() * (sizeof(NodeLoad) + one_component) +
+           load_case.settlements.size() * (sizeof(Settlement) + one_component) +
+           load_case.members.size() * (sizeof(MemberLoad) + sizeof(DistributedLoad::Value) + typed_text);
+}
+
+} // namespace
+
+std::size_t memory_footprint(const Model& model)
+{
+    std::size_t bytes = sizeof(Model) + model.title.size() + model.notes.size() +
+                        model.nodes.size() * (sizeof(Node) + 2 * typed_text) + model.members.size() * sizeof(Member) +
+                        model.materials.size() * (sizeof(Material) + 4 * typed_text) +
+                        model.sections.size() * (sizeof(Section) + 4 * typed_text) +
+                        model.expected.size() * sizeof(Expected);
+    for (const LoadCase& load_case : model.load_cases) bytes += footprint(load_case);
+    for (const Combination& combination : model.combinations)
+        bytes += sizeof(Combination) + combination.terms.size() * sizeof(Combination::Term);
+    for (const ExtraBlock& block : model.extra) bytes += sizeof(ExtraBlock) + block.json.size();
+    return bytes;
 }
 
 } // namespace femoop

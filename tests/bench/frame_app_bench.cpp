@@ -74,8 +74,12 @@ public:
             context_.gl().Finish();
         });
     }
-    /// Frames in a second, each from the pointer's move to the picture, while the last node goes round a circle.
-    double frames_per_second()
+    /// Milliseconds of a frame, from the pointer's move to the picture, while the last node goes round a circle, and of
+    /// one in which the pointer rests.
+    struct NodeDrag {
+        double moving = 0.0, resting = 0.0;
+    };
+    NodeDrag drag_node()
     {
         const femoop::NodeId node(application_.session().model().nodes.size() - 1);
         const ui::Point start = *application_.canvas().in_window(frame::shape_of(application_.session().model())[node]);
@@ -87,13 +91,14 @@ public:
         };
         frame_at(start, false);
         frame_at(start, true);
-        double sum = 0.0;
+        NodeDrag mean;
         for (int i = 1; i <= n_frames; ++i) {
             const double angle = 0.2 * i;
-            sum += frame_at(start + 12.0 * ui::Point{std::cos(angle) - 1.5, std::sin(angle)}, true);
+            const ui::Point at = start + 12.0 * ui::Point{std::cos(angle) - 1.5, std::sin(angle)};
+            mean.moving += frame_at(at, true) / n_frames;
+            mean.resting += frame_at(at, true) / n_frames;
         }
-        frame_at(start, false);
-        return 1000.0 * n_frames / sum;
+        return mean;
     }
     int n_triangles() const { return ImGui::GetDrawData()->TotalIdxCount / 3; }
 
@@ -144,9 +149,12 @@ void print_row(const char* name, ui::PixelSize size, frame::ShowSet show)
 void print_drag(ui::PixelSize size, cli::FrameSize structure, frame::ShowSet show)
 {
     DraggedFrame dragged(size, structure, show);
-    const double n = dragged.frames_per_second();
-    std::printf("%5zu members %6.1f frames/s   %d triangles\n", (2 * structure.bays + 1) * structure.storeys, n,
-                dragged.n_triangles());
+    const auto [moving, resting] = dragged.drag_node();
+    double raster = 0.0;
+    for (int i = 0; i < n_frames; ++i) raster += dragged.raster() / n_frames;
+    std::printf("%5zu members %6.2f %8.2f %7.2f | %6.2f   %6.1f frames/s   %d triangles\n",
+                (2 * structure.bays + 1) * structure.storeys, moving - resting, resting - raster, raster, moving,
+                1000.0 / moving, dragged.n_triangles());
     std::fflush(stdout);
 }
 
@@ -170,7 +178,8 @@ int main()
               by_default |
                   frame::ShowSet{frame::Show::N, frame::Show::V, frame::Show::Deformed, frame::Show::Dimensions});
     std::printf("%-28s %40.2f\n", "(an empty window)", empty_frame(size));
-    std::printf("a node is dragged, moments follow\n");
+    std::printf("a node is dragged, moments follow [ms]\n"
+                "               solve  picture  raster |  total\n");
     print_drag(size, {.bays = 7, .storeys = 4}, by_default);
     print_drag(size, {.bays = 12, .storeys = 40}, by_default);
     std::printf("from the start to the third frame %.0f ms\n", first_frame(size, by_default));

@@ -54,7 +54,7 @@ TEST_CASE("What goes wrong in a scenario is told with its line, what was found a
     CHECK(played(open + "expect undo Draw a member") == "line 2: undo: found nothing, wanted Draw a member");
     CHECK(played(open + "command edit.jump") ==
           "line 2: found command \"edit.jump\", wanted one of the app's; the palette (Ctrl+K) lists them");
-    CHECK(played(open + "expect luck").starts_with("line 2: expect: found \"luck\", wanted one of value, node, drawn"));
+    CHECK(played(open + "expect luck").starts_with("line 2: expect: found \"luck\", wanted one of drawn, not drawn"));
 }
 
 TEST_CASE("Every frame of a scenario can be kept for a film")

@@ -132,13 +132,13 @@ concept Linkable = requires(Session session, const std::string& text)
     session.take_over(text);
 };
 
-/// A tab for each topic of a panel: `topics` have a `topic`, an `id` and a `label`.
+/// A tab for each topic of a panel: `topics` are choices.
 template <class Desk, class Topics> void show_topics(Desk& desk, const Topics& topics)
 {
     TabRow row;
     for (const auto& entry : topics) {
         const std::string title = desk.tr()(entry.label) + "###" + std::string(entry.id);
-        if (row.show(title, entry.topic == desk.topic)) desk.topic = entry.topic;
+        if (row.show(title, entry.value == desk.topic)) desk.topic = entry.value;
     }
     ImGui::Separator();
 }
@@ -177,6 +177,7 @@ template <class Desk> void DocumentApp<Desk>::take_keys(const Input& input)
         const auto* const command = commands_.find(event.chord());
         if (command == nullptr) continue;
         const auto reason = run(*command, desk_);
+        ImGui::GetIO().ClearInputCharacters(); // the letter was a command, and none for a field that this opens
         if (reason && !is_escape) desk_.tell(*reason);
     }
 }

@@ -31,44 +31,51 @@ std::optional<Complaint> common_complaint(std::string_view expectation, const Ap
                                           const std::optional<Picture>& picture);
 inline constexpr std::string_view common_expectations = "drawn, not drawn, written, not written, ends";
 
-/// A word that stands for something of an app: "step" for how many turns are done.
-template <class Session> struct Fact {
+/// A word that stands for something of an app, or of its session: "step" for how many turns are done.
+template <class Subject> struct Fact {
     std::string_view name;
-    std::string (*found)(const Session&);
+    std::string (*found)(const Subject&);
 };
 
 inline std::string yes_or_no(bool is) { return is ? "yes" : "no"; }
 
-/// The facts of an app of one document: `own` and
+/// The facts of an app: `own` and, of the document that is seen,
 ///
 ///     notice nothing     file cube.eul     changed no
 ///
 /// \param own  "wanted one of" these \param more  further words that the app itself understands
-template <class Session> class Facts {
+template <class Subject> class Facts {
 public:
-    Facts(std::vector<Fact<Session>> own, std::string more) : facts_(std::move(own)), more_(std::move(more))
+    Facts(std::vector<Fact<Subject>> own, std::string more) : facts_(std::move(own)), more_(std::move(more))
     {
-        facts_.push_back({"notice", [](const Session& s) {
-                              return s.notice ? Catalogue()(s.notice->sentence) : std::string("nothing");
+        facts_.push_back({"notice", [](const Subject& s) {
+                              const auto& notice = session(s).notice;
+                              return notice ? Catalogue()(notice->sentence) : std::string("nothing");
                           }});
-        facts_.push_back({"file", [](const Session& s) { return s.file_name(); }});
-        facts_.push_back({"changed", [](const Session& s) { return yes_or_no(s.is_dirty()); }});
+        facts_.push_back({"file", [](const Subject& s) { return session(s).file_name(); }});
+        facts_.push_back({"changed", [](const Subject& s) { return yes_or_no(session(s).is_dirty()); }});
     }
 
     /// \param expectation  "step 3"
-    Complaint complaint(std::string_view expectation, const Session& session) const
+    Complaint complaint(std::string_view expectation, const Subject& subject) const
     {
         const auto [what, rest] = first_word(expectation);
         std::string names = std::string(common_expectations) + more_;
-        for (const Fact<Session>& fact : facts_) {
-            if (fact.name == what) return compared(what, fact.found(session), std::string(rest));
+        for (const Fact<Subject>& fact : facts_) {
+            if (fact.name == what) return compared(what, fact.found(subject), std::string(rest));
             names += ", " + std::string(fact.name);
         }
         return "expect: found \"" + std::string(what) + "\", wanted one of " + names;
     }
 
 private:
-    std::vector<Fact<Session>> facts_;
+    static const auto& session(const Subject& subject)
+    {
+        if constexpr (requires { subject.session(); }) return subject.session();
+        else return subject;
+    }
+
+    std::vector<Fact<Subject>> facts_;
     std::string more_;
 };
 

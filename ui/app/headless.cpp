@@ -40,6 +40,17 @@ Film film_in(const std::filesystem::path& folder)
 
 namespace {
 
+/// The letter or digit that a key writes, as a keyboard sends it along.
+std::string written_by(const Chord& chord)
+{
+    if (chord.modifiers.ctrl || chord.modifiers.alt || chord.key > Key::Digit9) return "";
+    const auto from = [&](Key first, char text) {
+        return std::string(1, static_cast<char>(text + static_cast<int>(chord.key) - static_cast<int>(first)));
+    };
+    if (chord.key >= Key::Digit0) return chord.modifiers.shift ? "" : from(Key::Digit0, '0');
+    return from(Key::A, chord.modifiers.shift ? 'A' : 'a');
+}
+
 /// Turns what a person does within a frame into what the window tells of it, without what is typed.
 class InputOfFrame {
 public:
@@ -56,6 +67,7 @@ public:
         if (frame.key) {
             input.modifiers = frame.key->modifiers;
             typing.add(KeyEvent{frame.key->key, true, frame.key->modifiers});
+            typing.add(written_by(*frame.key));
             key_held_ = frame.key->key;
         }
         typing.add(frame.text);

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "ui/app/app_options.h"
+#include "ui/widgets/answer_button.h"
 #include "ui/widgets/item_label.h"
 #include "ui/widgets/modal_turn.h"
 
@@ -116,7 +117,7 @@ std::optional<std::filesystem::path> KeptFiles::chosen_file(const Catalogue& tr)
         if (ImGui::Selectable(item_label(name_and_folder(path), std::to_string(i)).c_str())) chosen = path;
     }
     ImGui::Spacing();
-    asks_for_recent_ = !(ImGui::Button((tr("Cancel") + "###cancel").c_str()) || is_escaped() || chosen);
+    asks_for_recent_ = !(answer_button(tr("Cancel") + "###cancel") || is_escaped() || chosen);
     if (!asks_for_recent_) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
     return chosen;
@@ -130,9 +131,9 @@ std::optional<Leftover> KeptFiles::chosen_leftover(const Catalogue& tr)
     for (std::size_t i = 0; i < leftovers_.size(); ++i) {
         const Leftover& leftover = leftovers_[i];
         ImGui::PushID(static_cast<int>(i));
-        if (ImGui::Button((tr("Open") + "###open").c_str())) opened = leftover;
+        if (answer_button(tr("Open") + "###open")) opened = leftover;
         ImGui::SameLine();
-        if (ImGui::Button((tr("Delete") + "###delete").c_str())) deleted = leftover;
+        if (answer_button(tr("Delete") + "###delete")) deleted = leftover;
         ImGui::SameLine();
         ImGui::TextUnformatted(name_of(leftover, tr).c_str());
         ImGui::PopID();
@@ -143,7 +144,7 @@ std::optional<Leftover> KeptFiles::chosen_leftover(const Catalogue& tr)
         return (opened && leftover.draft == opened->draft) || (deleted && leftover.draft == deleted->draft);
     });
     ImGui::Spacing();
-    const bool later = ImGui::Button((tr("Later") + "###later").c_str()) || is_escaped();
+    const bool later = answer_button(tr("Later") + "###later") || is_escaped();
     if (later) leftovers_.clear();
     if (leftovers_.empty() || opened) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();

@@ -37,10 +37,7 @@ template <class Session> void open_first(Session& session, const std::filesystem
 template <class Application>
 void remember(Application& application, const AppOptions& options, const std::optional<DraftFolder>& folder)
 {
-    auto& desk = application.desk();
-    desk.has_panels = *options.settings.has_panels;
-    if constexpr (requires { desk.take_up_tools(""); })
-        if (options.settings.tools) desk.take_up_tools(*options.settings.tools);
+    begin_as_left(application.desk(), options.settings);
     if (folder) application.remember_in(*folder);
 }
 

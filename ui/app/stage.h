@@ -6,14 +6,20 @@
 #include <string_view>
 #include <utility>
 
+#include "ui/app/expectation.h"
 #include "ui/app/headless.h"
+#include "ui/command/command_table.h"
 #include "ui/context/offscreen.h"
 #include "ui/scenario/player.h"
 
 namespace ui {
 
-/// An app as scenarios see it, without a screen. An app adds its places, the commands that take an argument, and what
-/// can be expected of it.
+/// An app as scenarios see it, without a screen: its commands and `file.export`, which takes a path, and what can be
+/// expected of every app (expectation.h). An app adds its places, and by a function of its own
+///
+///     std::optional<std::string> why_not(std::string_view expectation, Application&);
+///
+/// what else can be expected of it: what was found instead and what was wanted; nothing where it is so.
 template <class Application> class OffscreenStage : public Stage {
 public:
     using KeepPicture = std::function<void(std::string_view name, const Pixels&)>;
@@ -22,6 +28,19 @@ public:
         : application_(application), context_(context), keep_(std::move(keep))
     {}
 
+    std::optional<std::string> run_command(std::string_view id, std::string_view argument) override
+    {
+        if (id != "file.export" || argument.empty())
+            return run_by_name(application_.commands(), {id, argument}, application_.desk());
+        const auto reason = application_.export_as(argument);
+        return reason ? std::optional(Catalogue()(*reason)) : std::nullopt;
+    }
+    std::optional<std::string> expect(std::string_view words) override
+    {
+        if (const auto complaint = common_complaint(words, application_, application_.canvas().picture()))
+            return *complaint;
+        return why_not(words, application_);
+    }
     std::optional<std::string> take_picture(std::string_view name) override
     {
         keep_(name, context_.pixels());

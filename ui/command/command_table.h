@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "ui/command/argument.h"
 #include "ui/command/chord.h"
 #include "ui/command/match.h"
 #include "ui/text/catalogue.h"
@@ -25,7 +26,7 @@ template <class Session> struct Command {
     std::vector<Chord> shortcuts{}; ///< the first is shown
     std::function<void(Session&)> run;
     /// Nothing if it can run now, else why not, as a sentence.
-    std::function<std::optional<Phrase>(const Session&)> why_not{};
+    std::function<Reason(const Session&)> why_not{};
     /// Given for what can be on or off, such as a layer of the picture.
     std::function<bool(const Session&)> is_on{};
     /// A label that depends on the state ("Undo Move node B"); `label` when absent.
@@ -37,15 +38,15 @@ template <class Session> std::string label(const Command<Session>& command, cons
     return command.live_label ? tr(command.live_label(session)) : tr(command.label);
 }
 
-template <class Session> std::optional<Phrase> why_not(const Command<Session>& command, const Session& session)
+template <class Session> Reason why_not(const Command<Session>& command, const Session& session)
 {
     return command.why_not ? command.why_not(session) : std::nullopt;
 }
 
 /// Runs it if it can run now; else says why not and changes nothing.
-template <class Session> std::optional<Phrase> run(const Command<Session>& command, Session& session)
+template <class Session> Reason run(const Command<Session>& command, Session& session)
 {
-    std::optional<Phrase> reason = why_not(command, session);
+    Reason reason = why_not(command, session);
     if (!reason) command.run(session);
     return reason;
 }
@@ -55,15 +56,21 @@ template <class Session> class CommandTable {
 public:
     using Entry = Command<Session>;
 
-    /// \throws std::logic_error for an id or a shortcut that another command has.
-    void add(Entry command)
+    /// \returns the row, until the next one is added. \throws std::logic_error for an id or a shortcut that another
+    /// command has.
+    Entry& add(Entry command)
     {
         if (find(command.id) != nullptr) throw std::logic_error("two commands named " + std::string(command.id));
         for (const Chord chord : command.shortcuts) {
             if (find(chord) != nullptr) throw std::logic_error("two commands on " + text(chord));
         }
-        commands_.push_back(std::move(command));
+        return commands_.emplace_back(std::move(command));
     }
+
+    /// What scenarios do with an argument: `file.open portal.json`. The command of that name, where there is one, says
+    /// whether it can run now; else it is a command of scenarios alone.
+    using RunWith = std::function<Reason(Session&, const Argument&)>; ///< returns why it cannot
+    void with_argument(std::string_view id, RunWith run) { with_argument_.emplace_back(id, std::move(run)); }
 
     const std::vector<Entry>& all() const { return commands_; }
 
@@ -77,9 +84,16 @@ public:
         return first([&](const Entry& command) { return std::ranges::count(command.shortcuts, chord) > 0; });
     }
 
+    /// Null where the command takes no argument.
+    const RunWith* find_with_argument(std::string_view id) const
+    {
+        const auto found = std::ranges::find(with_argument_, id, &std::pair<std::string_view, RunWith>::first);
+        return found == with_argument_.end() ? nullptr : &found->second;
+    }
+
     /// Those whose label, in the catalogue's language or in English, goes with what was typed, the best first; of equal
-    /// ones those that can run, and of these those of the fewest words. Where a label has the words themselves, those with mere
-    /// letters of them are left out.
+    /// ones those that can run, and of these those of the fewest words. Where a label has the words themselves, those
+    /// with mere letters of them are left out.
     std::vector<const Entry*> matching(std::string_view typed, const Session& session, const Catalogue& tr) const
     {
         std::vector<std::pair<Merit, const Entry*>> ranked;
@@ -129,16 +143,24 @@ private:
     }
 
     std::vector<Entry> commands_;
+    std::vector<std::pair<std::string_view, RunWith>> with_argument_;
 };
 
-/// Runs the command of that name. \returns what hinders it, in English, as scenarios tell it
+/// Runs the command of that name as a scenario asks for it, with an argument or (empty) without. \returns what hinders
+/// it, in English
 template <class Session>
-std::optional<std::string> run_by_name(const CommandTable<Session>& table, std::string_view id, Session& session)
+std::optional<std::string> run_by_name(const CommandTable<Session>& table, const Argument& argument, Session& session)
 {
-    const auto* const command = table.find(id);
-    if (command == nullptr)
-        return "found command \"" + std::string(id) + "\", wanted one of the app's; the palette (Ctrl+K) lists them";
-    const std::optional<Phrase> reason = run(*command, session);
+    const auto* const command = table.find(argument.id);
+    const auto* const with_argument = table.find_with_argument(argument.id);
+    const bool takes_argument = with_argument != nullptr && (command == nullptr || !argument.text.empty());
+    if (command == nullptr && !takes_argument)
+        return "found command \"" + std::string(argument.id) +
+               "\", wanted one of the app's; the palette (Ctrl+K) lists them";
+    if (!takes_argument && !argument.text.empty()) return Catalogue()(argument.wanted("no argument"));
+    Reason reason = command != nullptr ? why_not(*command, session) : std::nullopt;
+    if (!reason && takes_argument) reason = (*with_argument)(session, argument);
+    else if (!reason) command->run(session);
     return reason ? std::optional(Catalogue()(*reason)) : std::nullopt;
 }
 

@@ -45,12 +45,15 @@ double crisp_middle(double place, double width)
 template <class Snap> void snap_edges(std::vector<Point>& points, PathEnds ends, const Snap& snap)
 {
     constexpr double straight = 1e-3; // [px]
-    const std::vector<Point> given = points;
     const std::size_t n = points.size(), n_edges = ends == PathEnds::Closed ? n : n - 1;
+    const Point first = points.front();
+    Point given = first;
     for (std::size_t i = 0; i < n_edges; ++i) {
         const std::size_t j = (i + 1) % n;
-        if (std::abs(given[i].x - given[j].x) < straight) points[i].x = points[j].x = snap(given[i].x);
-        if (std::abs(given[i].y - given[j].y) < straight) points[i].y = points[j].y = snap(given[i].y);
+        const Point next = j == 0 ? first : points[j];
+        if (std::abs(given.x - next.x) < straight) points[i].x = points[j].x = snap(given.x);
+        if (std::abs(given.y - next.y) < straight) points[i].y = points[j].y = snap(given.y);
+        given = next;
     }
 }
 
@@ -135,11 +138,12 @@ void DrawListSurface::write(const Mesh::Vertex& v, Color color)
 
 void DrawListSurface::stroke(const Path& path, const Stroke& stroke)
 {
-    std::vector<Point> points(path.points.size());
+    std::vector<Point>& points = line_;
+    points.resize(path.points.size());
     std::transform(path.points.begin(), path.points.end(), points.begin(), [&](Point p) { return on_list(p); });
     const StrokeShape shape{.width = stroke.width * place_.scale, .cap = stroke.cap, .join = stroke.join};
     snap_edges(points, path.ends, [&](double x) { return crisp_middle(x, shape.width); });
-    points = simplified(points, unseen);
+    if (points.size() > 2) points = simplified(points, unseen);
     if (stroke.dash.is_solid()) {
         add_stroke(mesh_, points, path.ends, shape);
     } else {

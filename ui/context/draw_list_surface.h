@@ -6,6 +6,7 @@
 
 #include <array>
 #include <string_view>
+#include <vector>
 
 struct ImDrawList;
 
@@ -56,6 +57,7 @@ private:
     const AlphaImage* page_ = nullptr; ///< of the atlas; null before a layer's first string
     bool has_clip_ = false;
     Mesh mesh_;
+    std::vector<Point> line_; ///< the one that is drawn, in the list's pixels
 };
 
 } // namespace ui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string_view>
 
 #include "ui/desk/standard_commands.h"
@@ -16,9 +17,10 @@ struct FileWords {
 template <class Desk> void add_file_commands(CommandTable<Desk>& table, const FileWords& words)
 {
     add_new<Desk>(table, [](Desk& desk) { desk.leave_document([](Desk& left) { left.session.begin_anew(); }); });
-    add_open<Desk>(table, [](Desk& desk) { desk.leave_document(asks(Request::OpenDialog)); });
-    add_recent(table);
-    add_save(table);
+    add_open<Desk>(
+        table, [](Desk& desk) { desk.leave_document(asks(Request::OpenDialog)); },
+        [](Desk& desk, const std::filesystem::path& path) { return desk.session.open(path); });
+    add_save(table, [](Desk& desk, const std::filesystem::path& path) { return desk.session.save(path); });
     add_export(table, words.exported);
     add_copy_and_describe(table, words.described);
     add_quit<Desk>(table, [](Desk& desk) { desk.leave_document(asks(Request::Quit)); });

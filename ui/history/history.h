@@ -18,9 +18,18 @@ namespace ui {
 /// A step is a click (`apply`) or a gesture: `drag` again and again while the mouse is down, then `settle`. A gesture
 /// is one step however often it changed the document, and none if the document came back to what it was. A new step
 /// after an undo forgets what could have been redone.
+///
+/// The states together take no more memory than a limit: a step that would go beyond it forgets the oldest of them, so
+/// that undo reaches less far back. The present state and the one before it stay however large they are. A document
+/// tells its size by a function `memory_footprint(document)` [bytes] beside its type; without one it counts by sizeof.
 template <class Document> class History {
 public:
-    explicit History(Document start, Phrase label = {}) { states_.push_back({std::move(start), std::move(label)}); }
+    static constexpr std::size_t usual_limit = std::size_t{256} << 20; ///< [bytes]
+
+    explicit History(Document start, Phrase label = {}, std::size_t limit = usual_limit) : limit_(limit)
+    {
+        push_state(std::move(start), std::move(label));
+    }
 
     /// The document as it is now, an open gesture included. The reference holds until the next call that is not const.
     const Document& current() const { return states_[place_].document; }
@@ -38,7 +47,8 @@ public:
     void drag(Document next, Phrase label)
     {
         if (is_dragging_) {
-            states_[place_] = {std::move(next), std::move(label)};
+            pop();
+            push(std::move(next), std::move(label));
         } else if (next != current()) {
             push(std::move(next), std::move(label));
             is_dragging_ = true;
@@ -78,6 +88,7 @@ public:
     std::optional<Phrase> undo_label() const { return can_undo() ? std::optional(label(place_)) : std::nullopt; }
     std::optional<Phrase> redo_label() const { return can_redo() ? std::optional(label(place_ + 1)) : std::nullopt; }
 
+    std::size_t memory() const { return memory_; } ///< of all states [bytes], as their documents tell it
     std::size_t n_states() const { return states_.size(); }
     std::size_t place() const { return place_; } ///< of the current state, from 0
     const Phrase& label(std::size_t place) const { return states_.at(place).label; }
@@ -93,21 +104,49 @@ private:
     struct State {
         Document document;
         Phrase label;
+        std::size_t memory; ///< [bytes]
     };
+
+    static std::size_t footprint(const Document& document)
+    {
+        if constexpr (requires { memory_footprint(document); }) return memory_footprint(document);
+        else return sizeof(Document);
+    }
 
     void push(Document next, Phrase label)
     {
-        states_.erase(states_.begin() + static_cast<std::ptrdiff_t>(place_) + 1, states_.end());
-        states_.push_back({std::move(next), std::move(label)});
+        while (states_.size() > place_ + 1) pop_state();
+        push_state(std::move(next), std::move(label));
         ++place_;
+        while (memory_ > limit_ && place_ > 1) forget_oldest();
     }
     void pop()
     {
-        states_.pop_back();
+        pop_state();
         --place_;
     }
 
+    void push_state(Document document, Phrase label)
+    {
+        const std::size_t memory = footprint(document);
+        states_.push_back({std::move(document), std::move(label), memory});
+        memory_ += memory;
+    }
+    void pop_state()
+    {
+        memory_ -= states_.back().memory;
+        states_.pop_back();
+    }
+    void forget_oldest()
+    {
+        memory_ -= states_.front().memory;
+        states_.erase(states_.begin());
+        --place_;
+    }
+
+    std::size_t limit_;
     std::vector<State> states_;
+    std::size_t memory_ = 0;
     std::size_t place_ = 0;
     bool is_dragging_ = false;
 };

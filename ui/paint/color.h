@@ -26,7 +26,7 @@ constexpr Color rgb(std::uint32_t hex)
 constexpr Color with_opacity(Color color, double opacity)
 {
     const double clamped = opacity < 0.0 ? 0.0 : (opacity > 1.0 ? 1.0 : opacity);
-    color.a = static_cast<std::uint8_t>(clamped * 255.0 + 0.5);
+    color.a = static_cast<std::uint8_t>(clamped * 255.0 + 0.5); // NOLINT: it is not negative
     return color;
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ui/text/compiled_translations.h"
+#include "ui/text/number_format.h"
 
 namespace ui {
 
@@ -47,16 +48,49 @@ std::string Catalogue::operator()(std::string_view sentence, std::initializer_li
     return filled((*this)(sentence), std::span(arguments.begin(), arguments.size()));
 }
 
+namespace {
+
+std::size_t end_of_digits(std::string_view text, std::size_t begin)
+{
+    return std::min(text.find_first_not_of("0123456789", begin), text.size());
+}
+
+/// "-12.5", "1.2e-5", "-180 mm": where its number ends; 0 where it begins with none.
+std::size_t end_of_number(std::string_view text)
+{
+    const std::size_t begin = text.starts_with('-') ? 1 : 0;
+    std::size_t end = end_of_digits(text, begin);
+    if (end == begin) return 0;
+    if (end < text.size() && (text[end] == '.' || text[end] == ',')) end = end_of_digits(text, end + 1);
+    if (text.substr(end).starts_with("e-")) end = end_of_digits(text, end + 2);
+    return end == text.size() || text[end] == ' ' ? end : 0;
+}
+
+/// With true minus signs.
+std::string said(const std::string& value)
+{
+    const std::size_t end = end_of_number(value);
+    return with_minus_signs(value.substr(0, end)) + value.substr(end);
+}
+
+} // namespace
+
 std::string Catalogue::operator()(const Phrase& phrase) const
 {
+    const std::string sentence = (*this)(phrase.sentence);
     std::vector<std::string> values; // said first, since the arguments only look at them
     for (const Phrase::Argument& argument : phrase.arguments) {
         const auto* const inner = std::get_if<Phrase>(&argument.value);
-        values.push_back(inner != nullptr ? (*this)(*inner) : std::get<std::string>(argument.value));
+        const bool is_quoted = sentence.find("\"{" + argument.name + "}") !=
+                               std::string::npos; // it stays as it is typed
+        if (inner != nullptr) values.push_back((*this)(*inner));
+        else
+            values.push_back(is_quoted ? std::get<std::string>(argument.value)
+                                       : said(std::get<std::string>(argument.value)));
     }
     std::vector<Argument> arguments;
     for (std::size_t i = 0; i < values.size(); ++i) arguments.push_back({phrase.arguments[i].name, values[i]});
-    return filled((*this)(phrase.sentence), arguments);
+    return filled(sentence, arguments);
 }
 
 namespace {

@@ -36,7 +36,8 @@ NumberFieldEvent NumberFields::show(std::string_view id, const Look& look)
     ImGui::PushID(static_cast<int>(key));
     if (!is_typing()) typing_ = 0;
     if (typing_ == 0 && (look.begins || takes_over(key))) open_editor(key, look.exact_text);
-    NumberFieldEvent event = typing_ == key ? show_editor(key, width, look.width > 0.0F) : show_value(key, look, width);
+    NumberFieldEvent event = typing_ == key ? show_editor(key, look, width) : show_value(key, look, width);
+    if (left_ && left_->id == key) event = typed(key, std::exchange(left_, std::nullopt)->text);
     before_ = key;
     ImGui::PopID();
     return event;
@@ -88,6 +89,8 @@ void NumberFields::leave_by_tab()
 
 void NumberFields::open_editor(unsigned id, std::string text)
 {
+    if (is_typing() && stays_ && typing_ != id && text_ != opening_text_) left_ = Left{typing_, text_};
+    keyboard_.forget();
     typing_ = id;
     follower_ = Follower::None;
     ++n_openings_;
@@ -131,37 +134,52 @@ void NumberFields::show_reason(bool is_in_row) const
     ImGui::EndTooltip();
 }
 
-NumberFieldEvent NumberFields::show_editor(unsigned id, float width, bool is_in_row)
+NumberFieldEvent NumberFields::typed(unsigned id, std::string text)
 {
+    last_typed_ = id;
+    return {.kind = NumberFieldEvent::Kind::Typed, .value = 0.0, .text = std::move(text)};
+}
+
+NumberFieldEvent NumberFields::show_editor(unsigned id, const Look& look, float width)
+{
+    stays_ = look.stays;
     last_shown_ = ImGui::GetFrameCount();
     ImGui::SetNextItemWidth(width);
     if (!std::exchange(is_open_, true)) ImGui::SetKeyboardFocusHere();
+    keyboard_.before_field();
     const bool has_reason = !reason_.empty();
     if (has_reason) ImGui::PushStyleColor(ImGuiCol_FrameBg, ImVec4(0.85F, 0.25F, 0.15F, 0.25F));
     ImGui::PushID(n_openings_); // an editor of its own: Dear ImGui would undo what was typed into the one before
     ImGui::PushAllowKeyboardFocus(false); // Tab is ours: the other fields are none to Dear ImGui until they are opened
-    const bool is_confirmed = ImGui::InputText(
-        "###text", &text_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    constexpr ImGuiInputTextFlags flags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
+                                          ImGuiInputTextFlags_CallbackAlways;
+    const bool is_confirmed = ImGui::InputText("###text", &text_, flags, KeyboardBack::place_cursor, &keyboard_);
+    keyboard_.after_field();
     ImGui::PopAllowKeyboardFocus();
     ImGui::PopID();
     if (has_reason) ImGui::PopStyleColor();
     const bool is_left = ImGui::IsItemDeactivated();
     const bool is_tab = ImGui::IsItemActive() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab));
     const bool is_given_up = is_left && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-    if (has_reason) show_reason(is_in_row);
+    if (has_reason) show_reason(look.width > 0.0F);
     if (!is_confirmed && !is_left && !is_tab) return {};
+    const bool is_half_typed = !is_confirmed && !is_tab && !is_given_up && text_ != opening_text_;
+    if (stays_ && is_half_typed) {
+        keyboard_.lose();
+        return {};
+    }
 
     typing_ = 0;
     if (is_tab) leave_by_tab();
-    last_typed_ = id;
     reason_.clear();
     if (is_given_up || text_ == opening_text_) return {};
-    return {.kind = NumberFieldEvent::Kind::Typed, .value = 0.0, .text = text_};
+    return typed(id, text_);
 }
 
 void NumberFields::reject(const NumberFieldEvent& event, std::string reason)
 {
     typing_ = last_typed_;
+    keyboard_.forget();
     follower_ = Follower::None;
     ++n_openings_;
     is_open_ = false;

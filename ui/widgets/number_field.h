@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "ui/widgets/keyboard_back.h"
+
 namespace ui {
 
 /// What a person did to a number field in this frame.
@@ -33,6 +35,7 @@ public:
         std::optional<double> value; ///< nothing: the number is not given, and dragging begins at zero
         float width = 0.0F;          ///< physical pixels; 0: all that is left
         bool begins = false;         ///< it gets the keyboard now, as by a click
+        bool stays = false;          ///< a click beside the fields confirms nothing half typed: the keyboard comes back
     };
 
     /// \pre within a window of Dear ImGui's; `id` is unique there
@@ -52,7 +55,8 @@ private:
     void open_editor(unsigned id, std::string text);
     bool takes_over(unsigned id) const; ///< the field left by Tab goes on to this one
     void leave_by_tab();
-    NumberFieldEvent show_editor(unsigned id, float width, bool is_in_row);
+    NumberFieldEvent show_editor(unsigned id, const Look& look, float width);
+    NumberFieldEvent typed(unsigned id, std::string text);
     void show_reason(bool is_in_row) const;
     NumberFieldEvent drag(double start);
 
@@ -64,6 +68,15 @@ private:
     std::string opening_text_;
     std::string reason_;
     unsigned last_typed_ = 0;
+    bool stays_ = false; ///< the field whose text is edited
+    KeyboardBack keyboard_;
+
+    /// A field that stayed open until another was chosen, which confirms it.
+    struct Left {
+        unsigned id = 0;
+        std::string text;
+    };
+    std::optional<Left> left_;
 
     enum class Follower : std::uint8_t { None, Next, Before };
     Follower follower_ = Follower::None; ///< whom Tab has opened the way for

@@ -1,4 +1,5 @@
 #include "ui/widgets/path_dialog.h"
+#include "ui/widgets/answer_button.h"
 #include "ui/widgets/item_label.h"
 #include "ui/widgets/wrapped_text.h"
 
@@ -121,7 +122,7 @@ void PathDialog::show_endings()
     for (std::size_t i = 0; i < endings_.size(); ++i) {
         const float width = ImGui::CalcTextSize(endings_[i].c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
         if (i > 0 && ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <= end) ImGui::SameLine();
-        if (ImGui::Button(endings_[i].c_str())) take_ending(endings_[i]);
+        if (answer_button(endings_[i])) take_ending(endings_[i]);
     }
 }
 
@@ -186,10 +187,10 @@ std::optional<fs::path> PathDialog::show(const Catalogue& tr)
     if (must_confirm_overwrite_) wrapped_text(tr("This file exists. Save again to replace it."));
     if (refusal_) wrapped_text(tr(*refusal_));
     const std::string button = verb(translatable("Open"), translatable("Save"), translatable("Export"));
-    if (ImGui::Button((button + "###confirm").c_str())) is_confirmed = true;
+    if (answer_button(button + "###confirm")) is_confirmed = true;
     ImGui::SameLine();
     const bool is_escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-    if (ImGui::Button(tr("Cancel").c_str()) || is_escaped || !stays_open) is_open_ = false;
+    if (answer_button(tr("Cancel")) || is_escaped || !stays_open) is_open_ = false;
     std::optional<fs::path> path = is_confirmed && is_open_ ? confirm() : std::nullopt;
     if (is_confirmed && !path) wants_keyboard_ = true;
     if (!is_open_) ImGui::CloseCurrentPopup();

@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include "ui/widgets/answer_button.h"
+
 namespace ui {
 
 std::optional<UnsavedAnswer> ask_about_unsaved(const std::string& file_name, const Catalogue& tr)
@@ -13,12 +15,12 @@ std::optional<UnsavedAnswer> ask_about_unsaved(const std::string& file_name, con
     ImGui::TextUnformatted(tr("{file} has changes that are not saved.", {{"file", file_name}}).c_str());
     ImGui::Spacing();
     std::optional<UnsavedAnswer> answer;
-    if (ImGui::Button((tr("Save") + "###save").c_str())) answer = UnsavedAnswer::Save;
+    if (answer_button(tr("Save") + "###save")) answer = UnsavedAnswer::Save;
     ImGui::SameLine();
-    if (ImGui::Button((tr("Do not save") + "###give up").c_str())) answer = UnsavedAnswer::GiveUp;
+    if (answer_button(tr("Do not save") + "###give up")) answer = UnsavedAnswer::GiveUp;
     ImGui::SameLine();
     const bool is_escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-    if (ImGui::Button((tr("Cancel") + "###cancel").c_str()) || is_escaped) answer = UnsavedAnswer::Cancel;
+    if (answer_button(tr("Cancel") + "###cancel") || is_escaped) answer = UnsavedAnswer::Cancel;
     if (answer) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
     return answer;

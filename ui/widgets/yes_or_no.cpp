@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include "ui/widgets/answer_button.h"
+
 namespace ui {
 
 std::optional<bool> ask_yes_or_no(const YesOrNo& question)
@@ -15,9 +17,9 @@ std::optional<bool> ask_yes_or_no(const YesOrNo& question)
     ImGui::Spacing();
     std::optional<bool> answer;
     const bool is_escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-    if (ImGui::Button((question.no + "###no").c_str()) || is_escaped) answer = false;
+    if (answer_button(question.no + "###no") || is_escaped) answer = false;
     ImGui::SameLine();
-    if (ImGui::Button((question.yes + "###yes").c_str())) answer = true;
+    if (answer_button(question.yes + "###yes")) answer = true;
     if (answer) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
     return answer;

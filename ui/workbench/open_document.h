@@ -22,7 +22,7 @@ public:
         const std::filesystem::path& path) ///< false, with a notice, where it cannot be read; then nothing changes
     {
         if (const std::optional<Phrase> reason = read(path)) {
-            tell(not_opened(path, *reason));
+            notice = Notice{not_opened(path, *reason), until_closed};
             return false;
         }
         path_ = path;
@@ -38,11 +38,13 @@ public:
     {
         settle();
         if (const std::error_code hindrance = write_(path, file_text())) {
-            tell(not_saved(path, hindrance));
+            notice = Notice{not_saved(path, hindrance), until_closed};
             return false;
         }
         path_ = path;
+        is_partial_ = false;
         saved_ = current();
+        note_saved();
         tell(ui::saved(path));
         return true;
     }
@@ -55,10 +57,11 @@ public:
         return true;
     }
 
-    const std::optional<std::filesystem::path>& path() const { return path_; }
+    /// The file that `save` would write; none of a document that has no file, or of which its file has more.
+    std::optional<std::filesystem::path> path() const { return is_partial_ ? std::nullopt : path_; }
     std::string file_name() const { return ui::file_name(path_, tr()); }
-    bool is_dirty() const { return !saved_ || !is_same(current(), *saved_); }
-    Unsaved unsaved() const { return unsaved_text(file_text(), path_, write_, about()); }
+    virtual bool is_dirty() const { return differs_from_saved(); } ///< has what is not saved; asked in every frame
+    virtual Unsaved unsaved() const { return unsaved_text(file_text(), path(), write_, about()); }
 
     std::optional<Notice> notice;
     void tell(const Phrase& sentence) { notice = Notice{sentence}; }
@@ -68,9 +71,9 @@ public:
 protected:
     OpenDocument(Document saved, WriteWhole write) : saved_(std::move(saved)), write_(write) {}
     OpenDocument(const OpenDocument&) = default;
-    OpenDocument(OpenDocument&&) = default;
+    OpenDocument(OpenDocument&&) noexcept = default;
     OpenDocument& operator=(const OpenDocument&) = default;
-    OpenDocument& operator=(OpenDocument&&) = default;
+    OpenDocument& operator=(OpenDocument&&) noexcept = default;
 
     /// Puts the file's document in the place of this one, by `begin`. \returns why it cannot
     virtual std::optional<Phrase> read(const std::filesystem::path& path) = 0;
@@ -84,13 +87,26 @@ protected:
     void begin(const Document& document)
     {
         path_.reset();
+        is_partial_ = false;
         saved_ = document;
+        note_saved();
     }
+    /// Whether the file that is open holds more than was understood, so that it is not to be written over.
+    void set_partial(bool is_partial) { is_partial_ = is_partial; }
 
-    void forget_saved() { saved_.reset(); } ///< what is open differs from its file
+    void forget_saved() ///< what is open differs from its file
+    {
+        saved_.reset();
+        note_saved();
+    }
+    bool differs_from_saved() const { return !saved_ || !is_same(current(), *saved_); }
+    virtual void note_saved() {} ///< what is saved is another one, for sessions that keep whether they are dirty
 
 private:
+    static constexpr std::nullopt_t until_closed = std::nullopt;
+
     std::optional<std::filesystem::path> path_;
+    bool is_partial_ = false;
     std::optional<Document> saved_; ///< none of what a crash has left
     WriteWhole write_;
 };

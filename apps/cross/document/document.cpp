@@ -2,6 +2,7 @@
 
 #include "femoop/methods/cross/symmetry.h"
 #include "femoop/model/fault/fault.h"
+#include "femoop/model/memory_footprint.h"
 
 namespace cross {
 
@@ -29,6 +30,16 @@ fc::Problem problem_of(const Document& document)
 bool is_same_task(const Document& a, const Document& b)
 {
     return a.method == b.method && a.pupil == b.pupil && a.model == b.model;
+}
+
+std::size_t memory_footprint(const Document& document)
+{
+    constexpr std::size_t one_turn = 64;
+    std::size_t bytes = sizeof(Document) + femoop::memory_footprint(document.model) +
+                        document.method.joints.size() * sizeof(std::string);
+    for (const Play& play : document.plays) bytes += sizeof(Play) + (play.length() + play.n_ahead()) * one_turn;
+    if (document.pupil) bytes += document.pupil->written.size() * sizeof(std::string);
+    return bytes;
 }
 
 } // namespace cross

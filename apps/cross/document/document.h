@@ -46,6 +46,9 @@ Document unworked(Document document);
 /// What a document's sheets are worked on. \throws femoop::ModelError
 femoop::cross::Problem problem_of(const Document& document);
 
+/// About how much memory it takes [bytes]: a history is bounded by it.
+std::size_t memory_footprint(const Document& document);
+
 bool is_same_task(const Document& a, const Document& b); ///< of equal model, method and exercise
 
 } // namespace cross

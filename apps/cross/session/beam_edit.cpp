@@ -9,6 +9,7 @@
 #include "femoop/edit/naming.h"
 #include "femoop/edit/split.h"
 #include "femoop/geometry/member_geometry.h"
+#include "femoop/load/place_along.h"
 
 namespace cross {
 
@@ -44,12 +45,6 @@ double length_of(const Model& model, femoop::MemberId member)
 {
     const auto& nodes = model[member].nodes;
     return (place_of(model, nodes[1]) - place_of(model, nodes[0])).norm();
-}
-
-double place_along(const femoop::Position& at, double length)
-{
-    if (const auto* const percent = std::get_if<femoop::Percent>(&at)) return 0.01 * percent->value * length;
-    return std::get<femoop::Quantity>(at).value();
 }
 
 } // namespace
@@ -131,7 +126,7 @@ std::optional<Model> with_point_load_moved(const Model& model, const frame::Part
     auto* const point = std::get_if<femoop::PointLoad>(&moved.load);
     if (point == nullptr) return std::nullopt;
     const double length = length_of(model, moved.member), step = 0.1;
-    const double x = step * std::round((place_along(point->at, length) + by) / step);
+    const double x = step * std::round((femoop::written_place(point->at, length) + by) / step);
     if (!(x > 0.0 && x < length)) return std::nullopt;
     point->at = femoop::Quantity(x);
     return is_sound(next) ? std::optional(std::move(next)) : std::nullopt;

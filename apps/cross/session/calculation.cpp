@@ -184,10 +184,21 @@ private:
             table(table_of(scene(), Topic::Sways));
         }
         document_.stage = solution_.sheets.size(); // all together
+        if (!solution_.task->problem.sways.empty()) write_sum();
         heading(2, tr_("Final moments"));
         table(table_of(scene(), Topic::Comparison));
         write_diagrams();
         write_other_methods();
+    }
+
+    /// The loads and so many times each sway, line by line.
+    void write_sum()
+    {
+        heading(2, tr_("All sheets together"));
+        const std::size_t n_lines = solution_.sheets.size() + 1;
+        if (is_beam(drawing::shape_of(document_.model))) beam_sheet(n_lines);
+        else frame_sheet(n_lines);
+        table(table_of(scene(), Topic::Sheet));
     }
 
     void write_sheet(std::size_t stage)

@@ -1,6 +1,8 @@
 #include "apps/cross/session/commands.h"
 
+#include <algorithm>
 #include <array>
+#include <functional>
 
 #include "apps/cross/document/file.h"
 #include "apps/cross/session/beam_edit.h"
@@ -14,7 +16,9 @@ namespace cross {
 namespace fc = femoop::cross;
 using ui::Key;
 using ui::Phrase;
+using ui::Reason;
 using ui::translatable;
+using Menu = ui::MenuBuilder<Desk>;
 
 namespace {
 
@@ -33,322 +37,303 @@ constexpr std::array topic_entries{
     TopicEntry{Topic::Exercises, "show.exercises", translatable("Exercises")},
 };
 
-std::optional<Phrase> why_no_end(const Desk& desk, Side side)
+Reason why_no_end(const Desk& desk, Side side)
 {
     if (end_node(desk.session.document().model, side)) return std::nullopt;
     return Phrase(translatable("several members meet at this end"));
 }
 
-void add_structure_commands(CommandTable& table)
+void add_end(Menu& menu, ui::CommandName name, Side side)
 {
-    struct EndEntry {
-        Side side;
-        std::string_view id, label;
+    const auto run = [side](Desk& desk) {
+        const femoop::Model& model = desk.session.document().model;
+        desk.session.change(with_next_support(model, *end_node(model, side)), translatable("Change an end"));
     };
-    for (const EndEntry& entry :
-         {EndEntry{Side::Left, "edit.left_end", translatable("Left end: pinned, fixed, free")},
-          EndEntry{Side::Right, "edit.right_end", translatable("Right end: pinned, fixed, free")}})
-        table.add({.id = entry.id,
-                   .menu = edit_menu,
-                   .label = entry.label,
-                   .run =
-                       [side = entry.side](Desk& desk) {
-                           const femoop::Model& model = desk.session.document().model;
-                           desk.session.change(with_next_support(model, *end_node(model, side)),
-                                               translatable("Change an end"));
-                       },
-                   .why_not = [side = entry.side](const Desk& desk) { return why_no_end(desk, side); }});
-    table.add({.id = "edit.add_span",
-               .menu = edit_menu,
-               .label = translatable("Add a span"),
-               .run =
-                   [](Desk& desk) {
-                       if (auto next = with_span_added(desk.session.document().model))
-                           desk.session.change(std::move(*next), translatable("Add a span"));
-                   },
-               .why_not = [](const Desk& desk) { return why_no_end(desk, Side::Right); }});
-    table.add({.id = "edit.remove_span",
-               .menu = edit_menu,
-               .label = translatable("Remove the last span"),
-               .run =
-                   [](Desk& desk) {
-                       if (auto next = with_span_removed(desk.session.document().model))
-                           desk.session.change(std::move(*next), translatable("Remove the last span"));
-                   },
-               .why_not = [](const Desk& desk) -> std::optional<Phrase> {
-                   if (with_span_removed(desk.session.document().model)) return std::nullopt;
-                   return Phrase(translatable("there is no span that could go"));
-               }});
+    menu.step(std::move(name), run, [side](const Desk& desk) { return why_no_end(desk, side); });
 }
 
-std::optional<Phrase> why_no_load(const Session& session)
+void add_span(Desk& desk)
 {
-    if (session.paper() != nullptr) return Phrase(translatable("an exercise is of one structure; end it first"));
-    if (!session.solution().task) return Phrase(translatable("this structure cannot be distributed"));
+    if (auto next = with_span_added(desk.session.document().model))
+        desk.session.change(std::move(*next), translatable("Add a span"));
+}
+
+void remove_span(Desk& desk)
+{
+    if (auto next = with_span_removed(desk.session.document().model))
+        desk.session.change(std::move(*next), translatable("Remove the last span"));
+}
+
+Reason why_not_remove_span(const Desk& desk)
+{
+    if (with_span_removed(desk.session.document().model)) return std::nullopt;
+    return Phrase(translatable("there is no span that could go"));
+}
+
+void add_structure_commands(CommandTable& table)
+{
+    Menu menu(table, edit_menu);
+    add_end(menu, {"edit.left_end", translatable("Left end: pinned, fixed, free")}, Side::Left);
+    add_end(menu, {"edit.right_end", translatable("Right end: pinned, fixed, free")}, Side::Right);
+    menu.step({"edit.add_span", translatable("Add a span")}, add_span,
+              [](const Desk& desk) { return why_no_end(desk, Side::Right); });
+    menu.step({"edit.remove_span", translatable("Remove the last span")}, remove_span, why_not_remove_span);
+}
+
+Reason why_no_load(const Desk& desk)
+{
+    if (desk.session.paper() != nullptr) return Phrase(translatable("an exercise is of one structure; end it first"));
+    if (!desk.session.solution().task) return Phrase(translatable("this structure cannot be distributed"));
     return std::nullopt;
 }
+
+Reason why_no_tool(const Desk& desk)
+{
+    if (desk.session.tool != Tool::None) return std::nullopt;
+    return Phrase(translatable("no load is in hand"));
+}
+
+void edit_in_frame(Desk& desk)
+{
+    desk.handed.push_back({.program = "frame", .document = write_document(desk.session.document())});
+    desk.tell(translatable("the structure is edited in a window of its own, as a copy"));
+}
+
+constexpr std::array load_tools{
+    ui::Choice<Tool>{
+        Tool::UniformLoad, "edit.uniform_load", translatable("Add a uniform load: click a member"), {{Key::Q, {}}}},
+    ui::Choice<Tool>{Tool::PointLoad,
+                     "edit.point_load",
+                     translatable("Add a force: click a member or a node"),
+                     {{Key::Q, ui::shift}}},
+};
 
 void add_load_commands(CommandTable& table)
 {
-    struct LoadEntry {
-        Tool tool;
-        std::string_view id, label;
-        ui::Chord chord;
-    };
-    for (const LoadEntry& entry :
-         {LoadEntry{
-              Tool::UniformLoad, "edit.uniform_load", translatable("Add a uniform load: click a member"), {Key::Q, {}}},
-          LoadEntry{Tool::PointLoad,
-                    "edit.point_load",
-                    translatable("Add a force: click a member or a node"),
-                    {Key::Q, {.shift = true}}}})
-        table.add({.id = entry.id,
-                   .menu = edit_menu,
-                   .label = entry.label,
-                   .shortcuts = {entry.chord},
-                   .run = [tool = entry.tool](
-                              Desk& desk) { desk.session.tool = desk.session.tool == tool ? Tool::None : tool; },
-                   .why_not = [](const Desk& desk) { return why_no_load(desk.session); },
-                   .is_on = [tool = entry.tool](const Desk& desk) { return desk.session.tool == tool; }});
-    table.add({.id = "edit.no_tool",
-               .menu = edit_menu,
-               .label = translatable("Put the load away"),
-               .shortcuts = {{Key::Escape, {}}},
-               .run = [](Desk& desk) { desk.session.tool = Tool::None; },
-               .why_not = [](const Desk& desk) -> std::optional<Phrase> {
-                   if (desk.session.tool != Tool::None) return std::nullopt;
-                   return Phrase(translatable("no load is in hand"));
-               }});
-    table.add({.id = "edit.in_frame",
-               .menu = edit_menu,
-               .label = translatable("Edit in the frame app"),
-               .run = [](Desk& desk) {
-                   desk.handed.push_back({.program = "frame", .document = write_document(desk.session.document())});
-                   desk.tell(translatable("the structure is edited in a window of its own, as a copy"));
-               }});
+    Menu menu(table, edit_menu);
+    menu.choices(
+        load_tools, [](const Desk& desk) { return desk.session.tool; },
+        [](Desk& desk, Tool tool) { desk.session.tool = desk.session.tool == tool ? Tool::None : tool; }, why_no_load);
+    menu.step(
+        {"edit.no_tool", translatable("Put the load away"), {{Key::Escape, {}}}},
+        [](Desk& desk) { desk.session.tool = Tool::None; }, why_no_tool);
+    menu.step({"edit.in_frame", translatable("Edit in the frame app")}, edit_in_frame);
 }
 
-/// Something that a session does, or says why it cannot.
-struct WorkEntry {
-    std::string_view id, label;
-    Key key;
-    std::optional<Phrase> (*run)(Session&);
-    std::optional<Phrase> (*why_not)(const Session&);
-};
+Reason why_no_turn(const Desk& desk) { return desk.session.why_no_turn(); }
+Reason why_no_step(const Desk& desk) { return desk.session.why_no_step(); }
 
-std::optional<Phrase> why_no_start(const Session& session)
+Reason why_no_start(const Desk& desk)
 {
-    if (const auto reason = session.why_no_turn()) return reason;
-    if (session.play() != nullptr && session.play()->length() > 0) return std::nullopt;
+    if (const auto reason = why_no_turn(desk)) return reason;
+    if (desk.session.play() != nullptr && desk.session.play()->length() > 0) return std::nullopt;
     return Phrase(translatable("every joint is locked: this is the start"));
 }
 
-std::optional<Phrase> why_no_branch(const Session& session)
+Reason why_no_branch(const Desk& desk)
 {
-    if (session.play() != nullptr && session.play()->branches().size() > 1) return std::nullopt;
+    if (desk.session.play() != nullptr && desk.session.play()->branches().size() > 1) return std::nullopt;
     return Phrase(translatable("there is one way only; go back and click another joint"));
 }
 
-std::optional<Phrase> next_branch(Session& session)
+void next_branch(Desk& desk)
 {
-    const auto ends = session.play()->branches();
+    const auto ends = desk.session.play()->branches();
     std::size_t next = 0;
     for (std::size_t i = 0; i < ends.size(); ++i)
-        if (ends[i] == session.play()->place()) next = (i + 1) % ends.size();
-    session.go_to_branch(ends[next]);
-    return std::nullopt;
+        if (ends[i] == desk.session.play()->place()) next = (i + 1) % ends.size();
+    desk.session.go_to_branch(ends[next]);
 }
 
-constexpr std::array work_entries{
-    WorkEntry{"work.restart", translatable("Lock every joint again"), Key::Home,
-              [](Session& s) -> std::optional<Phrase> {
-                  s.restart();
-                  return std::nullopt;
-              },
-              why_no_start},
-    WorkEntry{"work.back", translatable("Step back"), Key::Left, [](Session& s) { return s.back(); }, why_no_start},
-    WorkEntry{"work.step", translatable("Balance the next joint"), Key::Right, [](Session& s) { return s.step(); },
-              [](const Session& s) { return s.why_no_step(); }},
-    WorkEntry{"work.finish", translatable("Go through to the end"), Key::End, [](Session& s) { return s.finish(); },
-              [](const Session& s) { return s.why_no_step(); }},
-    WorkEntry{"work.all_at_once", translatable("Balance all joints at once"), Key::A,
-              [](Session& s) { return s.balance(std::nullopt); }, [](const Session& s) { return s.why_no_turn(); }},
-    WorkEntry{"work.branch", translatable("To the next branch"), Key::B, next_branch, why_no_branch},
-};
-
-std::optional<Phrase> why_one_stage(const Session& session)
+Reason why_one_stage(const Desk& desk)
 {
-    if (session.n_stages() > 1) return std::nullopt;
+    if (desk.session.n_stages() > 1) return std::nullopt;
     return Phrase(translatable("the structure cannot sway: it has one sheet"));
+}
+
+void next_sheet(Desk& desk)
+{
+    Session& session = desk.session;
+    const std::size_t stage = session.paper() != nullptr ? session.paper_stage() : session.document().stage;
+    session.set_stage((stage + 1) % session.n_stages());
+}
+
+/// Does it, and reports where that was refused.
+std::function<void(Desk&)> reporting(Reason (*run)(Session&))
+{
+    return [run](Desk& desk) {
+        if (const auto reason = run(desk.session)) desk.session.tell(*reason);
+    };
 }
 
 void add_work_commands(CommandTable& table)
 {
-    for (const WorkEntry& entry : work_entries)
-        table.add({.id = entry.id,
-                   .menu = work_menu,
-                   .label = entry.label,
-                   .shortcuts = {{entry.key, {}}},
-                   .run =
-                       [run = entry.run](Desk& desk) {
-                           if (const auto reason = run(desk.session)) desk.session.tell(*reason);
-                       },
-                   .why_not = [why = entry.why_not](const Desk& desk) { return why(desk.session); }});
-    table.add({.id = "work.play",
-               .menu = work_menu,
-               .label = translatable("Play"),
-               .shortcuts = {{Key::Space, {}}},
-               .run = [](Desk& desk) { desk.session.is_playing = !desk.session.is_playing; },
-               .why_not = [](const Desk& desk) -> std::optional<Phrase> {
-                   return desk.session.is_playing ? std::nullopt : desk.session.why_no_step();
-               },
-               .is_on = [](const Desk& desk) { return desk.session.is_playing; }});
-    table.add({.id = "work.next_sheet",
-               .menu = work_menu,
-               .label = translatable("To the next sheet"),
-               .shortcuts = {{Key::S, {}}},
-               .run =
-                   [](Desk& desk) {
-                       Session& session = desk.session;
-                       const std::size_t stage = session.paper() != nullptr ? session.paper_stage()
-                                                                            : session.document().stage;
-                       session.set_stage((stage + 1) % session.n_stages());
-                   },
-               .why_not = [](const Desk& desk) { return why_one_stage(desk.session); }});
+    Menu menu(table, work_menu);
+    menu.step(
+        {"work.restart", translatable("Lock every joint again"), {{Key::Home, {}}}},
+        [](Desk& desk) { desk.session.restart(); }, why_no_start);
+    menu.step({"work.back", translatable("Step back"), {{Key::Left, {}}}},
+              reporting([](Session& s) { return s.back(); }), why_no_start);
+    menu.step({"work.step", translatable("Balance the next joint"), {{Key::Right, {}}}},
+              reporting([](Session& s) { return s.step(); }), why_no_step);
+    menu.step({"work.finish", translatable("Go through to the end"), {{Key::End, {}}}},
+              reporting([](Session& s) { return s.finish(); }), why_no_step);
+    menu.step({"work.all_at_once", translatable("Balance all joints at once"), {{Key::A, {}}}},
+              reporting([](Session& s) { return s.balance(std::nullopt); }), why_no_turn);
+    menu.step({"work.branch", translatable("To the next branch"), {{Key::B, {}}}}, next_branch, why_no_branch);
+    menu.toggle(
+        {"work.play", translatable("Play"), {{Key::Space, {}}}},
+        [](auto& desk) -> auto& { return desk.session.is_playing; },
+        [](const Desk& desk) { return desk.session.is_playing ? std::nullopt : desk.session.why_no_step(); });
+    menu.step({"work.next_sheet", translatable("To the next sheet"), {{Key::S, {}}}}, next_sheet, why_one_stage);
 }
 
-struct OrderEntry {
-    fc::Order order;
-    std::string_view id, label;
-};
 constexpr std::array orders{
-    OrderEntry{fc::Order::Largest, "method.largest", translatable("Largest unbalance first")},
-    OrderEntry{fc::Order::LeftToRight, "method.left_to_right", translatable("From left to right")},
-    OrderEntry{fc::Order::AllAtOnce, "method.all_at_once", translatable("All joints at once")},
+    ui::Choice<fc::Order>{fc::Order::Largest, "method.largest", translatable("Largest unbalance first")},
+    ui::Choice<fc::Order>{fc::Order::LeftToRight, "method.left_to_right", translatable("From left to right")},
+    ui::Choice<fc::Order>{fc::Order::AllAtOnce, "method.all_at_once", translatable("All joints at once")},
 };
 
-void change_method(Desk& desk, const std::function<void(Method&)>& change)
+const Method& method_of(const Desk& desk) { return desk.session.document().method; }
+
+void change_method(Desk& desk, const std::function<void(Method&)>& change,
+                   std::string_view label = translatable("Change the method"))
 {
-    Method method = desk.session.document().method;
+    Method method = method_of(desk);
     change(method);
-    desk.session.set_method(method, translatable("Change the method"));
+    desk.session.set_method(method, label);
+}
+
+Reason why_no_joint(const Desk& desk)
+{
+    const auto& task = desk.session.solution().task;
+    if (task && !task->problem.balanced_joints().empty()) return std::nullopt;
+    return translatable("there is no joint to balance");
 }
 
 /// A structure that lost its symmetry can still be worked as a whole.
-std::optional<Phrase> why_not_by_halves(const Session& session)
+Reason why_not_by_halves(const Desk& desk)
 {
+    const Session& session = desk.session;
     if (session.paper() != nullptr) return Phrase(translatable("an exercise is of the whole structure; end it first"));
     const auto& task = session.solution().task;
     if (!task) return Phrase(translatable("this structure cannot be distributed"));
-    if (task->by_halves || session.document().method.extent == fc::Extent::Half) return std::nullopt;
+    if (task->by_halves || method_of(desk).extent == fc::Extent::Half) return std::nullopt;
     return Phrase("{reason}", {{"reason", fault_text(*task->why_not_by_halves, session.tr())}});
+}
+
+Reason why_one_case(const Desk& desk)
+{
+    if (desk.session.document().model.n_cases() > 1) return std::nullopt;
+    return translatable("the file has one load case");
+}
+
+void next_case(Desk& desk)
+{
+    const std::size_t n = desk.session.document().model.n_cases();
+    change_method(desk, [n](Method& method) { method.load_case = femoop::CaseId((method.load_case.index + 1) % n); });
+}
+
+/// Far ends that are pinned: `on` where the toggle is on, else `off`.
+auto turn_far_ends(fc::FarEnds on, fc::FarEnds off)
+{
+    return [on, off](Desk& desk, bool is_on) {
+        change_method(desk, [=](Method& method) { method.far_ends = is_on ? on : off; });
+    };
 }
 
 void add_method_commands(CommandTable& table)
 {
-    for (const OrderEntry& entry : orders)
-        table.add({.id = entry.id,
-                   .menu = method_menu,
-                   .label = entry.label,
-                   .run = [order = entry.order](
-                              Desk& desk) { change_method(desk, [&](Method& method) { method.order = order; }); },
-                   .is_on = [order = entry.order](
-                                const Desk& desk) { return desk.session.document().method.order == order; }});
-    table.add({.id = "method.listed",
-               .menu = method_menu,
-               .label = translatable("An order of one's own"),
-               .run = [](Desk& desk) { choose_own_order(desk.session); },
-               .why_not = [](const Desk& desk) -> std::optional<Phrase> {
-                   const auto& task = desk.session.solution().task;
-                   if (task && !task->problem.balanced_joints().empty()) return std::nullopt;
-                   return Phrase(translatable("there is no joint to balance"));
-               },
-               .is_on = [](const Desk& desk) { return desk.session.document().method.order == fc::Order::Listed; }});
-    table.add(
-        {.id = "method.modified",
-         .menu = method_menu,
-         .label = translatable("3EI/L for pinned ends"),
-         .shortcuts = {{Key::M, {}}},
-         .run =
-             [](Desk& desk) {
-                 change_method(desk, [](Method& method) {
-                     method.far_ends = method.far_ends == fc::FarEnds::Plain ? fc::FarEnds::Modified
-                                                                             : fc::FarEnds::Plain;
-                 });
-             },
-         .is_on = [](const Desk& desk) { return desk.session.document().method.far_ends != fc::FarEnds::Plain; }});
-    table.add(
-        {.id = "method.released_once",
-         .menu = method_menu,
-         .label = translatable("3EI/L, pinned ends released once on the sheet"),
-         .run =
-             [](Desk& desk) {
-                 change_method(desk, [](Method& method) {
-                     method.far_ends = method.far_ends == fc::FarEnds::ReleasedOnSheet ? fc::FarEnds::Modified
-                                                                                       : fc::FarEnds::ReleasedOnSheet;
-                 });
-             },
-         .is_on =
-             [](const Desk& desk) { return desk.session.document().method.far_ends == fc::FarEnds::ReleasedOnSheet; }});
-    table.add({.id = "method.symmetry",
-               .menu = method_menu,
-               .label = translatable("Half of it, by symmetry"),
-               .shortcuts = {{Key::H, {}}},
-               .run =
-                   [](Desk& desk) {
-                       change_method(desk, [](Method& method) {
-                           method.extent = method.extent == fc::Extent::Half ? fc::Extent::Whole : fc::Extent::Half;
-                       });
-                   },
-               .why_not = [](const Desk& desk) { return why_not_by_halves(desk.session); },
-               .is_on = [](const Desk& desk) { return desk.session.document().method.extent == fc::Extent::Half; }});
-    table.add({.id = "method.next_case",
-               .menu = method_menu,
-               .label = translatable("To the next load case"),
-               .shortcuts = {{Key::C, {}}},
-               .run =
-                   [](Desk& desk) {
-                       const std::size_t n = desk.session.document().model.n_cases();
-                       change_method(desk, [&](Method& method) {
-                           method.load_case = femoop::CaseId((method.load_case.index + 1) % n);
-                       });
-                   },
-               .why_not = [](const Desk& desk) -> std::optional<Phrase> {
-                   if (desk.session.document().model.n_cases() > 1) return std::nullopt;
-                   return translatable("the file has one load case");
-               }});
+    Menu menu(table, method_menu);
+    menu.choices(
+        orders, [](const Desk& desk) { return method_of(desk).order; },
+        [](Desk& desk, fc::Order order) { change_method(desk, [=](Method& method) { method.order = order; }); });
+    menu.step(
+            {"method.listed", translatable("An order of one's own")},
+            [](Desk& desk) { choose_own_order(desk.session); }, why_no_joint)
+        .is_on = [](const Desk& desk) { return method_of(desk).order == fc::Order::Listed; };
+    menu.toggle(
+        {"method.modified", translatable("3EI/L for pinned ends"), {{Key::M, {}}}},
+        [](const Desk& desk) { return method_of(desk).far_ends != fc::FarEnds::Plain; },
+        turn_far_ends(fc::FarEnds::Modified, fc::FarEnds::Plain));
+    menu.toggle(
+        {"method.released_once", translatable("3EI/L, pinned ends released once on the sheet")},
+        [](const Desk& desk) { return method_of(desk).far_ends == fc::FarEnds::ReleasedOnSheet; },
+        turn_far_ends(fc::FarEnds::ReleasedOnSheet, fc::FarEnds::Modified));
+    menu.toggle(
+        {"method.symmetry", translatable("Half of it, by symmetry"), {{Key::H, {}}}},
+        [](const Desk& desk) { return method_of(desk).extent == fc::Extent::Half; },
+        [](Desk& desk, bool is_half) {
+            change_method(desk,
+                          [=](Method& method) { method.extent = is_half ? fc::Extent::Half : fc::Extent::Whole; });
+        },
+        why_not_by_halves);
+    menu.step({"method.next_case", translatable("To the next load case"), {{Key::C, {}}}}, next_case, why_one_case);
 }
 
 void add_show_commands(CommandTable& table)
 {
-    for (const TopicEntry& entry : topic_entries)
-        table.add({.id = entry.id,
-                   .menu = show_menu,
-                   .label = entry.label,
-                   .run = [topic = entry.topic](Desk& desk) { desk.topic = topic; },
-                   .is_on = [topic = entry.topic](const Desk& desk) { return desk.topic == topic; }});
-    table.add({.id = "show.tension_side",
-               .menu = show_menu,
-               .label = translatable("Signs by the tension side"),
-               .shortcuts = {{Key::T, {}}},
-               .run =
-                   [](Desk& desk) {
-                       Signs& signs = desk.session.look.signs;
-                       signs = signs == Signs::TensionSide ? Signs::JointRotation : Signs::TensionSide;
-                   },
-               .is_on = [](const Desk& desk) { return desk.session.look.signs == Signs::TensionSide; }});
-    table.add({.id = "show.fractions",
-               .menu = show_menu,
-               .label = translatable("Numbers as fractions"),
-               .shortcuts = {{Key::F, {}}},
-               .run = [](Desk& desk) { desk.session.look.fractions = !desk.session.look.fractions; },
-               .is_on = [](const Desk& desk) { return desk.session.look.fractions; }});
-    table.add({.id = "show.shears",
-               .menu = show_menu,
-               .label = translatable("Shears and reactions"),
-               .shortcuts = {{Key::V, {}}},
-               .run = [](Desk& desk) { desk.session.look.shears = !desk.session.look.shears; },
-               .is_on = [](const Desk& desk) { return desk.session.look.shears; }});
+    Menu menu(table, show_menu);
+    menu.choices(
+        topic_entries, [](auto& desk) -> auto& { return desk.topic; });
+    menu.toggle(
+        {"show.tension_side", translatable("Signs by the tension side"), {{Key::T, {}}}},
+        [](const Desk& desk) { return desk.session.look.signs == Signs::TensionSide; },
+        [](Desk& desk, bool is_on) { desk.session.look.signs = is_on ? Signs::TensionSide : Signs::JointRotation; });
+    menu.toggle(
+        {"show.fractions", translatable("Numbers as fractions"), {{Key::F, {}}}},
+        [](auto& desk) -> auto& { return desk.session.look.fractions; });
+    menu.toggle(
+        {"show.shears", translatable("Shears and reactions"), {{Key::V, {}}}},
+        [](auto& desk) -> auto& { return desk.session.look.shears; });
+}
+
+// ---- what a scenario gives ----
+
+Reason balance(Desk& desk, const ui::Argument& name)
+{
+    const auto joint = joint_named(desk.session, name.text);
+    return joint ? desk.session.balance(*joint) : name.wanted("a joint that can be balanced");
+}
+
+Reason set_case(Desk& desk, const ui::Argument& name)
+{
+    const auto found = desk.session.document().model.find_case(name.text);
+    if (!found) return name.wanted("a load case or combination");
+    change_method(
+        desk, [&](Method& method) { method.load_case = *found; }, translatable("Choose a load case"));
+    return std::nullopt;
+}
+
+/// A command with a number that is not negative.
+CommandTable::RunWith with_number(void (*run)(Desk&, double))
+{
+    return [run](Desk& desk, const ui::Argument& argument) -> Reason {
+        const auto number = argument.number();
+        if (!number || *number < 0.0) return argument.wanted("a number");
+        run(desk, *number);
+        return std::nullopt;
+    };
+}
+
+void add_arguments(CommandTable& table)
+{
+    table.with_argument("work.balance", balance);
+    table.with_argument("work.jump",
+                        with_number([](Desk& desk, double n) { desk.session.jump(static_cast<std::size_t>(n)); }));
+    table.with_argument("work.sheet",
+                        with_number([](Desk& desk, double n) { desk.session.set_stage(static_cast<std::size_t>(n)); }));
+    table.with_argument("method.order", [](Desk& desk, const ui::Argument& argument) {
+        return take_own_order(desk.session, argument.text);
+    });
+    table.with_argument("method.case", set_case);
+    table.with_argument("method.digits", with_number([](Desk& desk, double n) {
+                            change_method(desk,
+                                          [n](Method& method) { method.digits = std::min(16, static_cast<int>(n)); });
+                        }));
+    table.with_argument("method.tolerance", with_number([](Desk& desk, double n) {
+                            change_method(desk, [n](Method& method) { method.tolerance = n; });
+                        }));
 }
 
 void add_view_commands(CommandTable& table)
@@ -365,6 +350,13 @@ void add_view_commands(CommandTable& table)
 
 std::span<const TopicEntry> topics() { return topic_entries; }
 
+std::optional<fc::JointId> joint_named(const Session& session, std::string_view name)
+{
+    const auto node = session.document().model.find_node(name);
+    const auto& task = session.solution().task;
+    return node && task ? task->problem.joint_at(*node) : std::nullopt;
+}
+
 CommandTable command_table()
 {
     CommandTable table;
@@ -377,6 +369,7 @@ CommandTable command_table()
     add_method_commands(table);
     add_show_commands(table);
     add_exercise_commands(table);
+    add_arguments(table);
     add_view_commands(table);
     ui::standard::add_help(table);
     return table;

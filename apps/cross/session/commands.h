@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "apps/cross/session/session.h"
-#include "ui/command/command_table.h"
+#include "ui/command/menu_builder.h"
 #include "ui/desk/document_desk.h"
 #include "ui/desk/handover.h"
 
@@ -32,10 +32,10 @@ using CommandTable = ui::CommandTable<Desk>;
 /// Everything that the app can do, by name.
 CommandTable command_table();
 
-struct TopicEntry {
-    Topic topic;
-    std::string_view id, label;
-};
+using TopicEntry = ui::Choice<Topic>;
 std::span<const TopicEntry> topics();
+
+/// Nothing where there is no such node, or none that can be balanced.
+std::optional<femoop::cross::JointId> joint_named(const Session& session, std::string_view name);
 
 } // namespace cross

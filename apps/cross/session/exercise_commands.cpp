@@ -1,8 +1,12 @@
 #include "apps/cross/session/exercise_commands.h"
 
 #include <array>
+#include <cmath>
 #include <limits>
+#include <string>
 
+#include "apps/cross/view/numbers.h"
+#include "apps/cross/view/paper.h"
 #include "apps/cross/view/pupil_words.h"
 
 namespace cross {
@@ -10,7 +14,9 @@ namespace cross {
 namespace fc = femoop::cross;
 using ui::Key;
 using ui::Phrase;
+using ui::Reason;
 using ui::translatable;
+using Menu = ui::MenuBuilder<Desk>;
 
 namespace {
 
@@ -20,16 +26,16 @@ constexpr std::array<std::string_view, n_difficulties> difficulty_ids{"exercise.
                                                                       "exercise.difficulty.3", "exercise.difficulty.4",
                                                                       "exercise.difficulty.5", "exercise.difficulty.6"};
 
-std::optional<Phrase> why_no_paper(const Desk& desk) { return desk.session.why_no_paper(); }
+Reason why_no_paper(const Desk& desk) { return desk.session.why_no_paper(); }
 
-std::optional<Phrase> why_no_cell(const Desk& desk)
+Reason why_no_cell(const Desk& desk)
 {
     if (const auto reason = why_no_paper(desk)) return reason;
     if (desk.session.cell()) return std::nullopt;
     return Phrase(translatable("choose a cell first"));
 }
 
-std::optional<Phrase> why_no_hint(const Desk& desk)
+Reason why_no_hint(const Desk& desk)
 {
     if (const auto reason = why_no_cell(desk)) return reason;
     const Session& session = desk.session;
@@ -37,111 +43,131 @@ std::optional<Phrase> why_no_hint(const Desk& desk)
     return Phrase(translatable("there is no further hint for this cell"));
 }
 
-void add_beginnings(CommandTable& table)
+void begin_next(Desk& desk)
 {
-    table.add({.id = "exercise.new",
-               .menu = exercise_menu,
-               .label = translatable("New exercise"),
-               .shortcuts = {{Key::X, {}}},
-               .run = [](Desk& desk) {
-                   desk.leave_document([](Desk& left) {
-                       left.session.begin_exercise(left.next_exercise);
-                       if (left.next_exercise.seed < std::numeric_limits<std::uint32_t>::max())
-                           ++left.next_exercise.seed;
-                   });
-               }});
-    table.add({.id = "exercise.own",
-               .menu = exercise_menu,
-               .label = translatable("This structure as an exercise"),
-               .run = [](Desk& desk) { desk.session.begin_own_exercise(); },
-               .why_not = [](const Desk& desk) { return desk.session.why_no_own_exercise(); }});
-    for (int i = 0; i < n_difficulties; ++i) {
-        const auto difficulty = static_cast<fc::Difficulty>(i + 1);
-        table.add({.id = difficulty_ids[static_cast<std::size_t>(i)],
-                   .menu = exercise_menu,
-                   .label = translatable("Difficulty"),
-                   .run =
-                       [difficulty](Desk& desk) {
-                           desk.next_exercise = {difficulty, 1};
-                       },
-                   .is_on = [difficulty](const Desk& desk) { return desk.next_exercise.difficulty == difficulty; },
-                   .live_label =
-                       [difficulty](const Desk&) {
-                           return Phrase(
-                               translatable("Difficulty {n}: {what}"),
-                               {{"n", std::to_string(static_cast<int>(difficulty))}, {"what", words_of(difficulty)}});
-                       }});
+    desk.leave_document([](Desk& left) {
+        left.session.begin_exercise(left.next_exercise);
+        if (left.next_exercise.seed < std::numeric_limits<std::uint32_t>::max()) ++left.next_exercise.seed;
+    });
+}
+
+void add_difficulty(Menu& menu, fc::Difficulty difficulty)
+{
+    const int n = static_cast<int>(difficulty);
+    menu.choice(
+            ui::Choice<fc::Difficulty>{difficulty, difficulty_ids[static_cast<std::size_t>(n - 1)],
+                                       translatable("Difficulty")},
+            [](const Desk& desk) { return desk.next_exercise.difficulty; },
+            [](Desk& desk, fc::Difficulty chosen) {
+                desk.next_exercise = {chosen, 1};
+            })
+        .live_label = [=](const Desk&) -> Phrase {
+        return {translatable("Difficulty {n}: {what}"), {{"n", std::to_string(n)}, {"what", words_of(difficulty)}}};
+    };
+}
+
+void add_beginnings(Menu& menu)
+{
+    menu.step({"exercise.new", translatable("New exercise"), {{Key::X, {}}}}, begin_next);
+    menu.step(
+        {"exercise.own", translatable("This structure as an exercise")},
+        [](Desk& desk) { desk.session.begin_own_exercise(); },
+        [](const Desk& desk) { return desk.session.why_no_own_exercise(); });
+    for (int i = 1; i <= n_difficulties; ++i) add_difficulty(menu, static_cast<fc::Difficulty>(i));
+}
+
+void to_next_cell(Desk& desk)
+{
+    Session& session = desk.session;
+    const auto next = session.neighbour(1, true);
+    if (!next) session.go_to_cell({}); // from the beginning again
+    session.go_to_cell(next ? next : session.neighbour(1, true));
+}
+
+void add_cells(Menu& menu)
+{
+    menu.step({"exercise.next_cell", translatable("To the next cell that is open"), {{Key::N, {}}}}, to_next_cell,
+              why_no_paper);
+    menu.step(
+        {"exercise.hint", translatable("Hint"), {{Key::H, ui::ctrl}}}, [](Desk& desk) { desk.session.give_hint(); },
+        why_no_hint);
+    menu.step(
+        {"exercise.show_cell", translatable("Show me this cell")}, [](Desk& desk) { desk.session.show_cell(); },
+        why_no_cell);
+}
+
+bool judges_at_once(const Desk& desk)
+{
+    const auto& pupil = desk.session.document().pupil;
+    return pupil && pupil->judges_at_once;
+}
+
+Reason why_not_judge(const Desk& desk)
+{
+    if (const auto reason = why_no_paper(desk)) return reason;
+    if (!desk.session.paper()->is_told) return std::nullopt;
+    return Phrase(translatable("everything is judged already"));
+}
+
+void add_judging(Menu& menu)
+{
+    menu.toggle(
+        {"exercise.judge_at_once", translatable("Judge at once")}, judges_at_once,
+        [](Desk& desk, bool is_on) { desk.session.judge_at_once(is_on); }, why_no_paper);
+    menu.step(
+        {"exercise.judge", translatable("Judge now"), {{Key::J, {}}}}, [](Desk& desk) { desk.session.judge_now(); },
+        why_not_judge);
+    menu.step(
+        {"exercise.start_over", translatable("Start over")}, [](Desk& desk) { desk.session.start_over(); },
+        why_no_paper);
+    menu.step(
+        {"exercise.end", translatable("End the exercise")}, [](Desk& desk) { desk.session.end_exercise(); },
+        why_no_paper);
+}
+
+/// "3 17": difficulty and number.
+Reason begin(Desk& desk, const ui::Argument& argument)
+{
+    const auto numbers = argument.numbers(2);
+    const auto is_whole = [&](std::size_t i, double least, double most) {
+        const double n = numbers->at(i);
+        return n >= least && n <= most && n == std::floor(n);
+    };
+    if (!numbers || !is_whole(0, 1.0, n_difficulties) || !is_whole(1, 0.0, std::numeric_limits<std::uint32_t>::max()))
+        return argument.wanted("a difficulty from 1 to 6 and a whole number from 0 to 4294967295");
+    desk.session.begin_exercise(
+        {static_cast<fc::Difficulty>(static_cast<int>(numbers->at(0))), static_cast<std::uint32_t>(numbers->at(1))});
+    return std::nullopt;
+}
+
+/// So many of the cells that are empty, with what belongs in them.
+Reason fill(Desk& desk, const ui::Argument& argument)
+{
+    Session& session = desk.session;
+    if (auto reason = session.why_no_paper()) return reason;
+    const auto n = argument.number();
+    if (!n || *n < 0.0) return argument.wanted("a number");
+    const std::size_t n_cells = session.paper()->form.blanks.size();
+    double open = *n;
+    for (std::size_t i = 0; i < n_cells && open > 0.0; ++i) {
+        const fc::BlankId cell(i);
+        if (session.paper()->is_written(cell) || session.paper()->form[cell].may_stay_empty) continue;
+        session.write(cell, text_for(*session.paper(), cell, units_of(session.document().model, session.tr())));
+        open -= 1.0;
     }
-}
-
-void add_cells(CommandTable& table)
-{
-    table.add({.id = "exercise.next_cell",
-               .menu = exercise_menu,
-               .label = translatable("To the next cell that is open"),
-               .shortcuts = {{Key::N, {}}},
-               .run =
-                   [](Desk& desk) {
-                       Session& session = desk.session;
-                       const auto next = session.neighbour(1, true);
-                       if (!next) session.go_to_cell({}); // from the beginning again
-                       session.go_to_cell(next ? next : session.neighbour(1, true));
-                   },
-               .why_not = why_no_paper});
-    table.add({.id = "exercise.hint",
-               .menu = exercise_menu,
-               .label = translatable("Hint"),
-               .shortcuts = {{Key::H, {.ctrl = true}}},
-               .run = [](Desk& desk) { desk.session.give_hint(); },
-               .why_not = why_no_hint});
-    table.add({.id = "exercise.show_cell",
-               .menu = exercise_menu,
-               .label = translatable("Show me this cell"),
-               .run = [](Desk& desk) { desk.session.show_cell(); },
-               .why_not = why_no_cell});
-}
-
-void add_judging(CommandTable& table)
-{
-    table.add({.id = "exercise.judge_at_once",
-               .menu = exercise_menu,
-               .label = translatable("Judge at once"),
-               .run = [](Desk& desk) { desk.session.judge_at_once(!desk.session.document().pupil->judges_at_once); },
-               .why_not = why_no_paper,
-               .is_on =
-                   [](const Desk& desk) {
-                       const auto& pupil = desk.session.document().pupil;
-                       return pupil && pupil->judges_at_once;
-                   }});
-    table.add({.id = "exercise.judge",
-               .menu = exercise_menu,
-               .label = translatable("Judge now"),
-               .shortcuts = {{Key::J, {}}},
-               .run = [](Desk& desk) { desk.session.judge_now(); },
-               .why_not = [](const Desk& desk) -> std::optional<Phrase> {
-                   if (const auto reason = why_no_paper(desk)) return reason;
-                   if (!desk.session.paper()->is_told) return std::nullopt;
-                   return Phrase(translatable("everything is judged already"));
-               }});
-    table.add({.id = "exercise.start_over",
-               .menu = exercise_menu,
-               .label = translatable("Start over"),
-               .run = [](Desk& desk) { desk.session.start_over(); },
-               .why_not = why_no_paper});
-    table.add({.id = "exercise.end",
-               .menu = exercise_menu,
-               .label = translatable("End the exercise"),
-               .run = [](Desk& desk) { desk.session.end_exercise(); },
-               .why_not = why_no_paper});
+    return std::nullopt;
 }
 
 } // namespace
 
 void add_exercise_commands(CommandTable& table)
 {
-    add_beginnings(table);
-    add_cells(table);
-    add_judging(table);
+    Menu menu(table, exercise_menu);
+    add_beginnings(menu);
+    add_cells(menu);
+    add_judging(menu);
+    table.with_argument("exercise.new", begin);
+    table.with_argument("exercise.fill", fill);
 }
 
 } // namespace cross

@@ -404,6 +404,8 @@ std::string status_text(const Session& session)
     if (!session.solution().task) return tr("this structure cannot be distributed");
     if (session.paper() != nullptr) return exercise_name(session) + "   ·   " + score_words(session);
     const fc::Sheet* const sheet = session.sheet();
+    if (session.tool == Tool::UniformLoad) return tr("a uniform load: click a member, or press Esc");
+    if (session.tool == Tool::PointLoad) return tr("a force: click a member or a node, or press Esc");
     if (sheet == nullptr) return tr("All sheets together");
     const Numbers numbers(session.document(), session.solution(), session.look);
     const std::string unit = " " + numbers.moment_unit();

@@ -390,8 +390,9 @@ private:
         const double bottom = panel_.box.max.y - legend_height() - 1.6 * em;
         std::vector<BlankCell> cells = superposition_cells(paper_);
         for (std::size_t i = 0; i < cells.size(); ++i) {
-            const double x = panel_.box.min.x + em + static_cast<double>(i % in_row) * (width + 0.6 * em);
-            const double y = bottom - 1.5 * static_cast<double>(i / in_row) * em;
+            const std::size_t row = i / in_row, column = i % in_row;
+            const double x = panel_.box.min.x + em + static_cast<double>(column) * (width + 0.6 * em);
+            const double y = bottom - 1.5 * static_cast<double>(row) * em;
             if (y < panel_.box.min.y) return;
             if (paper_.form[cells[i].blank].asked == Asked::Holding) cells[i].label += " [" + force + "]";
             draw_cell(cells[i], ui::box_at({x, y}, {width, cell_height * em}));

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "apps/cross/view/numbers.h"
+#include "femoop/load/place_along.h"
 
 namespace cross {
 
@@ -38,9 +39,7 @@ std::string point_load(const Model& model, const femoop::MemberLoad& load, const
         if (one.dof == femoop::Dof::ux || one.dof == femoop::Dof::uy) squares += std::pow(one.value.value(), 2);
     if (squares == 0.0) return "";
     const femoop::Member& member = model[load.member];
-    const auto* const percent = std::get_if<femoop::Percent>(&point->at);
-    const double at = percent != nullptr ? 0.01 * percent->value * length_of(model, member)
-                                         : std::get<femoop::Quantity>(point->at).value();
+    const double at = femoop::written_place(point->at, length_of(model, member));
     return " " + tr("{member}: {force} at {distance} from {node}.",
                     {{"member", member.id},
                      {"force", units.text(std::sqrt(squares), ui::Measure::Force)},

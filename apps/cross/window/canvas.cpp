@@ -127,7 +127,7 @@ void Canvas::follow_pupil(Session& session, ui::Point at)
     if (hand_.is_holding()) hand_.release(session);
     const auto cell = ImGui::IsItemHovered() ? pick_cell(drawn_, at) : std::nullopt;
     if (cell) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    if (ImGui::IsItemActivated()) session.go_to_cell(cell);
+    if (ImGui::IsItemActivated() && (cell || !cell_field_.is_half_typed())) session.go_to_cell(cell);
 }
 
 void Canvas::press(Session& session, ui::Point at)

@@ -67,6 +67,9 @@ void CellField::follow(Session& session)
         cell_.reset();
         return;
     }
+    if (std::exchange(of_, session.n_solved()) != session.n_solved()) cell_.reset();
+    const bool is_told = session.paper()->is_told;
+    if (!std::exchange(was_told_, is_told) && is_told && cell_) take(session, *cell_); // "Judge now" means it too
     if (cell_ && cell_ != session.cell()) {
         const auto next = session.cell();
         if (!take(session, *std::exchange(cell_, std::nullopt))) return;
@@ -78,6 +81,7 @@ void CellField::follow(Session& session)
     cell_ = session.cell();
     text_ = written_ = written;
     reason_.clear();
+    keyboard_.forget();
     ++n_openings_;
     is_fresh_ = true;
 }
@@ -85,9 +89,12 @@ void CellField::follow(Session& session)
 void CellField::edit(Session& session)
 {
     if (is_fresh_) ImGui::SetKeyboardFocusHere();
+    keyboard_.before_field();
     ImGui::PushID(n_openings_); // an editor of its own for each cell
-    const bool is_entered = ImGui::InputText("###number", &text_,
-                                             ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    constexpr ImGuiInputTextFlags flags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
+                                          ImGuiInputTextFlags_CallbackAlways;
+    const bool is_entered = ImGui::InputText("###number", &text_, flags, ui::KeyboardBack::place_cursor, &keyboard_);
+    keyboard_.after_field();
     ImGui::PopID();
     is_fresh_ = is_fresh_ && !ImGui::IsItemActive(); // it takes a frame or two to get the keyboard
     const bool is_left = ImGui::IsItemDeactivated();
@@ -98,9 +105,9 @@ void CellField::edit(Session& session)
         session.go_to_cell({});
         return;
     }
+    if (!is_entered && !is_tab) return keyboard_.lose(); // by a click, which judges nothing half typed
     if (!take(session, *cell_)) return;
     cell_.reset();
-    if (!is_entered && !is_tab) return session.go_to_cell({});
     session.go_to_cell(session.neighbour(is_tab && ImGui::GetIO().KeyShift ? -1 : 1, false));
 }
 

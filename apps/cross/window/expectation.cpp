@@ -92,8 +92,6 @@ const ui::Facts<Session>& facts()
 
 std::optional<std::string> why_not(std::string_view expectation, const Application& application)
 {
-    if (const auto complaint = ui::common_complaint(expectation, application, application.canvas().picture()))
-        return *complaint;
     const auto [what, rest] = ui::first_word(expectation);
     if (what == "total") return total_complaint(application.session(), rest);
     if (what == "cell") return cell_complaint(application.session(), expectation);

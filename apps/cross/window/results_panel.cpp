@@ -137,7 +137,7 @@ void results_panel(Desk& desk, const CommandTable& commands)
     ui::TabRow row;
     for (const TopicEntry& entry : topics()) {
         const std::string title = desk.tr()(entry.label) + "###" + std::string(entry.id);
-        if (row.show(title, entry.topic == desk.topic)) run(*commands.find(entry.id), desk);
+        if (row.show(title, entry.value == desk.topic)) run(*commands.find(entry.id), desk);
     }
     ImGui::Separator();
     if (desk.topic != Topic::Exercises && desk.session.solution().task)

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "apps/cross/window/application.h"
+#include "apps/cross/window/expectation.h"
 #include "ui/app/stage.h"
 
 namespace cross {
@@ -22,8 +23,6 @@ public:
     using ui::OffscreenStage<Application>::OffscreenStage;
 
     Sought find(std::string_view place) override;
-    std::optional<std::string> run_command(std::string_view id, std::string_view argument) override;
-    std::optional<std::string> expect(std::string_view words) override;
 };
 
 } // namespace cross

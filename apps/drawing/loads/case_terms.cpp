@@ -70,11 +70,4 @@ LargestLoads largest_loads(const std::vector<CaseTerm>& terms)
     return largest;
 }
 
-double place_along(const femoop::Position& position, double length)
-{
-    const auto* percent = std::get_if<femoop::Percent>(&position);
-    const double along = percent ? percent->value / 100.0 * length : std::get<femoop::Quantity>(position).value();
-    return std::clamp(along, 0.0, length);
-}
-
 } // namespace drawing

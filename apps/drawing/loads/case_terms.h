@@ -24,7 +24,4 @@ struct LargestLoads {
 };
 LargestLoads largest_loads(const std::vector<CaseTerm>& terms);
 
-/// A place along a member, in the model's unit of length.
-double place_along(const femoop::Position& position, double length);
-
 } // namespace drawing

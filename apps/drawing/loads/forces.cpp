@@ -2,6 +2,7 @@
 
 #include "apps/drawing/loads/loads.h"
 #include "apps/drawing/structure/supports.h"
+#include "femoop/load/place_along.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -140,7 +141,7 @@ void draw_point_load(const Scene& scene, femoop::MemberId id, const femoop::Poin
                      const LoadStack& stack)
 {
     const MemberShape& member = scene.shape[id];
-    const double x = place_along(load.at, member.length);
+    const double x = femoop::along(load.at, member.length);
     const Vector3d at = member.at(x);
     for (const femoop::Component& component : load.components) {
         const double value = scale.factor * component.value;

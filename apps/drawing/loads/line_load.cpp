@@ -1,5 +1,6 @@
 #include "apps/drawing/loads/loads.h"
 #include "apps/drawing/sketch/symbols.h"
+#include "femoop/load/place_along.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -51,8 +52,12 @@ public:
         for (int i = 0; i <= n; ++i) outline.push_back(tail(static_cast<double>(i) / n));
         draw_area(outline);
         scene_.sketch.polyline(outline, scene_.sketch.thin(ui::Role::Load));
-        scene_.sketch.line(head(0.0), head(1.0), scene_.sketch.thin(ui::Role::Load), Clearance::None);
-        for (int i = 0; i <= n; ++i) draw_arrow(static_cast<double>(i) / n);
+        if (scene_.crowding.is_crowded()) { // the ends' arrows would run into columns, the base into the member
+            for (int i = 0; i < n; ++i) draw_arrow((i + 0.5) / n);
+        } else {
+            scene_.sketch.line(head(0.0), head(1.0), scene_.sketch.thin(ui::Role::Load), Clearance::None);
+            for (int i = 0; i <= n; ++i) draw_arrow(static_cast<double>(i) / n);
+        }
         if (placing_.is_projected) draw_droplines();
     }
 
@@ -246,8 +251,8 @@ void draw_line_load(const Scene& scene, femoop::MemberId id, const femoop::Distr
                     const LoadScale& scale, LoadStack& stack)
 {
     const MemberShape& member = scene.shape[id];
-    const double from = load.from ? place_along(*load.from, member.length) : 0.0;
-    const double to = load.to ? place_along(*load.to, member.length) : member.length;
+    const double from = load.from ? femoop::along(*load.from, member.length) : 0.0;
+    const double to = load.to ? femoop::along(*load.to, member.length) : member.length;
     for (const auto& value : load.values) {
         const Stretch whole{from, to, scale.factor * value.start,
                             scale.factor * (value.end ? value.end->value() : value.start.value())};

@@ -23,13 +23,14 @@ public:
         const femoop::Extremes extremes = function_.extremes();
         const double own = std::max(std::abs(extremes.max.value), std::abs(extremes.min.value));
         if (!(own > written_as_zero * look_.largest)) return;
-        const std::vector<Ordinate> ordinates = ordinates_of(function_, 0.3 / look_.pixels_per_unit);
+        const double tolerance = scene_.crowding.is_crowded() ? 0.6 : 0.3; // [px]
+        const std::vector<Ordinate> ordinates = ordinates_of(function_, tolerance / look_.pixels_per_unit);
         std::vector<ui::Point> line{at(0.0, 0.0)};
         for (const Ordinate& o : ordinates) line.push_back(at(o.x, o.value));
         line.push_back(at(function_.length(), 0.0));
         {
             const ui::LayerScope layer(sketch().painter(), ui::Layer::Areas);
-            sketch().polygon(line, sketch().theme().fill(look_.role), Clearance::Soft);
+            sketch().polygon(line, sketch().theme().fill(look_.role), Clearance::Inside);
             if (!scene_.crowding.is_crowded()) draw_hatching();
         }
         sketch().polyline(line, sketch().stroke(look_.role), Clearance::Hard);
@@ -131,8 +132,13 @@ private:
         for (const MarkedValue& marked : marks) {
             // In space small values of one plane would hide the large ones of the other.
             if (!scene_.is_flat() && std::abs(marked.value) < 0.02 * look_.largest) continue;
+            const Rank rank = rank_of(marked);
+            if (const ui::Point place = at(marked.x, marked.value); sketch().is_full_at(place, rank)) {
+                sketch().leave_out(place);
+                continue;
+            }
             Caption caption = value_at(marked.x, marked.value);
-            caption.rank = rank_of(marked);
+            caption.rank = rank;
             for (const double x : marked.others) caption.others.push_back(at(x, marked.value));
             sketch().caption(std::move(caption));
         }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace drawing {
@@ -12,7 +13,7 @@ namespace drawing {
 /// The results of the case that is drawn, with the exact solution of every member at hand.
 class SolvedCase {
 public:
-    explicit SolvedCase(femoop::CaseResult of_case) : result(of_case) {}
+    explicit SolvedCase(femoop::CaseResult of_case) : result(std::move(of_case)) {}
 
     femoop::CaseResult result;
     std::vector<femoop::Curve> curves; ///< of the members

@@ -42,8 +42,9 @@ std::vector<Panel> panels(const std::vector<ShowSet>& contents, const ui::Box& a
     const ui::Size size{area.width() / static_cast<double>(columns), area.height() / static_cast<double>(rows)};
     std::vector<Panel> list;
     for (std::size_t i = 0; i < contents.size(); ++i) {
-        const ui::Point corner{area.min.x + static_cast<double>(i % columns) * size.width,
-                               area.min.y + static_cast<double>(i / columns) * size.height};
+        const std::size_t row = i / columns, column = i % columns;
+        const ui::Point corner{area.min.x + static_cast<double>(column) * size.width,
+                               area.min.y + static_cast<double>(row) * size.height};
         list.push_back({ui::box_at(corner, size), contents[i]});
     }
     return list;

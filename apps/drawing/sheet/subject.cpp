@@ -218,11 +218,18 @@ Subject::Subject(DrawInput input, const DrawOptions& options, const DrawState& s
       units_(display_units(input_.model, options)),
       shape_(shape_of(input_.model))
 {
-    if (!has_results_of_its_own(input_)) return;
-    solved_ = solved_case(*input_.results, options.load_case);
-    if (!options.is_envelope) return;
-    for (const femoop::CaseId id : envelope_cases(input_.model, options))
-        all_.push_back(*solved_case(*input_.results, id));
+    is_solved_ = has_results_of_its_own(input_) && options.load_case.index < input_.results->n_cases();
+}
+
+const Subject::Cases& Subject::cases() const
+{
+    if (cases_) return *cases_;
+    Cases& read = cases_.emplace();
+    if (is_solved_) read.shown = solved_case(*input_.results, options_.load_case);
+    if (!options_.is_envelope || !has_results_of_its_own(input_)) return read;
+    for (const femoop::CaseId id : envelope_cases(input_.model, options_))
+        read.of_envelope.push_back(*solved_case(*input_.results, id));
+    return read;
 }
 
 Camera Subject::starting_camera() const { return state_.camera ? *state_.camera : usual_camera(); }
@@ -260,7 +267,7 @@ Subject::Plan Subject::plan(ui::Size sheet, const ui::Fonts& fonts) const
     constexpr double clearly = 1.02;
     const std::vector<ShowSet> contents = panel_contents({.show = without_absent(options_.show, input_.model.analysis),
                                                           .layout = options_.layout,
-                                                          .has_results = solved_.has_value()});
+                                                          .has_results = is_solved_});
     const ui::Box room = area(sheet, fonts);
     std::vector<Panel> list = panels(contents, room, 1);
     if (contents.size() == 1 && state_.camera) return {std::move(list), *state_.camera};
@@ -374,12 +381,13 @@ Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, con
                    .theme = &theme,
                    .room = panel.box.grown(-4.0),
                    .symbol_factor = options_.symbol_factor * crowding.symbol_share(),
-                   .is_crowded = crowding.is_crowded()});
+                   .is_crowded = crowding.is_crowded(),
+                   .is_measured = pass == Pass::Measure});
     const Scene scene{input_.model, shape_, projection, options_, state_, units_, sketch, crowding, panel.show};
     PanelPicture picture(scene, input_, panel.box.size());
     if (!options_.show.contains(Show::M) && !shows_any(panel.show, diagrams)) picture.draw_overlay_alone();
     if (const auto& motion = input_.motion) picture.draw_mechanism(motion->all[motion->shown]);
-    else picture.draw_solved(solved_ ? &*solved_ : nullptr, all_);
+    else picture.draw_solved(cases().shown ? &*cases().shown : nullptr, cases().of_envelope);
     Drawn drawn{.bounds = sketch.bounds(), .tight_bounds = sketch.tight_bounds()};
     const std::vector<ui::Box> rows = head_rows(picture.heads(), theme, painter.fonts(), panel);
     if (!rows.empty()) drawn.heads_height = rows.back().max.y - panel.box.min.y;
@@ -471,7 +479,7 @@ void Subject::draw_left_out(ui::Painter& painter, std::size_t n_left_out) const
 
 bool Subject::has_overlay_words() const
 {
-    return input_.overlay && solved_ && !options_.is_envelope && options_.show.contains(Show::M);
+    return input_.overlay && is_solved_ && !options_.is_envelope && options_.show.contains(Show::M);
 }
 
 ui::TextStyle Subject::foot_style() const

@@ -37,11 +37,14 @@ public:
     };
     Picture draw(ui::Painter& painter) const;
 
-    const femoop::Model& model() const { return input_.model; }
-    const StructureShape& shape() const { return shape_; }
-    const std::optional<SolvedCase>& solved() const { return solved_; }
-
 private:
+    /// What the results say along the members.
+    struct Cases {
+        std::optional<SolvedCase> shown;
+        std::vector<SolvedCase> of_envelope;
+    };
+    const Cases& cases() const;
+
     ui::Box area(ui::Size sheet, const ui::Fonts& fonts) const;
     Camera starting_camera() const;
     Camera usual_camera() const;
@@ -80,8 +83,8 @@ private:
     ui::Theme theme_;
     ui::DisplayUnits units_;
     StructureShape shape_;
-    std::optional<SolvedCase> solved_;
-    std::vector<SolvedCase> all_; ///< cases of an envelope
+    bool is_solved_ = false;             ///< the case that is shown
+    mutable std::optional<Cases> cases_; ///< read when first drawn: a plan with a camera needs none of it
 };
 
 } // namespace drawing

@@ -38,8 +38,11 @@ Sketch::Sketch(const Setup& setup)
       symbol_scale_(setup.theme->symbol_scale() * setup.symbol_factor),
       room_(setup.room),
       is_crowded_(setup.is_crowded),
+      is_measured_(setup.is_measured),
       placer_({.room = setup.room})
-{}
+{
+    if (is_crowded_ && !is_measured_) crowd_.emplace(room_);
+}
 
 double Sketch::lesser_value_size() const
 {
@@ -87,7 +90,7 @@ void Sketch::line(ui::Point a, ui::Point b, const ui::Stroke& stroke, Clearance 
     painter_->line(a, b, stroke);
     include(a);
     include(b);
-    if (clearance != Clearance::None) placer_.obstacles().add_segment(a, b, stroke.width, firmness(clearance));
+    if (is_obstacle(clearance)) placer_.obstacles().add_segment(a, b, stroke.width, firmness(clearance));
 }
 
 void Sketch::polyline(const std::vector<ui::Point>& points, const ui::Stroke& stroke, Clearance clearance,
@@ -96,7 +99,7 @@ void Sketch::polyline(const std::vector<ui::Point>& points, const ui::Stroke& st
     if (points.size() < 2) return;
     painter_->polyline(points, stroke, ends);
     for (const ui::Point p : points) include(p);
-    if (clearance != Clearance::None) placer_.obstacles().add_polyline(points, stroke.width, firmness(clearance));
+    if (is_obstacle(clearance)) placer_.obstacles().add_polyline(points, stroke.width, firmness(clearance));
 }
 
 void Sketch::polygon(const std::vector<ui::Point>& points, ui::Color fill, Clearance clearance)
@@ -104,14 +107,16 @@ void Sketch::polygon(const std::vector<ui::Point>& points, ui::Color fill, Clear
     if (points.size() < 3) return;
     painter_->polygon(points, fill);
     for (const ui::Point p : points) include(p);
-    if (clearance != Clearance::None) placer_.obstacles().add_polygon(points, firmness(clearance));
+    if (!is_obstacle(clearance)) return;
+    if (clearance == Clearance::Inside) placer_.obstacles().add_inside(points, ui::Firmness::Soft);
+    else placer_.obstacles().add_polygon(points, firmness(clearance));
 }
 
 void Sketch::disc(ui::Point center, double radius, ui::Color fill, Clearance clearance)
 {
     painter_->disc(center, radius, fill);
     include(center);
-    if (clearance != Clearance::None) placer_.obstacles().add_disc(center, radius, firmness(clearance));
+    if (is_obstacle(clearance)) placer_.obstacles().add_disc(center, radius, firmness(clearance));
 }
 
 void Sketch::ring(ui::Point center, double radius, const ui::Stroke& stroke, Clearance clearance)
@@ -119,13 +124,13 @@ void Sketch::ring(ui::Point center, double radius, const ui::Stroke& stroke, Cle
     painter_->circle(center, radius, stroke);
     include(center - ui::Point{radius, radius});
     include(center + ui::Point{radius, radius});
-    if (clearance != Clearance::None) placer_.obstacles().add_disc(center, radius, firmness(clearance));
+    if (is_obstacle(clearance)) placer_.obstacles().add_disc(center, radius, firmness(clearance));
 }
 
 void Sketch::keep_clear(const std::vector<ui::Point>& area)
 {
     for (const ui::Point p : area) include(p);
-    placer_.obstacles().add_polygon(area);
+    if (is_obstacle(Clearance::Hard)) placer_.obstacles().add_polygon(area);
 }
 
 ui::TextStyle Sketch::style_of(const Caption& caption) const
@@ -136,17 +141,25 @@ ui::TextStyle Sketch::style_of(const Caption& caption) const
     return style;
 }
 
+bool Sketch::is_said_beside(const Caption& caption)
+{
+    std::vector<Said>& said_at = said_[caption.text];
+    const auto is_near = [&](const Said& other) {
+        const ui::Point apart = other.second - caption.target;
+        return other.first == caption.role && dot(apart, apart) < same_place * same_place;
+    };
+    if (std::any_of(said_at.begin(), said_at.end(), is_near)) return true;
+    said_at.emplace_back(caption.role, caption.target);
+    return false;
+}
+
 void Sketch::caption(Caption caption)
 {
     if (caption.text.empty() || !ui::is_finite(caption.target)) return;
+    if (is_full_at(caption.target, caption.rank)) return leave_out(caption.target);
     caption.text = ui::shortened(caption.text, most_letters);
-    std::vector<ui::Point>& said_at = said_[{caption.role, caption.text}];
-    const auto is_near = [&](ui::Point other) {
-        const ui::Point apart = other - caption.target;
-        return dot(apart, apart) < same_place * same_place;
-    };
-    if (std::any_of(said_at.begin(), said_at.end(), is_near)) return;
-    said_at.push_back(caption.target);
+    if (is_said_beside(caption)) return;
+    if (crowd_) crowd_->add(caption.target, caption.rank);
     const ui::TextStyle style = style_of(caption);
     const ui::Size size = ui::label_size(painter_->fonts(), caption.text, style);
     const ui::Point center = center_beside(caption.target, caption.toward, caption.gap, size);

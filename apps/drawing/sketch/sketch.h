@@ -2,24 +2,23 @@
 
 #include "apps/drawing/geometry/projection.h"
 #include "apps/drawing/part.h"
+#include "apps/drawing/sketch/caption_crowd.h"
 #include "femoop/model/dof.h"
 #include "ui/paint/label_placement.h"
 #include "ui/paint/painter.h"
 #include "ui/paint/theme.h"
 
-#include <map>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace drawing {
 
-/// What labels do where a line stands: nothing, keep clear if they can, or always.
-enum class Clearance : std::uint8_t { None, Soft, Hard };
-
-/// Which labels choose their place first.
-enum class Rank : std::uint8_t { Name, Minor, Value, Extreme, Load, Largest };
+/// What labels do where a line stands: nothing, keep clear if they can, or always. `Inside` is of an area whose border
+/// is drawn as lines of its own: they keep clear of what lies within, if they can.
+enum class Clearance : std::uint8_t { None, Inside, Soft, Hard };
 
 /// A string that is put near what it speaks of, wherever there is room.
 struct Caption {
@@ -82,12 +81,16 @@ public:
         const ui::Theme* theme;
         ui::Box room; ///< what the labels may use
         double symbol_factor = 1.0;
-        bool is_crowded = false; ///< strokes are slim, without the round joins and ends that nobody would see
+        /// Strokes are slim, without the round joins and ends that nobody would see, and where captions crowd lesser
+        /// ones are left out.
+        bool is_crowded = false;
+        bool is_measured = false; ///< for the room that the marks take: nothing is written
     };
     explicit Sketch(const Setup& setup);
 
     ui::Painter& painter() { return *painter_; }
     const ui::Theme& theme() const { return *theme_; }
+    bool is_crowded() const { return is_crowded_; }
     /// A length in the theme's symbol size.
     double px(double logical) const { return logical * symbol_scale_; }
     /// Em of values beside those at extremes and of names of members; on the projector a class reads them all.
@@ -106,6 +109,10 @@ public:
 
     /// The same string twice within a few pixels is written once.
     void caption(Caption caption);
+    /// Whether a caption would be left out without a look: see Setup::is_crowded.
+    bool is_full_at(ui::Point target, Rank rank) const { return crowd_ && crowd_->is_full(target, rank); }
+    /// Counts one that is not even made.
+    void leave_out(ui::Point target) { n_left_out_ += room_.contains(target) ? 1 : 0; }
 
     /// Put where no line runs, on a disc that hides what lies below it; labels keep clear of it.
     void sign(SignMark mark);
@@ -146,16 +153,20 @@ private:
     ui::TextStyle style_of(const Caption& caption) const;
     ui::Label label_of(const Request& request) const;
     static void add_turned(ui::Label& label, const Caption& caption);
+    bool is_obstacle(Clearance clearance) const { return clearance != Clearance::None && !is_measured_; }
     static ui::Firmness firmness(Clearance clearance);
+    bool is_said_beside(const Caption& caption);
 
     ui::Painter* painter_;
     const ui::Theme* theme_;
     double symbol_scale_;
     ui::Box room_;
-    bool is_crowded_;
+    bool is_crowded_, is_measured_;
+    std::optional<CaptionCrowd> crowd_;
     ui::LabelPlacer placer_;
     std::vector<Request> requests_;
-    std::map<std::pair<ui::Role, std::string>, std::vector<ui::Point>> said_; ///< where each request has its target
+    using Said = std::pair<ui::Role, ui::Point>;
+    std::unordered_map<std::string, std::vector<Said>> said_; ///< where each string's requests have their targets
     std::vector<SignMark> signs_;
     Grips grips_;
     std::optional<ui::Box> bounds_, tight_bounds_;

@@ -9,7 +9,7 @@
 
 #include "apps/euler/session/session.h"
 #include "topology/tables/entity_tables.h"
-#include "ui/command/command_table.h"
+#include "ui/command/menu_builder.h"
 #include "ui/desk/document_desk.h"
 
 namespace euler {
@@ -49,15 +49,9 @@ using CommandTable = ui::CommandTable<Desk>;
 /// Everything that the app can do, by name.
 CommandTable command_table();
 
-struct TopicEntry {
-    Topic topic;
-    std::string_view id, label;
-};
+using TopicEntry = ui::Choice<Topic>;
 std::span<const TopicEntry> topics(); ///< in the order of their tabs
-struct TableEntry {
-    topology::TableKind table;
-    std::string_view id, label;
-};
+using TableEntry = ui::Choice<topology::TableKind>;
 std::span<const TableEntry> tables(); ///< likewise
 
 /// A command that asks this app's window for something.

@@ -28,17 +28,15 @@ std::span<const std::string> gallery_command_ids()
 
 void add_gallery_commands(CommandTable& table)
 {
+    ui::MenuBuilder<Desk> menu(table, translatable("Gallery"));
     const std::vector<GalleryItem> items = gallery();
     for (std::size_t i = 0; i < items.size(); ++i)
-        table.add({.id = gallery_command_ids()[i],
-                   .menu = translatable("Gallery"),
-                   .label = items[i].title,
-                   .run = [script = items[i].script](Desk& desk) {
-                       desk.leave_document([script](Desk& left) {
-                           left.session.show(Stepper(script));
-                           left.topic = Topic::Script;
-                       });
-                   }});
+        menu.step({gallery_command_ids()[i], items[i].title}, [script = items[i].script](Desk& desk) {
+            desk.leave_document([script](Desk& left) {
+                left.session.show(Stepper(script));
+                left.topic = Topic::Script;
+            });
+        });
 }
 
 } // namespace euler

@@ -9,102 +9,68 @@ namespace euler {
 using topology::EntityKind;
 using topology::TableKind;
 using ui::Key;
+using ui::shift;
 using ui::translatable;
+using Menu = ui::MenuBuilder<Desk>;
 
 namespace {
 
 using ui::standard::view_menu;
 constexpr std::string_view show_menu = translatable("Show");
 
-struct KindEntry {
-    ViewKind kind;
-    std::string_view id, label;
-    Key key;
-};
 constexpr std::array kinds{
-    KindEntry{ViewKind::Space, "view.space", translatable("In space"), Key::Digit1},
-    KindEntry{ViewKind::Plane, "view.plane", translatable("As a map in the plane"), Key::Digit2},
-    KindEntry{ViewKind::Polygons, "view.polygons", translatable("As polygons: the plane model"), Key::Digit3},
-};
-
-struct DirectionEntry {
-    Request request;
-    std::string_view id, label;
-    Key key;
-};
-constexpr std::array directions{
-    DirectionEntry{Request::LookFront, "view.front", translatable("From the front"), Key::Digit8},
-    DirectionEntry{Request::LookSide, "view.side", translatable("From the side"), Key::Digit9},
-    DirectionEntry{Request::LookTop, "view.top", translatable("From the top"), Key::Digit0},
+    ui::Choice<ViewKind>{ViewKind::Space, "view.space", translatable("In space"), {{Key::Digit1, {}}}},
+    ui::Choice<ViewKind>{ViewKind::Plane, "view.plane", translatable("As a map in the plane"), {{Key::Digit2, {}}}},
+    ui::Choice<ViewKind>{
+        ViewKind::Polygons, "view.polygons", translatable("As polygons: the plane model"), {{Key::Digit3, {}}}},
 };
 
 void add_views(CommandTable& table)
 {
-    for (const KindEntry& entry : kinds)
-        table.add({.id = entry.id,
-                   .menu = view_menu,
-                   .label = entry.label,
-                   .shortcuts = {{entry.key, {}}},
-                   .run = [kind = entry.kind](Desk& desk) { desk.session.show_as(kind); },
-                   .is_on = [kind = entry.kind](const Desk& desk) { return desk.session.view() == kind; }});
+    Menu menu(table, view_menu);
+    menu.choices(
+        kinds, [](const Desk& desk) { return desk.session.view(); },
+        [](Desk& desk, ViewKind kind) { desk.session.show_as(kind); });
     ui::standard::add_zoom(table, translatable("Show everything"), {{Key::F, {}}});
-    table.add({.id = "view.isometric",
-               .menu = view_menu,
-               .label = translatable("From a corner"),
-               .shortcuts = {{Key::Digit7, {}}},
-               .run = [](Desk& desk) { desk.session.look_from_corner(); }});
-    for (const DirectionEntry& entry : directions)
-        table.add({.id = entry.id,
-                   .menu = view_menu,
-                   .label = entry.label,
-                   .shortcuts = {{entry.key, {}}},
-                   .run = asks(entry.request)});
+    menu.step({"view.isometric", translatable("From a corner"), {{Key::Digit7, {}}}},
+              [](Desk& desk) { desk.session.look_from_corner(); });
+    menu.step({"view.front", translatable("From the front"), {{Key::Digit8, {}}}}, asks(Request::LookFront));
+    menu.step({"view.side", translatable("From the side"), {{Key::Digit9, {}}}}, asks(Request::LookSide));
+    menu.step({"view.top", translatable("From the top"), {{Key::Digit0, {}}}}, asks(Request::LookTop));
 }
 
-struct LookEntry {
-    bool Look::*item;
-    std::string_view id, label;
-    Key key;
-};
+using LookEntry = ui::Choice<bool Look::*>;
 constexpr std::array looks{
-    LookEntry{&Look::faces, "view.show.faces", translatable("Faces"), Key::F},
-    LookEntry{&Look::hatching, "view.show.hatching", translatable("Hatching of back faces"), Key::B},
-    LookEntry{&Look::half_edges, "view.show.half_edges", translatable("Half-edges"), Key::H},
+    LookEntry{&Look::faces, "view.show.faces", translatable("Faces"), {{Key::F, shift}}},
+    LookEntry{&Look::hatching, "view.show.hatching", translatable("Hatching of back faces"), {{Key::B, shift}}},
+    LookEntry{&Look::half_edges, "view.show.half_edges", translatable("Half-edges"), {{Key::H, shift}}},
 };
 
-struct NameEntry {
-    EntityKind kind;
-    std::string_view id, label;
-    Key key;
-};
+using NameEntry = ui::Choice<EntityKind>;
 constexpr std::array names{
-    NameEntry{EntityKind::Vertex, "view.show.vertex_names", translatable("Names of vertices"), Key::V},
-    NameEntry{EntityKind::Edge, "view.show.edge_names", translatable("Names of edges"), Key::E},
-    NameEntry{EntityKind::HalfEdge, "view.show.half_edge_names", translatable("Names of half-edges"), Key::D},
-    NameEntry{EntityKind::Face, "view.show.face_names", translatable("Names of faces"), Key::N},
+    NameEntry{EntityKind::Vertex, "view.show.vertex_names", translatable("Names of vertices"), {{Key::V, shift}}},
+    NameEntry{EntityKind::Edge, "view.show.edge_names", translatable("Names of edges"), {{Key::E, shift}}},
+    NameEntry{
+        EntityKind::HalfEdge, "view.show.half_edge_names", translatable("Names of half-edges"), {{Key::D, shift}}},
+    NameEntry{EntityKind::Face, "view.show.face_names", translatable("Names of faces"), {{Key::N, shift}}},
 };
 
-void flip(std::set<EntityKind>& kinds_named, EntityKind kind)
+void show_names(Desk& desk, EntityKind kind, bool is_on)
 {
-    if (kinds_named.erase(kind) == 0) kinds_named.insert(kind);
+    if (is_on) desk.session.look.names.insert(kind);
+    else desk.session.look.names.erase(kind);
 }
 
 void add_show(CommandTable& table)
 {
     ui::standard::add_look_switches(table, show_menu, looks);
-    for (const NameEntry& entry : names)
-        table.add({.id = entry.id,
-                   .menu = show_menu,
-                   .label = entry.label,
-                   .shortcuts = {{entry.key, ui::shift}},
-                   .run = [kind = entry.kind](Desk& desk) { flip(desk.session.look.names, kind); },
-                   .is_on = [kind = entry.kind](const Desk& desk) { return desk.session.look.names.contains(kind); }});
-    table.add({.id = "view.show.exploded",
-               .menu = show_menu,
-               .label = translatable("Exploded"),
-               .shortcuts = {{Key::X, ui::shift}},
-               .run = [](Desk& desk) { desk.session.look.explosion = desk.session.look.explosion > 0.0 ? 0.0 : 0.5; },
-               .is_on = [](const Desk& desk) { return desk.session.look.explosion > 0.0; }});
+    Menu menu(table, show_menu);
+    menu.toggles(
+        names, [](const Desk& desk, EntityKind kind) { return desk.session.look.names.contains(kind); }, show_names);
+    menu.toggle(
+        {"view.show.exploded", translatable("Exploded"), {{Key::X, shift}}},
+        [](const Desk& desk) { return desk.session.look.explosion > 0.0; },
+        [](Desk& desk, bool is_on) { desk.session.look.explosion = is_on ? 0.5 : 0.0; });
 }
 
 constexpr std::array topic_entries{
@@ -123,37 +89,36 @@ constexpr std::array table_entries{
     TableEntry{TableKind::Solids, "table.solids", translatable("Solids")},
 };
 
+bool shows_winged_edges(const Desk& desk) { return desk.structure == Structure::WingedEdges; }
+
+std::optional<TableKind> shown_table(const Desk& desk)
+{
+    return shows_winged_edges(desk) ? std::nullopt : std::optional(desk.table);
+}
+
+void open_table(Desk& desk, TableKind kind)
+{
+    desk.show_table(kind);
+    desk.has_tables = true;
+}
+
+void open_winged_edges(Desk& desk)
+{
+    desk.structure = Structure::WingedEdges;
+    desk.has_tables = true;
+}
+
 void add_panels(CommandTable& table)
 {
     ui::standard::add_panels(table);
-    table.add({.id = "view.tables",
-               .menu = view_menu,
-               .label = translatable("Tables"),
-               .shortcuts = {{Key::T, {}}},
-               .run = [](Desk& desk) { desk.has_tables = !desk.has_tables; },
-               .is_on = [](const Desk& desk) { return desk.has_tables; }});
+    Menu(table, view_menu)
+        .toggle(
+            {"view.tables", translatable("Tables"), {{Key::T, {}}}},
+            [](auto& desk) -> auto& { return desk.has_tables; });
     ui::standard::add_topics(table, topic_entries);
-    for (const TableEntry& entry : table_entries)
-        table.add(
-            {.id = entry.id,
-             .menu = translatable("Tables"),
-             .label = entry.label,
-             .run =
-                 [kind = entry.table](Desk& desk) {
-                     desk.show_table(kind);
-                     desk.has_tables = true;
-                 },
-             .is_on = [kind = entry.table](
-                          const Desk& desk) { return desk.table == kind && desk.structure == Structure::HalfEdges; }});
-    table.add({.id = "table.winged",
-               .menu = translatable("Tables"),
-               .label = translatable("Winged edges"),
-               .run =
-                   [](Desk& desk) {
-                       desk.structure = Structure::WingedEdges;
-                       desk.has_tables = true;
-                   },
-               .is_on = [](const Desk& desk) { return desk.structure == Structure::WingedEdges; }});
+    Menu menu(table, translatable("Tables"));
+    menu.choices(table_entries, shown_table, open_table);
+    menu.step({"table.winged", translatable("Winged edges")}, open_winged_edges).is_on = shows_winged_edges;
 }
 
 } // namespace

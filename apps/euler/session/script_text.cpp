@@ -69,7 +69,7 @@ bool Session::accept_text()
     }
     edited_text.reset();
     faulty_line.reset();
-    if (faulty_path_) path_ = std::exchange(faulty_path_, std::nullopt);
+    set_partial(false);
     note_change();
     return true;
 }
@@ -77,7 +77,7 @@ bool Session::accept_text()
 // The steps before the fault are open, and the text to mend it in, where that has room.
 void Session::show_fault(const std::filesystem::path& path, const std::string& text, const topology::LineError& fault)
 {
-    faulty_path_ = path;
+    set_partial(true);
     if (can_be_edited(text)) edited_text = text;
     tell_fault(fault);
     tell({translatable("{file} is open up to its fault: {reason}"),

@@ -12,7 +12,6 @@
 #include "apps/euler/view/solid/clear_view.h"
 #include "femoop/files/whole_file.h"
 #include "ui/text/catalogue.h"
-#include "ui/workbench/file_sentences.h"
 
 namespace euler {
 
@@ -20,7 +19,6 @@ using ui::translatable;
 
 namespace {
 
-constexpr std::nullopt_t until_closed = std::nullopt;
 constexpr double seconds_per_step = 0.9, seconds_between_steps = 0.6;
 
 // Slow at both ends, as a hand moves.
@@ -40,23 +38,22 @@ bool lives(const topology::Solid& solid, topology::Entity e)
     return false;
 }
 
-Session::Session() { restart(Stepper()); }
+Session::Session() : OpenDocument({}, files::write_whole_file) { restart(Stepper()); }
 
 void Session::restart(Stepper lesson)
 {
     earned_ = points();
     game_.reset();
     stepper_ = std::move(lesson);
-    saved_ = stepper_.whole();
+    whole_ = stepper_.whole();
+    OpenDocument::begin(whole_);
     ++n_changes_;
-    path_.reset();
-    is_dirty_ = is_playing = false;
+    is_playing = false;
     selection.reset();
     hover.reset();
     notice.reset();
     edited_text.reset();
     faulty_line.reset();
-    faulty_path_.reset();
     is_fitted = true;
     look_at_end();
     look_at_place();
@@ -95,65 +92,36 @@ void Session::show(Stepper lesson)
     go_to(std::min<std::size_t>(1, n_steps()));
 }
 
-bool Session::open(const std::filesystem::path& path)
+std::optional<ui::Phrase> Session::read(const std::filesystem::path& path)
 {
-    const auto refuse = [&](const ui::Phrase& why) {
-        notice = Notice{ui::not_opened(path, why), until_closed};
-        return false;
-    };
     std::error_code none;
-    if (std::filesystem::is_directory(path, none)) return refuse(translatable("it is a folder"));
+    if (std::filesystem::is_directory(path, none)) return translatable("it is a folder");
     const bool has_end = std::filesystem::is_regular_file(path, none) || !std::filesystem::exists(path, none);
-    if (!has_end) return refuse(translatable("it is no regular file"));
+    if (!has_end) return translatable("it is no regular file");
     std::ifstream file(path, std::ios::binary);
-    if (!file) return refuse(translatable("it cannot be read"));
+    if (!file) return translatable("it cannot be read");
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     auto [lesson, fault] = Stepper::as_far_as_it_goes(text);
-    if (fault && lesson.n_steps() == 0 && !can_be_edited(text)) return refuse(sentence(*fault, tr()));
+    if (fault && lesson.n_steps() == 0 && !can_be_edited(text)) return sentence(*fault, tr());
     restart(std::move(lesson));
     if (fault) show_fault(path, text, *fault);
-    else path_ = path;
-    return true;
-}
-
-bool Session::save(const std::filesystem::path& path)
-{
-    const Stepper::Script script = stepper_.whole();
-    if (const std::error_code error = files::write_whole_file(path, script.text())) {
-        notice = Notice{ui::not_saved(path, error), until_closed};
-        return false;
-    }
-    path_ = path;
-    faulty_path_.reset();
-    saved_ = script;
-    is_dirty_ = false;
-    tell(ui::saved(path));
-    return true;
-}
-
-bool Session::recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original)
-{
-    if (!open(draft)) return false;
-    (faulty_path_ ? faulty_path_ : path_) = original;
-    saved_.reset();
-    is_dirty_ = true;
-    return true;
+    return std::nullopt;
 }
 
 ui::Unsaved Session::unsaved() const
 {
     return {.state = n_changes_,
-            .original = path_,
+            .original = path(),
             .copy =
                 [this] {
-                    return [script = stepper_.whole()](const std::filesystem::path& draft) {
+                    return [script = whole_](const std::filesystem::path& draft) {
                         return files::write_whole_file(draft, script.text());
                     };
                 },
-            .about = tr()("steps: {count}", {{"count", std::to_string(n_steps())}})};
+            .about = about()};
 }
 
-std::string Session::file_name() const { return ui::file_name(path_ ? path_ : faulty_path_, tr()); }
+std::string Session::about() const { return tr()("steps: {count}", {{"count", std::to_string(n_steps())}}); }
 
 // Takes the last step back and does it again, to see what was before it.
 void Session::look_at_place()
@@ -454,7 +422,8 @@ void Session::close_sweep()
 void Session::note_change()
 {
     forget_passing_notice();
-    is_dirty_ = stepper_.whole() != saved_;
+    whole_ = stepper_.whole();
+    is_dirty_ = differs_from_saved();
     ++n_changes_;
     look_at_end();
     look_at_place();

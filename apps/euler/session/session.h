@@ -16,8 +16,7 @@
 #include "apps/euler/view/subject.h"
 #include "ui/canvas/orbit_camera.h"
 #include "ui/canvas/plane_camera.h"
-#include "ui/files/autosave.h"
-#include "ui/text/notice.h"
+#include "ui/workbench/open_document.h"
 
 namespace euler {
 
@@ -35,8 +34,9 @@ enum class ViewKind : std::uint8_t {
 /// One of the two pictures of "Which operator was applied?"
 enum class Side : std::uint8_t { Before, After };
 
-/// What is open and how it is looked at: the app without its window.
-class Session {
+/// What is open and how it is looked at: the app without its window. A script with a fault is opened up to that, with
+/// its text, where `faulty_line` is to be mended.
+class Session : public ui::OpenDocument<Stepper::Script> {
 public:
     Session();
 
@@ -46,19 +46,10 @@ public:
 
     /// An empty script.
     void begin_anew();
-    /// Opens a script; one with a fault up to that, with its text, where `faulty_line` is to be mended. Where nothing
-    /// can be opened all stays as it is, and `notice` says why; false then.
-    bool open(const std::filesystem::path& path);
     /// A lesson that comes from no file of the user's, shown before its first step.
     void show(Stepper lesson);
-    /// Writes to the path, whole or not at all; false, with a notice, if that fails.
-    bool save(const std::filesystem::path& path);
-    /// Opens a draft of a file's script, or of one that has no file yet, as one that is not saved.
-    bool recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original);
-    ui::Unsaved unsaved() const;
-    const std::optional<std::filesystem::path>& path() const { return path_; }
-    bool is_dirty() const { return is_dirty_; } ///< has steps that are not saved
-    std::string file_name() const;              ///< "cube.eul", or the word for a script without a file
+    ui::Unsaved unsaved() const override; ///< without writing the script out
+    bool is_dirty() const override { return is_dirty_; }
 
     /// At once.   \pre place <= n_steps()
     void go_to(std::size_t place);
@@ -154,11 +145,15 @@ public:
     ui::OrbitCamera eye, map_eye; ///< in space, and on the map in the plane
     ui::PlaneCamera polygon_eye;  ///< on the plane model
     bool is_fitted = true;        ///< the camera shows everything, until it is moved by hand
-    std::optional<Notice> notice;
-    void tell(ui::Phrase sentence) { notice = Notice{std::move(sentence)}; }
-    const ui::Catalogue& tr() const { return look.tr; }
+    const ui::Catalogue& tr() const override { return look.tr; }
 
 private:
+    std::optional<ui::Phrase> read(const std::filesystem::path& path) override;
+    const Stepper::Script& current() const override { return whole_; }
+    std::string file_text() const override { return whole_.text(); }
+    std::string about() const override;
+    void note_saved() override { is_dirty_ = differs_from_saved(); }
+
     struct Motion {
         bool is_back;
         double done = 0.0; ///< 0 to 1
@@ -190,11 +185,8 @@ private:
     Side side_ = Side::Before;
     int earned_ = 0; ///< points of challenges that have gone
     Stepper stepper_;
-    std::optional<Stepper::Script> saved_; ///< none of what a crash has left
-    std::optional<std::filesystem::path> path_;
-    std::optional<std::filesystem::path>
-        faulty_path_; ///< of a file that is open up to its fault: it is not written over
-    bool is_dirty_ = false;
+    Stepper::Script whole_;       ///< the stepper's, to be saved
+    bool is_dirty_ = false;       ///< kept, since a script can have a million steps
     std::uint64_t n_changes_ = 0; ///< of the script
     std::optional<Opening> opening_;
     std::vector<Snapshot> before_, after_, at_end_;

@@ -7,13 +7,10 @@ namespace euler {
 
 using ui::Key;
 using ui::Phrase;
+using ui::Reason;
 using ui::translatable;
 
 namespace {
-
-using Reason = std::optional<Phrase>;
-
-constexpr std::string_view step_menu = translatable("Step");
 
 Reason why_not_forward(const Desk& desk)
 {
@@ -43,11 +40,17 @@ Phrase forward_label(const Desk& desk)
     return {translatable("Forward by {operator}"), {{"operator", session.stepper().summary(session.place() + 1).name}}};
 }
 
-void play_or_rest(Desk& desk)
+void play(Desk& desk, bool is_on)
 {
     Session& session = desk.session;
-    if (!session.is_playing && session.place() == session.n_steps()) session.go_to(0);
-    session.is_playing = !session.is_playing;
+    if (is_on && session.place() == session.n_steps()) session.go_to(0);
+    session.is_playing = is_on;
+}
+
+Reason why_not_play(const Desk& desk)
+{
+    if (desk.session.n_steps() > 0) return std::nullopt;
+    return translatable("the script has no step");
 }
 
 void go(Desk& desk, std::size_t place)
@@ -56,47 +59,21 @@ void go(Desk& desk, std::size_t place)
     desk.session.go_to(place);
 }
 
+void go_back(Desk& desk)
+{
+    desk.session.is_playing = false;
+    desk.session.step_back();
+}
+
+void go_forward(Desk& desk)
+{
+    desk.session.is_playing = false;
+    desk.session.step_forward();
+}
+
 void change_speed(Desk& desk, double factor)
 {
     desk.session.speed = std::clamp(desk.session.speed * factor, Session::slowest, Session::fastest);
-}
-
-void add_walk(CommandTable& table)
-{
-    table.add({.id = "step.first",
-               .menu = step_menu,
-               .label = translatable("To the beginning"),
-               .shortcuts = {{Key::Home, {}}},
-               .run = [](Desk& desk) { go(desk, 0); },
-               .why_not = why_not_back});
-    table.add({.id = "step.back",
-               .menu = step_menu,
-               .label = translatable("Back"),
-               .shortcuts = {{Key::PageUp, {}}, {Key::Left, {}}, {Key::Z, ui::ctrl}},
-               .run =
-                   [](Desk& desk) {
-                       desk.session.is_playing = false;
-                       desk.session.step_back();
-                   },
-               .why_not = why_not_back,
-               .live_label = back_label});
-    table.add({.id = "step.forward",
-               .menu = step_menu,
-               .label = translatable("Forward"),
-               .shortcuts = {{Key::PageDown, {}}, {Key::Right, {}}, {Key::Y, ui::ctrl}, {Key::Z, ui::ctrl_shift}},
-               .run =
-                   [](Desk& desk) {
-                       desk.session.is_playing = false;
-                       desk.session.step_forward();
-                   },
-               .why_not = why_not_forward,
-               .live_label = forward_label});
-    table.add({.id = "step.last",
-               .menu = step_menu,
-               .label = translatable("To the end"),
-               .shortcuts = {{Key::End, {}}},
-               .run = [](Desk& desk) { go(desk, desk.session.n_steps()); },
-               .why_not = why_not_forward});
 }
 
 Reason why_not_open_sweep(const Desk& desk)
@@ -106,47 +83,47 @@ Reason why_not_open_sweep(const Desk& desk)
     return translatable("the step that was done last is no sweep");
 }
 
-void add_opening(CommandTable& table)
+// What a scenario gives: a step's number.
+Reason go_to(Desk& desk, const ui::Argument& argument)
 {
-    table.add({.id = "step.open_sweep",
-               .menu = step_menu,
-               .label = translatable("Open the sweep into MEV and MEF"),
-               .shortcuts = {{Key::O, {}}},
-               .run = [](Desk& desk) { desk.session.open_sweep(); },
-               .why_not = why_not_open_sweep});
-}
-
-void add_player(CommandTable& table)
-{
-    table.add({.id = "step.play",
-               .menu = step_menu,
-               .label = translatable("Play"),
-               .shortcuts = {{Key::Space, {}}},
-               .run = play_or_rest,
-               .why_not = [](const Desk& desk) -> Reason {
-                   if (desk.session.n_steps() > 0) return std::nullopt;
-                   return translatable("the script has no step");
-               },
-               .is_on = [](const Desk& desk) { return desk.session.is_playing; }});
-    table.add({.id = "step.slower",
-               .menu = step_menu,
-               .label = translatable("Slower"),
-               .shortcuts = {{Key::Down, {}}},
-               .run = [](Desk& desk) { change_speed(desk, 0.5); }});
-    table.add({.id = "step.faster",
-               .menu = step_menu,
-               .label = translatable("Faster"),
-               .shortcuts = {{Key::Up, {}}},
-               .run = [](Desk& desk) { change_speed(desk, 2.0); }});
+    const auto place = argument.number();
+    const std::size_t most = desk.session.n_steps();
+    if (!place || *place < 0.0 || *place > static_cast<double>(most))
+        return argument.wanted("a step from 0 to " + std::to_string(most));
+    desk.session.go_to(static_cast<std::size_t>(*place));
+    return std::nullopt;
 }
 
 } // namespace
 
 void add_step_commands(CommandTable& table)
 {
-    add_walk(table);
-    add_opening(table);
-    add_player(table);
+    ui::MenuBuilder<Desk> menu(table, translatable("Step"));
+    menu.step(
+        {"step.first", translatable("To the beginning"), {{Key::Home, {}}}}, [](Desk& desk) { go(desk, 0); },
+        why_not_back);
+    menu.step({"step.back", translatable("Back"), {{Key::PageUp, {}}, {Key::Left, {}}, {Key::Z, ui::ctrl}}}, go_back,
+              why_not_back)
+        .live_label = back_label;
+    menu.step({"step.forward",
+               translatable("Forward"),
+               {{Key::PageDown, {}}, {Key::Right, {}}, {Key::Y, ui::ctrl}, {Key::Z, ui::ctrl_shift}}},
+              go_forward, why_not_forward)
+        .live_label = forward_label;
+    menu.step(
+        {"step.last", translatable("To the end"), {{Key::End, {}}}},
+        [](Desk& desk) { go(desk, desk.session.n_steps()); }, why_not_forward);
+    menu.step(
+        {"step.open_sweep", translatable("Open the sweep into MEV and MEF"), {{Key::O, {}}}},
+        [](Desk& desk) { desk.session.open_sweep(); }, why_not_open_sweep);
+    menu.toggle(
+        {"step.play", translatable("Play"), {{Key::Space, {}}}},
+        [](const Desk& desk) { return desk.session.is_playing; }, play, why_not_play);
+    menu.step({"step.slower", translatable("Slower"), {{Key::Down, {}}}}, [](Desk& desk) { change_speed(desk, 0.5); });
+    menu.step({"step.faster", translatable("Faster"), {{Key::Up, {}}}}, [](Desk& desk) { change_speed(desk, 2.0); });
+    table.with_argument("step.go_to", go_to);
+    table.with_argument("step.apply",
+                        [](Desk& desk, const ui::Argument& line) { return desk.session.apply(line.text); });
 }
 
 } // namespace euler

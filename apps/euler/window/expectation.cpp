@@ -69,7 +69,7 @@ std::string hint(const Session& session)
 std::string table_seen(const Desk& desk)
 {
     if (desk.structure == Structure::WingedEdges) return "winged edges";
-    const auto entry = std::ranges::find(tables(), desk.table, &TableEntry::table);
+    const auto entry = std::ranges::find(tables(), desk.table, &TableEntry::value);
     std::string name(entry->label);
     name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
     return name;
@@ -99,8 +99,6 @@ const ui::Facts<Session>& facts()
 
 std::optional<std::string> why_not(std::string_view expectation, Application& application)
 {
-    if (const auto complaint = ui::common_complaint(expectation, application, application.canvas().picture()))
-        return *complaint;
     if (constexpr std::string_view table = "table"; ui::first_word(expectation).first == table)
         return ui::compared(table, table_seen(application.desk()), std::string(ui::first_word(expectation).second));
     return facts().complaint(expectation, application.session());

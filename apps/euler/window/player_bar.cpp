@@ -66,8 +66,9 @@ void scrub_bar(Session& session, float width)
 {
     int place = static_cast<int>(session.place());
     const auto n = static_cast<int>(session.n_steps());
+    const float gap = 0.6F * ImGui::GetFontSize();
     const auto room_beside = [&](const std::string& words) {
-        return width - ImGui::CalcTextSize(words.c_str()).x - ImGui::GetStyle().ItemSpacing.x;
+        return width - ImGui::CalcTextSize(words.c_str()).x - gap;
     };
     const std::string number = std::to_string(place), count = std::to_string(n);
     std::string words = session.tr()("step {place} of {count}", {{"place", number}, {"count", count}});
@@ -81,7 +82,7 @@ void scrub_bar(Session& session, float width)
         session.go_to(static_cast<std::size_t>(place));
     }
     ImGui::EndDisabled();
-    ImGui::SameLine();
+    ImGui::SameLine(0.0F, gap);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(words.c_str());
 }

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "apps/euler/window/application.h"
+#include "apps/euler/window/expectation.h"
 #include "ui/app/stage.h"
 
 namespace euler {
@@ -20,8 +21,6 @@ public:
     using ui::OffscreenStage<Application>::OffscreenStage;
 
     Sought find(std::string_view place) override;
-    std::optional<std::string> run_command(std::string_view id, std::string_view argument) override;
-    std::optional<std::string> expect(std::string_view words) override;
 };
 
 } // namespace euler

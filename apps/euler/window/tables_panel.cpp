@@ -89,10 +89,10 @@ private:
 void TablesPanel::bring_changed_forward(Desk& desk) const
 {
     desk.table = desk.wanted_table;
-    const auto changes = [&](const TableEntry& entry) { return tables_.first_changed(entry.table).has_value(); };
+    const auto changes = [&](const TableEntry& entry) { return tables_.first_changed(entry.value).has_value(); };
     if (tables_.first_changed(desk.table)) return;
     const auto first = std::ranges::find_if(euler::tables(), changes);
-    if (first != euler::tables().end()) desk.table = first->table;
+    if (first != euler::tables().end()) desk.table = first->value;
 }
 
 void TablesPanel::follow(Desk& desk)
@@ -132,10 +132,10 @@ void TablesPanel::show_tabs(Desk& desk) const
 {
     ui::TabRow row;
     for (const TableEntry& entry : euler::tables()) {
-        const bool is_changed = tables_.first_changed(entry.table).has_value();
+        const bool is_changed = tables_.first_changed(entry.value).has_value();
         const std::string title = desk.session.tr()(entry.label) + (is_changed ? " •" : "");
-        const bool is_chosen = desk.structure == Structure::HalfEdges && entry.table == desk.table;
-        if (row.show(title + "###" + std::string(entry.id), is_chosen)) desk.show_table(entry.table);
+        const bool is_chosen = desk.structure == Structure::HalfEdges && entry.value == desk.table;
+        if (row.show(title + "###" + std::string(entry.id), is_chosen)) desk.show_table(entry.value);
     }
     const std::string winged = desk.session.tr()("Winged edges") + "###table.winged";
     if (row.show(winged, desk.structure == Structure::WingedEdges)) desk.structure = Structure::WingedEdges;

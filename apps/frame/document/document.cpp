@@ -1,5 +1,6 @@
 #include "apps/frame/document/document.h"
 
+#include "femoop/model/memory_footprint.h"
 #include "femoop/typical/steel.h"
 
 namespace frame {
@@ -62,6 +63,16 @@ Document starting_document()
                                                      .to = std::nullopt}});
     model.add(std::move(load_case));
     return {std::move(model)};
+}
+
+std::size_t memory_footprint(const Document& document)
+{
+    const Companion& companion = document.companion;
+    std::size_t bytes = femoop::memory_footprint(document.model) + companion.sets.size() * sizeof(NamedSet) +
+                        companion.views.size() * sizeof(NamedView);
+    for (const DimensionLine& line : companion.dimensions)
+        bytes += sizeof(DimensionLine) + line.nodes.size() * sizeof(std::string);
+    return bytes;
 }
 
 } // namespace frame

@@ -17,4 +17,7 @@ struct Document {
 /// What the app begins with when no file is named: a portal frame with a beam load and a wind load.
 Document starting_document();
 
+/// About how much memory it takes [bytes]: a history is bounded by it.
+std::size_t memory_footprint(const Document& document);
+
 } // namespace frame

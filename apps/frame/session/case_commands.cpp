@@ -11,12 +11,10 @@ namespace frame {
 using femoop::CaseId;
 using femoop::Model;
 using ui::Phrase;
+using ui::Reason;
 using ui::translatable;
 
 namespace {
-
-using Reason = std::optional<Phrase>;
-constexpr std::string_view menu = translatable("Loads");
 
 Phrase about_case(std::string_view sentence, const Session& session)
 {
@@ -59,12 +57,12 @@ void add(Session& session, const Phrase& label, const std::function<CaseId(Docum
     show_case(session, added);
 }
 
-void flip_self_weight(Session& session)
+void weigh(Desk& desk, bool is_on)
 {
+    Session& session = desk.session;
     const LoadCasePlace place{session.view.load_case.index};
-    const double factor = session.model().load_cases[place.load_case].self_weight != 0.0 ? 0.0 : 1.0;
     session.change_soundly({about_case(translatable("Self-weight: {part}"), session),
-                            [=](Document& document) { set_self_weight(document, place, factor); }});
+                            [=](Document& document) { set_self_weight(document, place, is_on ? 1.0 : 0.0); }});
 }
 
 bool weighs(const Desk& desk)
@@ -74,69 +72,56 @@ bool weighs(const Desk& desk)
     return shown < cases.size() && cases[shown].self_weight != 0.0;
 }
 
-void add_new_cases(CommandTable& table)
+void new_case(Desk& desk)
 {
-    table.add({.id = "case.new", .menu = menu, .label = translatable("New load case"), .run = [](Desk& desk) {
-                   add(desk.session, translatable("New load case"), add_load_case);
-                   desk.requests.push_back(Request::RenameCase);
-               }});
-    table.add({.id = "case.combination",
-               .menu = menu,
-               .label = translatable("New combination"),
-               .run =
-                   [](Desk& desk) {
-                       add(desk.session, translatable("New combination"), add_combination);
-                       desk.session.selection = part_of(desk.session.model(), desk.session.view.load_case);
-                       desk.topic = Topic::Properties;
-                       desk.requests.push_back(Request::RenameCase);
-                   },
-               .why_not = needs_load_case});
+    add(desk.session, translatable("New load case"), add_load_case);
+    desk.requests.push_back(Request::RenameCase);
 }
 
-// Of what is done to the case that is shown: the label says which one that is.
-struct CaseEntry {
-    std::string_view id, label, live_label;
-    void (*run)(Desk&);
-};
-constexpr std::array entries{
-    CaseEntry{"case.rename", translatable("Rename the load case…"), translatable("Rename: {part}"),
-              [](Desk& desk) { desk.requests.push_back(Request::RenameCase); }},
-    CaseEntry{"case.copy", translatable("Duplicate the load case"), translatable("Duplicate: {part}"),
-              [](Desk& desk) {
-                  const CaseId shown = desk.session.view.load_case;
-                  add(desk.session, about_case(translatable("Duplicate: {part}"), desk.session),
-                      [=](Document& document) { return copy_case(document, shown); });
-                  desk.requests.push_back(Request::RenameCase);
-              }},
-    CaseEntry{"case.delete", translatable("Delete the load case"), translatable("Delete: {part}"),
-              [](Desk& desk) {
-                  const Part part = part_of(desk.session.model(), desk.session.view.load_case);
-                  desk.session.change({about_case(translatable("Delete: {part}"), desk.session),
-                                       [=](Document& document) { remove(document, std::array{part}); }});
-              }},
-};
+void new_combination(Desk& desk)
+{
+    add(desk.session, translatable("New combination"), add_combination);
+    desk.session.selection = part_of(desk.session.model(), desk.session.view.load_case);
+    desk.topic = Topic::Properties;
+    desk.requests.push_back(Request::RenameCase);
+}
+
+void duplicate_case(Desk& desk)
+{
+    const CaseId shown = desk.session.view.load_case;
+    add(desk.session, about_case(translatable("Duplicate: {part}"), desk.session),
+        [=](Document& document) { return copy_case(document, shown); });
+    desk.requests.push_back(Request::RenameCase);
+}
+
+void delete_case(Desk& desk)
+{
+    const Part part = part_of(desk.session.model(), desk.session.view.load_case);
+    desk.session.change({about_case(translatable("Delete: {part}"), desk.session),
+                         [=](Document& document) { remove(document, std::array{part}); }});
+}
+
+// What is done to the case that is shown: the label says which one that is.
+void add_shown(Menu& menu, const ui::CommandName& name, std::string_view live_label, void (*run)(Desk&))
+{
+    menu.step(name, run, needs_shown_case).live_label = [live_label, label = name.label](const Desk& desk) -> Phrase {
+        return needs_shown_case(desk) ? Phrase(label) : about_case(live_label, desk.session);
+    };
+}
 
 } // namespace
 
 void add_case_commands(CommandTable& table)
 {
-    add_new_cases(table);
-    for (const CaseEntry& entry : entries)
-        table.add({.id = entry.id,
-                   .menu = menu,
-                   .label = entry.label,
-                   .run = entry.run,
-                   .why_not = needs_shown_case,
-                   .live_label = [entry](const Desk& desk) -> Phrase {
-                       if (needs_shown_case(desk)) return entry.label;
-                       return about_case(entry.live_label, desk.session);
-                   }});
-    table.add({.id = "case.self_weight",
-               .menu = menu,
-               .label = translatable("Self-weight in this load case"),
-               .run = [](Desk& desk) { flip_self_weight(desk.session); },
-               .why_not = why_not_weigh,
-               .is_on = weighs});
+    Menu menu(table, translatable("Loads"));
+    menu.step({"case.new", translatable("New load case")}, new_case);
+    menu.step({"case.combination", translatable("New combination")}, new_combination, needs_load_case);
+    add_shown(menu, {"case.rename", translatable("Rename the load case…")}, translatable("Rename: {part}"),
+              [](Desk& desk) { desk.requests.push_back(Request::RenameCase); });
+    add_shown(menu, {"case.copy", translatable("Duplicate the load case")}, translatable("Duplicate: {part}"),
+              duplicate_case);
+    add_shown(menu, {"case.delete", translatable("Delete the load case")}, translatable("Delete: {part}"), delete_case);
+    menu.toggle({"case.self_weight", translatable("Self-weight in this load case")}, weighs, weigh, why_not_weigh);
 }
 
 void show_case(Session& session, CaseId id)

@@ -12,11 +12,10 @@
 namespace frame {
 
 using ui::Key;
+using ui::Reason;
 using ui::translatable;
 
 namespace {
-
-using Reason = std::optional<ui::Phrase>;
 
 Reason why_not_copy(const Desk& desk)
 {
@@ -68,25 +67,10 @@ void put_clipboard(Desk& desk)
 
 void add_clipboard_commands(CommandTable& table)
 {
-    constexpr std::string_view menu = translatable("Edit");
-    table.add({.id = "edit.cut",
-               .menu = menu,
-               .label = translatable("Cut"),
-               .shortcuts = {{Key::X, ui::ctrl}},
-               .run = cut_selection,
-               .why_not = why_not_copy});
-    table.add({.id = "edit.clip",
-               .menu = menu,
-               .label = translatable("Copy to the clipboard"),
-               .shortcuts = {{Key::C, ui::ctrl}},
-               .run = copy_selection,
-               .why_not = why_not_copy});
-    table.add({.id = "edit.paste",
-               .menu = menu,
-               .label = translatable("Paste"),
-               .shortcuts = {{Key::V, ui::ctrl}},
-               .run = put_clipboard,
-               .why_not = why_not_put});
+    Menu menu(table, translatable("Edit"));
+    menu.step({"edit.cut", translatable("Cut"), {{Key::X, ui::ctrl}}}, cut_selection, why_not_copy);
+    menu.step({"edit.clip", translatable("Copy to the clipboard"), {{Key::C, ui::ctrl}}}, copy_selection, why_not_copy);
+    menu.step({"edit.paste", translatable("Paste"), {{Key::V, ui::ctrl}}}, put_clipboard, why_not_put);
 }
 
 } // namespace frame

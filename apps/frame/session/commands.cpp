@@ -21,17 +21,13 @@
 
 namespace frame {
 
-using ui::Chord;
 using ui::Key;
-using ui::Phrase;
+using ui::Reason;
+using ui::shift;
 using ui::translatable;
-using Entry = ui::Command<Desk>;
 
 namespace {
 
-using Reason = std::optional<Phrase>;
-
-constexpr std::string_view show_menu = translatable("Show");
 using ui::standard::file_menu;
 using ui::standard::view_menu;
 
@@ -41,150 +37,114 @@ std::function<void(Desk&)> asks(Request request)
     return [request](Desk& desk) { desk.requests.push_back(request); };
 }
 
-void add_document_commands(CommandTable& table)
+Reason why_no_other_tab(const Desk& desk)
 {
+    if (n_tabs(desk) > 1) return std::nullopt;
+    return translatable("no other document is open");
+}
+
+void add_file_commands(CommandTable& table)
+{
+    Menu menu(table, file_menu);
     add_new_commands(table);
-    ui::standard::add_open<Desk>(table, ui::asks(ui::Request::OpenDialog));
-    ui::standard::add_recent(table);
-    ui::standard::add_save(table);
-}
-
-void add_export_commands(CommandTable& table)
-{
+    ui::standard::add_open<Desk>(table, ui::asks(ui::Request::OpenDialog),
+                                 [](Desk& desk, const std::filesystem::path& path) { return open_file(desk, path); });
+    ui::standard::add_save(table, save_as);
     ui::standard::add_export(table, translatable("Export picture, results or report…"));
-    table.add({.id = "file.report_matrices",
-               .menu = file_menu,
-               .label = translatable("Matrices in the report"),
-               .run = [](Desk& desk) { desk.session.reports_matrices = !desk.session.reports_matrices; },
-               .is_on = [](const Desk& desk) { return desk.session.reports_matrices; }});
+    menu.toggle(
+        {"file.report_matrices", translatable("Matrices in the report")},
+        [](auto& desk) -> auto& { return desk.session.reports_matrices; });
     ui::standard::add_copy_and_describe(table, translatable("Model and results in words"));
-}
-
-void add_tab_commands(CommandTable& table)
-{
-    table.add({.id = "file.close",
-               .menu = file_menu,
-               .label = translatable("Close"),
-               .shortcuts = {{Key::W, ui::ctrl}},
-               .run = asks(Request::CloseTab)});
-    table.add({.id = "file.next_tab",
-               .menu = file_menu,
-               .label = translatable("Next tab"),
-               .shortcuts = {{Key::Tab, ui::ctrl}},
-               .run = [](Desk& desk) { show_tab(desk, (desk.tab + 1) % n_tabs(desk)); },
-               .why_not = [](const Desk& desk) -> Reason {
-                   if (n_tabs(desk) > 1) return std::nullopt;
-                   return translatable("no other document is open");
-               }});
+    add_method_commands(table);
+    menu.step({"file.close", translatable("Close"), {{Key::W, ui::ctrl}}}, asks(Request::CloseTab));
+    menu.step(
+        {"file.next_tab", translatable("Next tab"), {{Key::Tab, ui::ctrl}}},
+        [](Desk& desk) { show_tab(desk, (desk.tab + 1) % n_tabs(desk)); }, why_no_other_tab);
     ui::standard::add_quit<Desk>(table, ui::asks(ui::Request::Quit));
 }
 
-struct Toggle {
-    Show item;
-    std::string_view id;
-    std::string_view label;
-    std::optional<Key> key;
-};
+using Shown = ui::Choice<Show>;
 constexpr std::array toggles{
-    Toggle{Show::Loads, "view.show.loads", translatable("Loads"), Key::L},
-    Toggle{Show::Reactions, "view.show.reactions", translatable("Reactions"), Key::R},
-    Toggle{Show::N, "view.show.N", translatable("Normal force N"), Key::N},
-    Toggle{Show::V, "view.show.V", translatable("Shear force V"), Key::V},
-    Toggle{Show::M, "view.show.M", translatable("Bending moment M"), Key::M},
-    Toggle{Show::T, "view.show.T", translatable("Torsion T"), Key::T},
-    Toggle{Show::Deformed, "view.show.deformed", translatable("Deformed shape"), Key::D},
-    Toggle{Show::Values, "view.show.values", translatable("Values"), std::nullopt},
-    Toggle{Show::StepValues, "view.show.step_values", translatable("Values at equal steps"), std::nullopt},
-    Toggle{Show::NodeNames, "view.show.node_names", translatable("Names of nodes"), std::nullopt},
-    Toggle{Show::MemberNames, "view.show.member_names", translatable("Names of members"), std::nullopt},
-    Toggle{Show::Dimensions, "view.show.dimensions", translatable("Dimensions"), std::nullopt},
-    Toggle{Show::DrawnDimensions, "view.show.drawn_dimensions", translatable("Drawn dimensions"), std::nullopt},
-    Toggle{Show::LocalAxes, "view.show.local_axes", translatable("Local axes"), std::nullopt},
-    Toggle{Show::Legend, "view.show.legend", translatable("Legend"), std::nullopt},
+    Shown{Show::Loads, "view.show.loads", translatable("Loads"), {{Key::L, shift}}},
+    Shown{Show::Reactions, "view.show.reactions", translatable("Reactions"), {{Key::R, shift}}},
+    Shown{Show::N, "view.show.N", translatable("Normal force N"), {{Key::N, shift}}},
+    Shown{Show::V, "view.show.V", translatable("Shear force V"), {{Key::V, shift}}},
+    Shown{Show::M, "view.show.M", translatable("Bending moment M"), {{Key::M, shift}}},
+    Shown{Show::T, "view.show.T", translatable("Torsion T"), {{Key::T, shift}}},
+    Shown{Show::Deformed, "view.show.deformed", translatable("Deformed shape"), {{Key::D, shift}}},
+    Shown{Show::Values, "view.show.values", translatable("Values")},
+    Shown{Show::StepValues, "view.show.step_values", translatable("Values at equal steps")},
+    Shown{Show::NodeNames, "view.show.node_names", translatable("Names of nodes")},
+    Shown{Show::MemberNames, "view.show.member_names", translatable("Names of members")},
+    Shown{Show::Dimensions, "view.show.dimensions", translatable("Dimensions")},
+    Shown{Show::DrawnDimensions, "view.show.drawn_dimensions", translatable("Drawn dimensions")},
+    Shown{Show::LocalAxes, "view.show.local_axes", translatable("Local axes")},
+    Shown{Show::Legend, "view.show.legend", translatable("Legend")},
 };
-
-void flip(ShowSet& set, Show item)
-{
-    if (set.contains(item)) set.erase(item);
-    else set.insert(item);
-}
 
 void add_show_commands(CommandTable& table)
 {
-    for (const Toggle& toggle : toggles) {
-        std::vector<Chord> keys;
-        if (toggle.key) keys.push_back({*toggle.key, ui::shift});
-        table.add({.id = toggle.id,
-                   .menu = show_menu,
-                   .label = toggle.label,
-                   .shortcuts = std::move(keys),
-                   .run = [item = toggle.item](Desk& desk) { flip(desk.session.view.show, item); },
-                   .is_on = [item = toggle.item](const Desk& desk) { return desk.session.view.show.contains(item); }});
-    }
+    Menu(table, translatable("Show"))
+        .toggles(
+            toggles, [](const Desk& desk, Show item) { return desk.session.view.show.contains(item); },
+            [](Desk& desk, Show item, bool is_on) {
+                ShowSet& show = desk.session.view.show;
+                is_on ? show.insert(item) : show.erase(item);
+            });
 }
 
 // Keeps the present solution to compare later ones with it; drops the one that is kept.
-void keep_or_drop_reference(Session& session)
+void keep_reference(Desk& desk, bool is_kept)
 {
-    std::shared_ptr<const ReferenceResults>& kept = session.reference;
-    if (kept) kept.reset();
-    else
-        kept = std::make_shared<const ReferenceResults>(ReferenceResults{session.model(), *session.solution().results});
+    Session& session = desk.session;
+    session.reference = is_kept ? std::make_shared<const ReferenceResults>(
+                                      ReferenceResults{session.model(), *session.solution().results})
+                                : nullptr;
 }
 
-Reason needs_cases(const Desk& desk)
+Reason why_not_compare(const Desk& desk)
 {
-    if (desk.session.model().n_cases() > 1) return std::nullopt;
+    if (desk.session.reference || desk.session.solution().results) return std::nullopt;
+    return translatable("the model has no results");
+}
+
+Reason why_no_envelope(const Desk& desk)
+{
+    if (desk.session.view.is_envelope || desk.session.model().n_cases() > 1) return std::nullopt;
     return translatable("the model has no other load case");
+}
+
+void animate(Desk& desk, bool is_on)
+{
+    desk.session.is_animated = is_on;
+    if (is_on) desk.session.view.show.insert(Show::Deformed);
+}
+
+Reason why_not_animate(const Desk& desk)
+{
+    return desk.session.is_animated ? std::nullopt : desk.session.why_no_results();
 }
 
 void add_camera_commands(CommandTable& table)
 {
+    Menu menu(table, view_menu);
     ui::standard::add_zoom(table, translatable("Show the whole model"), {{Key::F, {}}, {Key::Home, {}}});
-    table.add({.id = "view.animate",
-               .menu = view_menu,
-               .label = translatable("Animate"),
-               .shortcuts = {{Key::A, {}}},
-               .run =
-                   [](Desk& desk) {
-                       desk.session.is_animated = !desk.session.is_animated;
-                       if (desk.session.is_animated) desk.session.view.show.insert(Show::Deformed);
-                   },
-               .why_not = [](const Desk& desk) -> Reason {
-                   if (desk.session.is_animated) return std::nullopt;
-                   return desk.session.why_no_results();
-               },
-               .is_on = [](const Desk& desk) { return desk.session.is_animated; }});
-    table.add({.id = "view.envelope",
-               .menu = view_menu,
-               .label = translatable("Envelope"),
-               .shortcuts = {{Key::E, {}}},
-               .run = [](Desk& desk) { desk.session.view.is_envelope = !desk.session.view.is_envelope; },
-               .why_not = [](const Desk& desk) -> Reason {
-                   if (desk.session.view.is_envelope) return std::nullopt;
-                   return needs_cases(desk);
-               },
-               .is_on = [](const Desk& desk) { return desk.session.view.is_envelope; }});
-    table.add({.id = "view.compare",
-               .menu = view_menu,
-               .label = translatable("Compare with the present results"),
-               .shortcuts = {{Key::G, {}}},
-               .run = [](Desk& desk) { keep_or_drop_reference(desk.session); },
-               .why_not = [](const Desk& desk) -> Reason {
-                   if (desk.session.reference || desk.session.solution().results) return std::nullopt;
-                   return translatable("the model has no results");
-               },
-               .is_on = [](const Desk& desk) { return desk.session.reference != nullptr; }});
+    menu.toggle(
+        {"view.animate", translatable("Animate"), {{Key::A, {}}}},
+        [](const Desk& desk) { return desk.session.is_animated; }, animate, why_not_animate);
+    menu.toggle(
+        {"view.envelope", translatable("Envelope"), {{Key::E, {}}}},
+        [](auto& desk) -> auto& { return desk.session.view.is_envelope; }, why_no_envelope);
+    menu.toggle(
+        {"view.compare", translatable("Compare with the present results"), {{Key::G, {}}}},
+        [](const Desk& desk) { return desk.session.reference != nullptr; }, keep_reference, why_not_compare);
     ui::standard::add_projector(table);
-    table.add({.id = "view.moment_side",
-               .menu = view_menu,
-               .label = translatable("Moments on the tension side"),
-               .run =
-                   [](Desk& desk) {
-                       MomentSide& side = desk.session.view.moment_side;
-                       side = side == MomentSide::Tension ? MomentSide::Compression : MomentSide::Tension;
-                   },
-               .is_on = [](const Desk& desk) { return desk.session.view.moment_side == MomentSide::Tension; }});
+    menu.toggle(
+        {"view.moment_side", translatable("Moments on the tension side")},
+        [](const Desk& desk) { return desk.session.view.moment_side == MomentSide::Tension; },
+        [](Desk& desk, bool is_on) {
+            desk.session.view.moment_side = is_on ? MomentSide::Tension : MomentSide::Compression;
+        });
 }
 
 constexpr std::array topic_entries{
@@ -200,10 +160,7 @@ void add_panel_commands(CommandTable& table)
     ui::standard::add_topics(table, topic_entries);
 }
 
-struct UnitEntry {
-    ui::UnitSystem system;
-    std::string_view id, label;
-};
+using UnitEntry = ui::Choice<ui::UnitSystem>;
 constexpr std::array unit_entries{
     UnitEntry{ui::UnitSystem::File, "view.units.file", translatable("Units of the file")},
     UnitEntry{ui::UnitSystem::Si, "view.units.si", translatable("N, m, MPa")},
@@ -212,10 +169,7 @@ constexpr std::array unit_entries{
     UnitEntry{ui::UnitSystem::Us, "view.units.us", translatable("kip, ft, ksi")},
 };
 
-struct DigitsEntry {
-    int digits;
-    std::string_view id, label;
-};
+using DigitsEntry = ui::Choice<int>;
 constexpr std::array digits_entries{
     DigitsEntry{3, "view.digits.3", translatable("3 digits")},
     DigitsEntry{4, "view.digits.4", translatable("4 digits")},
@@ -227,22 +181,12 @@ constexpr std::array digits_entries{
 void add_look_commands(CommandTable& table)
 {
     ui::standard::add_themes(table);
-    for (const UnitEntry& entry : unit_entries) {
-        table.add(
-            {.id = entry.id,
-             .menu = translatable("Units"),
-             .label = entry.label,
-             .run = [system = entry.system](Desk& desk) { desk.session.view.units = system; },
-             .is_on = [system = entry.system](const Desk& desk) { return desk.session.units().system() == system; }});
-    }
-    for (const DigitsEntry& entry : digits_entries) {
-        table.add({.id = entry.id,
-                   .menu = translatable("Units"),
-                   .label = entry.label,
-                   .run = [digits = entry.digits](Desk& desk) { desk.session.view.numbers.digits = digits; },
-                   .is_on = [digits = entry.digits](
-                                const Desk& desk) { return desk.session.view.numbers.digits == digits; }});
-    }
+    Menu menu(table, translatable("Units"));
+    menu.choices(
+        unit_entries, [](const Desk& desk) { return desk.session.units().system(); },
+        [](Desk& desk, ui::UnitSystem system) { desk.session.view.units = system; });
+    menu.choices(
+        digits_entries, [](auto& desk) -> auto& { return desk.session.view.numbers.digits; });
     ui::standard::add_export_scales(table);
     ui::standard::add_languages(table);
 }
@@ -252,10 +196,7 @@ void add_look_commands(CommandTable& table)
 CommandTable command_table()
 {
     CommandTable table;
-    add_document_commands(table);
-    add_export_commands(table);
-    add_method_commands(table);
-    add_tab_commands(table);
+    add_file_commands(table);
     add_edit_commands(table);
     add_kind_commands(table);
     add_property_commands(table);
@@ -280,8 +221,8 @@ std::span<const TopicEntry> topics() { return topic_entries; }
 
 std::string_view command_id(Show item)
 {
-    for (const Toggle& toggle : toggles) {
-        if (toggle.item == item) return toggle.id;
+    for (const Shown& toggle : toggles) {
+        if (toggle.value == item) return toggle.id;
     }
     return "";
 }

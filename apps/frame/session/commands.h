@@ -16,7 +16,7 @@
 #include "apps/frame/session/typical_draft.h"
 #include "apps/frame/tools/hand.h"
 #include "apps/frame/tools/kept_settings.h"
-#include "ui/command/command_table.h"
+#include "ui/command/menu_builder.h"
 #include "ui/desk/desk.h"
 #include "ui/desk/handover.h"
 #include "ui/files/autosave.h"
@@ -77,11 +77,10 @@ using CommandTable = ui::CommandTable<Desk>;
 /// Everything that the app can do, by name.
 CommandTable command_table();
 
+using Menu = ui::MenuBuilder<Desk>;
+
 /// The commands that choose what the panel at the right shows, in the order of its tabs.
-struct TopicEntry {
-    Topic topic;
-    std::string_view id, label;
-};
+using TopicEntry = ui::Choice<Topic>;
 std::span<const TopicEntry> topics();
 
 /// The word that a scenario and a menu use for each thing that the picture can show: "view.show.loads".

@@ -8,29 +8,29 @@
 #include "apps/frame/session/in_plane.h"
 #include "apps/frame/session/predict_commands.h"
 #include "femoop/edit/place.h"
+#include "ui/desk/standard_commands.h"
 
 namespace frame {
 
 using ui::Key;
+using ui::Reason;
 using ui::translatable;
 
 namespace {
 
-using Reason = std::optional<ui::Phrase>;
-
+using ui::standard::edit_menu;
 constexpr std::string_view draw_menu = translatable("Draw");
-constexpr std::string_view edit_menu = translatable("Edit");
 
 constexpr std::array tool_entries{
-    ToolEntry{ToolKind::Select, "draw.select", translatable("Select and move"), Key::Q},
-    ToolEntry{ToolKind::Member, "draw.member", translatable("Member"), Key::M},
-    ToolEntry{ToolKind::Node, "draw.node", translatable("Node"), Key::N},
-    ToolEntry{ToolKind::Support, "draw.support", translatable("Support"), Key::S},
-    ToolEntry{ToolKind::Load, "draw.load", translatable("Load"), Key::L},
-    ToolEntry{ToolKind::Hinge, "draw.hinge", translatable("Hinge"), Key::J},
-    ToolEntry{ToolKind::Dimension, "draw.dimension", translatable("Dimension line"), Key::D},
-    ToolEntry{ToolKind::Delete, "draw.delete", translatable("Delete"), Key::X},
-    ToolEntry{ToolKind::Predict, "draw.predict", translatable("Predict the moments"), Key::K},
+    ToolEntry{ToolKind::Select, "draw.select", translatable("Select and move"), {{Key::Q, {}}}},
+    ToolEntry{ToolKind::Member, "draw.member", translatable("Member"), {{Key::M, {}}}},
+    ToolEntry{ToolKind::Node, "draw.node", translatable("Node"), {{Key::N, {}}}},
+    ToolEntry{ToolKind::Support, "draw.support", translatable("Support"), {{Key::S, {}}}},
+    ToolEntry{ToolKind::Load, "draw.load", translatable("Load"), {{Key::L, {}}}},
+    ToolEntry{ToolKind::Hinge, "draw.hinge", translatable("Hinge"), {{Key::J, {}}}},
+    ToolEntry{ToolKind::Dimension, "draw.dimension", translatable("Dimension line"), {{Key::D, {}}}},
+    ToolEntry{ToolKind::Delete, "draw.delete", translatable("Delete"), {{Key::X, {}}}},
+    ToolEntry{ToolKind::Predict, "draw.predict", translatable("Predict the moments"), {{Key::K, {}}}},
 };
 
 Reason why_not_take(const Desk& desk, ToolKind tool)
@@ -88,124 +88,74 @@ void nudge(Desk& desk, double x, double y)
                          }});
 }
 
-struct Nudge {
-    std::string_view id, label;
-    Key key;
-    double x, y;
-};
-constexpr std::array nudges{
-    Nudge{"edit.nudge_left", translatable("Move to the left"), Key::Left, -1.0, 0.0},
-    Nudge{"edit.nudge_right", translatable("Move to the right"), Key::Right, 1.0, 0.0},
-    Nudge{"edit.nudge_up", translatable("Move up"), Key::Up, 0.0, 1.0},
-    Nudge{"edit.nudge_down", translatable("Move down"), Key::Down, 0.0, -1.0},
-};
-
-void add_history_commands(CommandTable& table)
+// What Esc does: the innermost of what is under way ends.
+void give_up(Desk& desk)
 {
-    const auto with_label = [](std::string_view verb, const std::optional<ui::Phrase>& step) {
-        return step ? ui::Phrase(verb, {{"step", *step}}) : ui::Phrase();
-    };
-    table.add({.id = "edit.undo",
-               .menu = edit_menu,
-               .label = translatable("Undo"),
-               .shortcuts = {{Key::Z, ui::ctrl}},
-               .run = [](Desk& desk) { desk.session.undo(); },
-               .why_not = [](const Desk& desk) -> Reason {
-                   if (desk.session.history().can_undo()) return std::nullopt;
-                   return translatable("nothing was changed yet");
-               },
-               .live_label = [=](const Desk& desk) -> ui::Phrase {
-                   const auto step = desk.session.history().undo_label();
-                   return step ? with_label(translatable("Undo: {step}"), step) : ui::Phrase(translatable("Undo"));
-               }});
-    table.add({.id = "edit.redo",
-               .menu = edit_menu,
-               .label = translatable("Redo"),
-               .shortcuts = {{Key::Z, ui::ctrl_shift}, {Key::Y, ui::ctrl}},
-               .run = [](Desk& desk) { desk.session.redo(); },
-               .why_not = [](const Desk& desk) -> Reason {
-                   if (desk.session.history().can_redo()) return std::nullopt;
-                   return translatable("nothing was undone");
-               },
-               .live_label = [=](const Desk& desk) -> ui::Phrase {
-                   const auto step = desk.session.history().redo_label();
-                   return step ? with_label(translatable("Redo: {step}"), step) : ui::Phrase(translatable("Redo"));
-               }});
+    if (desk.transform) return cancel_transform(desk);
+    if (is_predicting(desk) && !desk.hand.is_sketching()) return desk.session.prediction.clear();
+    if (desk.hand.escape()) return;
+    desk.session.selection.clear();
+    desk.session.pin.reset();
+    desk.session.notice.reset();
+}
+
+void select_similar(Desk& desk)
+{
+    Session& session = desk.session;
+    session.selection = similar(session.model(), session.selection);
 }
 
 void add_selection_commands(CommandTable& table)
 {
-    table.add({.id = "edit.select_all",
-               .menu = edit_menu,
-               .label = translatable("Select everything"),
-               .shortcuts = {{Key::A, ui::ctrl}},
-               .run = [](Desk& desk) { desk.session.selection = everything(desk.session.model()); }});
-    table.add({.id = "edit.select_similar",
-               .menu = edit_menu,
-               .label = translatable("Select what is alike"),
-               .shortcuts = {{Key::A, ui::ctrl_shift}},
-               .run =
-                   [](Desk& desk) {
-                       Session& session = desk.session;
-                       session.selection = similar(session.model(), session.selection);
-                   },
-               .why_not = needs_selection});
-    table.add({.id = "edit.deselect",
-               .menu = edit_menu,
-               .label = translatable("Give up, select nothing"),
-               .shortcuts = {{Key::Escape, {}}},
-               .run = [](Desk& desk) {
-                   if (desk.transform) return cancel_transform(desk);
-                   if (is_predicting(desk) && !desk.hand.is_sketching()) return desk.session.prediction.clear();
-                   if (desk.hand.escape()) return;
-                   desk.session.selection.clear();
-                   desk.session.pin.reset();
-                   desk.session.notice.reset();
-               }});
-    table.add({.id = "edit.menu",
-               .menu = edit_menu,
-               .label = translatable("Menu of the selection"),
-               .shortcuts = {{Key::F10, ui::shift}},
-               .run = [](Desk& desk) { desk.requests.push_back(Request::ContextMenu); }});
-    table.add({.id = "edit.delete",
-               .menu = edit_menu,
-               .label = translatable("Delete the selection"),
-               .shortcuts = {{Key::Delete, {}}, {Key::Backspace, {}}},
-               .run = delete_selection,
-               .why_not = needs_something_to_delete});
+    Menu menu(table, edit_menu);
+    menu.step({"edit.select_all", translatable("Select everything"), {{Key::A, ui::ctrl}}},
+              [](Desk& desk) { desk.session.selection = everything(desk.session.model()); });
+    menu.step({"edit.select_similar", translatable("Select what is alike"), {{Key::A, ui::ctrl_shift}}}, select_similar,
+              needs_selection);
+    menu.step({"edit.deselect", translatable("Give up, select nothing"), {{Key::Escape, {}}}}, give_up);
+    menu.step({"edit.menu", translatable("Menu of the selection"), {{Key::F10, ui::shift}}},
+              [](Desk& desk) { desk.requests.push_back(Request::ContextMenu); });
+    menu.step({"edit.delete", translatable("Delete the selection"), {{Key::Delete, {}}, {Key::Backspace, {}}}},
+              delete_selection, needs_something_to_delete);
 }
 
-struct TransformEntry {
-    Transform::Kind kind;
-    std::string_view id, label;
-    Key key;
-};
-constexpr std::array transforms{
-    TransformEntry{Transform::Kind::Move, "edit.move", translatable("Move by numbers…"), Key::M},
-    TransformEntry{Transform::Kind::Copy, "edit.copy", translatable("Copy, in a row too…"), Key::D},
-    TransformEntry{Transform::Kind::Rotate, "edit.rotate", translatable("Rotate…"), Key::R},
-    TransformEntry{Transform::Kind::Mirror, "edit.mirror", translatable("Mirror…"), Key::I},
-    TransformEntry{Transform::Kind::Scale, "edit.scale", translatable("Scale…"), Key::E},
-};
+void add_transform(Menu& menu, ui::CommandName name, Transform::Kind kind)
+{
+    menu.step(
+        std::move(name), [kind](Desk& desk) { begin_transform(desk, kind); }, needs_plane_selection);
+}
+
+Reason why_not_accept(const Desk& desk)
+{
+    if (desk.transform) return std::nullopt;
+    return translatable("nothing is under way");
+}
 
 void add_transform_commands(CommandTable& table)
 {
-    for (const TransformEntry& entry : transforms) {
-        table.add({.id = entry.id,
-                   .menu = edit_menu,
-                   .label = entry.label,
-                   .shortcuts = {{entry.key, ui::ctrl}},
-                   .run = [kind = entry.kind](Desk& desk) { begin_transform(desk, kind); },
-                   .why_not = needs_plane_selection});
-    }
-    table.add({.id = "edit.accept",
-               .label = translatable("Accept"),
-               .shortcuts = {{Key::Enter, {}}},
-               .run = accept_transform,
-               .why_not = [](const Desk& desk) -> Reason {
-                   if (desk.transform) return std::nullopt;
-                   return translatable("nothing is under way");
-               }});
+    using Kind = Transform::Kind;
+    Menu menu(table, edit_menu);
+    add_transform(menu, {"edit.move", translatable("Move by numbers…"), {{Key::M, ui::ctrl}}}, Kind::Move);
+    add_transform(menu, {"edit.copy", translatable("Copy, in a row too…"), {{Key::D, ui::ctrl}}}, Kind::Copy);
+    add_transform(menu, {"edit.rotate", translatable("Rotate…"), {{Key::R, ui::ctrl}}}, Kind::Rotate);
+    add_transform(menu, {"edit.mirror", translatable("Mirror…"), {{Key::I, ui::ctrl}}}, Kind::Mirror);
+    add_transform(menu, {"edit.scale", translatable("Scale…"), {{Key::E, ui::ctrl}}}, Kind::Scale);
+    Menu(table, {}).step({"edit.accept", translatable("Accept"), {{Key::Enter, {}}}}, accept_transform, why_not_accept);
+}
+
+void add_nudge(Menu& menu, ui::CommandName name, double x, double y)
+{
+    menu.step(
+        std::move(name), [x, y](Desk& desk) { nudge(desk, x, y); }, needs_plane_selection);
+}
+
+void add_nudges(CommandTable& table)
+{
+    Menu menu(table, edit_menu);
+    add_nudge(menu, {"edit.nudge_left", translatable("Move to the left"), {{Key::Left, {}}}}, -1.0, 0.0);
+    add_nudge(menu, {"edit.nudge_right", translatable("Move to the right"), {{Key::Right, {}}}}, 1.0, 0.0);
+    add_nudge(menu, {"edit.nudge_up", translatable("Move up"), {{Key::Up, {}}}}, 0.0, 1.0);
+    add_nudge(menu, {"edit.nudge_down", translatable("Move down"), {{Key::Down, {}}}}, 0.0, -1.0);
 }
 
 } // namespace
@@ -241,81 +191,63 @@ void cancel_transform(Desk& desk)
 namespace {
 
 // What places are drawn to while the hand draws or drags.
-struct SnapSwitch {
-    std::string_view id, label;
-    Key key;
-    bool ToolSettings::*is_on;
-};
+using SnapSwitch = ui::Choice<bool ToolSettings::*>;
 constexpr std::array snap_switches{
-    SnapSwitch{"draw.grid", translatable("Snap to the grid"), Key::F7, &ToolSettings::draws_to_grid},
-    SnapSwitch{"draw.snap", translatable("Snap to nodes and lines"), Key::F9, &ToolSettings::draws_to_parts},
+    SnapSwitch{&ToolSettings::draws_to_grid, "draw.grid", translatable("Snap to the grid"), {{Key::F7, {}}}},
+    SnapSwitch{&ToolSettings::draws_to_parts, "draw.snap", translatable("Snap to nodes and lines"), {{Key::F9, {}}}},
 };
 
-void add_snap_commands(CommandTable& table)
+void take(Desk& desk, ToolKind tool)
 {
-    for (const SnapSwitch& entry : snap_switches) {
-        table.add({.id = entry.id,
-                   .menu = draw_menu,
-                   .label = entry.label,
-                   .shortcuts = {{entry.key, {}}},
-                   .run =
-                       [is_on = entry.is_on](Desk& desk) {
-                           ToolSettings& settings = desk.hand.settings();
-                           settings.*is_on = !(settings.*is_on);
-                       },
-                   .is_on = [is_on = entry.is_on](const Desk& desk) { return desk.hand.settings().*is_on; }});
-    }
+    if (tool == ToolKind::Predict) begin_to_predict(desk);
+    else desk.hand.take(tool);
+}
+
+// What a scenario sets of a typical structure and of a section that are being made.
+constexpr std::array typical_verbs{"template.choose", "template.set", "template.replace", "template.insert",
+                                   "template.cancel"};
+constexpr std::array section_verbs{"section.shape", "section.profile", "section.name",  "section.set",
+                                   "section.new",   "section.accept",  "section.cancel"};
+
+template <class Draft> CommandTable::RunWith obey(Draft Desk::*draft)
+{
+    return [draft](Desk& desk, const ui::Argument& argument) -> Reason {
+        const std::string_view verb = argument.id.substr(argument.id.find('.') + 1);
+        const auto complaint = (desk.*draft).obey(desk.session, verb, argument.text);
+        return complaint ? Reason(*complaint) : std::nullopt;
+    };
 }
 
 } // namespace
 
 void add_tool_commands(CommandTable& table)
 {
-    for (const ToolEntry& entry : tool_entries) {
-        table.add({.id = entry.id,
-                   .menu = draw_menu,
-                   .label = entry.label,
-                   .shortcuts = {{entry.key, {}}},
-                   .run =
-                       [tool = entry.tool](Desk& desk) {
-                           if (tool == ToolKind::Predict) begin_to_predict(desk);
-                           else desk.hand.take(tool);
-                       },
-                   .why_not = [tool = entry.tool](const Desk& desk) { return why_not_take(desk, tool); },
-                   .is_on = [tool = entry.tool](const Desk& desk) { return desk.hand.kind() == tool; }});
-    }
-    add_snap_commands(table);
+    Menu menu(table, draw_menu);
+    for (const ToolEntry& entry : tool_entries)
+        menu.choice(
+            entry, [](const Desk& desk) { return desk.hand.kind(); }, take,
+            [tool = entry.value](const Desk& desk) { return why_not_take(desk, tool); });
+    menu.toggles(
+        snap_switches, [](auto& desk, auto item) -> auto& { return desk.hand.settings().*item; });
 }
 
 void add_edit_commands(CommandTable& table)
 {
-    add_history_commands(table);
-    table.add({.id = "edit.template",
-               .menu = draw_menu,
-               .label = translatable("Typical structures…"),
-               .shortcuts = {{Key::T, {}}},
-               .run = [](Desk& desk) { desk.typical.open(desk.session); }});
-    table.add({.id = "edit.section",
-               .menu = edit_menu,
-               .label = translatable("Section…"),
-               .shortcuts = {{Key::C, {}}},
-               .run = [](Desk& desk) { desk.section.open(desk.session); }});
-    table.add({.id = "edit.new_section",
-               .menu = edit_menu,
-               .label = translatable("New section…"),
-               .shortcuts = {{Key::C, ui::shift}},
-               .run = [](Desk& desk) { desk.section.open_new(desk.session); }});
+    ui::standard::add_undo_and_redo(table);
+    Menu(table, draw_menu).step({"edit.template", translatable("Typical structures…"), {{Key::T, {}}}}, [](Desk& desk) {
+        desk.typical.open(desk.session);
+    });
+    Menu menu(table, edit_menu);
+    menu.step({"edit.section", translatable("Section…"), {{Key::C, {}}}},
+              [](Desk& desk) { desk.section.open(desk.session); });
+    menu.step({"edit.new_section", translatable("New section…"), {{Key::C, ui::shift}}},
+              [](Desk& desk) { desk.section.open_new(desk.session); });
     add_clipboard_commands(table);
     add_selection_commands(table);
     add_transform_commands(table);
-    for (const Nudge& entry : nudges) {
-        table.add({.id = entry.id,
-                   .menu = edit_menu,
-                   .label = entry.label,
-                   .shortcuts = {{entry.key, {}}},
-                   .run = [x = entry.x, y = entry.y](Desk& desk) { nudge(desk, x, y); },
-                   .why_not = needs_plane_selection});
-    }
+    add_nudges(table);
+    for (const std::string_view id : typical_verbs) table.with_argument(id, obey(&Desk::typical));
+    for (const std::string_view id : section_verbs) table.with_argument(id, obey(&Desk::section));
 }
 
 std::span<const ToolEntry> tools() { return tool_entries; }

@@ -16,11 +16,7 @@ void accept_transform(Desk& desk);
 void cancel_transform(Desk& desk);
 
 /// The commands that take up a tool, in the order of the tool bar.
-struct ToolEntry {
-    ToolKind tool;
-    std::string_view id, label;
-    ui::Key key;
-};
+using ToolEntry = ui::Choice<ToolKind>;
 std::span<const ToolEntry> tools();
 
 } // namespace frame

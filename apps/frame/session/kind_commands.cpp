@@ -64,15 +64,14 @@ void change_kind(Desk& desk, AnalysisKind kind)
 
 void add_kind_commands(CommandTable& table)
 {
+    Menu menu(table, ui::standard::edit_menu);
     for (const KindEntry& entry : kinds())
-        table.add({.id = entry.change_id,
-                   .menu = ui::standard::edit_menu,
-                   .label = entry.label,
-                   .run = [kind = entry.kind](Desk& desk) { change_kind(desk, kind); },
-                   .is_on = [kind = entry.kind](const Desk& desk) { return desk.session.model().analysis == kind; },
-                   .live_label = [label = entry.label](const Desk&) -> ui::Phrase {
-                       return {translatable("Change into: {kind}"), {{"kind", ui::Phrase(label)}}};
-                   }});
+        menu.choice(
+                ui::Choice<AnalysisKind>{entry.kind, entry.change_id, entry.label},
+                [](const Desk& desk) { return desk.session.model().analysis; }, change_kind)
+            .live_label = [label = entry.label](const Desk&) -> ui::Phrase {
+            return {translatable("Change into: {kind}"), {{"kind", ui::Phrase(label)}}};
+        };
 }
 
 } // namespace frame

@@ -15,6 +15,7 @@ namespace frame {
 
 using namespace femoop;
 using ui::Phrase;
+using ui::Reason;
 using ui::translatable;
 
 std::optional<Phrase> why_shown_case_takes_no_load(const Session& session)
@@ -26,9 +27,6 @@ std::optional<Phrase> why_shown_case_takes_no_load(const Session& session)
 }
 
 namespace {
-
-using Reason = std::optional<Phrase>;
-constexpr std::string_view load_menu = translatable("Loads");
 
 /// The nodes and members that are meant by the selection: themselves, and those whose loads are selected.
 struct Targets {
@@ -330,18 +328,14 @@ constexpr std::array<std::string_view, 10> for_members{
 
 void add_load_commands(CommandTable& table)
 {
+    Menu menu(table, translatable("Loads"));
     for (const ToolLoad& entry : tool_loads)
-        table.add({.id = entry.id,
-                   .menu = load_menu,
-                   .label = entry.label,
-                   .run = [entry](Desk& desk) { load(desk, entry); },
-                   .why_not = [kind = entry.kind](const Desk& desk) { return why_not_load(desk, kind); }});
+        menu.step(
+            {entry.id, entry.label}, [entry](Desk& desk) { load(desk, entry); },
+            [kind = entry.kind](const Desk& desk) { return why_not_load(desk, kind); });
     for (const OtherLoad& entry : other_loads)
-        table.add({.id = entry.id,
-                   .menu = load_menu,
-                   .label = entry.label,
-                   .run = [entry](Desk& desk) { entry.run(desk, entry.label); },
-                   .why_not = entry.why_not});
+        menu.step(
+            {entry.id, entry.label}, [entry](Desk& desk) { entry.run(desk, entry.label); }, entry.why_not);
 }
 
 std::span<const std::string_view> loads_for_nodes() { return for_nodes; }

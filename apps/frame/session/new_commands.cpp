@@ -33,14 +33,12 @@ void add_new_commands(CommandTable& table)
         new_document(desk, AnalysisKind::Frame2d);
         desk.requests.push_back(Request::AskKind);
     });
+    Menu menu(table, ui::standard::file_menu);
     for (const KindEntry& entry : kind_entries)
-        table.add({.id = entry.id,
-                   .menu = ui::standard::file_menu,
-                   .label = entry.label,
-                   .run = [kind = entry.kind](Desk& desk) { new_document(desk, kind); },
-                   .live_label = [label = entry.label](const Desk&) -> ui::Phrase {
-                       return {translatable("New: {kind}"), {{"kind", ui::Phrase(label)}}};
-                   }});
+        menu.step({entry.id, entry.label}, [kind = entry.kind](Desk& desk) { new_document(desk, kind); }).live_label =
+            [label = entry.label](const Desk&) -> ui::Phrase {
+            return {translatable("New: {kind}"), {{"kind", ui::Phrase(label)}}};
+        };
 }
 
 } // namespace frame

@@ -14,6 +14,7 @@
 #include "apps/mohr/document/section_text.h"
 #include "femoop/edit/excerpt.h"
 #include "femoop/edit/short_number.h"
+#include "femoop/files/whole_file.h"
 #include "femoop/io/model_file.h"
 #include "femoop/methods/mohr/section_stress.h"
 #include "femoop/model/quantity/number_text.h"
@@ -315,28 +316,47 @@ Notice told_of_distribution(const Session& session)
 
 } // namespace
 
+namespace {
+
+void hand_over_distribution(Desk& desk)
+{
+    hand_over(desk, moment_distribution(desk.session), told_of_distribution(desk.session));
+}
+
+void hand_over_circle(Desk& desk)
+{
+    hand_over(desk, circle_at_section(desk.session),
+              passing_notice(translatable("the circle is drawn in a window of its own")));
+}
+
+ui::Reason why_no_distribution(const Desk& desk)
+{
+    if (!desk.session.model().members.empty()) return std::nullopt;
+    return Phrase(translatable("the model has no members"));
+}
+
+// With a path, what the other program would get is written there.
+CommandTable::RunWith into_file(void (*run)(Desk&))
+{
+    return [run](Desk& desk, const ui::Argument& path) -> ui::Reason {
+        run(desk);
+        if (desk.handed.empty()) return desk.session.notice->sentence;
+        const std::error_code error = files::write_whole_file(path.text, desk.handed.back().document);
+        return error ? ui::Reason(error.message()) : std::nullopt;
+    };
+}
+
+} // namespace
+
 void add_method_commands(CommandTable& table)
 {
-    constexpr std::string_view menu = ui::standard::file_menu;
-    table.add(
-        {.id = "methods.distribution",
-         .menu = menu,
-         .label = translatable("Moment distribution of the selection"),
-         .run =
-             [](Desk& desk) { hand_over(desk, moment_distribution(desk.session), told_of_distribution(desk.session)); },
-         .why_not = [](const Desk& desk) -> std::optional<Phrase> {
-             if (!desk.session.model().members.empty()) return std::nullopt;
-             return Phrase(translatable("the model has no members"));
-         }});
-    table.add({.id = "methods.circle",
-               .menu = menu,
-               .label = translatable("Mohr's circle at this section"),
-               .run =
-                   [](Desk& desk) {
-                       hand_over(desk, circle_at_section(desk.session),
-                                 passing_notice(translatable("the circle is drawn in a window of its own")));
-                   },
-               .why_not = [](const Desk& desk) { return why_no_circle(desk.session); }});
+    Menu menu(table, ui::standard::file_menu);
+    menu.step({"methods.distribution", translatable("Moment distribution of the selection")}, hand_over_distribution,
+              why_no_distribution);
+    menu.step({"methods.circle", translatable("Mohr's circle at this section")}, hand_over_circle,
+              [](const Desk& desk) { return why_no_circle(desk.session); });
+    table.with_argument("methods.distribution", into_file(hand_over_distribution));
+    table.with_argument("methods.circle", into_file(hand_over_circle));
 }
 
 } // namespace frame

@@ -36,16 +36,12 @@ std::span<const PlaneEntry> working_planes() { return plane_entries; }
 
 void add_plane_commands(CommandTable& table)
 {
+    const auto plane_now = [](const Desk& desk) -> std::optional<Normal> {
+        return why_not_in_space(desk) ? std::nullopt : std::optional(desk.hand.settings().plane.normal);
+    };
+    Menu menu(table, translatable("Draw"));
     for (const PlaneEntry& entry : plane_entries)
-        table.add({.id = entry.id,
-                   .menu = translatable("Draw"),
-                   .label = entry.label,
-                   .run = [normal = entry.normal](Desk& desk) { work_in(desk, normal); },
-                   .why_not = why_not_in_space,
-                   .is_on =
-                       [normal = entry.normal](const Desk& desk) {
-                           return !why_not_in_space(desk) && desk.hand.settings().plane.normal == normal;
-                       }});
+        menu.choice(ui::Choice<Normal>{entry.normal, entry.id, entry.label}, plane_now, work_in, why_not_in_space);
 }
 
 } // namespace frame

@@ -3,11 +3,10 @@
 namespace frame {
 
 using ui::Key;
+using ui::Reason;
 using ui::translatable;
 
 namespace {
-
-using Reason = std::optional<ui::Phrase>;
 
 constexpr ShowSet results{Show::Reactions, Show::N,  Show::V,  Show::Vy, Show::Vz,
                           Show::M,         Show::My, Show::Mz, Show::T,  Show::Deformed};
@@ -56,23 +55,24 @@ bool is_predicting(const Desk& desk)
     return desk.hand.kind() == ToolKind::Predict && !desk.session.prediction.is_empty();
 }
 
+namespace {
+
+Reason why_not_clear(const Desk& desk)
+{
+    if (!desk.session.prediction.is_empty()) return std::nullopt;
+    return translatable("nothing was guessed yet");
+}
+
+} // namespace
+
 void add_predict_commands(CommandTable& table)
 {
-    constexpr std::string_view menu = translatable("View");
-    table.add({.id = "view.hide_results",
-               .menu = menu,
-               .label = translatable("Hide the results, or reveal them"),
-               .shortcuts = {{Key::H, {}}},
-               .run = hide_or_reveal,
-               .is_on = [](const Desk& desk) { return desk.session.hidden.has_value(); }});
-    table.add({.id = "view.clear_guess",
-               .menu = menu,
-               .label = translatable("Wipe out what was guessed"),
-               .run = [](Desk& desk) { desk.session.prediction.clear(); },
-               .why_not = [](const Desk& desk) -> Reason {
-                   if (!desk.session.prediction.is_empty()) return std::nullopt;
-                   return translatable("nothing was guessed yet");
-               }});
+    Menu menu(table, translatable("View"));
+    menu.step({"view.hide_results", translatable("Hide the results, or reveal them"), {{Key::H, {}}}}, hide_or_reveal)
+        .is_on = [](const Desk& desk) { return desk.session.hidden.has_value(); };
+    menu.step(
+        {"view.clear_guess", translatable("Wipe out what was guessed")},
+        [](Desk& desk) { desk.session.prediction.clear(); }, why_not_clear);
 }
 
 } // namespace frame

@@ -37,27 +37,24 @@ femoop::Material pattern(const Session& session, const std::vector<MemberId>& me
     return femoop::steel(model.units, "210 GPa");
 }
 
+void edit_title(Desk& desk)
+{
+    desk.session.selection.clear();
+    desk.topic = Topic::Properties;
+    desk.requests.push_back(Request::EditTitle);
+}
+
 } // namespace
 
 void add_property_commands(CommandTable& table)
 {
-    constexpr std::string_view menu = translatable("Edit");
-    table.add({.id = "edit.new_material", .menu = menu, .label = translatable("New material"), .run = [](Desk& desk) {
-                   new_material(desk.session);
-               }});
-    table.add({.id = "edit.title", .menu = menu, .label = translatable("Title and notes…"), .run = [](Desk& desk) {
-                   desk.session.selection.clear();
-                   desk.topic = Topic::Properties;
-                   desk.requests.push_back(Request::EditTitle);
-               }});
-    table.add({.id = "edit.import_properties",
-               .menu = menu,
-               .label = translatable("Import materials and sections…"),
-               .run = [](Desk& desk) { desk.requests.push_back(Request::ImportDialog); }});
-    table.add({.id = "edit.condense",
-               .menu = menu,
-               .label = translatable("Condense materials, sections and named sets"),
-               .run = [](Desk& desk) { condense_properties(desk.session); }});
+    Menu menu(table, translatable("Edit"));
+    menu.step({"edit.new_material", translatable("New material")}, [](Desk& desk) { new_material(desk.session); });
+    menu.step({"edit.title", translatable("Title and notes…")}, edit_title);
+    menu.step({"edit.import_properties", translatable("Import materials and sections…")},
+              [](Desk& desk) { desk.requests.push_back(Request::ImportDialog); });
+    menu.step({"edit.condense", translatable("Condense materials, sections and named sets")},
+              [](Desk& desk) { condense_properties(desk.session); });
 }
 
 void new_material(Session& session)

@@ -104,8 +104,9 @@ bool Session::change_soundly(const Change& wanted)
 std::optional<ui::Phrase> Session::change(const Change& change)
 {
     Outcome outcome = outcome_of(change);
-    if (!refuse(outcome)) take(change, std::move(outcome));
-    return outcome.objection;
+    if (refuse(outcome)) return outcome.objection;
+    take(change, std::move(outcome));
+    return std::nullopt;
 }
 
 bool Session::refuse(const Outcome& outcome)

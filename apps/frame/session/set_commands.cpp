@@ -20,11 +20,11 @@ bool is_support(const Part& part) { return std::holds_alternative<femoop::NodeId
 
 void add_set_commands(CommandTable& table)
 {
-    table.add({.id = "edit.keep_under_name",
-               .menu = translatable("Edit"),
-               .label = translatable("Keep the support or load under a name"),
-               .run = [](Desk& desk) { keep_under_name(desk.session, desk.session.selection.parts()); },
-               .why_not = [](const Desk& desk) { return why_not_keep(desk.session, desk.session.selection.parts()); }});
+    Menu(table, translatable("Edit"))
+        .step(
+            {"edit.keep_under_name", translatable("Keep the support or load under a name")},
+            [](Desk& desk) { keep_under_name(desk.session, desk.session.selection.parts()); },
+            [](const Desk& desk) { return why_not_keep(desk.session, desk.session.selection.parts()); });
 }
 
 std::optional<Phrase> why_not_keep(const Session& session, std::span<const Part> parts)

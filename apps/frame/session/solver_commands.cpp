@@ -1,6 +1,7 @@
 #include "apps/frame/session/solver_commands.h"
 
 #include <array>
+#include <functional>
 
 namespace frame {
 
@@ -19,66 +20,55 @@ std::optional<ui::Phrase> why_not_step(const Desk& desk)
     return std::nullopt;
 }
 
-struct StepEntry {
-    std::string_view id, label;
-    void (*run)(SolverShow& show);
-};
-constexpr std::array steps{
-    StepEntry{"solver.first", translatable("First front"), [](SolverShow& show) { show.go_to(0); }},
-    StepEntry{"solver.previous", translatable("Previous front"),
-              [](SolverShow& show) { show.go_to(show.step() == 0 ? 0 : show.step() - 1); }},
-    StepEntry{"solver.next", translatable("Next front"), [](SolverShow& show) { show.go_to(show.step() + 1); }},
-    StepEntry{"solver.last", translatable("Last front"), [](SolverShow& show) { show.go_to(show.n_steps()); }},
+void show_solver(Desk& desk, bool is_on)
+{
+    desk.bottom = {is_on, desk.bottom.table, BottomContent::Solver};
+    desk.solver.follow(desk.session);
+}
+
+// Goes to a front, and rests there. \param wanted  of a show that is at its step
+std::function<void(Desk&)> go(std::size_t (*wanted)(const SolverShow&))
+{
+    return [wanted](Desk& desk) {
+        desk.solver.rest();
+        desk.solver.go_to(wanted(desk.solver));
+    };
+}
+
+using OrderEntry = ui::Choice<Ordering>;
+constexpr std::array orders{
+    OrderEntry{Ordering::Natural, "solver.natural", translatable("Eliminate in natural order")},
+    OrderEntry{Ordering::CuthillMcKee, "solver.cuthill_mckee",
+               translatable("Eliminate in reverse Cuthill-McKee order")},
+    OrderEntry{Ordering::MinimumDegree, "solver.minimum_degree", translatable("Eliminate by minimum degree")},
+    OrderEntry{Ordering::NestedDissection, "solver.nested_dissection", translatable("Eliminate by nested dissection")},
 };
 
-struct OrderEntry {
-    std::string_view id, label;
-    Ordering ordering;
-};
-constexpr std::array orders{
-    OrderEntry{"solver.natural", translatable("Eliminate in natural order"), Ordering::Natural},
-    OrderEntry{"solver.cuthill_mckee", translatable("Eliminate in reverse Cuthill-McKee order"),
-               Ordering::CuthillMcKee},
-    OrderEntry{"solver.minimum_degree", translatable("Eliminate by minimum degree"), Ordering::MinimumDegree},
-    OrderEntry{"solver.nested_dissection", translatable("Eliminate by nested dissection"), Ordering::NestedDissection},
-};
+std::optional<Ordering> shown_order(const Desk& desk)
+{
+    return shows_solver(desk) ? std::optional(desk.solver.ordering()) : std::nullopt;
+}
 
 } // namespace
 
 void add_solver_commands(CommandTable& table)
 {
-    table.add({.id = "view.solver",
-               .menu = translatable("Tables"),
-               .label = translatable("The solver at work"),
-               .shortcuts = {{Key::F4, ui::ctrl}},
-               .run =
-                   [](Desk& desk) {
-                       desk.bottom = {!shows_solver(desk), desk.bottom.table, BottomContent::Solver};
-                       desk.solver.follow(desk.session);
-                   },
-               .is_on = shows_solver});
-    for (const StepEntry& entry : steps)
-        table.add({.id = entry.id,
-                   .label = entry.label,
-                   .run =
-                       [run = entry.run](Desk& desk) {
-                           desk.solver.rest();
-                           run(desk.solver);
-                       },
-                   .why_not = why_not_step});
-    table.add({.id = "solver.play",
-               .label = translatable("Let the front walk"),
-               .run = [](Desk& desk) { desk.solver.is_playing() ? desk.solver.rest() : desk.solver.play(); },
-               .why_not = why_not_step,
-               .is_on = [](const Desk& desk) { return desk.solver.is_playing(); }});
-    for (const OrderEntry& entry : orders)
-        table.add(
-            {.id = entry.id,
-             .label = entry.label,
-             .run = [ordering = entry.ordering](Desk& desk) { desk.solver.choose(ordering); },
-             .why_not = why_not_step,
-             .is_on = [ordering = entry.ordering](
-                          const Desk& desk) { return shows_solver(desk) && desk.solver.ordering() == ordering; }});
+    Menu(table, translatable("Tables"))
+        .toggle({"view.solver", translatable("The solver at work"), {{Key::F4, ui::ctrl}}}, shows_solver, show_solver);
+    Menu unlisted(table, {});
+    unlisted.step({"solver.first", translatable("First front")}, go([](const SolverShow&) -> std::size_t { return 0; }),
+                  why_not_step);
+    unlisted.step({"solver.previous", translatable("Previous front")},
+                  go([](const SolverShow& show) { return show.step() == 0 ? 0 : show.step() - 1; }), why_not_step);
+    unlisted.step({"solver.next", translatable("Next front")},
+                  go([](const SolverShow& show) { return show.step() + 1; }), why_not_step);
+    unlisted.step({"solver.last", translatable("Last front")},
+                  go([](const SolverShow& show) { return show.n_steps(); }), why_not_step);
+    unlisted.toggle(
+        {"solver.play", translatable("Let the front walk")}, [](const Desk& desk) { return desk.solver.is_playing(); },
+        [](Desk& desk, bool is_on) { is_on ? desk.solver.play() : desk.solver.rest(); }, why_not_step);
+    unlisted.choices(
+        orders, shown_order, [](Desk& desk, Ordering order) { desk.solver.choose(order); }, why_not_step);
 }
 
 } // namespace frame

@@ -9,8 +9,6 @@ using ui::translatable;
 
 namespace {
 
-constexpr std::string_view tables_menu = translatable("Tables");
-
 struct TableEntry {
     TableKind kind;
     std::string_view id;
@@ -45,12 +43,29 @@ bool shows(const Desk& desk, TableKind kind)
 
 bool shows_member(const Desk& desk) { return desk.bottom.shows(BottomContent::Member); }
 
+void show_table(Desk& desk, TableKind kind) { desk.bottom = {!shows(desk, kind), kind}; }
+
 // From the solver to the tables it is one key.
-void open_or_close(BottomView& bottom)
+void open_or_close(Desk& desk)
 {
+    BottomView& bottom = desk.bottom;
     const bool is_left = bottom.shows(BottomContent::Solver);
     bottom.is_open = is_left || !bottom.is_open;
     if (bottom.content == BottomContent::Solver) bottom.content = BottomContent::Table;
+}
+
+void show_member(Desk& desk, bool is_on) { desk.bottom = {is_on, desk.bottom.table, BottomContent::Member}; }
+
+ui::Reason why_no_member_results(const Desk& desk)
+{
+    if (shows_member(desk) || desk.session.solution().results) return std::nullopt;
+    return translatable("There are no results: see the problems.");
+}
+
+ui::Reason why_not_export(const Desk& desk)
+{
+    if (desk.bottom.shows(BottomContent::Table)) return std::nullopt;
+    return translatable("no table is shown; choose one");
 }
 
 } // namespace
@@ -65,43 +80,19 @@ std::string_view command_id(TableKind kind)
 
 void add_table_commands(CommandTable& table)
 {
-    table.add({.id = "view.tables",
-               .menu = tables_menu,
-               .label = translatable("Panel of tables"),
-               .shortcuts = {{Key::F4, {}}},
-               .run = [](Desk& desk) { open_or_close(desk.bottom); },
-               .is_on = [](const Desk& desk) { return desk.bottom.is_open; }});
-    for (const TableEntry& entry : table_entries) {
-        table.add({.id = entry.id,
-                   .menu = tables_menu,
-                   .label = title(entry.kind),
-                   .run =
-                       [kind = entry.kind](Desk& desk) {
-                           desk.bottom = {!shows(desk, kind), kind};
-                       },
-                   .is_on = [kind = entry.kind](const Desk& desk) { return shows(desk, kind); }});
-    }
-    table.add({.id = "view.member_results",
-               .menu = tables_menu,
-               .label = translatable("Diagrams of the member"),
-               .shortcuts = {{Key::F4, ui::shift}},
-               .run =
-                   [](Desk& desk) {
-                       desk.bottom = {!shows_member(desk), desk.bottom.table, BottomContent::Member};
-                   },
-               .why_not = [](const Desk& desk) -> std::optional<ui::Phrase> {
-                   if (shows_member(desk) || desk.session.solution().results) return std::nullopt;
-                   return translatable("There are no results: see the problems.");
-               },
-               .is_on = shows_member});
-    table.add({.id = "file.export_table",
-               .menu = tables_menu,
-               .label = translatable("Export the table as CSV…"),
-               .run = [](Desk& desk) { desk.requests.push_back(Request::ExportTable); },
-               .why_not = [](const Desk& desk) -> std::optional<ui::Phrase> {
-                   if (desk.bottom.shows(BottomContent::Table)) return std::nullopt;
-                   return translatable("no table is shown; choose one");
-               }});
+    const auto shown = [](const Desk& desk) -> std::optional<TableKind> {
+        return desk.bottom.shows(BottomContent::Table) ? std::optional(desk.bottom.table) : std::nullopt;
+    };
+    Menu menu(table, translatable("Tables"));
+    menu.step({"view.tables", translatable("Panel of tables"), {{Key::F4, {}}}}, open_or_close).is_on =
+        [](const Desk& desk) { return desk.bottom.is_open; };
+    for (const TableEntry& entry : table_entries)
+        menu.choice(ui::Choice<TableKind>{entry.kind, entry.id, title(entry.kind)}, shown, show_table);
+    menu.toggle({"view.member_results", translatable("Diagrams of the member"), {{Key::F4, ui::shift}}}, shows_member,
+                show_member, why_no_member_results);
+    menu.step(
+        {"file.export_table", translatable("Export the table as CSV…")},
+        [](Desk& desk) { desk.requests.push_back(Request::ExportTable); }, why_not_export);
 }
 
 } // namespace frame

@@ -54,7 +54,7 @@ std::vector<std::string> chosen_cases(const Session& session)
     return names.size() == model.n_cases() ? std::vector<std::string>{} : names;
 }
 
-std::optional<Phrase> why_not_walk(const Desk& desk)
+ui::Reason why_not_walk(const Desk& desk)
 {
     if (!views(desk.session).empty() || desk.session.model().n_cases() > 1) return std::nullopt;
     return translatable("the model has no other load case");
@@ -64,28 +64,17 @@ std::optional<Phrase> why_not_walk(const Desk& desk)
 
 void add_view_commands(CommandTable& table)
 {
-    table.add({.id = "view.next",
-               .menu = view_menu,
-               .label = translatable("Next view or load case"),
-               .shortcuts = {{Key::PageDown, {}}},
-               .run = [](Desk& desk) { walk(desk.session, Way::Later); },
-               .why_not = why_not_walk});
-    table.add({.id = "view.previous",
-               .menu = view_menu,
-               .label = translatable("Previous view or load case"),
-               .shortcuts = {{Key::PageUp, {}}},
-               .run = [](Desk& desk) { walk(desk.session, Way::Earlier); },
-               .why_not = why_not_walk});
-    table.add({.id = "view.keep",
-               .menu = view_menu,
-               .label = translatable("Keep this view"),
-               .shortcuts = {{Key::B, ui::ctrl}},
-               .run = [](Desk& desk) { desk.requests.push_back(Request::KeepView); }});
-    table.add({.id = "view.list",
-               .menu = view_menu,
-               .label = translatable("Kept views…"),
-               .shortcuts = {{Key::B, ui::ctrl_shift}},
-               .run = [](Desk& desk) { desk.requests.push_back(Request::ViewList); }});
+    Menu menu(table, view_menu);
+    menu.step(
+        {"view.next", translatable("Next view or load case"), {{Key::PageDown, {}}}},
+        [](Desk& desk) { walk(desk.session, Way::Later); }, why_not_walk);
+    menu.step(
+        {"view.previous", translatable("Previous view or load case"), {{Key::PageUp, {}}}},
+        [](Desk& desk) { walk(desk.session, Way::Earlier); }, why_not_walk);
+    menu.step({"view.keep", translatable("Keep this view"), {{Key::B, ui::ctrl}}},
+              [](Desk& desk) { desk.requests.push_back(Request::KeepView); });
+    menu.step({"view.list", translatable("Kept views…"), {{Key::B, ui::ctrl_shift}}},
+              [](Desk& desk) { desk.requests.push_back(Request::ViewList); });
 }
 
 void keep_view(Session& session, const std::optional<Region>& region)

@@ -105,7 +105,7 @@ Column number_column(ui::Phrase heading, ui::Measure measure, NumberAccess acces
     return column;
 }
 
-Column word_column(ui::Phrase heading, WordAccess access)
+Column word_column(ui::Phrase heading, const WordAccess& access)
 {
     Column column{.heading = std::move(heading), .read = {}};
     column.read = [access](const femoop::Model& model, const Part& part) -> CellValue {

@@ -75,7 +75,7 @@ struct WordAccess {
     std::function<std::size_t(const femoop::Model&, const Part&)> get;
     std::function<void(Document&, const Part&, std::size_t)> set;
 };
-Column word_column(ui::Phrase heading, WordAccess access);
+Column word_column(ui::Phrase heading, const WordAccess& access);
 
 /// A column of numbers that the parts hold as fields: find(model, part) is the address of a Quantity or of an
 /// optional one, for a const model and for another; null where the part has none.

@@ -19,7 +19,7 @@ Part append_load(Document& document, TableKind kind)
 {
     const LoadCasePlace place = load_case_for(document, CaseId(0));
     LoadCase& load_case = document.model.load_cases[place.load_case];
-    const auto member_load = [&](decltype(MemberLoad::load) load) -> Part {
+    const auto member_load = [&](const decltype(MemberLoad::load)& load) -> Part {
         return add_member_load(document, place, MemberId(0), load);
     };
     switch (kind) {

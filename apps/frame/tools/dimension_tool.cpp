@@ -26,7 +26,7 @@ std::optional<NodeId> node_at(const Model& model, const Vector2d& place)
 }
 
 /// The foot of a place on the line through the first node that has no offset.
-std::optional<Vector2d> foot_of(const Model& model, DimensionLine line, const Vector2d& place)
+std::optional<Vector2d> foot_of(const Model& model, const DimensionLine& line, const Vector2d& place)
 {
     const auto offset = offset_through(model, line, place);
     const auto layout = layout_of(model, line);

@@ -315,8 +315,8 @@ void Application::show_tabs()
     for (const TopicEntry& entry : topics()) {
         std::string title = desk_.session.view.tr(entry.label);
         const std::size_t n_faults = desk_.session.solution().faults.size();
-        if (entry.topic == Topic::Problems && n_faults > 0) title += " (" + std::to_string(n_faults) + ")";
-        if (row.show(title + "###" + std::string(entry.id), entry.topic == desk_.topic)) desk_.topic = entry.topic;
+        if (entry.value == Topic::Problems && n_faults > 0) title += " (" + std::to_string(n_faults) + ")";
+        if (row.show(title + "###" + std::string(entry.id), entry.value == desk_.topic)) desk_.topic = entry.value;
     }
 }
 

@@ -103,7 +103,7 @@ std::string sentence_or_nothing(const std::optional<ui::Phrase>& phrase)
 std::string tool_in(const Hand& hand)
 {
     if (hand.kind() == ToolKind::Paste) return "edit.paste";
-    return std::string(std::ranges::find(tools(), hand.kind(), &ToolEntry::tool)->id);
+    return std::string(std::ranges::find(tools(), hand.kind(), &ToolEntry::value)->id);
 }
 
 // "5 of 24, nested-dissection"
@@ -129,47 +129,39 @@ std::string blank_in(const Session& session)
     return names.empty() ? "nothing" : names;
 }
 
-/// One word that stands for something of the app.
-struct Fact {
-    std::string_view name;
-    std::string (*found)(const Application&);
-};
-constexpr std::array facts{
-    Fact{"nodes", [](const Application& a) { return std::to_string(a.session().model().nodes.size()); }},
-    Fact{"members", [](const Application& a) { return std::to_string(a.session().model().members.size()); }},
-    Fact{"dimensions",
-         [](const Application& a) { return std::to_string(a.session().document().companion.dimensions.size()); }},
-    Fact{"loads", [](const Application& a) { return std::to_string(n_loads(a.session().model())); }},
-    Fact{"undo", [](const Application& a) { return sentence_or_nothing(a.session().history().undo_label()); }},
-    Fact{"redo", [](const Application& a) { return sentence_or_nothing(a.session().history().redo_label()); }},
-    Fact{"selection", [](const Application& a) { return selection_text(a.session()); }},
-    Fact{"case", [](const Application& a) { return a.session().model().case_name(a.session().view.load_case); }},
-    Fact{"problems", [](const Application& a) { return std::to_string(a.session().solution().faults.size()); }},
-    Fact{"blank", [](const Application& a) { return blank_in(a.session()); }},
-    Fact{"cell", [](const Application& a) { return a.tables().cell(a.desk()).value_or("nothing"); }},
-    Fact{"notice",
-         [](const Application& a) {
-             const auto& notice = a.session().notice;
-             return sentence_or_nothing(notice ? std::optional(notice->sentence) : std::nullopt);
-         }},
-    Fact{"tool", [](const Application& a) { return tool_in(a.desk().hand); }},
-    Fact{"typed",
-         [](const Application& a) {
-             const std::string& typed = a.desk().hand.typed();
-             return typed.empty() ? "nothing" : typed;
-         }},
-    Fact{"front", [](const Application& a) { return front_of(a.desk()); }},
-    Fact{"file", [](const Application& a) { return a.session().file_name(); }},
-    Fact{"tabs", [](const Application& a) { return std::to_string(n_tabs(a.desk())); }},
-    Fact{"started", [](const Application& a) { return a.handed() ? a.handed()->program : std::string("nothing"); }},
-    Fact{"changed", [](const Application& a) { return std::string(a.session().is_dirty() ? "yes" : "no"); }},
-};
-
-std::string names_of_facts()
+using Fact = ui::Fact<Application>;
+const ui::Facts<Application>& facts()
 {
-    std::string names = "value, node, " + std::string(ui::common_expectations);
-    for (const Fact& fact : facts) names += ", " + std::string(fact.name);
-    return names;
+    static const ui::Facts<Application> all(
+        {
+            Fact{"nodes", [](const Application& a) { return std::to_string(a.session().model().nodes.size()); }},
+            Fact{"members", [](const Application& a) { return std::to_string(a.session().model().members.size()); }},
+            Fact{"dimensions",
+                 [](const Application& a) {
+                     return std::to_string(a.session().document().companion.dimensions.size());
+                 }},
+            Fact{"loads", [](const Application& a) { return std::to_string(n_loads(a.session().model())); }},
+            Fact{"undo", [](const Application& a) { return sentence_or_nothing(a.session().history().undo_label()); }},
+            Fact{"redo", [](const Application& a) { return sentence_or_nothing(a.session().history().redo_label()); }},
+            Fact{"selection", [](const Application& a) { return selection_text(a.session()); }},
+            Fact{"case",
+                 [](const Application& a) { return a.session().model().case_name(a.session().view.load_case); }},
+            Fact{"problems", [](const Application& a) { return std::to_string(a.session().solution().faults.size()); }},
+            Fact{"blank", [](const Application& a) { return blank_in(a.session()); }},
+            Fact{"cell", [](const Application& a) { return a.tables().cell(a.desk()).value_or("nothing"); }},
+            Fact{"tool", [](const Application& a) { return tool_in(a.desk().hand); }},
+            Fact{"typed",
+                 [](const Application& a) {
+                     const std::string& typed = a.desk().hand.typed();
+                     return typed.empty() ? "nothing" : typed;
+                 }},
+            Fact{"front", [](const Application& a) { return front_of(a.desk()); }},
+            Fact{"tabs", [](const Application& a) { return std::to_string(n_tabs(a.desk())); }},
+            Fact{"started",
+                 [](const Application& a) { return a.handed() ? a.handed()->program : std::string("nothing"); }},
+        },
+        ", value, node");
+    return all;
 }
 
 } // namespace
@@ -199,16 +191,10 @@ std::optional<Eigen::Vector3d> point_in(std::string_view text)
 
 std::optional<std::string> why_not(std::string_view expectation, const Application& application)
 {
-    const std::size_t blank = std::min(expectation.find(' '), expectation.size());
-    const std::string_view what = expectation.substr(0, blank);
-    const std::string_view rest = expectation.substr(std::min(blank + 1, expectation.size()));
+    const auto [what, rest] = ui::first_word(expectation);
     if (what == "value") return value(application, rest);
     if (what == "node") return node(application, rest);
-    if (const auto complaint = ui::common_complaint(expectation, application, application.canvas().picture()))
-        return *complaint;
-    const auto fact = std::ranges::find(facts, what, &Fact::name);
-    if (fact != facts.end()) return compared(what, fact->found(application), std::string(rest));
-    return "expect: found \"" + std::string(what) + "\", wanted one of " + names_of_facts();
+    return facts().complaint(expectation, application);
 }
 
 } // namespace frame

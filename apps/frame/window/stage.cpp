@@ -6,9 +6,6 @@
 #include <vector>
 
 #include "apps/drawing/geometry/structure_shape.h"
-#include "apps/frame/session/tabs.h"
-#include "apps/frame/window/expectation.h"
-#include "femoop/files/whole_file.h"
 #include "ui/scenario/words.h"
 
 namespace frame {
@@ -51,40 +48,10 @@ ui::Stage::Sought OffscreenStage::find(std::string_view place)
 
 std::optional<std::string> OffscreenStage::run_command(std::string_view id, std::string_view argument)
 {
-    Desk& desk = application().desk();
-    const ui::Catalogue english;
-    if (id == "file.open" && !argument.empty()) {
-        if (!open_file(desk, argument)) return english(desk.session.notice->sentence);
-        return std::nullopt;
-    }
-    if (id == "file.save" && !argument.empty()) {
-        if (!save_as(desk, argument)) return english(desk.session.notice->sentence);
-        return std::nullopt;
-    }
-    if (id == "file.export_table" && !argument.empty()) {
-        const auto reason = application().tables().export_to(desk, argument);
-        return reason ? std::optional(english(*reason)) : std::nullopt;
-    }
-    if (constexpr std::string_view prefix = "template."; id.starts_with(prefix))
-        return desk.typical.obey(desk.session, id.substr(prefix.size()), argument);
-    if (id == "file.export" && !argument.empty()) {
-        const auto reason = application().export_as(argument);
-        return reason ? std::optional(english(*reason)) : std::nullopt;
-    }
-    if (id.starts_with("methods.") && !argument.empty()) return keep_handed(desk, id, argument);
-    if (constexpr std::string_view prefix = "section."; id.starts_with(prefix))
-        return desk.section.obey(desk.session, id.substr(prefix.size()), argument);
-    return ui::run_by_name(application().commands(), id, desk);
+    if (id != "file.export_table" || argument.empty())
+        return ui::OffscreenStage<Application>::run_command(id, argument);
+    const auto reason = application().tables().export_to(application().desk(), argument);
+    return reason ? std::optional(ui::Catalogue()(*reason)) : std::nullopt;
 }
-
-std::optional<std::string> OffscreenStage::keep_handed(Desk& desk, std::string_view id, std::string_view path)
-{
-    if (auto reason = ui::run_by_name(application().commands(), id, desk)) return reason;
-    if (desk.handed.empty()) return ui::Catalogue()(desk.session.notice->sentence);
-    const std::error_code error = files::write_whole_file(path, desk.handed.back().document);
-    return error ? std::optional(error.message()) : std::nullopt;
-}
-
-std::optional<std::string> OffscreenStage::expect(std::string_view words) { return why_not(words, application()); }
 
 } // namespace frame

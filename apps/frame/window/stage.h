@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "apps/frame/window/application.h"
+#include "apps/frame/window/expectation.h"
 #include "ui/app/stage.h"
 
 namespace frame {
@@ -21,10 +22,6 @@ public:
 
     Sought find(std::string_view place) override;
     std::optional<std::string> run_command(std::string_view id, std::string_view argument) override;
-    std::optional<std::string> expect(std::string_view words) override;
-
-private:
-    std::optional<std::string> keep_handed(Desk& desk, std::string_view id, std::string_view path);
 };
 
 } // namespace frame

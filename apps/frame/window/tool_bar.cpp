@@ -36,7 +36,7 @@ void tool_button(Desk& desk, const CommandTable& commands, const ToolEntry& entr
     const double edge = 0.12 * static_cast<double>(side);
     const double size = (static_cast<double>(side) - 2.0 * edge) / gui.scale();
     ui::Painter painter({size, size}, fonts);
-    draw_tool_icon(painter, entry.tool, theme);
+    draw_tool_icon(painter, entry.value, theme);
     gui.show(painter.picture(), *ImGui::GetWindowDrawList(),
              {static_cast<double>(corner.x) + edge, static_cast<double>(corner.y) + edge});
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {

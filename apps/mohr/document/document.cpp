@@ -114,4 +114,13 @@ auto& text_in(auto& document, NumberId number)
 const std::string& text_of(const Document& document, NumberId number) { return text_in(document, number); }
 std::string& text_of(Document& document, NumberId number) { return text_in(document, number); }
 
+std::size_t memory_footprint(const Document& document)
+{
+    std::size_t n_texts = 0;
+    for (const auto& numbers : document.numbers) n_texts += numbers.size();
+    for (const auto& path : document.paths)
+        for (const auto& state : path) n_texts += state.size();
+    return sizeof(Document) + n_texts * sizeof(std::string);
+}
+
 } // namespace mohr

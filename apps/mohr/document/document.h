@@ -76,4 +76,7 @@ std::string_view name(StrengthPlace strength); ///< "fy", "φ", "σci"
 const std::string& text_of(const Document& document, NumberId number);
 std::string& text_of(Document& document, NumberId number);
 
+/// About how much memory it takes [bytes]: a history is bounded by it.
+std::size_t memory_footprint(const Document& document);
+
 } // namespace mohr

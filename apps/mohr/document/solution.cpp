@@ -170,7 +170,7 @@ void read_elasticity(const Document& document, Reader& reader, Solution& solutio
                                 {Group::Elasticity, 1})
                           .values.front();
     if (!(nu > -1.0 && nu <= 0.5))
-        reader.refuse(translatable("Poisson's ratio must be greater than -1 and at most 0.5"), {Group::Elasticity, 1});
+        reader.refuse(translatable("Poisson's ratio must be greater than −1 and at most 0.5"), {Group::Elasticity, 1});
     solution.state.nu = nu;
     if (!fm::is_strain(kind)) return;
     const Components E = reader.read(std::span(document.elasticity).subspan(0, 1), E_name, femoop::dimension::stress,

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include "ui/desk/file_commands.h"
+#include "ui/scenario/words.h"
+#include "ui/text/number_format.h"
 
 namespace mohr {
 
@@ -13,23 +16,26 @@ namespace fm = femoop::mohr;
 using fm::Criterion;
 using ui::Key;
 using ui::Phrase;
+using ui::Reason;
 using ui::translatable;
+using Menu = ui::MenuBuilder<Desk>;
 
 namespace {
 
 constexpr std::string_view state_menu = translatable("State");
 constexpr std::string_view plane_menu = translatable("Plane");
-constexpr std::string_view criterion_menu = translatable("Criterion");
+constexpr std::string_view exercise_menu = translatable("Exercises");
 constexpr std::string_view show_menu = translatable("Show");
 
 constexpr std::array subject_entries{
-    SubjectEntry{Subject::PlaneStress, "state.plane_stress", translatable("Plane stress")},
-    SubjectEntry{Subject::PlaneStrain, "state.plane_strain", translatable("Plane strain: σz = ν(σx + σy)")},
-    SubjectEntry{Subject::Strain, "state.strain", translatable("Strain")},
-    SubjectEntry{Subject::Rosette, "state.rosette", translatable("Strain rosette")},
-    SubjectEntry{Subject::Inertia, "state.inertia", translatable("Second moments of area")},
-    SubjectEntry{Subject::SpaceStress, "state.space_stress", translatable("Stress in space")},
-    SubjectEntry{Subject::Section, "state.section", translatable("Fibre of a section")},
+    SubjectEntry{Subject::PlaneStress, "state.plane_stress", translatable("Plane stress"), {{Key::Digit1, {}}}},
+    SubjectEntry{
+        Subject::PlaneStrain, "state.plane_strain", translatable("Plane strain: σz = ν(σx + σy)"), {{Key::Digit2, {}}}},
+    SubjectEntry{Subject::Strain, "state.strain", translatable("Strain"), {{Key::Digit3, {}}}},
+    SubjectEntry{Subject::Rosette, "state.rosette", translatable("Strain rosette"), {{Key::Digit4, {}}}},
+    SubjectEntry{Subject::Inertia, "state.inertia", translatable("Second moments of area"), {{Key::Digit5, {}}}},
+    SubjectEntry{Subject::SpaceStress, "state.space_stress", translatable("Stress in space"), {{Key::Digit6, {}}}},
+    SubjectEntry{Subject::Section, "state.section", translatable("Fibre of a section"), {{Key::Digit7, {}}}},
 };
 
 constexpr std::array criterion_entries{
@@ -42,51 +48,33 @@ constexpr std::array criterion_entries{
     CriterionEntry{Criterion::HoekBrown, "criterion.hoek_brown", "Hoek–Brown"},
 };
 
-std::optional<Phrase> why_not_another_state(const Desk& desk)
+Reason why_not_another_state(const Desk& desk)
 {
     if (!desk.session.practice()) return std::nullopt;
     return exercise_keeps_state;
 }
 
+Reason why_no_gauges(const Desk& desk)
+{
+    if (desk.session.document().subject == Subject::Rosette) return why_not_another_state(desk);
+    return translatable("only a rosette has gauges");
+}
+
 void add_state_commands(CommandTable& table)
 {
-    for (std::size_t i = 0; i < subject_entries.size(); ++i) {
-        const SubjectEntry& entry = subject_entries[i];
-        const Key key = static_cast<Key>(static_cast<int>(Key::Digit1) + static_cast<int>(i));
-        table.add({.id = entry.id,
-                   .menu = state_menu,
-                   .label = entry.label,
-                   .shortcuts = {{key, {}}},
-                   .run = [subject = entry.subject](Desk& desk) { desk.session.set_subject(subject); },
-                   .why_not = why_not_another_state,
-                   .is_on = [subject = entry.subject](
-                                const Desk& desk) { return desk.session.document().subject == subject; }});
-    }
+    Menu menu(table, state_menu);
+    menu.choices(
+        subject_entries, [](const Desk& desk) { return desk.session.document().subject; },
+        [](Desk& desk, Subject subject) { desk.session.set_subject(subject); }, why_not_another_state);
+    menu.step(
+        {"state.rosette_45", translatable("Gauges at 0°, 45° and 90°")},
+        [](Desk& desk) { desk.session.set_gauges(fm::rosette_45_degrees); }, why_no_gauges);
+    menu.step(
+        {"state.rosette_60", translatable("Gauges at 0°, 60° and 120°")},
+        [](Desk& desk) { desk.session.set_gauges(fm::rosette_60_degrees); }, why_no_gauges);
 }
 
-/// The usual rosettes.
-void add_rosette_commands(CommandTable& table)
-{
-    struct Entry {
-        std::string_view id, label;
-        std::array<double, 3> gauges;
-    };
-    constexpr std::array entries{
-        Entry{"state.rosette_45", translatable("Gauges at 0°, 45° and 90°"), fm::rosette_45_degrees},
-        Entry{"state.rosette_60", translatable("Gauges at 0°, 60° and 120°"), fm::rosette_60_degrees},
-    };
-    for (const Entry& entry : entries)
-        table.add({.id = entry.id,
-                   .menu = state_menu,
-                   .label = entry.label,
-                   .run = [gauges = entry.gauges](Desk& desk) { desk.session.set_gauges(gauges); },
-                   .why_not = [](const Desk& desk) -> std::optional<Phrase> {
-                       if (desk.session.document().subject == Subject::Rosette) return why_not_another_state(desk);
-                       return translatable("only a rosette has gauges");
-                   }});
-}
-
-std::optional<Phrase> why_no_angle(const Desk& desk)
+Reason why_no_angle(const Desk& desk)
 {
     if (desk.session.is_concealing()) return translatable("an exercise keeps its plane until it is done");
     if (is_in_space(desk.session.document().subject))
@@ -101,101 +89,85 @@ void turn_to(Session& session, std::optional<double> angle)
     else session.tell(Phrase(translatable("every direction is principal")));
 }
 
+void turn_by(Session& session, double degrees) { session.set_angle(session.document().angle + degrees); }
+
+void play(Desk& desk, bool is_on)
+{
+    desk.session.is_playing = is_on;
+    if (!is_on) desk.session.settle();
+}
+
 void add_plane_commands(CommandTable& table)
 {
-    struct Entry {
-        std::string_view id, label;
-        Key key;
-        void (*run)(Session&);
-    };
-    constexpr std::array entries{
-        Entry{"plane.x", translatable("To the face x"), Key::X, [](Session& s) { s.set_angle(0.0); }},
-        Entry{"plane.first", translatable("To the first principal direction"), Key::A,
-              [](Session& s) { turn_to(s, s.solution().principal.angle); }},
-        Entry{"plane.shear", translatable("To the largest shear"), Key::M,
-              [](Session& s) { turn_to(s, s.solution().shear_angle); }},
-        Entry{"plane.forward", translatable("Turn by 1° counter-clockwise"), Key::Right,
-              [](Session& s) { s.set_angle(s.document().angle + 1.0); }},
-        Entry{"plane.back", translatable("Turn by 1° clockwise"), Key::Left,
-              [](Session& s) { s.set_angle(s.document().angle - 1.0); }},
-    };
-    for (const Entry& entry : entries)
-        table.add({.id = entry.id,
-                   .menu = plane_menu,
-                   .label = entry.label,
-                   .shortcuts = {{entry.key, {}}},
-                   .run = [run = entry.run](Desk& desk) { run(desk.session); },
-                   .why_not = why_no_angle});
-    table.add({.id = "plane.play",
-               .menu = plane_menu,
-               .label = translatable("Let it turn"),
-               .shortcuts = {{Key::Space, {}}},
-               .run =
-                   [](Desk& desk) {
-                       desk.session.is_playing = !desk.session.is_playing;
-                       if (!desk.session.is_playing) desk.session.settle();
-                   },
-               .why_not = why_no_angle,
-               .is_on = [](const Desk& desk) { return desk.session.is_playing; }});
+    Menu menu(table, plane_menu);
+    menu.step(
+        {"plane.x", translatable("To the face x"), {{Key::X, {}}}}, [](Desk& desk) { desk.session.set_angle(0.0); },
+        why_no_angle);
+    menu.step(
+        {"plane.first", translatable("To the first principal direction"), {{Key::A, {}}}},
+        [](Desk& desk) { turn_to(desk.session, desk.session.solution().principal.angle); }, why_no_angle);
+    menu.step(
+        {"plane.shear", translatable("To the largest shear"), {{Key::M, {}}}},
+        [](Desk& desk) { turn_to(desk.session, desk.session.solution().shear_angle); }, why_no_angle);
+    menu.step(
+        {"plane.forward", translatable("Turn by 1° counter-clockwise"), {{Key::Right, {}}}},
+        [](Desk& desk) { turn_by(desk.session, 1.0); }, why_no_angle);
+    menu.step(
+        {"plane.back", translatable("Turn by 1° clockwise"), {{Key::Left, {}}}},
+        [](Desk& desk) { turn_by(desk.session, -1.0); }, why_no_angle);
+    menu.toggle(
+        {"plane.play", translatable("Let it turn"), {{Key::Space, {}}}},
+        [](const Desk& desk) { return desk.session.is_playing; }, play, why_no_angle);
+}
+
+void step_forward(Desk& desk)
+{
+    const auto step = desk.session.step();
+    desk.session.show_construction(step ? *step + 1 : 1);
+}
+
+void step_back(Desk& desk)
+{
+    const auto step = desk.session.step();
+    desk.session.show_construction(step ? std::max<std::size_t>(*step, 2) - 1 : 1);
 }
 
 void add_construction_commands(CommandTable& table)
 {
-    struct Entry {
-        std::string_view id, label;
-        Key key;
-        std::optional<std::size_t> (*next)(const Session&);
-    };
-    constexpr std::array entries{
-        Entry{"construction.first", translatable("From the beginning"), Key::Home,
-              [](const Session&) -> std::optional<std::size_t> { return 1; }},
-        Entry{"construction.next", translatable("Next step"), Key::PageDown,
-              [](const Session& s) -> std::optional<std::size_t> { return s.step() ? *s.step() + 1 : 1; }},
-        Entry{"construction.back", translatable("Step back"), Key::PageUp,
-              [](const Session& s) -> std::optional<std::size_t> {
-                  return s.step() ? std::max<std::size_t>(*s.step(), 2) - 1 : 1;
-              }},
-        Entry{"construction.last", translatable("To the end"), Key::End,
-              [](const Session& s) -> std::optional<std::size_t> { return s.n_steps(); }},
-        Entry{"construction.whole", translatable("The whole circle again"), Key::W,
-              [](const Session&) -> std::optional<std::size_t> { return std::nullopt; }},
-    };
-    for (const Entry& entry : entries)
-        table.add({.id = entry.id,
-                   .menu = translatable("Construction"),
-                   .label = entry.label,
-                   .shortcuts = {{entry.key, {}}},
-                   .run = [next = entry.next](Desk& desk) { desk.session.show_construction(next(desk.session)); }});
+    Menu menu(table, translatable("Construction"));
+    menu.step({"construction.first", translatable("From the beginning"), {{Key::Home, {}}}},
+              [](Desk& desk) { desk.session.show_construction(1); });
+    menu.step({"construction.next", translatable("Next step"), {{Key::PageDown, {}}}}, step_forward);
+    menu.step({"construction.back", translatable("Step back"), {{Key::PageUp, {}}}}, step_back);
+    menu.step({"construction.last", translatable("To the end"), {{Key::End, {}}}},
+              [](Desk& desk) { desk.session.show_construction(desk.session.n_steps()); });
+    menu.step({"construction.whole", translatable("The whole circle again"), {{Key::W, {}}}},
+              [](Desk& desk) { desk.session.show_construction(std::nullopt); });
+}
+
+Reason why_not_record(const Desk& desk)
+{
+    if (has_path(desk.session.document().subject)) return std::nullopt;
+    return translatable("a loading path has plane stresses or strains");
+}
+
+Reason why_no_path(const Desk& desk)
+{
+    if (desk.session.solution().path.size() > 1) return std::nullopt;
+    return translatable("a loading path needs two states; add them with R");
 }
 
 void add_path_commands(CommandTable& table)
 {
-    constexpr std::string_view menu = translatable("Loading path");
-    const auto why_not = [](const Desk& desk) -> std::optional<Phrase> {
-        if (has_path(desk.session.document().subject)) return std::nullopt;
-        return translatable("a loading path has plane stresses or strains");
-    };
-    const auto why_no_path = [](const Desk& desk) -> std::optional<Phrase> {
-        if (desk.session.solution().path.size() > 1) return std::nullopt;
-        return translatable("a loading path needs two states; add them with R");
-    };
-    table.add({.id = "path.record",
-               .menu = menu,
-               .label = translatable("Add this state"),
-               .shortcuts = {{Key::R, {}}},
-               .run = [](Desk& desk) { desk.session.record_path_state(); },
-               .why_not = why_not});
-    table.add({.id = "path.play",
-               .menu = menu,
-               .label = translatable("Go along it"),
-               .shortcuts = {{Key::L, {}}},
-               .run = [](Desk& desk) { desk.session.play_path(); },
-               .why_not = why_no_path});
-    table.add({.id = "path.clear",
-               .menu = menu,
-               .label = translatable("Clear it"),
-               .run = [](Desk& desk) { desk.session.clear_path(); },
-               .why_not = why_not});
+    Menu menu(table, translatable("Loading path"));
+    menu.step(
+        {"path.record", translatable("Add this state"), {{Key::R, {}}}},
+        [](Desk& desk) { desk.session.record_path_state(); }, why_not_record);
+    menu.step(
+        {"path.play", translatable("Go along it"), {{Key::L, {}}}}, [](Desk& desk) { desk.session.play_path(); },
+        why_no_path);
+    menu.step(
+        {"path.clear", translatable("Clear it")}, [](Desk& desk) { desk.session.clear_path(); }, why_not_record);
 }
 
 constexpr std::array exercise_topic_entries{
@@ -208,18 +180,10 @@ constexpr std::array exercise_topic_entries{
     ExerciseTopicEntry{ExerciseTopic::Criteria, "exercise.criteria", translatable("About criteria of failure")},
 };
 
-void add_exercise_topic_commands(CommandTable& table)
+void choose_topic(Desk& desk, ExerciseTopic topic)
 {
-    for (const ExerciseTopicEntry& entry : exercise_topic_entries)
-        table.add({.id = entry.id,
-                   .menu = translatable("Exercises"),
-                   .label = entry.label,
-                   .run =
-                       [topic = entry.topic](Desk& desk) {
-                           desk.exercise_topic = topic;
-                           desk.topic = Topic::Exercises;
-                       },
-                   .is_on = [topic = entry.topic](const Desk& desk) { return desk.exercise_topic == topic; }});
+    desk.exercise_topic = topic;
+    desk.topic = Topic::Exercises;
 }
 
 void begin_exercise(Desk& desk, Difficulty difficulty)
@@ -230,40 +194,40 @@ void begin_exercise(Desk& desk, Difficulty difficulty)
     desk.is_asking_next = true;
 }
 
+/// Once one that is being done is left.
+ui::MenuBuilder<Desk>::Run begin(Difficulty difficulty)
+{
+    return [difficulty](Desk& desk) {
+        desk.leave_exercise([difficulty](Desk& left) { begin_exercise(left, difficulty); });
+    };
+}
+
+Reason why_not_give_up(const Desk& desk)
+{
+    if (desk.session.is_concealing()) return std::nullopt;
+    return translatable("there is no exercise to be done");
+}
+
+Reason why_not_end(const Desk& desk)
+{
+    if (desk.session.practice()) return std::nullopt;
+    return translatable("there is no exercise to be done");
+}
+
 void add_exercise_commands(CommandTable& table)
 {
-    struct Entry {
-        std::string_view id, label;
-        Difficulty difficulty;
-    };
-    constexpr std::array entries{
-        Entry{"exercise.easy", translatable("An easy exercise"), Difficulty::Easy},
-        Entry{"exercise.medium", translatable("A usual exercise"), Difficulty::Medium},
-        Entry{"exercise.hard", translatable("A hard exercise"), Difficulty::Hard},
-    };
-    constexpr std::string_view menu = translatable("Exercises");
-    for (const Entry& entry : entries)
-        table.add(
-            {.id = entry.id, .menu = menu, .label = entry.label, .run = [difficulty = entry.difficulty](Desk& desk) {
-                 desk.leave_exercise([difficulty](Desk& left) { begin_exercise(left, difficulty); });
-             }});
-    const auto why_not = [](const Desk& desk) -> std::optional<Phrase> {
-        if (desk.session.is_concealing()) return std::nullopt;
-        return translatable("there is no exercise to be done");
-    };
-    table.add({.id = "exercise.give_up",
-               .menu = menu,
-               .label = translatable("Show the answers"),
-               .run = [](Desk& desk) { desk.session.give_up_exercise(); },
-               .why_not = why_not});
-    table.add({.id = "exercise.end",
-               .menu = menu,
-               .label = translatable("End the exercise"),
-               .run = [](Desk& desk) { desk.leave_exercise([](Desk& left) { left.session.end_exercise(); }); },
-               .why_not = [](const Desk& desk) -> std::optional<Phrase> {
-                   if (desk.session.practice()) return std::nullopt;
-                   return translatable("there is no exercise to be done");
-               }});
+    Menu menu(table, exercise_menu);
+    menu.choices(
+        exercise_topic_entries, [](const Desk& desk) { return desk.exercise_topic; }, choose_topic);
+    menu.step({"exercise.easy", translatable("An easy exercise")}, begin(Difficulty::Easy));
+    menu.step({"exercise.medium", translatable("A usual exercise")}, begin(Difficulty::Medium));
+    menu.step({"exercise.hard", translatable("A hard exercise")}, begin(Difficulty::Hard));
+    menu.step(
+        {"exercise.give_up", translatable("Show the answers")}, [](Desk& desk) { desk.session.give_up_exercise(); },
+        why_not_give_up);
+    menu.step(
+        {"exercise.end", translatable("End the exercise")},
+        [](Desk& desk) { desk.leave_exercise([](Desk& left) { left.session.end_exercise(); }); }, why_not_end);
 }
 
 constexpr std::array topic_entries{
@@ -272,55 +236,50 @@ constexpr std::array topic_entries{
     TopicEntry{Topic::Exercises, "panel.exercises", translatable("Exercises")},
 };
 
-void add_criterion_commands(CommandTable& table)
+Reason why_no_criterion(const Desk& desk)
 {
-    for (const CriterionEntry& entry : criterion_entries)
-        table.add({.id = entry.id,
-                   .menu = criterion_menu,
-                   .label = entry.label,
-                   .run = [criterion = entry.criterion](Desk& desk) { desk.session.set_criterion(criterion); },
-                   .why_not = [](const Desk& desk) -> std::optional<Phrase> {
-                       if (desk.session.document().subject != Subject::Inertia) return std::nullopt;
-                       return translatable("second moments of area do not fail");
-                   },
-                   .is_on = [criterion = entry.criterion](
-                                const Desk& desk) { return desk.session.document().criterion == criterion; }});
+    if (desk.session.document().subject != Subject::Inertia) return std::nullopt;
+    return translatable("second moments of area do not fail");
 }
 
-struct LookEntry {
-    bool Look::*item;
-    std::string_view id, label;
-    Key key;
-};
+void add_criterion_commands(CommandTable& table)
+{
+    Menu(table, translatable("Criterion"))
+        .choices(
+            criterion_entries, [](const Desk& desk) { return desk.session.document().criterion; },
+            [](Desk& desk, std::optional<Criterion> criterion) { desk.session.set_criterion(criterion); },
+            why_no_criterion);
+}
+
+using LookEntry = ui::Choice<bool Look::*>;
 constexpr std::array looks{
-    LookEntry{&Look::pole, "view.show.pole", translatable("Pole and its lines"), Key::O},
-    LookEntry{&Look::special, "view.show.special", translatable("Principal and largest-shear elements"), Key::E},
-    LookEntry{&Look::space, "view.show.space", translatable("Circles of the third direction"), Key::T},
-    LookEntry{&Look::envelope, "view.show.envelope", translatable("What the criterion allows"), Key::C},
-    LookEntry{&Look::both_rules, "view.show.both_rules", translatable("Both rules of the shear's sign side by side"),
-              Key::B},
+    LookEntry{&Look::pole, "view.show.pole", translatable("Pole and its lines"), {{Key::O, ui::shift}}},
+    LookEntry{&Look::special,
+              "view.show.special",
+              translatable("Principal and largest-shear elements"),
+              {{Key::E, ui::shift}}},
+    LookEntry{&Look::space, "view.show.space", translatable("Circles of the third direction"), {{Key::T, ui::shift}}},
+    LookEntry{&Look::envelope, "view.show.envelope", translatable("What the criterion allows"), {{Key::C, ui::shift}}},
+    LookEntry{&Look::both_rules,
+              "view.show.both_rules",
+              translatable("Both rules of the shear's sign side by side"),
+              {{Key::B, ui::shift}}},
 };
 
-struct RuleEntry {
-    fm::ShearRule rule;
-    std::string_view id, label;
-};
 constexpr std::array rules{
-    RuleEntry{fm::ShearRule::ClockwiseUp, "view.rule.clockwise_up",
-              translatable("Shear up where it turns the element clockwise")},
-    RuleEntry{fm::ShearRule::TensorDown, "view.rule.axis_down",
-              translatable("Shear axis down, signs of the axes x′y′")},
+    ui::Choice<fm::ShearRule>{fm::ShearRule::ClockwiseUp, "view.rule.clockwise_up",
+                              translatable("Shear up where it turns the element clockwise")},
+    ui::Choice<fm::ShearRule>{fm::ShearRule::TensorDown, "view.rule.axis_down",
+                              translatable("Shear axis down, signs of the axes x′y′")},
 };
 
 void add_show_commands(CommandTable& table)
 {
     ui::standard::add_look_switches(table, show_menu, looks);
-    for (const RuleEntry& entry : rules)
-        table.add({.id = entry.id,
-                   .menu = show_menu,
-                   .label = entry.label,
-                   .run = [rule = entry.rule](Desk& desk) { desk.session.set_rule(rule); },
-                   .is_on = [rule = entry.rule](const Desk& desk) { return desk.session.look.rule == rule; }});
+    Menu(table, show_menu)
+        .choices(
+            rules, [](const Desk& desk) { return desk.session.look.rule; },
+            [](Desk& desk, fm::ShearRule rule) { desk.session.set_rule(rule); });
 }
 
 void add_view_commands(CommandTable& table)
@@ -331,6 +290,80 @@ void add_view_commands(CommandTable& table)
     ui::standard::add_themes(table);
     ui::standard::add_export_scales(table);
     ui::standard::add_languages(table);
+}
+
+// ---- what a scenario gives ----
+
+/// "1 12 MPa": the first number of the state.
+Reason set_number(Desk& desk, const ui::Argument& argument)
+{
+    const auto words = argument.words();
+    const auto place = words.empty() ? std::nullopt : ui::number_typed(words.front());
+    const std::size_t most = desk.session.document().state().size();
+    if (!place || *place < 1.0 || *place > static_cast<double>(most) || words.size() < 2)
+        return argument.wanted("a place from 1 to " + std::to_string(most) + " and a number");
+    return desk.session.set_number({Group::State, static_cast<std::size_t>(*place) - 1}, ui::joined(words, 1));
+}
+
+Reason set_section(Desk& desk, const ui::Argument& argument)
+{
+    return desk.session.set_number({Group::Section, 0}, std::string(argument.text));
+}
+
+Reason set_direction(Desk& desk, const ui::Argument& argument)
+{
+    const auto n = argument.numbers(4);
+    if (!n || !(n->at(0) == 1.0 || n->at(0) == 2.0 || n->at(0) == 3.0))
+        return argument.wanted("1, 2 or 3 and three numbers");
+    return desk.session.set_direction(static_cast<int>(n->at(0)) - 1, {n->at(1), n->at(2), n->at(3)});
+}
+
+Reason set_principal(Desk& desk, const ui::Argument& argument)
+{
+    const auto n = argument.numbers(3);
+    if (!n) return argument.wanted("two values and an angle");
+    if (is_in_space(desk.session.document().subject)) return desk.session.set_principal({n->at(0), n->at(1), n->at(2)});
+    return desk.session.set_principal(n->at(0), n->at(1), n->at(2));
+}
+
+Reason go_to_step(Desk& desk, const ui::Argument& argument)
+{
+    const auto n = argument.number();
+    if (!n || *n < 1.0) return argument.wanted("a step from 1 to " + std::to_string(desk.session.n_steps()));
+    desk.session.show_construction(static_cast<std::size_t>(*n));
+    return std::nullopt;
+}
+
+Reason answer(Desk& desk, const ui::Argument& argument)
+{
+    const auto words = argument.words();
+    const auto place = words.size() == 2 ? ui::number_typed(words.front()) : std::nullopt;
+    if (!place || *place < 1.0) return argument.wanted("the question's number and an answer");
+    return desk.session.answer(static_cast<std::size_t>(*place) - 1, words.back());
+}
+
+Reason turn(Desk& desk, const ui::Argument& argument)
+{
+    const auto angle = argument.number();
+    return angle ? desk.session.set_angle(*angle) : argument.wanted("an angle in degrees");
+}
+
+Reason set_normal(Desk& desk, const ui::Argument& argument)
+{
+    const auto n = argument.numbers(3);
+    return n ? desk.session.set_normal({n->at(0), n->at(1), n->at(2)}) : argument.wanted("three numbers");
+}
+
+void add_arguments(CommandTable& table)
+{
+    table.with_argument("state.set", set_number);
+    table.with_argument("state.section", set_section);
+    table.with_argument("state.direction", set_direction);
+    table.with_argument("state.principal", set_principal);
+    table.with_argument("construction.step", go_to_step);
+    table.with_argument("exercise.answer", answer);
+    table.with_argument("plane.turn", turn);
+    table.with_argument("plane.normal", set_normal);
 }
 
 } // namespace
@@ -363,16 +396,15 @@ CommandTable command_table()
         table, {.exported = translatable("Export picture or results…"), .described = translatable("State in words")});
     ui::standard::add_undo_and_redo(table);
     add_state_commands(table);
-    add_rosette_commands(table);
     add_plane_commands(table);
     add_construction_commands(table);
     add_criterion_commands(table);
     add_path_commands(table);
-    add_exercise_topic_commands(table);
     add_exercise_commands(table);
     add_show_commands(table);
     add_view_commands(table);
     ui::standard::add_help(table);
+    add_arguments(table);
     return table;
 }
 

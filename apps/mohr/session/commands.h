@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "apps/mohr/session/session.h"
-#include "ui/command/command_table.h"
+#include "ui/command/menu_builder.h"
 #include "ui/desk/document_desk.h"
 
 namespace mohr {
@@ -40,25 +40,13 @@ using CommandTable = ui::CommandTable<Desk>;
 /// Everything that the app can do, by name.
 CommandTable command_table();
 
-struct TopicEntry {
-    Topic topic;
-    std::string_view id, label;
-};
+using TopicEntry = ui::Choice<Topic>;
 std::span<const TopicEntry> topics(); ///< in the order of their tabs
-struct SubjectEntry {
-    Subject subject;
-    std::string_view id, label;
-};
+using SubjectEntry = ui::Choice<Subject>;
 std::span<const SubjectEntry> subjects();
-struct ExerciseTopicEntry {
-    ExerciseTopic topic;
-    std::string_view id, label;
-};
+using ExerciseTopicEntry = ui::Choice<ExerciseTopic>;
 std::span<const ExerciseTopicEntry> exercise_topics();
-struct CriterionEntry {
-    std::optional<femoop::mohr::Criterion> criterion;
-    std::string_view id, label;
-};
+using CriterionEntry = ui::Choice<std::optional<femoop::mohr::Criterion>>;
 std::span<const CriterionEntry> criteria();
 
 } // namespace mohr

@@ -166,7 +166,7 @@ private:
     void add_failure()
     {
         for (const CriterionEntry& entry : criteria())
-            if (entry.criterion == document_.criterion) begin(tr_(entry.label));
+            if (entry.value == document_.criterion) begin(tr_(entry.label));
         if (!s_.safety->factor) return add(tr_("safety factor"), tr_("never fails this way"));
         const double k = *s_.safety->factor;
         add(tr_("safety factor"), Amount{k, ""});
@@ -201,7 +201,7 @@ std::string in_words(const Session& session)
     const ui::Catalogue& tr = session.tr();
     std::string words;
     for (const SubjectEntry& entry : subjects())
-        if (entry.subject == session.document().subject) words += tr(entry.label) + ":";
+        if (entry.value == session.document().subject) words += tr(entry.label) + ":";
     const auto parts = names(session.document().subject);
     for (std::size_t i = 0; i < parts.size(); ++i)
         words += (i == 0 ? " " : ", ") + std::string(parts[i]) + " = " +

@@ -58,7 +58,7 @@ std::string verdict_words(const Judgement& judgement, const ui::Catalogue& tr)
 void ExercisesPanel::show(Desk& desk, const CommandTable& commands)
 {
     choice(desk, commands, "###exercise topic", exercise_topics(),
-           [&](const ExerciseTopicEntry& entry) { return entry.topic == desk.exercise_topic; });
+           [&](const ExerciseTopicEntry& entry) { return entry.value == desk.exercise_topic; });
     for (const char* id : {"exercise.easy", "exercise.medium", "exercise.hard"}) ui::command_button(desk, commands, id);
     ImGui::Separator();
     if (!desk.session.practice()) {
@@ -87,8 +87,9 @@ void ExercisesPanel::show_question(Desk& desk, std::size_t place)
     const std::string text = answer ? session.look.number(*answer) : "";
     const bool begins = desk.is_asking_next && practice.first_open() == place;
     if (begins) desk.is_asking_next = false;
-    const auto event = fields_.show("###answer" + std::to_string(place),
-                                    {.text = text, .exact_text = text, .value = std::nullopt, .begins = begins});
+    const auto event = fields_.show(
+        "###answer" + std::to_string(place),
+        {.text = text, .exact_text = text, .value = std::nullopt, .begins = begins, .stays = true});
     if (event.kind == Kind::Typed) {
         const auto reason = session.answer(place, event.text);
         if (reason) fields_.reject(event, session.tr()(*reason));

@@ -95,8 +95,6 @@ const ui::Facts<Session>& facts()
 
 std::optional<std::string> why_not(std::string_view expectation, const Application& application)
 {
-    if (const auto complaint = ui::common_complaint(expectation, application, application.canvas().picture()))
-        return *complaint;
     return facts().complaint(expectation, application.session());
 }
 

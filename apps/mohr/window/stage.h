@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "apps/mohr/window/application.h"
+#include "apps/mohr/window/expectation.h"
 #include "ui/app/stage.h"
 
 namespace mohr {
@@ -21,8 +22,6 @@ public:
     using ui::OffscreenStage<Application>::OffscreenStage;
 
     Sought find(std::string_view place) override;
-    std::optional<std::string> run_command(std::string_view id, std::string_view argument) override;
-    std::optional<std::string> expect(std::string_view words) override;
 };
 
 } // namespace mohr

@@ -109,7 +109,7 @@ void StatePanel::show_kind(Desk& desk, const CommandTable& commands)
 {
     ImGui::TextUnformatted(desk.tr()("State").c_str());
     const Subject now = desk.session.document().subject;
-    choice(desk, commands, "###subject", subjects(), [&](const SubjectEntry& entry) { return entry.subject == now; });
+    choice(desk, commands, "###subject", subjects(), [&](const SubjectEntry& entry) { return entry.value == now; });
 }
 
 void StatePanel::number_row(Desk& desk, const std::string& label, NumberId number)
@@ -236,8 +236,7 @@ void StatePanel::show_criterion(Desk& desk, const CommandTable& commands)
     if (desk.session.document().subject == Subject::Inertia) return;
     heading(desk.tr()("Criterion"));
     const auto now = desk.session.document().criterion;
-    choice(desk, commands, "###criterion", criteria(),
-           [&](const CriterionEntry& entry) { return entry.criterion == now; });
+    choice(desk, commands, "###criterion", criteria(), [&](const CriterionEntry& entry) { return entry.value == now; });
     if (!now) return;
     for (const StrengthPlace place : strengths_of(*now)) {
         const std::string unit = place == StrengthPlace::phi ? " [°]" : "";

@@ -55,8 +55,8 @@ TEST_CASE("A calculation of a frame that sways has every sheet and the equations
     const ui::Report report = report_of(read_document_file("examples/portal.json"));
     CHECK(headings(report) ==
           "Structure and loads; Factors and fixed-end moments; Sheet of the loads; Sheet of the sway at B; Sways; "
-          "Final moments; Diagrams; Kani's method; Slope-deflection equations; ");
-    CHECK(all<ui::ReportFigure>(report).size() == 6);
+          "All sheets together; Final moments; Diagrams; Kani's method; Slope-deflection equations; ");
+    CHECK(all<ui::ReportFigure>(report).size() == 7);
 }
 
 TEST_CASE("The totals of a reported sheet are those of the distribution whatever was begun by hand")

@@ -155,7 +155,7 @@ TEST_CASE("Every table has rows as long as its head for a frame that sways")
     REQUIRE(session.open("examples/portal.json"));
     for (const TopicEntry& entry : topics()) {
         CAPTURE(std::string(entry.id));
-        const tabular::Table table = table_of(session, entry.topic);
+        const tabular::Table table = table_of(session, entry.value);
         for (const auto& row : table.rows) CHECK(row.cells.size() == table.columns.size());
     }
 }

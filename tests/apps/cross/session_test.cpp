@@ -1,9 +1,11 @@
 #include <doctest/doctest.h>
 
 #include <fstream>
+#include <string>
 
 #include "apps/cross/session/beam_edit.h"
 #include "apps/cross/session/commands.h"
+#include "apps/cross/session/report.h"
 #include "tests/apps/recovered.h"
 
 using namespace cross;
@@ -37,4 +39,16 @@ TEST_CASE("Kani's method waits while a hand drags and is there once it lets go")
     CHECK(!session.solution().task->kani);
     session.settle();
     CHECK(session.solution().task->kani);
+}
+
+TEST_CASE("What is in hand is told in the status line until it is put away")
+{
+    Session session;
+    const std::string step = status_text(session);
+    session.tool = Tool::UniformLoad;
+    CHECK(status_text(session) == "a uniform load: click a member, or press Esc");
+    session.tool = Tool::PointLoad;
+    CHECK(status_text(session) == "a force: click a member or a node, or press Esc");
+    session.tool = Tool::None;
+    CHECK(status_text(session) == step);
 }

@@ -1,5 +1,6 @@
 // How the picture gives way where there is little room.
 #include "apps/drawing/geometry/crowding.h"
+#include "apps/drawing/sketch/caption_crowd.h"
 
 #include <doctest/doctest.h>
 
@@ -28,6 +29,23 @@ TEST_CASE("How crowded a picture is goes by the member in the middle, as long as
     CHECK(at_scale(20.0).median_length() == doctest::Approx(60.0));
     CHECK(at_scale(4.0).median_length() == doctest::Approx(12.0));
     CHECK(Crowding({}, Projection(ui::PlaneCamera())).median_length() == 0.0);
+}
+
+TEST_CASE("Where captions crowd the lesser ones are left out, and the others as soon as they crowd themselves")
+{
+    CaptionCrowd crowd({{0.0, 0.0}, {480.0, 480.0}});
+    const ui::Point here{100.0, 100.0}, far{300.0, 100.0}, beside_the_sheet{-500.0, 900.0};
+    for (int i = 0; i < 6; ++i) {
+        CHECK(!crowd.is_full(here, Rank::Name));
+        crowd.add(here, Rank::Value);
+    }
+    CHECK(crowd.is_full(here, Rank::Name));
+    CHECK(crowd.is_full(here, Rank::Value));
+    CHECK(!crowd.is_full(here, Rank::Extreme));
+    CHECK(!crowd.is_full(far, Rank::Name));
+    CHECK(!crowd.is_full(beside_the_sheet, Rank::Name));
+    for (int i = 0; i < 6; ++i) crowd.add(here, Rank::Largest);
+    CHECK(crowd.is_full(here, Rank::Load));
 }
 
 TEST_CASE("Symbols keep their size while there is room, shrink with the members, and never below a half")

@@ -4,6 +4,7 @@
 
 #include "apps/euler/session/commands.h"
 #include "tests/apps/recovered.h"
+#include "ui/app/settings.h"
 
 using namespace euler;
 
@@ -17,6 +18,18 @@ TEST_SUITE("euler session")
         CHECK(desk.unsaved().empty());
         REQUIRE(!desk.session.apply("mev s1 f1 v1 v2 1 0 0"));
         CHECK(recovered(desk, folder, ".eul").session.stepper().script() == desk.session.stepper().script());
+    }
+
+    TEST_CASE("What was left on the projector without panels begins with the whole window for the picture")
+    {
+        Desk desk{Session()};
+        ui::begin_as_left(desk, {.theme = ui::ThemeName::Projector, .has_panels = false});
+        CHECK(!desk.has_panels);
+        CHECK(!desk.has_tables);
+        Desk other{Session()};
+        ui::begin_as_left(other, {.theme = ui::ThemeName::Light, .has_panels = false});
+        CHECK(!other.has_panels);
+        CHECK(other.has_tables);
     }
 
     TEST_CASE("A draft has the steps that its script had when it was taken")

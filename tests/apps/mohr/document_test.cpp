@@ -139,7 +139,7 @@ TEST_CASE("A fibre of a section has the stresses of Navier and Jourawski and oth
     CHECK(refusal("rectangle b=100kN h=3") == "\"b=100kN\" is no dimension; write it like h=210mm");
     CHECK(refusal("l h=100 b=80 t=9").find("a single angle bends out of its plane") == 0);
     CHECK(reason(with_number(d, state(3), "101 mm")) ==
-          "the fibre lies outside the section, which goes from -100 to 100 mm");
+          "the fibre lies outside the section, which goes from −100 to 100 mm");
     CHECK(reason(with_number(d, state(0), "3 MPa")).find("measures stress") != std::string::npos);
     CHECK(with_plane(d, {1.0, 2.0, 3.0}).fault);
 }

@@ -1,6 +1,8 @@
 // Numbers without the last digits that only calculating made.
 #include <doctest/doctest.h>
 
+#include <utility>
+
 #include "femoop/edit/draw.h"
 #include "femoop/edit/member_line.h"
 #include "femoop/edit/merge.h"
@@ -41,7 +43,7 @@ TEST_SUITE("edit: short numbers")
     {
         Model model = with_line({0.1, 0, 0}, {6.4, 0, 0}); // 6.3 long, but for rounding
         const auto at = [](Position place) {
-            return PointLoad{.at = place, .components = {{Dof::uy, -7}}, .axes = {}};
+            return PointLoad{.at = std::move(place), .components = {{Dof::uy, -7}}, .axes = {}};
         };
         model.add(LoadCase{.id = "P", .members = {{MemberId(0), at(Percent{70})}, {MemberId(0), at(Quantity(4.9))}}});
         const SplitMember cut = split_member(model, MemberId(0), 0.7 * 3);

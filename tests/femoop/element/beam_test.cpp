@@ -112,7 +112,7 @@ TEST_SUITE("beam")
         const Beam beam{.EI = EI, .foundation = k};
         const double length = 30.0 / b;
         const FoundationBeam on(beam, loaded({}, length, beam.longest_piece()), BendingPlane::xy, 0.0);
-        const Eigen::Matrix4d K = on.stiffness();
+        const Eigen::Matrix4d& K = on.stiffness();
         const Eigen::Matrix2d flexibility = K.topLeftCorner<2, 2>().inverse();
         CHECK(flexibility(0, 0) == doctest::Approx(2.0 * b / k).epsilon(1e-10));
         CHECK(flexibility(0, 1) == doctest::Approx(-2.0 * b * b / k).epsilon(1e-10));

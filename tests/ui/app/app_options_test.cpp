@@ -56,4 +56,14 @@ TEST_SUITE("ui app")
             CHECK(ended({"--size", size.c_str()}).status == 2);
         }
     }
+
+    TEST_CASE("Who asks for the projector begins without panels, whatever was left")
+    {
+        ui::AppOptions asked{.settings = {.theme = ui::ThemeName::Projector}};
+        ui::complete(asked, std::nullopt);
+        CHECK(*asked.settings.has_panels == false);
+        ui::AppOptions other{.settings = {.theme = ui::ThemeName::Dark}};
+        ui::complete(other, std::nullopt);
+        CHECK(*other.settings.has_panels == true);
+    }
 }

@@ -1,12 +1,17 @@
 #include <doctest/doctest.h>
 
+#include <array>
+#include <string>
+
 #include "ui/command/command_table.h"
+#include "ui/command/menu_builder.h"
 
 namespace {
 
 struct Lamp {
     bool is_lit = false;
     bool has_bulb = true;
+    int brightness = 1;
 };
 
 ui::CommandTable<Lamp> lamp_commands()
@@ -23,8 +28,33 @@ ui::CommandTable<Lamp> lamp_commands()
                },
                .is_on = [](const Lamp& lamp) { return lamp.is_lit; }});
     table.add({.id = "lamp.unscrew", .menu = "Lamp", .label = "Take the bulb out", .run = [](Lamp& lamp) {
-                   lamp = {.is_lit = false, .has_bulb = false};
+                   lamp = {.is_lit = false, .has_bulb = false, .brightness = 1};
                }});
+    return table;
+}
+
+std::optional<ui::Phrase> why_dark(const Lamp& lamp)
+{
+    return lamp.has_bulb ? std::nullopt : std::optional<ui::Phrase>("the lamp has no bulb");
+}
+
+ui::CommandTable<Lamp> built_commands()
+{
+    ui::CommandTable<Lamp> table;
+    ui::MenuBuilder<Lamp> menu(table, "Lamp");
+    menu.step({"lamp.off", "Put it out"}, [](Lamp& lamp) { lamp.is_lit = false; });
+    menu.toggle(
+        {"lamp.switch", "Switch", {{ui::Key::L, ui::ctrl}}}, [](auto& lamp) -> auto& { return lamp.is_lit; }, why_dark);
+    constexpr std::array levels{ui::Choice<int>{1, "lamp.dim", "Dim"}, ui::Choice<int>{5, "lamp.bright", "Bright"}};
+    menu.choices(
+        levels, [](auto& lamp) -> auto& { return lamp.brightness; }, why_dark);
+    const auto set = [](Lamp& lamp, const ui::Argument& argument) -> std::optional<ui::Phrase> {
+        if (!argument.number()) return argument.wanted("a brightness");
+        lamp.brightness = static_cast<int>(*argument.number());
+        return std::nullopt;
+    };
+    table.with_argument("lamp.bright", set);
+    table.with_argument("lamp.set", set);
     return table;
 }
 
@@ -42,10 +72,50 @@ TEST_SUITE("ui command")
         CHECK(lamp.is_lit);
     }
 
+    TEST_CASE("A toggle turns its switch and shows how it stands")
+    {
+        const auto table = built_commands();
+        const auto& command = *table.find(ui::Chord{ui::Key::L, ui::ctrl});
+        Lamp lamp;
+        CHECK_FALSE(command.is_on(lamp));
+        run(command, lamp);
+        CHECK(lamp.is_lit);
+        CHECK(command.is_on(lamp));
+        run(command, lamp);
+        CHECK_FALSE(lamp.is_lit);
+    }
+
+    TEST_CASE("Of choices the one that was chosen last is on, and none can be where a reason stands against it")
+    {
+        const auto table = built_commands();
+        Lamp lamp;
+        run(*table.find("lamp.bright"), lamp);
+        CHECK(lamp.brightness == 5);
+        CHECK(table.find("lamp.bright")->is_on(lamp));
+        CHECK_FALSE(table.find("lamp.dim")->is_on(lamp));
+        lamp.has_bulb = false;
+        CHECK(run(*table.find("lamp.dim"), lamp) == ui::Phrase("the lamp has no bulb"));
+        CHECK(lamp.brightness == 5);
+    }
+
+    TEST_CASE("A scenario gives an argument to a command that takes one, and is told what another does not take")
+    {
+        const auto table = built_commands();
+        Lamp lamp;
+        CHECK_FALSE(run_by_name(table, {"lamp.set", "7"}, lamp));
+        CHECK(lamp.brightness == 7);
+        CHECK(run_by_name(table, {"lamp.set", "much"}, lamp) == "lamp.set: found \"much\", wanted a brightness");
+        CHECK(run_by_name(table, {"lamp.off", "now"}, lamp) == "lamp.off: found \"now\", wanted no argument");
+        CHECK(run_by_name(table, {"lamp.break", ""}, lamp).value().starts_with("found command \"lamp.break\""));
+        lamp.has_bulb = false;
+        CHECK(run_by_name(table, {"lamp.bright", "3"}, lamp) == "the lamp has no bulb");
+        CHECK(table.find("lamp.set") == nullptr); // of no menu and not in the palette
+    }
+
     TEST_CASE("A command that cannot run says why and changes nothing")
     {
         const auto table = lamp_commands();
-        Lamp lamp{.is_lit = false, .has_bulb = false};
+        Lamp lamp{.is_lit = false, .has_bulb = false, .brightness = 1};
         CHECK(run(*table.find("lamp.switch"), lamp) == ui::Phrase("the lamp has no bulb"));
         CHECK_FALSE(lamp.is_lit);
     }

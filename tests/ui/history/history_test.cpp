@@ -1,3 +1,4 @@
+#include <cstddef>
 #include <doctest/doctest.h>
 #include <stdexcept>
 
@@ -6,6 +7,16 @@
 namespace {
 
 using Numbers = ui::History<int>;
+
+/// A document of a size that is told.
+struct Drawing {
+    int number = 0;
+    std::size_t bytes = 100;
+
+    friend bool operator==(const Drawing&, const Drawing&) = default;
+    friend std::size_t memory_footprint(const Drawing& drawing) { return drawing.bytes; }
+};
+using Drawings = ui::History<Drawing>;
 
 } // namespace
 
@@ -116,5 +127,47 @@ TEST_SUITE("ui history")
         CHECK(history.current() == 40);
         CHECK_THROWS_AS(history.jump(4), std::out_of_range);
         CHECK(history.current() == 40);
+    }
+
+    TEST_CASE("A history forgets its oldest states where all together would take more memory than the limit")
+    {
+        Drawings history({.number = 0}, {}, 350);
+        for (int i = 1; i <= 5; ++i) history.apply({.number = i}, "Draw");
+        CHECK(history.n_states() == 3);
+        CHECK(history.memory() == 300);
+        CHECK(history.current().number == 5);
+        while (history.can_undo()) history.undo();
+        CHECK(history.current().number == 3);
+    }
+
+    TEST_CASE("One step can be undone however large its document is")
+    {
+        Drawings history({.number = 0}, {}, 350);
+        history.apply({.number = 1, .bytes = 1000}, "Draw");
+        history.apply({.number = 2, .bytes = 2000}, "Draw");
+        CHECK(history.n_states() == 2);
+        history.undo();
+        CHECK(history.current().number == 1);
+    }
+
+    TEST_CASE("A gesture that grows beyond the limit forgets the oldest states and can still be cancelled")
+    {
+        Drawings history({.number = 0}, {}, 350);
+        history.apply({.number = 1}, "Draw");
+        for (int i = 2; i < 9; ++i) history.drag({.number = i, .bytes = 200}, "Drag");
+        CHECK(history.settled().number == 1);
+        CHECK(history.memory() == 300);
+        history.cancel();
+        CHECK(history.current().number == 1);
+        CHECK(history.memory() == 100);
+    }
+
+    TEST_CASE("What can be redone no more takes no memory")
+    {
+        Drawings history({.number = 0}, {}, 1000);
+        for (int i = 1; i <= 4; ++i) history.apply({.number = i}, "Draw");
+        for (int i = 0; i < 3; ++i) history.undo();
+        history.apply({.number = 9}, "Draw");
+        CHECK(history.memory() == 300);
     }
 }

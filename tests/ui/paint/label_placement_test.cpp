@@ -82,6 +82,15 @@ TEST_CASE("Of two labels that want one place the one of higher priority has it")
     CHECK(placement.labels[0]->center != ui::Point{320.0, 190.0});
 }
 
+TEST_CASE("An area without its outline is soft ground within, where a label lies in it as a whole, and free beside it")
+{
+    ui::LabelObstacles obstacles({{0.0, 0.0}, {200.0, 200.0}});
+    const std::vector<ui::Point> square = {{40.0, 40.0}, {160.0, 40.0}, {160.0, 160.0}, {40.0, 160.0}};
+    obstacles.add_inside(square, ui::Firmness::Soft);
+    CHECK(obstacles.ground_of({{100.0, 100.0}, {20.0, 10.0}}) == ui::Ground::Soft);
+    CHECK(obstacles.ground_of({{20.0, 20.0}, {20.0, 10.0}}) == ui::Ground::Free);
+}
+
 TEST_CASE("In random crowds no label covers another, an obstacle or a leader, and none leaves the room")
 {
     for (unsigned seed = 1; seed <= 40; ++seed) {

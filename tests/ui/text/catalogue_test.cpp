@@ -43,6 +43,18 @@ TEST_SUITE("ui text")
               "Mover o nó B");
     }
 
+    TEST_CASE("Numbers of a sentence have true minus signs; a text that was typed, and a name, stay as they are")
+    {
+        const ui::Catalogue tr;
+        const auto said = [&](const char* value) { return tr(ui::Phrase("from {a}", {{"a", value}})); };
+        CHECK(said("-180 mm") == "from −180 mm");
+        CHECK(said("-1.2e-5") == "from −1.2e−5");
+        CHECK(said("0,5") == "from 0,5");
+        CHECK(said("A-1") == "from A-1");
+        CHECK(said("2026-11-24") == "from 2026-11-24");
+        CHECK(tr(ui::Phrase("found \"{a}\"", {{"a", "-180"}})) == "found \"-180\"");
+    }
+
     TEST_CASE("A phrase within a phrase is translated, a name within it is not")
     {
         const ui::Catalogue tr(ui::Language::Portuguese,

@@ -28,6 +28,7 @@ private:
         if (!file || found.starts_with("bad")) return ui::Phrase(ui::translatable("it cannot be read"));
         text = found;
         begin(text);
+        set_partial(found.starts_with("part"));
         return std::nullopt;
     }
     const std::string& current() const override { return text; }
@@ -80,6 +81,27 @@ TEST_SUITE("ui workbench")
         CHECK(note.told().starts_with("a.txt was not saved: "));
         CHECK(note.is_dirty());
         CHECK(note.file_name() == "good.txt");
+    }
+
+    TEST_CASE("A file of which the document has a part alone keeps its name and is not written over")
+    {
+        const Folder folder;
+        Note note;
+        REQUIRE(note.open(folder.write("long.txt", "part of it")));
+        CHECK(note.file_name() == "long.txt");
+        CHECK_FALSE(note.path());
+        CHECK_FALSE(note.unsaved().original);
+        REQUIRE(note.save(folder.path("other.txt")));
+        CHECK(note.path() == folder.path("other.txt"));
+    }
+
+    TEST_CASE("What went wrong with a file is told until it is closed")
+    {
+        const Folder folder;
+        Note note;
+        CHECK_FALSE(note.open(folder.write("broken.txt", "bad")));
+        ui::tick(note.notice, 3600.0);
+        CHECK(note.notice);
     }
 
     TEST_CASE("A copy has no file, and a draft has that of the document whose work it is and is not saved")

@@ -62,6 +62,12 @@ void LabelObstacles::add_polygon(std::span<const Point> points, Firmness firmnes
     if (points.size() < 3 || !std::all_of(points.begin(), points.end(), is_finite)) return;
     add_polyline(points, 0.0, firmness);
     add_segment(points.back(), points.front(), 0.0, firmness);
+    add_inside(points, firmness);
+}
+
+void LabelObstacles::add_inside(std::span<const Point> points, Firmness firmness)
+{
+    if (points.size() < 3 || !std::all_of(points.begin(), points.end(), is_finite)) return;
     Box bounds{points[0], points[0]};
     for (const Point p : points) bounds = united(bounds, {p, p});
     const auto index = static_cast<std::uint32_t>(polygons_.size());

@@ -24,6 +24,8 @@ public:
     void add_polyline(std::span<const Point> points, double width = 0.0, Firmness firmness = Firmness::Hard);
     /// Its area and its outline.
     void add_polygon(std::span<const Point> points, Firmness firmness = Firmness::Hard);
+    /// Its area alone: its outline is added as lines.
+    void add_inside(std::span<const Point> points, Firmness firmness);
     void add_box(const Box& box, Firmness firmness = Firmness::Hard);
     /// Taken as the square around it.
     void add_disc(Point center, double radius, Firmness firmness = Firmness::Hard);

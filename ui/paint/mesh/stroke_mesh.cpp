@@ -151,6 +151,21 @@ void cap_ribs(Strip& strip, Point at, Point outward, End end, const StrokeShape&
     if (end == End::Last) strip.faded_rib(faded, n, -n);
 }
 
+/// Most lines of a picture: straight, thin, with straight ends.
+bool is_plain_line(std::span<const Point> points, const StrokeShape& shape)
+{
+    return points.size() == 2 && shape.cap == Cap::Butt && shape.width < thin &&
+           distance(points[0], points[1]) > shortest_segment;
+}
+
+void add_plain_line(Mesh& mesh, Point a, Point b, double width)
+{
+    const Point n = left_normal(direction(b - a));
+    Strip strip(mesh, width);
+    strip.rib(a, n, -n);
+    strip.rib(b, n, -n);
+}
+
 void add_dot(Mesh& mesh, Point at, const StrokeShape& shape)
 {
     if (shape.cap == Cap::Butt) return;
@@ -163,6 +178,7 @@ void add_dot(Mesh& mesh, Point at, const StrokeShape& shape)
 
 void add_stroke(Mesh& mesh, std::span<const Point> points, PathEnds ends, const StrokeShape& shape)
 {
+    if (is_plain_line(points, shape)) return add_plain_line(mesh, points[0], points[1], shape.width);
     const std::vector<Point> line = without_repeats(points, ends);
     const std::size_t n = line.size();
     if (n == 0) return;

@@ -5,12 +5,10 @@
 
 namespace euler {
 
-using ui::Phrase;
+using ui::Reason;
 using ui::translatable;
 
 namespace {
-
-constexpr std::string_view menu = translatable("Challenge");
 
 Game easy(std::uint32_t seed) { return Game(reach_challenge(seed, Level::Easy)); }
 Game middle(std::uint32_t seed) { return Game(reach_challenge(seed, Level::Middle)); }
@@ -36,7 +34,7 @@ constexpr std::array<std::string_view, entries.size()> ids = [] {
     return names;
 }();
 
-std::optional<Phrase> needs_challenge(const Desk& desk)
+Reason needs_challenge(const Desk& desk)
 {
     if (!desk.session.game()) return translatable("no challenge is on");
     if (desk.session.game()->is_over()) return translatable("the challenge is over");
@@ -58,29 +56,27 @@ void give_up(Desk& desk)
     else desk.session.give_up_challenge();
 }
 
+Reason why_no_hint(const Desk& desk)
+{
+    if (auto reason = needs_challenge(desk)) return reason;
+    return desk.session.game()->why_no_hint();
+}
+
 } // namespace
 
 std::span<const std::string_view> challenge_command_ids() { return ids; }
 
 void add_challenge_commands(CommandTable& table)
 {
+    ui::MenuBuilder<Desk> menu(table, translatable("Challenge"));
     for (const Entry& entry : entries)
-        table.add({.id = entry.id, .menu = menu, .label = entry.label, .run = [&entry](Desk& desk) {
-                       desk.leave_document([&entry](Desk& left) { begin(left, entry); });
-                   }});
-    table.add({.id = "challenge.hint",
-               .menu = menu,
-               .label = translatable("Give a hint"),
-               .run = [](Desk& desk) { desk.session.give_hint(); },
-               .why_not = [](const Desk& desk) -> std::optional<Phrase> {
-                   if (auto reason = needs_challenge(desk)) return reason;
-                   return desk.session.game()->why_no_hint();
-               }});
-    table.add({.id = "challenge.give_up",
-               .menu = menu,
-               .label = translatable("Give up the challenge"),
-               .run = give_up,
-               .why_not = needs_challenge});
+        menu.step({entry.id, entry.label},
+                  [&entry](Desk& desk) { desk.leave_document([&entry](Desk& left) { begin(left, entry); }); });
+    menu.step(
+        {"challenge.hint", translatable("Give a hint")}, [](Desk& desk) { desk.session.give_hint(); }, why_no_hint);
+    menu.step({"challenge.give_up", translatable("Give up the challenge")}, give_up, needs_challenge);
+    table.with_argument("challenge.answer",
+                        [](Desk& desk, const ui::Argument& argument) { return desk.session.answer(argument.text); });
 }
 
 } // namespace euler

@@ -54,7 +54,7 @@ std::string_view spoken_pattern(FaultKind kind)
         return translatable("{0}: {8} is {2}, which is a full release; release the end or give a value greater than 0");
     case FaultKind::RepeatedComponent: return translatable("{0}: {8} is given twice; keep one");
     case FaultKind::PoissonOutOfRange:
-        return translatable("{0}: {8} is {1}; give a value greater than -1 and at most 0.5");
+        return translatable("{0}: {8} is {1}; give a value greater than −1 and at most 0.5");
     case FaultKind::CentroidOutside:
         return translatable("{0}: {8} is {1}, more than the depth {2}; measure it from the -y' fibre");
     case FaultKind::ShapeSizeMissing: return translatable("{0}: the shape needs {2}; give {3}");
