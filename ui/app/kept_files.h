@@ -31,12 +31,13 @@ public:
         if (can_recover_) look_for_leftovers(seconds);
         note(desk.session.path());
         const Desk& now = desk;
-        note({.theme = now.theme(),
-              .language = now.tr().language(),
-              .units = now.units(),
-              .has_panels = now.has_panels,
-              .window = window},
-             seconds);
+        Settings settings{.theme = now.theme(),
+                          .language = now.tr().language(),
+                          .units = now.units(),
+                          .has_panels = now.has_panels,
+                          .window = window};
+        if constexpr (requires { now.kept_tools(); }) settings.tools = now.kept_tools();
+        note(settings, seconds);
     }
     /// The program ends in good order, so no draft is needed.
     void end();

@@ -33,6 +33,10 @@ void understand(const std::string& line, Settings& settings)
         settings.window = window_size(words);
         return;
     }
+    if (name == "tools") {
+        settings.tools = std::string(std::istreambuf_iterator<char>(words >> std::ws), {});
+        return;
+    }
     words >> word;
     if (name == "theme") settings.theme = theme_named(word);
     if (name == "language") settings.language = language_named(word);
@@ -48,7 +52,8 @@ Settings Settings::or_else(const Settings& others) const
             .language = language ? language : others.language,
             .units = units ? units : others.units,
             .has_panels = has_panels ? has_panels : others.has_panels,
-            .window = window ? window : others.window};
+            .window = window ? window : others.window,
+            .tools = tools ? tools : others.tools};
 }
 
 std::string settings_text(const Settings& settings)
@@ -59,6 +64,7 @@ std::string settings_text(const Settings& settings)
     if (settings.units) lines << "units " << code(*settings.units) << '\n';
     if (settings.has_panels) lines << "panels " << (*settings.has_panels ? shown : hidden) << '\n';
     if (settings.window) lines << "window " << settings.window->width << ' ' << settings.window->height << '\n';
+    if (settings.tools) lines << "tools " << *settings.tools << '\n';
     return lines.str();
 }
 

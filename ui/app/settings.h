@@ -20,7 +20,8 @@ struct Settings {
     std::optional<Language> language{};
     std::optional<UnitSystem> units{}; ///< absent: those that go with the document
     std::optional<bool> has_panels{};
-    std::optional<Size> window{}; ///< [logical pixels]
+    std::optional<Size> window{};       ///< [logical pixels]
+    std::optional<std::string> tools{}; ///< how the app's own tools are set, a line in its own words
 
     /// These, and of others what they lack.
     Settings or_else(const Settings& others) const;
@@ -40,6 +41,8 @@ Settings read_settings(const std::filesystem::path& file);
 template <class Desk> void begin_as_left(Desk& desk, const Settings& settings)
 {
     desk.has_panels = *settings.has_panels;
+    if constexpr (requires { desk.take_up_tools(""); })
+        if (settings.tools) desk.take_up_tools(*settings.tools);
     if (!desk.has_panels && *settings.theme == ThemeName::Projector) desk.give_room_to_the_picture(true);
 }
 

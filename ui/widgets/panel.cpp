@@ -154,6 +154,32 @@ float room_for_words(const FootMessage& message)
     return std::max(all - width_of_buttons(message) - ImGui::GetFontSize(), 0.3F * all);
 }
 
+// A line that is pressed has a ground under the pointer, as entries of a list do.
+bool show_link(const std::string& line, std::size_t number, float wrap_at)
+{
+    const ImVec2 start = ImGui::GetCursorPos();
+    const float height = ImGui::CalcTextSize(line.c_str(), nullptr, false, wrap_at - start.x).y;
+    const bool is_pressed = ImGui::Selectable(("###link " + std::to_string(number)).c_str(), false,
+                                              ImGuiSelectableFlags_None, {wrap_at - start.x, height});
+    if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    ImGui::SetCursorPos(start);
+    wrapped_text(line, wrap_at);
+    return is_pressed;
+}
+
+// Which link is pressed, counted on after the buttons.
+std::optional<std::size_t> show_lines(const FootMessage& message, float wrap_at)
+{
+    std::optional<std::size_t> pressed;
+    for (std::size_t i = 0; i < message.lines.size(); ++i) {
+        const auto link = std::ranges::find(message.links, i);
+        if (link == message.links.end()) wrapped_text(message.lines[i], wrap_at);
+        else if (show_link(message.lines[i], i, wrap_at))
+            pressed = message.buttons.size() + static_cast<std::size_t>(link - message.links.begin());
+    }
+    return pressed;
+}
+
 } // namespace
 
 float status_height() { return ImGui::GetFrameHeight(); }
@@ -183,9 +209,8 @@ std::optional<std::size_t> show(const FootMessage& message)
     ImGui::Begin("###message", nullptr, fixed_panel | ImGuiWindowFlags_NoFocusOnAppearing);
     const ImVec2 corner = ImGui::GetCursorPos();
     const float room = room_for_words(message);
-    for (const std::string& line : message.lines) wrapped_text(line, corner.x + room);
+    std::optional<std::size_t> pressed = show_lines(message, corner.x + room);
     ImGui::SetCursorPos({ImGui::GetMainViewport()->WorkSize.x - foot_padding() - width_of_buttons(message), corner.y});
-    std::optional<std::size_t> pressed;
     for (std::size_t i = 0; i < message.buttons.size(); ++i) {
         if (ImGui::SmallButton(message.buttons[i].c_str())) pressed = i;
         ImGui::SameLine();

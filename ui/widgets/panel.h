@@ -69,9 +69,10 @@ void end_status_bar();
 struct FootMessage {
     std::vector<std::string> lines;
     std::vector<std::string> buttons; ///< at the right, with their ids: "Close###close notice"
+    std::vector<std::size_t> links{}; ///< lines that are pressed like buttons
 };
 float height(const FootMessage& message); ///< [px]
-/// \returns which button is pressed
+/// \returns which button is pressed; links count on after the buttons
 std::optional<std::size_t> show(const FootMessage& message);
 
 } // namespace ui

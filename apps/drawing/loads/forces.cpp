@@ -62,7 +62,8 @@ void draw_force(const Scene& scene, const ForcePicture& force)
                           .target = is_push ? tail : head,
                           .toward = ui::length(d) < 0.15 ? ui::Point{0.7, -0.7} : (is_push ? -d : d),
                           .gap = scene.sketch.px(5.0),
-                          .rank = Rank::Load});
+                          .rank = Rank::Load,
+                          .of = at});
 }
 
 void draw_moment(const Scene& scene, const MomentPicture& moment)

@@ -240,7 +240,8 @@ void Sketch::add_turned(ui::Label& label, const Caption& caption)
 bool Sketch::is_in_sight(const Caption& caption) const
 {
     const auto is_seen = [&](ui::Point target) { return room_.contains(target); };
-    return is_seen(caption.target) || std::any_of(caption.others.begin(), caption.others.end(), is_seen);
+    return is_seen(caption.of.value_or(caption.target)) ||
+           std::any_of(caption.others.begin(), caption.others.end(), is_seen);
 }
 
 void Sketch::write(const Request& request, const ui::PlacedLabel& place)
@@ -250,15 +251,31 @@ void Sketch::write(const Request& request, const ui::PlacedLabel& place)
     ui::draw_label(*painter_, place, request.caption.text, style);
 }
 
+namespace {
+
+/// Those that find no room look farther off.
+ui::LabelPlacement placed_far(const ui::LabelPlacer& placer, std::vector<ui::Label>& labels)
+{
+    constexpr double farther = 1.5;
+    ui::LabelPlacement near = placer.place(labels);
+    if (near.n_left_out == 0) return near;
+    for (std::size_t i = 0; i < labels.size(); ++i)
+        if (!near.labels[i]) labels[i].reach *= farther;
+    ui::LabelPlacement far = placer.place(labels);
+    return far.n_left_out < near.n_left_out ? far : near;
+}
+
+} // namespace
+
 void Sketch::write_captions()
 {
     const std::vector<PlacedSign> signs = placed_signs();
+    std::erase_if(requests_, [&](const Request& request) { return !is_in_sight(request.caption); });
     std::vector<ui::Label> labels;
     labels.reserve(requests_.size());
     for (const Request& request : requests_) labels.push_back(label_of(request));
-    const ui::LabelPlacement placed = placer_.place(labels);
-    for (std::size_t i = 0; i < requests_.size(); ++i)
-        if (!placed.labels[i] && is_in_sight(requests_[i].caption)) ++n_left_out_;
+    const ui::LabelPlacement placed = is_crowded_ ? placer_.place(labels) : placed_far(placer_, labels);
+    n_left_out_ += placed.n_left_out;
     const ui::LayerScope layer(*painter_, ui::Layer::Labels);
     for (const auto& place : placed.labels)
         if (place && place->leader)

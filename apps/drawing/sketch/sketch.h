@@ -32,6 +32,7 @@ struct Caption {
     double size = 0.0;               ///< em; 0 is the theme's normal size
     std::vector<ui::Point> others{}; ///< targets that serve as well, such as places along a member
     double reach = 90.0;             ///< how far off it may stand, with a leader
+    std::optional<ui::Point> of{};   ///< the place that decides whether it is in sight, where that is not the target
     ui::Point along{}; ///< of a member: where there is no room beside it it is written along this; zero: never
 };
 
@@ -92,7 +93,7 @@ public:
     bool is_crowded() const { return is_crowded_; }
     /// A length in the theme's symbol size.
     double px(double logical) const { return logical * symbol_scale_; }
-    /// Em of values beside those at extremes; on the projector a class reads them all.
+    /// Em of values beside those at extremes and of names of members; on the projector a class reads them all.
     double lesser_value_size() const;
     ui::Stroke stroke(ui::Role role) const;
     ui::Stroke thin(ui::Role role) const; ///< 0.7 of the role's width, solid

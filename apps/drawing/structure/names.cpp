@@ -39,7 +39,7 @@ void name_member(const Scene& scene, femoop::MemberId id)
                           .toward = -scene.projection.direction(shape.y()),
                           .gap = 2.5 + 0.5 * scene.sketch.stroke(ui::Role::Member).width,
                           .rank = Rank::Name,
-                          .size = scene.sketch.theme().type().small,
+                          .size = scene.sketch.lesser_value_size(),
                           .others = {at(0.4), at(0.6), at(0.3), at(0.7)},
                           .reach = 30.0,
                           .along = scene.projection.direction(shape.x())});

@@ -186,11 +186,17 @@ Solution solve(const Document& document)
     return solution;
 }
 
+Model without_blank_cases(const Model& model, const Solution& solution)
+{
+    Model rest = model;
+    for (const BlankCase& one : solution.blank) empty(rest, one.id);
+    return rest;
+}
+
 Model solved_model(const Model& model, const Solution& solution)
 {
-    Model solved = model;
+    Model solved = without_blank_cases(model, solution);
     solved.expected.clear();
-    for (const BlankCase& one : solution.blank) empty(solved, one.id);
     return solved;
 }
 

@@ -33,7 +33,10 @@ struct Solution {
 /// Checks and solves. Never throws for what a model may contain.
 Solution solve(const Document& document);
 
-/// The model with nothing in its blank cases: what the results are those of.
+/// The model with nothing in its blank cases.
+femoop::Model without_blank_cases(const femoop::Model& model, const Solution& solution);
+
+/// The same without what is expected: what the results are those of.
 femoop::Model solved_model(const femoop::Model& model, const Solution& solution);
 
 } // namespace frame

@@ -50,7 +50,7 @@ void put_clipboard(Desk& desk)
 {
     cancel_transform(desk);
     if (std::vector<femoop::Fault> faults = weightless(desk.session.model(), *desk.clipboard); !faults.empty()) {
-        desk.session.notice = Notice{translatable("nothing was changed, since the model would have an error"), faults};
+        desk.session.notice = refusal_of(std::move(faults));
         return;
     }
     if (desk.clipboard->holds == Clipping::Holds::Structure)

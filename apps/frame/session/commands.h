@@ -15,6 +15,7 @@
 #include "apps/frame/session/transform.h"
 #include "apps/frame/session/typical_draft.h"
 #include "apps/frame/tools/hand.h"
+#include "apps/frame/tools/kept_settings.h"
 #include "ui/command/menu_builder.h"
 #include "ui/desk/desk.h"
 #include "ui/desk/handover.h"
@@ -47,6 +48,8 @@ struct Desk : ui::Desk {
     const ui::Catalogue& tr() const { return session.view.tr; }
     std::optional<ui::UnitSystem> units() const { return session.view.units; }
     void set_language(ui::Language language) { session.set_language(language); }
+    std::string kept_tools() const { return kept_words(hand.settings()); }
+    void take_up_tools(std::string_view words) { take_up(hand.settings(), words); }
     void give_room_to_the_picture(bool all) { has_panels = !all; }
     void open(const std::filesystem::path& path);
     void tell(const ui::Phrase& sentence) { session.notice = Notice{sentence, {}}; }

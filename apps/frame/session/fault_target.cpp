@@ -69,7 +69,8 @@ std::vector<std::string> names_in(const Fault& fault)
 bool names_members(FaultKind kind)
 {
     return kind == FaultKind::MechanismMemberSwings || kind == FaultKind::MechanismMemberFlies ||
-           kind == FaultKind::ConstraintConflict;
+           kind == FaultKind::ConstraintConflict || kind == FaultKind::CrossRigidMember ||
+           kind == FaultKind::CrossSkewOffset || kind == FaultKind::CrossAxialSpring;
 }
 
 /// Of a fault that the analysis found: the nodes or members that it names.

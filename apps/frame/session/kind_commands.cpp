@@ -39,9 +39,7 @@ std::optional<Notice> why_not_into(const Model& now, const Model& next)
     Reread after = reread(next);
     const bool was_sound = after.faults.empty();
     std::erase_if(after.faults, [&](const Fault& fault) { return std::ranges::find(before, fault) != before.end(); });
-    if (!after.faults.empty())
-        return Notice{translatable("nothing was changed, since the model would have an error"),
-                      named(std::move(after.faults), next)};
+    if (!after.faults.empty()) return refusal_of(named(std::move(after.faults), next));
     if (!was_sound || after.is_whole) return std::nullopt;
     return passing_notice({translatable("nothing was changed: {kind} has no place for a part of the model"),
                            {{"kind", ui::Phrase(label_of(next.analysis))}}});

@@ -43,6 +43,41 @@ std::vector<femoop::MemberId> members_named(const femoop::Model& model, const st
     return members;
 }
 
+/// The case with what acts on parts that the other model has too, by their names.
+femoop::LoadCase carried(femoop::LoadCase load_case, const femoop::Model& from, const femoop::Model& to)
+{
+    const auto find_node = [&](femoop::NodeId id) { return to.find_node(from[id].id); };
+    const auto find_member = [&](femoop::MemberId id) { return to.find_member(from[id].id); };
+    std::erase_if(load_case.nodes, [&](const auto& load) { return !find_node(load.node); });
+    std::erase_if(load_case.settlements, [&](const auto& load) { return !find_node(load.node); });
+    std::erase_if(load_case.members, [&](const auto& load) { return !find_member(load.member); });
+    for (auto& load : load_case.nodes) load.node = *find_node(load.node);
+    for (auto& settlement : load_case.settlements) settlement.node = *find_node(settlement.node);
+    for (auto& load : load_case.members) load.member = *find_member(load.member);
+    return load_case;
+}
+
+femoop::Combination carried(femoop::Combination combination, const femoop::Model& from, const femoop::Model& to)
+{
+    const auto find_case = [&](femoop::CaseId id) { return to.find_case(from.case_name(id)); };
+    std::erase_if(combination.terms, [&](const auto& term) { return !find_case(term.of); });
+    for (auto& term : combination.terms) term.of = *find_case(term.of);
+    return combination;
+}
+
+/// Faulty cases were handed over empty, so they keep what they have.
+void keep_blank_cases(femoop::Model& next, const Session& session)
+{
+    const femoop::Model& now = session.model();
+    for (const BlankCase& blank : session.solution().blank) {
+        const auto to = next.find_case(now.case_name(blank.id));
+        const std::size_t n = now.load_cases.size(), n_next = next.load_cases.size();
+        if (!to || (blank.id.index < n) != (to->index < n_next)) continue;
+        if (to->index < n_next) next.load_cases[to->index] = carried(now.load_cases[blank.id.index], now, next);
+        else next.combinations[to->index - n_next] = carried(now.combinations[blank.id.index - n], now, next);
+    }
+}
+
 } // namespace
 
 void LinkedPrograms::add(ui::Link link, const Session& session, const ui::Handover& handed)
@@ -166,6 +201,7 @@ void LinkedPrograms::take_structure(Session& session, const Handed& handed, cons
                          "hand over the whole structure instead"));
         return;
     }
+    keep_blank_cases(*model, session);
     session.change_soundly({translatable("Structure from moment distribution"),
                             [next = *std::move(model)](Document& document) { document.model = next; }});
 }

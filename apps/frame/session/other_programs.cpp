@@ -36,10 +36,13 @@ namespace {
 
 // ---- moment distribution
 
-femoop::Excerpt excerpt(const Session& session, const std::vector<MemberId>& members)
+/// A case that is faulty is empty, so that it hinders no other.
+femoop::Excerpt excerpt(const Session& session, const std::vector<MemberId>& members, femoop::CaseId load_case)
 {
-    if (members.size() == session.model().members.size()) return {.model = session.model(), .held = {}};
-    return excerpt_of(session.model(), members);
+    const bool is_sound = session.solution().blank_case(load_case) == nullptr;
+    femoop::Model model = is_sound ? without_blank_cases(session.model(), session.solution()) : session.model();
+    if (members.size() == model.members.size()) return {.model = std::move(model), .held = {}};
+    return excerpt_of(model, members);
 }
 
 } // namespace
@@ -56,11 +59,13 @@ std::vector<MemberId> chosen_members(const Session& session)
 
 Offer moment_distribution(const Session& session, const std::vector<MemberId>& members, femoop::CaseId load_case)
 {
-    const femoop::Model model = excerpt(session, members).model;
+    const femoop::Model model = excerpt(session, members, load_case).model;
     cross::Document document{.model = model};
     document.method.load_case = load_case;
     if (auto solution = cross::solve(document); !solution.faults.empty())
-        return Notice{translatable("moment distribution cannot do this"), named(std::move(solution.faults), model)};
+        return Notice{.sentence = translatable("moment distribution cannot do this"),
+                      .faults = named(std::move(solution.faults), model),
+                      .is_about_model = true};
     document = cross::read_document(femoop::write_model(model)); // with the method that the file asks for
     document.method.load_case = load_case;
     return ui::Handover{.program = "cross", .document = cross::write_document(document)};
@@ -73,7 +78,7 @@ Offer moment_distribution(const Session& session)
 
 std::string held_nodes(const Session& session)
 {
-    const femoop::Excerpt chosen = excerpt(session, chosen_members(session));
+    const femoop::Excerpt chosen = excerpt(session, chosen_members(session), session.view.load_case);
     std::string names;
     for (const femoop::NodeId node : chosen.held) names += (names.empty() ? "" : ", ") + chosen.model[node].id;
     return names;
@@ -144,14 +149,21 @@ std::optional<Cut> worst_cut(const Session& session)
 std::optional<Phrase> why_no_forces(const Session& session)
 {
     using enum femoop::AnalysisKind;
-    if (const auto reason = session.why_no_results()) return reason;
+    if (session.hidden || !session.solution().results) return session.why_no_results();
     if (session.model().n_cases() == 0) return Phrase(translatable("the model has no load case; add one first"));
-    if (session.view.is_envelope)
-        return Phrase(translatable("an envelope is no state of a section; choose a load case"));
     if (session.model().analysis != Frame2d && session.model().analysis != Truss2d)
         return Phrase(translatable(
             "a section's circle is that of a plane frame or truss; here members bend in other planes too"));
     return std::nullopt;
+}
+
+/// Of the case that is shown.
+std::optional<Phrase> why_no_forces_here(const Session& session)
+{
+    if (auto reason = why_no_forces(session)) return reason;
+    if (session.view.is_envelope)
+        return Phrase(translatable("an envelope is no state of a section; choose a load case"));
+    return session.why_no_results();
 }
 
 mohr::Document section_document(const Session& session, const Cut& cut, femoop::CaseId load_case,
@@ -185,7 +197,7 @@ mohr::Document section_document(const Session& session, const Cut& cut, femoop::
 
 std::optional<Cut> cut_for_circle(const Session& session)
 {
-    if (why_no_forces(session)) return std::nullopt;
+    if (why_no_forces_here(session)) return std::nullopt;
     return session.pin ? session.pin : session.hover ? session.hover : worst_cut(session);
 }
 
@@ -222,7 +234,7 @@ std::variant<NamedFigure, Phrase> figure_of(const femoop::Model& model, MemberId
 /// Without the work of handing it over: it is asked for in every frame that shows the command.
 std::optional<Phrase> why_no_circle(const Session& session)
 {
-    if (auto reason = why_no_forces(session)) return reason;
+    if (auto reason = why_no_forces_here(session)) return reason;
     const auto cut = cut_for_circle(session);
     if (!cut || cut->member.index >= session.model().members.size())
         return Phrase(translatable("point at a section of a member, or select one member"));

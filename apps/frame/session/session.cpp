@@ -35,6 +35,13 @@ std::uint64_t next_number()
 
 } // namespace
 
+Notice refusal_of(std::vector<femoop::Fault> faults)
+{
+    return {.sentence = translatable("nothing was changed, since the model would have an error"),
+            .faults = std::move(faults),
+            .is_about_model = true};
+}
+
 Notice passing_notice(ui::Phrase sentence)
 {
     constexpr double seconds_to_read = 6.0;
@@ -88,9 +95,10 @@ bool Session::change_soundly(const Change& wanted)
         const bool is_error = femoop::severity(fault.kind) == femoop::Severity::Error;
         return !is_error || std::ranges::find(solution_.faults, fault) != solution_.faults.end();
     });
-    if (faults.empty()) take(wanted, std::move(outcome));
-    else notice = Notice{translatable("nothing was changed, since the model would have an error"), faults};
-    return faults.empty();
+    const bool is_sound = faults.empty();
+    if (is_sound) take(wanted, std::move(outcome));
+    else notice = refusal_of(std::move(faults));
+    return is_sound;
 }
 
 std::optional<ui::Phrase> Session::change(const Change& change)

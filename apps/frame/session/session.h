@@ -34,10 +34,13 @@ struct Notice {
     /// A file that was understood, but whose structure has errors: it can be opened to be mended.
     std::optional<std::filesystem::path> to_mend{};
     std::optional<double> seconds_left{}; ///< then it goes by itself; until it is closed when absent
+    bool is_about_model = false;          ///< the faults lie in the model that is open: a click on one goes there
 };
 
 /// A notice that needs no answer: it goes when it has been read.
 Notice passing_notice(ui::Phrase sentence);
+/// A change was not made, since the model that is open would get these faults.
+Notice refusal_of(std::vector<femoop::Fault> faults);
 
 /// What is open and how it is looked at: the app without its window. The document changes through `change` alone; its
 /// solution follows.

@@ -163,13 +163,26 @@ Table data_table(const Model& model, TableKind kind, const Manner& manner)
     return table;
 }
 
-std::string sentence(const CellFault& fault, const Table& table, const ui::Catalogue& tr)
+namespace {
+
+std::string place_words(const CellFault& fault, const Table& table, const ui::Catalogue& tr)
 {
     const std::string row = std::to_string(fault.row + 1);
-    if (fault.column >= table.headings.size())
-        return tr("row {row}: {reason}", {{"row", row}, {"reason", fault.reason}});
-    return tr("row {row}, {column}: {reason}",
-              {{"row", row}, {"column", table.headings[fault.column].column.label()}, {"reason", fault.reason}});
+    if (fault.column >= table.headings.size()) return tr("row {row}", {{"row", row}});
+    return tr("row {row}, {column}", {{"row", row}, {"column", table.headings[fault.column].column.label()}});
+}
+
+} // namespace
+
+std::string sentence(const std::vector<CellFault>& faults, const Table& table, const ui::Catalogue& tr)
+{
+    const std::string first = place_words(faults.front(), table, tr) + ": " + faults.front().reason;
+    std::string others;
+    constexpr std::size_t most = 3;
+    for (std::size_t i = 1; i < faults.size() && i <= most; ++i)
+        others += (i > 1 ? "; " : "") + place_words(faults[i], table, tr);
+    if (faults.size() > most + 1) others += "; …";
+    return others.empty() ? first : tr("{sentence}. See also: {cells}", {{"sentence", first}, {"cells", others}});
 }
 
 Filled filled(const Document& document, TableKind kind, const Target& target, const TextBlock& texts,

@@ -26,8 +26,8 @@ struct CellFault {
     std::size_t row = 0, column = 0;
     std::string reason;
 };
-/// "row 3, x [m]: ..."
-std::string sentence(const CellFault& fault, const Table& table, const ui::Catalogue& tr);
+/// "row 3, x [m]: ..."; of several the first one with its reason, and where the next ones are. \pre there are some
+std::string sentence(const std::vector<CellFault>& faults, const Table& table, const ui::Catalogue& tr);
 
 /// The document with the block in its cells, or everything that hinders it; then the document is the one that was.
 struct Filled {

@@ -35,7 +35,7 @@ std::variant<std::size_t, std::string> place_of_name(const Entries& list, const 
     constexpr std::size_t most = 12;
     for (std::size_t i = 0; i < list.size() && i < most; ++i) names += (i > 0 ? ", " : "") + list[i].id;
     if (list.size() > most) names += ", …";
-    return entry.manner.tr("there is no \"{text}\"; there are {names}", {{"text", entry.text}, {"names", names}});
+    return entry.manner.tr("\"{text}\" is not there; choose from {names}", {{"text", entry.text}, {"names", names}});
 }
 
 } // namespace frame

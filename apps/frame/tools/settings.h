@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <string>
 
 #include "apps/drawing/moment_side.h"
 #include "apps/frame/document/drawing_names.h"
@@ -28,7 +28,7 @@ struct ToolSettings {
     femoop::CaseId load_case;                     ///< that is shown
     MomentSide moment_side = MomentSide::Tension; ///< on which a positive moment is drawn
     WorkingPlane plane{};                         ///< of what is drawn in space
-    std::optional<femoop::Quantity> spacing;      ///< of the grid's lines as it was typed; a round one when absent
+    std::string spacing{};                        ///< of the grid's lines, with its unit: "0.75 m"; "": a round one
     double grid = 1.0;                            ///< their distance at the scale of the picture [length]
     bool draws_to_grid = true;
     bool draws_to_parts = true; ///< nodes, members, and rays from where drawing began

@@ -18,7 +18,10 @@ std::string button(const ui::Catalogue& tr, std::string_view label, const char* 
 ui::FootMessage message_of(const Notice& notice, const ui::Catalogue& tr)
 {
     ui::FootMessage message{{tr(notice.sentence)}, {button(tr, ui::translatable("Close"), "###close notice")}};
-    for (const femoop::Fault& fault : notice.faults) message.lines.push_back("• " + sentence(fault, tr));
+    for (const femoop::Fault& fault : notice.faults) {
+        if (notice.is_about_model) message.links.push_back(message.lines.size());
+        message.lines.push_back("• " + sentence(fault, tr));
+    }
     if (notice.to_mend) message.buttons.push_back(button(tr, ui::translatable("Open all the same"), "###open notice"));
     return message;
 }
@@ -44,13 +47,14 @@ Hindrance hindrance(const Session& session)
 // One line, so that the picture keeps its room while a model is mended.
 ui::FootMessage message_of(const Hindrance& hindrance, const ui::Catalogue& tr)
 {
-    const std::size_t n_more = hindrance.faults.size() - 1;
+    const std::size_t n = hindrance.faults.size();
     std::string line = hindrance.head.empty() ? sentence(hindrance.faults.front(), tr) : hindrance.head;
-    if (hindrance.head.empty() && n_more > 0)
-        line += "   " + tr("… and {count} more", {{"count", std::to_string(n_more)}});
+    if (hindrance.head.empty() && n > 1)
+        line = tr("First of {count} problems: {sentence}", {{"count", std::to_string(n)}, {"sentence", line}});
     return {{std::move(line)},
             {button(tr, ui::translatable("Go there"), "###go to fault"),
-             button(tr, ui::translatable("Problems"), "###problems")}};
+             button(tr, ui::translatable("Problems"), "###problems")},
+            {0}};
 }
 
 void show_problems(Desk& desk)
@@ -75,9 +79,13 @@ void show_banner(Desk& desk, const ui::FootMessage& message)
     if (!pressed) return;
     if (!desk.session.notice) {
         const Hindrance found = hindrance(desk.session);
-        if (*pressed == 0 && !found.faults.empty()) go_to(desk, found.faults.front());
-        else show_problems(desk);
+        if (*pressed == 1 || found.faults.empty()) show_problems(desk);
+        else go_to(desk, found.faults.front()); // by its button or its sentence
         return;
+    }
+    if (*pressed >= message.buttons.size()) {
+        const femoop::Fault fault = desk.session.notice->faults.at(*pressed - message.buttons.size());
+        return go_to(desk, fault); // the notice stays for the next one
     }
     const std::optional<std::filesystem::path> to_mend = desk.session.notice->to_mend;
     desk.session.notice.reset();

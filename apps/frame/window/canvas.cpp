@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -13,10 +14,12 @@
 #include "apps/frame/session/load_commands.h"
 #include "apps/frame/session/snapping.h"
 #include "apps/frame/session/work.h"
+#include "apps/frame/tools/kept_settings.h"
 #include "apps/frame/tools/load_tool.h"
 #include "apps/frame/view/kept_view.h"
 #include "apps/frame/view/motion_words.h"
 #include "apps/frame/view/predict/guess_picture.h"
+#include "apps/frame/window/banner.h"
 #include "apps/frame/window/blank_picture.h"
 #include "apps/frame/window/hand_picture.h"
 
@@ -84,14 +87,20 @@ void Canvas::fit(Session& session)
 bool Canvas::FittedFor::serves(const FittedFor& wanted) const
 {
     const bool has_room = has_pencil || !wanted.has_pencil;
+    const bool is_tight = std::ranges::equal(factors, wanted.factors, std::ranges::less_equal());
     return session == wanted.session && sheet == wanted.sheet && layout == wanted.layout && theme == wanted.theme &&
-           is_in_space == wanted.is_in_space && has_room;
+           is_in_space == wanted.is_in_space && has_room && is_tight;
 }
 
 Canvas::FittedFor Canvas::wanted_fit(const Session& session, const DrawOptions& options) const
 {
-    return {session.number(),    sheet_, options.layout, options.theme, is_seen_in_space(session.model().analysis),
-            is_sketched(session)};
+    return {session.number(),
+            whole_sheet(),
+            options.layout,
+            options.theme,
+            is_seen_in_space(session.model().analysis),
+            is_sketched(session),
+            {options.diagram_factor, options.load_factor, options.symbol_factor}};
 }
 
 void Canvas::follow_structure(Desk& desk)
@@ -107,7 +116,7 @@ void Canvas::follow_structure(Desk& desk)
     const std::optional<GuessPicture> guess = guess_picture(session, options);
     const FittedFor wanted = wanted_fit(session, options);
     const bool must_rest = is_working_ || session.history().is_dragging();
-    const bool can_rest = fitted_for_ && fitted_for_->session == session_ && fitted_for_->sheet == sheet_;
+    const bool can_rest = fitted_for_ && fitted_for_->session == session_ && fitted_for_->sheet == whole_sheet();
     const bool is_resting = must_rest && can_rest;
     const bool is_fitted = is_resting || (fitted_for_ && fitted_for_->serves(wanted) && is_all_in_sight(desk));
     is_just_fitted_ = !state.camera && !is_fitted;
@@ -134,7 +143,7 @@ void Canvas::hold_still(Session& session, const Subject::Plan& before)
 bool Canvas::is_all_in_sight(const Desk& desk) const
 {
     if (plan_.panels.empty()) return false;
-    const bool is_at_rest = desk.hand.kind() == ToolKind::Select && !shown_mechanism(desk);
+    const bool is_at_rest = desk.hand.kind() == ToolKind::Select && !shown_mechanism(desk) && lent_ <= 0.0;
     if (is_at_rest && was_whole_ && !drawn_.is_whole) return false;
     const ui::Box box = plan_.panels.front().box;
     const Projection projection(plan_.camera, box.min);
@@ -207,6 +216,8 @@ void Canvas::show(Desk& desk, ui::ImGuiSession& gui)
     if (room.x < 8.0F || room.y < 8.0F) return;
     corner_ = {static_cast<double>(corner.x / scale), static_cast<double>(corner.y / scale)};
     sheet_ = {static_cast<double>(room.x / scale), static_cast<double>(room.y / scale)};
+    const auto told = banner(desk);
+    lent_ = told ? static_cast<double>((ui::height(*told) - ui::status_height()) / scale) : 0.0;
     follow_structure(desk);
     look_at_region(desk);
 
@@ -234,7 +245,7 @@ void Canvas::follow(Desk& desk, const Pointer& pointer)
     if (!pointer.is_over) return;
     const Projection projection = projection_at(pointer.at);
     ToolSettings& settings = desk.hand.settings();
-    settings.grid = settings.spacing ? settings.spacing->value() : grid_of(projection);
+    settings.grid = typed_spacing(settings, session.model().units).value_or(grid_of(projection));
     settings.load_case = session.view.load_case;
     settings.moment_side = session.view.moment_side;
     Pick under = pick(shape_, projection, pointer.at, session.shown_results() ? session.view.show : ShowSet{});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -70,6 +71,7 @@ private:
 
     const ui::Fonts& fonts_;
     ui::Size sheet_{};
+    double lent_ = 0.0; ///< of the sheet's height to what is told at the window's foot, which must not move the picture
     ui::Point corner_{}; ///< of the sheet in the window [logical pixels]
     /// What the fitted camera was made for: it is made anew when one of these changes, and not when a part, a load or
     /// what is shown does, so that the picture rests under the hand.
@@ -79,11 +81,13 @@ private:
         Layout layout;
         ui::ThemeName theme;
         bool is_in_space;
-        bool has_pencil; ///< a guess needs room beside the structure
+        bool has_pencil;               ///< a guess needs room beside the structure
+        std::array<double, 3> factors; ///< of diagrams, loads and symbols: what shrinks gives its room back
 
         bool serves(const FittedFor& wanted) const;
     };
     FittedFor wanted_fit(const Session& session, const DrawOptions& options) const;
+    ui::Size whole_sheet() const { return {sheet_.width, sheet_.height + lent_}; }
     void hold_still(Session& session, const Subject::Plan& before);
 
     StructureShape shape_;

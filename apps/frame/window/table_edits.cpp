@@ -75,10 +75,7 @@ bool TablesPanel::fill(Desk& desk, const GridEdit& edit)
                            session.manner());
     message_.clear();
     if (!result.faults.empty()) {
-        message_ = sentence(result.faults.front(), table_, session.view.tr);
-        if (result.faults.size() > 1)
-            message_ += " " +
-                        session.view.tr("(and {count} more)", {{"count", std::to_string(result.faults.size() - 1)}});
+        message_ = sentence(result.faults, table_, session.view.tr);
         return false;
     }
     if (result.document == session.document()) return true;
@@ -93,12 +90,14 @@ bool TablesPanel::fill_draft(Desk& desk, const GridEdit& edit)
 {
     std::vector<std::string> line = grid_.draft;
     line[edit.column] = edit.texts.front().front();
-    const Filled result = filled(desk.session.document(), kind_, {edit.row, 0, grid_.order()}, {line},
-                                 desk.session.manner());
-    const auto concerns_text = [&](const CellFault& fault) {
-        return fault.column < line.size() && !line[fault.column].empty();
-    };
-    if (std::ranges::any_of(result.faults, concerns_text)) return fill(desk, {edit.row, 0, {line}});
+    Filled result = filled(desk.session.document(), kind_, {edit.row, 0, grid_.order()}, {line}, desk.session.manner());
+    std::erase_if(result.faults, [&](const CellFault& fault) { // what is still to be typed is no fault
+        return fault.column >= line.size() || line[fault.column].empty();
+    });
+    if (!result.faults.empty()) {
+        message_ = sentence(result.faults, table_, desk.session.view.tr);
+        return false;
+    }
     grid_.draft = line;
     if (fill(desk, {edit.row, 0, {line}})) grid_.draft.assign(line.size(), "");
     return true;

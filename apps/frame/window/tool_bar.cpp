@@ -7,8 +7,10 @@
 
 #include "apps/frame/session/edit_commands.h"
 #include "apps/frame/session/plane_commands.h"
+#include "apps/frame/tools/kept_settings.h"
 #include "apps/frame/window/number_row.h"
 #include "apps/frame/window/tool_icon.h"
+#include "femoop/model/quantity/number_text.h"
 
 namespace frame {
 
@@ -101,22 +103,49 @@ void load_settings(Desk& desk, ui::NumberFields& fields)
     ImGui::SameLine();
 }
 
+constexpr std::string_view grid_label = translatable("Grid"), snap_label = translatable("Snap");
+
+/// How the switches of the grid stand in a bar of this width [px]: the unit goes first, then their words; where there is
+/// no room at all the menu Draw has them.
+struct SnapLook {
+    bool has_words = true, is_tight = false, has_room = true;
+
+    SnapLook(const std::string& words, const std::string& unit, float room)
+    {
+        const ImGuiStyle& style = ImGui::GetStyle();
+        const float gap = style.ItemSpacing.x, tick = ImGui::GetFrameHeight() + gap;
+        const auto width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
+        const float of_words = width(words) + 2.0F * style.ItemInnerSpacing.x;
+        is_tight = 2.0F * tick + of_words + wide() + width(unit) + 2.0F * gap > room;
+        has_words = !is_tight || 2.0F * tick + of_words + narrow() <= room;
+        has_room = has_words || 2.0F * tick + narrow() <= room;
+    }
+    float field() const { return is_tight ? narrow() : wide(); }
+
+private:
+    static float wide() { return 6.0F * ImGui::GetFontSize(); }
+    static float narrow() { return 3.2F * ImGui::GetFontSize(); }
+};
+
 // The distance of the grid's lines: a round one that suits the scale where nothing was typed.
-void spacing_field(Desk& desk, ui::NumberFields& fields)
+void spacing_field(Desk& desk, ui::NumberFields& fields, const SnapLook& look)
 {
     const Session& session = desk.session;
     const ui::DisplayUnits units = session.units();
-    std::optional<femoop::Quantity>& spacing = desk.hand.settings().spacing;
-    const std::string shown = spacing ? units.number(*spacing, ui::Measure::Length) : session.view.tr("automatic");
-    const ui::NumberFieldEvent event = fields.show("grid spacing", {.text = shown,
-                                                                    .exact_text = spacing ? shown : "",
-                                                                    .value = std::nullopt,
-                                                                    .width = 6.0F * ImGui::GetFontSize()});
+    ToolSettings& settings = desk.hand.settings();
+    const std::optional<double> spacing = typed_spacing(settings, session.model().units);
+    const std::string_view round = look.is_tight ? translatable("auto") : translatable("automatic");
+    const std::string shown = spacing ? units.number(femoop::Quantity(*spacing), ui::Measure::Length)
+                                      : session.view.tr(round);
+    const ui::NumberFieldEvent event = fields.show(
+        "grid spacing",
+        {.text = shown, .exact_text = spacing ? shown : "", .value = std::nullopt, .width = look.field()});
     if (event.kind != ui::NumberFieldEvent::Kind::Typed) return;
-    if (event.text.find_first_not_of(' ') == std::string::npos) return spacing.reset();
+    if (event.text.find_first_not_of(' ') == std::string::npos) return settings.spacing.clear();
     const auto typed = quantity_typed(event.text, ui::Measure::Length, session.model().units, units);
     const auto* const wanted = std::get_if<femoop::Quantity>(&typed);
-    if (wanted != nullptr && wanted->value() > 0.0) spacing = *wanted;
+    if (wanted != nullptr && wanted->value() > 0.0)
+        settings.spacing = femoop::quantity_text(wanted->value(), femoop::dimension::length, session.model().units);
     else
         fields.reject(
             event,
@@ -128,20 +157,23 @@ void spacing_field(Desk& desk, ui::NumberFields& fields)
 void snap_settings(Desk& desk, const CommandTable& commands, ui::NumberFields& fields)
 {
     const ui::Catalogue& tr = desk.session.view.tr;
+    const std::string unit = desk.session.units().unit(ui::Measure::Length).name;
+    const SnapLook look(tr(grid_label) + tr(snap_label), unit, ImGui::GetContentRegionAvail().x);
+    if (!look.has_room) return;
     const auto tick = [&](const char* id, std::string_view label) {
         const auto& command = *commands.find(id);
         bool is_on = command.is_on(desk);
-        if (ImGui::Checkbox((tr(label) + "###" + id).c_str(), &is_on)) run(command, desk);
+        if (ImGui::Checkbox(((look.has_words ? tr(label) : "") + "###" + id).c_str(), &is_on)) run(command, desk);
         if (ImGui::IsItemHovered())
             ImGui::SetTooltip("%s", (tr(command.label) + "  (" + text(command.shortcuts.front()) + ")").c_str());
         ImGui::SameLine();
     };
-    tick("draw.grid", translatable("Grid"));
-    spacing_field(desk, fields);
+    tick("draw.grid", grid_label);
+    spacing_field(desk, fields, look);
     ImGui::SameLine();
-    ImGui::TextUnformatted(desk.session.units().unit(ui::Measure::Length).name.c_str());
-    ImGui::SameLine();
-    tick("draw.snap", translatable("Snap"));
+    if (!look.is_tight) ImGui::TextUnformatted(unit.c_str());
+    if (!look.is_tight) ImGui::SameLine();
+    tick("draw.snap", snap_label);
 }
 
 // In space: the plane that a click means a place of.

@@ -4,6 +4,8 @@
 #include "apps/drawing/draw.h"
 #include "femoop/analysis/linear_static.h"
 #include "tests/apps/drawing/view_model.h"
+#include "ui/paint/label_placement.h"
+#include "ui/paint/theme.h"
 
 #include <algorithm>
 #include <chrono>
@@ -203,6 +205,45 @@ TEST_CASE("Two hundred members with a diagram and its values are drawn in a fram
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     CHECK(painter.picture().n_shapes() > 400);
     CHECK(taken.count() < 0.5); // milliseconds when nothing else runs; the bound is for sanitizers and busy machines
+}
+
+TEST_CASE("What is said of a place outside the sheet leaves nothing in it, and is not counted as without room")
+{
+    const ui::Fonts fonts;
+    femoop::Model model = view_test::simple_beam(8.0, 6.5); // 400 px long, from 70 px left of the sheet
+    model.nodes.front().id = "LEFT";
+    model.load_cases.front().nodes.push_back({femoop::NodeId(0), {{femoop::Dof::uy, femoop::Quantity(-7.25)}}});
+    const femoop::Results results = femoop::analyse(model);
+    ui::Painter painter({600.0, 400.0}, fonts);
+    draw(painter, {model, &results}, {.show = {Show::Loads, Show::NodeNames, Show::Reactions, Show::Values}},
+         {.camera = ui::PlaneCamera({-70.0, 200.0}, 50.0)});
+    view_test::Marks marks(fonts);
+    painter.picture().draw_on(marks);
+    CHECK_FALSE(marks.has_text("LEFT"));
+    CHECK_FALSE(marks.has_text("7.25 kN"));
+    CHECK(marks.has_text("6.5 kN/m"));
+    for (const auto& text : marks.texts) CHECK(text.words.find("without room") == std::string::npos);
+}
+
+TEST_CASE("On the projector no name of the portal is smaller than its values or without room")
+{
+    const ui::Fonts fonts;
+    const femoop::Model model = view_test::example("portal");
+    const femoop::Results results = femoop::analyse(model);
+    const ui::Theme theme(ui::ThemeName::Projector);
+    ui::Painter painter({1280.0, 690.0}, fonts);
+    draw(
+        painter, {model, &results},
+        {.show = parse_show("loads,reactions,M,labels"), .theme = ui::ThemeName::Projector, .layout = Layout::Overlay});
+    view_test::Marks marks(fonts);
+    painter.picture().draw_on(marks);
+    const ui::Size value = ui::label_size(fonts, "42.68", theme.text(ui::Role::BendingMoment));
+    for (const char* const name : {"A", "B", "C", "D", "AB", "BC", "CD"}) {
+        CAPTURE(name);
+        const auto found = std::ranges::find(marks.texts, name, &view_test::Marks::Text::words);
+        REQUIRE(found != marks.texts.end());
+        CHECK(found->box.height() >= value.height - 1e-9);
+    }
 }
 
 TEST_SUITE_END();

@@ -40,6 +40,22 @@ std::string selected(const Desk& desk)
 
 TEST_SUITE("frame fault target")
 {
+    TEST_CASE("A fault of an excerpt or of a model that was refused goes to what has its names, else nowhere")
+    {
+        Desk desk = desk_of(portal());
+        const auto about = [&](std::string place) {
+            desk.session.selection.clear();
+            go_to(desk, {femoop::FaultKind::PositionBeyondEnd, {std::move(place), "9 m", "CD", "4.5 m"}});
+            return selected(desk);
+        };
+        CHECK(about("members[0] \"CD\"") == "Member CD"); // of an excerpt, in which it is the first
+        CHECK(about("members[1] \"BC\"") == "Member BC");
+        CHECK(about("members[1] \"XY\"") == "");
+        desk.session.selection.clear();
+        go_to(desk, {femoop::FaultKind::CrossRigidMember, {"AB"}});
+        CHECK(selected(desk) == "Member AB");
+    }
+
     TEST_CASE("What a load lacks elsewhere selects the member, shows its case and opens the cell that lacks it")
     {
         femoop::Model model = portal();

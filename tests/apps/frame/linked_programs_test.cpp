@@ -196,6 +196,31 @@ TEST_SUITE("frame session")
         CHECK_FALSE(other.copy.offered());
     }
 
+    TEST_CASE("A faulty case keeps its loads when the structure of moment distribution is taken over")
+    {
+        Desk desk = desk_with_beam();
+        desk.session.change(
+            {ui::Phrase("load"), [](Document& document) {
+                 document.model.load_cases.push_back(
+                     {.id = "gone",
+                      .members = {{MemberId(1),
+                                   femoop::PointLoad{.at = femoop::Quantity(80.0),
+                                                     .components = {{femoop::Dof::uy, femoop::Quantity(-7.0)}}}}}});
+             }});
+        const auto faulty = desk.session.model().load_cases.back();
+        REQUIRE(desk.session.solution().blank.size() == 1);
+        LinkedPrograms linked;
+        auto other = started<cross::Session>(desk, linked, moment_distribution(desk.session));
+        femoop::Model next = other.session.document().model;
+        next.sections.front().profile = "HEB 200";
+        other.session.change(next, ui::Phrase("section"));
+        exchange(desk, linked, other);
+        REQUIRE(linked.offering(desk));
+        linked.take_over(desk);
+        CHECK(*desk.session.model().sections.front().profile == "HEB 200");
+        CHECK(desk.session.model().load_cases.back() == faulty);
+    }
+
     TEST_CASE("A part of the structure is told why it is not taken back")
     {
         Desk desk = desk_with_beam();

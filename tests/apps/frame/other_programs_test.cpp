@@ -101,6 +101,28 @@ TEST_SUITE("frame session")
         CHECK(held_nodes(session).empty());
     }
 
+    TEST_CASE("A case is handed over though another one is faulty, and a faulty one is refused with its reason")
+    {
+        femoop::Model model = beam(rectangle());
+        model.load_cases.push_back(
+            {.id = "gone",
+             .members = {{MemberId(0), femoop::PointLoad{.at = femoop::Quantity(2.0 * L),
+                                                         .components = {{Dof::uy, femoop::Quantity(-7.0)}}}}}});
+        Session session = session_with(model);
+        REQUIRE(session.solution().blank_case(femoop::CaseId(2)));
+        const cross::Document whole = cross::read_document(handed(moment_distribution(session)).document);
+        CHECK(cross::solve(whole).faults.empty());
+        CHECK(whole.model.case_name(whole.method.load_case) == "first");
+        session.selection = Part(MemberId(0));
+        CHECK(cross::solve(cross::read_document(handed(moment_distribution(session)).document)).faults.empty());
+        CHECK(circle_of(session).section);
+        const Cut cut = *cut_for_circle(session);
+        session.view.load_case = femoop::CaseId(2);
+        CHECK(std::holds_alternative<Notice>(moment_distribution(session)));
+        CHECK(std::holds_alternative<Notice>(circle_at_section(session)));
+        CHECK(std::holds_alternative<ui::Handover>(circle_at(session, cut, femoop::CaseId(0)))); // a link goes on
+    }
+
     TEST_CASE("Selected members alone are handed over and fixed where they met others")
     {
         Session session = session_with(beam(rectangle()));

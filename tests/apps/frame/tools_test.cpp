@@ -14,6 +14,7 @@
 #include "apps/frame/tools/dimension_tool.h"
 #include "apps/frame/tools/grid.h"
 #include "apps/frame/tools/hand.h"
+#include "apps/frame/tools/kept_settings.h"
 #include "apps/frame/tools/load_tool.h"
 #include "apps/frame/tools/member_tool.h"
 #include "apps/frame/tools/node_tool.h"
@@ -141,6 +142,28 @@ TEST_SUITE("frame tools")
         CHECK(snapped(24.63, 4.81, from_column).place.isApprox(Vector2d(24.6, 4.75)));
         const Snap slanting = snapped(23.1, 7.6, from_column); // at 45 degrees, 4.06 long
         CHECK((slanting.place - *from_column.from).norm() == doctest::Approx(4.0));
+    }
+
+    TEST_CASE("How drawing snaps is remembered in words, and the typed grid is as wide in a model of other units")
+    {
+        frame::ToolSettings left;
+        left.draws_to_parts = false;
+        left.spacing = "0.75 m";
+        CHECK(frame::kept_words(left) == "grid on 0.75 m snap off");
+        frame::ToolSettings begun;
+        frame::take_up(begun, frame::kept_words(left));
+        CHECK(frame::kept_words(begun) == frame::kept_words(left));
+        CHECK(frame::typed_spacing(begun, femoop::Units{.length = femoop::LengthUnit::mm}) == 750.0);
+        frame::take_up(begun, frame::kept_words(frame::ToolSettings{}));
+        CHECK_FALSE(frame::typed_spacing(begun, {}));
+        for (const char* const words : {"", "mesh off", "grid perhaps 7 mules snap"}) {
+            CAPTURE(words);
+            frame::ToolSettings settings;
+            frame::take_up(settings, words);
+            CHECK(settings.draws_to_grid);
+            CHECK(settings.draws_to_parts);
+            CHECK_FALSE(frame::typed_spacing(settings, {}));
+        }
     }
 
     TEST_CASE("The grid is round")

@@ -38,7 +38,7 @@ std::string first_fault(const Filled& result, TableKind kind)
 {
     if (result.faults.empty()) return "";
     const Manner manner = english(result.document.model);
-    return sentence(result.faults.front(), data_table(result.document.model, kind, manner), manner.tr);
+    return sentence(result.faults, data_table(result.document.model, kind, manner), manner.tr);
 }
 
 /// A frame with something in every table.
@@ -91,7 +91,7 @@ TEST_SUITE("frame tables")
                 const std::string text = separated(values(table, whole(table)), tabular::tabs);
                 CAPTURE(text);
                 const Filled result = filled(document, kind, {}, read_block(text, table, 0), manner);
-                CHECK((result.faults.empty() ? "" : sentence(result.faults.front(), table, manner.tr)) == "");
+                CHECK((result.faults.empty() ? "" : sentence(result.faults, table, manner.tr)) == "");
                 CHECK(result.document == document);
             }
         }
@@ -129,6 +129,7 @@ TEST_SUITE("frame tables")
         CHECK(result.faults[1].row == 3);
         CHECK(result.faults[1].column == 1);
         CHECK(first_fault(result, TableKind::Nodes).starts_with("row 3, y [m]: "));
+        CHECK(first_fault(result, TableKind::Nodes).ends_with(". See also: row 4, x [m]"));
     }
 
     TEST_CASE("Numbers are typed with units, as calculations and with a decimal comma")

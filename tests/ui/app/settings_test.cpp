@@ -13,7 +13,8 @@ TEST_SUITE("ui app")
                            .language = ui::Language::Portuguese,
                            .units = ui::UnitSystem::KnCm,
                            .has_panels = false,
-                           .window = ui::Size{1013.5, 707.0}};
+                           .window = ui::Size{1013.5, 707.0},
+                           .tools = "grid on 0.75 m snap off"};
         CHECK(ui::settings_of(ui::settings_text(all)) == all);
         CHECK(ui::settings_of(ui::settings_text({})) == Settings{});
         for (const ui::UnitSystem units : ui::all_unit_systems)

@@ -1,5 +1,6 @@
 #include "apps/frame/document/fault/place.h"
 
+#include <algorithm>
 #include <charconv>
 
 namespace frame {
@@ -77,15 +78,31 @@ template <class Entries> std::string name_in(const Entries& list, std::size_t i)
     return i < list.size() ? list[i].id : std::string();
 }
 
+template <class Visit> void visit_list(const Model& model, std::string_view list, const Visit& visit)
+{
+    if (list == "materials") visit(model.materials);
+    if (list == "sections") visit(model.sections);
+    if (list == "nodes") visit(model.nodes);
+    if (list == "members") visit(model.members);
+    if (list == "load_cases") visit(model.load_cases);
+    if (list == "combinations") visit(model.combinations);
+}
+
 std::string name_of(const Model& model, std::string_view list, std::size_t i)
 {
-    if (list == "materials") return name_in(model.materials, i);
-    if (list == "sections") return name_in(model.sections, i);
-    if (list == "nodes") return name_in(model.nodes, i);
-    if (list == "members") return name_in(model.members, i);
-    if (list == "load_cases") return name_in(model.load_cases, i);
-    if (list == "combinations") return name_in(model.combinations, i);
-    return "";
+    std::string name;
+    visit_list(model, list, [&](const auto& entries) { name = name_in(entries, i); });
+    return name;
+}
+
+std::optional<std::size_t> entry_named(const Model& model, std::string_view list, const std::string& name)
+{
+    std::optional<std::size_t> place;
+    visit_list(model, list, [&](const auto& entries) {
+        const auto found = std::ranges::find_if(entries, [&](const auto& entry) { return entry.id == name; });
+        if (found != entries.end()) place = static_cast<std::size_t>(found - entries.begin());
+    });
+    return place;
 }
 
 /// The name of the node or member that a load acts on.
@@ -133,6 +150,32 @@ std::optional<Part> any_part_at(const FaultPlace& place)
     if (first.key == "combinations") return CombinationPlace{i};
     if (first.key != "load_cases") return std::nullopt;
     return place.is_load() ? load_at(i, place.steps[1]) : LoadCasePlace{i};
+}
+
+std::optional<std::size_t> load_on(const Model& model, const femoop::LoadCase& load_case, const FaultPlace::Step& load)
+{
+    const std::size_t n = load.key == "nodes"         ? load_case.nodes.size()
+                          : load.key == "settlements" ? load_case.settlements.size()
+                                                      : load_case.members.size();
+    for (std::size_t i = 0; i < n; ++i)
+        if (bearer_of(model, load_case, load.key, i) == load.name) return i;
+    return std::nullopt;
+}
+
+/// Where the names stand now: since the fault was found parts may have gone, and of an excerpt numbers are others.
+std::optional<FaultPlace> relocated(FaultPlace place, const Model& model)
+{
+    FaultPlace::Step& first = place.steps.front();
+    if (!first.index) return std::nullopt;
+    if (!first.name.empty() && name_of(model, first.key, *first.index) != first.name)
+        first.index = entry_named(model, first.key, first.name);
+    if (!first.index) return std::nullopt;
+    if (!place.is_load() || *first.index >= model.load_cases.size()) return place;
+    FaultPlace::Step& load = place.steps[1];
+    const femoop::LoadCase& load_case = model.load_cases[*first.index];
+    if (load.name.empty() || bearer_of(model, load_case, load.key, *load.index) == load.name) return place;
+    load.index = load_on(model, load_case, load);
+    return load.index ? std::optional(place) : std::nullopt;
 }
 
 } // namespace
@@ -183,7 +226,8 @@ std::optional<CaseId> case_of(const Fault& fault, const Model& model)
 
 std::optional<Part> part_at(const FaultPlace& place, const Model& model)
 {
-    const std::optional<Part> part = any_part_at(place);
+    const std::optional<FaultPlace> now = relocated(place, model);
+    const std::optional<Part> part = now ? any_part_at(*now) : std::nullopt;
     return part && has(model, *part) ? part : std::nullopt;
 }
 

@@ -36,7 +36,7 @@ std::vector<femoop::Fault> named(std::vector<femoop::Fault> faults, const femoop
 /// The load case or combination that alone has the fault: the structure and other cases can be solved without it.
 std::optional<femoop::CaseId> case_of(const femoop::Fault& fault, const femoop::Model& model);
 
-/// The part that the place lies in. Nothing where the model lacks it.
+/// The part that the place lies in, by its names where it has some. Nothing where the model lacks it.
 std::optional<Part> part_at(const FaultPlace& place, const femoop::Model& model);
 
 } // namespace frame
