@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <exception>
+#include <string>
 
 #include "apps/cli/argument.h"
 #include "femoop/analysis/mechanism.h"
@@ -20,6 +22,16 @@ constexpr std::array structural{FaultKind::ConstraintConflict, FaultKind::IllCon
                                 FaultKind::NoSupport,          FaultKind::TooFewSupports,
                                 FaultKind::PartWithoutSupport, FaultKind::PartWithTooFewSupports};
 
+std::string headline(std::size_t n, bool are_more, const ui::Catalogue& tr)
+{
+    if (n == 1) return tr("the structure is a mechanism, so it cannot be solved; it can move in one way:");
+    if (!are_more)
+        return tr("the structure is a mechanism, so it cannot be solved; it can move in {n} independent ways:",
+                  {{"n", std::to_string(n)}});
+    return tr("the structure is a mechanism, so it cannot be solved; it can move in at least {n} independent ways:",
+              {{"n", std::to_string(n)}});
+}
+
 } // namespace
 
 ExitStatus status_of(const std::vector<Fault>& faults)
@@ -34,11 +46,7 @@ void report_mechanisms(const femoop::MechanismError& error, const std::string& f
     const ui::Catalogue& tr = console.tr();
     const std::size_t n = error.mechanisms().size() + error.n_more();
     for (const Fault& cause : error.causes()) console.message(file + ": " + console.sentence(cause));
-    console.message(
-        file + ": " +
-        (n == 1 ? tr("the structure is a mechanism, so it cannot be solved; it can move in one way:")
-                : tr("the structure is a mechanism, so it cannot be solved; it can move in {n} independent ways:",
-                     {{"n", std::to_string(n)}})));
+    console.message(file + ": " + headline(n, error.n_more() > 0, tr));
     for (const femoop::Mechanism& mechanism : error.mechanisms())
         console.message("  " + console.sentence(mechanism.fault));
     if (error.n_more() > 0)

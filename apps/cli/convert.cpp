@@ -156,7 +156,7 @@ ExitStatus Convert::run(Console& console)
     if (units_ && kind != ".json") throw UsageError(tr("--units: only a .json file is written in other units"));
     if (kind == ".json") return to_json(*model, console);
     if (kind == ".csv") return to_csv(*model, console);
-    return draw_picture(*model, display_name(in_, tr), {.file = {.path = out_}, .view = view_options(tr)}, console);
+    return draw_picture(*model, display_name(in_, tr), {.file = {.path = out_}, .view = draw_options(tr)}, console);
 }
 
 } // namespace

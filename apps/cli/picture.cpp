@@ -20,14 +20,13 @@ Backdrop backdrop_of(const PictureOrder& order, const femoop::Model& model)
 }
 
 // A region is as high as the panel that the sheet leaves for it.
-drawing::ViewOptions looked_at(const PictureOrder& order, const femoop::Model& model, const femoop::Results& results,
-                               const ui::Painter& painter)
+drawing::DrawState looked_at(const PictureOrder& order, const drawing::DrawInput& input, const ui::Painter& painter)
 {
-    drawing::ViewOptions view = order.view;
-    if (!order.region || drawing::is_seen_in_space(model.analysis)) return view;
-    const auto plan = drawing::Subject(model, &results, order.view).plan(painter.size(), painter.fonts());
-    if (!plan.panels.empty()) view.camera = frame::camera_on(*order.region, plan.panels.front().box.size());
-    return view;
+    drawing::DrawState state;
+    if (!order.region || drawing::is_seen_in_space(input.model.analysis)) return state;
+    const auto plan = drawing::Subject(input, order.view, state).plan(painter.size(), painter.fonts());
+    if (!plan.panels.empty()) state.camera = frame::camera_on(*order.region, plan.panels.front().box.size());
+    return state;
 }
 
 ExitStatus draw_mechanism(const femoop::Model& model, const femoop::MechanismError& error, const std::string& file,
@@ -40,10 +39,11 @@ ExitStatus draw_mechanism(const femoop::Model& model, const femoop::MechanismErr
         throw UsageError(tr("--mechanism: found {found}; wanted at most {total}, the number of its motions",
                             {{"found", std::to_string(shown + 1)}, {"total", std::to_string(total)}}));
     report_mechanisms(error, file, console);
-    const drawing::MotionChoice motion = frame::motion_choice(error.mechanisms(), shown, tr);
+    const drawing::DrawInput input{
+        .model = model, .motion = frame::motion_choice(error.mechanisms(), shown, tr), .dimensions = order.dimensions};
     write_picture(
-        order.file, backdrop_of(order, model),
-        [&](ui::Painter& painter) { drawing::draw(painter, model, motion, order.view); }, tr);
+        order.file, backdrop_of(order, model), [&](ui::Painter& painter) { drawing::draw(painter, input, order.view); },
+        tr);
     console.message(
         tr("{file} shows the motion {n} of {total}",
            {{"file", order.file.path.string()}, {"n", std::to_string(shown + 1)}, {"total", std::to_string(total)}}));
@@ -60,11 +60,10 @@ ExitStatus draw_picture(const femoop::Model& model, const std::string& file, con
         if (order.mechanism)
             throw UsageError(console.tr()("--mechanism: the structure is no mechanism; leave the option out"));
         console.report(file, results.warnings());
+        const drawing::DrawInput input{.model = model, .results = &results, .dimensions = order.dimensions};
         write_picture(
             order.file, backdrop_of(order, model),
-            [&](ui::Painter& painter) {
-                drawing::draw(painter, model, &results, looked_at(order, model, results, painter));
-            },
+            [&](ui::Painter& painter) { drawing::draw(painter, input, order.view, looked_at(order, input, painter)); },
             console.tr());
         return ExitStatus::Done;
     } catch (const femoop::MechanismError& error) {
@@ -75,9 +74,9 @@ ExitStatus draw_picture(const femoop::Model& model, const std::string& file, con
     }
 }
 
-drawing::ViewOptions view_options(const ui::Catalogue& tr)
+drawing::DrawOptions draw_options(const ui::Catalogue& tr)
 {
-    drawing::ViewOptions options;
+    drawing::DrawOptions options;
     options.tr = tr;
     options.numbers.mark = ui::decimal_mark(tr.language());
     return options;

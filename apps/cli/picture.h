@@ -2,12 +2,14 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "apps/cli/console.h"
 #include "apps/cli/exit_status.h"
 #include "apps/cli/picture_file.h"
-#include "apps/drawing/view_options.h"
+#include "apps/drawing/dimension.h"
+#include "apps/drawing/draw_options.h"
 #include "apps/frame/document/companion/named_view.h"
 #include "femoop/model/model.h"
 
@@ -17,8 +19,9 @@ namespace cli {
 struct PictureOrder {
     PictureFile file;
     std::optional<std::size_t> mechanism; ///< which way of moving is drawn when the structure cannot be solved
-    drawing::ViewOptions view;
-    std::optional<frame::Region> region; ///< of a plane model that is looked at; the whole when absent
+    drawing::DrawOptions view;
+    std::span<const drawing::DimensionLine> dimensions; ///< that stand beside the model; outlive the drawing
+    std::optional<frame::Region> region;                ///< of a plane model that is looked at; the whole when absent
 };
 
 /// Solves the model and draws it with its results. A structure that can move is drawn moving: the motions are told on
@@ -27,6 +30,6 @@ ExitStatus draw_picture(const femoop::Model& model, const std::string& file, con
                         const Console& console);
 
 /// How pictures are drawn when no option says otherwise: in the language of `tr`, with its decimal mark.
-drawing::ViewOptions view_options(const ui::Catalogue& tr);
+drawing::DrawOptions draw_options(const ui::Catalogue& tr);
 
 } // namespace cli

@@ -25,7 +25,7 @@ public:
 
 private:
     PictureOrder order(const ui::Catalogue& tr) const;
-    void choose_case(drawing::ViewOptions& view, const femoop::Model& model, const ui::Catalogue& tr) const;
+    void choose_case(drawing::DrawOptions& view, const femoop::Model& model, const ui::Catalogue& tr) const;
     void look_at_view(PictureOrder& order, const frame::Companion& companion, const femoop::Model& model,
                       const ui::Catalogue& tr) const;
     frame::CompanionReading companion(const Console& console, const femoop::Model& model) const;
@@ -100,7 +100,7 @@ drawing::ShowSet shown(const std::string& list, const ui::Catalogue& tr)
 PictureOrder Render::order(const ui::Catalogue& tr) const
 {
     if (out_.empty()) throw UsageError(tr("no output is given; add -o OUT.png, .svg or .pdf"));
-    PictureOrder order{.file = picture_file(out_, size_, scale_, tr), .view = view_options(tr)};
+    PictureOrder order{.file = picture_file(out_, size_, scale_, tr), .view = draw_options(tr)};
     if (mechanism_)
         order.mechanism = static_cast<std::size_t>(whole_number("--mechanism", *mechanism_, {1, 1000}, tr) - 1);
     order.view.theme = theme_named(theme_, tr);
@@ -119,7 +119,7 @@ frame::CompanionReading Render::companion(const Console& console, const femoop::
 }
 
 // A case that bears the name of the keyword is still reached.
-void Render::choose_case(drawing::ViewOptions& view, const femoop::Model& model, const ui::Catalogue& tr) const
+void Render::choose_case(drawing::DrawOptions& view, const femoop::Model& model, const ui::Catalogue& tr) const
 {
     view.is_envelope = *case_ == "envelope" && !model.find_case("envelope");
     if (!view.is_envelope) view.load_case = find_case(model, *case_, tr);
@@ -138,7 +138,7 @@ void Render::look_at_view(PictureOrder& order, const frame::Companion& companion
         for (const frame::NamedView& known : companion.views) names.push_back(known.name);
         throw unknown_choice("--view", *view_, names, tr);
     }
-    const drawing::ViewOptions asked_for = order.view;
+    const drawing::DrawOptions asked_for = order.view;
     frame::look_as(order.view, *kept, model);
     order.region = kept->region;
     if (show_) order.view.show = asked_for.show;
@@ -153,7 +153,7 @@ ExitStatus Render::run(Console& console)
     const std::optional<femoop::Model> model = load_model(file_, console);
     if (!model) return ExitStatus::BadInput;
     const frame::CompanionReading beside = companion(console, *model);
-    picture.view.dimensions = beside.companion.dimensions;
+    picture.dimensions = beside.companion.dimensions;
     if (view_) look_at_view(picture, beside.companion, *model, tr);
     if (case_) choose_case(picture.view, *model, tr);
     return draw_picture(*model, display_name(file_, tr), picture, console);

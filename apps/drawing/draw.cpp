@@ -4,22 +4,15 @@
 
 namespace drawing {
 
-void draw(ui::Painter& painter, const femoop::Model& model, const femoop::Results* results, const ViewOptions& options)
+void draw(ui::Painter& painter, const DrawInput& input, const DrawOptions& options, const DrawState& state)
 {
-    Subject(model, results, options).draw(painter);
+    Subject(input, options, state).draw(painter);
 }
 
-void draw(ui::Painter& painter, const femoop::Model& model, const MotionChoice& motion, const ViewOptions& options)
+Camera fitted_camera(const DrawInput& input, const DrawOptions& options, ui::Size sheet, const ui::Fonts& fonts)
 {
-    Subject(model, motion, options).draw(painter);
-}
-
-Camera fitted_camera(const femoop::Model& model, const femoop::Results* results, const ViewOptions& options,
-                     ui::Size sheet, const ui::Fonts& fonts)
-{
-    ViewOptions fitting = options;
-    fitting.camera.reset();
-    return Subject(model, results, fitting).plan(sheet, fonts).camera;
+    const DrawState state;
+    return Subject(input, options, state).plan(sheet, fonts).camera;
 }
 
 bool is_seen_in_space(femoop::AnalysisKind kind)
@@ -27,6 +20,6 @@ bool is_seen_in_space(femoop::AnalysisKind kind)
     return femoop::is_3d(kind) || kind == femoop::AnalysisKind::Grillage;
 }
 
-ui::Color background(const ViewOptions& options) { return ui::Theme(options.theme).background(); }
+ui::Color background(const DrawOptions& options) { return ui::Theme(options.theme).background(); }
 
 } // namespace drawing

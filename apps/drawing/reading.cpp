@@ -6,6 +6,7 @@
 #include "apps/drawing/sheet/subject.h"
 #include "apps/drawing/sketch/scene.h"
 #include "apps/drawing/sketch/symbols.h"
+#include "femoop/geometry/member_geometry.h"
 #include "femoop/result/components.h"
 #include "femoop/result/envelope.h"
 #include "ui/paint/label/oriented_box.h"
@@ -262,7 +263,7 @@ private:
     ui::Size size_{};
 };
 
-bool has(const femoop::Model& model, const femoop::Results& results, const ViewOptions& options, const Cut& cut)
+bool has(const femoop::Model& model, const femoop::Results& results, const DrawOptions& options, const Cut& cut)
 {
     return cut.member.index < model.members.size() && options.load_case.index < results.n_cases() &&
            results.n_members() == model.members.size() && results.n_nodes() == model.nodes.size();
@@ -274,10 +275,9 @@ ui::Role role_of_line(MemberComponent component)
 }
 
 // "M": "-12.5 (G) … 58.5 (U1) kN·m"
-std::vector<ReadingLine> lines_of_envelope(const Subject& subject, const femoop::Results& results,
-                                           const ViewOptions& options, const Cut& cut)
+std::vector<ReadingLine> lines_of_envelope(const femoop::Model& model, const femoop::Results& results,
+                                           const DrawOptions& options, const Cut& cut)
 {
-    const femoop::Model& model = subject.model();
     const femoop::Envelope envelope(results, envelope_cases(model, options));
     const ui::DisplayUnits units = display_units(model, options);
     NumbersOfCases numbers(results, units);
@@ -298,14 +298,14 @@ std::vector<ReadingLine> lines_of_envelope(const Subject& subject, const femoop:
     return list;
 }
 
-std::vector<ReadingLine> lines(const Subject& subject, const femoop::CaseResult& result, const ui::DisplayUnits& units,
-                               const Cut& cut)
+std::vector<ReadingLine> lines_of_case(const femoop::Model& model, const femoop::CaseResult& result,
+                                       const DrawOptions& options, const Cut& cut)
 {
-    const CaseNumbers numbers(result, units);
+    const CaseNumbers numbers(result, display_units(model, options));
     const femoop::Curve curve = result.curve(cut.member);
     std::vector<ReadingLine> list{{"x", numbers.text(cut.x, ui::Measure::Length), ui::Role::Label}};
-    for (const MemberComponent component : femoop::member_components(subject.model().analysis))
-        list.push_back({std::string(femoop::name(component, subject.model().analysis)),
+    for (const MemberComponent component : femoop::member_components(model.analysis))
+        list.push_back({std::string(femoop::name(component, model.analysis)),
                         numbers.text(curve.value(component, cut.x), measure_of(component)), role_of_line(component)});
     return list;
 }
@@ -315,14 +315,14 @@ Cut within(const femoop::Results& results, const Cut& cut)
     return {cut.member, std::clamp(cut.x, 0.0, results.geometry(cut.member).length)};
 }
 
-void mark_section(ui::Painter& painter, const Subject& subject, const ui::Theme& theme, const Cut& cut)
+void mark_section(ui::Painter& painter, const femoop::Model& model, const ui::Theme& theme, const ReadingCard& card)
 {
-    const Subject::Plan plan = subject.plan(painter.size(), painter.fonts());
-    const MemberShape& member = subject.shape()[cut.member];
-    for (const Panel& panel : plan.panels) {
-        const Projection projection(plan.camera, panel.box.min);
-        const ui::Point at = projection(member.at(cut.x));
-        const ui::Point across = ui::left_normal(ui::direction(projection.direction(member.x())));
+    const femoop::MemberGeometry member = femoop::geometry_of(model, model[card.cut.member]);
+    const Eigen::Vector3d along = member.axes.row(0);
+    for (const Panel& panel : card.plan.panels) {
+        const Projection projection(card.plan.camera, panel.box.min);
+        const ui::Point at = projection(member.at(card.cut.x));
+        const ui::Point across = ui::left_normal(ui::direction(projection.direction(along)));
         const double half = 10.0 * theme.symbol_scale();
         draw_between_strings(painter, at - half * across, at + half * across, theme.stroke(ui::Role::Selection));
     }
@@ -330,33 +330,28 @@ void mark_section(ui::Painter& painter, const Subject& subject, const ui::Theme&
 
 } // namespace
 
-std::vector<ReadingLine> reading(const femoop::Model& model, const femoop::Results& results, const ViewOptions& options,
+std::vector<ReadingLine> reading(const femoop::Model& model, const femoop::Results& results, const DrawOptions& options,
                                  const Cut& cut)
 {
     if (!has(model, results, options, cut)) return {};
-    const Subject subject(model, &results, options);
-    if (options.is_envelope) return lines_of_envelope(subject, results, options, within(results, cut));
-    return lines(subject, results[options.load_case], display_units(model, options), within(results, cut));
+    const Cut read = within(results, cut);
+    return options.is_envelope ? lines_of_envelope(model, results, options, read)
+                               : lines_of_case(model, results[options.load_case], options, read);
 }
 
-void draw_reading(ui::Painter& painter, const femoop::Model& model, const femoop::Results& results,
-                  const ViewOptions& options, const Cut& cut, ui::Point beside, double top)
+void draw_reading(ui::Painter& painter, const DrawInput& input, const DrawOptions& options, const ReadingCard& card)
 {
-    if (!has(model, results, options, cut)) return;
+    if (!input.results || !has(input.model, *input.results, options, card.cut)) return;
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
     const ui::Theme theme(options.theme);
-    const Subject subject(model, &results, options);
-    mark_section(painter, subject, theme, cut);
-    const femoop::CaseResult result = results[options.load_case];
-    const Cut read = within(results, cut);
-    const std::string title = options.tr("member {member}", {{"member", model[cut.member].id}});
-    if (options.is_envelope)
-        return ReadingBox(painter, theme, title, lines_of_envelope(subject, results, options, read),
-                          ReadingBox::Side::Free, top)
-            .draw(beside, std::nullopt);
-    ReadingBox(painter, theme, title, lines(subject, result, display_units(model, options), read),
-               ReadingBox::Side::Sketch, top)
-        .draw(beside, result.curve(cut.member).forces(read.x));
+    mark_section(painter, input.model, theme, card);
+    const std::string title = options.tr("member {member}", {{"member", input.model[card.cut.member].id}});
+    const auto left = options.is_envelope ? ReadingBox::Side::Free : ReadingBox::Side::Sketch;
+    const ReadingBox box(painter, theme, title, reading(input.model, *input.results, options, card.cut), left,
+                         card.top);
+    if (options.is_envelope) return box.draw(card.beside, std::nullopt);
+    const Cut read = within(*input.results, card.cut);
+    box.draw(card.beside, (*input.results)[options.load_case].curve(read.member).forces(read.x));
 }
 
 } // namespace drawing

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -120,7 +121,7 @@ public:
     }
 
 private:
-    static constexpr double pi = 3.14159265358979323846;
+    static constexpr double pi = std::numbers::pi;
 
     double px(double pixels) const { return unit_of(look_.theme, painter_.size()) * pixels; }
     ui::TextStyle style_of(Role role, Anchor anchor = Anchor::Center) const

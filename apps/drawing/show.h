@@ -23,7 +23,7 @@ enum class Show : std::uint8_t {
     Mz,
     Deformed,
     Values,     ///< numbers beside loads, reactions and diagrams
-    StepValues, ///< numbers along diagrams at equal steps (ViewOptions::steps)
+    StepValues, ///< numbers along diagrams at equal steps (DrawOptions::steps)
     NodeNames,
     MemberNames,
     Dimensions,      ///< of the whole structure, in chains around it

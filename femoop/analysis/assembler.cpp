@@ -34,14 +34,18 @@ template <class Add> void Assembler::visit_springs(Add&& add) const
                 add(row, support.springs[index(dofs[i])], support.node.index * dofs.size() + i);
 }
 
-template <> void Assembler::add_stiffness(Sparse<double>& K) const
+double Assembler::add_stiffness(SparseMatrix& K) const
 {
     const SystemPattern& pattern = equations_.pattern();
     ElementMatrix repeated, turned;
     std::uint32_t group = 0; // of `repeated`
+    double largest = 0.0;
     for (std::size_t i = 0; i < elements_.size(); ++i) {
         const Element& element = elements_[i];
-        if (group == 0 || element.stiffness_group() != group) element.stiffness(repeated);
+        if (group == 0 || element.stiffness_group() != group) {
+            element.stiffness(repeated);
+            if (repeated.size() > 0) largest = std::max(largest, repeated.diagonal().maxCoeff());
+        }
         group = element.stiffness_group();
         if (!axes_.are_turned() || !axes_.are_turned(element.dofs())) {
             pattern.add(K, i, equations_.of_element(i), repeated);
@@ -52,9 +56,10 @@ template <> void Assembler::add_stiffness(Sparse<double>& K) const
         pattern.add(K, i, equations_.of_element(i), turned);
     }
     visit_springs([&](std::int32_t row, double spring, std::size_t) { pattern.add_to_diagonal(K, row, spring); });
+    return largest;
 }
 
-template <> void Assembler::add_stiffness(Sparse<DoubleDouble>& K) const
+void Assembler::add_stiffness(PreciseSparseMatrix& K) const
 {
     const SystemPattern& pattern = equations_.pattern();
     for (std::size_t i = 0; i < elements_.size(); ++i)

@@ -33,8 +33,10 @@ public:
     const Elements& elements() const { return elements_; }
     const Equations& equations() const { return equations_; }
 
-    /// Adds every element's elastic stiffness and every support spring to K, which has the equations' pattern.
-    template <class Scalar> void add_stiffness(Sparse<Scalar>& K) const;
+    /// Adds every element's elastic stiffness and every support spring to K, which has the equations' pattern. The
+    /// first returns the largest stiffness of an element against any of its displacements alone, prescribed ones too.
+    double add_stiffness(SparseMatrix& K) const;
+    void add_stiffness(PreciseSparseMatrix& K) const;
 
     /// Own stiffness of what constraints take from members, over all unknowns; zero where there is no constraint.
     template <class Scalar> Sparse<Scalar> constrained_stiffness() const;
@@ -74,8 +76,5 @@ private:
     const Equations& equations_;
     NodeAxes axes_;
 };
-
-template <> void Assembler::add_stiffness(Sparse<double>& K) const;
-template <> void Assembler::add_stiffness(Sparse<DoubleDouble>& K) const;
 
 } // namespace femoop

@@ -1,5 +1,6 @@
 #include "femoop/analysis/compatibility.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -21,8 +22,10 @@ public:
     {
         for (Eigen::Index r = 0; r < rows.rows(); ++r, ++n_rows_)
             for (std::size_t j = 0; j < equations.size(); ++j)
-                if (const double a = rows(r, static_cast<Eigen::Index>(j)); a != 0.0 && equations[j] != Equations::none)
-                    entries_.emplace_back(n_rows_, equations[j], a);
+                if (const double a = rows(r, static_cast<Eigen::Index>(j)); a != 0.0) {
+                    largest_ = std::max(largest_, std::abs(a));
+                    if (equations[j] != Equations::none) entries_.emplace_back(n_rows_, equations[j], a);
+                }
     }
     void add(std::int32_t equation, double value)
     {
@@ -36,9 +39,12 @@ public:
         return A;
     }
 
+    double largest_entry() const { return largest_; } ///< of rows over element displacements, left out or not
+
 private:
     std::vector<Eigen::Triplet<double>> entries_;
     int n_rows_ = 0;
+    double largest_ = 0.0;
 };
 
 /// Counts displacements in the structure's size beside rotations.
@@ -105,14 +111,17 @@ Compatibility::Compatibility(const Assembler& assembler, const ArtificialRestrai
 {
     const std::size_t n_unknowns = assembler.equations().n_unknowns();
     const Unit unit(assembler.structure().size());
-    strains_ = strains_of(assembler, restraints, unit).matrix(n_unknowns);
+    const RowList strains = strains_of(assembler, restraints, unit);
+    strains_ = strains.matrix(n_unknowns);
+    largest_strain_ = strains.largest_entry();
     magnitudes_ = strains_.cwiseAbs();
     turns_ = turns_of(assembler, unit).matrix(n_unknowns);
 }
 
 NullModes Compatibility::free_motions(Eigen::Index most) const
 {
-    return null_modes(strains_, no_energy, most, [this](const Eigen::VectorXd& x) { return is_free(x); });
+    const NullSearch search{.zero_tolerance = no_energy, .most = most, .largest_entry = largest_strain_};
+    return null_modes(strains_, search, [this](const Eigen::VectorXd& x) { return is_free(x); });
 }
 
 bool Compatibility::is_free(const Eigen::VectorXd& x) const

@@ -31,7 +31,8 @@ private:
     using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
     bool is_free(const Eigen::VectorXd& x) const;
 
-    Rows strains_, magnitudes_; ///< A and |A|
+    Rows strains_, magnitudes_;   ///< A and |A|
+    double largest_strain_ = 0.0; ///< of a unit displacement, prescribed ones too
     Rows turns_;
 };
 

@@ -77,7 +77,7 @@ struct LinearStatic::Parts {
         smallest_pivot = pivots.smallest_ratio;
         const bool is_doubtful = !pivots.is_complete || pivots.smallest_ratio <= doubtful_pivot ||
                                  (is_soft() && system.reduced().condition() >= poor_condition);
-        if (is_doubtful || system.reduced().has_unrestrained_unknown() || report.has_too_few_members())
+        if (is_doubtful || system.has_unrestrained_unknown() || report.has_too_few_members())
             report.require_geometric_stability();
         if (is_doubtful) soft_parts = report.soft_parts();
         is_beyond_doubles = !pivots.is_complete;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "femoop/analysis/node_names.h"
 #include "femoop/element/analysis_model.h"
@@ -196,9 +197,9 @@ std::vector<Mechanism> mechanisms_of(const Model& model, const std::shared_ptr<c
     return mechanisms;
 }
 
-Mechanism member_mechanism(const Model& model, const Discretisation& structure, MemberId member,
-                           const InternalMechanism& internal)
+Mechanism member_mechanism(const Model& model, const Discretisation& structure, const LooseMember& loose)
 {
+    const auto& [member, internal] = loose;
     const auto axis = static_cast<std::size_t>(internal.axis);
     Mechanism mechanism{.fault = {.kind = FaultKind::MechanismMemberFlies,
                                   .arguments = {model[member].id, std::string(name(all_dofs[axis]))}},
@@ -211,27 +212,26 @@ Mechanism member_mechanism(const Model& model, const Discretisation& structure, 
     return mechanism;
 }
 
-std::vector<Mechanism> loaded_rotations(const Model& model, const Discretisation& structure, const Eigen::MatrixXd& F,
-                                        const std::vector<ArtificialRestraint>& restraints)
+bool is_driven(const ArtificialRestraint& rotation, const Eigen::MatrixXd& F)
 {
-    std::vector<Mechanism> mechanisms;
-    for (const ArtificialRestraint& rotation : restraints) {
-        Eigen::MatrixXd moments(static_cast<Eigen::Index>(rotation.parts.size()), F.cols());
-        for (Eigen::Index i = 0; i < moments.rows(); ++i)
-            moments.row(i) = F.row(rotation.parts[static_cast<std::size_t>(i)].row);
-        const Eigen::RowVectorXd drive = (rotation.direction.transpose() * moments).cwiseAbs();
-        const double largest = moments.size() > 0 ? moments.cwiseAbs().maxCoeff() : 0.0;
-        if (drive.size() == 0 || drive.maxCoeff() <= 1e-9 * largest || largest == 0.0) continue;
-        std::vector<NodeVector> motion(structure.positions.size());
-        for (std::size_t i = 0; i < rotation.parts.size(); ++i)
-            motion[rotation.parts[i].node.index][index(rotation.parts[i].dof)] =
-                rotation.direction[static_cast<Eigen::Index>(i)];
-        normalize(motion);
-        mechanisms.push_back({.fault = words(model, structure, motion, FaultKind::MechanismSpin),
-                              .motion = motion,
-                              .member_ends = still_ends(structure)});
-    }
-    return mechanisms;
+    constexpr double rounding = 1e-9;
+    Eigen::MatrixXd moments(static_cast<Eigen::Index>(rotation.parts.size()), F.cols());
+    for (Eigen::Index i = 0; i < moments.rows(); ++i)
+        moments.row(i) = F.row(rotation.parts[static_cast<std::size_t>(i)].row);
+    if (moments.size() == 0) return false;
+    const double drive = (rotation.direction.transpose() * moments).cwiseAbs().maxCoeff();
+    return drive > rounding * moments.cwiseAbs().maxCoeff();
+}
+
+Mechanism rotation_mechanism(const Model& model, const Discretisation& structure, const ArtificialRestraint& rotation)
+{
+    std::vector<NodeVector> motion(structure.positions.size());
+    for (std::size_t i = 0; i < rotation.parts.size(); ++i)
+        motion[rotation.parts[i].node.index][index(rotation.parts[i].dof)] =
+            rotation.direction[static_cast<Eigen::Index>(i)];
+    normalize(motion);
+    Fault fault = words(model, structure, motion, FaultKind::MechanismSpin);
+    return {.fault = std::move(fault), .motion = std::move(motion), .member_ends = still_ends(structure)};
 }
 
 Fault beyond_range_fault(const Model& model, const std::vector<NodeId>& nodes)

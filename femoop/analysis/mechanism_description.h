@@ -5,10 +5,10 @@
 
 #include "femoop/analysis/elimination.h"
 #include "femoop/analysis/mechanism.h"
+#include "femoop/analysis/member_mechanism.h"
 #include "femoop/analysis/unrestrained_rotation.h"
 #include "femoop/discretisation/equations.h"
 #include "femoop/discretisation/solution.h"
-#include "femoop/element/internal_mechanism.h"
 
 namespace femoop {
 
@@ -16,13 +16,13 @@ namespace femoop {
 std::vector<Mechanism> mechanisms_of(const Model& model, const std::shared_ptr<const Discretisation>& structure,
                                      const Equations& equations, std::vector<detail::CaseSolution> motions);
 
-/// A member that its own releases leave free.
-Mechanism member_mechanism(const Model& model, const Discretisation& structure, MemberId member,
-                           const InternalMechanism& internal);
+Mechanism member_mechanism(const Model& model, const Discretisation& structure, const LooseMember& loose);
 
-/// Restrained rotations that a load vector [unknowns x cases] drives.
-std::vector<Mechanism> loaded_rotations(const Model& model, const Discretisation& structure, const Eigen::MatrixXd& F,
-                                        const std::vector<ArtificialRestraint>& restraints);
+/// Does a load vector [unknowns x cases] drive a restrained rotation?
+bool is_driven(const ArtificialRestraint& rotation, const Eigen::MatrixXd& F);
+
+/// A restrained rotation that loads drive.
+Mechanism rotation_mechanism(const Model& model, const Discretisation& structure, const ArtificialRestraint& rotation);
 
 /// The stiffness at these nodes cannot be counted with.
 Fault beyond_range_fault(const Model& model, const std::vector<NodeId>& nodes);

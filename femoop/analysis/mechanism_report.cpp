@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <span>
 #include <utility>
 
 #include "femoop/analysis/compatibility.h"
 #include "femoop/analysis/equilibrium.h"
 #include "femoop/analysis/mechanism_description.h"
-#include "femoop/analysis/member_mechanism.h"
 #include "femoop/analysis/overflow_check.h"
 #include "femoop/analysis/rigid_body.h"
 #include "femoop/element/analysis_model.h"
@@ -20,10 +20,7 @@ namespace {
 constexpr Eigen::Index most_modes = 64;     // to look for in a structure that moves in many ways
 constexpr Eigen::Index most_described = 12; // of them: who reads more sentences than that?
 
-void append(std::vector<Mechanism>& mechanisms, std::vector<Mechanism> more)
-{
-    std::move(more.begin(), more.end(), std::back_inserter(mechanisms));
-}
+Eigen::Index n_described(std::size_t n) { return std::min(static_cast<Eigen::Index>(n), most_described); }
 
 } // namespace
 
@@ -40,12 +37,14 @@ void MechanismReport::require_geometric_stability() const
 
 void MechanismReport::require_held_members() const
 {
-    if (!member_mechanisms(model_, system_.assembler()).empty()) refuse({});
+    if (!loose_members(system_.assembler()).empty()) refuse({});
 }
 
 void MechanismReport::require_undriven(const std::vector<CaseLoads>& loads, const Eigen::MatrixXd& F) const
 {
-    if (auto mechanisms = driven(loads, F); !mechanisms.empty()) throw MechanismError(std::move(mechanisms));
+    Found found;
+    add_driven(loads, F, found);
+    if (!found.mechanisms.empty()) throw MechanismError(std::move(found.mechanisms), found.n_more);
 }
 
 void MechanismReport::require_compatible(const Elimination& imposed) const
@@ -70,11 +69,13 @@ bool MechanismReport::has_too_few_members() const
 std::optional<MechanismReport::SoftParts> MechanismReport::soft_parts() const
 {
     constexpr double loose = 1e-9;
+    constexpr double by_length = 0.01; // over n^4: a row of n members is softer by so much than one, and no looser
+    const double n = static_cast<double>(structure_.members.size());
     const ReducedSystem::SoftMotion soft = system_.reduced().softest_motion();
     if (!std::isfinite(soft.condition)) return std::nullopt;
     return SoftParts{.warning = nearly_singular_fault(model_, soft.condition, system_.motion(soft.x).displacements,
                                                       model_dofs(structure_.kind).size()),
-                     .is_nearly_loose = soft.stiffness <= loose};
+                     .is_nearly_loose = soft.stiffness <= std::min(loose, by_length / (n * n * n * n))};
 }
 
 void MechanismReport::require_finite_stiffness() const
@@ -99,31 +100,44 @@ bool MechanismReport::has_finite_stiffness(NodeId node) const
 /// load drives.
 void MechanismReport::refuse(const Eigen::MatrixXd& modes) const
 {
-    const Eigen::Index n_described = std::min(modes.cols(), most_described);
-    std::vector<Mechanism> mechanisms = member_mechanisms(model_, system_.assembler());
-    append(mechanisms, described(modes.leftCols(n_described)));
+    Found found;
+    add_members(loose_members(system_.assembler()), found);
+    add_motions(modes, found);
     const std::vector<CaseLoads> loads = loads_of(model_, structure_);
-    append(mechanisms, driven(loads, system_.load_vectors(loads)));
+    add_driven(loads, system_.load_vectors(loads), found);
     std::vector<Fault> causes;
     if (modes.cols() > 0) causes = unheld_parts(model_, structure_);
     causes.resize(std::min<std::size_t>(causes.size(), most_described));
-    throw MechanismError(std::move(mechanisms), static_cast<std::size_t>(modes.cols() - n_described),
-                         std::move(causes));
+    throw MechanismError(std::move(found.mechanisms), found.n_more, std::move(causes));
 }
 
-std::vector<Mechanism> MechanismReport::described(const Eigen::MatrixXd& modes) const
+void MechanismReport::add_motions(const Eigen::MatrixXd& modes, Found& found) const
 {
+    const auto n = static_cast<std::size_t>(modes.cols());
     std::vector<detail::CaseSolution> motions;
-    for (const auto mode : modes.colwise()) motions.push_back(system_.motion(mode));
-    return mechanisms_of(model_, system_.structure(), system_.equations(), std::move(motions));
+    for (const auto mode : modes.leftCols(n_described(n)).colwise()) motions.push_back(system_.motion(mode));
+    found.n_more += n - motions.size();
+    std::ranges::move(mechanisms_of(model_, system_.structure(), system_.equations(), std::move(motions)),
+                      std::back_inserter(found.mechanisms));
+}
+
+void MechanismReport::add_members(const std::vector<LooseMember>& members, Found& found) const
+{
+    const auto n = static_cast<std::size_t>(n_described(members.size()));
+    for (const LooseMember& loose : std::span(members).first(n))
+        found.mechanisms.push_back(member_mechanism(model_, structure_, loose));
+    found.n_more += members.size() - n;
 }
 
 /// Rotations that are restrained because nothing takes part in them, but that loads drive.
-std::vector<Mechanism> MechanismReport::driven(const std::vector<CaseLoads>& loads, const Eigen::MatrixXd& F) const
+void MechanismReport::add_driven(const std::vector<CaseLoads>& loads, const Eigen::MatrixXd& F, Found& found) const
 {
-    std::vector<Mechanism> mechanisms = loaded_rotations(model_, structure_, F, system_.restraints().rotations);
-    append(mechanisms, loaded_twists(model_, system_.assembler(), loads));
-    return mechanisms;
+    std::size_t n = 0;
+    for (const ArtificialRestraint& rotation : system_.restraints().rotations)
+        if (is_driven(rotation, F) && n++ < static_cast<std::size_t>(most_described))
+            found.mechanisms.push_back(rotation_mechanism(model_, structure_, rotation));
+    found.n_more += n - static_cast<std::size_t>(n_described(n));
+    add_members(loaded_twists(system_.assembler(), loads), found);
 }
 
 } // namespace femoop

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
 #include "femoop/analysis/mechanism.h"
+#include "femoop/analysis/member_mechanism.h"
 #include "femoop/analysis/static_system.h"
 #include "femoop/model/fault/fault.h"
 #include "femoop/model/model.h"
@@ -48,9 +50,15 @@ public:
 private:
     void require_finite_stiffness() const;
     bool has_finite_stiffness(NodeId node) const;
+    /// Of each kind the first are described, the others counted.
+    struct Found {
+        std::vector<Mechanism> mechanisms;
+        std::size_t n_more = 0;
+    };
     [[noreturn]] void refuse(const Eigen::MatrixXd& modes) const;
-    std::vector<Mechanism> described(const Eigen::MatrixXd& modes) const;
-    std::vector<Mechanism> driven(const std::vector<CaseLoads>& loads, const Eigen::MatrixXd& F) const;
+    void add_motions(const Eigen::MatrixXd& modes, Found& found) const;
+    void add_members(const std::vector<LooseMember>& members, Found& found) const;
+    void add_driven(const std::vector<CaseLoads>& loads, const Eigen::MatrixXd& F, Found& found) const;
 
     const Model& model_;
     const StaticSystem& system_;

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <optional>
-
-#include "femoop/analysis/mechanism_description.h"
+#include <utility>
 
 namespace femoop {
 
@@ -37,15 +36,14 @@ std::vector<InternalMechanism> mechanisms_of(const Assembler& assembler, MemberI
 
 } // namespace
 
-std::vector<Mechanism> member_mechanisms(const Model& model, const Assembler& assembler)
+std::vector<LooseMember> loose_members(const Assembler& assembler)
 {
-    std::vector<Mechanism> mechanisms;
+    std::vector<LooseMember> loose;
     visit_jointed_members(assembler.structure(), [&](MemberId member) {
-        for (const InternalMechanism& mechanism : mechanisms_of(assembler, member))
-            if (mechanism.axis != LocalAxis::rx)
-                mechanisms.push_back(member_mechanism(model, assembler.structure(), member, mechanism));
+        for (InternalMechanism& mechanism : mechanisms_of(assembler, member))
+            if (mechanism.axis != LocalAxis::rx) loose.push_back({member, std::move(mechanism)});
     });
-    return mechanisms;
+    return loose;
 }
 
 std::vector<MemberEndRestraint> restrain_member_ends(const Assembler& assembler, SparseMatrix& K)
@@ -66,10 +64,9 @@ std::vector<MemberEndRestraint> restrain_member_ends(const Assembler& assembler,
     return restraints;
 }
 
-std::vector<Mechanism> loaded_twists(const Model& model, const Assembler& assembler,
-                                     const std::vector<CaseLoads>& loads)
+std::vector<LooseMember> loaded_twists(const Assembler& assembler, const std::vector<CaseLoads>& loads)
 {
-    std::vector<Mechanism> mechanisms;
+    std::vector<LooseMember> twisted;
     const auto twist = [&](MemberId member) -> std::optional<InternalMechanism> {
         for (const CaseLoads& each : loads)
             if (auto loaded = assembler.elements()[member].loaded_twist(each.of(member)))
@@ -77,10 +74,9 @@ std::vector<Mechanism> loaded_twists(const Model& model, const Assembler& assemb
         return std::nullopt;
     };
     visit_jointed_members(assembler.structure(), [&](MemberId member) {
-        if (const auto loaded = twist(member))
-            mechanisms.push_back(member_mechanism(model, assembler.structure(), member, *loaded));
+        if (auto loaded = twist(member)) twisted.push_back({member, std::move(*loaded)});
     });
-    return mechanisms;
+    return twisted;
 }
 
 } // namespace femoop

@@ -1,5 +1,6 @@
 #include "femoop/analysis/reduced_system.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -78,11 +79,11 @@ void ReducedSystem::factorize_own()
     own_solver_->factorize(picked);
 }
 
-bool ReducedSystem::has_unrestrained_unknown() const
+bool ReducedSystem::has_unrestrained_unknown(double largest_stiffness) const
 {
     const Eigen::VectorXd diagonal = matrix().diagonal();
     if (diagonal.size() == 0) return false;
-    if (diagonal.minCoeff() <= idle_diagonal * diagonal.maxCoeff()) return true;
+    if (diagonal.minCoeff() <= idle_diagonal * std::max(largest_stiffness, diagonal.maxCoeff())) return true;
     return is_constrained_ && (diagonal.array() <= cancelled * terms_.array()).any();
 }
 

@@ -37,8 +37,8 @@ public:
     const SymmetricSolver* solver() const { return solver_.get(); }
 
     const SparseMatrix& stiffness() const { return K_; } ///< elastic, over all unknowns, lower triangle
-    bool has_unrestrained_unknown()
-        const;                ///< one with no more stiffness than cos(90 degrees) leaves: its pivot tells nothing
+    /// One with no more stiffness than cos(90 degrees) leaves of the largest of an element: its pivot tells nothing.
+    bool has_unrestrained_unknown(double largest_stiffness) const;
     double condition() const; ///< estimate. \pre a factorization that did not break down
     struct SoftMotion {
         Eigen::VectorXd x; ///< over all unknowns, largest entry 1

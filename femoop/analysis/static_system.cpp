@@ -68,7 +68,7 @@ void StaticSystem::update(std::shared_ptr<const Discretisation> structure)
 SparseMatrix StaticSystem::stiffness()
 {
     SparseMatrix K = equations_.pattern().matrix();
-    assembler_->add_stiffness(K);
+    largest_stiffness_ = assembler_->add_stiffness(K);
     std::optional<SparseMatrix> resisting;
     if (structure_->has_constraints) resisting = assembler_->resistance();
     restraints_.rotations = restrain_rotations(*structure_, equations_, K, std::move(resisting));

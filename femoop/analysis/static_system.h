@@ -36,6 +36,8 @@ public:
     const Assembler& assembler() const { return *assembler_; }
     const ArtificialRestraints& restraints() const { return restraints_; }
     const ReducedSystem& reduced() const { return *reduced_; } ///< \pre assemble
+    /// Has it an unknown with no more stiffness than rounding of an element leaves? Its pivot tells nothing.
+    bool has_unrestrained_unknown() const { return reduced_->has_unrestrained_unknown(largest_stiffness_); }
 
     Eigen::MatrixXd load_vectors(const std::vector<CaseLoads>& loads) const; ///< [unknowns x cases]
 
@@ -74,6 +76,7 @@ private:
     std::optional<Elements> elements_;
     Equations equations_;
     std::optional<Assembler> assembler_;
+    double largest_stiffness_ = 0.0; ///< of an element against one of its displacements
     ArtificialRestraints restraints_;
     std::optional<ReducedSystem> reduced_;
     std::optional<PreciseSystem> precise_; ///< made when it is first asked for

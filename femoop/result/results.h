@@ -49,7 +49,7 @@ private:
     std::size_t index_ = 0;
 };
 
-/// The solution of a model: all its load cases, then its combinations. ArtificialRestraints what it needs; the model
+/// The solution of a model: all its load cases, then its combinations. Holds what it needs; the model
 /// may change or go.
 class Results {
 public:

@@ -131,13 +131,14 @@ struct Balanced {
     Eigen::VectorXd scale; ///< of each column
 };
 
-Balanced balanced(const RowMatrix& A)
+Balanced balanced(const RowMatrix& A, double largest_entry)
 {
+    constexpr double rounding = 1e-8;
     Eigen::VectorXd sizes = Eigen::VectorXd::Zero(A.cols());
     for (Eigen::Index row = 0; row < A.rows(); ++row)
         for (RowMatrix::InnerIterator entry(A, row); entry; ++entry)
             sizes[entry.col()] = std::hypot(sizes[entry.col()], entry.value());
-    const double least = std::sqrt(idle_diagonal) * sizes.maxCoeff();
+    const double least = rounding * std::max(largest_entry, sizes.maxCoeff());
     const Eigen::VectorXd scale = least > 0.0 ? Eigen::VectorXd(sizes.cwiseMax(least).cwiseInverse())
                                               : Eigen::VectorXd::Ones(A.cols());
     return {.A = A * scale.asDiagonal(), .scale = scale};
@@ -234,14 +235,14 @@ NullModes null_modes(const SparseMatrix& K, double zero_tolerance, Eigen::Index 
     return result;
 }
 
-NullModes null_modes(const RowMatrix& A, double zero_tolerance, Eigen::Index most,
+NullModes null_modes(const RowMatrix& A, const NullSearch& search,
                      const std::function<bool(const Eigen::VectorXd&)>& is_free)
 {
     NullModes result{.modes = Eigen::MatrixXd(A.cols(), 0), .softest = Eigen::VectorXd::Zero(A.cols())};
     if (A.cols() == 0) return result;
-    const Balanced whole = balanced(A);
+    const Balanced whole = balanced(A, search.largest_entry);
     const SparseMatrix K = SparseMatrix(whole.A.transpose() * whole.A).triangularView<Eigen::Lower>();
-    const SoftMotions soft(K, zero_tolerance, most);
+    const SoftMotions soft(K, search.zero_tolerance, search.most);
     const Eigen::Index n_soft = soft.n_zeros();
     const Eigen::MatrixXd motions = by_strain(whole.A,
                                               corrected(whole.A, soft.inverse(), soft.vectors().leftCols(n_soft)));

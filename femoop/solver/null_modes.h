@@ -40,13 +40,19 @@ struct NullModes {
 NullModes null_modes(const SparseMatrix& K, double zero_tolerance = 1e-14,
                      Eigen::Index most = std::numeric_limits<Eigen::Index>::max() - 1);
 
+/// How the motions of A x = 0 are looked for.
+struct NullSearch {
+    double zero_tolerance; ///< of eigenvalues of A' A, scaled: less counts as soft
+    Eigen::Index most;     ///< motions end the search, which is not complete then
+    double largest_entry;  ///< that A has, or had before columns were left out: what is less by 1e-8 may be rounding
+};
+
 /// The motions x of A x = 0, looked at in A itself: what K = A' A leaves of a small strain is its square, which
 /// rounding hides from null_modes. Of soft motions of K those count that `is_free` says so.
 ///
 /// Method    null_modes of K, each motion corrected by x -= K^-1 A' A x until only rounding is left of A x; then
-/// singular
-///           values of A among those motions tell the free ones from the soft ones
-NullModes null_modes(const Eigen::SparseMatrix<double, Eigen::RowMajor>& A, double zero_tolerance, Eigen::Index most,
+///           singular values of A among those motions tell the free ones from the soft ones
+NullModes null_modes(const Eigen::SparseMatrix<double, Eigen::RowMajor>& A, const NullSearch& search,
                      const std::function<bool(const Eigen::VectorXd&)>& is_free);
 
 /// Estimate of the condition number in the 1-norm of K scaled to a unit diagonal, from a few solves; seldom less than a

@@ -41,7 +41,7 @@ std::string with_decimals(double value, int decimals, ui::DecimalMark mark)
 
 ui::DisplayUnits units_of(const femoop::Model& model, const ui::Catalogue& tr)
 {
-    drawing::ViewOptions options;
+    drawing::DrawOptions options;
     options.numbers = format_in(tr);
     return drawing::display_units(model, options);
 }

@@ -313,7 +313,7 @@ double draw_title(ui::Painter& painter, const Panel& panel, const std::string& t
 }
 
 drawing::Grips draw_structure_in(ui::Painter& painter, const Panel& panel, const Scene& scene,
-                                 const drawing::ShowSet& show, const std::function<void(const drawing::Scene&)>& marks)
+                                 const StructureLook& look, const std::function<void(const drawing::Scene&)>& marks)
 {
     const ui::ClipScope clip(painter, panel.box);
     const ui::Theme theme = theme_of_marks(panel, scene.look);
@@ -323,11 +323,12 @@ drawing::Grips draw_structure_in(ui::Painter& painter, const Panel& panel, const
         if (panel.stretch != 1.0) node.at[1] = femoop::Quantity(panel.stretch * node.at[1].value());
     }
     const drawing::StructureShape shape = drawing::shape_of(model);
-    drawing::ViewOptions options;
-    options.show = show;
+    drawing::DrawOptions options;
+    options.show = look.show;
     options.load_case = scene.document.method.load_case;
     options.theme = scene.look.theme;
     options.tr = scene.look.tr;
+    const drawing::DrawState state{.locked_scale = look.locked_scale};
     const drawing::Projection projection(panel.camera, panel.box.min);
     const drawing::Crowding crowding(shape, projection);
     ui::Box room = panel.box.grown(-3.0);
@@ -338,7 +339,7 @@ drawing::Grips draw_structure_in(ui::Painter& painter, const Panel& panel, const
                             .symbol_factor = crowding.symbol_share(),
                             .is_crowded = crowding.is_crowded()});
     const ui::DisplayUnits units = units_of(scene.document.model, scene.look.tr);
-    marks({model, shape, projection, options, units, sketch, crowding});
+    marks({model, shape, projection, options, state, units, sketch, crowding, look.show});
     sketch.write_captions();
     return sketch.grips();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "apps/cross/view/bay_scale.h"
@@ -68,8 +69,14 @@ void draw_borders(ui::Painter& painter, const Panels& panels, const ui::Theme& t
 /// What a picture shows, at its top left. \returns its height
 double draw_title(ui::Painter& painter, const Panel& panel, const std::string& title, const ui::Theme& theme);
 
-/// Draws marks of a structure in one panel through the frame app's own symbols. \returns what a hand can take hold of
+/// What of a structure is shown, and the scale that its results keep.
+struct StructureLook {
+    drawing::ShowSet show;
+    std::optional<drawing::LockedScale> locked_scale{};
+};
+
+/// Draws marks of a structure in one panel through the drawing library's symbols. \returns what a hand can take hold of
 drawing::Grips draw_structure_in(ui::Painter& painter, const Panel& panel, const Scene& scene,
-                                 const drawing::ShowSet& show, const std::function<void(const drawing::Scene&)>& marks);
+                                 const StructureLook& look, const std::function<void(const drawing::Scene&)>& marks);
 
 } // namespace cross

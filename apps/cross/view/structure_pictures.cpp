@@ -1,6 +1,8 @@
 #include "apps/cross/view/structure_pictures.h"
 
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "apps/cross/view/lock.h"
 #include "apps/cross/view/numbers.h"
@@ -8,6 +10,7 @@
 #include "apps/drawing/loads/loads.h"
 #include "apps/drawing/results/deformed.h"
 #include "apps/drawing/results/diagram.h"
+#include "apps/drawing/results/locked_scale.h"
 #include "apps/drawing/results/reactions.h"
 #include "apps/drawing/sketch/symbols.h"
 #include "apps/drawing/structure/dimensions.h"
@@ -31,9 +34,10 @@ void draw_supports_and_joints(const drawing::Scene& in)
     drawing::draw_joints(in);
 }
 
-/// Results of the present state, and those that set the scale: what the distribution comes to.
+/// Results of the present state, and the scale: of what the distribution comes to.
 struct Solved {
-    drawing::SolvedCase present, scale;
+    drawing::SolvedCase present;
+    std::optional<drawing::LockedScale> scale;
 };
 
 std::optional<Solved> solved(const Scene& scene)
@@ -42,10 +46,15 @@ std::optional<Solved> solved(const Scene& scene)
     auto present = drawing::solved_case(*scene.state, fc::state_case(*scene.state));
     if (!present) return std::nullopt;
     const std::optional<femoop::Results>& balanced = scene.solution.task->balanced;
-    auto scale = balanced && scene.document.stage == 0 ? drawing::solved_case(*balanced, fc::state_case(*balanced))
-                                                       : std::nullopt;
-    drawing::SolvedCase by = scale ? *scale : *present;
-    return Solved{std::move(*present), std::move(by)};
+    if (!balanced || scene.document.stage != 0) return Solved{*std::move(present), std::nullopt};
+    auto scale = drawing::locked_scale(scene.document.model, *balanced, fc::state_case(*balanced));
+    if (scale) scale->load_case = scene.document.method.load_case;
+    return Solved{*std::move(present), scale};
+}
+
+std::optional<drawing::LockedScale> scale_of(const std::optional<Solved>& results)
+{
+    return results ? results->scale : std::nullopt;
 }
 
 /// What locks of the sheet that is worked on do now.
@@ -183,7 +192,7 @@ drawing::Grips draw_loaded(ui::Painter& painter, const Panel& panel, const Scene
     const std::string& name = scene.document.model.case_name(scene.document.method.load_case);
     draw_title(painter, panel, tr("Structure and loads: {case}", {{"case", name}}), theme);
     const drawing::ShowSet show{Show::Loads, Show::Values, Show::NodeNames, Show::Dimensions};
-    return draw_structure_in(painter, panel, scene, show, [&](const drawing::Scene& in) {
+    return draw_structure_in(painter, panel, scene, {show}, [&](const drawing::Scene& in) {
         drawing::draw_members(in, drawing::Presence::Subject);
         draw_supports_and_joints(in);
         drawing::draw_loads(in);
@@ -201,10 +210,10 @@ void draw_deformed_state(ui::Painter& painter, const Panel& panel, const Scene& 
                                                : tr("Deformed shape, no joint locked");
     draw_title(painter, panel, title, theme_in(panel, scene.look));
     const std::optional<Solved> results = solved(scene);
-    draw_structure_in(painter, panel, scene, {Show::Deformed}, [&](const drawing::Scene& in) {
+    draw_structure_in(painter, panel, scene, {{Show::Deformed}, scale_of(results)}, [&](const drawing::Scene& in) {
         drawing::draw_members(in, drawing::Presence::Behind);
         if (results) {
-            const double scale = drawing::deformation_scale(in, results->present, results->scale, panel.box.size());
+            const double scale = drawing::deformation_scale(in, results->present, panel.box.size());
             drawing::draw_deformed(in, results->present, scale);
             if (sheet != nullptr) Locked(scene, in, results->present, scale).draw_all(*sheet);
         }
@@ -220,12 +229,12 @@ void draw_force_state(ui::Painter& painter, const Panel& panel, const Scene& sce
 {
     const bool is_shear = component == femoop::MemberComponent::Vy;
     const std::optional<Solved> results = solved(scene);
-    draw_structure_in(painter, panel, scene, {is_shear ? Show::V : Show::M, Show::Values},
+    draw_structure_in(painter, panel, scene, {{is_shear ? Show::V : Show::M, Show::Values}, scale_of(results)},
                       [&](const drawing::Scene& in) {
                           drawing::draw_members(in, drawing::Presence::Subject);
                           if (results) {
-                              const drawing::Diagram diagram = drawing::make_diagram(
-                                  in, results->present, results->scale, component, panel.box.size());
+                              const drawing::Diagram diagram = drawing::make_diagram(in, results->present, component,
+                                                                                     panel.box.size());
                               drawing::draw_diagram(in, results->present, diagram);
                           }
                           draw_supports_and_joints(in);

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "apps/drawing/view_options.h"
+#include "apps/drawing/draw_options.h"
 #include "femoop/model/model.h"
 #include "femoop/result/results.h"
 #include "ui/paint/painter.h"
@@ -20,11 +20,11 @@ namespace drawing {
 ///                0                            8 m
 ///
 /// Sides  N, V, T, v and w positive upwards; M on the side that it stretches, or on the other
-///        (ViewOptions::moment_side)
+///        (DrawOptions::moment_side)
 struct MemberResultsSubject {
     const femoop::Model& model;
     const femoop::Results& results; ///< of this model
-    const ViewOptions& options;     ///< which case, language, units, theme
+    const DrawOptions& options;     ///< which case, language, units, theme
     femoop::MemberId member;
     std::optional<double> cursor{}; ///< a section, from the first end of the flexible part [length]
 };

@@ -123,11 +123,11 @@ LargestDisplacement largest_displacement(const SolvedCase& solved)
     return largest;
 }
 
-double deformation_scale(const Scene& scene, const SolvedCase& solved, const SolvedCase& scaled_by, ui::Size panel)
+double deformation_scale(const Scene& scene, const SolvedCase& solved, ui::Size panel)
 {
     if (scene.options.deformation_scale) return *scene.options.deformation_scale;
-    const double now = largest_displacement(solved).value;
-    const double largest = &scaled_by == &solved ? now : held(largest_displacement(scaled_by).value, now);
+    const LockedScale* const locked = scene.locked_scale();
+    const double largest = scaling_value(locked ? locked->displacement : 0.0, largest_displacement(solved).value);
     if (!(largest > 1e-15 * scene.shape.size) || !std::isfinite(largest)) return 1.0;
     const double room = 0.22 * std::min(panel.width, panel.height) / scene.projection.scale();
     return round_below(std::min(drawn_share * scene.shape.size, room) / largest);
@@ -135,7 +135,7 @@ double deformation_scale(const Scene& scene, const SolvedCase& solved, const Sol
 
 void draw_deformed(const Scene& scene, const SolvedCase& solved, double scale)
 {
-    const double factor = scale * scene.options.phase;
+    const double factor = scale * scene.state.phase;
     for (std::size_t i = 0; i < scene.shape.members.size(); ++i) {
         const femoop::MemberId id{i};
         const std::vector<ui::Point> line = DeformedMember(scene, scene.shape[id], solved[id], factor).line();

@@ -13,9 +13,9 @@ struct LargestDisplacement {
 };
 LargestDisplacement largest_displacement(const SolvedCase& solved);
 
-/// The round factor by which displacements are drawn: the one asked for, else one that makes them up to a tenth of the
-/// structure or of the panel, had the structure those of `scaled_by`.
-double deformation_scale(const Scene& scene, const SolvedCase& solved, const SolvedCase& scaled_by, ui::Size panel);
+/// The round factor by which displacements are drawn: the one asked for, else one that makes them, or where the scale is
+/// locked those of then, up to a tenth of the structure or of the panel.
+double deformation_scale(const Scene& scene, const SolvedCase& solved, ui::Size panel);
 
 /// The deformed shape, each member by its exact curve, times `scale` and the phase.
 void draw_deformed(const Scene& scene, const SolvedCase& solved, double scale);

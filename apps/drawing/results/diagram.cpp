@@ -153,8 +153,7 @@ ui::Measure measure_of(MemberComponent component)
     }
 }
 
-Diagram make_diagram(const Scene& scene, const SolvedCase& solved, const SolvedCase& scaled_by,
-                     MemberComponent component, ui::Size panel)
+Diagram make_diagram(const Scene& scene, const SolvedCase& solved, MemberComponent component, ui::Size panel)
 {
     Diagram diagram{.component = component, .largest = largest_value(solved, component, scene.shape.size)};
     if (!(diagram.largest > 0.0)) return diagram;
@@ -163,9 +162,9 @@ Diagram make_diagram(const Scene& scene, const SolvedCase& solved, const SolvedC
     const double spare = std::max(0.0, panel.height - height_of(scene) - 100.0);
     const double room = share * (std::min(panel.width, panel.height) + 0.6 * spare);
     const double height = std::clamp(std::min(room, 3.2 * share * scene.crowding.median_length()), 16.0, 130.0);
-    const bool is_held = &scaled_by != &solved;
-    const double given = is_held ? largest_value(scaled_by, component, scene.shape.size) : diagram.largest;
-    diagram.pixels_per_unit = height * scene.options.diagram_factor / held(given, diagram.largest);
+    const LockedScale* const locked = scene.locked_scale();
+    const double scaled_for = scaling_value(locked ? (*locked)[component] : 0.0, diagram.largest);
+    diagram.pixels_per_unit = height * scene.options.diagram_factor / scaled_for;
     return diagram;
 }
 

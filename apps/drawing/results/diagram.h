@@ -17,21 +17,20 @@ struct Diagram {
     bool is_zero() const { return pixels_per_unit == 0.0; }
 };
 
-/// The diagram at a height that suits the members and the panel; it is the largest value of `scaled_by` that would get
-/// it, unless the diagram would become many times as high.
-Diagram make_diagram(const Scene& scene, const SolvedCase& solved, const SolvedCase& scaled_by,
-                     femoop::MemberComponent component, ui::Size panel);
+/// The diagram at a height that suits the members and the panel; where the scale is locked the largest value of then
+/// would get it, unless the diagram would become many times as high.
+Diagram make_diagram(const Scene& scene, const SolvedCase& solved, femoop::MemberComponent component, ui::Size panel);
 
 /// Filled and hatched ordinates along all members with values at ends, jumps and extremes, signs where the side alone
 /// does not tell them. In trusses N is a band as broad as the force is large.
 ///
 /// Sides  N, V, T   positive on the upper side of the member (in plane models; +y' in space, Vz on +z')
-///        M         on the side that it stretches, or on the other (ViewOptions::moment_side)
+///        M         on the side that it stretches, or on the other (DrawOptions::moment_side)
 void draw_diagram(const Scene& scene, const SolvedCase& solved, const Diagram& diagram);
 
 /// The outlines of the diagram alone, faint and without values: a former solution behind the present one. The scene is
 /// that of the former structure.
-void draw_ghost(const Scene& scene, const SolvedCase& solved, const Diagram& diagram);
+void draw_reference(const Scene& scene, const SolvedCase& solved, const Diagram& diagram);
 
 /// The largest and the smallest value of all cases along every member, as a band, with the extremes of each member.
 /// `diagram` has its scale from `envelope_diagram`.

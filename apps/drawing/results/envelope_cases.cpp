@@ -15,7 +15,7 @@ std::vector<femoop::CaseId> every_case(const femoop::Model& model)
 
 } // namespace
 
-std::vector<femoop::CaseId> envelope_cases(const femoop::Model& model, const ViewOptions& options)
+std::vector<femoop::CaseId> envelope_cases(const femoop::Model& model, const DrawOptions& options)
 {
     std::vector<femoop::CaseId> chosen = every_case(model);
     std::erase_if(chosen, [&](femoop::CaseId id) { return options.left_out.contains(model.case_name(id)); });
@@ -28,7 +28,7 @@ std::string governed(const std::string& number, const std::string& case_name)
     return number + " (" + ui::shortened(case_name, longest_name) + ")";
 }
 
-std::string envelope_words(const femoop::Model& model, const ViewOptions& options)
+std::string envelope_words(const femoop::Model& model, const DrawOptions& options)
 {
     const std::vector<femoop::CaseId> chosen = envelope_cases(model, options);
     if (chosen.size() == model.n_cases()) return options.tr("Envelope of all cases");

@@ -172,7 +172,7 @@ Diagram envelope_diagram(const Scene& scene, const std::vector<SolvedCase>& case
 {
     Diagram widest;
     for (const SolvedCase& solved : cases) {
-        const Diagram diagram = make_diagram(scene, solved, solved, component, panel);
+        const Diagram diagram = make_diagram(scene, solved, component, panel);
         if (diagram.largest >= widest.largest) widest = diagram;
     }
     widest.component = component;

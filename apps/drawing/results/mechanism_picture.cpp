@@ -43,7 +43,7 @@ void draw_node_motion(const Scene& scene, femoop::NodeId node, const femoop::Nod
 
 void draw_motion(const Scene& scene, const femoop::Mechanism& mechanism)
 {
-    const double factor = motion_share * scene.shape.size * scene.options.phase;
+    const double factor = motion_share * scene.shape.size * scene.state.phase;
     for (std::size_t i = 0; i < scene.shape.members.size() && i < mechanism.member_ends.size(); ++i) {
         const MemberShape& member = scene.shape.members[i];
         const auto& [start, end] = mechanism.member_ends[i];

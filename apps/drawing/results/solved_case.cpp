@@ -70,12 +70,6 @@ double largest_value(const SolvedCase& solved, MemberComponent component, double
     return own > rounding * force * (is_force ? 1.0 : size) ? own : 0.0;
 }
 
-double held(double given, double now)
-{
-    constexpr double most_growth = 2.5;
-    return given > 0.0 ? std::max(given, now / most_growth) : now;
-}
-
 double round_below(double value)
 {
     const double power = std::pow(10.0, std::floor(std::log10(value)));

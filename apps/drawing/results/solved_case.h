@@ -36,10 +36,6 @@ std::vector<femoop::MemberComponent> components(Show item, femoop::AnalysisKind 
 /// other forces, moments being compared with forces times `size`, the structure's.
 double largest_value(const SolvedCase& solved, femoop::MemberComponent component, double size);
 
-/// The value that a scale is made for: the one given while a number is dragged, unless there is none or the picture
-/// would grow beyond bounds.
-double held(double given, double now);
-
 /// 1, 2 or 5 times a power of ten, not above the value. \pre value > 0 and finite.
 double round_below(double value);
 

@@ -31,7 +31,7 @@ std::string terms_text(const femoop::Model& model, const femoop::Combination& co
     return text;
 }
 
-std::string case_text(const femoop::Model& model, const ViewOptions& options)
+std::string case_text(const femoop::Model& model, const DrawOptions& options)
 {
     if (options.is_envelope) return envelope_words(model, options);
     const std::size_t index = options.load_case.index;
@@ -43,7 +43,7 @@ std::string case_text(const femoop::Model& model, const ViewOptions& options)
                       {{"case", name}, {"terms", terms_text(model, combination, options.numbers)}});
 }
 
-std::string self_weight_text(const femoop::Model& model, const ViewOptions& options)
+std::string self_weight_text(const femoop::Model& model, const DrawOptions& options)
 {
     if (options.is_envelope) return {};
     double factor = 0.0;
@@ -53,7 +53,7 @@ std::string self_weight_text(const femoop::Model& model, const ViewOptions& opti
     return options.tr("with {factor} × self-weight", {{"factor", ui::number_text(factor, options.numbers)}});
 }
 
-std::string units_text(const femoop::Model& model, const ViewOptions& options)
+std::string units_text(const femoop::Model& model, const DrawOptions& options)
 {
     const ui::DisplayUnits units = display_units(model, options);
     return options.tr("units {force}, {length}", {{"force", units.unit(ui::Measure::Force).name},
@@ -109,12 +109,13 @@ std::string capitalized(std::string text)
 
 } // namespace
 
-SheetHead sheet_head(const femoop::Model& model, const femoop::Results* results, const ViewOptions& options)
+SheetHead sheet_head(const DrawInput& input, const DrawOptions& options)
 {
+    const femoop::Model& model = input.model;
     SheetHead head{.title = ui::shortened(model.title, longest_title), .line = {}};
     join(head.line, case_text(model, options));
     join(head.line, self_weight_text(model, options));
-    if (results && !model.members.empty()) join(head.line, indeterminacy_text(*results, options.tr));
+    if (input.results && !model.members.empty()) join(head.line, indeterminacy_text(*input.results, options.tr));
     join(head.line, units_text(model, options));
     head.line = capitalized(head.line);
     return head;

@@ -1,9 +1,10 @@
 #pragma once
 
+#include "apps/drawing/draw_input.h"
+#include "apps/drawing/draw_options.h"
 #include "apps/drawing/results/diagram.h"
 #include "apps/drawing/sheet/panel_head.h"
 #include "apps/drawing/sketch/scene.h"
-#include "femoop/result/results.h"
 
 #include <string>
 #include <vector>
@@ -16,7 +17,7 @@ struct SheetHead {
     std::string title;
     std::string line;
 };
-SheetHead sheet_head(const femoop::Model& model, const femoop::Results* results, const ViewOptions& options);
+SheetHead sheet_head(const DrawInput& input, const DrawOptions& options);
 /// On a sheet of this width [logical pixels], which longer lines are broken for.
 double head_height(const SheetHead& head, const ui::Theme& theme, const ui::Fonts& fonts, double width);
 void draw_head(ui::Painter& painter, const SheetHead& head, const ui::Theme& theme);

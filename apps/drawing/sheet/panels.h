@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/drawing/view_options.h"
+#include "apps/drawing/draw_options.h"
 #include "femoop/model/model.h"
 #include "ui/paint/geometry.h"
 

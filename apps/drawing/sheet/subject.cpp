@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace drawing {
 
@@ -37,19 +38,20 @@ bool shows_any(const ShowSet& show, std::span<const Show> items)
 /// Draws what one panel shows, part by part, and collects the heads that stand over it.
 class PanelPicture {
 public:
-    PanelPicture(const Scene& scene, ui::Size size) : scene_(scene), size_(size) {}
+    PanelPicture(const Scene& scene, const DrawInput& input, ui::Size size) : scene_(scene), input_(input), size_(size)
+    {}
 
     /// The overlay goes with the moments; where they are not shown at all it stands by itself.
     void draw_overlay_alone() { is_overlay_alone_ = true; }
 
     /// `all` has the solved cases where an envelope is drawn, else none.
-    void draw_solved(const SolvedCase* solved, const SolvedCase* scaled_by, const std::vector<SolvedCase>& all)
+    void draw_solved(const SolvedCase* solved, const std::vector<SolvedCase>& all)
     {
-        const bool is_behind = solved && scene_.shows(Show::Deformed) && !shows_any(scene_.options.show, diagrams);
+        const bool is_behind = solved && scene_.shows(Show::Deformed) && !shows_any(scene_.show, diagrams);
         draw_highlights(scene_);
         draw_members(scene_, is_behind ? Presence::Behind : Presence::Subject);
         if (!all.empty()) draw_bands(all);
-        else if (solved) draw_results(*solved, scaled_by ? *scaled_by : *solved);
+        else if (solved) draw_results(*solved);
         if (is_overlay_alone_ && all.empty() && has_overlay()) draw_overlay();
         draw_structure();
         if (scene_.shows(Show::Loads)) draw_loads(scene_);
@@ -83,44 +85,44 @@ private:
             use_one_scale(drawn);
             for (const Diagram& diagram : drawn) draw_envelope(scene_, all, diagram);
             heads_.push_back(diagram_head(scene_, drawn));
-            if (item == Show::M && has_overlay()) heads_.push_back(scene_.options.overlay->head(scene_));
+            if (item == Show::M && has_overlay()) heads_.push_back(input_.overlay->head(scene_));
         }
     }
 
-    bool has_overlay() const { return scene_.options.overlay != nullptr && !scene_.options.overlay->is_empty(); }
+    bool has_overlay() const { return input_.overlay != nullptr && !input_.overlay->is_empty(); }
 
     void draw_overlay()
     {
-        scene_.options.overlay->draw_alone(scene_);
-        heads_.push_back(scene_.options.overlay->head(scene_));
+        input_.overlay->draw_alone(scene_);
+        heads_.push_back(input_.overlay->head(scene_));
     }
 
     void draw_overlay_beside(const SolvedCase& solved, const Diagram& moments)
     {
-        scene_.options.overlay->draw_beside(scene_, solved, moments);
-        heads_.push_back(scene_.options.overlay->head(scene_));
+        input_.overlay->draw_beside(scene_, solved, moments);
+        heads_.push_back(input_.overlay->head(scene_));
     }
 
     // The former solution of the same case, to the scale of the present one.
     void draw_former(const std::vector<Diagram>& present)
     {
-        if (!scene_.options.ghost) return;
-        const Ghost& ghost = *scene_.options.ghost;
-        const auto solved = solved_case(ghost.results, scene_.options.load_case);
-        if (!solved || ghost.model.analysis != scene_.model.analysis) return;
-        const StructureShape shape = shape_of(ghost.model);
-        const Scene former{ghost.model,  shape,         scene_.projection, scene_.options,
-                           scene_.units, scene_.sketch, scene_.crowding};
-        for (const Diagram& diagram : present) draw_ghost(former, *solved, diagram);
+        if (input_.reference == nullptr) return;
+        const auto& [model, results] = *input_.reference;
+        const auto solved = solved_case(results, scene_.options.load_case);
+        if (!solved || model.analysis != scene_.model.analysis) return;
+        const StructureShape shape = shape_of(model);
+        const Scene former{model,        shape,         scene_.projection, scene_.options, scene_.state,
+                           scene_.units, scene_.sketch, scene_.crowding,   scene_.show};
+        for (const Diagram& diagram : present) draw_reference(former, *solved, diagram);
     }
 
-    void draw_results(const SolvedCase& solved, const SolvedCase& scaled_by)
+    void draw_results(const SolvedCase& solved)
     {
         for (const Show item : diagrams) {
             if (!scene_.shows(item)) continue;
             std::vector<Diagram> drawn;
             for (const femoop::MemberComponent component : components(item, scene_.model.analysis))
-                drawn.push_back(make_diagram(scene_, solved, scaled_by, component, size_));
+                drawn.push_back(make_diagram(scene_, solved, component, size_));
             if (drawn.empty()) continue;
             use_one_scale(drawn);
             draw_former(drawn);
@@ -129,7 +131,7 @@ private:
             if (item == Show::M && has_overlay()) draw_overlay_beside(solved, drawn.front());
         }
         if (!scene_.shows(Show::Deformed)) return;
-        const double scale = deformation_scale(scene_, solved, scaled_by, size_);
+        const double scale = deformation_scale(scene_, solved, size_);
         draw_deformed(scene_, solved, scale);
         heads_.push_back(deformed_head(scene_, scale));
     }
@@ -161,13 +163,14 @@ private:
     {
         if (scene_.shows(Show::LocalAxes)) draw_local_axes(scene_);
         draw_names(scene_);
-        if (scene_.shows(Show::DrawnDimensions)) draw_drawn_dimensions(scene_);
+        if (scene_.shows(Show::DrawnDimensions)) draw_drawn_dimensions(scene_, input_.dimensions);
         if (scene_.shows(Show::Dimensions)) draw_dimensions(scene_);
         if (heads_.empty() || scene_.shows(Show::Loads) || scene_.shows(Show::Reactions))
             heads_.insert(heads_.begin(), structure_head(scene_));
     }
 
     const Scene& scene_;
+    const DrawInput& input_;
     ui::Size size_;
     std::vector<PanelHead> heads_;
     bool is_overlay_alone_ = false;
@@ -197,34 +200,36 @@ ui::Theme theme_for(const ui::Theme& theme, Layout layout, ui::Size panel, doubl
 
 } // namespace
 
-Subject::Subject(const femoop::Model& model, const femoop::Results* results, const ViewOptions& options)
-    : model_(model),
-      results_(results),
+namespace {
+
+bool has_results_of_its_own(const DrawInput& input)
+{
+    return input.results && input.results->n_members() == input.model.members.size() &&
+           input.results->n_nodes() == input.model.nodes.size();
+}
+
+} // namespace
+
+Subject::Subject(DrawInput input, const DrawOptions& options, const DrawState& state)
+    : input_(std::move(input)),
       options_(options),
+      state_(state),
       theme_(options.theme),
-      units_(display_units(model, options)),
-      shape_(shape_of(model))
+      units_(display_units(input_.model, options)),
+      shape_(shape_of(input_.model))
 {
-    const auto fits = [&](const femoop::Results& r) {
-        return r.n_members() == model.members.size() && r.n_nodes() == model.nodes.size();
-    };
-    if (results && fits(*results)) solved_ = solved_case(*results, options.load_case);
-    if (options.is_envelope && results && fits(*results))
-        for (const femoop::CaseId id : envelope_cases(model, options)) all_.push_back(*solved_case(*results, id));
-    if (options.scaled_by) scaled_by_ = solved_case(*options.scaled_by, options.load_case);
+    if (!has_results_of_its_own(input_)) return;
+    solved_ = solved_case(*input_.results, options.load_case);
+    if (!options.is_envelope) return;
+    for (const femoop::CaseId id : envelope_cases(input_.model, options))
+        all_.push_back(*solved_case(*input_.results, id));
 }
 
-Subject::Subject(const femoop::Model& model, const MotionChoice& motion, const ViewOptions& options)
-    : Subject(model, nullptr, options)
-{
-    motion_ = motion;
-}
-
-Camera Subject::starting_camera() const { return options_.camera ? *options_.camera : usual_camera(); }
+Camera Subject::starting_camera() const { return state_.camera ? *state_.camera : usual_camera(); }
 
 Camera Subject::usual_camera() const
 {
-    if (is_seen_in_space(model_.analysis)) return ui::OrbitCamera();
+    if (is_seen_in_space(input_.model.analysis)) return ui::OrbitCamera();
     return ui::PlaneCamera();
 }
 
@@ -242,7 +247,7 @@ ui::Box Subject::area(ui::Size sheet, const ui::Fonts& fonts) const
 {
     ui::Box area{{0.0, 0.0}, {sheet.width, sheet.height}};
     if (options_.show.contains(Show::Legend))
-        area.min.y += head_height(sheet_head(model_, results_, options_), theme_, fonts, sheet.width);
+        area.min.y += head_height(sheet_head(input_, options_), theme_, fonts, sheet.width);
     const double line = 1.4 * theme_.type().normal;
     const std::size_t n_lines = foot_lines(sheet, fonts).size();
     if (n_lines > 0) area.max.y -= 14.0 + line * static_cast<double>(n_lines);
@@ -253,12 +258,12 @@ ui::Box Subject::area(ui::Size sheet, const ui::Fonts& fonts) const
 Subject::Plan Subject::plan(ui::Size sheet, const ui::Fonts& fonts) const
 {
     constexpr double clearly = 1.02;
-    const std::vector<ShowSet> contents = panel_contents({.show = without_absent(options_.show, model_.analysis),
+    const std::vector<ShowSet> contents = panel_contents({.show = without_absent(options_.show, input_.model.analysis),
                                                           .layout = options_.layout,
                                                           .has_results = solved_.has_value()});
     const ui::Box room = area(sheet, fonts);
     std::vector<Panel> list = panels(contents, room, 1);
-    if (contents.size() == 1 && options_.camera) return {std::move(list), *options_.camera};
+    if (contents.size() == 1 && state_.camera) return {std::move(list), *state_.camera};
     Camera camera = fitted(list, fonts);
     for (std::size_t columns = 2; columns <= contents.size(); ++columns) {
         std::vector<Panel> others = panels(contents, room, columns);
@@ -267,15 +272,17 @@ Subject::Plan Subject::plan(ui::Size sheet, const ui::Fonts& fonts) const
         list = std::move(others);
         camera = std::move(other);
     }
-    return {std::move(list), options_.camera ? *options_.camera : std::move(camera)};
+    return {std::move(list), state_.camera ? *state_.camera : std::move(camera)};
 }
 
 std::vector<Eigen::Vector3d> Subject::fitted_points() const
 {
     std::vector<Eigen::Vector3d> points = shape_.nodes;
-    const std::vector<Eigen::Vector3d> ends = ends_of_dimensions(model_, options_);
-    points.insert(points.end(), ends.begin(), ends.end());
-    if (!options_.show.contains(Show::Dimensions) || !is_seen_in_space(model_.analysis)) return points;
+    if (options_.show.contains(Show::DrawnDimensions)) {
+        const std::vector<Eigen::Vector3d> ends = ends_of_dimensions(input_.model, input_.dimensions);
+        points.insert(points.end(), ends.begin(), ends.end());
+    }
+    if (!options_.show.contains(Show::Dimensions) || !is_seen_in_space(input_.model.analysis)) return points;
     const std::vector<Eigen::Vector3d> corners = dimensioned_corners(shape_);
     points.insert(points.end(), corners.begin(), corners.end());
     return points;
@@ -320,12 +327,12 @@ ui::Margins Subject::needed_margins(const std::vector<Panel>& panels, const Came
         margins.top = std::max(margins.top, nodes.min.y - marks->min.y + edge + drawn.heads_height);
         margins.bottom = std::max(margins.bottom, marks->max.y - nodes.max.y + edge);
     }
-    if (options_.overlay && !options_.show.contains(Show::M)) { // room to sketch in
+    if (input_.overlay && !options_.show.contains(Show::M)) { // room to sketch in
         const double room = 0.2 * std::min(size.width, size.height);
         for (double* const margin : {&margins.left, &margins.right, &margins.top, &margins.bottom})
             *margin = std::max(*margin, room);
     }
-    if (motion_) { // it moves to both sides
+    if (input_.motion) { // it moves to both sides
         margins.left = margins.right = std::max(margins.left, margins.right);
         margins.top = margins.bottom = std::max(margins.top, margins.bottom);
     }
@@ -361,20 +368,18 @@ Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, con
 {
     const ui::ClipScope clip(painter, panel.box);
     const ui::Theme theme = theme_for(theme_, options_.layout, panel.box.size(), aspect(usual_camera()));
-    ViewOptions options = options_;
-    options.show = panel.show;
     const Projection projection(camera, panel.box.min);
     const Crowding crowding(shape_, projection);
     Sketch sketch({.painter = &painter,
                    .theme = &theme,
                    .room = panel.box.grown(-4.0),
-                   .symbol_factor = options.symbol_factor * crowding.symbol_share(),
+                   .symbol_factor = options_.symbol_factor * crowding.symbol_share(),
                    .is_crowded = crowding.is_crowded()});
-    const Scene scene{model_, shape_, projection, options, units_, sketch, crowding};
-    PanelPicture picture(scene, panel.box.size());
+    const Scene scene{input_.model, shape_, projection, options_, state_, units_, sketch, crowding, panel.show};
+    PanelPicture picture(scene, input_, panel.box.size());
     if (!options_.show.contains(Show::M) && !shows_any(panel.show, diagrams)) picture.draw_overlay_alone();
-    if (motion_) picture.draw_mechanism(motion_->all[motion_->shown]);
-    else picture.draw_solved(solved_ ? &*solved_ : nullptr, scaled_by_ ? &*scaled_by_ : nullptr, all_);
+    if (const auto& motion = input_.motion) picture.draw_mechanism(motion->all[motion->shown]);
+    else picture.draw_solved(solved_ ? &*solved_ : nullptr, all_);
     Drawn drawn{.bounds = sketch.bounds(), .tight_bounds = sketch.tight_bounds()};
     const std::vector<ui::Box> rows = head_rows(picture.heads(), theme, painter.fonts(), panel);
     if (!rows.empty()) drawn.heads_height = rows.back().max.y - panel.box.min.y;
@@ -390,7 +395,7 @@ Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, con
 std::vector<ui::Box> Subject::head_rows(const std::vector<PanelHead>& heads, const ui::Theme& theme,
                                         const ui::Fonts& fonts, const Panel& panel) const
 {
-    if (!panel.show.contains(Show::Legend) || motion_) return {};
+    if (!panel.show.contains(Show::Legend) || input_.motion) return {};
     const double width = panel.box.width();
     std::vector<ui::Box> rows;
     ui::Point corner = panel.box.min;
@@ -416,13 +421,13 @@ bool holds(const ui::Box& panel, const std::optional<ui::Box>& bounds) { return 
 
 Subject::Picture Subject::draw(ui::Painter& painter) const
 {
-    const Plan sheet = plan(painter.size(), painter.fonts());
-    if (options_.show.contains(Show::Legend)) draw_head(painter, sheet_head(model_, results_, options_), theme_);
+    Picture picture{.plan = plan(painter.size(), painter.fonts())};
+    const auto& [panels, camera] = picture.plan;
+    if (options_.show.contains(Show::Legend)) draw_head(painter, sheet_head(input_, options_), theme_);
     std::size_t n_left_out = 0;
-    Picture picture;
-    for (const Panel& panel : sheet.panels) {
-        const Drawn drawn = draw_panel(painter, panel, sheet.camera, Pass::Write);
-        if (&panel == &sheet.panels.front()) picture.legend_bottom = panel.box.min.y + drawn.heads_height;
+    for (const Panel& panel : panels) {
+        const Drawn drawn = draw_panel(painter, panel, camera, Pass::Write);
+        if (&panel == &panels.front()) picture.legend_bottom = panel.box.min.y + drawn.heads_height;
         n_left_out += drawn.n_left_out;
         append(picture.grips, drawn.grips);
         picture.is_whole = picture.is_whole && holds(panel.box, drawn.tight_bounds);
@@ -466,19 +471,19 @@ void Subject::draw_left_out(ui::Painter& painter, std::size_t n_left_out) const
 
 bool Subject::has_overlay_words() const
 {
-    return options_.overlay && solved_ && !options_.is_envelope && options_.show.contains(Show::M);
+    return input_.overlay && solved_ && !options_.is_envelope && options_.show.contains(Show::M);
 }
 
 ui::TextStyle Subject::foot_style() const
 {
-    return theme_.text(motion_ ? ui::Role::Error : ui::Role::Label, ui::Anchor::BottomLeft);
+    return theme_.text(input_.motion ? ui::Role::Error : ui::Role::Label, ui::Anchor::BottomLeft);
 }
 
 std::vector<std::string> Subject::foot_lines(ui::Size sheet, const ui::Fonts& fonts) const
 {
     std::vector<std::string> sentences, lines;
-    if (motion_) sentences.push_back(motion_->sentence);
-    if (has_overlay_words()) sentences = options_.overlay->foot({model_, shape_, units_, options_.tr});
+    if (input_.motion) sentences.push_back(input_.motion->sentence);
+    if (has_overlay_words()) sentences = input_.overlay->foot({input_.model, shape_, units_, options_.tr});
     for (const std::string& one : sentences) {
         const std::vector<std::string> wrapped_one = ui::wrapped_lines(fonts, one, foot_style(), sheet.width - 32.0);
         lines.insert(lines.end(), wrapped_one.begin(), wrapped_one.end());

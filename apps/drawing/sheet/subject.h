@@ -1,12 +1,13 @@
 #pragma once
 
+#include "apps/drawing/draw_input.h"
+#include "apps/drawing/draw_options.h"
+#include "apps/drawing/draw_state.h"
 #include "apps/drawing/geometry/structure_shape.h"
 #include "apps/drawing/results/solved_case.h"
 #include "apps/drawing/sheet/panel_head.h"
 #include "apps/drawing/sheet/panels.h"
 #include "apps/drawing/sketch/sketch.h"
-#include "apps/drawing/view_options.h"
-#include "femoop/result/results.h"
 #include "ui/paint/painter.h"
 #include "ui/paint/theme.h"
 
@@ -18,8 +19,8 @@ namespace drawing {
 /// All that a picture is made from, gathered once.
 class Subject {
 public:
-    Subject(const femoop::Model& model, const femoop::Results* results, const ViewOptions& options);
-    Subject(const femoop::Model& model, const MotionChoice& motion, const ViewOptions& options);
+    /// \pre the options and the state outlive it
+    Subject(DrawInput input, const DrawOptions& options, const DrawState& state);
 
     /// How a sheet of this size is divided, and the camera of its panels.
     struct Plan {
@@ -29,13 +30,14 @@ public:
     Plan plan(ui::Size sheet, const ui::Fonts& fonts) const;
     /// What was drawn.
     struct Picture {
+        Plan plan;
         Grips grips;                ///< what a hand can take hold of, where it is on the sheet
         bool is_whole = true;       ///< no mark of the structure runs out of its panel
         double legend_bottom = 0.0; ///< of the title and of what stands over the first panel [logical pixels]
     };
     Picture draw(ui::Painter& painter) const;
 
-    const femoop::Model& model() const { return model_; }
+    const femoop::Model& model() const { return input_.model; }
     const StructureShape& shape() const { return shape_; }
     const std::optional<SolvedCase>& solved() const { return solved_; }
 
@@ -72,16 +74,14 @@ private:
     std::vector<std::string> foot_lines(ui::Size sheet, const ui::Fonts& fonts) const;
     ui::TextStyle foot_style() const;
 
-    const femoop::Model& model_;
-    const femoop::Results* results_ = nullptr;
-    std::optional<MotionChoice> motion_;
-    const ViewOptions& options_;
+    DrawInput input_;
+    const DrawOptions& options_;
+    const DrawState& state_;
     ui::Theme theme_;
     ui::DisplayUnits units_;
     StructureShape shape_;
     std::optional<SolvedCase> solved_;
     std::vector<SolvedCase> all_; ///< cases of an envelope
-    std::optional<SolvedCase> scaled_by_;
 };
 
 } // namespace drawing

@@ -1,5 +1,7 @@
 #include "apps/drawing/sketch/scene.h"
 
+#include <optional>
+
 namespace drawing {
 
 std::string with_minus(const std::string& text) { return text.starts_with('-') ? "−" + text.substr(1) : text; }
@@ -15,7 +17,14 @@ bool Scene::explains() const
     return shows(Show::Values);
 }
 
-ui::DisplayUnits display_units(const femoop::Model& model, const ViewOptions& options)
+const LockedScale* Scene::locked_scale() const
+{
+    const std::optional<LockedScale>& locked = state.locked_scale;
+    const bool serves = locked && !options.is_envelope && locked->load_case == options.load_case;
+    return serves ? &*locked : nullptr;
+}
+
+ui::DisplayUnits display_units(const femoop::Model& model, const DrawOptions& options)
 {
     const femoop::Units& units = model.units;
     const ui::BaseUnits base{.length = std::string(femoop::name(units.length)),

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "apps/drawing/draw_options.h"
+#include "apps/drawing/draw_state.h"
 #include "apps/drawing/geometry/crowding.h"
 #include "apps/drawing/geometry/projection.h"
 #include "apps/drawing/geometry/structure_shape.h"
 #include "apps/drawing/sketch/sketch.h"
-#include "apps/drawing/view_options.h"
 #include "femoop/model/model.h"
 #include "ui/text/display_units.h"
 
@@ -15,12 +16,14 @@ struct Scene {
     const femoop::Model& model;
     const StructureShape& shape;
     const Projection& projection;
-    const ViewOptions& options;
+    const DrawOptions& options;
+    const DrawState& state;
     const ui::DisplayUnits& units;
     Sketch& sketch;
     const Crowding& crowding;
+    ShowSet show; ///< what this panel shows of what the options ask for
 
-    bool shows(Show item) const { return options.show.contains(item); }
+    bool shows(Show item) const { return show.contains(item); }
     ui::Point place(femoop::NodeId node) const { return projection(shape[node]); }
     /// A symbol frame at a place of a member, x along the member, y along its y' axis.
     SymbolFrame frame_on(const MemberShape& member, double along) const
@@ -33,12 +36,14 @@ struct Scene {
     /// No result is drawn over the structure, so there is room to say what it is made of.
     bool explains() const;
     bool is_flat() const { return projection.is_plane(); }
+    /// Null where the scales are those of the results drawn, as in every envelope.
+    const LockedScale* locked_scale() const;
 };
 
 /// A number's text with a true minus sign for its hyphen.
 std::string with_minus(const std::string& text);
 
 /// The units that numbers of a model are shown in.
-ui::DisplayUnits display_units(const femoop::Model& model, const ViewOptions& options);
+ui::DisplayUnits display_units(const femoop::Model& model, const DrawOptions& options);
 
 } // namespace drawing

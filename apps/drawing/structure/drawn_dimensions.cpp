@@ -87,29 +87,29 @@ bool holds(const Highlight& highlight, DimensionPlace place)
 
 } // namespace
 
-void draw_drawn_dimensions(const Scene& scene)
+void draw_drawn_dimensions(const Scene& scene, std::span<const DimensionLine> dimensions)
 {
     if (!is_drawn_in(scene.model)) return;
     const ui::LayerScope layer(scene.sketch.painter(), ui::Layer::Symbols);
-    for (std::size_t i = 0; i < scene.options.dimensions.size(); ++i) {
-        const DimensionLine& line = scene.options.dimensions[i];
+    for (std::size_t i = 0; i < dimensions.size(); ++i) {
+        const DimensionLine& line = dimensions[i];
         const std::optional<DimensionLayout> layout = layout_of(scene.model, line);
         if (!layout) continue;
         const DrawnDimension drawn(scene, line, *layout);
         const DimensionPlace place{i};
-        if (holds(scene.options.selection, place)) drawn.highlight(ui::Role::Selection);
-        if (holds(scene.options.hover, place)) drawn.highlight(ui::Role::Hover);
+        if (holds(scene.state.selection, place)) drawn.highlight(ui::Role::Selection);
+        if (holds(scene.state.hover, place)) drawn.highlight(ui::Role::Hover);
         drawn.draw_leaders();
         drawn.draw_lengths();
         scene.sketch.mark(DimensionMark{place, drawn.start(), drawn.end()});
     }
 }
 
-std::vector<Eigen::Vector3d> ends_of_dimensions(const femoop::Model& model, const ViewOptions& options)
+std::vector<Eigen::Vector3d> ends_of_dimensions(const femoop::Model& model, std::span<const DimensionLine> dimensions)
 {
     std::vector<Eigen::Vector3d> ends;
-    if (!options.show.contains(Show::DrawnDimensions) || !is_drawn_in(model)) return ends;
-    for (const DimensionLine& line : options.dimensions)
+    if (!is_drawn_in(model)) return ends;
+    for (const DimensionLine& line : dimensions)
         if (const auto layout = layout_of(model, line))
             for (const DimensionLayout::Mark& mark : layout->marks)
                 ends.emplace_back(mark.foot.x(), mark.foot.y(), 0.0);

@@ -3,6 +3,7 @@
 #include "apps/drawing/sketch/symbols.h"
 
 #include <algorithm>
+#include <numbers>
 #include <numeric>
 
 namespace drawing {
@@ -137,8 +138,8 @@ ui::Stroke highlight_stroke(const Scene& scene, ui::Role role)
 
 void draw_highlights(const Scene& scene)
 {
-    draw_highlight(scene, scene.options.selection, ui::Role::Selection);
-    draw_highlight(scene, scene.options.hover, ui::Role::Hover);
+    draw_highlight(scene, scene.state.selection, ui::Role::Selection);
+    draw_highlight(scene, scene.state.hover, ui::Role::Hover);
 }
 
 } // namespace drawing

@@ -3,7 +3,11 @@
 #include "apps/drawing/sketch/symbols.h"
 #include "apps/drawing/structure/support_side.h"
 
+#include <array>
 #include <cmath>
+#include <numbers>
+#include <optional>
+#include <vector>
 
 namespace drawing {
 
@@ -13,7 +17,7 @@ using Eigen::Vector3d;
 using femoop::Dof;
 using femoop::DofSet;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Which symbol stands for what is blocked, apart from springs.
 enum class Symbol : std::uint8_t { None, Wall, Pin, RollerX, RollerY, SliderX, SliderY, NoRotation };

@@ -5,6 +5,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <vector>
 
 namespace drawing {
 
@@ -14,7 +19,7 @@ using Eigen::Vector3d;
 using femoop::Dof;
 using femoop::DofSet;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 bool contains_all(DofSet set, DofSet wanted)
 {

@@ -117,18 +117,14 @@ private:
         draw(painter);
         report_.blocks.push_back(ui::ReportFigure{painter.picture(), std::move(caption)});
     }
-    ViewOptions view(ShowSet show, CaseId load_case = {}) const
+    DrawOptions view(ShowSet show, CaseId load_case = {}) const
     {
-        ViewOptions view = options_.view;
+        DrawOptions view = options_.view;
         view.theme = ui::ThemeName::Print;
         view.show = show;
         view.load_case = load_case;
         view.is_envelope = false;
         view.layout = Layout::Overlay;
-        view.camera.reset();
-        view.scaled_by.reset();
-        view.hover = view.selection = {};
-        view.phase = 1.0;
         return view;
     }
 
@@ -138,8 +134,9 @@ private:
         text(kind_words(model_.analysis, tr_) + ", " + size_words(model_, tr_) + degree());
         figure(tr_("Names of nodes and members, dimensions"), [&](ui::Painter& painter) {
             using enum Show;
-            const ShowSet dimensions{options_.view.dimensions.empty() ? Dimensions : DrawnDimensions};
-            draw(painter, model_, nullptr, view(ShowSet{NodeNames, MemberNames, Values} | dimensions));
+            const ShowSet dimensions{options_.dimensions.empty() ? Dimensions : DrawnDimensions};
+            draw(painter, {.model = model_, .dimensions = options_.dimensions},
+                 view(ShowSet{NodeNames, MemberNames, Values} | dimensions));
         });
     }
     std::string degree() const
@@ -192,9 +189,9 @@ private:
         heading(2, envelope_words(model_, options_.view));
         for (const MemberComponent component : section_force_components(model_.analysis)) {
             figure(force_label(component), [&](ui::Painter& painter) {
-                ViewOptions bands = view({show_of(component), Show::Values});
+                DrawOptions bands = view({show_of(component), Show::Values});
                 bands.is_envelope = true;
-                draw(painter, model_, &results, bands);
+                draw(painter, {model_, &results}, bands);
             });
         }
         const TabledResults chosen{model_, results, CaseId(0), envelope_cases(model_, options_.view)};
@@ -210,7 +207,7 @@ private:
         heading(2, tr_("Loads"));
         for (std::size_t i = 0; i < model_.n_cases(); ++i) {
             figure(tr_("Case {case}", {{"case", model_.case_name(CaseId(i))}}), [&](ui::Painter& painter) {
-                draw(painter, model_, nullptr, view({Loads, Values, NodeNames}, CaseId(i)));
+                draw(painter, {model_}, view({Loads, Values, NodeNames}, CaseId(i)));
             });
         }
         text(tr_("The results are hidden."));
@@ -222,7 +219,7 @@ private:
         const Results& results = *solution_.results;
         heading(2, tr_("Case {case}", {{"case", results[id].name()}}));
         const auto draw_case = [&](const std::string& caption, ShowSet show) {
-            figure(caption, [&](ui::Painter& painter) { draw(painter, model_, &results, view(show, id)); });
+            figure(caption, [&](ui::Painter& painter) { draw(painter, {model_, &results}, view(show, id)); });
         };
         draw_case(tr_("Loads and reactions"), {Loads, Reactions, Values, NodeNames});
         for (const MemberComponent component : section_force_components(model_.analysis))

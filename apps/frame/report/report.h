@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
-#include "apps/drawing/view_options.h"
+#include "apps/drawing/dimension.h"
+#include "apps/drawing/draw_options.h"
 #include "apps/frame/document/drawing_names.h"
 #include "apps/frame/document/solution.h"
 #include "femoop/model/model.h"
@@ -15,8 +17,9 @@ namespace frame {
 enum class ReportAbout : std::uint8_t { Everything, Data };
 
 struct ReportOptions {
-    ViewOptions view;      ///< language, units, digits; figures are drawn in the print theme
-    bool matrices = false; ///< the stiffness and the transformation of every member too
+    DrawOptions view;                            ///< language, units, digits; figures are drawn in the print theme
+    std::span<const DimensionLine> dimensions{}; ///< drawn by hand; outlive the writing
+    bool matrices = false;                       ///< the stiffness and the transformation of every member too
     ReportAbout about = ReportAbout::Everything;
 };
 

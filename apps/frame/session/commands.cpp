@@ -94,17 +94,18 @@ void add_show_commands(CommandTable& table)
 }
 
 // Keeps the present solution to compare later ones with it; drops the one that is kept.
-void keep_ghost(Desk& desk, bool is_kept)
+void keep_reference(Desk& desk, bool is_kept)
 {
-    const Session& session = desk.session;
-    desk.session.view.ghost = is_kept
-                                  ? std::make_shared<const Ghost>(Ghost{session.model(), *session.solution().results})
-                                  : nullptr;
+    Session& session = desk.session;
+    session.reference.reset();
+    if (is_kept)
+        session.reference = std::make_shared<const ReferenceResults>(
+            ReferenceResults{session.model(), *session.solution().results});
 }
 
 Reason why_not_compare(const Desk& desk)
 {
-    if (desk.session.view.ghost || desk.session.solution().results) return std::nullopt;
+    if (desk.session.reference || desk.session.solution().results) return std::nullopt;
     return translatable("the model has no results");
 }
 
@@ -137,7 +138,7 @@ void add_camera_commands(CommandTable& table)
         [](auto& desk) -> auto& { return desk.session.view.is_envelope; }, why_no_envelope);
     menu.toggle(
         {"view.compare", translatable("Compare with the present results"), {{Key::G, {}}}},
-        [](const Desk& desk) { return desk.session.view.ghost != nullptr; }, keep_ghost, why_not_compare);
+        [](const Desk& desk) { return desk.session.reference != nullptr; }, keep_reference, why_not_compare);
     ui::standard::add_projector(table);
     menu.toggle(
         {"view.moment_side", translatable("Moments on the tension side")},

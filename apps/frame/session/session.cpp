@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "apps/drawing/results/envelope_cases.h"
+#include "apps/drawing/results/locked_scale.h"
 #include "apps/frame/document/companion/companion_file.h"
 #include "apps/frame/document/fault/place.h"
 #include "apps/frame/document/fault/sentence.h"
@@ -52,11 +53,11 @@ void Session::restart(Document document)
     selection.clear();
     prediction.clear();
     view.load_case = femoop::CaseId(0);
-    view.camera.reset();
+    draw_state.camera.reset();
     shown_view.reset();
     look_at.reset();
-    view.scaled_by.reset();
-    view.ghost.reset();
+    draw_state.locked_scale.reset();
+    reference.reset();
     view.is_envelope = false;
     view.left_out.clear();
     mechanism = 0;
@@ -167,8 +168,9 @@ void Session::follow_case(const femoop::Model& before, const femoop::Model& afte
 
 void Session::hold_scales(Step step)
 {
-    if (step == Step::Click) view.scaled_by.reset();
-    else if (!history_.is_dragging()) view.scaled_by = solution_.results;
+    if (step == Step::Click) draw_state.locked_scale.reset();
+    else if (!history_.is_dragging() && solution_.results)
+        draw_state.locked_scale = locked_scale(model(), *solution_.results, view.load_case);
 }
 
 void Session::tell_loss(const femoop::Model& before, const femoop::Model& after)
@@ -180,7 +182,7 @@ void Session::settle()
 {
     if (history_.is_dragging()) tell_loss(history_.settled().model, model());
     history_.settle();
-    view.scaled_by.reset();
+    draw_state.locked_scale.reset();
 }
 
 void Session::cancel()
@@ -360,9 +362,9 @@ const std::vector<femoop::Mechanism>& Session::shown_mechanisms() const
     return blank ? blank->mechanisms : solution_.mechanisms;
 }
 
-ViewOptions Session::results_view() const
+DrawOptions Session::results_view() const
 {
-    ViewOptions shown = view;
+    DrawOptions shown = view;
     for (const BlankCase& one : solution_.blank) shown.left_out.insert(model().case_name(one.id));
     return shown;
 }
@@ -376,7 +378,7 @@ std::string Session::in_words() const
         const std::string words = femoop::describe(model(), told, view.tr);
         return hidden ? words + "\n" + view.tr(*why_no_results()) + "\n" : words;
     }
-    const ViewOptions shown = results_view();
+    const DrawOptions shown = results_view();
     std::string words = femoop::describe(model(), *told, solution_.solved_cases(), view.tr);
     for (const BlankCase& one : solution_.blank) {
         words += "\n" + view.tr("Case {case} has no results.", {{"case", model().case_name(one.id)}}) + "\n";

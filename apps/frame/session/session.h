@@ -3,14 +3,17 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "apps/drawing/cut.h"
+#include "apps/drawing/draw_input.h"
+#include "apps/drawing/draw_options.h"
+#include "apps/drawing/draw_state.h"
 #include "apps/drawing/pick.h"
-#include "apps/drawing/view_options.h"
 #include "apps/frame/document/change.h"
 #include "apps/frame/document/drawing_names.h"
 #include "apps/frame/document/selection.h"
@@ -92,7 +95,7 @@ public:
     /// Each way in which the structure can move, or is moved by the case that is shown.
     const std::vector<femoop::Mechanism>& shown_mechanisms() const;
     /// The view with an envelope of those cases alone that have results.
-    ViewOptions results_view() const;
+    DrawOptions results_view() const;
     /// The results as far as they may be told: nothing while they are kept from the class.
     std::optional<femoop::Results> told_results() const;
     /// Model and results in words, and the envelope's numbers where one is shown; of hidden results it says that they
@@ -103,7 +106,9 @@ public:
     Manner manner() const { return {units(), view.tr}; } ///< of tables
     void set_language(ui::Language language);
 
-    ViewOptions view;
+    DrawOptions view;
+    DrawState draw_state;
+    std::shared_ptr<const ReferenceResults> reference; ///< that the present ones are compared with; null: none
     Selection selection;
     std::optional<Cut> hover;
     std::optional<Cut> pin;

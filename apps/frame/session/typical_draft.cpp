@@ -84,7 +84,7 @@ std::optional<ui::Phrase> TypicalDraft::show(Session& session)
     };
     auto objection = session.change(
         {{translatable("Insert: {structure}"), {{"structure", ui::Phrase(structure().label)}}}, command, Step::Drag});
-    session.view.scaled_by.reset(); // another structure has another scale
+    session.draw_state.locked_scale.reset(); // another structure has another scale
     session.view.show = show_before_;
     if (is_truss != was_truss) exchange_forces(session.view.show, is_truss);
     return objection;

@@ -79,7 +79,7 @@ void add_view_commands(CommandTable& table)
 
 void keep_view(Session& session, const std::optional<Region>& region)
 {
-    const ViewOptions& now = session.view;
+    const DrawOptions& now = session.view;
     NamedView view{.name = fresh_name(views(session), &NamedView::name, now.tr("View 1")),
                    .show = now.show,
                    .diagrams = now.diagram_factor,
@@ -120,7 +120,7 @@ void show_view(Session& session, std::size_t place)
     const NamedView& view = views(session).at(place);
     look_as(session.view, view, session.model());
     session.hidden.reset();
-    session.view.camera.reset();
+    session.draw_state.camera.reset();
     session.look_at = view.region;
     session.shown_view = place;
     tell_lost_case(session, view);

@@ -16,7 +16,7 @@ std::set<std::string> cases_beside(const std::vector<std::string>& chosen, const
 
 } // namespace
 
-void look_as(ViewOptions& options, const NamedView& view, const femoop::Model& model)
+void look_as(DrawOptions& options, const NamedView& view, const femoop::Model& model)
 {
     options.show = view.show;
     options.is_envelope = !view.load_case;

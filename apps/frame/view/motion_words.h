@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 
-#include "apps/drawing/view_options.h"
+#include "apps/drawing/draw_input.h"
 #include "apps/frame/document/drawing_names.h"
 
 namespace frame {

@@ -72,7 +72,7 @@ void Application::remember_in(const ui::DraftFolder& folder) { kept_files_ = ui:
 void Application::animate(double seconds)
 {
     time_ = is_swinging() ? time_ + seconds : full_swing;
-    desk_.session.view.phase = std::sin(2.0 * std::numbers::pi * time_ / seconds_per_swing);
+    desk_.session.draw_state.phase = std::sin(2.0 * std::numbers::pi * time_ / seconds_per_swing);
 }
 
 void Application::pass_notice(double seconds)
@@ -231,7 +231,7 @@ void Application::take(const ui::ChosenFile& file)
 // The other program speaks and looks as this one does, and hears of what changes here.
 void Application::hand_over(ui::Handover handover)
 {
-    const ViewOptions& view = desk_.session.view;
+    const DrawOptions& view = desk_.session.view;
     handover.options = {"--lang", std::string(code(view.tr.language())), "--theme", std::string(text(view.theme))};
     handed_ = std::move(handover);
     if (!start_program_) return;

@@ -27,7 +27,7 @@ std::vector<std::string> reasons(const Session& session, const BlankCase& blank)
 
 } // namespace
 
-void draw_why_blank(ui::Painter& painter, const Session& session, const ViewOptions& options)
+void draw_why_blank(ui::Painter& painter, const Session& session, const DrawOptions& options)
 {
     const BlankCase* const blank = session.shown_blank();
     if (blank == nullptr || !blank->mechanisms.empty() || session.hidden) return;

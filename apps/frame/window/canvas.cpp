@@ -27,10 +27,9 @@ namespace {
 constexpr double zoom_per_turn = 1.15;
 
 // An envelope belongs to no case, so it has neither loads nor a deformed shape.
-ViewOptions looked_at(const Session& session)
+DrawOptions looked_at(const Session& session)
 {
-    ViewOptions options = session.results_view();
-    options.dimensions = session.document().companion.dimensions;
+    DrawOptions options = session.results_view();
     if (options.is_envelope) options.show = options.show - ShowSet{Show::Loads, Show::Deformed};
     return options;
 }
@@ -38,7 +37,7 @@ ViewOptions looked_at(const Session& session)
 bool is_sketched(const Session& session) { return session.hidden || !session.prediction.is_empty(); }
 
 // Judged where the moments of one case are seen.
-std::optional<GuessPicture> guess_picture(const Session& session, const ViewOptions& options)
+std::optional<GuessPicture> guess_picture(const Session& session, const DrawOptions& options)
 {
     if (!is_sketched(session)) return std::nullopt;
     const femoop::Results* const results = session.shown_results();
@@ -54,12 +53,16 @@ std::optional<std::size_t> shown_mechanism(const Desk& desk)
     return desk.hand.can_type() || n == 0 ? std::nullopt : std::optional(std::min(desk.session.mechanism, n - 1));
 }
 
-Subject subject(const Desk& desk, const ViewOptions& options)
+DrawInput input_of(const Desk& desk, const DrawOptions& options, const std::optional<GuessPicture>& guess)
 {
     const Session& session = desk.session;
-    if (const auto i = shown_mechanism(desk))
-        return {session.model(), motion_choice(session.shown_mechanisms(), *i, options.tr), options};
-    return {session.model(), session.shown_results(), options};
+    DrawInput input{.model = session.model(),
+                    .reference = session.reference.get(),
+                    .dimensions = session.document().companion.dimensions,
+                    .overlay = guess ? &*guess : nullptr};
+    if (const auto i = shown_mechanism(desk)) input.motion = motion_choice(session.shown_mechanisms(), *i, options.tr);
+    else input.results = session.shown_results();
+    return input;
 }
 
 ui::World3 middle_of(const StructureShape& shape)
@@ -74,7 +77,7 @@ ui::World3 middle_of(const StructureShape& shape)
 
 void Canvas::fit(Session& session)
 {
-    session.view.camera.reset();
+    session.draw_state.camera.reset();
     fitted_for_.reset();
 }
 
@@ -85,9 +88,8 @@ bool Canvas::FittedFor::serves(const FittedFor& wanted) const
            is_in_space == wanted.is_in_space && has_room;
 }
 
-Canvas::FittedFor Canvas::wanted_fit(const Session& session) const
+Canvas::FittedFor Canvas::wanted_fit(const Session& session, const DrawOptions& options) const
 {
-    const ViewOptions options = looked_at(session);
     return {session.number(),    sheet_, options.layout, options.theme, is_seen_in_space(session.model().analysis),
             is_sketched(session)};
 }
@@ -99,20 +101,21 @@ void Canvas::follow_structure(Desk& desk)
     if (!is_same || generation_ != session.generation()) shape_ = shape_of(session.model());
     session_ = session.number();
     generation_ = session.generation();
-    ViewOptions options = looked_at(session);
-    options.phase = 1.0; // room for the whole motion
+    const DrawOptions options = looked_at(session);
+    DrawState state = session.draw_state;
+    state.phase = 1.0; // room for the whole motion
     const std::optional<GuessPicture> guess = guess_picture(session, options);
-    options.overlay = guess ? &*guess : nullptr;
-    const FittedFor wanted = wanted_fit(session);
+    const FittedFor wanted = wanted_fit(session, options);
     const bool must_rest = is_working_ || session.history().is_dragging();
     const bool can_rest = fitted_for_ && fitted_for_->session == session_ && fitted_for_->sheet == sheet_;
     const bool is_resting = must_rest && can_rest;
     const bool is_fitted = is_resting || (fitted_for_ && fitted_for_->serves(wanted) && is_all_in_sight(desk));
-    is_just_fitted_ = !options.camera && !is_fitted;
-    if (!options.camera && is_fitted) options.camera = plan_.camera;
+    is_just_fitted_ = !state.camera && !is_fitted;
+    if (!state.camera && is_fitted) state.camera = plan_.camera;
     if (is_just_fitted_) fitted_for_ = wanted;
-    if (session.view.camera) fitted_for_.reset();
-    const Subject::Plan before = std::exchange(plan_, subject(desk, options).plan(sheet_, fonts_));
+    if (session.draw_state.camera) fitted_for_.reset();
+    const Subject::Plan before = std::exchange(
+        plan_, Subject(input_of(desk, options, guess), options, state).plan(sheet_, fonts_));
     if (is_same && !is_just_fitted_) hold_still(session, before);
 }
 
@@ -123,7 +126,7 @@ void Canvas::hold_still(Session& session, const Subject::Plan& before)
     const ui::Point shift = before.panels.front().box.min - plan_.panels.front().box.min;
     if (shift == ui::Point{}) return;
     std::visit([&](auto& camera) { camera.pan(shift); }, plan_.camera);
-    if (session.view.camera) session.view.camera = plan_.camera;
+    if (session.draw_state.camera) session.draw_state.camera = plan_.camera;
 }
 
 // Drawing must not move the picture under the hand; it moves where a node would be lost, and with no tool in the hand
@@ -150,7 +153,8 @@ Projection Canvas::projection_at(ui::Point at) const { return Projection(plan_.c
 
 std::optional<Region> Canvas::region(const Session& session) const
 {
-    const auto* const camera = session.view.camera ? std::get_if<ui::PlaneCamera>(&*session.view.camera) : nullptr;
+    const auto* const camera = session.draw_state.camera ? std::get_if<ui::PlaneCamera>(&*session.draw_state.camera)
+                                                         : nullptr;
     if (camera == nullptr || plan_.panels.empty()) return std::nullopt;
     const ui::Size size = plan_.panels.front().box.size();
     const ui::World2 centre = camera->to_world({0.5 * size.width, 0.5 * size.height});
@@ -162,7 +166,7 @@ void Canvas::look_at_region(Desk& desk)
 {
     const std::optional<Region> region = std::exchange(desk.session.look_at, std::nullopt);
     if (!region || plan_.panels.empty() || !std::holds_alternative<ui::PlaneCamera>(plan_.camera)) return;
-    desk.session.view.camera = camera_on(*region, plan_.panels.front().box.size());
+    desk.session.draw_state.camera = camera_on(*region, plan_.panels.front().box.size());
     follow_structure(desk);
 }
 
@@ -172,7 +176,7 @@ void Canvas::zoom(Session& session, double factor) const
     const ui::Size size = plan_.panels.front().box.size();
     Camera changed = plan_.camera;
     std::visit([&](auto& camera) { camera.zoom({0.5 * size.width, 0.5 * size.height}, factor); }, changed);
-    session.view.camera = changed;
+    session.draw_state.camera = changed;
 }
 
 // Logical pixels of a unit of length along the member, as it is seen.
@@ -226,7 +230,7 @@ void Canvas::follow(Desk& desk, const Pointer& pointer)
 {
     Session& session = desk.session;
     session.hover.reset();
-    session.view.hover = {};
+    session.draw_state.hover = {};
     if (!pointer.is_over) return;
     const Projection projection = projection_at(pointer.at);
     ToolSettings& settings = desk.hand.settings();
@@ -243,14 +247,14 @@ void Canvas::follow(Desk& desk, const Pointer& pointer)
     if (asks_for_menu) ask_for_menu(desk, aim);
     if (is_panning_) return;
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && under.is_nothing() && !desk.hand.can_type()) fit(session);
-    if (under.node) session.view.hover.nodes.push_back(*under.node);
-    if (aim.points_at_support()) session.view.hover.nodes.push_back(aim.support->node);
-    if (aim.part() && aim.dimension) session.view.hover.dimensions.push_back(*aim.dimension);
-    if (aim.cut) session.view.hover.members.push_back(aim.cut->member);
+    if (under.node) session.draw_state.hover.nodes.push_back(*under.node);
+    if (aim.points_at_support()) session.draw_state.hover.nodes.push_back(aim.support->node);
+    if (aim.part() && aim.dimension) session.draw_state.hover.dimensions.push_back(*aim.dimension);
+    if (aim.cut) session.draw_state.hover.members.push_back(aim.cut->member);
     session.hover = under.cut;
     hover_panel_ = corner_of_panel(pointer.at);
     work(desk, aim, under);
-    if (const auto member = desk.hand.tool().preview().member) session.view.hover.members = {*member};
+    if (const auto member = desk.hand.tool().preview().member) session.draw_state.hover.members = {*member};
 }
 
 // A right click that was no drag: the menu of what lies there, and of what is selected together with it.
@@ -273,7 +277,7 @@ void Canvas::turn_wheel(Session& session, ui::Point at) const
     Camera changed = plan_.camera;
     const ui::Point cursor = at - corner_of_panel(at);
     std::visit([&](auto& camera) { camera.zoom(cursor, std::pow(zoom_per_turn, wheel)); }, changed);
-    session.view.camera = changed;
+    session.draw_state.camera = changed;
 }
 
 namespace {
@@ -362,7 +366,7 @@ void Canvas::move_camera(Session& session)
     } else {
         std::visit([&](auto& camera) { camera.pan(drag); }, changed);
     }
-    session.view.camera = changed;
+    session.draw_state.camera = changed;
 }
 
 namespace {
@@ -383,7 +387,7 @@ Highlight highlight(const Selection& selection)
 namespace {
 
 // On an empty sheet: how to begin.
-void draw_invitation(ui::Painter& painter, const ViewOptions& options)
+void draw_invitation(ui::Painter& painter, const DrawOptions& options)
 {
     const ui::Theme theme(options.theme);
     ui::TextStyle style = theme.text(ui::Role::FaintLabel);
@@ -396,16 +400,17 @@ void draw_invitation(ui::Painter& painter, const ViewOptions& options)
 
 } // namespace
 
-ViewOptions Canvas::options(const Session& session) const
+DrawState Canvas::state(const Session& session) const
 {
-    ViewOptions options = looked_at(session);
-    options.camera = session.view.camera.value_or(plan_.camera);
-    options.selection = highlight(session.selection);
-    return options;
+    DrawState state = session.draw_state;
+    state.camera = session.draw_state.camera.value_or(plan_.camera);
+    state.selection = highlight(session.selection);
+    return state;
 }
 
 // The structure, its results and the reading that is pinned.
-Subject::Picture Canvas::draw(const Desk& desk, const ViewOptions& options, ui::Painter& painter) const
+Subject::Picture Canvas::draw(const Desk& desk, const DrawOptions& options, const DrawState& state,
+                              ui::Painter& painter) const
 {
     const Session& session = desk.session;
     if (session.model().nodes.empty()) {
@@ -413,45 +418,44 @@ Subject::Picture Canvas::draw(const Desk& desk, const ViewOptions& options, ui::
         return {};
     }
     const std::optional<GuessPicture> guess = guess_picture(session, options);
-    ViewOptions sketched = options;
-    sketched.overlay = guess ? &*guess : nullptr;
-    Subject::Picture picture = subject(desk, sketched).draw(painter);
+    Subject::Picture picture = Subject(input_of(desk, options, guess), options, state).draw(painter);
     draw_why_blank(painter, session, options);
     if (session.pin && !plan_.panels.empty())
-        draw_cut(session, options, *session.pin, {plan_.panels.front().box.min, picture.legend_bottom}, painter);
+        draw_cut(session, options, picture, {*session.pin, plan_.panels.front().box.min}, painter);
     return picture;
 }
 
-void Canvas::draw_cut(const Session& session, const ViewOptions& options, const Cut& cut, const CardPlace& place,
-                      ui::Painter& painter) const
+void Canvas::draw_cut(const Session& session, const DrawOptions& options, const Subject::Picture& picture,
+                      const SeenCut& seen, ui::Painter& painter) const
 {
-    const femoop::Results* const results = session.shown_results();
-    if (results == nullptr || session.hidden) return;
-    const ui::Point at = Projection(*options.camera, place.panel)(shape_[cut.member].at(cut.x));
-    draw_reading(painter, session.model(), *results, options, cut, at, place.top);
+    if (session.hidden) return;
+    const ui::Point at = Projection(picture.plan.camera, seen.panel)(shape_[seen.cut.member].at(seen.cut.x));
+    draw_reading(painter, {session.model(), session.shown_results()}, options,
+                 {.plan = picture.plan, .cut = seen.cut, .beside = at, .top = picture.legend_bottom});
 }
 
 ui::Picture Canvas::picture_of(const Desk& desk) const
 {
-    ViewOptions plain = options(desk.session);
+    DrawState plain = state(desk.session);
     plain.hover = plain.selection = {};
     ui::Painter painter(sheet_, fonts_);
-    draw(desk, plain, painter);
+    draw(desk, looked_at(desk.session), plain, painter);
     return painter.picture();
 }
 
 void Canvas::paint(const Desk& desk)
 {
     const Session& session = desk.session;
-    const ViewOptions shown = options(session);
+    const DrawOptions shown = looked_at(session);
+    const DrawState now = state(session);
     ui::Painter painter(sheet_, fonts_);
-    drawn_ = draw(desk, shown, painter);
+    drawn_ = draw(desk, shown, now, painter);
     if (std::exchange(is_just_fitted_, false)) was_whole_ = drawn_.is_whole;
     if (session.hover && session.hover != session.pin && !is_working_)
-        draw_cut(session, shown, *session.hover, {hover_panel_, drawn_.legend_bottom}, painter);
+        draw_cut(session, shown, drawn_, {*session.hover, hover_panel_}, painter);
     const ui::Theme theme(shown.theme);
     if (is_over_ && !plan_.panels.empty())
-        draw_hand(painter, session, desk.hand, Projection(*shown.camera, hover_panel_), theme);
+        draw_hand(painter, session, desk.hand, Projection(*now.camera, hover_panel_), theme);
     else if (!desk.hand.typed().empty()) draw_typed(painter, desk.hand, theme);
     picture_ = painter.picture();
 }

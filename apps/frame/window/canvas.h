@@ -51,14 +51,15 @@ private:
     void turn_wheel(Session& session, ui::Point at) const;
     void move_camera(Session& session);
     void paint(const Desk& desk);
-    Subject::Picture draw(const Desk& desk, const ViewOptions& options, ui::Painter& painter) const;
-    ViewOptions options(const Session& session) const;
-    struct CardPlace {
-        ui::Point panel; ///< corner of the panel that is read
-        double top;      ///< of what the card may cover
+    Subject::Picture draw(const Desk& desk, const DrawOptions& options, const DrawState& state,
+                          ui::Painter& painter) const;
+    DrawState state(const Session& session) const;
+    struct SeenCut {
+        Cut cut;
+        ui::Point panel; ///< corner of the panel that it is seen in
     };
-    void draw_cut(const Session& session, const ViewOptions& options, const Cut& cut, const CardPlace& place,
-                  ui::Painter& painter) const;
+    void draw_cut(const Session& session, const DrawOptions& options, const Subject::Picture& picture,
+                  const SeenCut& seen, ui::Painter& painter) const;
     void look_at_region(Desk& desk);
     void follow_structure(Desk& desk);
     bool is_all_in_sight(const Desk& desk) const;
@@ -82,7 +83,7 @@ private:
 
         bool serves(const FittedFor& wanted) const;
     };
-    FittedFor wanted_fit(const Session& session) const;
+    FittedFor wanted_fit(const Session& session, const DrawOptions& options) const;
     void hold_still(Session& session, const Subject::Plan& before);
 
     StructureShape shape_;

@@ -48,11 +48,13 @@ private:
     ui::PdfLook pdf_look() const { return {.background = ui::rgb(0xFFFFFF), .title = session_.model().title}; }
     ui::Report report() const
     {
-        ViewOptions view = session_.results_view();
-        view.dimensions = session_.document().companion.dimensions;
         const auto about = session_.hidden ? ReportAbout::Data : ReportAbout::Everything;
         return make_report(session_.model(), session_.solution(),
-                           {.view = std::move(view), .matrices = session_.reports_matrices, .about = about}, fonts_);
+                           {.view = session_.results_view(),
+                            .dimensions = session_.document().companion.dimensions,
+                            .matrices = session_.reports_matrices,
+                            .about = about},
+                           fonts_);
     }
 
     std::optional<ui::Phrase> results() const

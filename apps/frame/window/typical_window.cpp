@@ -203,12 +203,12 @@ void TypicalWindow::draw_pictures(const Desk& desk, ui::Size size)
     size_ = size;
     pictures_.clear();
     const bool is_projected = theme_ == ui::ThemeName::Projector; // whose lines are too broad for small pictures
-    ViewOptions options{.show = {}, .theme = is_projected ? ui::ThemeName::Light : theme_, .tr = desk.session.view.tr};
+    DrawOptions options{.show = {}, .theme = is_projected ? ui::ThemeName::Light : theme_, .tr = desk.session.view.tr};
     for (const TypicalStructure& structure : typical_structures()) {
         ui::Painter painter(size, fonts_);
         const femoop::Model model = structure.model(first_numbers(structure));
         options.symbol_factor = is_seen_in_space(model.analysis) ? 0.25 : 0.55; // many supports close together
-        draw(painter, model, nullptr, options);
+        draw(painter, {model}, options);
         pictures_.push_back(painter.picture());
     }
 }

@@ -19,7 +19,7 @@ view_test::Marks crowded_picture(const ui::Fonts& fonts, ShowSet show)
     const femoop::Model model = view_test::model("crowded_frame");
     const femoop::Results results = femoop::analyse(model);
     ui::Painter painter({1600.0, 1000.0}, fonts);
-    draw(painter, model, &results, {.show = show});
+    draw(painter, {model, &results}, {.show = show});
     view_test::Marks marks(fonts);
     painter.picture().draw_on(marks);
     return marks;
@@ -104,7 +104,7 @@ TEST_CASE("Where all results lie over one another no line runs through a diagram
     const femoop::Model model = view_test::example("portal");
     const femoop::Results results = femoop::analyse(model);
     ui::Painter painter({700.0, 760.0}, fonts);
-    draw(painter, model, &results,
+    draw(painter, {model, &results},
          {.show = parse_show("loads,reactions,labels,N,V,M,deformed"), .layout = Layout::Overlay});
     view_test::Marks marks(fonts);
     painter.picture().draw_on(marks);
@@ -135,7 +135,7 @@ TEST_CASE(
     const femoop::Model model = view_test::example("pratt_truss");
     const femoop::Results results = femoop::analyse(model);
     ui::Painter painter({1920.0, 1080.0}, fonts);
-    draw(painter, model, &results,
+    draw(painter, {model, &results},
          {.show = parse_show("loads,reactions,labels,N,deformed"), .theme = ui::ThemeName::Projector});
     view_test::Marks marks(fonts);
     painter.picture().draw_on(marks);
@@ -150,7 +150,7 @@ TEST_CASE("On the projector the names of a grillage's members stand beside them 
     const ui::Fonts fonts;
     const femoop::Model model = view_test::example("grillage");
     ui::Painter painter({1280.0, 800.0}, fonts);
-    draw(painter, model, nullptr, {.show = parse_show("members"), .theme = ui::ThemeName::Projector});
+    draw(painter, {model}, {.show = parse_show("members"), .theme = ui::ThemeName::Projector});
     view_test::Marks marks(fonts);
     painter.picture().draw_on(marks);
     const ui::Theme theme(ui::ThemeName::Projector);
@@ -167,7 +167,7 @@ TEST_CASE("Lengths of many short steps stand beside their own line")
     for (std::size_t i = 2; i <= 16; ++i)
         model.add(femoop::Node{.id = "n" + std::to_string(i), .at = {0.0, 0.3125 * static_cast<double>(i), 0.0}});
     ui::Painter painter({640.0, 720.0}, fonts);
-    draw(painter, model, nullptr, {.show = parse_show("values,dimensions"), .theme = ui::ThemeName::Projector});
+    draw(painter, {model}, {.show = parse_show("values,dimensions"), .theme = ui::ThemeName::Projector});
     view_test::Marks marks(fonts);
     painter.picture().draw_on(marks);
     const auto n_steps = std::count_if(marks.texts.begin(), marks.texts.end(),
@@ -195,11 +195,11 @@ TEST_CASE("Two hundred members with a diagram and its values are drawn in a fram
     }
     model.nodes[0].support->kind = femoop::SupportKind::Fixed;
     const femoop::Results results = femoop::analyse(model);
-    ViewOptions options{.show = {Show::M, Show::Values}};
-    options.camera = fitted_camera(model, &results, options, {1280.0, 800.0}, fonts);
+    const DrawOptions options{.show = {Show::M, Show::Values}};
+    const DrawState state{.camera = fitted_camera({model, &results}, options, {1280.0, 800.0}, fonts)};
     const auto begin = std::chrono::steady_clock::now();
     ui::Painter painter({1280.0, 800.0}, fonts);
-    draw(painter, model, &results, options);
+    draw(painter, {model, &results}, options, state);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     CHECK(painter.picture().n_shapes() > 400);
     CHECK(taken.count() < 0.5); // milliseconds when nothing else runs; the bound is for sanitizers and busy machines

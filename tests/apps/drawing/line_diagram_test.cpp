@@ -55,11 +55,12 @@ view_test::Marks drawn(const LineFunction& function, double largest, const ui::F
     ui::Painter painter({600.0, 400.0}, fonts);
     const Projection projection(ui::PlaneCamera({50.0, 200.0}, 60.0));
     const Crowding crowding(shape, projection);
-    const ViewOptions options{.show = {Show::Values}};
+    const DrawOptions options{.show = {Show::Values}};
     const ui::DisplayUnits units = display_units(model, options);
     const ui::Theme theme(ui::ThemeName::Light);
     Sketch sketch({.painter = &painter, .theme = &theme, .room = painter.sheet()});
-    const Scene scene{model, shape, projection, options, units, sketch, crowding};
+    const DrawState state;
+    const Scene scene{model, shape, projection, options, state, units, sketch, crowding, options.show};
     const MemberShape& member = shape.members.front();
     draw(scene, function,
          {.frame = scene.frame_on(member, 0.0), .largest = largest, .pixels_per_unit = 40.0, .text = [&](double value) {

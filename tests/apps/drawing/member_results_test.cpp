@@ -16,7 +16,7 @@ using femoop::MemberId;
 namespace {
 
 /// Draws the results along a member and compares them.
-void check_picture(const std::string& name, const femoop::Model& model, MemberId member, const ViewOptions& options,
+void check_picture(const std::string& name, const femoop::Model& model, MemberId member, const DrawOptions& options,
                    std::optional<double> cursor)
 {
     const femoop::Results results = femoop::analyse(model);
@@ -25,7 +25,7 @@ void check_picture(const std::string& name, const femoop::Model& model, MemberId
                         [&](ui::Painter& painter) { draw_member_results(painter, subject); });
 }
 
-std::vector<ExpressionLine> formulas(const femoop::Model& model, MemberComponent component, const ViewOptions& options)
+std::vector<ExpressionLine> formulas(const femoop::Model& model, MemberComponent component, const DrawOptions& options)
 {
     const femoop::Results results = femoop::analyse(model);
     const femoop::Curve curve = results[options.load_case].curve(MemberId(0));
@@ -41,7 +41,7 @@ TEST_SUITE("frame: results along a member")
     TEST_CASE("The formulas of a simple beam are q L / 2 - q x and q L x / 2 - q x^2 / 2, in the units and marks shown")
     {
         const femoop::Model model = view_test::simple_beam(L, q);
-        ViewOptions options;
+        DrawOptions options;
         CHECK(formulas(model, MemberComponent::Vy, options).front().formula == "42 − 12 x");
         CHECK(formulas(model, MemberComponent::Mz, options).front().formula == "42 x − 6 x²");
         options.units = ui::UnitSystem::Si; // N, N·m
@@ -55,7 +55,7 @@ TEST_SUITE("frame: results along a member")
     {
         const femoop::Model model = view_test::simple_beam(L, q);
         const femoop::Results results = femoop::analyse(model);
-        const ViewOptions options;
+        const DrawOptions options;
         const MemberResultsSubject subject{model, results, options, MemberId(0)};
         const ui::Size sheet{1000.0, 300.0};
         CHECK(!section_at(subject, sheet, {20.0, 100.0}));
@@ -74,14 +74,14 @@ TEST_SUITE("frame: results along a member")
 
     TEST_CASE("A beam with loads of every kind, on the projector in Portuguese")
     {
-        ViewOptions options{.theme = ui::ThemeName::Projector, .tr = ui::Catalogue(ui::Language::Portuguese)};
+        DrawOptions options{.theme = ui::ThemeName::Projector, .tr = ui::Catalogue(ui::Language::Portuguese)};
         options.numbers.mark = ui::DecimalMark::Comma;
         check_picture("member_every_load", view_test::model("every_load"), MemberId(1), options, std::nullopt);
     }
 
     TEST_CASE("A member in space: two shears, torsion, two moments, two deflections")
     {
-        const ViewOptions options{.theme = ui::ThemeName::Dark};
+        const DrawOptions options{.theme = ui::ThemeName::Dark};
         check_picture("member_space", view_test::example("bent_cantilever"), MemberId(0), options, 1.0);
     }
 

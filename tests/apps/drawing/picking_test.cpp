@@ -23,10 +23,16 @@ struct PickingScene {
     femoop::Results results = femoop::analyse(model);
     ui::Fonts fonts;
     ui::Painter painter{{900.0, 600.0}, fonts};
-    ViewOptions options{.show = {Show::Loads}, .camera = camera};
+    DrawOptions options{.show = {Show::Loads}};
 
     Pick at(ui::Point cursor) const { return pick(shape_of(model), Projection(camera), cursor, options.show); }
 };
+
+Subject::Plan drawn_plan(ui::Painter& painter, const DrawInput& input, const DrawOptions& options)
+{
+    const DrawState state;
+    return Subject(input, options, state).draw(painter).plan;
+}
 
 } // namespace
 
@@ -53,7 +59,10 @@ TEST_CASE("Over a diagram a member is picked from farther off")
 TEST_CASE("A reading tells the section's forces with units")
 {
     PickingScene scene;
-    draw_reading(scene.painter, scene.model, scene.results, scene.options, {femoop::MemberId{}, 2.0}, {200.0, 310.0});
+    const DrawInput input{scene.model, &scene.results};
+    const Subject::Plan plan = Subject(input, scene.options, {}).plan(scene.painter.size(), scene.fonts);
+    draw_reading(scene.painter, input, scene.options,
+                 {.plan = plan, .cut = {femoop::MemberId{}, 2.0}, .beside = {200.0, 310.0}});
     view_test::Marks marks(scene.fonts);
     scene.painter.picture().draw_on(marks);
     CHECK(marks.has_text("2 m"));
@@ -79,7 +88,7 @@ TEST_CASE("A reading in an envelope tells the least and the largest, with the ca
 {
     const femoop::Model model = view_test::example("portal");
     const femoop::Results results = femoop::analyse(model);
-    ViewOptions options{.is_envelope = true};
+    DrawOptions options{.is_envelope = true};
     double least = 1e9, most = -1e9;
     for (std::size_t i = 0; i < results.n_cases(); ++i) {
         const double M = results[femoop::CaseId(i)].curve(femoop::MemberId{1}).value(femoop::MemberComponent::Mz, 2.0);
@@ -103,14 +112,15 @@ TEST_CASE("The card of a reading covers no string anywhere, where the sheet has 
     const femoop::Model model = view_test::example("portal");
     const femoop::Results results = femoop::analyse(model);
     const ui::Fonts fonts;
-    const ViewOptions options{.show = shown_by_default | ShowSet{Show::M}, .layout = Layout::Overlay};
+    const DrawOptions options{.show = shown_by_default | ShowSet{Show::M}, .layout = Layout::Overlay};
     for (const double x : {0.3, 2.0, 4.0, 7.7})
         for (const ui::Point beside : {ui::Point{200.0, 120.0}, {450.0, 250.0}, {600.0, 560.0}, {120.0, 500.0}}) {
             CAPTURE(x);
             ui::Painter painter({900.0, 620.0}, fonts);
-            draw(painter, model, &results, options);
+            const Subject::Plan plan = drawn_plan(painter, {model, &results}, options);
             const std::vector<ui::Box> before = painter.picture().text_boxes(fonts);
-            draw_reading(painter, model, results, options, {femoop::MemberId{1}, x}, beside);
+            draw_reading(painter, {model, &results}, options,
+                         {.plan = plan, .cut = {femoop::MemberId{1}, x}, .beside = beside});
             const std::vector<ui::Box> after = painter.picture().text_boxes(fonts);
             for (std::size_t i = 0; i < before.size(); ++i)
                 for (std::size_t j = before.size(); j < after.size(); ++j) CHECK(!before[i].overlaps(after[j]));
@@ -123,10 +133,11 @@ TEST_CASE("The card of a reading covers no string of the picture where there is 
     const femoop::Results results = femoop::analyse(model);
     const ui::Fonts fonts;
     ui::Painter painter({900.0, 620.0}, fonts);
-    const ViewOptions options{.show = shown_by_default | ShowSet{Show::M}, .layout = Layout::Overlay};
-    draw(painter, model, &results, options);
+    const DrawOptions options{.show = shown_by_default | ShowSet{Show::M}, .layout = Layout::Overlay};
+    const Subject::Plan plan = drawn_plan(painter, {model, &results}, options);
     const std::vector<ui::Box> before = painter.picture().text_boxes(fonts);
-    draw_reading(painter, model, results, options, {femoop::MemberId{1}, 4.0}, {450.0, 250.0});
+    draw_reading(painter, {model, &results}, options,
+                 {.plan = plan, .cut = {femoop::MemberId{1}, 4.0}, .beside = {450.0, 250.0}});
     const std::vector<ui::Box> after = painter.picture().text_boxes(fonts);
     for (std::size_t i = 0; i < before.size(); ++i)
         for (std::size_t j = before.size(); j < after.size(); ++j) CHECK(!before[i].overlaps(after[j]));
@@ -138,10 +149,11 @@ TEST_CASE("The mark of a section and the leader of its card run through no strin
     const femoop::Results results = femoop::analyse(model);
     const ui::Fonts fonts;
     ui::Painter painter({662.0, 758.0}, fonts);
-    const ViewOptions options{.show = shown_by_default | ShowSet{Show::M}, .layout = Layout::Overlay};
-    draw(painter, model, &results, options);
+    const DrawOptions options{.show = shown_by_default | ShowSet{Show::M}, .layout = Layout::Overlay};
+    const Subject::Plan plan = drawn_plan(painter, {model, &results}, options);
     const std::vector<ui::Box> strings = painter.picture().text_boxes(fonts);
-    draw_reading(painter, model, results, options, {femoop::MemberId{1}, 4.0}, {336.0, 325.0}); // above the name BC
+    draw_reading(painter, {model, &results}, options,
+                 {.plan = plan, .cut = {femoop::MemberId{1}, 4.0}, .beside = {336.0, 325.0}}); // above the name BC
     view_test::Marks marks(fonts);
     painter.picture().draw_on(marks);
     const ui::Theme theme(options.theme);

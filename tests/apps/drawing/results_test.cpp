@@ -4,6 +4,7 @@
 #include "apps/drawing/draw.h"
 #include "apps/drawing/loads/case_terms.h"
 #include "apps/drawing/results/envelope_cases.h"
+#include "apps/drawing/results/locked_scale.h"
 #include "apps/drawing/results/marked_values.h"
 #include "apps/drawing/results/solved_case.h"
 #include "apps/drawing/sketch/scene.h"
@@ -26,11 +27,11 @@ namespace {
 constexpr double L = 7.0, q = 12.0;
 constexpr ui::Size sheet{900.0, 500.0};
 
-view_test::Marks marks_of(const femoop::Model& model, const ViewOptions& options, const ui::Fonts& fonts)
+view_test::Marks marks_of(const femoop::Model& model, const DrawOptions& options, const ui::Fonts& fonts)
 {
     const femoop::Results results = femoop::analyse(model);
     ui::Painter painter(sheet, fonts);
-    draw(painter, model, &results, options);
+    draw(painter, {model, &results}, options);
     view_test::Marks marks(fonts);
     painter.picture().draw_on(marks);
     return marks;
@@ -45,7 +46,7 @@ struct Sides {
 Sides sides(MomentSide side)
 {
     const ui::Fonts fonts;
-    ViewOptions options{.show = {Show::M}, .moment_side = side};
+    DrawOptions options{.show = {Show::M}, .moment_side = side};
     const view_test::Marks marks = marks_of(view_test::simple_beam(L, q), options, fonts);
     const ui::Theme theme(options.theme);
     Sides found;
@@ -69,7 +70,7 @@ TEST_CASE("The sagging moment of a beam is drawn below it, or above it on the co
 TEST_CASE("Values at equal steps are those of the parabola q x (L - x) / 2, and the extreme is written once")
 {
     const ui::Fonts fonts;
-    ViewOptions options{.show = {Show::M, Show::Values, Show::StepValues}, .steps = 4};
+    DrawOptions options{.show = {Show::M, Show::Values, Show::StepValues}, .steps = 4};
     const view_test::Marks marks = marks_of(view_test::simple_beam(L, q), options, fonts);
     const ui::DisplayUnits units = display_units(view_test::simple_beam(L, q), options);
     std::vector<std::string> written;
@@ -122,7 +123,7 @@ TEST_CASE("Under a point load both sides of the jump and the kink of the moment 
 TEST_CASE("The values of a picture are those of the beam, with the decimal mark of the language")
 {
     const ui::Fonts fonts;
-    ViewOptions options{.show = parse_show("loads,reactions,M,V,values")};
+    DrawOptions options{.show = parse_show("loads,reactions,M,V,values")};
     const view_test::Marks marks = marks_of(view_test::simple_beam(L, q), options, fonts);
     for (const char* words : {"12 kN/m", "42 kN", "73.5", "42", "−42"}) {
         CAPTURE(words);
@@ -167,24 +168,25 @@ TEST_CASE("A model without nodes, with members of no length or with a faulty cas
 {
     const ui::Fonts fonts;
     ui::Painter painter(sheet, fonts);
-    draw(painter, femoop::Model{}, nullptr, {});
+    draw(painter, {femoop::Model{}}, {});
     femoop::Model flat = view_test::simple_beam(L, q);
     flat.nodes[1].at = flat.nodes[0].at;
-    draw(painter, flat, nullptr, {});
-    draw(painter, view_test::simple_beam(L, q), nullptr, {.load_case = femoop::CaseId{9}});
+    draw(painter, {flat}, {});
+    draw(painter, {view_test::simple_beam(L, q)}, {.load_case = femoop::CaseId{9}});
     CHECK(painter.picture().n_shapes() > 0);
 }
 
 TEST_CASE("A diagram that keeps the scale of another load is as much larger as its load")
 {
     const ui::Fonts fonts;
-    const femoop::Results before = femoop::analyse(view_test::simple_beam(L, q));
-    const auto depth = [&](double load, const std::optional<femoop::Results>& scaled_by) {
+    const femoop::Model lighter = view_test::simple_beam(L, q);
+    const auto before = locked_scale(lighter, femoop::analyse(lighter), femoop::CaseId(0));
+    const auto depth = [&](double load, const std::optional<LockedScale>& scale) {
         const femoop::Model model = view_test::simple_beam(L, load);
         const femoop::Results results = femoop::analyse(model);
         ui::Painter painter({900.0, 600.0}, fonts);
-        draw(painter, model, &results,
-             {.show = {Show::M}, .scaled_by = scaled_by, .camera = ui::PlaneCamera({100.0, 200.0}, 50.0)});
+        draw(painter, {model, &results}, {.show = {Show::M}},
+             {.camera = ui::PlaneCamera({100.0, 200.0}, 50.0), .locked_scale = scale});
         view_test::Marks marks(fonts);
         painter.picture().draw_on(marks);
         double lowest = 0.0;
@@ -206,7 +208,8 @@ TEST_CASE("Below a structure that moves stands the sentence that says how")
         femoop::analyse(model);
     } catch (const femoop::MechanismError& error) {
         ui::Painter painter(sheet, fonts);
-        draw(painter, model, {error.mechanisms(), 0, "The frame sways."}, {.show = parse_show("labels")});
+        draw(painter, {.model = model, .motion = MotionChoice{error.mechanisms(), 0, "The frame sways."}},
+             {.show = parse_show("labels")});
         view_test::Marks marks(fonts);
         painter.picture().draw_on(marks);
         CHECK(marks.has_text("The frame sways."));
@@ -221,7 +224,7 @@ TEST_CASE("Imposed displacements and turns of a support are drawn clear of its r
     model.load_cases[0].settlements.push_back(
         {.node = femoop::NodeId{0},
          .components = {{femoop::Dof::ux, 0.001}, {femoop::Dof::uy, -0.01}, {femoop::Dof::rz, 0.002}}});
-    ViewOptions options{.show = parse_show("loads,reactions")};
+    DrawOptions options{.show = parse_show("loads,reactions")};
     const view_test::Marks marks = marks_of(model, options, fonts);
     const ui::Theme theme(options.theme);
     const auto is_imposed = [&](const auto& line) { return line.stroke.dash == ui::DashPattern{4.0, 3.0}; };
@@ -247,8 +250,8 @@ double drawn_share(ui::Size size, ui::ThemeName theme, std::string_view show, in
     const ui::Fonts fonts;
     const femoop::Model model = view_test::example("portal");
     const femoop::Results results = femoop::analyse(model);
-    const ViewOptions options{.show = parse_show(show), .theme = theme};
-    const Camera camera = fitted_camera(model, &results, options, size, fonts);
+    const DrawOptions options{.show = parse_show(show), .theme = theme};
+    const Camera camera = fitted_camera({model, &results}, options, size, fonts);
     return 8.0 * Projection(camera).scale() * n_columns / size.width; // the beam is 8 m long
 }
 
@@ -303,9 +306,9 @@ TEST_CASE("Dimension lines of a structure in space lie on the sheet, however far
     femoop::Model model = view_test::example("bent_cantilever");
     model.nodes[2].at = {model.nodes[1].at[0], model.nodes[1].at[1] - 2.0, 0.0}; // bent to the other side
     const femoop::Results results = femoop::analyse(model);
-    ViewOptions options{.show = parse_show("loads,reactions,labels,dimensions"), .theme = ui::ThemeName::Projector};
+    DrawOptions options{.show = parse_show("loads,reactions,labels,dimensions"), .theme = ui::ThemeName::Projector};
     ui::Painter painter({640.0, 720.0}, fonts);
-    draw(painter, model, &results, options);
+    draw(painter, {model, &results}, options);
     view_test::Marks marks(fonts);
     painter.picture().draw_on(marks);
     int n_lines = 0;
@@ -323,7 +326,7 @@ TEST_CASE("An envelope is of the cases that are not left out; of all where none 
     model.load_cases.push_back(model.load_cases.front());
     model.load_cases.back().id = "Q";
     model.combinations.push_back({"U", {{femoop::CaseId(0), 1.35}, {femoop::CaseId(1), 1.5}}});
-    ViewOptions options;
+    DrawOptions options;
     CHECK(envelope_cases(model, options).size() == 3);
     CHECK(envelope_words(model, options) == "Envelope of all cases");
     options.left_out = {"Q", "a case that the model lacks"};
@@ -339,7 +342,7 @@ TEST_CASE("The extremes of a band and the ranges of reactions are written with t
     femoop::Model model = view_test::simple_beam(L, q);
     model.load_cases.front().id = "G";
     model.combinations.push_back({"U", {{femoop::CaseId(0), 1.35}}});
-    const ViewOptions options{.show = {Show::M, Show::Reactions, Show::Values}, .is_envelope = true};
+    const DrawOptions options{.show = {Show::M, Show::Reactions, Show::Values}, .is_envelope = true};
     const view_test::Marks marks = marks_of(model, options, fonts);
     CHECK(marks.has_text("99.23 (U)"));               // 1.35 q L^2 / 8
     CHECK(marks.has_text("fy 42 (G) … 56.7 (U) kN")); // q L / 2
@@ -353,7 +356,7 @@ TEST_CASE("The band of an envelope has the extremes of all cases")
     std::get<femoop::DistributedLoad>(lifted.members.front().load).values.front().start = femoop::Quantity(0.5 * q);
     model.add(lifted);
     const ui::Fonts fonts;
-    const ViewOptions options{.show = {Show::M, Show::Values}, .is_envelope = true};
+    const DrawOptions options{.show = {Show::M, Show::Values}, .is_envelope = true};
     const view_test::Marks marks = marks_of(model, options, fonts);
     const femoop::Envelope envelope(femoop::analyse(model));
     const femoop::GoverningExtremes extremes = envelope.extremes(femoop::MemberId(0), MemberComponent::Mz);

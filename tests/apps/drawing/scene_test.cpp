@@ -14,29 +14,30 @@ TEST_SUITE_BEGIN("pictures");
 
 namespace {
 
-ViewOptions shown(std::string_view list, ui::ThemeName theme = ui::ThemeName::Light)
+DrawOptions shown(std::string_view list, ui::ThemeName theme = ui::ThemeName::Light)
 {
     return {.show = parse_show(list), .theme = theme};
 }
 
-ViewOptions in_portuguese(ViewOptions options)
+DrawOptions in_portuguese(DrawOptions options)
 {
     options.tr = ui::Catalogue(ui::Language::Portuguese);
     options.numbers.mark = ui::DecimalMark::Comma;
     return options;
 }
 
-ViewOptions of_case(ViewOptions options, const femoop::Model& model, std::string_view name)
+DrawOptions of_case(DrawOptions options, const femoop::Model& model, std::string_view name)
 {
     options.load_case = model.find_case(name).value();
     return options;
 }
 
-void check_picture(const std::string& name, const femoop::Model& model, const ViewOptions& options, ui::Size size)
+void check_picture(const std::string& name, const femoop::Model& model, const DrawOptions& options, ui::Size size)
 {
     const femoop::Results results = femoop::analyse(model);
-    golden::check_scene(name, {.size = size, .background = background(options)},
-                        [&](ui::Painter& painter) { draw(painter, model, &results, options); });
+    golden::check_scene(name, {.size = size, .background = background(options)}, [&](ui::Painter& painter) {
+        draw(painter, {model, &results}, options);
+    });
 }
 
 } // namespace
@@ -69,7 +70,7 @@ TEST_CASE("Eight hundred members: small symbols, slim lines, and the numbers tha
 
 TEST_CASE("Gerber beam in print in Portuguese, moments on the compression side, with dimensions")
 {
-    ViewOptions options = in_portuguese(shown("loads,reactions,labels,M,dimensions", ui::ThemeName::Print));
+    DrawOptions options = in_portuguese(shown("loads,reactions,labels,M,dimensions", ui::ThemeName::Print));
     options.moment_side = MomentSide::Compression;
     check_picture("frame_gerber_beam", view_test::example("gerber_beam"), options, {1200.0, 600.0});
 }
@@ -128,12 +129,15 @@ TEST_CASE("The section under the cursor is read")
 {
     const auto model = view_test::example("portal");
     const femoop::Results results = femoop::analyse(model);
-    const ViewOptions options = of_case(shown("M,labels"), model, "Q");
-    golden::check_scene("frame_reading", {.size = {900.0, 620.0}, .background = background(options)},
-                        [&](ui::Painter& painter) {
-                            draw(painter, model, &results, options);
-                            draw_reading(painter, model, results, options, {femoop::MemberId{1}, 6.4}, {620.0, 260.0});
-                        });
+    const DrawOptions options = of_case(shown("M,labels"), model, "Q");
+    golden::check_scene(
+        "frame_reading", {.size = {900.0, 620.0}, .background = background(options)}, [&](ui::Painter& painter) {
+            const DrawInput input{model, &results};
+            const DrawState state;
+            const Subject::Picture picture = Subject(input, options, state).draw(painter);
+            draw_reading(painter, input, options,
+                         {.plan = picture.plan, .cut = {femoop::MemberId{1}, 6.4}, .beside = {620.0, 260.0}});
+        });
 }
 
 TEST_SUITE_END();

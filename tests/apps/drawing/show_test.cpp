@@ -63,11 +63,11 @@ TEST_CASE("Loads and each result get a panel of their own")
 TEST_CASE("The panels of a beam stand below one another, those of a tower side by side")
 {
     const ui::Fonts fonts;
-    ViewOptions options;
+    DrawOptions options;
     options.show = parse_show("loads,V,M");
     const auto planned = [&](femoop::Model model) {
         const femoop::Results results = femoop::analyse(model);
-        return Subject(model, &results, options).plan({1000.0, 900.0}, fonts).panels;
+        return Subject({model, &results}, options, {}).plan({1000.0, 900.0}, fonts).panels;
     };
     const auto beam = planned(view_test::simple_beam(7.0, 12.0));
     REQUIRE(beam.size() == 3);

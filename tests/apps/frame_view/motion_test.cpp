@@ -38,7 +38,7 @@ TEST_SUITE("frame")
     TEST_CASE("A mechanism moves and is named in Portuguese")
     {
         const auto model = view_test::example("mechanism");
-        ViewOptions options{.show = parse_show("labels"), .tr = ui::Catalogue(ui::Language::Portuguese)};
+        DrawOptions options{.show = parse_show("labels"), .tr = ui::Catalogue(ui::Language::Portuguese)};
         options.numbers.mark = ui::DecimalMark::Comma;
         try {
             femoop::analyse(model);
@@ -46,7 +46,8 @@ TEST_SUITE("frame")
         } catch (const femoop::MechanismError& error) {
             golden::check_scene("frame_mechanism", {.size = {900.0, 600.0}, .background = background(options)},
                                 [&](ui::Painter& painter) {
-                                    draw(painter, model, motion_choice(error.mechanisms(), 0, options.tr), options);
+                                    const auto motion = motion_choice(error.mechanisms(), 0, options.tr);
+                                    draw(painter, {.model = model, .motion = motion}, options);
                                 });
         }
     }

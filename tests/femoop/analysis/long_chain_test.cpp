@@ -210,6 +210,20 @@ TEST_SUITE("long chains")
         CHECK(result.reaction(NodeId(0))[5] == close_to(-P * L));
     }
 
+    TEST_CASE("Inextensible members in a row are no more of a mechanism than elastic ones: nothing is warned of")
+    {
+        for (const std::size_t n : {100, 300, 3000}) {
+            CAPTURE(n);
+            const double L = static_cast<double>(n);
+            Model model = row(AnalysisKind::Frame2d, n, L, {.inextensible = true});
+            const double P = 1e-3 * EI / (L * L);
+            pull(model, last(model), Dof::uy, P);
+            const Results results = analyse(model);
+            CHECK(results.warnings().empty());
+            CHECK(results.at("P").displacement(last(model))[1] == close_to(P * L * L * L / (3.0 * EI)));
+        }
+    }
+
     TEST_CASE("Inextensible members bend alike, and 400 rigid ones carry P (L - x) without moving")
     {
         constexpr double P = 1.3, L = 9.0;

@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "femoop/analysis/linear_static.h"
 
@@ -429,6 +431,28 @@ TEST_SUITE("mechanisms")
         CHECK(three[2] == can_move + "node B moves along y; nothing holds uy; add a brace or a support");
     }
 
+    TEST_CASE("Of three thousand loose members a dozen are told, the others counted")
+    {
+        constexpr std::size_t n = 3000;
+        Model model = frame({{0, 0}, {4, 0}}, {});
+        for (const std::size_t end : {0U, 1U}) hold(model, end, SupportKind::Fixed);
+        for (std::size_t i = 0; i < n; ++i) {
+            Member member{.id = std::to_string(i),
+                          .nodes = {NodeId(0), NodeId(1)},
+                          .material = MaterialId(0),
+                          .section = SectionId(0)};
+            member.start.release = member.end.release = {Dof::ux};
+            model.add(member);
+        }
+        try {
+            analyse(model);
+            FAIL("the members are loose");
+        } catch (const MechanismError& error) {
+            CHECK(error.mechanisms().size() == 12);
+            CHECK(error.n_more() == n - 12);
+        }
+    }
+
     TEST_CASE("A member between nodes that slide is loose besides, and its picture moves it alone")
     {
         Model model = frame({{0, 0}, {4, 0}, {8, 0}}, {{0, 1}, {1, 2}});
@@ -483,6 +507,21 @@ TEST_SUITE("mechanisms")
         CHECK(all[0].find("member DE is loose") != std::string::npos);
         CHECK(all[1].find("node E moves along y") != std::string::npos);
         CHECK(all[2] == twist[0]);
+    }
+
+    TEST_CASE("A bar square to the only way in which its node may move does not hold it, whatever rounding leaves")
+    {
+        Model upright = frame({{0.3, 0}, {0.1 + 0.2, 5}}, {{0, 1}}); // 5.6e-17 out of plumb
+        Model slope = frame({{0, 3}, {0, 0}}, {{0, 1}});
+        slope.nodes[1].support = Support{.fixed = {Dof::ux}, .angle = 90.0};
+        Model slant = frame({{0, 0}, {3, 1.7}}, {{0, 1}});
+        slant.nodes[1].support = Support{.fixed = {Dof::ux}, .angle = std::atan2(1.7, 3.0) * 180.0 / std::numbers::pi};
+        upright.nodes[1].support = Support{.fixed = {Dof::uy}};
+        for (Model model : {upright, slope, slant}) {
+            model.analysis = AnalysisKind::Truss2d;
+            hold(model, 0, SupportKind::Pin);
+            CHECK(mechanisms(model).size() == 1);
+        }
     }
 
     TEST_CASE("A very soft spring is nearly a mechanism, not one, and the warning gives the condition")

@@ -66,10 +66,17 @@ void check_field(const PlaneProblem& problem, const PlaneMesh& mesh, const Linea
     CHECK(worst <= tolerance * largest);
     double stress_error = 0.0;
     problem.at_integration_points([&](std::size_t e, const IntegrationPoint& point) {
-        const StressVector found = problem.element(e).stress(problem.displacements_of(e), point.at);
+        const StressVector found = problem.field(e).stress(point.at);
         stress_error = std::max(stress_error, (found - stress).norm());
     });
     CHECK(stress_error <= tolerance * stress.norm());
+    double inside_error = 0.0;
+    problem.at_integration_points([&](std::size_t e, const IntegrationPoint& point) {
+        const ElementField inside = problem.field(e);
+        inside_error = std::max(inside_error,
+                                (inside.displacement(point.at) - field.at(inside.place(point.at))).norm());
+    });
+    CHECK(inside_error <= tolerance * largest);
 }
 
 } // namespace

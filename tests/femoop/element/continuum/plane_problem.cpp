@@ -99,20 +99,13 @@ void PlaneProblem::solve()
     }
 }
 
-ElementVector PlaneProblem::displacements_of(std::size_t element) const
-{
-    const std::span<const NodeId> nodes = elements_[element].dofs().nodes;
-    ElementVector u(2 * nodes.size());
-    for (std::size_t i = 0; i < nodes.size(); ++i) u.segment<2>(2 * Eigen::Index(i)) = displacement(nodes[i]);
-    return u;
-}
-
 double PlaneProblem::strain_energy() const
 {
     double twice = 0.0;
     ElementMatrix K;
     for (std::size_t e = 0; e < elements_.size(); ++e) {
-        const ElementVector u = displacements_of(e);
+        const ElementField inside = field(e);
+        const ElementVector& u = inside.node_displacements();
         elements_[e].stiffness(K);
         twice += u.dot(K * u);
     }
@@ -139,7 +132,7 @@ double energy_error(const PlaneProblem& problem,
         for (const auto& [at, weight] : rule_of_degree(formulation.shape().domain(), 9).points) {
             const Eigen::Vector2d place = problem.element(e).place(at);
             const StressVector exact = exact_stress(place);
-            const StressVector error = problem.element(e).stress(problem.displacements_of(e), at) - exact;
+            const StressVector error = problem.field(e).stress(at) - exact;
             double volume = weight * jacobian(formulation.shape().derivatives(at), X).determinant();
             if (formulation.state() == StressState::Axisymmetric) volume *= place.x();
             of_error += volume * error.dot(C * error);

@@ -8,6 +8,7 @@
 #include "femoop/discretisation/discretisation.h"
 #include "femoop/discretisation/elements.h"
 #include "femoop/element/continuum/continuum_element.h"
+#include "femoop/result/element_field.h"
 #include "tests/femoop/element/continuum/plane_mesh.h"
 
 namespace femoop_test {
@@ -42,7 +43,10 @@ public:
     {
         return static_cast<const femoop::ContinuumElement&>(elements_[i]);
     }
-    femoop::ElementVector displacements_of(std::size_t element) const;
+    femoop::ElementField field(std::size_t i) const
+    {
+        return {element(i), {u_.data(), static_cast<std::size_t>(u_.size())}};
+    }
 
     /// Calls visit(element, point) at the integration points of every element.
     void at_integration_points(const std::function<void(std::size_t, const femoop::IntegrationPoint&)>& visit) const;

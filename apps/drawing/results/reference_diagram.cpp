@@ -3,7 +3,7 @@
 
 namespace drawing {
 
-void draw_ghost(const Scene& scene, const SolvedCase& solved, const Diagram& diagram)
+void draw_reference(const Scene& scene, const SolvedCase& solved, const Diagram& diagram)
 {
     if (diagram.is_zero()) return;
     Sketch& sketch = scene.sketch;

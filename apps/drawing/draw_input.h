@@ -1,0 +1,42 @@
+#pragma once
+
+#include "apps/drawing/dimension.h"
+#include "femoop/analysis/mechanism.h"
+#include "femoop/model/model.h"
+#include "femoop/result/results.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace drawing {
+
+class MomentOverlay;
+
+/// One of the motions of a structure that cannot be solved.
+struct MotionChoice {
+    std::span<const femoop::Mechanism> all; ///< outlives whatever draws it
+    std::size_t shown = 0;                  ///< \pre < all.size()
+    std::string sentence;                   ///< how the structure moves, in the words of the app
+};
+
+/// A former model with its results, which others are compared with.
+struct ReferenceResults {
+    femoop::Model model;
+    femoop::Results results;
+};
+
+/// What a picture is of. All of it outlives whatever draws it.
+struct DrawInput {
+    const femoop::Model& model;
+    const femoop::Results* results = nullptr;    ///< of the model; null where there are none
+    std::optional<MotionChoice> motion{};        ///< of a model without results
+    const ReferenceResults* reference = nullptr; ///< its diagrams are drawn behind, faint; none when null
+    std::span<const DimensionLine> dimensions{}; ///< drawn by hand
+    /// What an app draws over the moments, or in their place. While moments are not shown a fitted picture keeps room
+    /// for it. None when null.
+    const MomentOverlay* overlay = nullptr;
+};
+
+} // namespace drawing

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+#include "femoop/element/continuum/continuum_element.h"
+#include "femoop/element/element.h"
+#include "femoop/material/constitutive_model.h"
+#include "femoop/shape/natural_point.h"
+
+namespace femoop {
+
+/// What an element that is no member does inside: what its curve is to a member.
+///
+///      u(p) = sum N_i u_i        strain = B u        stress = D strain
+///
+/// Signs    those of ContinuumElement
+/// Accuracy displacements are continuous from element to element; stresses jump there, and are best at the
+///          integration points
+/// Source   [ZienkiewiczTaylor2000, ch. 8, 14]
+class ElementField {
+public:
+    /// \param displacements  of all nodes, those of each after one another in the order of the element's dofs.
+    /// \pre the element outlives this
+    ElementField(const ContinuumElement& element, std::span<const double> displacements);
+
+    Eigen::Vector2d place(NaturalPoint p) const { return element_.place(p); }
+    Eigen::Vector2d displacement(NaturalPoint p) const;
+    StrainVector strain(NaturalPoint p) const { return element_.strain(u_, p); }
+    StressVector stress(NaturalPoint p) const { return element_.stress(u_, p); }
+
+    const ContinuumElement& element() const { return element_; }
+    const ElementVector& node_displacements() const { return u_; } ///< in the order of the element's dofs
+
+private:
+    const ContinuumElement& element_;
+    ElementVector u_;
+};
+
+} // namespace femoop
