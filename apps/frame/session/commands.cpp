@@ -97,9 +97,10 @@ void add_show_commands(CommandTable& table)
 void keep_reference(Desk& desk, bool is_kept)
 {
     Session& session = desk.session;
-    session.reference = is_kept ? std::make_shared<const ReferenceResults>(
-                                      ReferenceResults{session.model(), *session.solution().results})
-                                : nullptr;
+    session.reference.reset();
+    if (is_kept)
+        session.reference = std::make_shared<const ReferenceResults>(
+            ReferenceResults{session.model(), *session.solution().results});
 }
 
 Reason why_not_compare(const Desk& desk)
