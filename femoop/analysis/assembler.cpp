@@ -1,6 +1,8 @@
 #include "femoop/analysis/assembler.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -10,12 +12,12 @@ namespace femoop {
 
 namespace {
 
-/// f -= forces, at the equations that there are.
+/// f += forces, at the equations that there are.
 template <class Scalar, class Forces>
-void subtract(std::span<const std::int32_t> rows, const Forces& forces, Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& f)
+void add(std::span<const std::int32_t> rows, const Forces& forces, Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& f)
 {
     for (std::size_t i = 0; i < rows.size(); ++i)
-        if (rows[i] != Equations::none) f[rows[i]] -= forces[static_cast<Eigen::Index>(i)];
+        if (rows[i] != Equations::none) f[rows[i]] += forces[static_cast<Eigen::Index>(i)];
 }
 
 } // namespace
@@ -156,10 +158,18 @@ void Assembler::add_node_loads(const CaseLoads& loads, Eigen::VectorXd& f) const
 void Assembler::add_span_loads(const CaseLoads& loads, Eigen::VectorXd& f) const
 {
     SpanLoading room;
+    ElementVector forces;
+    std::span<const SpanLoad> last; // that `forces` come from, on a member of this group
+    std::uint32_t group = 0;
     for (std::size_t i = 0; i < structure_.members.size(); ++i) {
         const std::span<const SpanLoad> on_member = loads.of(MemberId(i));
         if (on_member.empty()) continue;
-        add_element_loads(i, {.span_loads = on_member, .room = &room}, f);
+        const Element& element = elements_[i];
+        if (group == 0 || element.stiffness_group() != group || !std::ranges::equal(on_member, last))
+            element.equivalent_forces({.span_loads = on_member, .room = &room}, forces);
+        group = element.stiffness_group();
+        last = on_member;
+        add_element_forces(i, forces, f);
     }
 }
 
@@ -167,9 +177,20 @@ void Assembler::add_element_loads(std::size_t element, const ElementLoads& loads
 {
     ElementVector forces;
     elements_[element].equivalent_forces(loads, forces);
-    if (axes_.are_turned()) axes_.turn_rows(elements_[element].dofs(), forces);
-    forces = -forces;
-    subtract(equations_.of_element(element), forces, f);
+    add_element_forces(element, forces, f);
+}
+
+void Assembler::add_element_forces(std::size_t element, const ElementVector& forces, Eigen::VectorXd& f) const
+{
+    const std::span<const std::int32_t> rows = equations_.of_element(element);
+    const ElementDofs dofs = elements_[element].dofs();
+    if (!axes_.are_turned() || !axes_.are_turned(dofs)) {
+        add(rows, forces, f);
+        return;
+    }
+    ElementVector turned = forces;
+    axes_.turn_rows(dofs, turned);
+    add(rows, turned, f);
 }
 
 ElementVector Assembler::prescribed(std::size_t element, const std::vector<double>& moved) const
@@ -195,8 +216,8 @@ template <class Scalar> void Assembler::add_settlements(const CaseLoads& loads, 
     for (std::size_t i = 0; i < elements_.size(); ++i) {
         const ElementVector u = prescribed(i, moved);
         if (u.isZero(0.0)) continue;
-        const Vector<Scalar> forces = stiffness<Scalar>(i) * u.template cast<Scalar>();
-        subtract(equations_.of_element(i), forces, f);
+        const Vector<Scalar> forces = -(stiffness<Scalar>(i) * u.template cast<Scalar>());
+        add(equations_.of_element(i), forces, f);
     }
     visit_springs(
         [&](std::int32_t row, double spring, std::size_t place) { f[row] += Scalar(spring) * Scalar(moved[place]); });

@@ -69,6 +69,7 @@ private:
     void add_node_loads(const CaseLoads& loads, Eigen::VectorXd& f) const;
     void add_span_loads(const CaseLoads& loads, Eigen::VectorXd& f) const;
     void add_element_loads(std::size_t element, const ElementLoads& loads, Eigen::VectorXd& f) const;
+    void add_element_forces(std::size_t element, const ElementVector& forces, Eigen::VectorXd& f) const;
     template <class Scalar> void add_settlements(const CaseLoads& loads, Vector<Scalar>& f) const;
 
     const Discretisation& structure_;

@@ -14,6 +14,11 @@ namespace femoop {
 
 namespace {
 
+bool may_free_rotations(const MemberEndConditions& end_conditions)
+{
+    return end_conditions.is_bar || end_conditions.has_flexible_joint;
+}
+
 NodeJoints node_joints(const Discretisation& structure)
 {
     const std::size_t n = structure.positions.size();
@@ -25,8 +30,7 @@ NodeJoints node_joints(const Discretisation& structure)
         for (std::size_t end = 0; end < 2; ++end) {
             const std::size_t node = structure.members[i].nodes[end].index;
             joints.stiffness[node] = std::max({joints.stiffness[node], 4.0 * p.xy.EI / L, 4.0 * p.xz.EI / L});
-            if (end_conditions != nullptr && (end_conditions->is_bar || end_conditions->has_flexible_joint))
-                joints.is_flexible[node] = true;
+            if (end_conditions != nullptr && may_free_rotations(*end_conditions)) joints.is_flexible[node] = true;
         }
     }
     return joints;
@@ -88,7 +92,7 @@ std::vector<ArtificialRestraint> restrain_rotations(const Discretisation& struct
                                                     SparseMatrix& K, std::optional<SparseMatrix> resistance)
 {
     std::vector<ArtificialRestraint> held;
-    if (is_truss(structure.kind)) return held;
+    if (is_truss(structure.kind) || std::ranges::none_of(structure.end_conditions, may_free_rotations)) return held;
     const NodeJoints joints = node_joints(structure);
     SparseMatrix& resisting = resistance ? *resistance : K;
     NodeJoints measure = joints; // of what resists

@@ -26,23 +26,20 @@ private:
     Eigen::Vector3d span_ = Eigen::Vector3d::Zero();
 };
 
-std::vector<MemberData> data_of_members(const Discretisation& structure)
+std::unique_ptr<const MemberBlock> members_of(const Discretisation& structure)
 {
-    std::vector<MemberData> all;
-    all.reserve(structure.members.size());
     StiffnessGroups groups;
-    for (std::size_t i = 0; i < structure.members.size(); ++i) {
+    return make_members(structure.kind, structure.members.size(), [&](std::size_t i) {
         MemberData data = structure.data(MemberId(i));
         data.stiffness_group = groups.next(structure.members[i], *data.positions[1] - *data.positions[0]);
-        all.push_back(data);
-    }
-    return all;
+        return data;
+    });
 }
 
 } // namespace
 
 Elements::Elements(const Discretisation& structure, std::vector<std::unique_ptr<const Element>> others)
-    : members_(make_members(structure.kind, data_of_members(structure))), others_(std::move(others))
+    : members_(members_of(structure)), others_(std::move(others))
 {
     all_.reserve(members_->size() + others_.size());
     for (std::size_t i = 0; i < members_->size(); ++i) all_.push_back(&(*members_)[i]);

@@ -78,8 +78,8 @@ public:
     /// motions that leave it its shape. Ratios and angles; lengths are counted in the element's own size.
     virtual Eigen::MatrixXd strains() const = 0;
 
-    /// Elements that follow one another with the same number have the same stiffness, which is then computed once;
-    /// 0 makes no such promise.
+    /// Elements that follow one another with the same number have the same stiffness, and the same equivalent forces of
+    /// the same loads along them, which are then computed once; 0 makes no such promise.
     std::uint32_t stiffness_group() const { return stiffness_group_; }
 
 protected:

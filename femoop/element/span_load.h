@@ -26,6 +26,8 @@ struct SpanLoad {
     LocalAxis axis = LocalAxis::y;
     double from = 0.0, to = 0.0;
     double start = 0.0, end = 0.0;
+
+    friend bool operator==(const SpanLoad&, const SpanLoad&) = default;
 };
 
 /// A stretch of a member between two neighbouring load points.

@@ -334,7 +334,11 @@ private:
 
 template <AnalysisKind kind> class BlockOf final : public MemberBlock {
 public:
-    explicit BlockOf(std::span<const MemberData> members) : members_(members.begin(), members.end()) {}
+    BlockOf(std::size_t n, const std::function<MemberData(std::size_t)>& data)
+    {
+        members_.reserve(n);
+        for (std::size_t i = 0; i < n; ++i) members_.emplace_back(data(i));
+    }
     std::size_t size() const override { return members_.size(); }
     const StraightMember& operator[](std::size_t i) const override { return members_[i]; }
 
@@ -354,10 +358,11 @@ MemberGeometry geometry_of(AnalysisKind kind, const MemberData& member)
     return member_geometry(kind, start, end, member.up == nullptr ? Eigen::Vector3d::Zero() : *member.up);
 }
 
-std::unique_ptr<const MemberBlock> make_members(AnalysisKind kind, std::span<const MemberData> members)
+std::unique_ptr<const MemberBlock> make_members(AnalysisKind kind, std::size_t n,
+                                                const std::function<MemberData(std::size_t)>& data)
 {
     return with_model(kind, [&](auto k) -> std::unique_ptr<const MemberBlock> {
-        return std::make_unique<BlockOf<decltype(k)::value>>(members);
+        return std::make_unique<BlockOf<decltype(k)::value>>(n, data);
     });
 }
 

@@ -2,7 +2,9 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -74,8 +76,9 @@ public:
     virtual const StraightMember& operator[](std::size_t i) const = 0;
 };
 
-/// Member elements of one of the five models: the only place that tells the models apart. What the data points to must
-/// outlive them.
-std::unique_ptr<const MemberBlock> make_members(AnalysisKind kind, std::span<const MemberData> members);
+/// Member elements of one of the five models: the only place that tells the models apart. They are asked for in order;
+/// what the data points to must outlive them.
+std::unique_ptr<const MemberBlock> make_members(AnalysisKind kind, std::size_t n,
+                                                const std::function<MemberData(std::size_t)>& data);
 
 } // namespace femoop

@@ -1,5 +1,6 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -77,17 +78,20 @@ public:
     void read(MemberId member)
     {
         member_ = member;
+        geometry_ = structure_.geometry(member);
+        if (is_like_last(member)) return;
         end_conditions_ = structure_.end_conditions_of(member);
         properties_ = &structure_.properties_of(member);
-        geometry_ = structure_.geometry(member);
         scaled_.clear();
         for (const CaseTerms::Term& term : terms_)
             scaled_.push_back({.loads = solution_.loads[term.load_case].of(member), .factor = term.factor});
         properties_->xy.cut(loading_, geometry_.length, scaled_);
+        if (is_plain()) keep_plain();
     }
 
     MemberState state() const
     {
+        if (is_plain()) return plain_state();
         MemberState s;
         s.d = ends(Part::Elastic);
         const bool is_constrained = end_conditions_ != nullptr && end_conditions_->constraint != Constraint::None;
@@ -129,6 +133,33 @@ public:
     }
 
 private:
+    bool is_plain() const { return end_conditions_ == nullptr && !is_precise_; }
+
+    /// But for its place and direction: most structures repeat themselves.
+    bool is_like_last(MemberId member) const
+    {
+        if (structure_.end_conditions_of(member) != nullptr || end_conditions_ != nullptr) return false;
+        if (properties_ != &structure_.properties_of(member) || loading_.length() != geometry_.length) return false;
+        for (std::size_t i = 0; i < terms_.size(); ++i)
+            if (!std::ranges::equal(scaled_[i].loads, solution_.loads[terms_[i].load_case].of(member))) return false;
+        return true;
+    }
+
+    void keep_plain()
+    {
+        const Element element(*properties_, geometry_, nullptr, all_actions);
+        stiffness_ = element.rigid_joint_stiffness();
+        fixed_end_forces_ = element.rigid_joint_forces(loading_);
+    }
+
+    MemberState plain_state() const
+    {
+        MemberState s;
+        s.d = ends(Part::Elastic);
+        unpack(stiffness_ * pack(s.d) + fixed_end_forces_, s.p);
+        return s;
+    }
+
     bool is_bar() const { return end_conditions_ != nullptr && end_conditions_->is_bar; }
 
     /// Forces on the ends from displacements between rigid joints.
@@ -313,6 +344,8 @@ private:
     SpanLoading loading_;
     std::vector<SpanLoading::Scaled> scaled_;
     bool is_precise_ = false;
+    typename Element::LocalMatrix stiffness_; ///< of the last plain member, in its own axes
+    LocalVector fixed_end_forces_;
 };
 
 } // namespace

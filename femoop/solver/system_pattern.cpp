@@ -141,10 +141,12 @@ SystemPattern::Rows SystemPattern::rows_of(std::size_t clique, std::span<const s
             for (member = 0; member < blocks.size() && !is_in(member);) ++member;
         if (member == blocks.size())
             throw std::invalid_argument("SystemPattern::add: an equation is in no block of the clique");
+        if (rows.n_runs == 0 || rows.run[rows.n_runs - 1].member != member)
+            rows.run[rows.n_runs++] = {.begin = rows.count, .end = rows.count, .member = member};
         rows.row[rows.count++] = {.equation = equations[i],
                                   .offset = equations[i] - first_equation_[at(blocks[member])],
-                                  .index = static_cast<std::int32_t>(i),
-                                  .member = member};
+                                  .index = static_cast<std::int32_t>(i)};
+        rows.run[rows.n_runs - 1].end = rows.count;
     }
     return rows;
 }

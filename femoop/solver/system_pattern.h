@@ -68,15 +68,26 @@ private:
     /// A row of an element matrix that is not left out.
     struct Row {
         std::int32_t equation;
-        std::int32_t offset;  ///< from the first equation of its block
-        std::int32_t index;   ///< in the element matrix
-        std::uint32_t member; ///< its block's place in the clique
+        std::int32_t offset; ///< from the first equation of its block
+        std::int32_t index;  ///< in the element matrix
+    };
+    /// Rows of one block that follow one another.
+    struct Run {
+        std::size_t begin, end;
+        std::uint32_t member; ///< the block's place in the clique
     };
     struct Rows {
-        std::size_t count = 0;
+        std::size_t count = 0, n_runs = 0;
         std::array<Row, max_element_rows> row;
+        std::array<Run, max_element_rows> run;
+        std::span<const Run> runs() const { return std::span(run).first(n_runs); }
+        std::span<const Row> of(const Run& of) const { return std::span(row).subspan(of.begin, of.end - of.begin); }
     };
     Rows rows_of(std::size_t clique, std::span<const std::int32_t> equations) const;
+    /// Of two runs of one block, or of one run twice.
+    template <class Scalar, class Matrix>
+    void add_within_block(std::span<const Row> columns, std::span<const Row> rows, const Matrix& Ke,
+                          Scalar* values) const;
 
     /// Of the pair of a clique's blocks i and j, in either order: pairs 01, 02 12, 03 13 23, ...
     static constexpr std::size_t pair_index(std::size_t i, std::size_t j)
@@ -119,17 +130,30 @@ void SystemPattern::add(Eigen::SparseMatrix<Scalar>& K, std::size_t clique, std:
     const std::span<const std::int32_t> pairs = std::span(distance_).subspan(pair_start(clique));
     const Rows rows = rows_of(clique, equations);
     Scalar* const values = K.valuePtr();
-    for (std::size_t j = 0; j < rows.count; ++j) {
-        const Row column = rows.row[j];
-        const std::int32_t* const start = column_start_.data() + column.equation;
-        for (std::size_t i = 0; i < rows.count; ++i) {
-            const Row row = rows.row[i];
-            if (row.equation < column.equation) continue;
-            const std::int32_t place = row.member == column.member
-                                           ? start[0] + row.equation - column.equation
-                                           : start[1] - pairs[pair_index(row.member, column.member)] + row.offset;
-            values[place] += Ke(row.index, column.index);
+    for (const Run& columns : rows.runs())
+        for (const Run& below : rows.runs()) {
+            if (columns.member == below.member) {
+                add_within_block(rows.of(columns), rows.of(below), Ke, values);
+                continue;
+            }
+            if (rows.row[below.begin].equation < rows.row[columns.begin].equation) continue;
+            const std::int32_t distance = pairs[pair_index(below.member, columns.member)];
+            for (const Row& column : rows.of(columns)) {
+                Scalar* const block = values + column_start_[static_cast<std::size_t>(column.equation) + 1] - distance;
+                for (const Row& row : rows.of(below)) block[row.offset] += Ke(row.index, column.index);
+            }
         }
+}
+
+template <class Scalar, class Matrix>
+void SystemPattern::add_within_block(std::span<const Row> columns, std::span<const Row> rows, const Matrix& Ke,
+                                     Scalar* values) const
+{
+    for (const Row& column : columns) {
+        Scalar* const diagonal = values + column_start_[static_cast<std::size_t>(column.equation)];
+        for (const Row& row : rows)
+            if (row.equation >= column.equation)
+                diagonal[row.equation - column.equation] += Ke(row.index, column.index);
     }
 }
 

@@ -2,9 +2,14 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
 
 #include "femoop/analysis/linear_static.h"
 #include "femoop/edit/split.h"
+#include "femoop/result/curve_reader.h"
 #include "tests/femoop/analysis/random_structure.h"
 
 using namespace femoop;
@@ -312,6 +317,51 @@ TEST_SUITE("laws")
                     CHECK(a.at("P").displacement(NodeId(i))[k] ==
                           doctest::Approx(b.at("P").displacement(NodeId(n - 1 - i))[k]).epsilon(1e-8));
         });
+    }
+
+    TEST_CASE("Members that repeat one another, loaded alike or not, give what they give when none follows its like")
+    {
+        constexpr std::size_t n_bays = 6;
+        const auto hall = [](bool are_alike_together) {
+            Model model;
+            model.add(Material{.id = "steel", .E = 2.1e8});
+            model.add(Section{.id = "s", .A = 0.01, .Iz = 1.3e-4});
+            model.add(LoadCase{.id = "G"});
+            for (std::size_t i = 0; i <= n_bays; ++i)
+                for (const double y : {0.0, 4.0})
+                    model.add(Node{.id = std::to_string(model.nodes.size()), .at = {5.0 * static_cast<double>(i), y}});
+            for (std::size_t i = 0; i <= n_bays; ++i) model.nodes[2 * i].support = Support{.kind = SupportKind::Fixed};
+            const auto add = [&](std::string id, std::size_t a, std::size_t b) {
+                return model.add(Member{.id = std::move(id),
+                                        .nodes = {NodeId(a), NodeId(b)},
+                                        .material = MaterialId(0),
+                                        .section = SectionId(0)});
+            };
+            const auto add_column = [&](std::size_t i) { add("C" + std::to_string(i), 2 * i, 2 * i + 1); };
+            for (std::size_t i = 0; i <= n_bays && are_alike_together; ++i) add_column(i);
+            for (std::size_t i = 0; i < n_bays; ++i) {
+                const MemberId beam = add("B" + std::to_string(i), 2 * i + 1, 2 * i + 3);
+                if (!are_alike_together) add_column(i);
+                constexpr std::array q{-7.0, -7.0, -11.0, 0.0, -7.0, -7.0};
+                DistributedLoad load{.values = {{.dof = Dof::uy, .start = q[i]}}};
+                if (i == 5) load.to = Quantity(2.0);
+                if (q[i] != 0.0) model.load_cases[0].members.push_back({.member = beam, .load = load});
+            }
+            if (!are_alike_together) add_column(n_bays);
+            return model;
+        };
+        const Model together = hall(true), mixed = hall(false);
+        const Results a = analyse(together), b = analyse(mixed);
+        CHECK(difference(a.at("G"), b.at("G"), together.nodes.size()) < 1e-12);
+        CurveReader reader(a.at("G"));
+        for (std::size_t i = 0; i < together.members.size(); ++i) {
+            const auto same = std::ranges::find(mixed.members, together.members[i].id, &Member::id);
+            const Curve expected = b.at("G").curve(MemberId(static_cast<std::size_t>(same - mixed.members.begin())));
+            const Curve& curve = reader.read(MemberId(i));
+            CAPTURE(together.members[i].id);
+            for (const double x : {0.0, 1.9, 3.1})
+                CHECK(curve.forces(x).Mz == doctest::Approx(expected.forces(x).Mz).epsilon(1e-9));
+        }
     }
 
     TEST_CASE("A translated structure moves as before")

@@ -4,7 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
 
+#include "femoop/solver/geometric_dissection.h"
+#include "femoop/solver/index.h"
 #include "femoop/solver/symmetric_solver.h"
 
 using namespace femoop;
@@ -24,6 +31,29 @@ BlockGraph grid(std::int32_t width, std::int32_t height)
             if (y > 0) graph.add_clique(std::array{here - width, here});
         }
     return graph;
+}
+
+/// Some blocks of a graph, in the order of their numbers.
+struct Part {
+    std::vector<std::int32_t> blocks;
+    BlockGraph graph;
+};
+
+Part part_of(const BlockGraph& whole, std::vector<std::int32_t> blocks)
+{
+    std::ranges::sort(blocks);
+    Part part{.blocks = std::move(blocks), .graph = {}};
+    std::vector<std::int32_t> number(whole.n_blocks(), -1);
+    for (const std::int32_t block : part.blocks) {
+        number[at(block)] = static_cast<std::int32_t>(part.graph.n_blocks());
+        part.graph.block_sizes.push_back(whole.block_sizes[at(block)]);
+        part.graph.positions.push_back(whole.positions[at(block)]);
+    }
+    for (std::size_t i = 0; i < whole.n_cliques(); ++i) {
+        const std::array pair{number[at(whole.clique(i)[0])], number[at(whole.clique(i)[1])]};
+        if (pair[0] >= 0 && pair[1] >= 0) part.graph.add_clique(pair);
+    }
+    return part;
 }
 
 EliminationPlan plan(SolverKind wanted, const BlockGraph& graph)
@@ -61,6 +91,25 @@ TEST_CASE("Who names a solver gets it, with every block in its order once")
         std::sort(planned.order.begin(), planned.order.end());
         REQUIRE(planned.order.size() == 42);
         for (std::int32_t i = 0; i < 42; ++i) CHECK(planned.order[static_cast<std::size_t>(i)] == i);
+    }
+}
+
+TEST_CASE("Halves of a large structure, which are cut at the same time, are ordered as each is by itself")
+{
+    const BlockGraph whole = grid(120, 100);
+    const Dissection both = geometric_dissection(BlockAdjacency(whole), whole.positions);
+    const auto parts_first_half = [](const Dissection::Part& part) { return part.level == 1 && part.is_separator; };
+    const std::size_t middle = std::ranges::find_if(both.parts, parts_first_half)->end;
+    const std::size_t separator = both.parts.back().first;
+    REQUIRE(both.order.size() == whole.n_blocks());
+    REQUIRE(middle < separator);
+    for (const auto& [first, end] : {std::pair(std::size_t{0}, middle), std::pair(middle, separator)}) {
+        const std::span<const std::int32_t> order = std::span(both.order).subspan(first, end - first);
+        const Part half = part_of(whole, {order.begin(), order.end()});
+        const Dissection alone = geometric_dissection(BlockAdjacency(half.graph), half.graph.positions);
+        std::vector<std::int32_t> expected;
+        for (const std::int32_t block : alone.order) expected.push_back(half.blocks[at(block)]);
+        CHECK(std::ranges::equal(order, expected));
     }
 }
 
