@@ -23,8 +23,7 @@ public:
         const femoop::Extremes extremes = function_.extremes();
         const double own = std::max(std::abs(extremes.max.value), std::abs(extremes.min.value));
         if (!(own > written_as_zero * look_.largest)) return;
-        const double tolerance = scene_.crowding.is_crowded() ? 0.6 : 0.3; // [px]
-        const std::vector<Ordinate> ordinates = ordinates_of(function_, tolerance / look_.pixels_per_unit);
+        const std::vector<Ordinate> ordinates = ordinates_of(function_, 0.3 / look_.pixels_per_unit);
         std::vector<ui::Point> line{at(0.0, 0.0)};
         for (const Ordinate& o : ordinates) line.push_back(at(o.x, o.value));
         line.push_back(at(function_.length(), 0.0));
