@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "ui/app/stage.h"
 #include "ui/app/window_loop.h"
@@ -17,11 +18,11 @@
 
 namespace ui {
 
-/// Makes the app with a copy of the session.
-template <class Application, class Session> MakeApp app_with(const Session& session)
+/// Makes one app, which takes the session over: a large document has no room to be copied. \pre the session outlives it
+template <class Application, class Session> MakeApp app_with(Session& session)
 {
-    return [session](Context& context, const Fonts& fonts) {
-        return std::make_unique<Application>(context, fonts, session);
+    return [&session](Context& context, const Fonts& fonts) {
+        return std::make_unique<Application>(context, fonts, std::move(session));
     };
 }
 
@@ -64,7 +65,7 @@ template <class Session> std::optional<Refusal> why_no_words(const Session& /*se
 /// tells. \returns the exit status: 0 done, 1 a scenario did not go as it expects, 2 bad input or no display, and
 /// what a refusal to tell it in words has
 template <class Application, class AppStage, class Session>
-int run_app(const AppOptions& options, std::string_view program, const Session& session, const MakeApp& in_window)
+int run_app(const AppOptions& options, std::string_view program, Session& session, const MakeApp& in_window)
 {
     constexpr int done = 0, bad_input = 2;
     const auto complain = [&](const Phrase& sentence) {

@@ -11,15 +11,11 @@
 #include "apps/euler/window/stage.h"
 #include "femoop/files/whole_file.h"
 #include "ui/app/run_app.h"
-#include "ui/app/window_loop.h"
-#include "ui/context/window.h"
 #include "ui/text/printable.h"
 
 namespace euler {
 
 namespace {
-
-enum ExitStatus : int { Done = 0, BadInput = 2 };
 
 // What the options ask for is in the session; a file that cannot be opened leaves a notice in it.
 Session begin(const Options& options)
@@ -30,14 +26,6 @@ Session begin(const Options& options)
     if (!options.files.empty()) session.open(options.files.front());
     if (options.step) session.go_to(std::min(*options.step, session.n_steps()));
     return session;
-}
-
-// Of one app, which takes the session over: a lesson of a million steps has no room to be copied.
-ui::MakeApp app_with(Session& session)
-{
-    return [&session](ui::Context& context, const ui::Fonts& fonts) {
-        return std::make_unique<Application>(context, fonts, std::move(session));
-    };
 }
 
 // By hand the challenges are others each time, and files and unsaved work are remembered from one time to the next;
@@ -52,36 +40,21 @@ ui::MakeApp app_to_play_with(Session& session, const Options& options, const std
     };
 }
 
-int complain(const std::string& sentence)
-{
-    std::cerr << "euler: " << ui::printable(sentence) << '\n';
-    return BadInput;
-}
-
 } // namespace
 
 int run(Options options)
 {
+    constexpr int bad_input = 2;
     const auto folder = ui::draft_folder("euler", ".eul", files::write_whole_file);
     ui::complete(options, folder);
     Session session = begin(options);
-    if (options.is_headless() && session.script_fault)
-        return complain(session.file_name() + ": " + session.tr()(*session.script_fault));
-    if (options.is_headless() && session.notice) return complain(session.tr()(session.notice->sentence));
-    if (options.describe) {
-        std::cout << ui::printable(in_words(session));
-        return Done;
+    if (options.is_headless() && session.script_fault) {
+        std::cerr << "euler: " << ui::printable(session.file_name() + ": " + session.tr()(*session.script_fault))
+                  << '\n';
+        return bad_input;
     }
-    if (options.play) return ui::play_through<Application, OffscreenStage>(options, "euler", session, session.tr());
-    if (options.screenshot) {
-        ui::take_screenshot(options, app_with(session));
-        return Done;
-    }
-    if (!ui::Window::has_display())
-        return complain(
-            session.tr()("there is no display to open a window on; --screenshot OUT.png draws without one"));
-    ui::show_in_window(options, app_to_play_with(session, options, folder));
-    return Done;
+    return ui::run_app<Application, OffscreenStage>(options, "euler", session,
+                                                    app_to_play_with(session, options, folder));
 }
 
 } // namespace euler

@@ -58,14 +58,7 @@ bool choose_case(Session& session, const Options& options)
     return false;
 }
 
-ui::MakeApp app_with(const Session& session)
-{
-    return [session](ui::Context& context, const ui::Fonts& fonts) {
-        return std::make_unique<Application>(context, fonts, session);
-    };
-}
-
-// The same, which remembers files and unsaved work from one time to the next.
+// An app that remembers files and unsaved work from one time to the next.
 ui::MakeApp remembering_app_with(const Session& session, const Options& options,
                                  const std::optional<ui::DraftFolder>& folder)
 {
@@ -95,7 +88,7 @@ int run(Options options)
     }
     if (options.play) return ui::play_through<Application, OffscreenStage>(options, "frame", session, session.view.tr);
     if (options.screenshot) {
-        ui::take_screenshot(options, app_with(session));
+        ui::take_screenshot(options, ui::app_with<Application>(session));
         return Done;
     }
     if (!ui::Window::has_display()) {
