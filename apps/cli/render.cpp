@@ -37,7 +37,7 @@ private:
 std::string show_list(const ui::Catalogue& tr)
 {
     std::string text;
-    for (const drawing::ShowWord& word : drawing::show_words())
+    for (const drawing::ShowWord& word : drawing::show_text())
         text += "\n" + std::string(word.word) + ": " + tr(word.meaning);
     return text;
 }
@@ -90,7 +90,7 @@ drawing::ShowSet shown(const std::string& list, const ui::Catalogue& tr)
             set = set | drawing::parse_show(word);
         } catch (const drawing::ShowError&) {
             std::vector<std::string> words;
-            for (const drawing::ShowWord& known : drawing::show_words()) words.emplace_back(known.word);
+            for (const drawing::ShowWord& known : drawing::show_text()) words.emplace_back(known.word);
             throw unknown_choice("--show", word, words, tr);
         }
     }

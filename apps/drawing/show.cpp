@@ -46,7 +46,7 @@ bool same_letters(std::string_view a, std::string_view b)
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
 }
 
-std::string all_words()
+std::string all_text()
 {
     std::string list;
     for (const ShowWord& known : words()) list += (list.empty() ? "" : ", ") + std::string(known.word);
@@ -63,10 +63,10 @@ ShowSet shown_by(std::string_view word)
 
 } // namespace
 
-std::span<const ShowWord> show_words() { return words(); }
+std::span<const ShowWord> show_text() { return words(); }
 
 ShowError::ShowError(std::string word)
-    : std::runtime_error("--show: no \"" + word + "\"; choose from " + all_words()), word_(std::move(word))
+    : std::runtime_error("--show: no \"" + word + "\"; choose from " + all_text()), word_(std::move(word))
 {}
 
 ShowSet parse_show(std::string_view list)

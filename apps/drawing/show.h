@@ -78,7 +78,7 @@ struct ShowWord {
     ShowSet shows;
     std::string_view meaning; ///< in English, translatable
 };
-std::span<const ShowWord> show_words();
+std::span<const ShowWord> show_text();
 
 /// A list of things to show that has a word which is none of ours; the message lists those that there are.
 class ShowError : public std::runtime_error {

@@ -103,7 +103,7 @@ bool is_named_after_nodes(const Model& model, const Member& member)
     return member.id == model[member.nodes[0]].id + model[member.nodes[1]].id;
 }
 
-void name_anew(Model& model, const Model& before)
+void rename(Model& model, const Model& before)
 {
     Model named = model;
     forget_new(named.nodes, before.nodes);

@@ -26,6 +26,6 @@ bool is_named_after_nodes(const Model& model, const Member& member);
 
 /// Names the nodes and members that `before` has no name of anew, in their order and as if they were drawn one by one:
 /// what was made and welded since then (femoop/edit/weld.h) leaves no gap, and members go by the nodes that they have.
-void name_anew(Model& model, const Model& before);
+void rename(Model& model, const Model& before);
 
 } // namespace femoop

@@ -46,7 +46,7 @@ std::vector<NodeId> earliest_at_place(const Model& model, const MovedParts& move
     return earliest;
 }
 
-void take_over(Node& kept, const Node& dropped)
+void adopt(Node& kept, const Node& dropped)
 {
     if (!kept.support) kept.support = dropped.support;
     kept.hinge = kept.hinge || dropped.hinge;
@@ -75,7 +75,7 @@ void weld_nodes(Model& model, const MovedParts& moved)
     Parts gone;
     for (std::size_t i = 0; i < earliest.size(); ++i) {
         if (earliest[i] == NodeId(i)) continue;
-        take_over(model.nodes[earliest[i].index], model.nodes[i]);
+        adopt(model.nodes[earliest[i].index], model.nodes[i]);
         gone.nodes.emplace_back(i);
     }
     if (gone.nodes.empty()) return;

@@ -96,7 +96,7 @@ private:
     const Translator& tr_;
 };
 
-std::string support_words(const Model& model, const Support& support, const Words& words)
+std::string support_text(const Model& model, const Support& support, const Words& words)
 {
     std::vector<std::string> parts;
     switch (support.kind) {
@@ -145,7 +145,7 @@ double distance(const Model& model, const Member& member)
     return std::sqrt(sum);
 }
 
-std::string member_words(const Model& model, const Member& member, const Words& words)
+std::string member_text(const Model& model, const Member& member, const Words& words)
 {
     const std::string& first = model[member.nodes[0]].id;
     const std::string& second = model[member.nodes[1]].id;
@@ -196,7 +196,7 @@ private:
     LoadAxes axes_;
 };
 
-std::string load_words(const DistributedLoad& load, const Words& words)
+std::string load_text(const DistributedLoad& load, const Words& words)
 {
     const LoadWords say(words, load.axes);
     std::vector<std::string> parts;
@@ -213,13 +213,13 @@ std::string load_words(const DistributedLoad& load, const Words& words)
     return load.projected ? text + " " + words.tr("(per projected length)") : text;
 }
 
-std::string load_words(const PointLoad& load, const Words& words)
+std::string load_text(const PointLoad& load, const Words& words)
 {
     return fill(words.tr("{0} at {1}"),
                 {LoadWords(words, load.axes).components(load.components), place(load.at, words)});
 }
 
-std::string load_words(const EndLoads& load, const Words& words)
+std::string load_text(const EndLoads& load, const Words& words)
 {
     const LoadWords say(words, load.axes);
     std::vector<std::string> parts;
@@ -228,13 +228,13 @@ std::string load_words(const EndLoads& load, const Words& words)
     return join(parts, ", ");
 }
 
-std::string load_words(const TemperatureLoad& load, const Words& words)
+std::string load_text(const TemperatureLoad& load, const Words& words)
 {
     return fill(words.tr("warmed by {0} K at its +y' side and {1} K at its -y' side"),
                 {words.number(load.top), words.number(load.bottom)});
 }
 
-std::string load_words(const Misfit& load, const Words& words)
+std::string load_text(const Misfit& load, const Words& words)
 {
     return fill(load.elongation.value() < 0.0 ? words.tr("built {0} too short") : words.tr("built {0} too long"),
                 {words.length(std::abs(load.elongation.value()))});
@@ -264,7 +264,7 @@ std::vector<std::string> case_loads(const Model& model, const LoadCase& loads, c
         lines.push_back(fill(words.tr("self-weight times {0}"), {words.number(loads.self_weight)}));
     add_node_loads(lines, model, loads, words);
     for (const MemberLoad& load : loads.members) {
-        const std::string what = std::visit([&](const auto& kind) { return load_words(kind, words); }, load.load);
+        const std::string what = std::visit([&](const auto& kind) { return load_text(kind, words); }, load.load);
         lines.push_back(fill(words.tr("on member {0}: {1}"), {model[load.member].id, what}));
     }
     if (lines.empty()) lines.push_back(words.tr("no load"));
@@ -284,10 +284,10 @@ void add_structure(std::string& text, const Model& model, const Words& words)
     for (const Node& node : model.nodes) {
         if (node.support)
             supports.push_back(fill(words.tr("node {0} at {1}: {2}"),
-                                    {node.id, words.point(node), support_words(model, *node.support, words)}));
+                                    {node.id, words.point(node), support_text(model, *node.support, words)}));
         if (node.hinge) hinges.push_back(node.id);
     }
-    for (const Member& member : model.members) members.push_back(member_words(model, member, words));
+    for (const Member& member : model.members) members.push_back(member_text(model, member, words));
     add_section(text, words.tr("Supports"), supports);
     if (!hinges.empty()) add_section(text, words.tr("Hinges"), {fill(words.tr("at {0}"), {join(hinges, ", ")})});
     add_section(text, words.tr("Members"), members);
@@ -385,8 +385,8 @@ void add_largest_along_members(std::vector<std::string>& lines, const Model& mod
 
 /// "M is largest with 12 kN*m in member BC at x = 3 m, smallest with ..."; a force that is the same everywhere is said
 /// so.
-std::string extreme_words(const Model& model, const CaseResult& result, MemberComponent component, double scale,
-                          const Words& words)
+std::string extreme_text(const Model& model, const CaseResult& result, MemberComponent component, double scale,
+                         const Words& words)
 {
     const Dimension dimension = is_moment(component) ? dimension::moment : dimension::force;
     const std::string what(name(component, model.analysis));
@@ -410,10 +410,10 @@ void add_extremes(std::vector<std::string>& lines, const Model& model, const Cas
         for (const ExtremeKind which : {ExtremeKind::Max, ExtremeKind::Min})
             scale = std::max(scale, std::abs(peak(model, result, component, which).value));
     for (const MemberComponent component : section_force_components(model.analysis))
-        lines.push_back(extreme_words(model, result, component, scale, words));
+        lines.push_back(extreme_text(model, result, component, scale, words));
 }
 
-std::string indeterminacy_words(const Indeterminacy& degree, const Words& words)
+std::string indeterminacy_text(const Indeterminacy& degree, const Words& words)
 {
     if (degree.has_foundation)
         return words.tr("The structure is statically indeterminate: members stand on a continuous foundation");
@@ -425,7 +425,7 @@ std::string indeterminacy_words(const Indeterminacy& degree, const Words& words)
 void add_results(std::string& text, const Model& model, const Results& results, std::span<const CaseId> cases,
                  const Words& words)
 {
-    if (!model.members.empty()) text += indeterminacy_words(results.indeterminacy(), words) + ".\n";
+    if (!model.members.empty()) text += indeterminacy_text(results.indeterminacy(), words) + ".\n";
     for (const CaseId id : cases) {
         const CaseResult result = results[id];
         std::vector<std::string> lines{largest_displacement(model, result, words)};

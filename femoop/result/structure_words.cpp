@@ -4,7 +4,7 @@
 
 namespace femoop {
 
-std::string kind_words(AnalysisKind kind, const Translator& tr)
+std::string kind_text(AnalysisKind kind, const Translator& tr)
 {
     switch (kind) {
     case AnalysisKind::Truss2d: return tr("plane truss");
@@ -16,7 +16,7 @@ std::string kind_words(AnalysisKind kind, const Translator& tr)
     return tr("space frame");
 }
 
-std::string size_words(const Model& model, const Translator& tr)
+std::string size_text(const Model& model, const Translator& tr)
 {
     return counted(model.nodes.size(), tr("{0} node"), tr("{0} nodes")) + ", " +
            counted(model.members.size(), tr("{0} member"), tr("{0} members"));

@@ -10,8 +10,8 @@
 namespace femoop {
 
 /// What a structure is and how large, in the few words that a table or a page begins with.
-std::string kind_words(AnalysisKind kind, const Translator& tr);  ///< "plane frame"
-std::string size_words(const Model& model, const Translator& tr); ///< "4 nodes, 1 member"
+std::string kind_text(AnalysisKind kind, const Translator& tr);  ///< "plane frame"
+std::string size_text(const Model& model, const Translator& tr); ///< "4 nodes, 1 member"
 
 /// "{0} node" or "{0} nodes", already translated, with the number in its place.
 std::string counted(std::size_t n, std::string_view one, std::string_view many);

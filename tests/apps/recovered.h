@@ -12,16 +12,17 @@
 #include "tests/folder.h"
 #include "ui/files/autosave.h"
 
-/// What a killed program with this desk leaves behind, as the same app opens it again. The file that was being edited
-/// is "lesson" in the folder. \pre the desk's document has changes
-template <class Desk> Desk recovered(const Desk& desk, const Folder& folder, const std::string& extension)
+/// What a killed program with this workspace leaves behind, as the same app opens it again. The file that was being edited
+/// is "lesson" in the folder. \pre the workspace's document has changes
+template <class Workspace>
+Workspace recovered(const Workspace& workspace, const Folder& folder, const std::string& extension)
 {
     const ui::DraftFolder drafts{folder.path() / "state", extension, files::write_whole_file};
-    const std::vector<ui::Unsaved> unsaved = desk.unsaved();
+    const std::vector<ui::UnsavedDocument> unsaved = workspace.unsaved();
     REQUIRE(unsaved.size() == 1);
     ui::Draft draft(drafts);
     REQUIRE(!draft.keep(unsaved[0].copy(), folder.path() / ("lesson" + extension)));
-    Desk next{decltype(desk.session){}};
+    Workspace next{decltype(workspace.session){}};
     const std::filesystem::path path = drafts.path / (std::to_string(getpid()) + "-0" + extension);
     CHECK(next.can_recover());
     REQUIRE(next.recover({path, folder.path() / ("lesson" + extension)}));

@@ -243,7 +243,7 @@ class Rules(unittest.TestCase):
         self.assert_allowed("apps/frame/view/kept_view.cpp", '#include "ui/paint/painter.h"')
 
     def test_what_judges_a_sketched_diagram_knows_the_mechanics_alone(self):
-        self.assert_refused("apps/frame/predict/score.cpp", '#include "ui/text/phrase.h"')
+        self.assert_refused("apps/frame/predict/score.cpp", '#include "ui/text/message.h"')
         self.assert_refused("apps/frame/predict/score.cpp", '#include "apps/frame/view/kept_view.h"')
         self.assert_allowed("apps/frame/predict/score.cpp", '#include "femoop/result/curve.h"')
         self.assert_allowed("apps/frame/view/kept_view.cpp", '#include "apps/frame/predict/prediction.h"')

@@ -15,7 +15,7 @@ std::string played_in(const std::string& script, const Session& session)
 {
     const Workplace workplace;
     const ui::Fonts fonts;
-    std::string complaint;
+    std::string mismatch;
     golden::if_drawn(
         [&] {
             ui::Offscreen context({.size = {1280, 800}});
@@ -26,10 +26,10 @@ std::string played_in(const std::string& script, const Session& session)
             try {
                 ui::play(script, context, application, stage, {});
             } catch (const ui::ScenarioError& error) {
-                complaint = error.what();
+                mismatch = error.what();
             }
             return context.pixels();
         },
         golden::this_machine());
-    return complaint;
+    return mismatch;
 }

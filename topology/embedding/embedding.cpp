@@ -39,7 +39,7 @@ public:
     explicit Inspection(const Solid& solid) : solid_(solid)
     {
         Box box = box_of(*solid.vertices().begin());
-        for (const VertexId v : solid.vertices()) box.take_in(solid.point(v));
+        for (const VertexId v : solid.vertices()) box.include(solid.point(v));
         tolerance_ = 1e-9 * length(box.most - box.least);
     }
 
@@ -61,7 +61,7 @@ private:
     Box box_of(EdgeId e) const
     {
         Box box{at_start(e), at_start(e)};
-        box.take_in(at_end(e));
+        box.include(at_end(e));
         return box;
     }
 
@@ -130,8 +130,8 @@ private:
         Box box = FlatFace(solid_, shell.faces.front(), tolerance_).box();
         for (const FaceId f : shell.faces) {
             const Box next = FlatFace(solid_, f, tolerance_).box();
-            box.take_in(next.least);
-            box.take_in(next.most);
+            box.include(next.least);
+            box.include(next.most);
         }
         return box;
     }

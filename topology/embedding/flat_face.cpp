@@ -5,7 +5,7 @@
 
 namespace topology {
 
-void Box::take_in(const Point& p)
+void Box::include(const Point& p)
 {
     least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
     most = {std::max(most.x, p.x), std::max(most.y, p.y), std::max(most.z, p.z)};
@@ -21,8 +21,8 @@ bool Box::meets(const Box& other, double tolerance) const
 bool Box::holds(const Box& other, double tolerance) const
 {
     Box both = *this;
-    both.take_in(other.least);
-    both.take_in(other.most);
+    both.include(other.least);
+    both.include(other.most);
     return length(both.least - least) <= tolerance && length(both.most - most) <= tolerance;
 }
 
@@ -45,7 +45,7 @@ FlatFace::FlatFace(const Solid& solid, FaceId f, double tolerance) : solid_(soli
     const Point& first = solid.point(solid.start(solid.half_edge(solid.outer(f))));
     box_ = {first, first};
     for (const LoopId l : solid.loops(f))
-        for (const HalfEdgeId h : solid.chain(l)) box_.take_in(solid.point(solid.start(h)));
+        for (const HalfEdgeId h : solid.chain(l)) box_.include(solid.point(solid.start(h)));
     const Vector normal = twice_area(solid, solid.outer(f));
     has_area_ = length(normal) > tolerance * length(box_.most - box_.least);
     if (has_area_) frame_ = frame_across(first, normal);

@@ -10,7 +10,7 @@ namespace topology {
 struct Box {
     Point least, most;
 
-    void take_in(const Point& p);
+    void include(const Point& p);
     bool meets(const Box& other, double tolerance) const;
     bool holds(const Box& other, double tolerance) const;
 };

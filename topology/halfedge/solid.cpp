@@ -24,7 +24,7 @@ Circle<HalfEdgeId> Solid::chain(LoopId l) const
 
 Circle<HalfEdgeId> Solid::fan(VertexId v) const
 {
-    return {t_, half_edge(v), [](const Tables& t, HalfEdgeId h) { return t.turn(h); }};
+    return {t_, half_edge(v), [](const Tables& t, HalfEdgeId h) { return t.next_around_vertex(h); }};
 }
 
 Circle<LoopId> Solid::loops(FaceId f) const

@@ -75,7 +75,10 @@ public:
     HalfEdgeId next(HalfEdgeId h) const { return t_.next(h); }
     HalfEdgeId prev(HalfEdgeId h) const { return t_.prev(h); }
     HalfEdgeId mate(HalfEdgeId h) const { return t_.mate(h); } ///< a lone vertex's half-edge is its own mate
-    HalfEdgeId turn(HalfEdgeId h) const { return t_.turn(h); } ///< clockwise about its start, seen from outside
+    HalfEdgeId next_around_vertex(HalfEdgeId h) const
+    {
+        return t_.next_around_vertex(h);
+    } ///< clockwise about its start, seen from outside
     VertexId start(HalfEdgeId h) const { return t_.start(h); }
     VertexId end(HalfEdgeId h) const { return t_.start(t_.next(h)); }
     LoopId loop(HalfEdgeId h) const { return t_.loop(h); }
@@ -111,7 +114,7 @@ private:
     friend class EulerOperator;
     friend class Assembly;
     friend class Renumbering;
-    friend class BrokenSolid;
+    friend class CorruptedSolid;
     Tables t_;
 };
 

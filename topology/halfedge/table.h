@@ -49,7 +49,7 @@ public:
         rows_.push_back(entity);
         return Id{static_cast<std::uint32_t>(rows_.size() - 1)};
     }
-    void take_back_last() { rows_.pop_back(); } ///< undoes `add`
+    void undo_last() { rows_.pop_back(); } ///< undoes `add`
     void kill(Id id) { dead_.add(id.index); }
     void revive(Id id) { dead_.remove(id.index); }
 

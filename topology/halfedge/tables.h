@@ -29,7 +29,7 @@ struct Tables {
         return HalfEdgeId{edge.plus.index ^ edge.minus.index ^ h.index};
     }
     /// The next half-edge that starts where h does, clockwise seen from outside.
-    HalfEdgeId turn(HalfEdgeId h) const { return next(mate(h)); }
+    HalfEdgeId next_around_vertex(HalfEdgeId h) const { return next(mate(h)); }
 
     friend bool operator==(const Tables&, const Tables&) = default;
 };

@@ -74,7 +74,7 @@ private:
         while (!open.empty()) {
             const HalfEdgeId h = open.back();
             open.pop_back();
-            if (!solid.has(h) || !solid.edge(h) || solid.turn(h) != h) continue;
+            if (!solid.has(h) || !solid.edge(h) || solid.next_around_vertex(h) != h) continue;
             const VertexId v = solid.end(h);
             op_.kev(h);
             open.push_back(solid.half_edge(v));

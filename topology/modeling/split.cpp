@@ -156,13 +156,13 @@ private:
     void open_cycle(VertexId v)
     {
         std::vector<HalfEdgeId> up;
-        for (VertexId w = v; !is_done(w); w = solid_.end(solid_.turn(up.back()))) {
+        for (VertexId w = v; !is_done(w); w = solid_.end(solid_.next_around_vertex(up.back()))) {
             done(w) = true;
             up.push_back(upward(w));
         }
         std::vector<HalfEdgeId> down; // from each vertex's copy above to itself: edges of no length
         for (const HalfEdgeId h : up) {
-            const NewEdge edge = op_.mev(h, solid_.turn(h), solid_.point(solid_.start(h)));
+            const NewEdge edge = op_.mev(h, solid_.next_around_vertex(h), solid_.point(solid_.start(h)));
             down.push_back(edge.plus);
             copies_.push_back(edge.vertex);
         }

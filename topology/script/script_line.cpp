@@ -249,7 +249,7 @@ void ScriptLine::sweep()
     const Vector by = end - Point{};
     NamedSolid& in = solid();
     EulerOperator op = observed(in);
-    if (const auto refusal = why_not_sweep(op, f)) throw in_words(*refusal);
+    if (const auto refusal = why_not_sweep(op, f)) throw description(*refusal);
     for (const LoopId l : in.solid.loops(f))
         for (const HalfEdgeId h : in.solid.chain(l))
             if (const VertexId v = in.solid.start(h); !is_finite(in.solid.point(v) + by))

@@ -97,10 +97,10 @@ private:
                 return made;
             }
         } catch (const EulerError& refused) {
-            throw in_words(refused.refusal());
+            throw description(refused.refusal());
         }
     }
-    LineError in_words(const Refusal& refusal)
+    LineError description(const Refusal& refusal)
     {
         std::vector<std::string> names;
         for (const Entity& entity : refusal.entities) names.push_back(solid().names.of(entity, solid().solid));

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "ui/app/app.h"
-#include "ui/app/kept_files.h"
-#include "ui/app/overlays.h"
+#include "ui/app/dialogs.h"
 #include "ui/app/picture_area.h"
+#include "ui/app/session_store.h"
 #include "ui/app/unsaved_changes.h"
 #include "ui/command/command_table.h"
 #include "ui/context/write_picture.h"
@@ -19,7 +19,7 @@
 #include "ui/widgets/command_menu.h"
 #include "ui/widgets/offer.h"
 #include "ui/widgets/panel.h"
-#include "ui/widgets/words_window.h"
+#include "ui/widgets/text_window.h"
 
 namespace ui {
 
@@ -33,14 +33,14 @@ struct AppFace {
 
 /// An app of one document at a time on a context, on the screen or off it: menus, keys, dialogs, drafts, export, and
 /// panels on either side of the picture. An app adds its panels and its picture. Each frame goes one way: input, edits,
-/// solution, picture. `Desk` is the app's own (ui/desk/document_desk.h).
-template <class Desk> class DocumentApp : public App {
+/// solution, picture. `Workspace` is the app's own (ui/workspace/document_desk.h).
+template <class Workspace> class DocumentApp : public App {
 public:
-    using Session = decltype(Desk::session);
+    using Session = decltype(Workspace::session);
 
     void frame(const Input& input) final;
     bool is_moving() const final { return session().is_moving(); }
-    void ask_to_quit() final { desk_.leave_document(asks(Request::Quit)); }
+    void ask_to_quit() final { workspace_.leave_document(asks(Request::Quit)); }
     bool wants_to_quit() const final { return wants_to_quit_; }
     std::string window_title() const final
     {
@@ -48,35 +48,35 @@ public:
     }
     ImGuiSession& gui() final { return gui_; }
 
-    Desk& desk() { return desk_; }
-    const Session& session() const { return desk_.session; }
-    const CommandTable<Desk>& commands() const { return commands_; }
+    Workspace& workspace() { return workspace_; }
+    const Session& session() const { return workspace_.session; }
+    const CommandTable<Workspace>& commands() const { return commands_; }
     /// From now on the last files and drafts of unsaved work are kept there. Offers what was left behind.
-    void remember_in(const DraftFolder& folder) { kept_files_ = KeptFiles(folder); }
+    void remember_in(const DraftFolder& folder) { session_store_ = SessionStore(folder); }
     /// From now on changes are offered to the program at the other end, and those of that program here. The session
-    /// knows `linked_text()`, `is_news(text)` and `take_over(text)`; what has them not has no links.
+    /// knows `linked_text()`, `is_news(text)` and `adopt(text)`; what has them not has no links.
     void link_to(Link link);
     const std::optional<LinkedCopy>& linked() const { return linked_; }
     /// Writes the picture to a file (.png, .svg or .pdf), or what else the app can write, and tells that it did.
     /// \returns why it cannot
-    std::optional<Phrase> export_as(const std::filesystem::path& path);
+    std::optional<Message> export_as(const std::filesystem::path& path);
 
 protected:
     /// \pre context and fonts outlive the application
-    DocumentApp(Context& context, const Fonts& fonts, Session session, CommandTable<Desk> commands, AppFace face)
-        : desk_(std::move(session)),
+    DocumentApp(Context& context, const Fonts& fonts, Session session, CommandTable<Workspace> commands, AppFace face)
+        : workspace_(std::move(session)),
           commands_(std::move(commands)),
-          gui_(context, fonts, Theme(desk_.session.look.theme)),
+          gui_(context, fonts, Theme(workspace_.session.look.theme)),
           context_(context),
           fonts_(fonts),
           face_(std::move(face)),
-          overlays_(face_.files),
-          theme_(desk_.session.look.theme)
+          dialogs_(face_.files),
+          theme_(workspace_.session.look.theme)
     {}
 
-    virtual Picture picture() = 0;                                          ///< to be exported
-    virtual std::optional<Phrase> write(const std::filesystem::path& path); ///< \returns why it cannot
-    virtual bool is_typing() const = 0;                                     ///< in a panel, whatever is pressed
+    virtual Picture picture() = 0;                                           ///< to be exported
+    virtual std::optional<Message> write(const std::filesystem::path& path); ///< \returns why it cannot
+    virtual bool is_typing() const = 0;                                      ///< in a panel, whatever is pressed
     virtual void show_left() = 0;
     virtual void show_right() = 0;
     virtual void show_canvas() = 0;
@@ -84,15 +84,15 @@ protected:
     virtual std::string words() const = 0; ///< that tell the document
     virtual void show_body() { show_panels_and_canvas(); }
     virtual void take(Request request) { (void)request; } ///< what not every app is asked for
-    virtual void take_own_requests() {}
+    virtual void handle_own_requests() {}
 
     void show_panels_and_canvas();
     const Fonts& fonts() const { return fonts_; }
 
 private:
-    void take_keys(const Input& input);
-    void take_requests();
-    void take_common(Request request);
+    void handle_keys(const Input& input);
+    void handle_requests();
+    void handle_common_request(Request request);
     void take(const ChosenFile& file);
     void show_menu_bar();
     std::optional<FootMessage> notice() const;
@@ -106,18 +106,18 @@ private:
     {
         return {.background = Theme(session().look.theme).background(),
                 .title = session().file_name(),
-                .png_scale = desk_.export_scale};
+                .png_scale = workspace_.export_scale};
     }
 
-    Desk desk_;
-    CommandTable<Desk> commands_;
+    Workspace workspace_;
+    CommandTable<Workspace> commands_;
     ImGuiSession gui_;
     Context& context_;
     const Fonts& fonts_;
     AppFace face_;
-    Overlays overlays_;
+    Dialogs dialogs_;
     UnsavedChanges unsaved_changes_;
-    KeptFiles kept_files_{std::nullopt};
+    SessionStore session_store_{std::nullopt};
     ThemeName theme_;
     std::optional<LinkedCopy> linked_;
     bool wants_to_quit_ = false;
@@ -129,27 +129,27 @@ concept Linkable = requires(Session session, const std::string& text)
 {
     session.linked_text();
     session.is_news(text);
-    session.take_over(text);
+    session.adopt(text);
 };
 
 /// A tab for each topic of a panel: `topics` are choices.
-template <class Desk, class Topics> void show_topics(Desk& desk, const Topics& topics)
+template <class Workspace, class Topics> void show_topics(Workspace& workspace, const Topics& topics)
 {
     TabRow row;
     for (const auto& entry : topics) {
-        const std::string title = desk.tr()(entry.label) + "###" + std::string(entry.id);
-        if (row.show(title, entry.value == desk.topic)) desk.topic = entry.value;
+        const std::string title = workspace.tr()(entry.label) + "###" + std::string(entry.id);
+        if (row.show(title, entry.value == workspace.topic)) workspace.topic = entry.value;
     }
     ImGui::Separator();
 }
 
-template <class Desk> void DocumentApp<Desk>::frame(const Input& input)
+template <class Workspace> void DocumentApp<Workspace>::frame(const Input& input)
 {
     if (std::exchange(theme_, session().look.theme) != session().look.theme) gui_.set_theme(Theme(theme_));
-    if (!input.dropped_files.empty()) desk_.open(input.dropped_files.front());
+    if (!input.dropped_files.empty()) workspace_.open(input.dropped_files.front());
     gui_.begin_frame(input);
-    take_keys(input);
-    desk_.session.tick(input.seconds);
+    handle_keys(input);
+    workspace_.session.tick(input.seconds);
     follow_link(input.seconds);
     show_menu_bar();
     const auto told = notice();
@@ -157,80 +157,80 @@ template <class Desk> void DocumentApp<Desk>::frame(const Input& input)
     show_body();
     end_body();
     if (!told) status_bar(status());
-    else if (show(*told)) desk_.session.notice.reset();
+    else if (show(*told)) workspace_.session.notice.reset();
     show_dialogs();
-    take_requests();
-    kept_files_.tick(desk_, logical_size(context_), input.seconds);
+    handle_requests();
+    session_store_.tick(workspace_, logical_size(context_), input.seconds);
     gui_.end_frame();
 }
 
-template <class Desk> void DocumentApp<Desk>::take_keys(const Input& input)
+template <class Workspace> void DocumentApp<Workspace>::handle_keys(const Input& input)
 {
     const bool is_popup_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-    if (overlays_.takes_keys() || kept_files_.is_open() || desk_.after_question || is_popup_open) return;
+    if (dialogs_.wants_keys() || session_store_.is_open() || workspace_.after_question || is_popup_open) return;
     const bool types = ImGui::GetIO().WantTextInput || is_typing();
     for (const KeyEvent& event : input.keys) {
         const bool is_escape = event.key == Key::Escape;
         const bool edits_text = ImGui::GetIO().WantTextInput && is_edit_of_text(event.chord());
         const bool is_for_field = edits_text || (types && !is_escape && !event.modifiers.ctrl);
-        if (!event.is_down || is_for_field || (is_escape && overlays_.put_away())) continue;
+        if (!event.is_down || is_for_field || (is_escape && dialogs_.close_topmost())) continue;
         const auto* const command = commands_.find(event.chord());
         if (command == nullptr) continue;
-        const auto reason = run(*command, desk_);
+        const auto reason = run(*command, workspace_);
         ImGui::GetIO().ClearInputCharacters(); // the letter was a command, and none for a field that this opens
-        if (reason && !is_escape) desk_.tell(*reason);
+        if (reason && !is_escape) workspace_.notify(*reason);
     }
 }
 
-template <class Desk> void DocumentApp<Desk>::take_requests()
+template <class Workspace> void DocumentApp<Workspace>::handle_requests()
 {
-    for (const Request request : std::exchange(desk_.asked, {})) take_common(request);
-    take_own_requests();
+    for (const Request request : std::exchange(workspace_.asked, {})) handle_common_request(request);
+    handle_own_requests();
 }
 
-template <class Desk> void DocumentApp<Desk>::take_common(Request request)
+template <class Workspace> void DocumentApp<Workspace>::handle_common_request(Request request)
 {
-    if (overlays_.take(request, session().path()) || kept_files_.take(request)) return;
+    if (dialogs_.take(request, session().path()) || session_store_.take(request)) return;
     if (request == Request::CopyPicture) copy_picture();
     else if (request == Request::Quit) quit();
     else take(request);
 }
 
-template <class Desk> void DocumentApp<Desk>::take(const ChosenFile& file)
+template <class Workspace> void DocumentApp<Workspace>::take(const ChosenFile& file)
 {
     using enum ChosenFile::Purpose;
     switch (file.purpose) {
-    case Open: desk_.session.open(file.path); break;
+    case Open: workspace_.session.open(file.path); break;
     case Save:
-        if (!desk_.session.save(file.path)) overlays_.refuse(desk_.session.notice->sentence);
+        if (!workspace_.session.save(file.path)) dialogs_.refuse(workspace_.session.notice->sentence);
         break;
     case Export:
-        if (const auto reason = export_as(file.path)) overlays_.refuse(*reason);
+        if (const auto reason = export_as(file.path)) dialogs_.refuse(*reason);
         break;
     }
 }
 
-template <class Desk> void DocumentApp<Desk>::quit()
+template <class Workspace> void DocumentApp<Workspace>::quit()
 {
-    kept_files_.end();
+    session_store_.end();
     wants_to_quit_ = true;
 }
 
-template <class Desk> void DocumentApp<Desk>::show_menu_bar()
+template <class Workspace> void DocumentApp<Workspace>::show_menu_bar()
 {
     if (!ImGui::BeginMainMenuBar()) return;
-    show_menus(commands_, desk_, Catalogue(session().tr())); // a command may change the language
+    show_menus(commands_, workspace_, Catalogue(session().tr())); // a command may change the language
     show_link();
     menu_bar_title((session().is_dirty() ? "* " : "") + session().file_name());
     ImGui::EndMainMenuBar();
 }
 
-template <class Desk> void DocumentApp<Desk>::link_to(Link link)
+template <class Workspace> void DocumentApp<Workspace>::link_to(Link link)
 {
     if constexpr (Linkable<Session>) linked_.emplace(std::move(link), session().linked_text());
 }
 
-template <class Desk> void DocumentApp<Desk>::follow_link(double seconds)
+template <class Workspace> void DocumentApp<Workspace>::follow_link(double seconds)
 {
     if constexpr (Linkable<Session>)
         if (linked_)
@@ -238,19 +238,19 @@ template <class Desk> void DocumentApp<Desk>::follow_link(double seconds)
                                     [this](const std::string& other) { return session().is_news(other); }});
 }
 
-template <class Desk> void DocumentApp<Desk>::show_link()
+template <class Workspace> void DocumentApp<Workspace>::show_link()
 {
     if constexpr (Linkable<Session>) {
         if (!linked_ || !linked_->offered()) return;
         const auto answer = show_offer(session().tr()("the frame has changed"), session().tr());
-        if (answer == OfferAnswer::TakeOver) desk_.session.take_over(linked_->take());
+        if (answer == OfferAnswer::TakeOver) workspace_.session.adopt(linked_->take());
         if (answer == OfferAnswer::Keep) linked_->keep();
     }
 }
 
-template <class Desk> void DocumentApp<Desk>::show_panels_and_canvas()
+template <class Workspace> void DocumentApp<Workspace>::show_panels_and_canvas()
 {
-    if (!desk_.has_panels) return show_canvas();
+    if (!workspace_.has_panels) return show_canvas();
     const auto panel = [](const char* id, float width, const auto& show) {
         begin_panel(id, width);
         show();
@@ -261,50 +261,50 @@ template <class Desk> void DocumentApp<Desk>::show_panels_and_canvas()
                      [this] { show_canvas(); });
 }
 
-template <class Desk> std::optional<FootMessage> DocumentApp<Desk>::notice() const
+template <class Workspace> std::optional<FootMessage> DocumentApp<Workspace>::notice() const
 {
     if (!session().notice) return std::nullopt;
     const Catalogue& tr = session().tr();
     return FootMessage{{tr(session().notice->sentence)}, {tr("Close") + "###close notice"}};
 }
 
-template <class Desk> void DocumentApp<Desk>::show_dialogs()
+template <class Workspace> void DocumentApp<Workspace>::show_dialogs()
 {
     const Catalogue tr = session().tr(); // a command may change the language
-    if (const auto file = overlays_.show_dialog(tr)) take(*file);
-    overlays_.show_palette_and_keys(commands_, desk_);
-    if (overlays_.shows_description()) words_window(tr(face_.description), words(), tr, overlays_.shows_description());
-    kept_files_.show(desk_);
-    if (desk_.after_question) ask_about_unsaved();
+    if (const auto file = dialogs_.show_dialog(tr)) take(*file);
+    dialogs_.show_palette_and_keys(commands_, workspace_);
+    if (dialogs_.shows_description()) text_window(tr(face_.description), words(), tr, dialogs_.shows_description());
+    session_store_.show(workspace_);
+    if (workspace_.after_question) ask_about_unsaved();
 }
 
 // What was asked for goes on once the changes are saved or given up.
-template <class Desk> void DocumentApp<Desk>::ask_about_unsaved()
+template <class Workspace> void DocumentApp<Workspace>::ask_about_unsaved()
 {
-    const auto fate = unsaved_changes_.ask(desk_.session, overlays_, session().tr());
+    const auto fate = unsaved_changes_.ask(workspace_.session, dialogs_, session().tr());
     if (!fate) return;
-    const auto then = std::exchange(desk_.after_question, {});
-    if (*fate != UnsavedChanges::Fate::Kept) then(desk_);
+    const auto then = std::exchange(workspace_.after_question, {});
+    if (*fate != UnsavedChanges::Fate::Kept) then(workspace_);
 }
 
-template <class Desk> std::optional<Phrase> DocumentApp<Desk>::write(const std::filesystem::path& path)
+template <class Workspace> std::optional<Message> DocumentApp<Workspace>::write(const std::filesystem::path& path)
 {
     return write_picture(path, picture(), fonts_, picture_look());
 }
 
-template <class Desk> std::optional<Phrase> DocumentApp<Desk>::export_as(const std::filesystem::path& path)
+template <class Workspace> std::optional<Message> DocumentApp<Workspace>::export_as(const std::filesystem::path& path)
 {
     const auto reason = write(path);
     context_.make_current(); // a PNG is drawn in a context of its own
-    if (!reason) desk_.tell({translatable("{file} was written"), {{"file", path.filename().string()}}});
+    if (!reason) workspace_.notify({translatable("{file} was written"), {{"file", path.filename().string()}}});
     return reason;
 }
 
-template <class Desk> void DocumentApp<Desk>::copy_picture()
+template <class Workspace> void DocumentApp<Workspace>::copy_picture()
 {
     const auto reason = ui::copy_picture(picture(), fonts_, picture_look());
     context_.make_current(); // it is drawn in a context of its own
-    desk_.tell(reason.value_or(Phrase(translatable("the picture was copied"))));
+    workspace_.notify(reason.value_or(Message(translatable("the picture was copied"))));
 }
 
 } // namespace ui

@@ -16,7 +16,7 @@ bool is_drawn(const std::optional<Picture>& picture, const std::string& text)
     return picture && golden_text(*picture).find(" \"" + text + "\"\n") != std::string::npos;
 }
 
-Complaint drawn(const std::optional<Picture>& picture, std::string_view text)
+Mismatch drawn(const std::optional<Picture>& picture, std::string_view text)
 {
     const std::string wanted = unquoted(text);
     if (is_drawn(picture, wanted)) return std::nullopt;
@@ -40,7 +40,7 @@ WrittenWords written_words(std::string_view text)
     return found;
 }
 
-Complaint written(std::string_view text)
+Mismatch written(std::string_view text)
 {
     const WrittenWords file = written_words(text);
     if (!file.content) return "written: found no file " + file.name;
@@ -49,7 +49,7 @@ Complaint written(std::string_view text)
 }
 
 // drawn "58.52", written portal.html "58.52"
-Complaint not_there(const std::optional<Picture>& picture, std::string_view text)
+Mismatch not_there(const std::optional<Picture>& picture, std::string_view text)
 {
     if (constexpr std::string_view prefix = "drawn "; text.starts_with(prefix)) {
         const std::string unwanted = unquoted(text.substr(prefix.size()));
@@ -67,7 +67,7 @@ Complaint not_there(const std::optional<Picture>& picture, std::string_view text
 
 } // namespace
 
-Complaint compared(std::string_view what, const std::string& found, const std::string& wanted)
+Mismatch compared(std::string_view what, const std::string& found, const std::string& wanted)
 {
     if (found == wanted) return std::nullopt;
     return std::string(what) + ": found " + found + ", wanted " + wanted;
@@ -79,8 +79,8 @@ std::pair<std::string_view, std::string_view> first_word(std::string_view words)
     return {words.substr(0, blank), words.substr(std::min(blank + 1, words.size()))};
 }
 
-std::optional<Complaint> common_complaint(std::string_view expectation, const App& app,
-                                          const std::optional<Picture>& picture)
+std::optional<Mismatch> common_mismatch(std::string_view expectation, const App& app,
+                                        const std::optional<Picture>& picture)
 {
     const auto [what, rest] = first_word(expectation);
     if (what == "drawn") return drawn(picture, rest);

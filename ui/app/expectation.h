@@ -13,9 +13,9 @@
 namespace ui {
 
 /// What was found instead of what a scenario expects, and what was wanted; nothing where it is as expected.
-using Complaint = std::optional<std::string>;
+using Mismatch = std::optional<std::string>;
 
-Complaint compared(std::string_view what, const std::string& found, const std::string& wanted);
+Mismatch compared(std::string_view what, const std::string& found, const std::string& wanted);
 
 /// The first word and what follows the blank after it.
 std::pair<std::string_view, std::string_view> first_word(std::string_view words);
@@ -27,8 +27,8 @@ std::pair<std::string_view, std::string_view> first_word(std::string_view words)
 ///     ends yes                                     the program would end now
 ///
 /// \returns nothing for words that are none of these, else the complaint
-std::optional<Complaint> common_complaint(std::string_view expectation, const App& app,
-                                          const std::optional<Picture>& picture);
+std::optional<Mismatch> common_mismatch(std::string_view expectation, const App& app,
+                                        const std::optional<Picture>& picture);
 inline constexpr std::string_view common_expectations = "drawn, not drawn, written, not written, ends";
 
 /// A word that stands for something of an app, or of its session: "step" for how many turns are done.
@@ -57,7 +57,7 @@ public:
     }
 
     /// \param expectation  "step 3"
-    Complaint complaint(std::string_view expectation, const Subject& subject) const
+    Mismatch mismatch(std::string_view expectation, const Subject& subject) const
     {
         const auto [what, rest] = first_word(expectation);
         std::string names = std::string(common_expectations) + more_;

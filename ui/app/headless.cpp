@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "ui/app/give_frame.h"
+#include "ui/app/deliver_frame.h"
 #include "ui/scenario/words.h"
 #include "ui/text/number_format.h"
 
@@ -91,7 +91,7 @@ void play(std::string_view script, Offscreen& context, App& app, Stage& stage, c
     while (const auto frame = player.next(stage)) {
         const Input input = input_of(*frame, typing);
         do {
-            give_frame(app, input, typing);
+            deliver_frame(app, input, typing);
             if (film) film(context.pixels());
         } while (!typing.is_empty());
     }

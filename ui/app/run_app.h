@@ -38,7 +38,7 @@ template <class Session> void open_first(Session& session, const std::filesystem
 template <class Application>
 void remember(Application& application, const AppOptions& options, const std::optional<DraftFolder>& folder)
 {
-    begin_as_left(application.desk(), options.settings);
+    begin_as_left(application.workspace(), options.settings);
     if (folder) application.remember_in(*folder);
 }
 
@@ -68,7 +68,7 @@ template <class Application, class AppStage, class Session>
 int run_app(const AppOptions& options, std::string_view program, Session& session, const MakeApp& in_window)
 {
     constexpr int done = 0, bad_input = 2;
-    const auto complain = [&](const Phrase& sentence) {
+    const auto complain = [&](const Message& sentence) {
         std::cerr << program << ": " << printable(session.tr()(sentence)) << '\n';
         return bad_input;
     };
@@ -78,7 +78,7 @@ int run_app(const AppOptions& options, std::string_view program, Session& sessio
             std::cerr << printable(refusal->words);
             return refusal->status;
         }
-        std::cout << printable(in_words(session));
+        std::cout << printable(description(session));
         return done;
     }
     if (options.play) return play_through<Application, AppStage>(options, program, session, session.tr());

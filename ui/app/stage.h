@@ -31,14 +31,14 @@ public:
     std::optional<std::string> run_command(std::string_view id, std::string_view argument) override
     {
         if (id != "file.export" || argument.empty())
-            return run_by_name(application_.commands(), {id, argument}, application_.desk());
+            return run_by_name(application_.commands(), {id, argument}, application_.workspace());
         const auto reason = application_.export_as(argument);
         return reason ? std::optional(Catalogue()(*reason)) : std::nullopt;
     }
     std::optional<std::string> expect(std::string_view words) override
     {
-        if (const auto complaint = common_complaint(words, application_, application_.canvas().picture()))
-            return *complaint;
+        if (const auto mismatch = common_mismatch(words, application_, application_.canvas().picture()))
+            return *mismatch;
         return why_not(words, application_);
     }
     std::optional<std::string> take_picture(std::string_view name) override

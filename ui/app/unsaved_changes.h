@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "ui/app/overlays.h"
+#include "ui/app/dialogs.h"
 #include "ui/text/catalogue.h"
 #include "ui/widgets/unsaved_question.h"
 
@@ -21,15 +21,15 @@ public:
 
     /// Call it once a frame, after the dialog, until the fate is known. The session, whose changes they are, knows
     /// `file_name()`, `path()`, `is_dirty()` and `save(path)`.
-    template <class Session> std::optional<Fate> ask(Session& session, Overlays& overlays, const Catalogue& tr)
+    template <class Session> std::optional<Fate> ask(Session& session, Dialogs& dialogs, const Catalogue& tr)
     {
-        if (is_naming_) return named(session.is_dirty(), overlays);
+        if (is_naming_) return named(session.is_dirty(), dialogs);
         const std::optional<UnsavedAnswer> answer = ask_about_unsaved(session.file_name(), tr);
         if (!answer) return std::nullopt;
         if (*answer == UnsavedAnswer::GiveUp) return Fate::GivenUp;
         if (*answer == UnsavedAnswer::Cancel) return Fate::Kept;
         if (session.path()) return session.save(*session.path()) ? Fate::Saved : Fate::Kept;
-        is_naming_ = overlays.take(Request::SaveDialog, std::nullopt);
+        is_naming_ = dialogs.take(Request::SaveDialog, std::nullopt);
         return std::nullopt;
     }
 
@@ -37,9 +37,9 @@ public:
 
 private:
     /// The dialog saves what it names.
-    std::optional<Fate> named(bool is_dirty, const Overlays& overlays)
+    std::optional<Fate> named(bool is_dirty, const Dialogs& dialogs)
     {
-        is_naming_ = overlays.shows_dialog();
+        is_naming_ = dialogs.shows_dialog();
         if (is_naming_) return std::nullopt;
         return is_dirty ? Fate::Kept : Fate::Saved;
     }

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "ui/app/give_frame.h"
+#include "ui/app/deliver_frame.h"
 #include "ui/context/window.h"
 
 namespace ui {
@@ -38,7 +38,7 @@ void show_in_window(const AppOptions& options, const MakeApp& make)
         const bool is_calm = is_quiet(input, pointer) && window.typing().is_empty();
         n_due = is_calm ? n_due - 1 : settling_frames;
         pointer = input.pointer;
-        give_frame(*app, input, window.typing());
+        deliver_frame(*app, input, window.typing());
         if (std::exchange(title, app->window_title()) != title) window.set_title(title);
         window.present();
         if (window.wants_to_close()) {

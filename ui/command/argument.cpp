@@ -22,7 +22,7 @@ std::optional<std::vector<double>> Argument::numbers(std::size_t count) const
     return values.size() == count ? std::optional(values) : std::nullopt;
 }
 
-Phrase Argument::wanted(std::string_view what) const
+Message Argument::wanted(std::string_view what) const
 {
     return {"{command}: found \"{found}\", wanted {what}",
             {{"command", std::string(id)}, {"found", std::string(text)}, {"what", std::string(what)}}};

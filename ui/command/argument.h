@@ -6,12 +6,12 @@
 #include <string_view>
 #include <vector>
 
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace ui {
 
 /// Why something cannot be done, as a sentence; nothing where it can.
-using Reason = std::optional<Phrase>;
+using Reason = std::optional<Message>;
 
 /// What a scenario writes behind the name of a command: `plane.turn 30`.
 struct Argument {
@@ -24,7 +24,7 @@ struct Argument {
     std::optional<std::vector<double>> numbers(std::size_t count) const;
 
     /// Why it is refused: what was found, and what was wanted. \param what  "an angle in degrees"
-    Phrase wanted(std::string_view what) const;
+    Message wanted(std::string_view what) const;
 };
 
 } // namespace ui

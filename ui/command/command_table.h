@@ -30,7 +30,7 @@ template <class Session> struct Command {
     /// Given for what can be on or off, such as a layer of the picture.
     std::function<bool(const Session&)> is_on{};
     /// A label that depends on the state ("Undo Move node B"); `label` when absent.
-    std::function<Phrase(const Session&)> live_label{};
+    std::function<Message(const Session&)> live_label{};
 };
 
 template <class Session> std::string label(const Command<Session>& command, const Session& session, const Catalogue& tr)

@@ -27,20 +27,20 @@ template <class Value> struct Choice {
 
 /// Adds the commands of one menu to a table, each in a line:
 ///
-///     MenuBuilder<Desk> menu(table, translatable("View"));
+///     MenuBuilder<Workspace> menu(table, translatable("View"));
 ///     menu.step({"view.fit", translatable("Show everything"), {{Key::F, {}}}}, fit, why_not_fit);
-///     menu.toggle({"view.grid", translatable("Grid")}, [](auto& desk) -> auto& { return desk.has_grid; });
-///     menu.choices(themes, [](auto& desk) -> auto& { return desk.theme; });
+///     menu.toggle({"view.grid", translatable("Grid")}, [](auto& workspace) -> auto& { return workspace.has_grid; });
+///     menu.choices(themes, [](auto& workspace) -> auto& { return workspace.theme; });
 ///
 /// A `why_not` says nothing where the command can run now, else why it cannot. What is returned is the row itself, for
 /// what few rows have; it holds until the next command is added.
-template <class Desk> class MenuBuilder {
+template <class Workspace> class MenuBuilder {
 public:
-    using Row = Command<Desk>;
-    using Run = std::function<void(Desk&)>;
-    using WhyNot = std::function<Reason(const Desk&)>;
+    using Row = Command<Workspace>;
+    using Run = std::function<void(Workspace&)>;
+    using WhyNot = std::function<Reason(const Workspace&)>;
 
-    MenuBuilder(CommandTable<Desk>& table, std::string_view menu) : table_(table), menu_(menu) {}
+    MenuBuilder(CommandTable<Workspace>& table, std::string_view menu) : table_(table), menu_(menu) {}
 
     /// Something that is done.
     Row& step(CommandName name, Run run, WhyNot why_not = {})
@@ -53,31 +53,31 @@ public:
                            .why_not = std::move(why_not)});
     }
 
-    /// Something that is on or off. \param place  the switch itself, of a desk that may be const
+    /// Something that is on or off. \param place  the switch itself, of a workspace that may be const
     template <class Place> Row& toggle(CommandName name, Place place, WhyNot why_not = {})
     {
         return toggle(
-            std::move(name), [place](const Desk& desk) { return place(desk); },
-            [place](Desk& desk, bool is_on) { place(desk) = is_on; }, std::move(why_not));
+            std::move(name), [place](const Workspace& workspace) { return place(workspace); },
+            [place](Workspace& workspace, bool is_on) { place(workspace) = is_on; }, std::move(why_not));
     }
 
     /// The same where more than a switch changes. \param turn  gets whether it is to be on
     template <class IsOn, class Turn>
-    requires std::invocable<Turn, Desk&, bool> Row& toggle(CommandName name, IsOn is_on, Turn turn, WhyNot why_not = {})
+    requires std::invocable<Turn, Workspace&, bool> Row& toggle(CommandName name, IsOn is_on, Turn turn, WhyNot why_not = {})
     {
         Row& row = step(
-            std::move(name), [is_on, turn](Desk& desk) { turn(desk, !is_on(std::as_const(desk))); },
+            std::move(name), [is_on, turn](Workspace& workspace) { turn(workspace, !is_on(std::as_const(workspace))); },
             std::move(why_not));
         row.is_on = is_on;
         return row;
     }
 
-    /// A command for each switch. \param place  the switch of a choice's value: (desk, value)
+    /// A command for each switch. \param place  the switch of a choice's value: (workspace, value)
     template <class Choices, class Place> void toggles(const Choices& entries, Place place, WhyNot why_not = {})
     {
         for (const auto& entry : entries)
             toggle(
-                name_of(entry), [place, value = entry.value](auto& desk) -> auto& { return place(desk, value); },
+                name_of(entry), [place, value = entry.value](auto& workspace) -> auto& { return place(workspace, value); },
                 why_not);
     }
 
@@ -88,16 +88,16 @@ public:
     {
         for (const auto& entry : entries)
             toggle(
-                name_of(entry), [is_on, value = entry.value](const Desk& desk) { return is_on(desk, value); },
-                [turn, value = entry.value](Desk& desk, bool on) { turn(desk, value, on); }, why_not);
+                name_of(entry), [is_on, value = entry.value](const Workspace& workspace) { return is_on(workspace, value); },
+                [turn, value = entry.value](Workspace& workspace, bool on) { turn(workspace, value, on); }, why_not);
     }
 
     /// A command for each value, of which one is chosen. \param place  where the value is kept
     template <class Choices, class Place> void choices(const Choices& entries, Place place, WhyNot why_not = {})
     {
         choices(
-            entries, [place](const Desk& desk) { return place(desk); },
-            [place](Desk& desk, const auto& value) { place(desk) = value; }, why_not);
+            entries, [place](const Workspace& workspace) { return place(workspace); },
+            [place](Workspace& workspace, const auto& value) { place(workspace) = value; }, why_not);
     }
 
     /// The same where more than a value changes. \param chosen  the value now \param choose  gets the new one
@@ -113,8 +113,8 @@ public:
     {
         const auto value = entry.value;
         Row& row = step(
-            name_of(entry), [choose, value](Desk& desk) { choose(desk, value); }, std::move(why_not));
-        row.is_on = [chosen, value](const Desk& desk) { return chosen(desk) == value; };
+            name_of(entry), [choose, value](Workspace& workspace) { choose(workspace, value); }, std::move(why_not));
+        row.is_on = [chosen, value](const Workspace& workspace) { return chosen(workspace) == value; };
         return row;
     }
 
@@ -124,7 +124,7 @@ private:
         return {entry.id, entry.label, entry.shortcut ? std::vector{*entry.shortcut} : std::vector<Chord>{}};
     }
 
-    CommandTable<Desk>& table_;
+    CommandTable<Workspace>& table_;
     std::string_view menu_;
 };
 

@@ -35,7 +35,7 @@ private:
 
 } // namespace
 
-std::optional<Phrase> copy_png(const std::filesystem::path& png)
+std::optional<Message> copy_png(const std::filesystem::path& png)
 {
     std::array<std::string, 6> words{"xclip", "-selection", "clipboard", "-t", "image/png", "-i"};
     std::array<char*, 7> arguments{};
@@ -43,10 +43,10 @@ std::optional<Phrase> copy_png(const std::filesystem::path& png)
     const Surroundings surroundings(png);
     pid_t child = 0;
     if (posix_spawnp(&child, arguments[0], surroundings.get(), nullptr, arguments.data(), environ) != 0)
-        return Phrase(translatable("the picture was not copied: the program xclip is missing; install it"));
+        return Message(translatable("the picture was not copied: the program xclip is missing; install it"));
     int status = 0;
     if (waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0) return std::nullopt;
-    return Phrase(translatable("the picture was not copied: there is no clipboard to be reached"));
+    return Message(translatable("the picture was not copied: there is no clipboard to be reached"));
 }
 
 } // namespace ui

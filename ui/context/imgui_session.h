@@ -21,7 +21,7 @@ namespace ui {
 ///
 ///     while (!window.wants_to_close()) {
 ///         Input input = window.input();
-///         if (!session.awaits_field()) window.typing().give_next(input, session.reader());
+///         if (!session.awaits_field()) window.typing().deliver_next(input, session.reader());
 ///         session.begin_frame(input);
 ///         ... widgets, session.show(picture, *ImGui::GetBackgroundDrawList(), {})
 ///         session.end_frame();

@@ -55,7 +55,7 @@ public:
     posix_spawn_file_actions_t actions{};
 };
 
-Phrase not_started(const std::string& program, int error)
+Message not_started(const std::string& program, int error)
 {
     return {translatable("{program} was not started: {reason}"),
             {{"program", program}, {"reason", std::generic_category().message(error)}}};
@@ -69,16 +69,16 @@ std::filesystem::path folder_of_programs()
     return std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
 }
 
-std::optional<Phrase> start_program(const Handover& handover, const std::filesystem::path& folder)
+std::optional<Message> start_program(const ExportToApp& exported, const std::filesystem::path& folder)
 {
-    const std::filesystem::path program = folder / handover.program;
+    const std::filesystem::path program = folder / exported.program;
     if (access(program.c_str(), X_OK) != 0)
-        return Phrase(translatable("the program {program} is not in {folder}, where this one is; install it there"),
-                      {{"program", handover.program}, {"folder", folder.string()}});
-    const File document = nameless_file(handover.document);
-    if (!document) return not_started(handover.program, errno);
+        return Message(translatable("the program {program} is not in {folder}, where this one is; install it there"),
+                       {{"program", exported.program}, {"folder", folder.string()}});
+    const File document = nameless_file(exported.document);
+    if (!document) return not_started(exported.program, errno);
     std::vector<std::string> words{program.string(), "-"};
-    words.insert(words.end(), handover.options.begin(), handover.options.end());
+    words.insert(words.end(), exported.options.begin(), exported.options.end());
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
@@ -86,7 +86,7 @@ std::optional<Phrase> start_program(const Handover& handover, const std::filesys
     pid_t child = 0;
     const int error = posix_spawn(&child, program.c_str(), &settings.actions, &settings.attributes, arguments.data(),
                                   environ);
-    if (error != 0) return not_started(handover.program, error);
+    if (error != 0) return not_started(exported.program, error);
     std::thread([child] { waitpid(child, nullptr, 0); }).detach(); // else it stays in the table when it has ended
     return std::nullopt;
 }

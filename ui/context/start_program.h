@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "ui/desk/handover.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
+#include "ui/workspace/export_to_app.h"
 
 namespace ui {
 
@@ -14,7 +14,7 @@ std::filesystem::path folder_of_programs();
 /// Starts `program - options...`, which reads the document from its standard input: a file without a name, so that
 /// nothing has to be cleared up and nothing can be overwritten. It lives on when this program ends.
 /// \returns why it could not be started
-std::optional<Phrase> start_program(const Handover& handover,
-                                    const std::filesystem::path& folder = folder_of_programs());
+std::optional<Message> start_program(const ExportToApp& exported,
+                                     const std::filesystem::path& folder = folder_of_programs());
 
 } // namespace ui

@@ -61,7 +61,7 @@ void Typing::put_back(std::string_view text)
     if (!text.empty()) waiting_.emplace_front(std::string(text));
 }
 
-void Typing::give_next(Input& input, Reader reader)
+void Typing::deliver_next(Input& input, Reader reader)
 {
     TypedFrame frame(input, reader);
     const auto is_taken = [&](const auto& piece) {

@@ -23,7 +23,7 @@ public:
     bool is_empty() const { return waiting_.empty(); }
 
     /// The next stroke, with the releases that follow it. While more waits the modifiers are those of the stroke.
-    void give_next(Input& input, Reader reader);
+    void deliver_next(Input& input, Reader reader);
 
 private:
     using Piece = std::variant<KeyEvent, std::string>;

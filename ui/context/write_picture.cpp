@@ -38,8 +38,8 @@ private:
 
 } // namespace
 
-std::optional<Phrase> write_picture(const std::filesystem::path& path, const Picture& picture, const Fonts& fonts,
-                                    const PictureLook& look)
+std::optional<Message> write_picture(const std::filesystem::path& path, const Picture& picture, const Fonts& fonts,
+                                     const PictureLook& look)
 {
     static const std::array<std::string, 3> endings{".png", ".svg", ".pdf"};
     if (const auto reason = why_not_ending(path, endings)) return reason;
@@ -53,7 +53,7 @@ std::optional<Phrase> write_picture(const std::filesystem::path& path, const Pic
     return std::nullopt;
 }
 
-std::optional<Phrase> copy_picture(const Picture& picture, const Fonts& fonts, const PictureLook& look)
+std::optional<Message> copy_picture(const Picture& picture, const Fonts& fonts, const PictureLook& look)
 {
     const ScratchFile file;
     if (auto reason = write_picture(file.path(), picture, fonts, look)) return reason;

@@ -7,7 +7,7 @@
 #include "ui/paint/color.h"
 #include "ui/paint/picture.h"
 #include "ui/paint/text_measure.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace ui {
 
@@ -19,10 +19,10 @@ struct PictureLook {
 };
 
 /// Writes it as the name's end says: .png, .svg or .pdf, in letters of any size. \returns why it cannot be written
-std::optional<Phrase> write_picture(const std::filesystem::path& path, const Picture& picture, const Fonts& fonts,
-                                    const PictureLook& look);
+std::optional<Message> write_picture(const std::filesystem::path& path, const Picture& picture, const Fonts& fonts,
+                                     const PictureLook& look);
 
 /// Puts it on the clipboard, as a PNG. \returns why it could not
-std::optional<Phrase> copy_picture(const Picture& picture, const Fonts& fonts, const PictureLook& look);
+std::optional<Message> copy_picture(const Picture& picture, const Fonts& fonts, const PictureLook& look);
 
 } // namespace ui

@@ -7,8 +7,8 @@
 
 namespace ui {
 
-Unsaved unsaved_text(std::string text, const std::optional<std::filesystem::path>& original, WriteWhole write,
-                     std::string about)
+UnsavedDocument unsaved_text(std::string text, const std::optional<std::filesystem::path>& original, WriteWhole write,
+                             std::string about)
 {
     return {
         .state = std::hash<std::string>()(text),
@@ -18,19 +18,19 @@ Unsaved unsaved_text(std::string text, const std::optional<std::filesystem::path
         .about = std::move(about)};
 }
 
-std::optional<Phrase> Autosave::tick(const std::function<std::vector<Unsaved>()>& unsaved, double seconds)
+std::optional<Message> Autosave::tick(const std::function<std::vector<UnsavedDocument>()>& unsaved, double seconds)
 {
-    std::optional<Phrase> told = collect();
+    std::optional<Message> told = collect();
     waited_ += seconds;
     if (waited_ < interval) return told;
     waited_ = 0.0;
-    const std::vector<Unsaved> documents = unsaved();
-    for (const Unsaved& document : documents) keep(document);
+    const std::vector<UnsavedDocument> documents = unsaved();
+    for (const UnsavedDocument& document : documents) keep(document);
     forget_all_but(documents);
     return told;
 }
 
-void Autosave::keep(const Unsaved& document)
+void Autosave::keep(const UnsavedDocument& document)
 {
     Kept& kept = kept_[document.document];
     if (kept.is_writing() || kept.state == document.state) return;
@@ -41,9 +41,9 @@ void Autosave::keep(const Unsaved& document)
     kept.writing = std::async(std::launch::async, write);
 }
 
-std::optional<Phrase> Autosave::collect()
+std::optional<Message> Autosave::collect()
 {
-    std::optional<Phrase> sentence;
+    std::optional<Message> sentence;
     for (auto& [document, kept] : kept_) {
         if (!kept.is_writing()) continue;
         if (kept.writing.wait_for(std::chrono::seconds(0)) != std::future_status::ready) continue;
@@ -53,39 +53,39 @@ std::optional<Phrase> Autosave::collect()
 }
 
 // A full disk or a folder that is not writable must not hinder the work, and the next tick tries again.
-std::optional<Phrase> Autosave::told(Kept& kept, const std::error_code& hindrance)
+std::optional<Message> Autosave::told(Kept& kept, const std::error_code& hindrance)
 {
     if (hindrance) kept.state.reset();
     const bool was_told = std::ranges::any_of(kept_, [](const auto& entry) { return entry.second.is_hindered; });
     kept.is_hindered = static_cast<bool>(hindrance);
     if (!hindrance || was_told) return std::nullopt;
-    return Phrase(
+    return Message(
         translatable("what is not saved cannot be kept for the case of a crash: {folder}: {reason}; save often"),
         {{"folder", folder_.path.string()}, {"reason", hindrance.message()}});
 }
 
-void Autosave::forget_all_but(const std::vector<Unsaved>& documents)
+void Autosave::forget_all_but(const std::vector<UnsavedDocument>& documents)
 {
     std::erase_if(kept_, [&](auto& entry) {
-        const bool is_over = std::ranges::find(documents, entry.first, &Unsaved::document) == documents.end();
+        const bool is_over = std::ranges::find(documents, entry.first, &UnsavedDocument::document) == documents.end();
         if (!is_over || entry.second.is_writing()) return false;
         entry.second.draft->forget();
         return true;
     });
 }
 
-std::vector<Leftover> Autosave::new_leftovers()
+std::vector<RecoverableFile> Autosave::new_recoverable_files()
 {
-    std::vector<Leftover> found = leftovers(folder_);
-    std::erase_if(found, [&](const Leftover& leftover) { return !told_.insert(leftover.draft).second; });
+    std::vector<RecoverableFile> found = recoverable_files(folder_);
+    std::erase_if(found, [&](const RecoverableFile& recoverable) { return !told_.insert(recoverable.draft).second; });
     return found;
 }
 
-void Autosave::adopt(std::uint64_t document, std::unique_ptr<Draft> leftover)
+void Autosave::adopt(std::uint64_t document, std::unique_ptr<Draft> recoverable)
 {
     wait();
     if (const auto former = kept_.find(document); former != kept_.end()) former->second.draft->forget();
-    kept_[document] = {.draft = std::move(leftover)};
+    kept_[document] = {.draft = std::move(recoverable)};
 }
 
 void Autosave::wait() const

@@ -14,12 +14,12 @@
 #include <vector>
 
 #include "ui/files/draft.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace ui {
 
 /// A document that is not saved, as it stands.
-struct Unsaved {
+struct UnsavedDocument {
     std::uint64_t document = 0; ///< tells the documents of one program apart
     std::uint64_t state = 0;    ///< another one when there is something new to keep
     std::optional<std::filesystem::path> original{};
@@ -28,8 +28,8 @@ struct Unsaved {
 };
 
 /// The one document of a program, which is small enough to be written as a text whenever it may have changed.
-Unsaved unsaved_text(std::string text, const std::optional<std::filesystem::path>& original, WriteWhole write,
-                     std::string about = {});
+UnsavedDocument unsaved_text(std::string text, const std::optional<std::filesystem::path>& original, WriteWhole write,
+                             std::string about = {});
 
 /// Keeps drafts of all documents of a program that are not saved, a few seconds after each change, and finds those that
 /// a program left behind when it was killed. They are written beside the program's work, which waits for no disk.
@@ -41,16 +41,16 @@ public:
 
     /// Call once a frame: begins to keep what has changed since it was kept last, forgets what is saved or closed.
     /// \returns what to tell where drafts cannot be kept: once, until they can be
-    std::optional<Phrase> tick(const std::function<std::vector<Unsaved>()>& unsaved, double seconds);
+    std::optional<Message> tick(const std::function<std::vector<UnsavedDocument>()>& unsaved, double seconds);
     void wait() const; ///< until all that is being written is on the disk
     /// Everything is saved or given up.
     void forget_all();
 
     /// What a program left behind and was not told before. A program that is being killed may hold its draft for a
     /// moment still, so one asks again.
-    std::vector<Leftover> new_leftovers();
+    std::vector<RecoverableFile> new_recoverable_files();
     /// A leftover is the draft of this document from now on.
-    void adopt(std::uint64_t document, std::unique_ptr<Draft> leftover);
+    void adopt(std::uint64_t document, std::unique_ptr<Draft> recoverable);
     const DraftFolder& folder() const { return folder_; }
 
 private:
@@ -62,10 +62,10 @@ private:
 
         bool is_writing() const { return writing.valid(); }
     };
-    void keep(const Unsaved& document);
-    std::optional<Phrase> collect();
-    std::optional<Phrase> told(Kept& kept, const std::error_code& hindrance);
-    void forget_all_but(const std::vector<Unsaved>& documents);
+    void keep(const UnsavedDocument& document);
+    std::optional<Message> collect();
+    std::optional<Message> told(Kept& kept, const std::error_code& hindrance);
+    void forget_all_but(const std::vector<UnsavedDocument>& documents);
 
     DraftFolder folder_;
     std::map<std::uint64_t, Kept> kept_;   ///< by the document

@@ -73,10 +73,10 @@ bool is_draft(const fs::path& path, const std::string& extension)
     return path.extension() == extension && path.stem().extension().empty();
 }
 
-fs::file_time_type age(const Leftover& leftover)
+fs::file_time_type age(const RecoverableFile& recoverable)
 {
     std::error_code ignored;
-    return fs::last_write_time(leftover.draft, ignored);
+    return fs::last_write_time(recoverable.draft, ignored);
 }
 
 } // namespace
@@ -93,9 +93,9 @@ std::optional<DraftFolder> draft_folder(std::string_view app, std::string extens
     return DraftFolder{*state / "cremona" / app, std::move(extension), write};
 }
 
-std::vector<Leftover> leftovers(const DraftFolder& folder)
+std::vector<RecoverableFile> recoverable_files(const DraftFolder& folder)
 {
-    std::vector<Leftover> found;
+    std::vector<RecoverableFile> found;
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder.path, error))
         if (is_draft(entry.path(), folder.extension) && !is_in_use(entry.path()))
@@ -104,10 +104,10 @@ std::vector<Leftover> leftovers(const DraftFolder& folder)
     return found;
 }
 
-std::string time_of(const Leftover& leftover)
+std::string time_of(const RecoverableFile& recoverable)
 {
     std::error_code error;
-    const fs::file_time_type time = fs::last_write_time(leftover.draft, error);
+    const fs::file_time_type time = fs::last_write_time(recoverable.draft, error);
     if (error) return {};
     const auto system = std::chrono::file_clock::to_sys(time);
     const std::time_t seconds = std::chrono::system_clock::to_time_t(
@@ -118,14 +118,14 @@ std::string time_of(const Leftover& leftover)
     return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", &here)};
 }
 
-std::unique_ptr<Draft> Draft::taken_over(DraftFolder folder, const Leftover& leftover)
+std::unique_ptr<Draft> Draft::taken_over(DraftFolder folder, const RecoverableFile& recoverable)
 {
     auto draft = std::make_unique<Draft>(std::move(folder));
-    draft->lock_ = take_lock(leftover.draft);
+    draft->lock_ = take_lock(recoverable.draft);
     if (draft->lock_ < 0) return nullptr;
-    draft->path_ = leftover.draft;
+    draft->path_ = recoverable.draft;
     std::error_code error;
-    if (fs::exists(leftover.draft, error)) return draft;
+    if (fs::exists(recoverable.draft, error)) return draft;
     draft->forget();
     return nullptr;
 }

@@ -25,15 +25,15 @@ struct DraftFolder {
 /// Nothing where neither is known.
 std::optional<DraftFolder> draft_folder(std::string_view app, std::string extension, WriteWhole write);
 
-/// Unsaved work that a program left behind when it was killed.
-struct Leftover {
+/// UnsavedDocument work that a program left behind when it was killed.
+struct RecoverableFile {
     std::filesystem::path draft;                   ///< a file of the app's kind
     std::optional<std::filesystem::path> original; ///< the file that was being edited
     std::string about{};                           ///< what it holds, in a few words
 };
-std::vector<Leftover> leftovers(const DraftFolder& folder); ///< the newest first
+std::vector<RecoverableFile> recoverable_files(const DraftFolder& folder); ///< the newest first
 /// When it was kept last, as people here write it: "2026-11-23 14:05"; empty where it is gone.
-std::string time_of(const Leftover& leftover);
+std::string time_of(const RecoverableFile& recoverable);
 
 /// Writes a document as it stood when this was made. What stands beside it has its name with another ending:
 /// 7-0.view.json beside 7-0.json. \returns what hindered it
@@ -47,7 +47,7 @@ public:
     /// The folder is made with the first draft.
     explicit Draft(DraftFolder folder) : folder_(std::move(folder)) {}
     /// A leftover becomes the draft of this program. \returns null where another one was faster
-    static std::unique_ptr<Draft> taken_over(DraftFolder folder, const Leftover& leftover);
+    static std::unique_ptr<Draft> taken_over(DraftFolder folder, const RecoverableFile& recoverable);
     Draft(const Draft&) = delete;
     Draft& operator=(const Draft&) = delete;
     ~Draft(); ///< the lock goes, the draft stays

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace ui {
 
@@ -16,6 +16,6 @@ using Endings = std::span<const std::string>;
 /// A name ends in it, in letters of either case.
 bool has_ending(const std::filesystem::path& file, std::string_view ending);
 /// Nothing where a file's name has one of the endings, else what is wanted.
-std::optional<Phrase> why_not_ending(const std::filesystem::path& file, Endings endings);
+std::optional<Message> why_not_ending(const std::filesystem::path& file, Endings endings);
 
 } // namespace ui

@@ -96,7 +96,7 @@ void Link::close()
 
 fs::path Link::file_of_other() const { return folder_ / file_of(end_ == End::Giver ? End::Taker : End::Giver); }
 
-std::error_code Link::tell(std::string_view text)
+std::error_code Link::notify(std::string_view text)
 {
     if (is_cut()) return std::make_error_code(std::errc::no_such_file_or_directory);
     return write_(folder_ / file_of(end_), text);

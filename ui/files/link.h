@@ -35,7 +35,7 @@ public:
 
     const std::filesystem::path& folder() const { return folder_; }
     /// Says what this end has. \returns what hindered it
-    std::error_code tell(std::string_view text);
+    std::error_code notify(std::string_view text);
     /// What the other end has told since the last call; nothing where it told nothing new.
     std::optional<std::string> heard();
     bool is_withdrawn() const; ///< the other end has told something, and has ended since

@@ -8,7 +8,7 @@ void LinkedCopy::tick(double seconds, const Document& document)
     if (waited_ < pause) return;
     waited_ = 0.0;
     if (link_.is_cut()) return offered_.reset();
-    if (std::string now = document.text(); now != told_ && !link_.tell(now)) told_ = std::move(now);
+    if (std::string now = document.text(); now != told_ && !link_.notify(now)) told_ = std::move(now);
     if (auto heard = link_.heard()) offered_ = std::move(heard);
     if (link_.is_withdrawn()) offered_.reset();
     if (offered_ && !document.is_news(*offered_)) offered_.reset();

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace ui {
 
@@ -26,7 +26,7 @@ template <class Document> class History {
 public:
     static constexpr std::size_t usual_limit = std::size_t{256} << 20; ///< [bytes]
 
-    explicit History(Document start, Phrase label = {}, std::size_t limit = usual_limit) : limit_(limit)
+    explicit History(Document start, Message label = {}, std::size_t limit = usual_limit) : limit_(limit)
     {
         push_state(std::move(start), std::move(label));
     }
@@ -37,14 +37,14 @@ public:
     const Document& settled() const { return states_[is_dragging_ ? place_ - 1 : place_].document; }
 
     /// One step. A document equal to the current one is no step.
-    void apply(Document next, Phrase label)
+    void apply(Document next, Message label)
     {
         settle();
         if (next != current()) push(std::move(next), std::move(label));
     }
 
     /// Opens a gesture or continues the open one.
-    void drag(Document next, Phrase label)
+    void drag(Document next, Message label)
     {
         if (is_dragging_) {
             pop();
@@ -85,13 +85,13 @@ public:
     }
 
     /// The step that `undo` would take back, that `redo` would do again.
-    std::optional<Phrase> undo_label() const { return can_undo() ? std::optional(label(place_)) : std::nullopt; }
-    std::optional<Phrase> redo_label() const { return can_redo() ? std::optional(label(place_ + 1)) : std::nullopt; }
+    std::optional<Message> undo_label() const { return can_undo() ? std::optional(label(place_)) : std::nullopt; }
+    std::optional<Message> redo_label() const { return can_redo() ? std::optional(label(place_ + 1)) : std::nullopt; }
 
     std::size_t memory() const { return memory_; } ///< of all states [bytes], as their documents tell it
     std::size_t n_states() const { return states_.size(); }
     std::size_t place() const { return place_; } ///< of the current state, from 0
-    const Phrase& label(std::size_t place) const { return states_.at(place).label; }
+    const Message& label(std::size_t place) const { return states_.at(place).label; }
     /// Makes that state the current one; those after it can still be reached. \throws std::out_of_range
     void jump(std::size_t place)
     {
@@ -103,7 +103,7 @@ public:
 private:
     struct State {
         Document document;
-        Phrase label;
+        Message label;
         std::size_t memory; ///< [bytes]
     };
 
@@ -113,7 +113,7 @@ private:
         else return sizeof(Document);
     }
 
-    void push(Document next, Phrase label)
+    void push(Document next, Message label)
     {
         while (states_.size() > place_ + 1) pop_state();
         push_state(std::move(next), std::move(label));
@@ -126,7 +126,7 @@ private:
         --place_;
     }
 
-    void push_state(Document document, Phrase label)
+    void push_state(Document document, Message label)
     {
         const std::size_t memory = footprint(document);
         states_.push_back({std::move(document), std::move(label), memory});

@@ -17,15 +17,15 @@ template <class... Functions> Overloaded(Functions...) -> Overloaded<Functions..
 
 PointerPlace found(const ScenarioStep& step, const std::string& place, Stage& stage)
 {
-    const Stage::Sought sought = stage.find(place);
+    const Stage::Located sought = stage.find(place);
     if (const auto* const wanted = std::get_if<std::string>(&sought))
         throw ScenarioError(step.line, "found \"" + place + "\", wanted " + *wanted);
     return std::get<PointerPlace>(sought);
 }
 
-void require(const ScenarioStep& step, const std::optional<std::string>& complaint)
+void require(const ScenarioStep& step, const std::optional<std::string>& mismatch)
 {
-    if (complaint) throw ScenarioError(step.line, *complaint);
+    if (mismatch) throw ScenarioError(step.line, *mismatch);
 }
 
 } // namespace

@@ -40,8 +40,8 @@ public:
     virtual ~Stage() = default;
 
     /// The place, or what was wanted instead of these words: "a node of the model: A, B, C".
-    using Sought = std::variant<PointerPlace, std::string>;
-    virtual Sought find(std::string_view place) = 0;
+    using Located = std::variant<PointerPlace, std::string>;
+    virtual Located find(std::string_view place) = 0;
     virtual std::optional<std::string> run_command(std::string_view id, std::string_view argument) = 0;
     virtual std::optional<std::string> take_picture(std::string_view name) = 0;
     virtual std::optional<std::string> expect(std::string_view words) = 0;

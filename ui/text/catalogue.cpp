@@ -75,12 +75,12 @@ std::string said(const std::string& value)
 
 } // namespace
 
-std::string Catalogue::operator()(const Phrase& phrase) const
+std::string Catalogue::operator()(const Message& message) const
 {
-    const std::string sentence = (*this)(phrase.sentence);
+    const std::string sentence = (*this)(message.sentence);
     std::vector<std::string> values; // said first, since the arguments only look at them
-    for (const Phrase::Argument& argument : phrase.arguments) {
-        const auto* const inner = std::get_if<Phrase>(&argument.value);
+    for (const Message::Argument& argument : message.arguments) {
+        const auto* const inner = std::get_if<Message>(&argument.value);
         const bool is_quoted = sentence.find("\"{" + argument.name + "}") !=
                                std::string::npos; // it stays as it is typed
         if (inner != nullptr) values.push_back((*this)(*inner));
@@ -89,7 +89,7 @@ std::string Catalogue::operator()(const Phrase& phrase) const
                                        : said(std::get<std::string>(argument.value)));
     }
     std::vector<Argument> arguments;
-    for (std::size_t i = 0; i < values.size(); ++i) arguments.push_back({phrase.arguments[i].name, values[i]});
+    for (std::size_t i = 0; i < values.size(); ++i) arguments.push_back({message.arguments[i].name, values[i]});
     return filled(sentence, arguments);
 }
 

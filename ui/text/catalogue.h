@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 #include "ui/text/po_reader.h"
 
 namespace ui {
@@ -57,7 +57,7 @@ public:
     std::string operator()(const char* sentence) const { return (*this)(std::string_view(sentence)); }
     /// Puts each value in the place of its {name}; a place without a value stays as it is.
     std::string operator()(std::string_view sentence, std::initializer_list<Argument> arguments) const;
-    std::string operator()(const Phrase& phrase) const;
+    std::string operator()(const Message& message) const;
 
 private:
     using Sentences = std::map<std::string, std::string, std::less<>>;

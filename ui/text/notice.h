@@ -2,13 +2,13 @@
 
 #include <optional>
 
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace ui {
 
 /// Something that an app tells its user: one sentence.
 struct Notice {
-    Phrase sentence;
+    Message sentence;
     std::optional<double> seconds_left = 6.0; ///< to read it; absent: it stays until it is closed
 };
 

@@ -18,7 +18,7 @@ namespace ui {
 /// One command as a menu's line; where it cannot run it is grey, and its tip says why.
 template <class Session> void show_command(const Command<Session>& command, Session& session, const Catalogue& tr)
 {
-    const std::optional<Phrase> reason = why_not(command, session);
+    const std::optional<Message> reason = why_not(command, session);
     const std::string name = item_label(label(command, session, tr), command.id);
     const std::string keys = command.shortcuts.empty() ? "" : text(command.shortcuts.front());
     const bool is_on = command.is_on && command.is_on(session);
@@ -28,17 +28,18 @@ template <class Session> void show_command(const Command<Session>& command, Sess
 }
 
 /// A button for a command, under its label; grey, with the reason under the pointer, where it cannot run.
-template <class Desk> void command_button(Desk& desk, const CommandTable<Desk>& commands, std::string_view id)
+template <class Workspace>
+void command_button(Workspace& workspace, const CommandTable<Workspace>& commands, std::string_view id)
 {
     const auto& command = *commands.find(id);
-    const Catalogue tr = desk.tr(); // a command may change the language
-    const auto reason = why_not(command, desk);
+    const Catalogue tr = workspace.tr(); // a command may change the language
+    const auto reason = why_not(command, workspace);
     ImGui::BeginDisabled(reason.has_value());
-    const bool is_clicked = ImGui::Button(item_label(label(command, desk, tr), id).c_str());
+    const bool is_clicked = ImGui::Button(item_label(label(command, workspace, tr), id).c_str());
     ImGui::EndDisabled();
     if (reason && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip("%s", tr(*reason).c_str());
-    if (is_clicked) run(command, desk);
+    if (is_clicked) run(command, workspace);
 }
 
 /// The menus of a table, in the order of their first commands. \pre within a menu bar

@@ -23,7 +23,7 @@ public:
 
     /// What is likely typed: the first letter takes its place.
     void offer(std::string text);
-    void take_keyboard() { has_keyboard_ = true; }
+    void grab_keyboard() { has_keyboard_ = true; }
     bool has_keyboard() const { return has_keyboard_; }
     const std::string& text() const { return text_; }
     /// \returns whether Enter was pressed

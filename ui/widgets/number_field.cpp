@@ -160,10 +160,10 @@ NumberFieldEvent NumberFields::show_editor(unsigned id, const Look& look, float 
     if (has_reason) ImGui::PopStyleColor();
     const bool is_left = ImGui::IsItemDeactivated();
     const bool is_tab = ImGui::IsItemActive() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab));
-    const bool is_given_up = is_left && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    const bool is_cancelled = is_left && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
     if (has_reason) show_reason(look.width > 0.0F);
     if (!is_confirmed && !is_left && !is_tab) return {};
-    const bool is_half_typed = !is_confirmed && !is_tab && !is_given_up && text_ != opening_text_;
+    const bool is_half_typed = !is_confirmed && !is_tab && !is_cancelled && text_ != opening_text_;
     if (stays_ && is_half_typed) {
         keyboard_.lose();
         return {};
@@ -172,7 +172,7 @@ NumberFieldEvent NumberFields::show_editor(unsigned id, const Look& look, float 
     typing_ = 0;
     if (is_tab) leave_by_tab();
     reason_.clear();
-    if (is_given_up || text_ == opening_text_) return {};
+    if (is_cancelled || text_ == opening_text_) return {};
     return typed(id, text_);
 }
 

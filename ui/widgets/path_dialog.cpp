@@ -50,7 +50,7 @@ void PathDialog::open_export(const fs::path& start, std::vector<std::string> end
     enter(folder_); // what has one of the endings is listed
 }
 
-void PathDialog::refuse(const Phrase& reason)
+void PathDialog::refuse(const Message& reason)
 {
     is_open_ = is_fresh_ = wants_keyboard_ = true;
     selects_all_ = must_confirm_overwrite_ = false;

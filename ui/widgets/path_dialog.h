@@ -27,7 +27,7 @@ public:
     /// The path, in the frame in which it is confirmed. Saving over another file asks first.
     std::optional<std::filesystem::path> show(const Catalogue& tr);
     /// What was confirmed last cannot be done: asks again, with the reason.
-    void refuse(const Phrase& reason);
+    void refuse(const Message& reason);
 
 private:
     struct Entry {
@@ -49,7 +49,7 @@ private:
     bool wants_keyboard_ = false;
     bool selects_all_ = false; ///< of what stands in the field, when it gets the keyboard
     bool must_confirm_overwrite_ = false;
-    std::optional<Phrase> refusal_{};
+    std::optional<Message> refusal_{};
     Purpose purpose_ = Purpose::Open;
     std::string extension_, left_out_;
     std::vector<std::string> endings_; ///< of an export

@@ -4,31 +4,31 @@ namespace ui {
 
 namespace {
 
-Phrase of_file(std::string_view sentence, const std::filesystem::path& path, Phrase reason)
+Message of_file(std::string_view sentence, const std::filesystem::path& path, Message reason)
 {
     return {sentence, {{"file", path.filename().string()}, {"reason", std::move(reason)}}};
 }
 
 } // namespace
 
-Phrase not_opened(const std::filesystem::path& path, const Phrase& reason)
+Message not_opened(const std::filesystem::path& path, const Message& reason)
 {
     return of_file(translatable("{file} was not opened: {reason}"), path, reason);
 }
 
-Phrase not_saved(const std::filesystem::path& path, const std::error_code& hindrance)
+Message not_saved(const std::filesystem::path& path, const std::error_code& hindrance)
 {
-    return of_file(translatable("{file} was not saved: {reason}"), path, Phrase(hindrance.message()));
+    return of_file(translatable("{file} was not saved: {reason}"), path, Message(hindrance.message()));
 }
 
-Phrase saved(const std::filesystem::path& path)
+Message saved(const std::filesystem::path& path)
 {
     return {translatable("{file} was saved"), {{"file", path.filename().string()}}};
 }
 
-Phrase not_written(const std::filesystem::path& path, const std::string& reason)
+Message not_written(const std::filesystem::path& path, const std::string& reason)
 {
-    return of_file(translatable("{file} was not written: {reason}"), path, Phrase(reason));
+    return of_file(translatable("{file} was not written: {reason}"), path, Message(reason));
 }
 
 std::string file_name(const std::optional<std::filesystem::path>& path, const Catalogue& tr)

@@ -21,7 +21,7 @@ public:
     bool open(
         const std::filesystem::path& path) ///< false, with a notice, where it cannot be read; then nothing changes
     {
-        if (const std::optional<Phrase> reason = read(path)) {
+        if (const std::optional<Message> reason = read(path)) {
             notice = Notice{not_opened(path, *reason), until_closed};
             return false;
         }
@@ -45,7 +45,7 @@ public:
         is_partial_ = false;
         saved_ = current();
         note_saved();
-        tell(ui::saved(path));
+        notify(ui::saved(path));
         return true;
     }
     /// Opens a draft of a file's document, or of one that has no file yet, as one that is not saved.
@@ -61,10 +61,10 @@ public:
     std::optional<std::filesystem::path> path() const { return is_partial_ ? std::nullopt : path_; }
     std::string file_name() const { return ui::file_name(path_, tr()); }
     virtual bool is_dirty() const { return differs_from_saved(); } ///< has what is not saved; asked in every frame
-    virtual Unsaved unsaved() const { return unsaved_text(file_text(), path(), write_, about()); }
+    virtual UnsavedDocument unsaved() const { return unsaved_text(file_text(), path(), write_, about()); }
 
     std::optional<Notice> notice;
-    void tell(const Phrase& sentence) { notice = Notice{sentence}; }
+    void notify(const Message& sentence) { notice = Notice{sentence}; }
 
     virtual const Catalogue& tr() const = 0;
 
@@ -76,7 +76,7 @@ protected:
     OpenDocument& operator=(OpenDocument&&) noexcept = default;
 
     /// Puts the file's document in the place of this one, by `begin`. \returns why it cannot
-    virtual std::optional<Phrase> read(const std::filesystem::path& path) = 0;
+    virtual std::optional<Message> read(const std::filesystem::path& path) = 0;
     virtual const Document& current() const = 0;
     virtual std::string file_text() const = 0;
     virtual std::string about() const = 0; ///< what a draft holds, in a few words

@@ -37,7 +37,8 @@ std::size_t memory_footprint(const Document& document)
     constexpr std::size_t one_turn = 64;
     std::size_t bytes = sizeof(Document) + femoop::memory_footprint(document.model) +
                         document.method.joints.size() * sizeof(std::string);
-    for (const Play& play : document.plays) bytes += sizeof(Play) + (play.length() + play.n_ahead()) * one_turn;
+    for (const TurnTree& turn_tree : document.plays)
+        bytes += sizeof(TurnTree) + (turn_tree.length() + turn_tree.n_ahead()) * one_turn;
     if (document.pupil) bytes += document.pupil->written.size() * sizeof(std::string);
     return bytes;
 }

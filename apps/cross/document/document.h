@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "apps/cross/document/play.h"
 #include "apps/cross/document/pupil.h"
+#include "apps/cross/document/turn_tree.h"
 #include "femoop/methods/cross/distribution.h"
 #include "femoop/model/model.h"
 
@@ -31,7 +31,7 @@ struct Document {
     femoop::Model model;
     Method method{};
     /// One for every sheet: the loads with all props in place, then each sway. As many as were begun.
-    std::vector<Play> plays{};
+    std::vector<TurnTree> plays{};
     /// The sheet that is worked on; past the last of them: all together.
     std::size_t stage = 0;
     /// A pupil fills the sheet: nothing of it is shown until it is right.

@@ -87,7 +87,7 @@ Document document_of(femoop::Model model)
     }
     document.pupil = take_pupil(block->json);
     document.method = method_of(document.model);
-    take_worked(block->json, document);
+    read_worked(block->json, document);
     return document;
 }
 

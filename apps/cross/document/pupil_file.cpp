@@ -35,7 +35,7 @@ public:
         const JsonValue judges_at_once = entry_of(block, "judges_at_once");
         pupil.judges_at_once = !judges_at_once.is_present() || reader_.boolean(judges_at_once, place_);
         pupil.is_judged = reader_.boolean(entry_of(block, "is_judged"), place_);
-        if (auto faults = reader_.take_faults(); !faults.empty()) throw femoop::ModelError(std::move(faults));
+        if (auto faults = reader_.collect_faults(); !faults.empty()) throw femoop::ModelError(std::move(faults));
         return pupil;
     }
 
@@ -119,7 +119,7 @@ std::optional<Pupil> pupil_in(const std::string& block_json)
     femoop::ValueReader reader;
     const femoop::Place top;
     reader.is_object(block, top.key("cross"));
-    throw femoop::ModelError(reader.take_faults());
+    throw femoop::ModelError(reader.collect_faults());
 }
 
 std::string with_pupil(const std::string& block_json, const std::optional<Pupil>& pupil)

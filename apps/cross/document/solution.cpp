@@ -41,12 +41,12 @@ template <class Work> void attempt(Task& task, const Work& work)
     }
 }
 
-void complete(Task& task, const femoop::Model& model, Haste haste)
+void complete(Task& task, const femoop::Model& model, SolveMode mode)
 {
     attempt(task, [&] { task.all = fc::superpose(model, task.problem, task.procedure); });
     if (!task.all) return;
     attempt(task, [&] { task.comparison = fc::compare(model, task.problem, task.all->moments); });
-    if (haste == Haste::None) attempt(task, [&] { task.kani = fc::kani(model, task.problem); });
+    if (mode == SolveMode::Full) attempt(task, [&] { task.kani = fc::kani(model, task.problem); });
     attempt(task, [&] { task.equations = fc::slope_deflection(model, task.problem); });
     attempt(task,
             [&] { task.balanced = fc::state_results(model, task.problem, fc::locks_of(task.problem, *task.all)); });
@@ -83,7 +83,7 @@ const fc::Sheet* Solution::sheet(const Document& document) const
     return document.stage < sheets.size() ? &sheets[document.stage] : nullptr;
 }
 
-Solution solve(const Document& document, Haste haste)
+Solution solve(const Document& document, SolveMode mode)
 {
     Solution solution;
     for (const femoop::Fault& fault : femoop::check(document.model))
@@ -91,7 +91,7 @@ Solution solve(const Document& document, Haste haste)
     if (!solution.faults.empty()) return solution;
     try {
         Task task = task_of(document);
-        complete(task, document.model, haste);
+        complete(task, document.model, mode);
         solution.task = std::move(task);
     } catch (const femoop::ModelError& error) {
         add(solution.faults, error);
@@ -106,7 +106,8 @@ void work(Solution& solution, const Document& document)
     if (!solution.task) return;
     const Task& task = *solution.task;
     for (std::size_t stage = 0; stage < task.n_sheets(); ++stage) {
-        const auto turns = stage < document.plays.size() ? document.plays[stage].turns() : std::vector<Play::Turn>{};
+        const auto turns = stage < document.plays.size() ? document.plays[stage].turns()
+                                                         : std::vector<TurnTree::Turn>{};
         solution.sheets.push_back(
             fc::sheet_of(task.problem.of_sheet(stage), task.loading(stage), turns, task.procedure));
     }
@@ -143,7 +144,7 @@ std::vector<double> held_by_props(const Document& document, const Solution& solu
                                : fc::holding_forces(problem, moments, problem.sways[document.stage - 1]);
 }
 
-std::optional<Play::Turn> next_turn(const Document& document, const Solution& solution)
+std::optional<TurnTree::Turn> next_turn(const Document& document, const Solution& solution)
 {
     const fc::Sheet* sheet = solution.sheet(document);
     if (sheet == nullptr || solution.sheet_problem(document).balanced_joints().empty()) return std::nullopt;

@@ -52,10 +52,10 @@ struct Solution {
 };
 
 /// While a hand drags, Kani's method waits: in tall frames it goes through thousands of cycles.
-enum class Haste : std::uint8_t { None, Dragging };
+enum class SolveMode : std::uint8_t { Full, Interactive };
 
 /// Never throws for what a model may contain.
-Solution solve(const Document& document, Haste haste = Haste::None);
+Solution solve(const Document& document, SolveMode mode = SolveMode::Full);
 /// The sheets alone, after turns were taken or taken back.
 void work(Solution& solution, const Document& document);
 
@@ -71,6 +71,6 @@ std::vector<double> present_moments(const Document& document, const Solution& so
 std::vector<double> held_by_props(const Document& document, const Solution& solution);
 
 /// Whose turn would be next by the method's order; nothing where no joint can be balanced.
-std::optional<Play::Turn> next_turn(const Document& document, const Solution& solution);
+std::optional<TurnTree::Turn> next_turn(const Document& document, const Solution& solution);
 
 } // namespace cross

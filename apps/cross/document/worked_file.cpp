@@ -25,14 +25,14 @@ constexpr std::size_t most_turns = 20000; // of all branches
 /// Joints by name; nothing: all at once.
 using Way = std::vector<std::optional<std::string>>;
 
-struct SavedPlay {
+struct SavedTurnTree {
     std::vector<Way> ways;
     std::size_t way = 0, at = 0;
 };
 
 struct Saved {
     std::size_t sheet = 0;
-    std::vector<SavedPlay> plays;
+    std::vector<SavedTurnTree> plays;
 };
 
 /// Reads what was worked and writes down whatever in it is none.
@@ -44,28 +44,28 @@ public:
         if (reader_.is_object(worked, cross_)) {
             saved.sheet = whole(entry_of(worked, "sheet"), place_);
             if (const JsonValue plays = entry_of(worked, "plays"); reader_.is_list(plays, place_))
-                for (const JsonValue play : plays) saved.plays.push_back(read_play(play, saved.plays.size()));
+                for (const JsonValue turn_tree : plays) saved.plays.push_back(read_play(turn_tree, saved.plays.size()));
         }
-        if (auto faults = reader_.take_faults(); !faults.empty()) throw femoop::ModelError(std::move(faults));
+        if (auto faults = reader_.collect_faults(); !faults.empty()) throw femoop::ModelError(std::move(faults));
         return saved;
     }
 
 private:
-    SavedPlay read_play(JsonValue value, std::size_t i)
+    SavedTurnTree read_play(JsonValue value, std::size_t i)
     {
         const femoop::Place plays = place_.key("plays"), place = plays.entry(i);
-        SavedPlay play;
-        if (!reader_.is_object(value, plays)) return play;
-        play.way = whole(entry_of(value, "way"), place);
-        play.at = whole(entry_of(value, "at"), place);
+        SavedTurnTree turn_tree;
+        if (!reader_.is_object(value, plays)) return turn_tree;
+        turn_tree.way = whole(entry_of(value, "way"), place);
+        turn_tree.at = whole(entry_of(value, "at"), place);
         const JsonValue ways = entry_of(value, "ways");
-        if (!reader_.is_list(ways, place)) return play;
+        if (!reader_.is_list(ways, place)) return turn_tree;
         for (const JsonValue way : ways) {
-            play.ways.emplace_back();
+            turn_tree.ways.emplace_back();
             if (reader_.is_list(way, place))
-                for (const JsonValue turn : way) read_turn(turn, play.ways.back(), place);
+                for (const JsonValue turn : way) read_turn(turn, turn_tree.ways.back(), place);
         }
-        return play;
+        return turn_tree;
     }
 
     void read_turn(JsonValue turn, Way& way, const femoop::Place& place)
@@ -93,9 +93,9 @@ private:
 };
 
 /// The turns of a way as far as the structure has such joints.
-std::vector<Play::Turn> turns_of(const Way& way, const femoop::Model& model, const fc::Problem& problem)
+std::vector<TurnTree::Turn> turns_of(const Way& way, const femoop::Model& model, const fc::Problem& problem)
 {
-    std::vector<Play::Turn> turns;
+    std::vector<TurnTree::Turn> turns;
     for (const auto& name : way) {
         if (!name) {
             turns.emplace_back();
@@ -109,18 +109,18 @@ std::vector<Play::Turn> turns_of(const Way& way, const femoop::Model& model, con
     return turns;
 }
 
-Play play_of(const SavedPlay& saved, const femoop::Model& model, const fc::Problem& problem)
+TurnTree play_of(const SavedTurnTree& saved, const femoop::Model& model, const fc::Problem& problem)
 {
-    Play play;
+    TurnTree turn_tree;
     std::vector<std::size_t> ends;
     for (const Way& way : saved.ways) {
-        play.restart();
-        for (const Play::Turn& turn : turns_of(way, model, problem)) play.take(turn);
-        ends.push_back(play.place());
+        turn_tree.restart();
+        for (const TurnTree::Turn& turn : turns_of(way, model, problem)) turn_tree.take(turn);
+        ends.push_back(turn_tree.place());
     }
-    if (saved.way < ends.size()) play.go_to(ends[saved.way]);
-    play.jump(saved.at);
-    return play;
+    if (saved.way < ends.size()) turn_tree.go_to(ends[saved.way]);
+    turn_tree.jump(saved.at);
+    return turn_tree;
 }
 
 void set_worked(Document& document, const Saved& saved)
@@ -137,32 +137,32 @@ void set_worked(Document& document, const Saved& saved)
     }
 }
 
-std::string json_of(const Play& play, const femoop::Model& model, const fc::Problem& problem)
+std::string json_of(const TurnTree& turn_tree, const femoop::Model& model, const fc::Problem& problem)
 {
     std::string ways;
     std::size_t way = 0, n_ways = 0;
-    Play ahead = play;
+    TurnTree ahead = turn_tree;
     while (ahead.forward()) continue;
-    for (const std::size_t end : play.branches()) {
+    for (const std::size_t end : turn_tree.branches()) {
         if (end == ahead.place()) way = n_ways;
         std::string list;
-        for (const Play::Turn& turn : play.turns_to(end))
+        for (const TurnTree::Turn& turn : turn_tree.turns_to(end))
             list += (list.empty() ? "" : ", ") + (turn ? femoop::quoted_json(model[problem[*turn].node].id) : "null");
         ways += (n_ways++ == 0 ? "[" : ", [") + list + "]";
     }
-    return "{\"ways\": [" + ways + "], \"way\": " + std::to_string(way) + ", \"at\": " + std::to_string(play.length()) +
-           "}";
+    return "{\"ways\": [" + ways + "], \"way\": " + std::to_string(way) +
+           ", \"at\": " + std::to_string(turn_tree.length()) + "}";
 }
 
 std::optional<std::string> worked_json(const Document& document)
 {
-    const auto is_empty = [](const Play& play) { return play.branches().empty(); };
+    const auto is_empty = [](const TurnTree& turn_tree) { return turn_tree.branches().empty(); };
     if (document.pupil || std::ranges::all_of(document.plays, is_empty)) return std::nullopt;
     try {
         const fc::Problem problem = problem_of(document);
         std::string plays;
-        for (const Play& play : document.plays)
-            plays += (plays.empty() ? "" : ", ") + json_of(play, document.model, problem);
+        for (const TurnTree& turn_tree : document.plays)
+            plays += (plays.empty() ? "" : ", ") + json_of(turn_tree, document.model, problem);
         const std::size_t last = problem.sways.size();
         return "{\"sheet\": " + std::to_string(std::min(document.stage, last)) + ", \"plays\": [" + plays + "]}";
     } catch (const femoop::ModelError&) {
@@ -177,7 +177,7 @@ std::string with_worked(const std::string& block_json, const Document& document)
     return with_entry(block_json, worked_key, worked_json(document));
 }
 
-void take_worked(std::string& block_json, Document& document)
+void read_worked(std::string& block_json, Document& document)
 {
     const femoop::JsonReading reading = femoop::parse_json(block_json);
     if (!reading.document) return;

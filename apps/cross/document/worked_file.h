@@ -17,6 +17,6 @@ std::string with_worked(const std::string& block_json, const Document& document)
 /// Takes it out of the block into the document. Sheets and joints that the structure does not have are left out, with
 /// what follows them: a structure that was changed is worked anew.
 /// \throws ModelError  what of it cannot be read, each with its place
-void take_worked(std::string& block_json, Document& document);
+void read_worked(std::string& block_json, Document& document);
 
 } // namespace cross

@@ -39,7 +39,7 @@ namespace {
 
 constexpr double width = 680.0; // of a figure [px]
 
-std::string_view order_words(fc::Order order)
+std::string_view order_text(fc::Order order)
 {
     switch (order) {
     case fc::Order::Largest: return translatable("the joint with the largest unbalance first");
@@ -124,7 +124,7 @@ private:
         const Method& method = document_.method;
         text(tr_("Load case {case}; {order}; tolerance {tolerance}.",
                  {{"case", document_.model.case_name(method.load_case)},
-                  {"order", tr_(order_words(method.order))},
+                  {"order", tr_(order_text(method.order))},
                   {"tolerance", numbers.moment(solution_.sheets.front().tolerance) + " " + numbers.moment_unit()}}));
         if (method.digits > 0)
             text(tr_("Every number is rounded to {n} significant digits.", {{"n", std::to_string(method.digits)}}));

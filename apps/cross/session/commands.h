@@ -8,8 +8,8 @@
 
 #include "apps/cross/session/session.h"
 #include "ui/command/menu_builder.h"
-#include "ui/desk/document_desk.h"
-#include "ui/desk/handover.h"
+#include "ui/workspace/document_workspace.h"
+#include "ui/workspace/export_to_app.h"
 
 namespace cross {
 
@@ -17,17 +17,17 @@ namespace cross {
 enum class Topic : std::uint8_t { Sheet, Comparison, Sways, Convergence, Kani, Equations, Exercises };
 
 /// A session and the panels around its picture.
-struct Desk : ui::DocumentDesk<Desk, Session> {
-    using DocumentDesk::DocumentDesk;
+struct Workspace : ui::DocumentWorkspace<Workspace, Session> {
+    using DocumentWorkspace::DocumentWorkspace;
     void give_room_to_the_picture(bool all) { has_panels = !all; }
 
     Topic topic = Topic::Sheet;
-    std::size_t first_column = 1;       ///< beside the names, of a table that is too broad to be shown whole
-    std::vector<ui::Handover> handed{}; ///< what other programs are to go on with
-    Seeded next_exercise{};             ///< what "New exercise" begins
+    std::size_t first_column = 1;          ///< beside the names, of a table that is too broad to be shown whole
+    std::vector<ui::ExportToApp> handed{}; ///< what other programs are to go on with
+    Seeded next_exercise{};                ///< what "New exercise" begins
 };
 
-using CommandTable = ui::CommandTable<Desk>;
+using CommandTable = ui::CommandTable<Workspace>;
 
 /// Everything that the app can do, by name.
 CommandTable command_table();

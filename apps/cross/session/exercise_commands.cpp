@@ -6,17 +6,17 @@
 #include <string>
 
 #include "apps/cross/view/numbers.h"
-#include "apps/cross/view/paper.h"
 #include "apps/cross/view/pupil_words.h"
+#include "apps/cross/view/worksheet.h"
 
 namespace cross {
 
 namespace fc = femoop::cross;
 using ui::Key;
-using ui::Phrase;
+using ui::Message;
 using ui::Reason;
 using ui::translatable;
-using Menu = ui::MenuBuilder<Desk>;
+using Menu = ui::MenuBuilder<Workspace>;
 
 namespace {
 
@@ -26,26 +26,26 @@ constexpr std::array<std::string_view, n_difficulties> difficulty_ids{"exercise.
                                                                       "exercise.difficulty.3", "exercise.difficulty.4",
                                                                       "exercise.difficulty.5", "exercise.difficulty.6"};
 
-Reason why_no_paper(const Desk& desk) { return desk.session.why_no_paper(); }
+Reason why_no_worksheet(const Workspace& workspace) { return workspace.session.why_no_worksheet(); }
 
-Reason why_no_cell(const Desk& desk)
+Reason why_no_cell(const Workspace& workspace)
 {
-    if (const auto reason = why_no_paper(desk)) return reason;
-    if (desk.session.cell()) return std::nullopt;
-    return Phrase(translatable("choose a cell first"));
+    if (const auto reason = why_no_worksheet(workspace)) return reason;
+    if (workspace.session.cell()) return std::nullopt;
+    return Message(translatable("choose a cell first"));
 }
 
-Reason why_no_hint(const Desk& desk)
+Reason why_no_hint(const Workspace& workspace)
 {
-    if (const auto reason = why_no_cell(desk)) return reason;
-    const Session& session = desk.session;
-    if (session.hints().size() < fc::hints_for(session.paper()->form, *session.cell()).size()) return std::nullopt;
-    return Phrase(translatable("there is no further hint for this cell"));
+    if (const auto reason = why_no_cell(workspace)) return reason;
+    const Session& session = workspace.session;
+    if (session.hints().size() < fc::hints_for(session.worksheet()->form, *session.cell()).size()) return std::nullopt;
+    return Message(translatable("there is no further hint for this cell"));
 }
 
-void begin_next(Desk& desk)
+void begin_next(Workspace& workspace)
 {
-    desk.leave_document([](Desk& left) {
+    workspace.leave_document([](Workspace& left) {
         left.session.begin_exercise(left.next_exercise);
         if (left.next_exercise.seed < std::numeric_limits<std::uint32_t>::max()) ++left.next_exercise.seed;
     });
@@ -57,11 +57,11 @@ void add_difficulty(Menu& menu, fc::Difficulty difficulty)
     menu.choice(
             ui::Choice<fc::Difficulty>{difficulty, difficulty_ids[static_cast<std::size_t>(n - 1)],
                                        translatable("Difficulty")},
-            [](const Desk& desk) { return desk.next_exercise.difficulty; },
-            [](Desk& desk, fc::Difficulty chosen) {
-                desk.next_exercise = {chosen, 1};
+            [](const Workspace& workspace) { return workspace.next_exercise.difficulty; },
+            [](Workspace& workspace, fc::Difficulty chosen) {
+                workspace.next_exercise = {chosen, 1};
             })
-        .live_label = [=](const Desk&) -> Phrase {
+        .live_label = [=](const Workspace&) -> Message {
         return {translatable("Difficulty {n}: {what}"), {{"n", std::to_string(n)}, {"what", words_of(difficulty)}}};
     };
 }
@@ -71,14 +71,14 @@ void add_beginnings(Menu& menu)
     menu.step({"exercise.new", translatable("New exercise"), {{Key::X, {}}}}, begin_next);
     menu.step(
         {"exercise.own", translatable("This structure as an exercise")},
-        [](Desk& desk) { desk.session.begin_own_exercise(); },
-        [](const Desk& desk) { return desk.session.why_no_own_exercise(); });
+        [](Workspace& workspace) { workspace.session.begin_own_exercise(); },
+        [](const Workspace& workspace) { return workspace.session.why_no_own_exercise(); });
     for (int i = 1; i <= n_difficulties; ++i) add_difficulty(menu, static_cast<fc::Difficulty>(i));
 }
 
-void to_next_cell(Desk& desk)
+void to_next_cell(Workspace& workspace)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     const auto next = session.neighbour(1, true);
     if (!next) session.go_to_cell({}); // from the beginning again
     session.go_to_cell(next ? next : session.neighbour(1, true));
@@ -87,46 +87,46 @@ void to_next_cell(Desk& desk)
 void add_cells(Menu& menu)
 {
     menu.step({"exercise.next_cell", translatable("To the next cell that is open"), {{Key::N, {}}}}, to_next_cell,
-              why_no_paper);
+              why_no_worksheet);
     menu.step(
-        {"exercise.hint", translatable("Hint"), {{Key::H, ui::ctrl}}}, [](Desk& desk) { desk.session.give_hint(); },
-        why_no_hint);
+        {"exercise.hint", translatable("Hint"), {{Key::H, ui::ctrl}}},
+        [](Workspace& workspace) { workspace.session.give_hint(); }, why_no_hint);
     menu.step(
-        {"exercise.show_cell", translatable("Show me this cell")}, [](Desk& desk) { desk.session.show_cell(); },
-        why_no_cell);
+        {"exercise.show_cell", translatable("Show me this cell")},
+        [](Workspace& workspace) { workspace.session.show_cell(); }, why_no_cell);
 }
 
-bool judges_at_once(const Desk& desk)
+bool judges_at_once(const Workspace& workspace)
 {
-    const auto& pupil = desk.session.document().pupil;
+    const auto& pupil = workspace.session.document().pupil;
     return pupil && pupil->judges_at_once;
 }
 
-Reason why_not_judge(const Desk& desk)
+Reason why_not_judge(const Workspace& workspace)
 {
-    if (const auto reason = why_no_paper(desk)) return reason;
-    if (!desk.session.paper()->is_told) return std::nullopt;
-    return Phrase(translatable("everything is judged already"));
+    if (const auto reason = why_no_worksheet(workspace)) return reason;
+    if (!workspace.session.worksheet()->shows_judgement) return std::nullopt;
+    return Message(translatable("everything is judged already"));
 }
 
 void add_judging(Menu& menu)
 {
     menu.toggle(
         {"exercise.judge_at_once", translatable("Judge at once")}, judges_at_once,
-        [](Desk& desk, bool is_on) { desk.session.judge_at_once(is_on); }, why_no_paper);
+        [](Workspace& workspace, bool is_on) { workspace.session.judge_at_once(is_on); }, why_no_worksheet);
     menu.step(
-        {"exercise.judge", translatable("Judge now"), {{Key::J, {}}}}, [](Desk& desk) { desk.session.judge_now(); },
-        why_not_judge);
+        {"exercise.judge", translatable("Judge now"), {{Key::J, {}}}},
+        [](Workspace& workspace) { workspace.session.judge_now(); }, why_not_judge);
     menu.step(
-        {"exercise.start_over", translatable("Start over")}, [](Desk& desk) { desk.session.start_over(); },
-        why_no_paper);
+        {"exercise.start_over", translatable("Start over")},
+        [](Workspace& workspace) { workspace.session.start_over(); }, why_no_worksheet);
     menu.step(
-        {"exercise.end", translatable("End the exercise")}, [](Desk& desk) { desk.session.end_exercise(); },
-        why_no_paper);
+        {"exercise.end", translatable("End the exercise")},
+        [](Workspace& workspace) { workspace.session.end_exercise(); }, why_no_worksheet);
 }
 
 /// "3 17": difficulty and number.
-Reason begin(Desk& desk, const ui::Argument& argument)
+Reason begin(Workspace& workspace, const ui::Argument& argument)
 {
     const auto numbers = argument.numbers(2);
     const auto is_whole = [&](std::size_t i, double least, double most) {
@@ -135,24 +135,24 @@ Reason begin(Desk& desk, const ui::Argument& argument)
     };
     if (!numbers || !is_whole(0, 1.0, n_difficulties) || !is_whole(1, 0.0, std::numeric_limits<std::uint32_t>::max()))
         return argument.wanted("a difficulty from 1 to 6 and a whole number from 0 to 4294967295");
-    desk.session.begin_exercise(
+    workspace.session.begin_exercise(
         {static_cast<fc::Difficulty>(static_cast<int>(numbers->at(0))), static_cast<std::uint32_t>(numbers->at(1))});
     return std::nullopt;
 }
 
 /// So many of the cells that are empty, with what belongs in them.
-Reason fill(Desk& desk, const ui::Argument& argument)
+Reason fill(Workspace& workspace, const ui::Argument& argument)
 {
-    Session& session = desk.session;
-    if (auto reason = session.why_no_paper()) return reason;
+    Session& session = workspace.session;
+    if (auto reason = session.why_no_worksheet()) return reason;
     const auto n = argument.number();
     if (!n || *n < 0.0) return argument.wanted("a number");
-    const std::size_t n_cells = session.paper()->form.blanks.size();
+    const std::size_t n_cells = session.worksheet()->form.blanks.size();
     double open = *n;
     for (std::size_t i = 0; i < n_cells && open > 0.0; ++i) {
         const fc::BlankId cell(i);
-        if (session.paper()->is_written(cell) || session.paper()->form[cell].may_stay_empty) continue;
-        session.write(cell, text_for(*session.paper(), cell, units_of(session.document().model, session.tr())));
+        if (session.worksheet()->is_written(cell) || session.worksheet()->form[cell].may_stay_empty) continue;
+        session.write(cell, text_for(*session.worksheet(), cell, units_of(session.document().model, session.tr())));
         open -= 1.0;
     }
     return std::nullopt;

@@ -17,9 +17,9 @@ std::string text_in(const Session& session, std::size_t cell)
 
 std::string question_with_unit(const Session& session, fc::BlankId id)
 {
-    const Paper& paper = *session.paper();
-    const CellUnit unit = unit_of(paper, id, units_of(session.document().model, session.tr()));
-    const std::string words = session.tr()(question(paper, session.document().model, id));
+    const Worksheet& worksheet = *session.worksheet();
+    const CellUnit unit = unit_of(worksheet, id, units_of(session.document().model, session.tr()));
+    const std::string words = session.tr()(question(worksheet, session.document().model, id));
     return unit.name.empty() ? words : words + " [" + unit.name + "]";
 }
 
@@ -27,20 +27,22 @@ std::string question_with_unit(const Session& session, fc::BlankId id)
 
 tabular::Table exercise_table(const Session& session)
 {
-    const Paper& paper = *session.paper();
+    const Worksheet& worksheet = *session.worksheet();
     const ui::Catalogue& tr = session.tr();
     tabular::Table table({tr("cell"), tr("number"), tr("judgement")});
-    table.notes = {exercise_name(session), score_words(session)};
-    for (std::size_t i = 0; i < paper.form.blanks.size(); ++i) {
+    table.notes = {exercise_name(session), score_text(session)};
+    for (std::size_t i = 0; i < worksheet.form.blanks.size(); ++i) {
         const fc::BlankId id(i);
-        if (!paper.is_written(id) && (!paper.is_told || paper.judgements[i].verdict == fc::Verdict::Open)) continue;
-        const std::string verdict = paper.is_told ? tr(verdict_words(paper.judgements[i])) : "";
+        if (!worksheet.is_written(id) &&
+            (!worksheet.shows_judgement || worksheet.judgements[i].verdict == fc::Verdict::Open))
+            continue;
+        const std::string verdict = worksheet.shows_judgement ? tr(verdict_text(worksheet.judgements[i])) : "";
         table.add_row({question_with_unit(session, id), tabular::written_cell(text_in(session, i)), verdict});
     }
     return table;
 }
 
-std::string exercise_in_words(const Session& session)
+std::string exercise_description(const Session& session)
 {
     const tabular::Table table = exercise_table(session);
     std::string words;
@@ -52,17 +54,17 @@ std::string exercise_in_words(const Session& session)
     return words;
 }
 
-std::string score_words(const Session& session)
+std::string score_text(const Session& session)
 {
-    const Paper& paper = *session.paper();
+    const Worksheet& worksheet = *session.worksheet();
     std::size_t n_good = 0, n_written = 0;
-    for (std::size_t i = 0; i < paper.form.blanks.size(); ++i) {
-        if (paper.form.blanks[i].may_stay_empty) continue;
-        n_good += paper.is_good(fc::BlankId(i)) ? 1 : 0;
-        n_written += paper.is_written(fc::BlankId(i)) ? 1 : 0;
+    for (std::size_t i = 0; i < worksheet.form.blanks.size(); ++i) {
+        if (worksheet.form.blanks[i].may_stay_empty) continue;
+        n_good += worksheet.is_good(fc::BlankId(i)) ? 1 : 0;
+        n_written += worksheet.is_written(fc::BlankId(i)) ? 1 : 0;
     }
-    const std::string all = std::to_string(paper.n_needed());
-    if (!paper.is_told)
+    const std::string all = std::to_string(worksheet.n_needed());
+    if (!worksheet.shows_judgement)
         return session.tr()("{n} of {all} cells filled", {{"n", std::to_string(n_written)}, {"all", all}});
     return session.tr()("{n} of {all} cells right, {points} of them the first time and without being shown",
                         {{"n", std::to_string(n_good)}, {"all", all}, {"points", std::to_string(session.points())}});

@@ -52,20 +52,20 @@ std::string own_order(const Method& method)
     return needs_commas && method.joints.size() == 1 ? words + "," : words;
 }
 
-std::optional<ui::Phrase> take_own_order(Session& session, std::string_view words)
+std::optional<ui::Message> take_own_order(Session& session, std::string_view words)
 {
     const std::vector<std::string> joints = joints_of(session);
-    if (joints.empty()) return ui::Phrase(translatable("there is no joint to balance"));
+    if (joints.empty()) return ui::Message(translatable("there is no joint to balance"));
     Method method = session.document().method;
     method.order = fc::Order::Listed;
     method.joints = names_in(words);
     if (method.joints.empty())
-        return ui::Phrase(translatable("name the joints in their order, again and again: {names}"),
-                          {{"names", listed(joints)}});
+        return ui::Message(translatable("name the joints in their order, again and again: {names}"),
+                           {{"names", listed(joints)}});
     for (const std::string& name : method.joints)
         if (std::ranges::find(joints, name) == joints.end())
-            return ui::Phrase(translatable("{name} is no joint that can be balanced; there are {names}"),
-                              {{"name", name}, {"names", listed(joints)}});
+            return ui::Message(translatable("{name} is no joint that can be balanced; there are {names}"),
+                               {{"name", name}, {"names", listed(joints)}});
     session.set_method(method, translatable("Change the order"));
     return std::nullopt;
 }

@@ -353,7 +353,7 @@ std::string in_lines(const std::vector<femoop::Fault>& faults, const ui::Catalog
 
 tabular::Table table_of(const Session& session, Topic topic)
 {
-    if (session.hides_results() || (topic == Topic::Exercises && session.paper() != nullptr))
+    if (session.hides_results() || (topic == Topic::Exercises && session.worksheet() != nullptr))
         return exercise_table(session);
     return table_of(session.scene(), topic);
 }
@@ -378,9 +378,9 @@ tabular::Separators separators(ui::Language language)
     return {ui::decimal_mark(language) == ui::DecimalMark::Comma ? ';' : ',', "\n"};
 }
 
-std::string in_words(const Session& session)
+std::string description(const Session& session)
 {
-    if (session.hides_results()) return exercise_in_words(session);
+    if (session.hides_results()) return exercise_description(session);
     const auto& task = session.solution().task;
     if (!task) return in_lines(session.solution().faults, session.tr());
     if (!task->all || !task->comparison) return in_lines(task->remarks, session.tr());
@@ -393,8 +393,8 @@ std::optional<ui::Refusal> why_no_words(const Session& session)
     constexpr int bad_input = 2, mechanism = 3;
     if (session.hides_results()) return std::nullopt;
     const auto& task = session.solution().task;
-    if (!task) return ui::Refusal{in_words(session), bad_input};
-    if (!task->all || !task->comparison) return ui::Refusal{in_words(session), mechanism};
+    if (!task) return ui::Refusal{description(session), bad_input};
+    if (!task->all || !task->comparison) return ui::Refusal{description(session), mechanism};
     return std::nullopt;
 }
 
@@ -402,7 +402,7 @@ std::string status_text(const Session& session)
 {
     const ui::Catalogue& tr = session.tr();
     if (!session.solution().task) return tr("this structure cannot be distributed");
-    if (session.paper() != nullptr) return exercise_name(session) + "   ·   " + score_words(session);
+    if (session.worksheet() != nullptr) return exercise_name(session) + "   ·   " + score_text(session);
     const fc::Sheet* const sheet = session.sheet();
     if (session.tool == Tool::UniformLoad) return tr("a uniform load: click a member, or press Esc");
     if (session.tool == Tool::PointLoad) return tr("a force: click a member or a node, or press Esc");

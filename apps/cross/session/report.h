@@ -18,7 +18,7 @@ tabular::Table table_of(const Scene& scene, Topic topic);
 tabular::Separators separators(ui::Language language);
 
 /// Every number of the automatic distribution, as `cremona cross` prints it; or why there is none.
-std::string in_words(const Session& session);
+std::string description(const Session& session);
 /// That there is none: status 2 where the structure cannot be distributed, 3 where nothing resists its sways.
 std::optional<ui::Refusal> why_no_words(const Session& session);
 /// The line at the window's foot.

@@ -13,7 +13,7 @@
 namespace cross {
 
 namespace fc = femoop::cross;
-using ui::Phrase;
+using ui::Message;
 using ui::translatable;
 
 namespace {
@@ -26,17 +26,17 @@ constexpr std::size_t most_turns = 2000; // by "finish"
 Session::Session()
     : OpenDocument(starting_document(), files::write_whole_file), history_(starting_document(), translatable("Begin"))
 {
-    solve_anew();
+    solve_again();
 }
 
-void Session::solve_anew(Haste haste)
+void Session::solve_again(SolveMode mode)
 {
     states_.reset();
     hover.reset(); // its joint may be gone
     ++n_solved_;
-    solution_ = solve(document(), haste);
+    solution_ = solve(document(), mode);
     solution_.faults = frame::named(std::move(solution_.faults), document().model);
-    judge_paper();
+    judge_worksheet();
     find_state();
 }
 
@@ -45,12 +45,12 @@ void Session::show_solved()
 {
     const Task& task = *solution_.task;
     state_ = task.balanced;
-    for (std::size_t stage = 0; stage < std::min(paper_->n_sheets(), solution_.sheets.size()); ++stage)
-        solution_.sheets[stage] = fc::sheet_of(task.problem, task.loading(stage), paper_->form.turns[stage],
+    for (std::size_t stage = 0; stage < std::min(worksheet_->n_sheets(), solution_.sheets.size()); ++stage)
+        solution_.sheets[stage] = fc::sheet_of(task.problem, task.loading(stage), worksheet_->form.turns[stage],
                                                task.procedure);
 }
 
-void Session::work_anew()
+void Session::work_again()
 {
     work(solution_, document());
     find_state();
@@ -59,7 +59,7 @@ void Session::work_anew()
 void Session::find_state()
 {
     state_.reset();
-    if (paper() != nullptr) {
+    if (worksheet() != nullptr) {
         if (solution_.task && !hides_results()) show_solved();
         return;
     }
@@ -74,75 +74,75 @@ void Session::find_state()
     }
 }
 
-const Play* Session::play() const
+const TurnTree* Session::turn_tree() const
 {
     return document().stage < document().plays.size() ? &document().plays[document().stage] : nullptr;
 }
 
-std::optional<Phrase> Session::why_no_turn() const
+std::optional<Message> Session::why_no_turn() const
 {
-    if (!solution_.task) return Phrase(translatable("this structure cannot be distributed"));
-    if (paper() != nullptr) return Phrase(translatable("the sheet is yours to fill; end the exercise first"));
-    if (sheet() == nullptr) return Phrase(translatable("all sheets are seen together; choose one of them first"));
+    if (!solution_.task) return Message(translatable("this structure cannot be distributed"));
+    if (worksheet() != nullptr) return Message(translatable("the sheet is yours to fill; end the exercise first"));
+    if (sheet() == nullptr) return Message(translatable("all sheets are seen together; choose one of them first"));
     if (solution_.sheet_problem(document()).balanced_joints().empty())
-        return Phrase(translatable("there is no joint to balance"));
+        return Message(translatable("there is no joint to balance"));
     return std::nullopt;
 }
 
-std::optional<Phrase> Session::why_no_step() const
+std::optional<Message> Session::why_no_step() const
 {
     if (const auto reason = why_no_turn()) return reason;
-    if (sheet()->is_balanced && (play() == nullptr || play()->n_ahead() == 0))
-        return Phrase(translatable("every joint is balanced; click one to go on"));
+    if (sheet()->is_balanced && (turn_tree() == nullptr || turn_tree()->n_ahead() == 0))
+        return Message(translatable("every joint is balanced; click one to go on"));
     return std::nullopt;
 }
 
-template <class Change> void Session::play_on(const Change& change, const Phrase& label)
+template <class Change> void Session::play_on(const Change& change, const Message& label)
 {
     Document next = document();
     if (next.plays.size() <= next.stage) next.plays.resize(next.stage + 1);
     change(next.plays[next.stage]);
     history_.apply(std::move(next), label);
-    work_anew();
+    work_again();
 }
 
-void Session::take(const Play::Turn& turn)
+void Session::take(const TurnTree::Turn& turn)
 {
-    const auto change = [&](Play& play) { play.take(turn); };
+    const auto change = [&](TurnTree& turn_tree) { turn_tree.take(turn); };
     if (!turn) return play_on(change, translatable("Balance all joints at once"));
     const femoop::NodeId node = solution_.task->problem[*turn].node;
     play_on(change, {translatable("Balance joint {joint}"), {{"joint", document().model[node].id}}});
 }
 
-std::optional<Phrase> Session::balance(const Play::Turn& clicked)
+std::optional<Message> Session::balance(const TurnTree::Turn& clicked)
 {
     if (const auto reason = why_no_turn()) return reason;
-    const Play::Turn turn = clicked ? solution_.sheet_problem(document()).balanced_for(*clicked) : clicked;
+    const TurnTree::Turn turn = clicked ? solution_.sheet_problem(document()).balanced_for(*clicked) : clicked;
     if (clicked && !turn)
-        return Phrase(translatable("this joint stands on the axis of a symmetric structure and does not turn"));
+        return Message(translatable("this joint stands on the axis of a symmetric structure and does not turn"));
     if (turn && solution_.task->problem[*turn].is_released_once && sheet()->end.rotations[turn->index] != 0.0)
-        return Phrase(translatable("this joint was released for good and is never locked again"));
+        return Message(translatable("this joint was released for good and is never locked again"));
     phase_ = 0.0;
     take(turn);
     return std::nullopt;
 }
 
-std::optional<Phrase> Session::step()
+std::optional<Message> Session::step()
 {
     if (const auto reason = why_no_step()) return reason;
-    if (play() == nullptr || play()->n_ahead() == 0) return balance(*next_turn(document(), solution_));
+    if (turn_tree() == nullptr || turn_tree()->n_ahead() == 0) return balance(*next_turn(document(), solution_));
     phase_ = 0.0;
-    play_on([](Play& play) { play.forward(); }, translatable("Step"));
+    play_on([](TurnTree& turn_tree) { turn_tree.forward(); }, translatable("Step"));
     return std::nullopt;
 }
 
-std::optional<Phrase> Session::back()
+std::optional<Message> Session::back()
 {
     if (const auto reason = why_no_turn()) return reason;
-    if (play() == nullptr || play()->length() == 0)
-        return Phrase(translatable("every joint is locked: this is the start"));
+    if (turn_tree() == nullptr || turn_tree()->length() == 0)
+        return Message(translatable("every joint is locked: this is the start"));
     phase_ = 1.0;
-    play_on([](Play& play) { play.back(); }, translatable("Step back"));
+    play_on([](TurnTree& turn_tree) { turn_tree.back(); }, translatable("Step back"));
     return std::nullopt;
 }
 
@@ -154,18 +154,18 @@ void Session::restart()
 
 void Session::jump(std::size_t n_turns)
 {
-    if (play() == nullptr) return;
+    if (turn_tree() == nullptr) return;
     phase_ = 1.0;
-    play_on([&](Play& play) { play.jump(n_turns); }, translatable("Jump"));
+    play_on([&](TurnTree& turn_tree) { turn_tree.jump(n_turns); }, translatable("Jump"));
 }
 
 void Session::go_to_branch(std::size_t place)
 {
     phase_ = 1.0;
-    play_on([&](Play& play) { play.go_to(place); }, translatable("Go to another branch"));
+    play_on([&](TurnTree& turn_tree) { turn_tree.go_to(place); }, translatable("Go to another branch"));
 }
 
-std::optional<Phrase> Session::finish()
+std::optional<Message> Session::finish()
 {
     if (const auto reason = why_no_step()) return reason;
     is_playing = false;
@@ -178,12 +178,12 @@ std::optional<Phrase> Session::finish()
     }
     const bool is_balanced = solution_.sheets[next.stage].is_balanced;
     history_.apply(std::move(next), translatable("Go through"));
-    work_anew();
+    work_again();
     if (is_balanced) return std::nullopt;
-    return Phrase(translatable("rounding keeps the sheet from its tolerance; take more digits or a larger tolerance"));
+    return Message(translatable("rounding keeps the sheet from its tolerance; take more digits or a larger tolerance"));
 }
 
-void Session::set_method(const Method& method, const Phrase& label)
+void Session::set_method(const Method& method, const Message& label)
 {
     if (method == document().method || refuse_in_exercise()) return;
     Document next = unworked(document());
@@ -191,34 +191,34 @@ void Session::set_method(const Method& method, const Phrase& label)
     is_playing = false;
     phase_ = 1.0;
     history_.apply(std::move(next), label);
-    solve_anew();
+    solve_again();
 }
 
 void Session::set_stage(std::size_t stage)
 {
-    if (paper() != nullptr) return show_paper_stage(stage);
+    if (worksheet() != nullptr) return show_worksheet_stage(stage);
     Document next = document();
     next.stage = std::min(stage, n_stages() - 1);
     is_playing = false;
     phase_ = 1.0;
     history_.apply(std::move(next), translatable("Choose a sheet"));
-    work_anew();
+    work_again();
 }
 
 std::size_t Session::n_stages() const
 {
-    if (paper() != nullptr) return paper()->n_stages();
+    if (worksheet() != nullptr) return worksheet()->n_stages();
     if (!solution_.task || solution_.task->problem.sways.empty()) return 1;
     return solution_.task->n_sheets() + (solution_.task->all ? 1 : 0);
 }
 
-void Session::change(femoop::Model model, const Phrase& label)
+void Session::change(femoop::Model model, const Message& label)
 {
     drag(std::move(model), label);
     settle();
 }
 
-void Session::drag(femoop::Model model, const Phrase& label)
+void Session::drag(femoop::Model model, const Message& label)
 {
     if (refuse_in_exercise()) return;
     Document next = unworked(document());
@@ -226,54 +226,54 @@ void Session::drag(femoop::Model model, const Phrase& label)
     is_playing = false;
     phase_ = 1.0;
     history_.drag(std::move(next), label);
-    solve_anew(Haste::Dragging);
+    solve_again(SolveMode::Interactive);
 }
 
 void Session::settle()
 {
     history_.settle();
-    if (solution_.task && !solution_.task->kani) solve_anew();
+    if (solution_.task && !solution_.task->kani) solve_again();
 }
 
 void Session::undo()
 {
     history_.undo();
     phase_ = 1.0;
-    solve_anew();
+    solve_again();
 }
 
 void Session::redo()
 {
     history_.redo();
     phase_ = 1.0;
-    solve_anew();
+    solve_again();
 }
 
 void Session::restart_with(Document document)
 {
     begin(document);
-    seen_ = {Seen{{}, document.pupil ? document.pupil->helped : std::vector<bool>{}}};
+    seen_ = {ShownTurn{{}, document.pupil ? document.pupil->helped : std::vector<bool>{}}};
     present_ = 0;
     cell_.reset();
-    paper_stage_ = 0;
+    worksheet_stage_ = 0;
     history_ = ui::History<Document>(std::move(document), translatable("Begin"));
     is_playing = false;
     phase_ = 1.0;
     hover.reset();
     look.zoom = {};
-    solve_anew();
+    solve_again();
 }
 
-void Session::begin_anew() { restart_with(starting_document()); }
+void Session::new_document() { restart_with(starting_document()); }
 
-std::optional<Phrase> Session::read(const std::filesystem::path& path)
+std::optional<Message> Session::read(const std::filesystem::path& path)
 {
     try {
         restart_with(read_document_file(path));
         leave_unfit_exercise();
         return std::nullopt;
     } catch (const femoop::ModelError& error) {
-        return Phrase(frame::sentence(error.faults().front(), tr()));
+        return Message(frame::sentence(error.faults().front(), tr()));
     }
 }
 
@@ -284,7 +284,7 @@ std::string Session::file_text() const
     return write_document(whole);
 }
 
-std::string Session::about() const { return femoop::size_words(document().model, tr()); }
+std::string Session::about() const { return femoop::size_text(document().model, tr()); }
 
 std::string Session::linked_text() const { return femoop::write_model(document().model); }
 
@@ -308,7 +308,7 @@ bool Session::is_news(const std::string& text) const
     return model && femoop::write_model(*model) != linked_text();
 }
 
-void Session::take_over(const std::string& text)
+void Session::adopt(const std::string& text)
 {
     auto model = model_of(text);
     if (!model || refuse_in_exercise()) return;
@@ -316,11 +316,11 @@ void Session::take_over(const std::string& text)
     next.model = std::move(*model);
     if (next.method.load_case.index >= next.model.n_cases()) next.method.load_case = femoop::CaseId(0);
     if (const Solution solution = solve(next); !solution.faults.empty())
-        return tell(translatable("moment distribution cannot do what the frame has now; it stays as it was"));
+        return notify(translatable("moment distribution cannot do what the frame has now; it stays as it was"));
     is_playing = false;
     phase_ = 1.0;
     history_.apply(std::move(next), translatable("Take over from the frame"));
-    solve_anew();
+    solve_again();
 }
 
 void Session::tick(double seconds)
@@ -336,7 +336,8 @@ void Session::tick(double seconds)
 
 Scene Session::scene() const
 {
-    return {document(), solution_, state_ ? &*state_ : nullptr, phase_, hover, look, paper(), cell_, paper_stage_};
+    return {document(), solution_,       state_ ? &*state_ : nullptr, phase_, hover, look, worksheet(),
+            cell_,      worksheet_stage_};
 }
 
 } // namespace cross

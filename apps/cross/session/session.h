@@ -8,10 +8,10 @@
 
 #include "apps/cross/document/document.h"
 #include "apps/cross/document/solution.h"
-#include "apps/cross/view/paper.h"
 #include "apps/cross/view/scene.h"
+#include "apps/cross/view/worksheet.h"
 #include "ui/history/history.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 #include "ui/workbench/open_document.h"
 
 namespace cross {
@@ -30,25 +30,26 @@ public:
     const Solution& solution() const { return solution_; }
     const ui::History<Document>& history() const { return history_; }
     const femoop::cross::Sheet* sheet() const { return solution_.sheet(document()); }
-    const Play* play() const; ///< of the sheet that is worked on; null where nothing was done, or all are together
+    const TurnTree* turn_tree()
+        const; ///< of the sheet that is worked on; null where nothing was done, or all are together
 
     /// Releases and balances a joint, or all joints at once. \returns why not
-    std::optional<ui::Phrase> balance(const Play::Turn& clicked);
-    std::optional<ui::Phrase> step(); ///< on the way that was gone before, else whose turn it is by the method's order
-    std::optional<ui::Phrase> back();
+    std::optional<ui::Message> balance(const TurnTree::Turn& clicked);
+    std::optional<ui::Message> step(); ///< on the way that was gone before, else whose turn it is by the method's order
+    std::optional<ui::Message> back();
     void restart();
     void jump(std::size_t n_turns);
-    std::optional<ui::Phrase> finish(); ///< until no unbalance is larger than the tolerance
+    std::optional<ui::Message> finish(); ///< until no unbalance is larger than the tolerance
     void go_to_branch(std::size_t place);
-    std::optional<ui::Phrase> why_no_turn() const;
-    std::optional<ui::Phrase> why_no_step() const;
+    std::optional<ui::Message> why_no_turn() const;
+    std::optional<ui::Message> why_no_step() const;
 
-    void set_method(const Method& method, const ui::Phrase& label);
+    void set_method(const Method& method, const ui::Message& label);
     void set_stage(std::size_t stage);
     std::size_t n_stages() const; ///< sheets, and with sways all of them together
     /// Changes the structure or its loads; while a hand drags, as one step.
-    void change(femoop::Model model, const ui::Phrase& label);
-    void drag(femoop::Model model, const ui::Phrase& label);
+    void change(femoop::Model model, const ui::Message& label);
+    void drag(femoop::Model model, const ui::Message& label);
     void settle() override;
     void undo();
     void redo();
@@ -59,31 +60,31 @@ public:
     void begin_own_exercise(); ///< on the structure that is open
     void end_exercise();
     /// Null where no pupil fills the sheet.
-    const Paper* paper() const { return paper_ ? &*paper_ : nullptr; }
-    bool hides_results() const { return paper() != nullptr && !paper()->is_solved(); }
-    std::optional<ui::Phrase> why_no_paper() const;
-    std::optional<ui::Phrase> why_no_own_exercise() const;
+    const Worksheet* worksheet() const { return worksheet_ ? &*worksheet_ : nullptr; }
+    bool hides_results() const { return worksheet() != nullptr && !worksheet()->is_solved(); }
+    std::optional<ui::Message> why_no_worksheet() const;
+    std::optional<ui::Message> why_no_own_exercise() const;
     std::optional<femoop::cross::BlankId> cell() const { return cell_; } ///< that is being filled
     void go_to_cell(std::optional<femoop::cross::BlankId> cell);
     /// The cell after this one, or before it; nothing at the end. \param only_open  one that is not good yet
     std::optional<femoop::cross::BlankId> neighbour(int step, bool only_open) const;
     /// \returns why not; "" leaves the cell empty
-    std::optional<ui::Phrase> write(femoop::cross::BlankId cell, const std::string& text);
+    std::optional<ui::Message> write(femoop::cross::BlankId cell, const std::string& text);
     void show_cell();                               ///< what belongs into the present one
     void give_hint();                               ///< one more for the present cell
     std::vector<femoop::cross::Hint> hints() const; ///< that were given for it
     void start_over();
     void judge_at_once(bool does);
     void judge_now();
-    std::size_t paper_stage() const { return paper_stage_; }
-    void show_paper_stage(std::size_t stage);
+    std::size_t worksheet_stage() const { return worksheet_stage_; }
+    void show_worksheet_stage(std::size_t stage);
     std::size_t points() const; ///< cells that were right without help, the first time
 
-    void begin_anew();
+    void new_document();
     /// A frame that has handed over its structure goes on with it in its own window (ui/files/linked_copy.h).
     std::string linked_text() const;
     bool is_news(const std::string& text) const; ///< taking it over would change the structure
-    void take_over(const std::string& text);     ///< the structure, as a step; the notice tells why not
+    void adopt(const std::string& text);         ///< the structure, as a step; the notice tells why not
 
     /// Another number whenever nodes, joints and cells may be others than before.
     std::size_t n_solved() const { return n_solved_; }
@@ -100,24 +101,24 @@ public:
     Scene scene() const;
 
 private:
-    std::optional<ui::Phrase> read(const std::filesystem::path& path) override;
+    std::optional<ui::Message> read(const std::filesystem::path& path) override;
     const Document& current() const override { return document(); }
     std::string file_text() const override; ///< the score goes with it
     std::string about() const override;
     bool is_same(const Document& a, const Document& b) const override { return is_same_task(a, b); }
-    void solve_anew(Haste haste = Haste::None);
-    void work_anew(); ///< the sheets alone
+    void solve_again(SolveMode mode = SolveMode::Full);
+    void work_again(); ///< the sheets alone
     void find_state();
     void show_solved();          ///< of a sheet that is right
-    void judge_paper();          ///< after the document changed
+    void judge_worksheet();      ///< after the document changed
     void leave_unfit_exercise(); ///< of a file whose structure has no such sheet
-    void change_pupil(Pupil pupil, const ui::Phrase& label);
+    void change_pupil(Pupil pupil, const ui::Message& label);
     void note_mistakes();
     void note_all_seen();
     bool refuse_in_exercise(); ///< true, with a notice, while a pupil fills the sheet
     void restart_with(Document document);
-    template <class Change> void play_on(const Change& change, const ui::Phrase& label);
-    void take(const Play::Turn& turn);
+    template <class Change> void play_on(const Change& change, const ui::Message& label);
+    void take(const TurnTree::Turn& turn);
 
     ui::History<Document> history_;
     Solution solution_;
@@ -125,16 +126,16 @@ private:
     std::shared_ptr<femoop::cross::StateAnalysis> states_; ///< of the solution's structure; null before the first
     double phase_ = 1.0;
     std::size_t n_solved_ = 0;
-    std::optional<Paper> paper_;
+    std::optional<Worksheet> worksheet_;
     std::optional<femoop::cross::BlankId> cell_;
-    std::size_t paper_stage_ = 0;
+    std::size_t worksheet_stage_ = 0;
     /// What a pupil was told of every cell: undoing does not forget it.
-    struct Seen {
+    struct ShownTurn {
         std::vector<std::size_t> n_hints;
         std::vector<bool> helped;
     };
-    std::vector<Seen> seen_;  ///< of every exercise on what is open, by Pupil::number
-    std::size_t present_ = 0; ///< the exercise of the paper
+    std::vector<ShownTurn> seen_; ///< of every exercise on what is open, by Pupil::number
+    std::size_t present_ = 0;     ///< the exercise of the paper
 };
 
 } // namespace cross

@@ -21,7 +21,7 @@ namespace cross {
 
 using femoop::Model;
 using ui::Measure;
-using ui::Phrase;
+using ui::Message;
 using ui::translatable;
 
 namespace {
@@ -29,7 +29,7 @@ namespace {
 constexpr int exact_digits = 15;
 constexpr double usual_uniform = 10.0, usual_force = 20.0; // in the units shown
 
-using Typed = std::variant<Model, Phrase>;
+using Typed = std::variant<Model, Message>;
 
 ui::DisplayUnits units_in(const Session& session) { return units_of(session.document().model, session.tr()); }
 
@@ -139,11 +139,11 @@ Typed sound(Model model, const Session& session)
 {
     for (const femoop::Fault& fault : frame::named(femoop::check(model), model))
         if (femoop::severity(fault.kind) == femoop::Severity::Error)
-            return Phrase("{reason}", {{"reason", fault_text(fault, session.tr())}});
+            return Message("{reason}", {{"reason", fault_text(fault, session.tr())}});
     return model;
 }
 
-Phrase refusal(const femoop::Fault& fault, const Session& session)
+Message refusal(const femoop::Fault& fault, const Session& session)
 {
     std::string reason = fault_text(fault, session.tr());
     if (reason.starts_with(": ")) reason.erase(0, 2); // the place, which the field itself shows
@@ -211,7 +211,7 @@ Typed with_length(const Session& session, const Level& level, std::string_view t
     const auto typed = frame::quantity_typed(text, Measure::Length, model.units, units_in(session));
     if (const auto* const fault = std::get_if<femoop::Fault>(&typed)) return refusal(*fault, session);
     const double length = std::get<femoop::Quantity>(typed).value(), by = length - (level.high - level.low);
-    if (!(length > 0.0)) return Phrase(translatable("a length is more than 0"));
+    if (!(length > 0.0)) return Message(translatable("a length is more than 0"));
     const auto axis = static_cast<std::size_t>(level.axis);
     const double from = level.high - 0.5 * (level.high - level.low);
     for (femoop::Node& node : model.nodes)
@@ -263,8 +263,8 @@ Typed with_stiffness(const Session& session, femoop::MemberId member, std::strin
         if (const auto* const fault = std::get_if<femoop::Fault>(&typed)) return refusal(*fault, session);
         EI = std::get<femoop::Quantity>(typed).value();
     }
-    if (!(*EI > 0.0)) return Phrase(translatable("EI is more than 0"));
-    if (!model[member].section || !model[member].material) return Phrase(translatable("this member has no section"));
+    if (!(*EI > 0.0)) return Message(translatable("EI is more than 0"));
+    if (!model[member].section || !model[member].material) return Message(translatable("this member has no section"));
     const double E = model[*model[member].material].E.value();
     own_section(model, member).Iz = femoop::Quantity(*EI / E);
     return sound(std::move(model), session);

@@ -31,8 +31,8 @@ std::string text_of(const Session& session, const TypedValue& value);
 /// The structure with what was typed, or why not: with a unit or without, or a small calculation; an E I also as a
 /// multiple of the smallest, "2 EI". A load keeps its sense unless a minus turns it; one of 0 goes. What lies beyond a
 /// length moves along.
-std::variant<femoop::Model, ui::Phrase> with_value(const Session& session, const TypedValue& value,
-                                                   std::string_view text);
+std::variant<femoop::Model, ui::Message> with_value(const Session& session, const TypedValue& value,
+                                                    std::string_view text);
 
 /// A load of a usual size, and the number of it that can be typed.
 struct NewLoad {

@@ -11,7 +11,7 @@ namespace {
 
 class Filler {
 public:
-    Filler(const Paper& paper, std::size_t stage) : form_(paper.form), stage_(stage)
+    Filler(const Worksheet& worksheet, std::size_t stage) : form_(worksheet.form), stage_(stage)
     {
         for (std::size_t e = 0; e < form_.problem.ends.size(); ++e) columns_.push_back({.end = fc::EndId(e)});
     }
@@ -81,18 +81,18 @@ private:
 
 } // namespace
 
-std::vector<BlankColumn> blank_columns(const Paper& paper, std::size_t stage)
+std::vector<BlankColumn> blank_columns(const Worksheet& worksheet, std::size_t stage)
 {
-    Filler filler(paper, stage);
-    return stage < paper.n_sheets() ? filler.of_sheet() : filler.of_all_sheets();
+    Filler filler(worksheet, stage);
+    return stage < worksheet.n_sheets() ? filler.of_sheet() : filler.of_all_sheets();
 }
 
-std::vector<BlankCell> superposition_cells(const Paper& paper)
+std::vector<BlankCell> superposition_cells(const Worksheet& worksheet)
 {
     std::vector<BlankCell> cells;
-    for (std::size_t i = 0; i < paper.form.blanks.size(); ++i) {
-        const fc::Blank& blank = paper.form.blanks[i];
-        const std::string of = paper.form.problem.sways.size() > 1 ? std::to_string(blank.sway + 1) : "";
+    for (std::size_t i = 0; i < worksheet.form.blanks.size(); ++i) {
+        const fc::Blank& blank = worksheet.form.blanks[i];
+        const std::string of = worksheet.form.problem.sways.size() > 1 ? std::to_string(blank.sway + 1) : "";
         if (blank.asked == Asked::Holding)
             cells.push_back({fc::BlankId(i), cells.size(), "R" + of + std::to_string(blank.sheet)});
         if (blank.asked == Asked::Multiplier) cells.push_back({fc::BlankId(i), cells.size(), "x" + of});

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/cross/view/paper.h"
+#include "apps/cross/view/worksheet.h"
 
 namespace cross {
 
@@ -25,9 +25,9 @@ struct BlankColumn {
 };
 
 /// Of every end, in the order of the ends. \param stage  the sheet, or n_sheets() for what follows from all of them
-std::vector<BlankColumn> blank_columns(const Paper& paper, std::size_t stage);
+std::vector<BlankColumn> blank_columns(const Worksheet& worksheet, std::size_t stage);
 
 /// Cells that belong to no end: forces of props and how often the sways are added.
-std::vector<BlankCell> superposition_cells(const Paper& paper);
+std::vector<BlankCell> superposition_cells(const Worksheet& worksheet);
 
 } // namespace cross

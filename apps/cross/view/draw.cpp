@@ -67,7 +67,7 @@ Drawn draw(ui::Painter& painter, const Scene& scene)
         draw_faults(painter, scene);
         return drawn;
     }
-    if (scene.paper != nullptr) return draw_exercise(painter, scene);
+    if (scene.worksheet != nullptr) return draw_exercise(painter, scene);
     const ui::Theme theme = scene.look.full_theme();
     const drawing::StructureShape shape = drawing::shape_of(scene.document.model);
     const double share = share_of_small_pictures(shape);

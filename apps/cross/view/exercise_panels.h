@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "apps/cross/view/panels.h"
-#include "apps/cross/view/paper.h"
+#include "apps/cross/view/worksheet.h"
 
 namespace cross {
 
@@ -11,7 +11,7 @@ namespace cross {
 enum class Room : std::uint8_t { Usual, Beside };
 
 /// The sheet gets the room of the pictures that are not shown; the moments come next to the structure once it is right.
-Panels exercise_panels(const drawing::StructureShape& shape, ui::Size size, const ui::Theme& theme, const Paper& paper,
-                       Room room);
+Panels exercise_panels(const drawing::StructureShape& shape, ui::Size size, const ui::Theme& theme,
+                       const Worksheet& worksheet, Room room);
 
 } // namespace cross

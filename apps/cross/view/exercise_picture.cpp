@@ -35,18 +35,18 @@ constexpr double least_cells = 7.0;              // [px]
 constexpr std::size_t lines_of_head_and_sum = 2; // that a block has besides those that it is asked for
 
 /// Writes the cells of one sheet into their boxes.
-class PaperWriter {
+class WorksheetWriter {
 public:
-    PaperWriter(ui::Painter& painter, const Panel& panel, const Scene& scene, Drawn& drawn)
+    WorksheetWriter(ui::Painter& painter, const Panel& panel, const Scene& scene, Drawn& drawn)
         : painter_(painter),
           panel_(panel),
           scene_(scene),
-          paper_(*scene.paper),
-          problem_(paper_.form.problem),
+          worksheet_(*scene.worksheet),
+          problem_(worksheet_.form.problem),
           drawn_(drawn),
           theme_(theme_in(panel, scene.look)),
           shape_(drawing::shape_of(scene.document.model)),
-          columns_(blank_columns(paper_, scene.paper_stage))
+          columns_(blank_columns(worksheet_, scene.worksheet_stage))
     {}
 
     void draw()
@@ -56,7 +56,7 @@ public:
         mark_joint();
         for (std::size_t e = 0; e < columns_.size(); ++e)
             if (layout_.boxes[e] && !columns_[e].cells.empty()) draw_column(columns_[e], *layout_.boxes[e]);
-        if (scene_.paper_stage == paper_.n_sheets()) draw_superposition();
+        if (scene_.worksheet_stage == worksheet_.n_sheets()) draw_superposition();
         draw_legend();
         for (const Ratio& ratio : ratios()) painter_.text(free_place(ratio), ratio.text, ratio_style());
         draw_sways();
@@ -87,7 +87,7 @@ public:
     {
         std::size_t n = 0;
         for (const BlankColumn& column : columns_) n += column.cells.size();
-        if (scene_.paper_stage == paper_.n_sheets()) n += superposition_cells(paper_).size();
+        if (scene_.worksheet_stage == worksheet_.n_sheets()) n += superposition_cells(worksheet_).size();
         return drawn_.cells.size() >= n;
     }
 
@@ -104,7 +104,7 @@ private:
         request.room = panel_.box.grown(-0.3 * theme_.type().normal);
         request.room.min.y += 1.8 * theme_.type().normal;
         request.room.max.y -= legend_height();
-        if (scene_.paper_stage == paper_.n_sheets()) request.room.max.y -= 2.4 * theme_.type().normal;
+        if (scene_.worksheet_stage == worksheet_.n_sheets()) request.room.max.y -= 2.4 * theme_.type().normal;
         request.obstacles = obstacles_in(panel_, shape_, scene_.document.model, theme_);
         request.largest_type = usual_cells * theme_.type().normal;
         request.most_lines = n_lines() - std::min(n_lines(), lines_of_head_and_sum);
@@ -123,8 +123,9 @@ private:
     double largest_type() const
     {
         const double most = largest_cells * theme_.type().normal;
-        if (scene_.paper_stage != paper_.n_sheets()) return most;
-        const double row = static_cast<double>(superposition_cells(paper_).size()) * (column_width(most) + 2.6 * most);
+        if (scene_.worksheet_stage != worksheet_.n_sheets()) return most;
+        const double row = static_cast<double>(superposition_cells(worksheet_).size()) *
+                           (column_width(most) + 2.6 * most);
         return most * std::min(1.0, (panel_.box.width() - most) / row);
     }
 
@@ -158,7 +159,7 @@ private:
         for (std::size_t m = 0; m < problem_.members.size(); ++m) {
             const fc::MemberAction& member = problem_.members[m];
             if (member.EI_over_L <= 0.0 || member.is_overhang) continue;
-            const double ratio = member.EI_over_L * member.length / paper_.form.EI;
+            const double ratio = member.EI_over_L * member.length / worksheet_.form.EI;
             const bool is_one = std::abs(ratio - 1.0) < 1e-6;
             do_differ = do_differ || !is_one;
             all.push_back({femoop::MemberId(m), (is_one ? "" : ui::number_text(ratio, {3, decimal_mark()})) + "EI"});
@@ -212,20 +213,20 @@ private:
 
     std::string given() const
     {
-        return given_words(scene_.document.model, scene_.document.method.load_case, scene_.look.tr);
+        return given_text(scene_.document.model, scene_.document.method.load_case, scene_.look.tr);
     }
 
     std::vector<std::string> legend() const
     {
         const ui::Catalogue& tr = scene_.look.tr;
         std::string words;
-        if (scene_.paper_stage == paper_.n_sheets())
+        if (scene_.worksheet_stage == worksheet_.n_sheets())
             words = tr("R: force of a prop in the loads' sheet (0) and in the sway's, x: "
                        "how many times the sway is added, M: final moment");
         else {
-            const std::string member = scene_.document.model[paper_.form.slenderest].id;
+            const std::string member = scene_.document.model[worksheet_.form.slenderest].id;
             const std::string unit = units_of(scene_.document.model, tr).unit(ui::Measure::Length).name;
-            if (scene_.paper_stage == 0)
+            if (scene_.worksheet_stage == 0)
                 words = tr("k: stiffness in EI of {member} [1/{unit}], µ: distribution factor",
                            {{"member", member}, {"unit", unit}}) +
                         ", ";
@@ -301,9 +302,10 @@ private:
     {
         drawn_.cells.push_back({cell.blank, box});
         const double em = layout_.type;
-        const fc::Blank& blank = paper_.form[cell.blank];
+        const fc::Blank& blank = worksheet_.form[cell.blank];
         const bool is_active = scene_.cell == cell.blank;
-        const auto verdict = paper_.is_told ? paper_.judgements[cell.blank.index].verdict : fc::Verdict::Open;
+        const auto verdict = worksheet_.shows_judgement ? worksheet_.judgements[cell.blank.index].verdict
+                                                        : fc::Verdict::Open;
         if (is_active) painter_.rectangle(box, theme_[ui::Role::Selection].fill);
         ui::Stroke stroke = theme_.stroke(is_active ? ui::Role::Selection : ui::Role::GridAxis);
         stroke.width = is_active ? 0.14 * em : 0.07 * em;
@@ -350,10 +352,10 @@ private:
     void mark_joint()
     {
         if (!scene_.cell) return;
-        const fc::Blank& blank = paper_.form[*scene_.cell];
+        const fc::Blank& blank = worksheet_.form[*scene_.cell];
         if (blank.asked != Asked::Balance && blank.asked != Asked::CarryOver) return;
-        const fc::Turn& turn = paper_.form.turns[blank.sheet][blank.step];
-        if (!turn || paper_.stage_of(*scene_.cell) != scene_.paper_stage) return;
+        const fc::Turn& turn = worksheet_.form.turns[blank.sheet][blank.step];
+        if (!turn || worksheet_.stage_of(*scene_.cell) != scene_.worksheet_stage) return;
         ui::Stroke stroke = theme_.stroke(ui::Role::Selection);
         stroke.width = 2.6 * theme_.symbol_scale();
         stroke.dash = {};
@@ -363,9 +365,9 @@ private:
     /// Which way the props of the sheet move, or push.
     void draw_sways()
     {
-        const std::size_t stage = scene_.paper_stage;
+        const std::size_t stage = scene_.worksheet_stage;
         for (std::size_t k = 0; k < problem_.sways.size() && stage > 0; ++k)
-            if (stage == k + 1 || stage == paper_.n_sheets()) draw_arrow(problem_.sways[k]);
+            if (stage == k + 1 || stage == worksheet_.n_sheets()) draw_arrow(problem_.sways[k]);
     }
 
     void draw_arrow(const fc::Sway& sway)
@@ -388,13 +390,13 @@ private:
         const std::string force = units_of(scene_.document.model, scene_.look.tr).unit(ui::Measure::Force).name;
         const auto in_row = static_cast<std::size_t>(std::max(1.0, (panel_.box.width() - em) / (width + 0.6 * em)));
         const double bottom = panel_.box.max.y - legend_height() - 1.6 * em;
-        std::vector<BlankCell> cells = superposition_cells(paper_);
+        std::vector<BlankCell> cells = superposition_cells(worksheet_);
         for (std::size_t i = 0; i < cells.size(); ++i) {
             const std::size_t row = i / in_row, column = i % in_row;
             const double x = panel_.box.min.x + em + static_cast<double>(column) * (width + 0.6 * em);
             const double y = bottom - 1.5 * static_cast<double>(row) * em;
             if (y < panel_.box.min.y) return;
-            if (paper_.form[cells[i].blank].asked == Asked::Holding) cells[i].label += " [" + force + "]";
+            if (worksheet_.form[cells[i].blank].asked == Asked::Holding) cells[i].label += " [" + force + "]";
             draw_cell(cells[i], ui::box_at({x, y}, {width, cell_height * em}));
         }
     }
@@ -402,7 +404,7 @@ private:
     ui::Painter& painter_;
     const Panel& panel_;
     const Scene& scene_;
-    const Paper& paper_;
+    const Worksheet& worksheet_;
     const fc::Problem& problem_;
     Drawn& drawn_;
     ui::Theme theme_;
@@ -412,24 +414,24 @@ private:
     bool is_narrow_ = false;
 };
 
-std::string paper_title_of(const Scene& scene)
+std::string worksheet_title_of(const Scene& scene)
 {
     const ui::Catalogue& tr = scene.look.tr;
     const Numbers numbers(scene.document, scene.solution, scene.look);
     const std::string unit = " [" + numbers.moment_unit() + "]";
-    const std::size_t stage = scene.paper_stage;
-    if (scene.paper->is_solved()) return tr("The sheet is right") + unit;
-    if (scene.paper->n_sheets() == 1) return tr("Fill the sheet") + unit;
+    const std::size_t stage = scene.worksheet_stage;
+    if (scene.worksheet->is_solved()) return tr("The sheet is right") + unit;
+    if (scene.worksheet->n_sheets() == 1) return tr("Fill the sheet") + unit;
     if (stage == 0) return tr("Fill the sheet of the loads, sways propped") + unit;
-    if (stage == scene.paper->n_sheets()) return tr("Add the sheets") + unit;
-    const femoop::NodeId prop = scene.paper->form.problem.sways[stage - 1].prop;
+    if (stage == scene.worksheet->n_sheets()) return tr("Add the sheets") + unit;
+    const femoop::NodeId prop = scene.worksheet->form.problem.sways[stage - 1].prop;
     return tr("Fill the sheet of the sway at {node}", {{"node", scene.document.model[prop].id}}) + unit;
 }
 
 void draw_cells(ui::Painter& painter, const Panel& panel, const Scene& scene, Drawn& drawn)
 {
     const ui::Theme theme = theme_in(panel, scene.look);
-    draw_title(painter, panel, paper_title_of(scene), theme);
+    draw_title(painter, panel, worksheet_title_of(scene), theme);
     draw_structure_in(painter, panel, scene, {}, [](const drawing::Scene& in) {
         drawing::draw_members(in, drawing::Presence::Subject);
         {
@@ -439,7 +441,7 @@ void draw_cells(ui::Painter& painter, const Panel& panel, const Scene& scene, Dr
         drawing::draw_joints(in);
     });
     const ui::ClipScope clip(painter, panel.box);
-    PaperWriter writer(painter, panel, scene, drawn);
+    WorksheetWriter writer(painter, panel, scene, drawn);
     writer.draw();
     if (!writer.has_room())
         write_below(painter, panel, theme,
@@ -451,15 +453,15 @@ Panels best_panels(ui::Painter& painter, const Scene& scene)
 {
     const drawing::StructureShape shape = drawing::shape_of(scene.document.model);
     const ui::Theme theme = scene.look.full_theme();
-    const auto with = [&](Room room) { return exercise_panels(shape, painter.size(), theme, *scene.paper, room); };
+    const auto with = [&](Room room) { return exercise_panels(shape, painter.size(), theme, *scene.worksheet, room); };
     const auto fit = [&](const Panels& panels) {
         Drawn nothing;
-        return PaperWriter(painter, panels.sheet, scene, nothing).fit();
+        return WorksheetWriter(painter, panels.sheet, scene, nothing).fit();
     };
     Panels usual = with(Room::Usual);
     if (is_beam(shape)) {
         Drawn nothing;
-        usual.sheet.bays = PaperWriter(painter, usual.sheet, scene, nothing).bays();
+        usual.sheet.bays = WorksheetWriter(painter, usual.sheet, scene, nothing).bays();
     }
     if (usual.is_stacked) return usual;
     const Panels roomy = with(Room::Beside);
@@ -471,7 +473,7 @@ Panels best_panels(ui::Painter& painter, const Scene& scene)
 Drawn draw_exercise(ui::Painter& painter, const Scene& scene)
 {
     Drawn drawn;
-    const bool is_solved = scene.paper->is_solved() && scene.state != nullptr;
+    const bool is_solved = scene.worksheet->is_solved() && scene.state != nullptr;
     const ui::Theme theme = scene.look.full_theme();
     const Panels panels = best_panels(painter, scene);
     const ui::Box& first = panels.structure.box;

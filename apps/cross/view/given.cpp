@@ -64,7 +64,7 @@ std::string joint_moments(const Model& model, const femoop::NodeLoad& load, cons
 
 } // namespace
 
-std::string given_words(const Model& model, femoop::CaseId load_case, const ui::Catalogue& tr)
+std::string given_text(const Model& model, femoop::CaseId load_case, const ui::Catalogue& tr)
 {
     if (model.members.empty() || model.members.size() > most_members) return "";
     const ui::DisplayUnits units = units_of(model, tr);

@@ -330,16 +330,16 @@ drawing::Grips draw_structure_in(ui::Painter& painter, const Panel& panel, const
     options.tr = scene.look.tr;
     const drawing::DrawState state{.locked_scale = look.locked_scale};
     const drawing::Projection projection(panel.camera, panel.box.min);
-    const drawing::Crowding crowding(shape, projection);
+    const drawing::LevelOfDetail detail(shape, projection);
     ui::Box room = panel.box.grown(-3.0);
     room.min.y += 1.7 * theme_in(panel, scene.look).type().normal; // of the title
     drawing::Sketch sketch({.painter = &painter,
                             .theme = &theme,
                             .room = room,
-                            .symbol_factor = crowding.symbol_share(),
-                            .is_crowded = crowding.is_crowded()});
+                            .symbol_factor = detail.symbol_share(),
+                            .is_reduced = detail.is_reduced()});
     const ui::DisplayUnits units = units_of(scene.document.model, scene.look.tr);
-    marks({model, shape, projection, options, state, units, sketch, crowding, look.show});
+    marks({model, shape, projection, options, state, units, sketch, detail, look.show});
     sketch.write_captions();
     return sketch.grips();
 }

@@ -8,7 +8,7 @@ namespace cross {
 
 namespace fc = femoop::cross;
 using fc::Asked;
-using ui::Phrase;
+using ui::Message;
 using ui::translatable;
 
 namespace {
@@ -31,40 +31,41 @@ std::string_view way_of(const Eigen::Vector2d& direction)
     return translatable("along its support");
 }
 
-Phrase of_fixed_end(const Paper& paper, const femoop::Model& model, const fc::Blank& blank)
+Message of_fixed_end(const Worksheet& worksheet, const femoop::Model& model, const fc::Blank& blank)
 {
-    const std::string& end = paper.form.problem[blank.end].label;
+    const std::string& end = worksheet.form.problem[blank.end].label;
     if (blank.sheet == 0) return {translatable("fixed-end moment at {end}"), {{"end", end}}};
-    const fc::Sway& sway = paper.form.problem.sways[blank.sheet - 1];
+    const fc::Sway& sway = worksheet.form.problem.sways[blank.sheet - 1];
     return {translatable("fixed-end moment at {end} where {node} moves {way}; the largest of all is taken as 100"),
-            {{"end", end}, {"node", model[sway.prop].id}, {"way", Phrase(way_of(sway.direction))}}};
+            {{"end", end}, {"node", model[sway.prop].id}, {"way", Message(way_of(sway.direction))}}};
 }
 
-Phrase of_holding(const Paper& paper, const femoop::Model& model, const fc::Blank& blank)
+Message of_holding(const Worksheet& worksheet, const femoop::Model& model, const fc::Blank& blank)
 {
-    const fc::Sway& sway = paper.form.problem.sways[blank.sway];
-    const Phrase sense = sense_of(sway.direction);
+    const fc::Sway& sway = worksheet.form.problem.sways[blank.sway];
+    const Message sense = sense_of(sway.direction);
     const std::string& node = model[sway.prop].id;
     if (blank.sheet == 0)
         return {translatable("force of the prop at {node} in the sheet of the loads, {sense}"),
                 {{"node", node}, {"sense", sense}}};
-    const std::string& moved = model[paper.form.problem.sways[blank.sheet - 1].prop].id;
+    const std::string& moved = model[worksheet.form.problem.sways[blank.sheet - 1].prop].id;
     return {translatable("force of the prop at {node} in the sheet of the sway at {moved}, {sense}"),
             {{"node", node}, {"moved", moved}, {"sense", sense}}};
 }
 
-Phrase of_turn(const Paper& paper, const femoop::Model& model, const fc::Blank& blank, std::string_view words)
+Message of_turn(const Worksheet& worksheet, const femoop::Model& model, const fc::Blank& blank, std::string_view words)
 {
-    const fc::Turn& turn = paper.form.turns[blank.sheet][blank.step];
-    const Phrase who = turn ? Phrase(translatable("joint {joint}"),
-                                     {{"joint", model[paper.form.problem[*turn].node].id}})
-                            : Phrase(translatable("all joints"));
-    return {words, {{"n", std::to_string(blank.step + 1)}, {"who", who}, {"end", paper.form.problem[blank.end].label}}};
+    const fc::Turn& turn = worksheet.form.turns[blank.sheet][blank.step];
+    const Message who = turn ? Message(translatable("joint {joint}"),
+                                       {{"joint", model[worksheet.form.problem[*turn].node].id}})
+                             : Message(translatable("all joints"));
+    return {words,
+            {{"n", std::to_string(blank.step + 1)}, {"who", who}, {"end", worksheet.form.problem[blank.end].label}}};
 }
 
 } // namespace
 
-Phrase words_of(fc::Difficulty difficulty)
+Message words_of(fc::Difficulty difficulty)
 {
     switch (difficulty) {
     case fc::Difficulty::FixedEnds: return translatable("two spans, fixed ends");
@@ -77,30 +78,30 @@ Phrase words_of(fc::Difficulty difficulty)
     return {};
 }
 
-Phrase question(const Paper& paper, const femoop::Model& model, fc::BlankId id)
+Message question(const Worksheet& worksheet, const femoop::Model& model, fc::BlankId id)
 {
-    const fc::Blank& blank = paper.form[id];
-    const std::string end = paper.form.problem.ends.empty() ? "" : paper.form.problem[blank.end].label;
+    const fc::Blank& blank = worksheet.form[id];
+    const std::string end = worksheet.form.problem.ends.empty() ? "" : worksheet.form.problem[blank.end].label;
     switch (blank.asked) {
     case Asked::Stiffness:
         return {translatable("stiffness of {end}, in EI of {member}"),
-                {{"end", end}, {"member", model[paper.form.slenderest].id}}};
+                {{"end", end}, {"member", model[worksheet.form.slenderest].id}}};
     case Asked::Factor: return {translatable("distribution factor of {end}"), {{"end", end}}};
-    case Asked::FixedEnd: return of_fixed_end(paper, model, blank);
-    case Asked::Balance: return of_turn(paper, model, blank, translatable("turn {n}, {who}: balance of {end}"));
+    case Asked::FixedEnd: return of_fixed_end(worksheet, model, blank);
+    case Asked::Balance: return of_turn(worksheet, model, blank, translatable("turn {n}, {who}: balance of {end}"));
     case Asked::CarryOver:
-        return of_turn(paper, model, blank, translatable("turn {n}, {who}: what is carried over to {end}"));
+        return of_turn(worksheet, model, blank, translatable("turn {n}, {who}: what is carried over to {end}"));
     case Asked::Sum: return {translatable("sum of the column {end}"), {{"end", end}}};
-    case Asked::Holding: return of_holding(paper, model, blank);
+    case Asked::Holding: return of_holding(worksheet, model, blank);
     case Asked::Multiplier:
         return {translatable("how many times the sheet of the sway at {node} is added"),
-                {{"node", model[paper.form.problem.sways[blank.sway].prop].id}}};
+                {{"node", model[worksheet.form.problem.sways[blank.sway].prop].id}}};
     case Asked::Final: return {translatable("final moment at {end}"), {{"end", end}}};
     }
     return {};
 }
 
-Phrase words_of(fc::Slip slip)
+Message words_of(fc::Slip slip)
 {
     using enum fc::Slip;
     switch (slip) {
@@ -152,7 +153,7 @@ Phrase words_of(fc::Slip slip)
     return {};
 }
 
-Phrase words_of(fc::Hint hint)
+Message words_of(fc::Hint hint)
 {
     using enum fc::Hint;
     switch (hint) {
@@ -195,7 +196,7 @@ Phrase words_of(fc::Hint hint)
     return {};
 }
 
-Phrase verdict_words(const fc::Judgement& judgement)
+Message verdict_text(const fc::Judgement& judgement)
 {
     switch (judgement.verdict) {
     case fc::Verdict::Open: return {};
@@ -204,7 +205,7 @@ Phrase verdict_words(const fc::Judgement& judgement)
     case fc::Verdict::Wrong: return translatable("not so");
     case fc::Verdict::Slipped: break;
     }
-    const Phrase first = words_of(judgement.slips.front());
+    const Message first = words_of(judgement.slips.front());
     if (judgement.slips.size() < 2) return first;
     return {translatable("{this}; or {that}"), {{"this", first}, {"that", words_of(judgement.slips[1])}}};
 }

@@ -8,7 +8,7 @@
 #include "apps/cross/document/solution.h"
 #include "apps/cross/view/bay_scale.h"
 #include "apps/cross/view/look.h"
-#include "apps/cross/view/paper.h"
+#include "apps/cross/view/worksheet.h"
 #include "apps/drawing/sketch/sketch.h"
 #include "ui/canvas/plane_camera.h"
 #include "ui/paint/painter.h"
@@ -23,9 +23,9 @@ struct Scene {
     double phase = 1.0;                     ///< how much of the last turn is done: 1 at rest
     std::optional<femoop::cross::JointId> hover;
     const Look& look;
-    const Paper* paper = nullptr;                 ///< that a pupil fills; null: the app works the sheet
+    const Worksheet* worksheet = nullptr;         ///< that a pupil fills; null: the app works the sheet
     std::optional<femoop::cross::BlankId> cell{}; ///< that is being filled
-    std::size_t paper_stage = 0;                  ///< the sheet of the paper that is seen
+    std::size_t worksheet_stage = 0;              ///< the sheet of the paper that is seen
 };
 
 /// The four pictures.

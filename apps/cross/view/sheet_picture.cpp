@@ -447,7 +447,7 @@ std::string stage_name(const Scene& scene)
 }
 
 /// "loads + 0.312 × sway at B".
-std::string sum_in_words(const Scene& scene)
+std::string sum_description(const Scene& scene)
 {
     std::string words;
     for (const SheetPart& part : parts_of(scene)) words += (words.empty() ? "" : " + ") + words_of(part, scene);
@@ -460,7 +460,7 @@ std::string title_of(const Scene& scene)
     const Numbers numbers(scene.document, scene.solution, scene.look);
     std::string title = stage_name(scene) + " [" + numbers.moment_unit() + "]";
     const fc::Sheet* const sheet = scene.solution.sheet(scene.document);
-    if (sheet == nullptr) return title + ": " + sum_in_words(scene);
+    if (sheet == nullptr) return title + ": " + sum_description(scene);
     if (sheet->steps.empty()) return title + tr(": every joint locked");
     const auto joint = sheet->steps.back().joint;
     const std::string step = std::to_string(sheet->steps.size());

@@ -16,7 +16,7 @@
 #include "ui/report/html.h"
 #include "ui/report/pages.h"
 
-template class ui::DocumentApp<cross::Desk>;
+template class ui::DocumentApp<cross::Workspace>;
 
 namespace cross {
 
@@ -34,59 +34,60 @@ Application::Application(ui::Context& context, const ui::Fonts& fonts, Session s
 
 void Application::show_left()
 {
-    if (session().paper() != nullptr) exercise_panel_.show_beginning(desk(), commands());
-    else method_panel_.show(desk(), commands());
+    if (session().worksheet() != nullptr) exercise_panel_.show_beginning(workspace(), commands());
+    else method_panel_.show(workspace(), commands());
 }
 
 void Application::show_right()
 {
-    if (!session().hides_results()) results_panel(desk(), commands());
-    const bool is_asked = desk().topic == Topic::Exercises;
-    if (session().paper() != nullptr && (session().hides_results() || is_asked))
-        exercise_panel_.show_paper(desk(), commands(), canvas_.cell_field(), is_drawn(session(), canvas_.drawn()));
-    else if (is_asked) exercise_panel_.show_beginning(desk(), commands());
+    if (!session().hides_results()) results_panel(workspace(), commands());
+    const bool is_asked = workspace().topic == Topic::Exercises;
+    if (session().worksheet() != nullptr && (session().hides_results() || is_asked))
+        exercise_panel_.show_worksheet(workspace(), commands(), canvas_.cell_field(),
+                                       is_drawn(session(), canvas_.drawn()));
+    else if (is_asked) exercise_panel_.show_beginning(workspace(), commands());
 }
 
 void Application::show_canvas()
 {
-    const bool has_bar = session().paper() == nullptr; // a pupil has nothing to play
+    const bool has_bar = session().worksheet() == nullptr; // a pupil has nothing to play
     const float bar = has_bar ? ImGui::GetFrameHeight() + 0.8F * ImGui::GetFontSize() : 0.0F;
-    ui::picture_area(bar, [this] { canvas_.show(desk().session, gui()); });
-    if (has_bar) ui::bar_below_picture(bar, [this] { player_bar(desk(), commands()); });
+    ui::picture_area(bar, [this] { canvas_.show(workspace().session, gui()); });
+    if (has_bar) ui::bar_below_picture(bar, [this] { player_bar(workspace(), commands()); });
 }
 
 void Application::take(ui::Request request)
 {
-    if (request == ui::Request::Fit) desk().session.look.zoom = {};
-    if (request == ui::Request::ZoomIn) canvas_.zoom(desk().session, 1.25);
-    if (request == ui::Request::ZoomOut) canvas_.zoom(desk().session, 0.8);
+    if (request == ui::Request::Fit) workspace().session.look.zoom = {};
+    if (request == ui::Request::ZoomIn) canvas_.zoom(workspace().session, 1.25);
+    if (request == ui::Request::ZoomOut) canvas_.zoom(workspace().session, 0.8);
 }
 
-void Application::take_own_requests()
+void Application::handle_own_requests()
 {
-    for (ui::Handover& handover : std::exchange(desk().handed, {})) {
+    for (ui::ExportToApp& exported : std::exchange(workspace().handed, {})) {
         const Look& look = session().look;
-        handover.options = {"--lang", std::string(code(look.tr.language())), "--theme", std::string(text(look.theme))};
-        handed_ = std::move(handover);
+        exported.options = {"--lang", std::string(code(look.tr.language())), "--theme", std::string(text(look.theme))};
+        handed_ = std::move(exported);
         if (!start_program_) continue;
-        if (const auto reason = start_program_(*handed_)) desk().tell(*reason);
+        if (const auto reason = start_program_(*handed_)) workspace().notify(*reason);
     }
 }
 
 std::string Application::status() const { return status_text(session()); }
 
-std::string Application::words() const { return in_words(session()); }
+std::string Application::words() const { return description(session()); }
 
-std::optional<ui::Phrase> Application::write(const std::filesystem::path& path)
+std::optional<ui::Message> Application::write(const std::filesystem::path& path)
 {
     const auto is_a = [&](std::string_view ending) { return ui::has_ending(path, ending); };
     if (is_a(".html") || is_a(".report.pdf")) {
-        if (session().hides_results()) return ui::Phrase(translatable("the exercise is not solved yet"));
+        if (session().hides_results()) return ui::Message(translatable("the exercise is not solved yet"));
         return write_report(path);
     }
     if (!is_a(".csv") && !is_a(".md") && !is_a(".tex")) return DocumentApp::write(path);
-    if (!session().solution().task) return ui::Phrase(translatable("this structure cannot be distributed"));
-    const tabular::Table table = table_of(session(), desk().topic);
+    if (!session().solution().task) return ui::Message(translatable("this structure cannot be distributed"));
+    const tabular::Table table = table_of(session(), workspace().topic);
     std::string text;
     if (is_a(".csv")) text = separated(table, separators(session().tr().language()));
     else text = is_a(".md") ? markdown(table) : latex(table);
@@ -95,7 +96,7 @@ std::optional<ui::Phrase> Application::write(const std::filesystem::path& path)
     return ui::not_written(path, error.message());
 }
 
-std::optional<ui::Phrase> Application::write_report(const std::filesystem::path& path) const
+std::optional<ui::Message> Application::write_report(const std::filesystem::path& path) const
 {
     try {
         const ui::Report report = calculation(session().document(), session().look, fonts());

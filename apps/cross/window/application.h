@@ -10,12 +10,12 @@
 #include "apps/cross/window/method_panel.h"
 #include "ui/app/document_app.h"
 
-extern template class ui::DocumentApp<cross::Desk>;
+extern template class ui::DocumentApp<cross::Workspace>;
 
 namespace cross {
 
 /// Moment distribution on a context, on the screen or off it.
-class Application final : public ui::DocumentApp<Desk> {
+class Application final : public ui::DocumentApp<Workspace> {
 public:
     /// \pre context and fonts outlive the application
     Application(ui::Context& context, const ui::Fonts& fonts, Session session);
@@ -23,28 +23,28 @@ public:
     const Canvas& canvas() const { return canvas_; }
 
     /// How another program is started, which says why it could not be; without it none is.
-    using StartProgram = std::function<std::optional<ui::Phrase>(const ui::Handover&)>;
+    using StartProgram = std::function<std::optional<ui::Message>(const ui::ExportToApp&)>;
     void start_programs_by(StartProgram start) { start_program_ = std::move(start); }
-    const std::optional<ui::Handover>& handed() const { return handed_; } ///< the last
+    const std::optional<ui::ExportToApp>& handed() const { return handed_; } ///< the last
 
 private:
     ui::Picture picture() override { return canvas_.picture_of(session()); }
     /// The picture (.png, .svg or .pdf), the table that is shown (.csv or .tex), or the whole calculation as a report
     /// (.html or .report.pdf).
-    std::optional<ui::Phrase> write(const std::filesystem::path& path) override;
-    std::optional<ui::Phrase> write_report(const std::filesystem::path& path) const;
+    std::optional<ui::Message> write(const std::filesystem::path& path) override;
+    std::optional<ui::Message> write_report(const std::filesystem::path& path) const;
     bool is_typing() const override { return method_panel_.is_typing() || exercise_panel_.is_typing(); }
     void show_left() override;
     void show_right() override;
     void show_canvas() override;
     void take(ui::Request request) override;
-    void take_own_requests() override;
+    void handle_own_requests() override;
     std::string status() const override;
     std::string words() const override;
 
     Canvas canvas_;
     StartProgram start_program_;
-    std::optional<ui::Handover> handed_;
+    std::optional<ui::ExportToApp> handed_;
     MethodPanel method_panel_;
     ExercisePanel exercise_panel_;
 };

@@ -22,11 +22,11 @@ void Canvas::show(Session& session, ui::ImGuiSession& gui)
     sheet_ = {static_cast<double>(room.x / scale), static_cast<double>(room.y / scale)};
     ImGui::InvisibleButton("canvas", room);
     // The field of a cell or of a value lies on it.
-    if (session.paper() != nullptr || value_field_.is_open()) ImGui::SetItemAllowOverlap();
+    if (session.worksheet() != nullptr || value_field_.is_open()) ImGui::SetItemAllowOverlap();
     const ImGuiIO& io = ImGui::GetIO();
     if (session.n_solved() != drawn_of_) {
         drawn_ = {}; // what was drawn is not there any more
-        hand_ = {};
+        drag_ = {};
     }
     follow(session, {static_cast<double>((io.MousePos.x - corner.x) / scale),
                      static_cast<double>((io.MousePos.y - corner.y) / scale)});
@@ -45,25 +45,25 @@ void Canvas::show(Session& session, ui::ImGuiSession& gui)
 
 void Canvas::follow(Session& session, ui::Point at)
 {
-    if (session.paper() != nullptr) return follow_pupil(session, at);
+    if (session.worksheet() != nullptr) return follow_pupil(session, at);
     const double reach = 26.0 * ui::Theme(session.look.theme).symbol_scale(); // a lock belongs to its joint
     const bool is_over = ImGui::IsItemHovered();
     session.hover = is_over ? pick(drawn_, at, reach) : std::nullopt;
     pointer_ = is_over ? std::optional(at) : std::nullopt;
     move_about(session, at);
-    if (!hand_.is_holding() && is_over && follow_values(session, at)) return;
+    if (!drag_.is_holding() && is_over && follow_values(session, at)) return;
     const double scale = ui::Theme(session.look.theme).symbol_scale();
     const Aim aim = is_over ? aim_at(session.document().model, drawn_, at, scale) : Aim{};
     const bool can_pull = !std::holds_alternative<std::monostate>(aim);
-    if (session.hover || can_pull || hand_.is_holding()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (session.hover || can_pull || drag_.is_holding()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     const auto* const node = std::get_if<NodeAim>(&aim);
     const bool is_right = is_over && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
     if (node != nullptr && (is_right || (ImGui::IsItemActivated() && ImGui::GetIO().KeyShift)))
         change_support(session, node->node);
     else if (ImGui::IsItemActivated() && session.tool != Tool::None) put_load(session, aim, at);
     else if (ImGui::IsItemActivated()) press(session, at);
-    else if (hand_.is_holding() && ImGui::IsItemActive()) hand_.pull(session, at);
-    else if (hand_.is_holding()) release(session);
+    else if (drag_.is_holding() && ImGui::IsItemActive()) drag_.pull(session, at);
+    else if (drag_.is_holding()) release(session);
 }
 
 /// A double click opens a field; nothing else is done where a value is written.
@@ -105,7 +105,7 @@ void Canvas::move_about(Session& session, ui::Point at)
 {
     const ImGuiIO& io = ImGui::GetIO();
     if (pointer_ && io.MouseWheel != 0.0F) zoom(session, std::pow(1.2, static_cast<double>(io.MouseWheel)));
-    const bool is_left = ImGui::IsItemActive() && !hand_.is_holding() && (dragged_ || !session.hover);
+    const bool is_left = ImGui::IsItemActive() && !drag_.is_holding() && (dragged_ || !session.hover);
     const bool is_middle = (pointer_ || dragged_) && ImGui::IsMouseDown(ImGuiMouseButton_Middle);
     if (!is_left && !is_middle) {
         is_panning_ = false;
@@ -124,7 +124,7 @@ void Canvas::follow_pupil(Session& session, ui::Point at)
     session.hover.reset();
     pointer_.reset();
     dragged_.reset();
-    if (hand_.is_holding()) hand_.release(session);
+    if (drag_.is_holding()) drag_.release(session);
     const auto cell = ImGui::IsItemHovered() ? pick_cell(drawn_, at) : std::nullopt;
     if (cell) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (ImGui::IsItemActivated() && (cell || !cell_field_.is_half_typed())) session.go_to_cell(cell);
@@ -132,19 +132,19 @@ void Canvas::follow_pupil(Session& session, ui::Point at)
 
 void Canvas::press(Session& session, ui::Point at)
 {
-    if (hand_.press(session, drawn_, at, ui::Theme(session.look.theme).symbol_scale()) || !session.hover) return;
+    if (drag_.press(session, drawn_, at, ui::Theme(session.look.theme).symbol_scale()) || !session.hover) return;
     session.is_playing = false;
-    if (const auto reason = session.balance(*session.hover)) session.tell(*reason);
+    if (const auto reason = session.balance(*session.hover)) session.notify(*reason);
 }
 
 void Canvas::release(Session& session)
 {
-    const auto node = hand_.release(session);
+    const auto node = drag_.release(session);
     const auto& task = session.solution().task;
     const auto joint = node && task ? task->problem.joint_at(*node) : std::nullopt;
     if (!joint) return;
     session.is_playing = false;
-    if (const auto reason = session.balance(*joint)) session.tell(*reason);
+    if (const auto reason = session.balance(*joint)) session.notify(*reason);
 }
 
 bool Canvas::is_over_structure(ui::Point beam) const
@@ -155,7 +155,7 @@ bool Canvas::is_over_structure(ui::Point beam) const
 
 void Canvas::draw_hint(ui::Painter& painter, const Session& session) const
 {
-    if (!pointer_ || hand_.is_holding() || value_field_.is_open() || written_at(session, drawn_, *pointer_)) return;
+    if (!pointer_ || drag_.is_holding() || value_field_.is_open() || written_at(session, drawn_, *pointer_)) return;
     const femoop::Model& model = session.document().model;
     if (session.tool != Tool::None) return draw_load_hint(painter, session);
     const double scale = ui::Theme(session.look.theme).symbol_scale();

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "apps/cross/session/structure_hand.h"
+#include "apps/cross/session/drag_controller.h"
 #include "apps/cross/window/cell_field.h"
 #include "apps/cross/window/value_field.h"
 #include "ui/context/imgui_session.h"
@@ -12,7 +12,7 @@
 namespace cross {
 
 /// The picture of a session, and what a hand does on it: a click on a joint balances it; in the
-/// picture of the structure a hand changes it (structure_hand.h); Shift and a click, or the right button, changes what
+/// picture of the structure a hand changes it (drag_controller.h); Shift and a click, or the right button, changes what
 /// holds a node; a double click on a value opens a field for it; with a tool in hand a click puts a load. While a pupil
 /// fills the sheet a click chooses a cell.
 class Canvas {
@@ -50,7 +50,7 @@ private:
     ui::Size sheet_{900.0, 700.0};
     Drawn drawn_;
     std::size_t drawn_of_ = 0; ///< Session::n_solved of what is drawn
-    StructureHand hand_;
+    DragController drag_;
     std::optional<ui::Point> pointer_; ///< over the picture
     std::optional<ui::Point> dragged_; ///< where the hand that moves the pictures was last
     bool is_panning_ = false;          ///< it has moved farther than a click

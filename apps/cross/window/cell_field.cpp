@@ -63,13 +63,14 @@ void CellField::show_here(Session& session)
 // Another cell was chosen, or what was written into this one changed, as by undo.
 void CellField::follow(Session& session)
 {
-    if (session.paper() == nullptr) {
+    if (session.worksheet() == nullptr) {
         cell_.reset();
         return;
     }
     if (std::exchange(of_, session.n_solved()) != session.n_solved()) cell_.reset();
-    const bool is_told = session.paper()->is_told;
-    if (!std::exchange(was_told_, is_told) && is_told && cell_) take(session, *cell_); // "Judge now" means it too
+    const bool shows_judgement = session.worksheet()->shows_judgement;
+    if (!std::exchange(was_told_, shows_judgement) && shows_judgement && cell_)
+        take(session, *cell_); // "Judge now" means it too
     if (cell_ && cell_ != session.cell()) {
         const auto next = session.cell();
         if (!take(session, *std::exchange(cell_, std::nullopt))) return;
@@ -117,7 +118,7 @@ bool CellField::take(Session& session, femoop::cross::BlankId cell)
     if (text_ == written_) return true;
     const auto reason = session.write(cell, text_);
     if (!reason) return true;
-    session.tell(*reason);
+    session.notify(*reason);
     reason_ = session.tr()(*reason);
     session.go_to_cell(cell);
     cell_ = cell;

@@ -33,10 +33,10 @@ std::optional<std::size_t> whole(const std::vector<std::string>& words, std::siz
 
 std::optional<NamedCell> cell_named(const Session& session, const std::vector<std::string>& words)
 {
-    if (session.paper() == nullptr || words.size() < 2) return std::nullopt;
+    if (session.worksheet() == nullptr || words.size() < 2) return std::nullopt;
     const auto* const kind = std::ranges::find(kinds, words[1], &std::pair<std::string_view, Asked>::first);
     if (kind == kinds.end()) return std::nullopt;
-    const fc::Form& form = session.paper()->form;
+    const fc::Form& form = session.worksheet()->form;
     const Asked asked = kind->second;
     const auto named = [](std::optional<fc::BlankId> cell, std::size_t n) {
         return cell ? std::optional(NamedCell{*cell, n}) : std::nullopt;
@@ -48,7 +48,7 @@ std::optional<NamedCell> cell_named(const Session& session, const std::vector<st
     const auto end = name < words.size() ? form.problem.find_end(words[name]) : std::nullopt;
     if (!end || turn < 1) return std::nullopt;
     const bool is_once = asked == Asked::Stiffness || asked == Asked::Factor || asked == Asked::Final;
-    return named(form.find(asked, is_once ? 0 : session.paper_stage(), turn - 1, end->index), name + 1);
+    return named(form.find(asked, is_once ? 0 : session.worksheet_stage(), turn - 1, end->index), name + 1);
 }
 
 } // namespace cross

@@ -48,42 +48,43 @@ const char* sign_of(fc::Verdict verdict)
 
 void show_verdict(const Session& session, std::size_t cell)
 {
-    const Paper& paper = *session.paper();
-    if (!paper.is_told || paper.judgements[cell].verdict == fc::Verdict::Open) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(paper.judgements[cell].verdict, session.look.theme));
-    ui::wrapped_text(sign_of(paper.judgements[cell].verdict) + session.tr()(verdict_words(paper.judgements[cell])));
+    const Worksheet& worksheet = *session.worksheet();
+    if (!worksheet.shows_judgement || worksheet.judgements[cell].verdict == fc::Verdict::Open) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(worksheet.judgements[cell].verdict, session.look.theme));
+    ui::wrapped_text(sign_of(worksheet.judgements[cell].verdict) +
+                     session.tr()(verdict_text(worksheet.judgements[cell])));
     ImGui::PopStyleColor();
 }
 
-void show_cell(Desk& desk, const CommandTable& commands, CellField& field, bool is_cell_drawn)
+void show_cell(Workspace& workspace, const CommandTable& commands, CellField& field, bool is_cell_drawn)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     const ui::Catalogue& tr = session.tr();
     if (!session.cell()) {
         ui::wrapped_text(tr("Click a cell of the sheet and type its number: 12.5, -20 or 1/3. Tab and Enter go on."));
-        ui::command_button(desk, commands, "exercise.next_cell");
+        ui::command_button(workspace, commands, "exercise.next_cell");
         return;
     }
-    ui::wrapped_text(tr(question(*session.paper(), session.document().model, *session.cell())));
+    ui::wrapped_text(tr(question(*session.worksheet(), session.document().model, *session.cell())));
     if (!is_cell_drawn) field.show_here(session);
     if (!session.cell()) return;
     show_verdict(session, session.cell()->index);
     for (const fc::Hint hint : session.hints()) ui::wrapped_text("· " + tr(words_of(hint)));
-    ui::command_button(desk, commands, "exercise.hint");
+    ui::command_button(workspace, commands, "exercise.hint");
     ImGui::SameLine();
-    ui::command_button(desk, commands, "exercise.show_cell");
+    ui::command_button(workspace, commands, "exercise.show_cell");
 }
 
 /// Every mistake that is there now; a click goes to its cell.
 void show_mistakes(Session& session)
 {
-    const Paper& paper = *session.paper();
-    if (!paper.is_told) return;
-    for (std::size_t i = 0; i < paper.form.blanks.size(); ++i) {
+    const Worksheet& worksheet = *session.worksheet();
+    if (!worksheet.shows_judgement) return;
+    for (std::size_t i = 0; i < worksheet.form.blanks.size(); ++i) {
         const fc::BlankId id(i);
-        if (paper.is_good(id) || paper.judgements[i].verdict == fc::Verdict::Open) continue;
+        if (worksheet.is_good(id) || worksheet.judgements[i].verdict == fc::Verdict::Open) continue;
         if (session.cell() == id) continue;
-        const std::string name = session.tr()(question(paper, session.document().model, id));
+        const std::string name = session.tr()(question(worksheet, session.document().model, id));
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::Selectable(ui::shown_whole(name).c_str())) session.go_to_cell(id);
         ImGui::PopID();
@@ -91,75 +92,76 @@ void show_mistakes(Session& session)
     }
 }
 
-std::string paper_stage_name(const Session& session, std::size_t stage)
+std::string worksheet_stage_name(const Session& session, std::size_t stage)
 {
-    const Paper& paper = *session.paper();
+    const Worksheet& worksheet = *session.worksheet();
     if (stage == 0) return session.tr()("Loads, sways propped");
-    if (stage == paper.n_sheets()) return session.tr()("All together");
-    const auto& sway = paper.form.problem.sways[stage - 1];
+    if (stage == worksheet.n_sheets()) return session.tr()("All together");
+    const auto& sway = worksheet.form.problem.sways[stage - 1];
     return session.tr()("Sway at {node}", {{"node", session.document().model[sway.prop].id}});
 }
 
-void show_paper_stages(Session& session)
+void show_worksheet_stages(Session& session)
 {
-    if (session.paper()->n_stages() < 2) return;
+    if (session.worksheet()->n_stages() < 2) return;
     separate();
-    for (std::size_t stage = 0; stage < session.paper()->n_stages(); ++stage) {
-        const std::string name = ui::item_label(paper_stage_name(session, stage),
+    for (std::size_t stage = 0; stage < session.worksheet()->n_stages(); ++stage) {
+        const std::string name = ui::item_label(worksheet_stage_name(session, stage),
                                                 "paper stage" + std::to_string(stage));
-        if (ImGui::RadioButton(name.c_str(), session.paper_stage() == stage)) session.show_paper_stage(stage);
+        if (ImGui::RadioButton(name.c_str(), session.worksheet_stage() == stage)) session.show_worksheet_stage(stage);
     }
 }
 
 } // namespace
 
-void ExercisePanel::show_beginning(Desk& desk, const CommandTable& commands)
+void ExercisePanel::show_beginning(Workspace& workspace, const CommandTable& commands)
 {
-    const ui::Catalogue tr = desk.tr(); // a command may change the language
+    const ui::Catalogue tr = workspace.tr(); // a command may change the language
     ui::wrapped_text(tr("Difficulty"));
     for (int i = 1; i <= n_difficulties; ++i) {
         const auto difficulty = static_cast<fc::Difficulty>(i);
         const std::string name = std::to_string(i) + "  " + tr(words_of(difficulty)) + "###difficulty";
         ImGui::PushID(i);
-        if (ImGui::RadioButton(name.c_str(), desk.next_exercise.difficulty == difficulty))
-            desk.next_exercise = {difficulty, 1};
+        if (ImGui::RadioButton(name.c_str(), workspace.next_exercise.difficulty == difficulty))
+            workspace.next_exercise = {difficulty, 1};
         ImGui::PopID();
     }
-    show_seed(desk);
-    ui::command_button(desk, commands, "exercise.new");
-    ui::command_button(desk, commands, "exercise.own");
-    if (desk.session.paper() == nullptr) return;
-    show_paper_stages(desk.session);
+    show_seed(workspace);
+    ui::command_button(workspace, commands, "exercise.new");
+    ui::command_button(workspace, commands, "exercise.own");
+    if (workspace.session.worksheet() == nullptr) return;
+    show_worksheet_stages(workspace.session);
     separate();
     const auto& command = *commands.find("exercise.judge_at_once");
-    bool is_on = command.is_on(desk);
-    if (ImGui::Checkbox((label(command, desk, tr) + "###judge at once").c_str(), &is_on)) run(command, desk);
+    bool is_on = command.is_on(workspace);
+    if (ImGui::Checkbox((label(command, workspace, tr) + "###judge at once").c_str(), &is_on)) run(command, workspace);
     for (const char* const id : {"exercise.judge", "exercise.start_over", "exercise.end"})
-        ui::command_button(desk, commands, id);
+        ui::command_button(workspace, commands, id);
 }
 
-void ExercisePanel::show_seed(Desk& desk)
+void ExercisePanel::show_seed(Workspace& workspace)
 {
-    const ui::Catalogue& tr = desk.tr();
+    const ui::Catalogue& tr = workspace.tr();
     ui::wrapped_text(tr("Number of the exercise: the same number gives the same one"));
-    const std::string text = std::to_string(desk.next_exercise.seed);
+    const std::string text = std::to_string(workspace.next_exercise.seed);
     const auto event = fields_.show("###seed", {.text = text, .exact_text = text, .value = std::nullopt});
     if (event.kind != ui::NumberFieldEvent::Kind::Typed) return;
     const auto typed = ui::number_typed(event.text);
     constexpr double most = std::numeric_limits<std::uint32_t>::max();
     if (!typed || *typed < 0.0 || *typed > most || *typed != std::floor(*typed))
         return fields_.reject(event, tr("wanted a whole number from 0 to 4294967295"));
-    desk.next_exercise.seed = static_cast<std::uint32_t>(*typed);
+    workspace.next_exercise.seed = static_cast<std::uint32_t>(*typed);
 }
 
-void ExercisePanel::show_paper(Desk& desk, const CommandTable& commands, CellField& field, bool is_cell_drawn)
+void ExercisePanel::show_worksheet(Workspace& workspace, const CommandTable& commands, CellField& field,
+                                   bool is_cell_drawn)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     ui::wrapped_text(exercise_name(session));
-    ui::wrapped_text(score_words(session));
+    ui::wrapped_text(score_text(session));
     separate();
-    show_cell(desk, commands, field, is_cell_drawn);
-    if (session.paper() == nullptr) return;
+    show_cell(workspace, commands, field, is_cell_drawn);
+    if (session.worksheet() == nullptr) return;
     separate();
     show_mistakes(session);
 }

@@ -11,13 +11,13 @@ namespace cross {
 class ExercisePanel {
 public:
     /// Difficulty, seed, and what begins and ends.
-    void show_beginning(Desk& desk, const CommandTable& commands);
+    void show_beginning(Workspace& workspace, const CommandTable& commands);
     /// \pre the session has a paper
-    void show_paper(Desk& desk, const CommandTable& commands, CellField& field, bool is_cell_drawn);
+    void show_worksheet(Workspace& workspace, const CommandTable& commands, CellField& field, bool is_cell_drawn);
     bool is_typing() const { return fields_.is_typing(); }
 
 private:
-    void show_seed(Desk& desk);
+    void show_seed(Workspace& workspace);
 
     ui::NumberFields fields_;
 };

@@ -13,9 +13,9 @@ namespace {
 
 std::string turns(const Session& session)
 {
-    if (session.play() == nullptr || session.play()->length() == 0) return "nothing";
+    if (session.turn_tree() == nullptr || session.turn_tree()->length() == 0) return "nothing";
     std::string words;
-    for (const Play::Turn& turn : session.play()->turns()) {
+    for (const TurnTree::Turn& turn : session.turn_tree()->turns()) {
         const auto& joints = session.solution().task->problem.joints;
         words += (words.empty() ? "" : " ") +
                  (turn ? session.document().model[joints[turn->index].node].id : std::string("all"));
@@ -24,7 +24,7 @@ std::string turns(const Session& session)
 }
 
 /// "BA -86.5": the moment at the end that the wanted words begin with.
-std::optional<std::string> total_complaint(const Session& session, std::string_view rest)
+std::optional<std::string> total_mismatch(const Session& session, std::string_view rest)
 {
     const std::string_view label = rest.substr(0, rest.find(' '));
     const auto& task = session.solution().task;
@@ -35,16 +35,16 @@ std::optional<std::string> total_complaint(const Session& session, std::string_v
 }
 
 /// "factor BA right": what is said of a cell.
-std::optional<std::string> cell_complaint(const Session& session, std::string_view expectation)
+std::optional<std::string> cell_mismatch(const Session& session, std::string_view expectation)
 {
     const auto words = ui::words_of(expectation);
     const auto named = cell_named(session, words);
     if (!named) return "expect: found \"" + std::string(expectation) + "\", wanted a cell of the sheet";
     std::string wanted;
     for (std::size_t i = named->n_words; i < words.size(); ++i) wanted += (wanted.empty() ? "" : " ") + words[i];
-    const Paper& paper = *session.paper();
+    const Worksheet& worksheet = *session.worksheet();
     std::string found = "not judged";
-    if (paper.is_told) found = ui::Catalogue()(verdict_words(paper.judgements[named->cell.index]));
+    if (worksheet.shows_judgement) found = ui::Catalogue()(verdict_text(worksheet.judgements[named->cell.index]));
     return ui::compared("cell", found.empty() ? "open" : found, wanted);
 }
 
@@ -56,7 +56,9 @@ const ui::Facts<Session>& facts()
              [](const Session& s) { return std::to_string(s.sheet() != nullptr ? s.sheet()->steps.size() : 0); }},
             {"turns", turns},
             {"branches",
-             [](const Session& s) { return std::to_string(s.play() != nullptr ? s.play()->branches().size() : 0); }},
+             [](const Session& s) {
+                 return std::to_string(s.turn_tree() != nullptr ? s.turn_tree()->branches().size() : 0);
+             }},
             {"sheet", [](const Session& s) { return std::to_string(s.document().stage); }},
             {"balanced",
              [](const Session& s) { return ui::yes_or_no(s.sheet() != nullptr && s.sheet()->is_balanced); }},
@@ -69,20 +71,21 @@ const ui::Facts<Session>& facts()
              }},
             {"score",
              [](const Session& s) {
-                 return s.paper() != nullptr ? std::to_string(s.points()) : std::string("nothing");
+                 return s.worksheet() != nullptr ? std::to_string(s.points()) : std::string("nothing");
              }},
             {"exercise",
-             [](const Session& s) { return s.paper() != nullptr ? exercise_name(s) : std::string("nothing"); }},
+             [](const Session& s) { return s.worksheet() != nullptr ? exercise_name(s) : std::string("nothing"); }},
             {"typing",
              [](const Session& s) {
-                 return s.cell() ? ui::Catalogue()(question(*s.paper(), s.document().model, *s.cell()))
+                 return s.cell() ? ui::Catalogue()(question(*s.worksheet(), s.document().model, *s.cell()))
                                  : std::string("nothing");
              }},
             {"hint",
              [](const Session& s) {
                  return s.hints().empty() ? std::string("nothing") : ui::Catalogue()(words_of(s.hints().back()));
              }},
-            {"solved", [](const Session& s) { return ui::yes_or_no(s.paper() != nullptr && s.paper()->is_solved()); }},
+            {"solved",
+             [](const Session& s) { return ui::yes_or_no(s.worksheet() != nullptr && s.worksheet()->is_solved()); }},
         },
         ", total, cell");
     return all;
@@ -93,9 +96,9 @@ const ui::Facts<Session>& facts()
 std::optional<std::string> why_not(std::string_view expectation, const Application& application)
 {
     const auto [what, rest] = ui::first_word(expectation);
-    if (what == "total") return total_complaint(application.session(), rest);
-    if (what == "cell") return cell_complaint(application.session(), expectation);
-    return facts().complaint(expectation, application.session());
+    if (what == "total") return total_mismatch(application.session(), rest);
+    if (what == "cell") return cell_mismatch(application.session(), expectation);
+    return facts().mismatch(expectation, application.session());
 }
 
 } // namespace cross

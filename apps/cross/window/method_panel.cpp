@@ -25,14 +25,15 @@ void heading(const std::string& words)
 }
 
 /// A command that is on or off, as a box to tick; greyed where it cannot run, its tip says why.
-void tick(Desk& desk, const CommandTable& commands, std::string_view id)
+void tick(Workspace& workspace, const CommandTable& commands, std::string_view id)
 {
     const auto& command = *commands.find(id);
-    const ui::Catalogue tr = desk.tr();
-    const auto reason = why_not(command, desk);
-    bool is_on = command.is_on(desk);
+    const ui::Catalogue tr = workspace.tr();
+    const auto reason = why_not(command, workspace);
+    bool is_on = command.is_on(workspace);
     ImGui::BeginDisabled(reason.has_value());
-    if (ImGui::Checkbox((label(command, desk, tr) + "###" + std::string(id)).c_str(), &is_on)) run(command, desk);
+    if (ImGui::Checkbox((label(command, workspace, tr) + "###" + std::string(id)).c_str(), &is_on))
+        run(command, workspace);
     ImGui::EndDisabled();
     if (!reason || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::BeginTooltip();
@@ -43,11 +44,11 @@ void tick(Desk& desk, const CommandTable& commands, std::string_view id)
 }
 
 /// One of several commands, as a round button.
-void choice(Desk& desk, const CommandTable& commands, std::string_view id)
+void choice(Workspace& workspace, const CommandTable& commands, std::string_view id)
 {
     const auto& command = *commands.find(id);
-    const std::string name = label(command, desk, ui::Catalogue(desk.tr())) + "###" + std::string(id);
-    if (ImGui::RadioButton(name.c_str(), command.is_on(desk))) run(command, desk);
+    const std::string name = label(command, workspace, ui::Catalogue(workspace.tr())) + "###" + std::string(id);
+    if (ImGui::RadioButton(name.c_str(), command.is_on(workspace))) run(command, workspace);
 }
 
 void show_cases(Session& session)
@@ -99,7 +100,7 @@ void show_stages(Session& session)
     }
 }
 
-std::string turns_in_words(const Session& session, const std::vector<Play::Turn>& turns)
+std::string turns_description(const Session& session, const std::vector<TurnTree::Turn>& turns)
 {
     constexpr std::size_t most = 12;
     std::string words = turns.size() > most ? "… " : "";
@@ -113,49 +114,50 @@ std::string turns_in_words(const Session& session, const std::vector<Play::Turn>
 
 void show_branches(Session& session)
 {
-    if (session.play() == nullptr || session.play()->branches().size() < 2) return;
+    if (session.turn_tree() == nullptr || session.turn_tree()->branches().size() < 2) return;
     heading(session.tr()("Ways gone so far"));
-    const Play play = *session.play();
-    for (const std::size_t end : play.branches()) {
-        const std::string name = ui::item_label(turns_in_words(session, play.turns_to(end)),
+    const TurnTree turn_tree = *session.turn_tree();
+    for (const std::size_t end : turn_tree.branches()) {
+        const std::string name = ui::item_label(turns_description(session, turn_tree.turns_to(end)),
                                                 "branch" + std::to_string(end));
-        if (ImGui::Selectable(name.c_str(), end == play.place())) session.go_to_branch(end);
+        if (ImGui::Selectable(name.c_str(), end == turn_tree.place())) session.go_to_branch(end);
     }
 }
 
 } // namespace
 
-void MethodPanel::show(Desk& desk, const CommandTable& commands)
+void MethodPanel::show(Workspace& workspace, const CommandTable& commands)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     if (session.solution().task) show_stages(session);
     show_cases(session);
     heading(session.tr()("Whose turn it is"));
     for (const char* const id : {"method.largest", "method.left_to_right", "method.all_at_once", "method.listed"})
-        choice(desk, commands, id);
-    if (session.document().method.order == fc::Order::Listed) show_own_order(desk);
+        choice(workspace, commands, id);
+    if (session.document().method.order == fc::Order::Listed) show_own_order(workspace);
     show_digits(session);
-    if (session.sheet() != nullptr) show_tolerance(desk);
+    if (session.sheet() != nullptr) show_tolerance(workspace);
     ImGui::Spacing();
     ImGui::Separator();
     for (const char* const id :
          {"method.modified", "method.symmetry", "show.tension_side", "show.fractions", "show.shears"})
-        tick(desk, commands, id);
+        tick(workspace, commands, id);
     if (session.solution().task) show_branches(session);
 }
 
-void MethodPanel::show_own_order(Desk& desk)
+void MethodPanel::show_own_order(Workspace& workspace)
 {
-    const std::string order = own_order(desk.session.document().method);
+    const std::string order = own_order(workspace.session.document().method);
     const ui::NumberFieldEvent event = fields_.show("###order",
                                                     {.text = order, .exact_text = order, .value = std::nullopt});
     if (event.kind != ui::NumberFieldEvent::Kind::Typed) return;
-    if (const auto reason = take_own_order(desk.session, event.text)) fields_.reject(event, desk.tr()(*reason));
+    if (const auto reason = take_own_order(workspace.session, event.text))
+        fields_.reject(event, workspace.tr()(*reason));
 }
 
-void MethodPanel::show_tolerance(Desk& desk)
+void MethodPanel::show_tolerance(Workspace& workspace)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     const ui::DisplayUnits units = units_of(session.document().model, session.tr());
     heading(units.label(session.tr()("Tolerance"), ui::Measure::Moment));
     const double shown = units.shown(session.sheet()->tolerance, ui::Measure::Moment);

@@ -9,12 +9,12 @@ namespace cross {
 /// ways that were gone so far.
 class MethodPanel {
 public:
-    void show(Desk& desk, const CommandTable& commands);
+    void show(Workspace& workspace, const CommandTable& commands);
     bool is_typing() const { return fields_.is_typing(); }
 
 private:
-    void show_own_order(Desk& desk);
-    void show_tolerance(Desk& desk);
+    void show_own_order(Workspace& workspace);
+    void show_tolerance(Workspace& workspace);
 
     ui::NumberFields fields_;
 };

@@ -10,17 +10,17 @@ namespace cross {
 namespace {
 
 /// A command as a button with a short word or sign; greyed where it cannot run, its tip says why.
-void button(Desk& desk, const CommandTable& commands, std::string_view id, const std::string& word)
+void button(Workspace& workspace, const CommandTable& commands, std::string_view id, const std::string& word)
 {
     const auto& command = *commands.find(id);
-    const auto reason = why_not(command, desk);
+    const auto reason = why_not(command, workspace);
     ImGui::BeginDisabled(reason.has_value());
-    if (ImGui::Button((word + "###" + std::string(id)).c_str())) run(command, desk);
+    if (ImGui::Button((word + "###" + std::string(id)).c_str())) run(command, workspace);
     ImGui::EndDisabled();
-    const ui::Catalogue tr = desk.tr();
+    const ui::Catalogue tr = workspace.tr();
     const std::string keys = command.shortcuts.empty() ? "" : " (" + text(command.shortcuts.front()) + ")";
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-        ImGui::SetTooltip("%s", reason ? tr(*reason).c_str() : (label(command, desk, tr) + keys).c_str());
+        ImGui::SetTooltip("%s", reason ? tr(*reason).c_str() : (label(command, workspace, tr) + keys).c_str());
     ImGui::SameLine();
 }
 
@@ -42,16 +42,16 @@ int slider(int done, int all, const std::string& words)
 }
 
 /// On the way that is gone: what is done, and what lies ahead.
-void jump_bar(Desk& desk)
+void jump_bar(Workspace& workspace)
 {
-    Session& session = desk.session;
-    const Play* const play = session.play();
-    const int done = play != nullptr ? static_cast<int>(play->length()) : 0;
-    const int all = play != nullptr ? done + static_cast<int>(play->n_ahead()) : 0;
+    Session& session = workspace.session;
+    const TurnTree* const turn_tree = session.turn_tree();
+    const int done = turn_tree != nullptr ? static_cast<int>(turn_tree->length()) : 0;
+    const int all = turn_tree != nullptr ? done + static_cast<int>(turn_tree->n_ahead()) : 0;
     ImGui::SetNextItemWidth(-1.0F);
     ImGui::BeginDisabled(all == 0);
-    const std::string words = desk.tr()("step {n} of {total}",
-                                        {{"n", std::to_string(done)}, {"total", std::to_string(all)}});
+    const std::string words = workspace.tr()("step {n} of {total}",
+                                             {{"n", std::to_string(done)}, {"total", std::to_string(all)}});
     if (all == 0) empty_bar(words);
     else if (const int place = slider(done, all, words); place != done) session.jump(static_cast<std::size_t>(place));
     ImGui::EndDisabled();
@@ -59,15 +59,15 @@ void jump_bar(Desk& desk)
 
 } // namespace
 
-void player_bar(Desk& desk, const CommandTable& commands)
+void player_bar(Workspace& workspace, const CommandTable& commands)
 {
-    const ui::Catalogue tr = desk.tr();
-    button(desk, commands, "work.restart", tr("Start"));
-    button(desk, commands, "work.back", tr("Back"));
-    button(desk, commands, "work.play", desk.session.is_playing ? tr("Pause") : tr("Play"));
-    button(desk, commands, "work.step", tr("Step"));
-    button(desk, commands, "work.finish", tr("To the end"));
-    jump_bar(desk);
+    const ui::Catalogue tr = workspace.tr();
+    button(workspace, commands, "work.restart", tr("Start"));
+    button(workspace, commands, "work.back", tr("Back"));
+    button(workspace, commands, "work.play", workspace.session.is_playing ? tr("Pause") : tr("Play"));
+    button(workspace, commands, "work.step", tr("Step"));
+    button(workspace, commands, "work.finish", tr("To the end"));
+    jump_bar(workspace);
 }
 
 } // namespace cross

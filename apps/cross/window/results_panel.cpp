@@ -30,20 +30,20 @@ tabular::Table part_of(const tabular::Table& whole, std::size_t begin, std::size
 }
 
 /// Buttons that go to the columns before and after.
-void turn_pages(Desk& desk, const tabular::Table& table, std::size_t n)
+void turn_pages(Workspace& workspace, const tabular::Table& table, std::size_t n)
 {
     const std::size_t last = table.columns.size() - 1;
-    desk.first_column = std::clamp<std::size_t>(desk.first_column, 1, last / n * n + 1);
+    workspace.first_column = std::clamp<std::size_t>(workspace.first_column, 1, last / n * n + 1);
     const auto button = [&](const char* words, bool can, std::size_t to) {
         ImGui::BeginDisabled(!can);
-        if (ImGui::Button(words)) desk.first_column = to;
+        if (ImGui::Button(words)) workspace.first_column = to;
         ImGui::EndDisabled();
         ImGui::SameLine();
     };
-    const std::size_t first = desk.first_column, end = std::min(last, first + n - 1);
+    const std::size_t first = workspace.first_column, end = std::min(last, first + n - 1);
     button("<###columns before", first > 1, first > n ? first - n : 1);
     button(">###columns after", end < last, first + n);
-    const std::string words = desk.tr()(
+    const std::string words = workspace.tr()(
         "{first} to {last}, of {n}",
         {{"first", table.columns[first].label()}, {"last", table.columns[end].label()}, {"n", std::to_string(last)}});
     ImGui::TextUnformatted(words.c_str());
@@ -109,7 +109,7 @@ void show_parts(const tabular::Table& table, const std::vector<std::size_t>& beg
     ImGui::EndChild();
 }
 
-void show_table(Desk& desk, const tabular::Table& whole)
+void show_table(Workspace& workspace, const tabular::Table& whole)
 {
     for (const std::string& note : whole.notes) ui::wrapped_text(note);
     if (whole.columns.empty()) return;
@@ -120,8 +120,9 @@ void show_table(Desk& desk, const tabular::Table& whole)
     }
     constexpr std::size_t most_columns = 64, shown = 48; // of Dear ImGui's tables
     const bool is_cut = whole.columns.size() > most_columns;
-    if (is_cut) turn_pages(desk, whole, shown);
-    const tabular::Table table = is_cut ? part_of(whole, desk.first_column, shown) : part_of(whole, 1, most_columns);
+    if (is_cut) turn_pages(workspace, whole, shown);
+    const tabular::Table table = is_cut ? part_of(whole, workspace.first_column, shown)
+                                        : part_of(whole, 1, most_columns);
     const auto flags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
                        ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingFixedFit;
     if (!ImGui::BeginTable("###table", static_cast<int>(table.columns.size()), flags)) return;
@@ -132,16 +133,16 @@ void show_table(Desk& desk, const tabular::Table& whole)
 
 } // namespace
 
-void results_panel(Desk& desk, const CommandTable& commands)
+void results_panel(Workspace& workspace, const CommandTable& commands)
 {
     ui::TabRow row;
     for (const TopicEntry& entry : topics()) {
-        const std::string title = desk.tr()(entry.label) + "###" + std::string(entry.id);
-        if (row.show(title, entry.value == desk.topic)) run(*commands.find(entry.id), desk);
+        const std::string title = workspace.tr()(entry.label) + "###" + std::string(entry.id);
+        if (row.show(title, entry.value == workspace.topic)) run(*commands.find(entry.id), workspace);
     }
     ImGui::Separator();
-    if (desk.topic != Topic::Exercises && desk.session.solution().task)
-        show_table(desk, table_of(desk.session, desk.topic));
+    if (workspace.topic != Topic::Exercises && workspace.session.solution().task)
+        show_table(workspace, table_of(workspace.session, workspace.topic));
 }
 
 } // namespace cross

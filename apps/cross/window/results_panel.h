@@ -6,6 +6,6 @@ namespace cross {
 
 /// The tables of the sheet, of its comparison with the stiffness method, of sways, convergence, Kani's method and the
 /// slope-deflection equations; one at a time.
-void results_panel(Desk& desk, const CommandTable& commands);
+void results_panel(Workspace& workspace, const CommandTable& commands);
 
 } // namespace cross

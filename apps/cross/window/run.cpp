@@ -13,7 +13,7 @@ int run(const ui::AppOptions& options)
 {
     return ui::run_with<Application, OffscreenStage, Session>(
         options, "cross", ui::draft_folder("cross", ".json", files::write_whole_file), [](Application& application) {
-            application.start_programs_by([](const ui::Handover& handover) { return ui::start_program(handover); });
+            application.start_programs_by([](const ui::ExportToApp& exported) { return ui::start_program(exported); });
         });
 }
 

@@ -59,7 +59,7 @@ std::optional<ui::Point> in_cell(const Application& application, const std::vect
 
 } // namespace
 
-ui::Stage::Sought OffscreenStage::find(std::string_view place)
+ui::Stage::Located OffscreenStage::find(std::string_view place)
 {
     if (const auto pixel = ui::pixel_place(place)) return *pixel;
     const auto words = ui::words_of(place);

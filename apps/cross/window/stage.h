@@ -22,7 +22,7 @@ class OffscreenStage final : public ui::OffscreenStage<Application> {
 public:
     using ui::OffscreenStage<Application>::OffscreenStage;
 
-    Sought find(std::string_view place) override;
+    Located find(std::string_view place) override;
 };
 
 } // namespace cross

@@ -67,7 +67,7 @@ void ValueField::take(Session& session)
         value_.reset();
         return session.change(std::move(*model), ui::translatable("Type a value"));
     }
-    reason_ = session.tr()(std::get<ui::Phrase>(next));
+    reason_ = session.tr()(std::get<ui::Message>(next));
     ++n_openings_;
     is_fresh_ = true;
 }

@@ -52,7 +52,7 @@ public:
         for (int i = 0; i <= n; ++i) outline.push_back(tail(static_cast<double>(i) / n));
         draw_area(outline);
         scene_.sketch.polyline(outline, scene_.sketch.thin(ui::Role::Load));
-        if (scene_.crowding.is_crowded()) { // the ends' arrows would run into columns, the base into the member
+        if (scene_.detail.is_reduced()) { // the ends' arrows would run into columns, the base into the member
             for (int i = 0; i < n; ++i) draw_arrow((i + 0.5) / n);
         } else {
             scene_.sketch.line(head(0.0), head(1.0), scene_.sketch.thin(ui::Role::Load), Clearance::None);
@@ -79,7 +79,7 @@ private:
         const double length = ui::distance(head(0.0), head(1.0));
         const double widest = scene_.sketch.px(34.0);
         const double spacing = std::clamp(length / 20.0, scene_.sketch.px(15.0), widest);
-        const double apart = scene_.crowding.is_crowded() ? 2.0 * widest : spacing; // smaller arrows are not more
+        const double apart = scene_.detail.is_reduced() ? 2.0 * widest : spacing; // smaller arrows are not more
         return std::clamp(static_cast<int>(std::lround(length / apart)), 1, 200);
     }
 

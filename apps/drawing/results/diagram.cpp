@@ -161,7 +161,7 @@ Diagram make_diagram(const Scene& scene, const SolvedCase& solved, MemberCompone
     // What the structure itself leaves free of the panel's height makes a beam's diagrams higher.
     const double spare = std::max(0.0, panel.height - height_of(scene) - 100.0);
     const double room = share * (std::min(panel.width, panel.height) + 0.6 * spare);
-    const double height = std::clamp(std::min(room, 3.2 * share * scene.crowding.median_length()), 16.0, 130.0);
+    const double height = std::clamp(std::min(room, 3.2 * share * scene.detail.median_length()), 16.0, 130.0);
     const LockedScale* const locked = scene.locked_scale();
     const double scaled_for = scaling_value(locked ? (*locked)[component] : 0.0, diagram.largest);
     diagram.pixels_per_unit = height * scene.options.diagram_factor / scaled_for;

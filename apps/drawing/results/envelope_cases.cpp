@@ -28,7 +28,7 @@ std::string governed(const std::string& number, const std::string& case_name)
     return number + " (" + ui::shortened(case_name, longest_name) + ")";
 }
 
-std::string envelope_words(const femoop::Model& model, const DrawOptions& options)
+std::string envelope_text(const femoop::Model& model, const DrawOptions& options)
 {
     const std::vector<femoop::CaseId> chosen = envelope_cases(model, options);
     if (chosen.size() == model.n_cases()) return options.tr("Envelope of all cases");

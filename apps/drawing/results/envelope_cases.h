@@ -11,7 +11,7 @@ namespace drawing {
 std::vector<femoop::CaseId> envelope_cases(const femoop::Model& model, const DrawOptions& options);
 
 /// "Envelope of all cases", "Envelope of G, Q, U1"
-std::string envelope_words(const femoop::Model& model, const DrawOptions& options);
+std::string envelope_text(const femoop::Model& model, const DrawOptions& options);
 
 /// "58.5 (G)": a number with the case that makes it, whose name is shortened where it is long.
 std::string governed(const std::string& number, const std::string& case_name);

@@ -30,7 +30,7 @@ public:
         {
             const ui::LayerScope layer(sketch().painter(), ui::Layer::Areas);
             sketch().polygon(line, sketch().theme().fill(look_.role), Clearance::Inside);
-            if (!scene_.crowding.is_crowded()) draw_hatching();
+            if (!scene_.detail.is_reduced()) draw_hatching();
         }
         sketch().polyline(line, sketch().stroke(look_.role), Clearance::Hard);
         if (look_.has_signs) draw_signs(ordinates);

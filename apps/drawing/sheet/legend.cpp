@@ -33,7 +33,7 @@ std::string terms_text(const femoop::Model& model, const femoop::Combination& co
 
 std::string case_text(const femoop::Model& model, const DrawOptions& options)
 {
-    if (options.is_envelope) return envelope_words(model, options);
+    if (options.is_envelope) return envelope_text(model, options);
     const std::size_t index = options.load_case.index;
     if (index >= model.n_cases()) return {};
     const std::string& name = model.case_name(options.load_case);

@@ -112,7 +112,7 @@ private:
         if (!solved || model.analysis != scene_.model.analysis) return;
         const StructureShape shape = shape_of(model);
         const Scene former{model,        shape,         scene_.projection, scene_.options, scene_.state,
-                           scene_.units, scene_.sketch, scene_.crowding,   scene_.show};
+                           scene_.units, scene_.sketch, scene_.detail,     scene_.show};
         for (const Diagram& diagram : present) draw_reference(former, *solved, diagram);
     }
 
@@ -376,14 +376,14 @@ Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, con
     const ui::ClipScope clip(painter, panel.box);
     const ui::Theme theme = theme_for(theme_, options_.layout, panel.box.size(), aspect(usual_camera()));
     const Projection projection(camera, panel.box.min);
-    const Crowding crowding(shape_, projection);
+    const LevelOfDetail detail(shape_, projection);
     Sketch sketch({.painter = &painter,
                    .theme = &theme,
                    .room = panel.box.grown(-4.0),
-                   .symbol_factor = options_.symbol_factor * crowding.symbol_share(),
-                   .is_crowded = crowding.is_crowded(),
+                   .symbol_factor = options_.symbol_factor * detail.symbol_share(),
+                   .is_reduced = detail.is_reduced(),
                    .is_measured = pass == Pass::Measure});
-    const Scene scene{input_.model, shape_, projection, options_, state_, units_, sketch, crowding, panel.show};
+    const Scene scene{input_.model, shape_, projection, options_, state_, units_, sketch, detail, panel.show};
     PanelPicture picture(scene, input_, panel.box.size());
     if (!options_.show.contains(Show::M) && !shows_any(panel.show, diagrams)) picture.draw_overlay_alone();
     if (const auto& motion = input_.motion) picture.draw_mechanism(motion->all[motion->shown]);
@@ -477,7 +477,7 @@ void Subject::draw_left_out(ui::Painter& painter, std::size_t n_left_out) const
     painter.text(chosen.at, words, style_at(chosen));
 }
 
-bool Subject::has_overlay_words() const
+bool Subject::has_overlay_text() const
 {
     return input_.overlay && is_solved_ && !options_.is_envelope && options_.show.contains(Show::M);
 }
@@ -491,7 +491,7 @@ std::vector<std::string> Subject::foot_lines(ui::Size sheet, const ui::Fonts& fo
 {
     std::vector<std::string> sentences, lines;
     if (input_.motion) sentences.push_back(input_.motion->sentence);
-    if (has_overlay_words()) sentences = input_.overlay->foot({input_.model, shape_, units_, options_.tr});
+    if (has_overlay_text()) sentences = input_.overlay->foot({input_.model, shape_, units_, options_.tr});
     for (const std::string& one : sentences) {
         const std::vector<std::string> wrapped_one = ui::wrapped_lines(fonts, one, foot_style(), sheet.width - 32.0);
         lines.insert(lines.end(), wrapped_one.begin(), wrapped_one.end());
@@ -506,7 +506,7 @@ void Subject::draw_foot(ui::Painter& painter) const
     const std::vector<std::string> lines = foot_lines(painter.size(), painter.fonts());
     double y = painter.sheet().max.y - 10.0 - 1.4 * style.size * static_cast<double>(lines.size()) + 1.4 * style.size;
     for (const std::string& line : lines) {
-        style.weight = has_overlay_words() && &line == &lines.front() ? ui::Weight::Bold : ui::Weight::Regular;
+        style.weight = has_overlay_text() && &line == &lines.front() ? ui::Weight::Bold : ui::Weight::Regular;
         painter.text({16.0, y}, line, style);
         y += 1.4 * style.size;
     }

@@ -2,7 +2,7 @@
 
 #include "apps/drawing/draw_options.h"
 #include "apps/drawing/draw_state.h"
-#include "apps/drawing/geometry/crowding.h"
+#include "apps/drawing/geometry/level_of_detail.h"
 #include "apps/drawing/geometry/projection.h"
 #include "apps/drawing/geometry/structure_shape.h"
 #include "apps/drawing/sketch/sketch.h"
@@ -20,7 +20,7 @@ struct Scene {
     const DrawState& state;
     const ui::DisplayUnits& units;
     Sketch& sketch;
-    const Crowding& crowding;
+    const LevelOfDetail& detail;
     ShowSet show; ///< what this panel shows of what the options ask for
 
     bool shows(Show item) const { return show.contains(item); }

@@ -37,7 +37,7 @@ Sketch::Sketch(const Setup& setup)
       theme_(setup.theme),
       symbol_scale_(setup.theme->symbol_scale() * setup.symbol_factor),
       room_(setup.room),
-      is_crowded_(setup.is_crowded),
+      is_crowded_(setup.is_reduced),
       is_measured_(setup.is_measured),
       placer_({.room = setup.room})
 {

@@ -83,14 +83,14 @@ public:
         double symbol_factor = 1.0;
         /// Strokes are slim, without the round joins and ends that nobody would see, and where captions crowd lesser
         /// ones are left out.
-        bool is_crowded = false;
+        bool is_reduced = false;
         bool is_measured = false; ///< for the room that the marks take: nothing is written
     };
     explicit Sketch(const Setup& setup);
 
     ui::Painter& painter() { return *painter_; }
     const ui::Theme& theme() const { return *theme_; }
-    bool is_crowded() const { return is_crowded_; }
+    bool is_reduced() const { return is_crowded_; }
     /// A length in the theme's symbol size.
     double px(double logical) const { return logical * symbol_scale_; }
     /// Em of values beside those at extremes and of names of members; on the projector a class reads them all.

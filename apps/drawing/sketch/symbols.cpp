@@ -32,7 +32,7 @@ void arrow_head(Sketch& sketch, ui::Point tip, ui::Point direction, double lengt
     const ui::Point d = ui::direction(direction);
     const ui::Point n = ui::left_normal(d);
     const ui::Point back = tip - length * d;
-    if (sketch.is_crowded()) // too small for a notch to be seen
+    if (sketch.is_reduced()) // too small for a notch to be seen
         return sketch.polygon({tip, back + 0.36 * length * n, back - 0.36 * length * n}, color);
     sketch.polygon({tip, back + 0.36 * length * n, back + 0.12 * length * d, back - 0.36 * length * n}, color);
 }

@@ -155,7 +155,7 @@ void draw_joints(const Scene& scene)
         const femoop::NodeId node{i};
         if (is_truss || scene.model[node].hinge)
             draw_ring(scene, scene.place(node), scene.sketch.px(is_truss ? 3.6 : hinge_radius));
-        else if (!scene.crowding.is_crowded() || scene.shape.members_at[i].empty()) // under slim members none is seen
+        else if (!scene.detail.is_reduced() || scene.shape.members_at[i].empty()) // under slim members none is seen
             scene.sketch.disc(scene.place(node), scene.sketch.px(3.0), scene.sketch.theme().fill(ui::Role::Node));
     }
 }

@@ -12,7 +12,7 @@ namespace euler {
 namespace {
 
 using topology::EulerCounts;
-using ui::Phrase;
+using ui::Message;
 using ui::translatable;
 
 /// The sentence of each word of the script language. Places are the words of its line, by number: {1} is the solid.
@@ -58,10 +58,10 @@ std::string_view sentence(std::string_view word, const EulerCounts& before, cons
 
 } // namespace
 
-Phrase meaning(std::string_view line, const EulerCounts& before, const EulerCounts& after)
+Message meaning(std::string_view line, const EulerCounts& before, const EulerCounts& after)
 {
     const auto words = topology::words(line);
-    Phrase said(sentence(words.front(), before, after));
+    Message said(sentence(words.front(), before, after));
     for (std::size_t i = 1; i < words.size(); ++i)
         said.arguments.emplace_back(std::to_string(i), std::string(words[i]));
     return said;

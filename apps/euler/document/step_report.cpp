@@ -44,8 +44,8 @@ Change together(const std::vector<Change>& changes)
         created.insert(change.created.begin(), change.created.end());
         killed.insert(change.killed.begin(), change.killed.end());
         changed.insert(change.changed.begin(), change.changed.end());
-        for (const topology::Parting& split : change.split) all.split.push_back(split);
-        for (const topology::Parting& joined : change.joined) all.joined.push_back(joined);
+        for (const topology::SplitOrJoin& split : change.split) all.split.push_back(split);
+        for (const topology::SplitOrJoin& joined : change.joined) all.joined.push_back(joined);
     }
     all.created = without(created, killed);
     all.killed = without(killed, created);

@@ -6,7 +6,7 @@
 
 #include "topology/halfedge/check/shells.h"
 #include "topology/halfedge/operators/change.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace euler {
 
@@ -23,9 +23,9 @@ struct StepReport : StepSummary {
     std::vector<topology::Change> changes; ///< one for each operator
     std::string inverse_name;              ///< "KEV"; of a sweep, and where one is not enough, "KEF, KEV"
     std::vector<std::string> inverse;      ///< the lines that would take the step back: "kev s1 v1 v2"
-    ui::Phrase warning;                    ///< what is odd about places, though all links are right; may be empty
-    ui::Phrase meaning;                    ///< what the line did, in a sentence
-    ui::Phrase explanation;                ///< the comment just above the step and at its end; may be empty
+    ui::Message warning;                   ///< what is odd about places, though all links are right; may be empty
+    ui::Message meaning;                   ///< what the line did, in a sentence
+    ui::Message explanation;               ///< the comment just above the step and at its end; may be empty
 };
 
 /// The six differences in the order of the formula, V E F L S G: "MEF: 0 +1 +1 +1 0 0".

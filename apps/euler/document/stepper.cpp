@@ -71,12 +71,12 @@ EulerCounts counted_after(const topology::Solid& solid, const EulerCounts& befor
 
 } // namespace
 
-ui::Phrase reason(const topology::LineError& error)
+ui::Message reason(const topology::LineError& error)
 {
-    ui::Phrase phrase(error.pattern());
+    ui::Message message(error.pattern());
     for (std::size_t i = 0; i < error.words().size(); ++i)
-        phrase.arguments.emplace_back(std::to_string(i), error.words()[i]);
-    return phrase;
+        message.arguments.emplace_back(std::to_string(i), error.words()[i]);
+    return message;
 }
 
 Stepper::Stepper(std::string_view script)
@@ -175,11 +175,11 @@ StepReport Stepper::report(std::size_t i) const
 }
 
 // The last operator's ring is told; those of a sweep make none.
-ui::Phrase Stepper::warning(const std::vector<Change>& changes, std::size_t solid) const
+ui::Message Stepper::warning(const std::vector<Change>& changes, std::size_t solid) const
 {
     const topology::NamedSolid& in = runner_.solids()[solid];
     const auto found = off_plane(in.solid, changes.back());
-    if (!found) return ui::Phrase("");
+    if (!found) return ui::Message("");
     return {
         translatable(
             "{vertex} lies outside the plane of face {face}: the links are right, but no flat face has such a ring."),
@@ -208,7 +208,7 @@ void Stepper::go_to(std::size_t place)
     if (place > now) runner_.run_line("redo " + std::to_string(place - now));
 }
 
-std::optional<ui::Phrase> Stepper::apply(std::string_view line)
+std::optional<ui::Message> Stepper::apply(std::string_view line)
 {
     const std::string after = std::exchange(above_, "");
     const bool is_at_end = place() == n_steps();
@@ -235,7 +235,7 @@ void Stepper::open_sweep()
         if (i == place) text.append(step.above()).append("#     ").append(step.line()).append("\n").append(lines);
         else text.append(step.text) += '\n';
     }
-    ui::Phrase heading = heading_;
+    ui::Message heading = heading_;
     *this = Stepper(text + above_);
     heading_ = std::move(heading);
     go_to(place - 1);

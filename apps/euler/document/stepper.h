@@ -10,7 +10,7 @@
 #include "apps/euler/document/step_report.h"
 #include "topology/script/script_runner.h"
 #include "topology/text/line_error.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace euler {
 
@@ -33,7 +33,7 @@ public:
 
     /// Does what one more line says, here: what came after is forgotten. `undo n` and `redo n` move the place.
     /// \returns why it cannot be done, nothing then being changed
-    std::optional<ui::Phrase> apply(std::string_view line);
+    std::optional<ui::Message> apply(std::string_view line);
 
     const topology::ScriptRunner& runner() const { return runner_; }
     StepSummary summary(std::size_t i) const; ///< \pre 1 <= i <= n_steps(), likewise of the next
@@ -53,7 +53,7 @@ public:
     Script whole() const;
     std::string script() const; ///< its text
     /// The comment that the script begins with, up to its first empty line; "" if it begins otherwise.
-    const ui::Phrase& heading() const { return heading_; }
+    const ui::Message& heading() const { return heading_; }
 
 private:
     /// What is kept of a step; all else is found again where it is asked for, so that a million steps have room.
@@ -70,7 +70,7 @@ private:
     };
     std::optional<topology::LineError> run_all(std::string_view script);
     topology::LineKind run(std::string_view line);
-    ui::Phrase warning(const std::vector<topology::Change>& changes, std::size_t solid) const;
+    ui::Message warning(const std::vector<topology::Change>& changes, std::size_t solid) const;
     void forget_undone();
     std::shared_ptr<const Entry> entry(std::string_view line);
     topology::EulerCounts counts_after(std::size_t step) const; ///< all 0 of step 0
@@ -80,7 +80,7 @@ private:
     std::vector<std::shared_ptr<const Entry>> steps_; ///< never changed, so that copies share them
     std::vector<std::vector<std::size_t>> steps_of_;  ///< by solid: which steps are its, in order
     std::string above_; ///< of the step that is read next; in the end, what follows the last step
-    ui::Phrase heading_;
+    ui::Message heading_;
 };
 
 struct Stepper::Begun {
@@ -102,6 +102,6 @@ private:
 };
 
 /// The sentence of a line that cannot be run, without its place in the text.
-ui::Phrase reason(const topology::LineError& error);
+ui::Message reason(const topology::LineError& error);
 
 } // namespace euler

@@ -8,15 +8,15 @@
 #include "apps/euler/session/operator_commands.h"
 #include "apps/euler/session/script_commands.h"
 #include "apps/euler/session/step_commands.h"
-#include "ui/desk/file_commands.h"
+#include "ui/workspace/file_commands.h"
 
 namespace euler {
 
 using ui::translatable;
 
-std::function<void(Desk&)> asks(Request request)
+std::function<void(Workspace&)> asks(Request request)
 {
-    return [request](Desk& desk) { desk.requests.push_back(request); };
+    return [request](Workspace& workspace) { workspace.requests.push_back(request); };
 }
 
 CommandTable command_table()

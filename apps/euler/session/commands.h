@@ -10,7 +10,7 @@
 #include "apps/euler/session/session.h"
 #include "topology/tables/entity_tables.h"
 #include "ui/command/menu_builder.h"
-#include "ui/desk/document_desk.h"
+#include "ui/workspace/document_workspace.h"
 
 namespace euler {
 
@@ -26,8 +26,8 @@ enum class Structure : std::uint8_t { HalfEdges, WingedEdges };
 
 /// A session, the panels around its picture, and what its commands ask the window for. The window takes the requests
 /// once a frame.
-struct Desk : ui::DocumentDesk<Desk, Session> {
-    using DocumentDesk::DocumentDesk;
+struct Workspace : ui::DocumentWorkspace<Workspace, Session> {
+    using DocumentWorkspace::DocumentWorkspace;
     void show_table(topology::TableKind kind)
     {
         table = wanted_table = kind;
@@ -44,7 +44,7 @@ struct Desk : ui::DocumentDesk<Desk, Session> {
     bool has_tables = true;
 };
 
-using CommandTable = ui::CommandTable<Desk>;
+using CommandTable = ui::CommandTable<Workspace>;
 
 /// Everything that the app can do, by name.
 CommandTable command_table();
@@ -55,6 +55,6 @@ using TableEntry = ui::Choice<topology::TableKind>;
 std::span<const TableEntry> tables(); ///< likewise
 
 /// A command that asks this app's window for something.
-std::function<void(Desk&)> asks(Request request);
+std::function<void(Workspace&)> asks(Request request);
 
 } // namespace euler

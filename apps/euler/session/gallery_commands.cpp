@@ -28,11 +28,11 @@ std::span<const std::string> gallery_command_ids()
 
 void add_gallery_commands(CommandTable& table)
 {
-    ui::MenuBuilder<Desk> menu(table, translatable("Gallery"));
+    ui::MenuBuilder<Workspace> menu(table, translatable("Gallery"));
     const std::vector<GalleryItem> items = gallery();
     for (std::size_t i = 0; i < items.size(); ++i)
-        menu.step({gallery_command_ids()[i], items[i].title}, [script = items[i].script](Desk& desk) {
-            desk.leave_document([script](Desk& left) {
+        menu.step({gallery_command_ids()[i], items[i].title}, [script = items[i].script](Workspace& workspace) {
+            workspace.leave_document([script](Workspace& left) {
                 left.session.show(Stepper(script));
                 left.topic = Topic::Script;
             });

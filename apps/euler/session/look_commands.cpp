@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "ui/desk/standard_commands.h"
+#include "ui/workspace/standard_commands.h"
 
 namespace euler {
 
@@ -11,7 +11,7 @@ using topology::TableKind;
 using ui::Key;
 using ui::shift;
 using ui::translatable;
-using Menu = ui::MenuBuilder<Desk>;
+using Menu = ui::MenuBuilder<Workspace>;
 
 namespace {
 
@@ -29,11 +29,11 @@ void add_views(CommandTable& table)
 {
     Menu menu(table, view_menu);
     menu.choices(
-        kinds, [](const Desk& desk) { return desk.session.view(); },
-        [](Desk& desk, ViewKind kind) { desk.session.show_as(kind); });
+        kinds, [](const Workspace& workspace) { return workspace.session.view(); },
+        [](Workspace& workspace, ViewKind kind) { workspace.session.show_as(kind); });
     ui::standard::add_zoom(table, translatable("Show everything"), {{Key::F, {}}});
     menu.step({"view.isometric", translatable("From a corner"), {{Key::Digit7, {}}}},
-              [](Desk& desk) { desk.session.look_from_corner(); });
+              [](Workspace& workspace) { workspace.session.look_from_corner(); });
     menu.step({"view.front", translatable("From the front"), {{Key::Digit8, {}}}}, asks(Request::LookFront));
     menu.step({"view.side", translatable("From the side"), {{Key::Digit9, {}}}}, asks(Request::LookSide));
     menu.step({"view.top", translatable("From the top"), {{Key::Digit0, {}}}}, asks(Request::LookTop));
@@ -55,10 +55,10 @@ constexpr std::array names{
     NameEntry{EntityKind::Face, "view.show.face_names", translatable("Names of faces"), {{Key::N, shift}}},
 };
 
-void show_names(Desk& desk, EntityKind kind, bool is_on)
+void show_names(Workspace& workspace, EntityKind kind, bool is_on)
 {
-    if (is_on) desk.session.look.names.insert(kind);
-    else desk.session.look.names.erase(kind);
+    if (is_on) workspace.session.look.names.insert(kind);
+    else workspace.session.look.names.erase(kind);
 }
 
 void add_show(CommandTable& table)
@@ -66,11 +66,12 @@ void add_show(CommandTable& table)
     ui::standard::add_look_switches(table, show_menu, looks);
     Menu menu(table, show_menu);
     menu.toggles(
-        names, [](const Desk& desk, EntityKind kind) { return desk.session.look.names.contains(kind); }, show_names);
+        names, [](const Workspace& workspace, EntityKind kind) { return workspace.session.look.names.contains(kind); },
+        show_names);
     menu.toggle(
         {"view.show.exploded", translatable("Exploded"), {{Key::X, shift}}},
-        [](const Desk& desk) { return desk.session.look.explosion > 0.0; },
-        [](Desk& desk, bool is_on) { desk.session.look.explosion = is_on ? 0.5 : 0.0; });
+        [](const Workspace& workspace) { return workspace.session.look.explosion > 0.0; },
+        [](Workspace& workspace, bool is_on) { workspace.session.look.explosion = is_on ? 0.5 : 0.0; });
 }
 
 constexpr std::array topic_entries{
@@ -89,23 +90,23 @@ constexpr std::array table_entries{
     TableEntry{TableKind::Solids, "table.solids", translatable("Solids")},
 };
 
-bool shows_winged_edges(const Desk& desk) { return desk.structure == Structure::WingedEdges; }
+bool shows_winged_edges(const Workspace& workspace) { return workspace.structure == Structure::WingedEdges; }
 
-std::optional<TableKind> shown_table(const Desk& desk)
+std::optional<TableKind> shown_table(const Workspace& workspace)
 {
-    return shows_winged_edges(desk) ? std::nullopt : std::optional(desk.table);
+    return shows_winged_edges(workspace) ? std::nullopt : std::optional(workspace.table);
 }
 
-void open_table(Desk& desk, TableKind kind)
+void open_table(Workspace& workspace, TableKind kind)
 {
-    desk.show_table(kind);
-    desk.has_tables = true;
+    workspace.show_table(kind);
+    workspace.has_tables = true;
 }
 
-void open_winged_edges(Desk& desk)
+void open_winged_edges(Workspace& workspace)
 {
-    desk.structure = Structure::WingedEdges;
-    desk.has_tables = true;
+    workspace.structure = Structure::WingedEdges;
+    workspace.has_tables = true;
 }
 
 void add_panels(CommandTable& table)
@@ -114,7 +115,7 @@ void add_panels(CommandTable& table)
     Menu(table, view_menu)
         .toggle(
             {"view.tables", translatable("Tables"), {{Key::T, {}}}},
-            [](auto& desk) -> auto& { return desk.has_tables; });
+            [](auto& workspace) -> auto& { return workspace.has_tables; });
     ui::standard::add_topics(table, topic_entries);
     Menu menu(table, translatable("Tables"));
     menu.choices(table_entries, shown_table, open_table);

@@ -5,7 +5,7 @@
 namespace euler {
 
 using ui::Key;
-using ui::Phrase;
+using ui::Message;
 using ui::Reason;
 using ui::translatable;
 
@@ -16,43 +16,43 @@ constexpr std::array<std::string_view, n_verbs> operator_ids{
     "operator.kef",  "operator.kemr", "operator.mekr", "operator.kfmrh",  "operator.mfkrh", "operator.mvr",
     "operator.kvr",  "operator.semv", "operator.jekv", "operator.ringmv", "operator.move",  "operator.sweep"};
 
-Reason needs_draft(const Desk& desk)
+Reason needs_draft(const Workspace& workspace)
 {
-    if (desk.session.draft()) return std::nullopt;
+    if (workspace.session.draft()) return std::nullopt;
     return translatable("no operator is chosen");
 }
 
-Reason why_not_accept(const Desk& desk)
+Reason why_not_accept(const Workspace& workspace)
 {
-    if (Reason reason = needs_draft(desk)) return reason;
-    if (desk.session.draft()->is_complete()) return std::nullopt;
-    return {{translatable("{what} is missing"), {{"what", Phrase(desk.session.draft()->next().prompt)}}}};
+    if (Reason reason = needs_draft(workspace)) return reason;
+    if (workspace.session.draft()->is_complete()) return std::nullopt;
+    return {{translatable("{what} is missing"), {{"what", Message(workspace.session.draft()->next().prompt)}}}};
 }
 
 // Of what is being made: the text of the script, a line that is drawn, or an operator.
-void cancel(Desk& desk)
+void cancel(Workspace& workspace)
 {
-    if (desk.session.edited_text) return desk.session.give_up_text();
-    if (desk.session.is_drawing()) desk.session.draw_or_look();
-    desk.session.give_up();
+    if (workspace.session.edited_text) return workspace.session.cancel_text();
+    if (workspace.session.is_drawing()) workspace.session.draw_or_look();
+    workspace.session.cancel_operator();
 }
 
-Reason why_not_cancel(const Desk& desk)
+Reason why_not_cancel(const Workspace& workspace)
 {
-    return desk.session.is_drawing() || desk.session.edited_text ? std::nullopt : needs_draft(desk);
+    return workspace.session.is_drawing() || workspace.session.edited_text ? std::nullopt : needs_draft(workspace);
 }
 
-Phrase cancel_label(const Desk& desk)
+Message cancel_label(const Workspace& workspace)
 {
-    return desk.session.edited_text ? translatable("Give up the text") : translatable("Give up the operator");
+    return workspace.session.edited_text ? translatable("Give up the text") : translatable("Give up the operator");
 }
 
 } // namespace
 
-void show_operators(Desk& desk)
+void show_operators(Workspace& workspace)
 {
-    desk.topic = Topic::Operators;
-    desk.has_panels = true;
+    workspace.topic = Topic::Operators;
+    workspace.has_panels = true;
 }
 
 std::string command_id(const OperatorForm& form)
@@ -62,19 +62,19 @@ std::string command_id(const OperatorForm& form)
 
 namespace {
 
-void add_operator(ui::MenuBuilder<Desk>& menu, const OperatorForm& form)
+void add_operator(ui::MenuBuilder<Workspace>& menu, const OperatorForm& form)
 {
-    const auto begin = [verb = form.verb](Desk& desk) {
-        desk.session.begin(verb);
-        show_operators(desk);
+    const auto begin = [verb = form.verb](Workspace& workspace) {
+        workspace.session.begin(verb);
+        show_operators(workspace);
     };
     auto& row = menu.step({operator_ids[static_cast<std::size_t>(form.verb)], form.meaning}, begin);
-    row.is_on = [verb = form.verb](const Desk& desk) {
-        return desk.session.draft() && desk.session.draft()->form().verb == verb;
+    row.is_on = [verb = form.verb](const Workspace& workspace) {
+        return workspace.session.draft() && workspace.session.draft()->form().verb == verb;
     };
-    row.live_label = [&form](const Desk&) -> Phrase {
+    row.live_label = [&form](const Workspace&) -> Message {
         return {translatable("{operator}: {meaning}"),
-                {{"operator", std::string(form.name)}, {"meaning", Phrase(form.meaning)}}};
+                {{"operator", std::string(form.name)}, {"meaning", Message(form.meaning)}}};
     };
 }
 
@@ -82,22 +82,22 @@ void add_operator(ui::MenuBuilder<Desk>& menu, const OperatorForm& form)
 
 void add_operator_commands(CommandTable& table)
 {
-    ui::MenuBuilder<Desk> menu(table, translatable("Operator"));
+    ui::MenuBuilder<Workspace> menu(table, translatable("Operator"));
     for (const OperatorForm& form : operator_forms()) add_operator(menu, form);
     menu.toggle(
         {"operator.draw", translatable("Draw lines, and be told their operators"), {{Key::L, {}}}},
-        [](const Desk& desk) { return desk.session.is_drawing(); },
-        [](Desk& desk, bool) { desk.session.draw_or_look(); });
+        [](const Workspace& workspace) { return workspace.session.is_drawing(); },
+        [](Workspace& workspace, bool) { workspace.session.draw_or_look(); });
     menu.step(
         {"operator.accept", translatable("Apply the operator"), {{Key::Enter, {}}}},
-        [](Desk& desk) { desk.session.accept(); }, why_not_accept);
+        [](Workspace& workspace) { workspace.session.accept(); }, why_not_accept);
     menu.step(
         {"operator.take_back", translatable("Take back the last argument"), {{Key::Backspace, {}}}},
-        [](Desk& desk) { desk.session.take_back_choice(); }, needs_draft);
+        [](Workspace& workspace) { workspace.session.undo_choice(); }, needs_draft);
     menu.step({"operator.cancel", translatable("Give up the operator"), {{Key::Escape, {}}}}, cancel, why_not_cancel)
         .live_label = cancel_label;
-    table.with_argument("operator.choose", [](Desk& desk, const ui::Argument& argument) {
-        return desk.session.choose_typed(argument.text);
+    table.with_argument("operator.choose", [](Workspace& workspace, const ui::Argument& argument) {
+        return workspace.session.choose_typed(argument.text);
     });
 }
 

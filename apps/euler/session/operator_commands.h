@@ -10,7 +10,7 @@ namespace euler {
 void add_operator_commands(CommandTable& table);
 
 /// Brings the palette forth, with what is asked.
-void show_operators(Desk& desk);
+void show_operators(Workspace& workspace);
 
 /// "operator.mev"
 std::string command_id(const OperatorForm& form);

@@ -8,6 +8,6 @@ namespace euler {
 void add_script_commands(CommandTable& table);
 
 /// Brings the script forth, with the keyboard.
-void show_script(Desk& desk);
+void show_script(Workspace& workspace);
 
 } // namespace euler

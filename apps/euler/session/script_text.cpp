@@ -20,9 +20,9 @@ bool can_be_edited(std::string_view text)
     return is_short && topology::is_utf8(text) && text.find('\0') == std::string_view::npos;
 }
 
-ui::Phrase sentence(const topology::LineError& fault, const ui::Catalogue& tr)
+ui::Message sentence(const topology::LineError& fault, const ui::Catalogue& tr)
 {
-    return ui::Phrase(fault.sentence([&](std::string_view pattern) { return tr(pattern); }));
+    return ui::Message(fault.sentence([&](std::string_view pattern) { return tr(pattern); }));
 }
 
 bool Session::write(std::string_view line)
@@ -34,11 +34,11 @@ bool Session::write(std::string_view line)
     const std::string number = std::to_string(stepper_.next_line());
     const auto reason = apply(line);
     if (reason)
-        script_fault = ui::Phrase(translatable("line {number}: {reason}"), {{"number", number}, {"reason", *reason}});
+        script_fault = ui::Message(translatable("line {number}: {reason}"), {{"number", number}, {"reason", *reason}});
     return !reason;
 }
 
-std::optional<ui::Phrase> Session::why_not_edit_text() const
+std::optional<ui::Message> Session::why_not_edit_text() const
 {
     constexpr std::size_t least = 8; // letters of a line: asked in every frame, so a long script is not written out
     if (edited_text) return std::nullopt;
@@ -50,7 +50,7 @@ void Session::edit_text()
 {
     if (motion_) look_at_place();
     is_playing = false;
-    give_up();
+    cancel_operator();
     script_fault.reset();
     faulty_line.reset();
     edited_text = stepper_.script();
@@ -64,7 +64,7 @@ bool Session::accept_text()
         if (place() < n_steps()) written.go_to(std::min(place(), written.n_steps()));
         stepper_ = std::move(written);
     } catch (const topology::LineError& fault) {
-        tell_fault(fault);
+        notify_fault(fault);
         return false;
     }
     edited_text.reset();
@@ -79,19 +79,19 @@ void Session::show_fault(const std::filesystem::path& path, const std::string& t
 {
     set_partial(true);
     if (can_be_edited(text)) edited_text = text;
-    tell_fault(fault);
-    tell({translatable("{file} is open up to its fault: {reason}"),
-          {{"file", path.filename().string()}, {"reason", *script_fault}}});
+    notify_fault(fault);
+    notify({translatable("{file} is open up to its fault: {reason}"),
+            {{"file", path.filename().string()}, {"reason", *script_fault}}});
 }
 
-void Session::tell_fault(const topology::LineError& fault)
+void Session::notify_fault(const topology::LineError& fault)
 {
     script_fault = sentence(fault, tr());
     faulty_line = fault.number();
     is_fault_new = true;
 }
 
-void Session::give_up_text()
+void Session::cancel_text()
 {
     edited_text.reset();
     faulty_line.reset();

@@ -11,6 +11,6 @@ namespace euler {
 bool can_be_edited(std::string_view text);
 
 /// "line 7: mef s1 f1 v1 v9 f3: v9 is not in face f1"
-ui::Phrase sentence(const topology::LineError& fault, const ui::Catalogue& tr);
+ui::Message sentence(const topology::LineError& fault, const ui::Catalogue& tr);
 
 } // namespace euler

@@ -57,11 +57,11 @@ void Session::restart(Stepper lesson)
     is_fitted = true;
     look_at_end();
     look_at_place();
-    look_anew();
+    look_again();
 }
 
 // From a side above. Lines go on being drawn from the top.
-void Session::look_anew()
+void Session::look_again()
 {
     constexpr double azimuth = -1.1, elevation = 0.42;
     if (is_drawing_) return;
@@ -84,7 +84,7 @@ void Session::look_clearly()
     eye = clear_view(eye, subjects);
 }
 
-void Session::begin_anew() { restart(Stepper()); }
+void Session::new_document() { restart(Stepper()); }
 
 void Session::show(Stepper lesson)
 {
@@ -92,7 +92,7 @@ void Session::show(Stepper lesson)
     go_to(std::min<std::size_t>(1, n_steps()));
 }
 
-std::optional<ui::Phrase> Session::read(const std::filesystem::path& path)
+std::optional<ui::Message> Session::read(const std::filesystem::path& path)
 {
     std::error_code none;
     if (std::filesystem::is_directory(path, none)) return translatable("it is a folder");
@@ -108,7 +108,7 @@ std::optional<ui::Phrase> Session::read(const std::filesystem::path& path)
     return std::nullopt;
 }
 
-ui::Unsaved Session::unsaved() const
+ui::UnsavedDocument Session::unsaved() const
 {
     return {.state = n_changes_,
             .original = path(),
@@ -126,7 +126,7 @@ std::string Session::about() const { return tr()("steps: {count}", {{"count", st
 // Takes the last step back and does it again, to see what was before it.
 void Session::look_at_place()
 {
-    give_up();
+    cancel_operator();
     motion_.reset();
     script_fault.reset();
     ++generation_;
@@ -179,7 +179,7 @@ void Session::step_back()
     if (motion_) look_at_place();
     if (has_just_opened_sweep()) return close_sweep();
     forget_passing_notice();
-    give_up();
+    cancel_operator();
     stepper_.go_to(place() - 1);
     ++generation_;
     motion_ = Motion{.is_back = true};
@@ -202,7 +202,7 @@ bool Session::tick(double seconds)
 
 void Session::draw_or_look()
 {
-    give_up();
+    cancel_operator();
     is_drawing_ = !is_drawing_;
     if (!is_drawing_) return;
     eye.look(ui::StandardView::Top);
@@ -210,19 +210,19 @@ void Session::draw_or_look()
     is_fitted = true;
 }
 
-std::optional<ui::Phrase> Session::draw(const topology::Point& from, const topology::Point& to)
+std::optional<ui::Message> Session::draw(const topology::Point& from, const topology::Point& to)
 {
     if (motion_) look_at_place();
     const bool has_figure = place() > 0 && stepper_.runner().solids()[report()->solid].is_alive();
     const auto figure = has_figure ? std::optional(report()->solid) : std::nullopt;
     const auto drawn = drawn_line(stepper_, figure, from, to);
-    if (const auto* const reason = std::get_if<ui::Phrase>(&drawn)) return *reason;
+    if (const auto* const reason = std::get_if<ui::Message>(&drawn)) return *reason;
     std::string told;
     for (const DrawnStep& step : std::get<std::vector<DrawnStep>>(drawn)) {
         if (auto reason = apply(step.line)) return reason;
         told += (told.empty() ? "" : "\n") + report()->name + ": " + tr()(step.why);
     }
-    tell(ui::Phrase(told));
+    notify(ui::Message(told));
     return std::nullopt;
 }
 
@@ -247,11 +247,11 @@ double Session::progress() const
     return motion_->is_back ? 1.0 - done : done;
 }
 
-std::optional<Session::Way> Session::way() const
+std::optional<Session::Transition> Session::transition() const
 {
     if (!motion_ || report() == nullptr || !preview_.empty()) return std::nullopt;
-    if (&shown() == &before_) return Way{after_, 1.0 - progress()};
-    return Way{before_, progress()};
+    if (&shown() == &before_) return Transition{after_, 1.0 - progress()};
+    return Transition{before_, progress()};
 }
 
 std::vector<Subject> Session::subjects() const
@@ -267,8 +267,8 @@ std::vector<Subject> Session::subjects() const
     };
     if (Marks* const marks = mark(selection)) marks->selected.push_back(selection->entity);
     if (Marks* const marks = mark(hover)) marks->hovered = hover->entity;
-    if (draft_ && !draft_->is_complete()) {
-        if (const auto solid = draft_->solid(stepper_.runner())) subjects[*solid].marks.legal = legal_;
+    if (pending_operator_ && !pending_operator_->is_complete()) {
+        if (const auto solid = pending_operator_->solid(stepper_.runner())) subjects[*solid].marks.legal = legal_;
     }
     if (!preview_.empty()) subjects[preview_solid_].marks.preview = preview_made_;
     return subjects;
@@ -278,8 +278,8 @@ void Session::begin(Verb verb)
 {
     if (motion_) look_at_place();
     is_playing = false;
-    give_up();
-    draft_.emplace(verb);
+    cancel_operator();
+    pending_operator_.emplace(verb);
     fill_in_suggestions();
 }
 
@@ -287,20 +287,21 @@ void Session::begin(Verb verb)
 void Session::fill_in_suggestions()
 {
     const topology::ScriptRunner& runner = stepper_.runner();
-    while (draft_ && !draft_->is_complete() && draft_->next().kind == ArgumentKind::Solid) {
-        const std::optional<Choice> only = draft_->suggestion(runner);
-        if (!only || draft_->choose(runner, *only)) break;
+    while (pending_operator_ && !pending_operator_->is_complete() &&
+           pending_operator_->next().kind == ArgumentKind::Solid) {
+        const std::optional<Choice> only = pending_operator_->suggestion(runner);
+        if (!only || pending_operator_->choose(runner, *only)) break;
     }
-    legal_ = draft_->legal_picks(runner);
-    preview_draft();
+    legal_ = pending_operator_->legal_picks(runner);
+    preview_pending_operator();
 }
 
-void Session::preview_draft()
+void Session::preview_pending_operator()
 {
     preview_.clear();
     preview_made_.clear();
-    if (!draft_ || !draft_->is_complete()) return;
-    const std::optional<Stepper> would_be = preview(stepper_, *draft_);
+    if (!pending_operator_ || !pending_operator_->is_complete()) return;
+    const std::optional<Stepper> would_be = preview(stepper_, *pending_operator_);
     if (!would_be) return;
     const StepReport step = would_be->report(would_be->place());
     preview_ = snapshots(*would_be);
@@ -309,67 +310,68 @@ void Session::preview_draft()
     preview_made_ = change.created;
 }
 
-std::optional<ui::Phrase> Session::choose(const Choice& choice)
+std::optional<ui::Message> Session::choose(const Choice& choice)
 {
-    if (!draft_ || draft_->is_complete()) return translatable("nothing is asked for");
-    if (auto reason = draft_->choose(stepper_.runner(), choice)) return reason;
+    if (!pending_operator_ || pending_operator_->is_complete()) return translatable("nothing is asked for");
+    if (auto reason = pending_operator_->choose(stepper_.runner(), choice)) return reason;
     fill_in_suggestions();
     return std::nullopt;
 }
 
-std::optional<ui::Phrase> Session::choose_typed(std::string_view text)
+std::optional<ui::Message> Session::choose_typed(std::string_view text)
 {
-    if (!draft_ || draft_->is_complete()) return translatable("nothing is asked for");
-    const auto understood = typed(stepper_.runner(), *draft_, text);
-    if (const auto* const reason = std::get_if<ui::Phrase>(&understood)) return *reason;
+    if (!pending_operator_ || pending_operator_->is_complete()) return translatable("nothing is asked for");
+    const auto understood = typed(stepper_.runner(), *pending_operator_, text);
+    if (const auto* const reason = std::get_if<ui::Message>(&understood)) return *reason;
     return choose(std::get<Choice>(understood));
 }
 
-std::optional<ui::Phrase> Session::why_not_pick(const Part& part) const
+std::optional<ui::Message> Session::why_not_pick(const Part& part) const
 {
-    if (!draft_ || draft_->is_complete()) return std::nullopt;
-    const auto solid = draft_->solid(stepper_.runner());
-    if (!solid || !is_pointed_at(draft_->next().kind)) return std::nullopt;
-    if (*solid != part.subject) return ui::Phrase(translatable("this belongs to another solid"));
-    const topology::Entity wanted = as_argument(*after_[part.subject].solid, draft_->next().kind, part.entity, legal_);
-    return draft_->why_not(stepper_.runner(), wanted);
+    if (!pending_operator_ || pending_operator_->is_complete()) return std::nullopt;
+    const auto solid = pending_operator_->solid(stepper_.runner());
+    if (!solid || !is_pointed_at(pending_operator_->next().kind)) return std::nullopt;
+    if (*solid != part.subject) return ui::Message(translatable("this belongs to another solid"));
+    const topology::Entity wanted = as_argument(*after_[part.subject].solid, pending_operator_->next().kind,
+                                                part.entity, legal_);
+    return pending_operator_->why_not(stepper_.runner(), wanted);
 }
 
 void Session::pick(const Part& part)
 {
-    if (!draft_ || draft_->is_complete()) {
+    if (!pending_operator_ || pending_operator_->is_complete()) {
         selection = part;
         return;
     }
-    if (draft_->next().kind == ArgumentKind::Solid) {
+    if (pending_operator_->next().kind == ArgumentKind::Solid) {
         choose(after_[part.subject].name);
         return;
     }
-    if (!is_pointed_at(draft_->next().kind)) {
+    if (!is_pointed_at(pending_operator_->next().kind)) {
         selection = part;
         return;
     }
     if (auto reason = why_not_pick(part)) {
-        tell(std::move(*reason));
+        notify(std::move(*reason));
         return;
     }
-    choose(as_argument(*after_[part.subject].solid, draft_->next().kind, part.entity, legal_));
+    choose(as_argument(*after_[part.subject].solid, pending_operator_->next().kind, part.entity, legal_));
 }
 
-void Session::take_back_choice()
+void Session::undo_choice()
 {
-    if (!draft_) return;
-    const bool only_the_solid = draft_->chosen().size() == 1 &&
-                                draft_->form().arguments()[0].kind == ArgumentKind::Solid;
-    if (draft_->chosen().empty() || only_the_solid) return give_up();
-    draft_->take_back();
-    legal_ = draft_->legal_picks(stepper_.runner());
-    preview_draft();
+    if (!pending_operator_) return;
+    const bool only_the_solid = pending_operator_->chosen().size() == 1 &&
+                                pending_operator_->form().arguments()[0].kind == ArgumentKind::Solid;
+    if (pending_operator_->chosen().empty() || only_the_solid) return cancel_operator();
+    pending_operator_->take_back();
+    legal_ = pending_operator_->legal_picks(stepper_.runner());
+    preview_pending_operator();
 }
 
-void Session::give_up()
+void Session::cancel_operator()
 {
-    draft_.reset();
+    pending_operator_.reset();
     legal_.clear();
     preview_.clear();
     preview_made_.clear();
@@ -377,13 +379,13 @@ void Session::give_up()
 
 bool Session::accept()
 {
-    if (!draft_ || !draft_->is_complete()) return false;
-    const auto reason = apply(draft_->line(stepper_.runner()));
-    if (reason) tell(*reason);
+    if (!pending_operator_ || !pending_operator_->is_complete()) return false;
+    const auto reason = apply(pending_operator_->line(stepper_.runner()));
+    if (reason) notify(*reason);
     return !reason;
 }
 
-std::optional<ui::Phrase> Session::apply(std::string_view line)
+std::optional<ui::Message> Session::apply(std::string_view line)
 {
     if (motion_) look_at_place();
     is_playing = false;
@@ -391,7 +393,7 @@ std::optional<ui::Phrase> Session::apply(std::string_view line)
     if (auto reason = stepper_.apply(line)) return reason;
     note_change();
     if (place() == here + 1) motion_ = Motion{.is_back = false};
-    if (report_ && !report_->warning.sentence.empty()) tell(report_->warning);
+    if (report_ && !report_->warning.sentence.empty()) notify(report_->warning);
     return std::nullopt;
 }
 
@@ -412,7 +414,7 @@ bool Session::has_just_opened_sweep() const
 
 void Session::close_sweep()
 {
-    give_up();
+    cancel_operator();
     stepper_ = std::move(opening_->closed);
     opening_.reset();
     note_change();
@@ -436,7 +438,7 @@ void Session::play(Game game)
     game_ = std::move(game);
     side_ = Side::Before;
     exhibit();
-    look_anew();
+    look_again();
 }
 
 void Session::show_side(Side side)
@@ -453,7 +455,7 @@ bool Session::is_exhibiting() const
 // Solids that no script of the user's has made, so that its steps tell nothing of them.
 void Session::exhibit()
 {
-    if (auto* const broken = std::get_if<BrokenPointer>(&game_->task())) {
+    if (auto* const broken = std::get_if<CorruptedPointer>(&game_->task())) {
         after_ = at_end_ = {Snapshot{"s1", std::make_shared<const topology::Solid>(broken->sound),
                                      std::make_shared<const topology::Names>()}};
     } else if (auto* const which = std::get_if<WhichOperator>(&game_->task())) {
@@ -469,7 +471,7 @@ void Session::exhibit()
     ++generation_;
 }
 
-std::optional<ui::Phrase> Session::answer(std::string_view words)
+std::optional<ui::Message> Session::answer(std::string_view words)
 {
     if (!game_) return translatable("no challenge is on");
     return game_->answer(words);

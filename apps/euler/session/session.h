@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "apps/euler/document/palette/draft.h"
+#include "apps/euler/document/palette/pending_operator.h"
 #include "apps/euler/document/snapshot.h"
 #include "apps/euler/document/stepper.h"
 #include "apps/euler/session/challenge/game.h"
@@ -45,10 +45,10 @@ public:
     std::size_t n_steps() const { return stepper_.n_steps(); }
 
     /// An empty script.
-    void begin_anew();
+    void new_document();
     /// A lesson that comes from no file of the user's, shown before its first step.
     void show(Stepper lesson);
-    ui::Unsaved unsaved() const override; ///< without writing the script out
+    ui::UnsavedDocument unsaved() const override; ///< without writing the script out
     bool is_dirty() const override { return is_dirty_; }
 
     /// At once.   \pre place <= n_steps()
@@ -81,46 +81,46 @@ public:
 
     /// A step on its way: the solids at its other end, and how much of the way those that are shown have before them or
     /// behind them: 1 where they are at home.
-    struct Way {
+    struct Transition {
         const std::vector<Snapshot>& other;
         double share;
     };
-    std::optional<Way> way() const;
+    std::optional<Transition> transition() const;
 
     /// Begins to ask for an operator's arguments.
     void begin(Verb verb);
-    const std::optional<Draft>& draft() const { return draft_; }
+    const std::optional<PendingOperator>& draft() const { return pending_operator_; }
     /// The next argument. \returns why it cannot be that
-    std::optional<ui::Phrase> choose(const Choice& choice);
+    std::optional<ui::Message> choose(const Choice& choice);
     /// The next argument, as it is typed. \returns why it cannot be that
-    std::optional<ui::Phrase> choose_typed(std::string_view text);
+    std::optional<ui::Message> choose_typed(std::string_view text);
     /// What lies under the pointer as an argument, and why not.
-    std::optional<ui::Phrase> why_not_pick(const Part& part) const;
+    std::optional<ui::Message> why_not_pick(const Part& part) const;
     void pick(const Part& part); ///< selects it, or gives it to the operator that asks
-    void take_back_choice();     ///< the last one; without one the operator is given up
-    void give_up();
-    void open_sweep();                                      ///< into its MEV and MEF \pre it is the last step done
-    bool has_just_opened_sweep() const;                     ///< a step back makes it one step again
-    bool accept();                                          ///< does what the operator would do
-    std::optional<ui::Phrase> apply(std::string_view line); ///< one more line. \returns why not, nothing being changed
+    void undo_choice();          ///< the last one; without one the operator is given up
+    void cancel_operator();
+    void open_sweep();                                       ///< into its MEV and MEF \pre it is the last step done
+    bool has_just_opened_sweep() const;                      ///< a step back makes it one step again
+    bool accept();                                           ///< does what the operator would do
+    std::optional<ui::Message> apply(std::string_view line); ///< one more line. \returns why not, nothing being changed
 
     /// Applies a line that is written at this place of the script; `script_fault` says why it cannot be done.
     bool write(std::string_view line);
     /// The script is edited as a whole: `edited_text` takes the place of its steps.
-    std::optional<ui::Phrase> why_not_edit_text() const;
+    std::optional<ui::Message> why_not_edit_text() const;
     void edit_text();
     /// Runs the text in place of the script; else `script_fault` names the line, and nothing is changed.
     bool accept_text(); ///< \pre it is edited
-    void give_up_text();
-    std::optional<std::string> edited_text; ///< while it is edited
-    std::optional<std::size_t> faulty_line; ///< of the text, from 1, where it could not be run
-    bool is_fault_new = false;              ///< the line is to be brought into sight
-    std::optional<ui::Phrase> script_fault; ///< of what was written last; nothing once something was done
+    void cancel_text();
+    std::optional<std::string> edited_text;  ///< while it is edited
+    std::optional<std::size_t> faulty_line;  ///< of the text, from 1, where it could not be run
+    bool is_fault_new = false;               ///< the line is to be brought into sight
+    std::optional<ui::Message> script_fault; ///< of what was written last; nothing once something was done
     static constexpr std::size_t most_letters_of_text = 100'000, most_letters_of_line = 1000; ///< to be edited
 
     /// Draws a straight line into the plane figure that was worked on last, and tells which operators it takes and why
     /// these. \returns why it cannot be drawn
-    std::optional<ui::Phrase> draw(const topology::Point& from, const topology::Point& to);
+    std::optional<ui::Message> draw(const topology::Point& from, const topology::Point& to);
     /// Lines are drawn on the xy plane, seen from the top.
     bool is_drawing() const { return is_drawing_; }
     void draw_or_look(); ///< begins to draw lines, or ends it
@@ -128,11 +128,11 @@ public:
     /// Begins a challenge in place of the lesson. It ends with the next lesson that is opened.
     void play(Game game);
     const std::optional<Game>& game() const { return game_; }
-    std::string& typed_answer() { return game_->typed; }      ///< \pre there is a challenge, likewise below
-    void give_hint() { game_->give_hint(stepper_); }          ///< \pre there is one
-    std::optional<ui::Phrase> answer(std::string_view words); ///< \returns why it is no answer
-    void give_up_challenge();                                 ///< shows one way to a solid that was to be reached
-    void show_side(Side side);                                ///< \pre two pictures are compared
+    std::string& typed_answer() { return game_->typed; }       ///< \pre there is a challenge, likewise below
+    void give_hint() { game_->give_hint(stepper_); }           ///< \pre there is one
+    std::optional<ui::Message> answer(std::string_view words); ///< \returns why it is no answer
+    void give_up_challenge();                                  ///< shows one way to a solid that was to be reached
+    void show_side(Side side);                                 ///< \pre two pictures are compared
     Side side() const { return side_; }
     bool is_exhibiting() const; ///< a challenge shows solids that no script has made
     int points() const { return earned_ + (game_ ? game_->points() : 0); } ///< of all challenges so far
@@ -148,7 +148,7 @@ public:
     const ui::Catalogue& tr() const override { return look.tr; }
 
 private:
-    std::optional<ui::Phrase> read(const std::filesystem::path& path) override;
+    std::optional<ui::Message> read(const std::filesystem::path& path) override;
     const Stepper::Script& current() const override { return whole_; }
     std::string file_text() const override { return whole_.text(); }
     std::string about() const override;
@@ -171,13 +171,13 @@ private:
     void look_at_end();
     void restart(Stepper lesson);
     void show_fault(const std::filesystem::path& path, const std::string& text, const topology::LineError& fault);
-    void tell_fault(const topology::LineError& fault);
-    void look_anew();
+    void notify_fault(const topology::LineError& fault);
+    void look_again();
     void look_clearly();
     void note_change();
     void fill_in_suggestions();
     void exhibit();
-    void preview_draft();
+    void preview_pending_operator();
 
     ViewKind view_ = ViewKind::Space;
     bool is_drawing_ = false;
@@ -194,7 +194,7 @@ private:
     std::optional<Motion> motion_;
     std::uint64_t generation_ = 0;
     double rest_ = 0.0; ///< since the last step, while playing [s]
-    std::optional<Draft> draft_;
+    std::optional<PendingOperator> pending_operator_;
     std::vector<topology::Entity> legal_;        ///< picks for the argument that is asked for
     std::vector<Snapshot> preview_;              ///< as they would be; empty where nothing is ready
     std::vector<topology::Entity> preview_made_; ///< by the operator

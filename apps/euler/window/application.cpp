@@ -14,7 +14,7 @@
 #include "apps/euler/window/player_bar.h"
 #include "apps/euler/window/step_panel.h"
 
-template class ui::DocumentApp<euler::Desk>;
+template class ui::DocumentApp<euler::Workspace>;
 
 namespace euler {
 
@@ -32,20 +32,20 @@ Application::Application(ui::Context& context, const ui::Fonts& fonts, Session s
 void Application::take(ui::Request request)
 {
     using enum ui::Request;
-    if (request == Fit) desk().session.is_fitted = true;
-    if (request == ZoomIn) canvas_.zoom(desk().session, 1.25);
-    if (request == ZoomOut) canvas_.zoom(desk().session, 0.8);
+    if (request == Fit) workspace().session.is_fitted = true;
+    if (request == ZoomIn) canvas_.zoom(workspace().session, 1.25);
+    if (request == ZoomOut) canvas_.zoom(workspace().session, 0.8);
 }
 
-void Application::take_own_requests()
+void Application::handle_own_requests()
 {
     using enum ui::StandardView;
-    for (const Request request : std::exchange(desk().requests, {})) {
+    for (const Request request : std::exchange(workspace().requests, {})) {
         switch (request) {
-        case Request::LookFront: Canvas::look(desk().session, Front); break;
-        case Request::LookSide: Canvas::look(desk().session, Side); break;
-        case Request::LookTop: Canvas::look(desk().session, Top); break;
-        case Request::WriteScript: script_.take_keyboard(); break;
+        case Request::LookFront: Canvas::look(workspace().session, Front); break;
+        case Request::LookSide: Canvas::look(workspace().session, Side); break;
+        case Request::LookTop: Canvas::look(workspace().session, Top); break;
+        case Request::WriteScript: script_.grab_keyboard(); break;
         }
     }
 }
@@ -56,25 +56,25 @@ void Application::follow_draft()
 {
     if (!session().draft() || ui::do_keys_go_elsewhere()) return;
     if (!session().draft()->is_complete()) {
-        if (!ImGui::GetIO().InputQueueCharacters.empty()) show_operators(desk());
+        if (!ImGui::GetIO().InputQueueCharacters.empty()) show_operators(workspace());
         return;
     }
     const auto is_pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); };
-    if (is_pressed(ImGuiKey_Enter)) run(*commands().find("operator.accept"), desk());
-    else if (is_pressed(ImGuiKey_Backspace)) run(*commands().find("operator.take_back"), desk());
+    if (is_pressed(ImGuiKey_Enter)) run(*commands().find("operator.accept"), workspace());
+    else if (is_pressed(ImGuiKey_Backspace)) run(*commands().find("operator.take_back"), workspace());
 }
 
 void Application::show_body()
 {
-    desk().session.hover.reset(); // a row or the picture names it anew
+    workspace().session.hover.reset(); // a row or the picture names it anew
     follow_draft();
-    if (session().edited_text && std::exchange(desk().session.is_fault_new, false)) {
+    if (session().edited_text && std::exchange(workspace().session.is_fault_new, false)) {
         script_.go_to_line(*session().faulty_line);
-        show_script(desk());
+        show_script(workspace());
     }
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const float below = desk().has_tables ? std::min(tables_height_ * ImGui::GetFontSize(), 0.4F * room.y) : 0.0F;
-    if (below > 0.0F) ui::show_below(below, [this] { tables_.show(desk()); });
+    const float below = workspace().has_tables ? std::min(tables_height_ * ImGui::GetFontSize(), 0.4F * room.y) : 0.0F;
+    if (below > 0.0F) ui::show_below(below, [this] { tables_.show(workspace()); });
     ImGui::PushStyleColor(ImGuiCol_ChildBg, 0U); // the picture is drawn on the theme's own background
     ImGui::BeginChild("###above", {0.0F, room.y - below});
     ImGui::PopStyleColor();
@@ -84,32 +84,32 @@ void Application::show_body()
 
 void Application::show_left()
 {
-    ui::show_topics(desk(), topics());
-    switch (desk().topic) {
-    case Topic::Script: script_.show(desk(), commands()); break;
-    case Topic::Operators: operators_.show(desk(), commands()); break;
-    case Topic::Gallery: gallery_panel(desk(), commands()); break;
-    case Topic::Challenges: challenges_panel(desk(), commands()); break;
+    ui::show_topics(workspace(), topics());
+    switch (workspace().topic) {
+    case Topic::Script: script_.show(workspace(), commands()); break;
+    case Topic::Operators: operators_.show(workspace(), commands()); break;
+    case Topic::Gallery: gallery_panel(workspace(), commands()); break;
+    case Topic::Challenges: challenges_panel(workspace(), commands()); break;
     }
 }
 
 void Application::show_right()
 {
-    step_panel(desk(), commands(), gui());
-    entity_panel(desk().session, gui(), fonts());
+    step_panel(workspace(), commands(), gui());
+    entity_panel(workspace().session, gui(), fonts());
 }
 
 void Application::show_canvas()
 {
     const float bar = 1.25F * ImGui::GetFrameHeight() + 0.6F * ImGui::GetFontSize();
-    if (!desk().has_panels) step_caption(session(), gui());
-    ui::picture_area(bar, [this] { canvas_.show(desk().session, gui()); });
-    ui::bar_below_picture(bar, [this] { player_bar(desk(), commands(), gui(), fonts()); });
+    if (!workspace().has_panels) step_caption(session(), gui());
+    ui::picture_area(bar, [this] { canvas_.show(workspace().session, gui()); });
+    ui::bar_below_picture(bar, [this] { player_bar(workspace(), commands(), gui(), fonts()); });
 }
 
 // How many there are of everything now, and whether the solid is sound.
 std::string Application::status() const { return status_text(session()); }
 
-std::string Application::words() const { return in_words(session()); }
+std::string Application::words() const { return description(session()); }
 
 } // namespace euler

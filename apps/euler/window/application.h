@@ -9,12 +9,12 @@
 #include "apps/euler/window/tables_panel.h"
 #include "ui/app/document_app.h"
 
-extern template class ui::DocumentApp<euler::Desk>;
+extern template class ui::DocumentApp<euler::Workspace>;
 
 namespace euler {
 
 /// The stepper on a context, on the screen or off it.
-class Application final : public ui::DocumentApp<Desk> {
+class Application final : public ui::DocumentApp<Workspace> {
 public:
     /// \pre context and fonts outlive the application
     Application(ui::Context& context, const ui::Fonts& fonts, Session session);
@@ -26,7 +26,7 @@ private:
     /// An operator that asks has the keyboard until it is done or given up.
     bool is_typing() const override { return session().draft() || script_.is_typing(); }
     void take(ui::Request request) override;
-    void take_own_requests() override;
+    void handle_own_requests() override;
     void show_body() override;
     void show_left() override;
     void show_right() override;

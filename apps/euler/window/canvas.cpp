@@ -41,7 +41,7 @@ template <class Change> void move(Session& session, const Change& change)
 PlaneStep plane_step(const Session& session)
 {
     PlaneStep step;
-    const auto way = session.way();
+    const auto way = session.transition();
     if (!way) return step;
     step.share = way->share;
     for (const Snapshot& in : way->other) step.other.push_back({in.solid.get(), in.names.get(), {}});
@@ -143,27 +143,27 @@ Canvas::Solids Canvas::solids_of(std::span<const Snapshot> snapshots)
     return solids;
 }
 
-Canvas::Sight Canvas::sight_of(const Session& session, std::span<const Subject> subjects)
+Canvas::ViewTransform Canvas::transform_of(const Session& session, std::span<const Subject> subjects)
 {
-    Sight sight{.solids = solids_of(session.shown()),
-                .progress = {},
-                .generation = session.generation(),
-                .view = session.view(),
-                .eye = session.eye,
-                .map_eye = session.map_eye,
-                .polygon_eye = session.polygon_eye,
-                .explosion = session.look.explosion,
-                .size = session.look.size,
-                .has_faces = session.look.faces,
-                .theme = session.look.theme,
-                .language = session.tr().language()};
-    for (const Subject& subject : subjects) sight.progress.push_back(subject.marks.progress);
-    return sight;
+    ViewTransform transform{.solids = solids_of(session.shown()),
+                            .progress = {},
+                            .generation = session.generation(),
+                            .view = session.view(),
+                            .eye = session.eye,
+                            .map_eye = session.map_eye,
+                            .polygon_eye = session.polygon_eye,
+                            .explosion = session.look.explosion,
+                            .size = session.look.size,
+                            .has_faces = session.look.faces,
+                            .theme = session.look.theme,
+                            .language = session.tr().language()};
+    for (const Subject& subject : subjects) transform.progress.push_back(subject.marks.progress);
+    return transform;
 }
 
 Canvas::Painting Canvas::painting_of(const Session& session, std::span<const Subject> subjects) const
 {
-    Painting painting{.sight = *seen_,
+    Painting painting{.transform = *seen_,
                       .marks = {},
                       .names = session.look.names,
                       .has_hatching = session.look.hatching,
@@ -176,10 +176,10 @@ Canvas::Painting Canvas::painting_of(const Session& session, std::span<const Sub
 // What stands where is found again when something moved; a solid of thousands of faces takes a while.
 void Canvas::follow_shapes(const Session& session, std::span<const Subject> subjects)
 {
-    Sight sight = sight_of(session, subjects);
-    if (seen_ == sight) return;
+    ViewTransform transform = transform_of(session, subjects);
+    if (seen_ == transform) return;
     shapes_ = shapes_of(session, subjects);
-    seen_ = std::move(sight);
+    seen_ = std::move(transform);
 }
 
 Shapes Canvas::shapes_of(const Session& session, std::span<const Subject> subjects)
@@ -203,7 +203,7 @@ const PlanarMap& Canvas::Map::of(const Solids& solids, std::span<const Subject> 
 PlanarMap Canvas::map_of(const Session& session, std::span<const Subject> subjects)
 {
     const PlanarMap& own = map_.of(solids_of(session.shown()), subjects);
-    const auto way = session.way();
+    const auto way = session.transition();
     if (!way) return own;
     const PlaneStep step = plane_step(session);
     return own.on_its_way(subjects, other_map_.of(solids_of(way->other), step.other), step.other, step.share);
@@ -298,7 +298,7 @@ void Canvas::follow(Session& session, ui::Point at)
     if (under) session.hover = under;
     if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && ImGui::IsItemDeactivated()) click(session, under);
     if (!under && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) session.is_fitted = true;
-    tell(session);
+    notify(session);
 }
 
 void Canvas::click(Session& session, const std::optional<Part>& under) const
@@ -308,7 +308,7 @@ void Canvas::click(Session& session, const std::optional<Part>& under) const
 }
 
 // What lies under the pointer, and why it cannot be chosen where an operator asks.
-void Canvas::tell(const Session& session) const
+void Canvas::notify(const Session& session) const
 {
     if (!session.hover || session.hover->subject >= session.shown().size()) return;
     std::string words = describe(session, *session.hover);
@@ -356,7 +356,8 @@ void Canvas::draw_line(Session& session, ui::Point at)
                           ui::click_reach; // over the border of two places of the grid too
     if (line_start_ && is_click) line_end_ = line_start_;
     if (!line_start_ || !ImGui::IsMouseReleased(ImGuiMouseButton_Left)) return;
-    if (const auto reason = session.draw(*std::exchange(line_start_, std::nullopt), *line_end_)) session.tell(*reason);
+    if (const auto reason = session.draw(*std::exchange(line_start_, std::nullopt), *line_end_))
+        session.notify(*reason);
 }
 
 // The place that is meant, and the line on its way.

@@ -44,7 +44,7 @@ private:
     void follow(Session& session, ui::Point at);
     void move_camera(Session& session, ui::Point at);
     void click(Session& session, const std::optional<Part>& under) const;
-    void tell(const Session& session) const;
+    void notify(const Session& session) const;
     void draw_line(Session& session, ui::Point at);
     topology::Point place(const Session& session, ui::Point at) const;
     void paint_drawing(const Session& session, ui::Painter& painter) const;
@@ -68,7 +68,7 @@ private:
         Solids solids_;
     };
     /// All that the places of what is seen depend on.
-    struct Sight {
+    struct ViewTransform {
         Solids solids;
         std::vector<double> progress; ///< of the step, by solid
         std::uint64_t generation = 0;
@@ -80,11 +80,11 @@ private:
         ui::ThemeName theme{};
         ui::Language language{};
 
-        friend bool operator==(const Sight&, const Sight&) = default;
+        friend bool operator==(const ViewTransform&, const ViewTransform&) = default;
     };
     /// All that the picture depends on.
     struct Painting {
-        Sight sight;
+        ViewTransform transform;
         std::vector<Marks> marks; ///< by solid
         std::set<topology::EntityKind> names;
         bool has_hatching = false, has_half_edges = false;
@@ -93,7 +93,7 @@ private:
         friend bool operator==(const Painting&, const Painting&) = default;
     };
     Painting painting_of(const Session& session, std::span<const Subject> subjects) const;
-    static Sight sight_of(const Session& session, std::span<const Subject> subjects);
+    static ViewTransform transform_of(const Session& session, std::span<const Subject> subjects);
     /// All that the fitted camera depends on, and the camera.
     struct Fitting {
         Solids now, at_end;
@@ -110,12 +110,12 @@ private:
 
     const ui::Fonts& fonts_;
     ui::Size sheet_{};
-    ui::Point corner_{};              ///< of the sheet in the window [logical pixels]
-    Shapes shapes_;                   ///< drawn last
-    std::optional<Sight> seen_;       ///< that the shapes belong to
-    std::optional<Painting> painted_; ///< that the picture shows; none of one that is drawn on
-    std::optional<Fitting> fitted_;   ///< last
-    Map map_, other_map_;             ///< of what is drawn, and of the other end of a step
+    ui::Point corner_{};                ///< of the sheet in the window [logical pixels]
+    Shapes shapes_;                     ///< drawn last
+    std::optional<ViewTransform> seen_; ///< that the shapes belong to
+    std::optional<Painting> painted_;   ///< that the picture shows; none of one that is drawn on
+    std::optional<Fitting> fitted_;     ///< last
+    Map map_, other_map_;               ///< of what is drawn, and of the other end of a step
     std::optional<ui::Picture> picture_;
     bool is_dragging_ = false;
     std::optional<topology::Point> line_start_{}, line_end_{}; ///< of a line that is being drawn

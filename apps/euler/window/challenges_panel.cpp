@@ -15,7 +15,7 @@ namespace {
 
 void take(Session& session, std::string_view words)
 {
-    if (auto reason = session.answer(words)) session.tell(std::move(*reason));
+    if (auto reason = session.answer(words)) session.notify(std::move(*reason));
 }
 
 void side_button(Session& session, Side side, const std::string& title)
@@ -69,33 +69,34 @@ void show_task(Session& session)
     else show_pointer(session);
 }
 
-void show_game(Desk& desk, const CommandTable& commands)
+void show_game(Workspace& workspace, const CommandTable& commands)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     const ui::Catalogue tr = session.tr(); // a command may change the language
     ui::wrapped_text(tr(session.game()->question()));
     ImGui::Spacing();
     show_task(session);
     ImGui::Spacing();
-    for (const ui::Phrase& hint : session.game()->hints()) ui::wrapped_text(tr("Hint: {hint}", {{"hint", tr(hint)}}));
+    for (const ui::Message& hint : session.game()->hints()) ui::wrapped_text(tr("Hint: {hint}", {{"hint", tr(hint)}}));
     if (session.game()->verdict()) ui::wrapped_text(tr(*session.game()->verdict()));
     if (session.game()->is_over())
         ui::wrapped_text(tr("{n} of {most} points",
                             {{"n", std::to_string(session.game()->points())}, {"most", std::to_string(Score::most)}}));
-    ui::command_button(desk, commands, "challenge.hint");
-    ui::command_button(desk, commands, "challenge.give_up");
+    ui::command_button(workspace, commands, "challenge.hint");
+    ui::command_button(workspace, commands, "challenge.give_up");
     ImGui::Separator();
 }
 
 } // namespace
 
-void challenges_panel(Desk& desk, const CommandTable& commands)
+void challenges_panel(Workspace& workspace, const CommandTable& commands)
 {
-    if (desk.session.game()) show_game(desk, commands);
-    for (const std::string_view id : challenge_command_ids()) ui::command_button(desk, commands, id);
+    if (workspace.session.game()) show_game(workspace, commands);
+    for (const std::string_view id : challenge_command_ids()) ui::command_button(workspace, commands, id);
     ImGui::Spacing();
     ImGui::TextDisabled(
-        "%s", desk.session.tr()("Points so far: {n}", {{"n", std::to_string(desk.session.points())}}).c_str());
+        "%s",
+        workspace.session.tr()("Points so far: {n}", {{"n", std::to_string(workspace.session.points())}}).c_str());
 }
 
 } // namespace euler

@@ -5,6 +5,6 @@
 namespace euler {
 
 /// The challenge that is on, with its answers, hints and verdict; below it the buttons that begin another.
-void challenges_panel(Desk& desk, const CommandTable& commands);
+void challenges_panel(Workspace& workspace, const CommandTable& commands);
 
 } // namespace euler

@@ -7,7 +7,7 @@ namespace euler {
 
 namespace {
 
-ui::Phrase sentence(const topology::Breach& breach, const Snapshot& in)
+ui::Message sentence(const topology::Breach& breach, const Snapshot& in)
 {
     return {topology::pattern(breach.invariant),
             {{"0", in.names->of(breach.entities[0], *in.solid)}, {"1", in.names->of(breach.entities[1], *in.solid)}}};
@@ -21,7 +21,7 @@ std::string counts_text(const std::string& solid, const topology::EulerCounts& n
            ", G = " + s(n.G);
 }
 
-std::string solid_words(const Snapshot& in, const ui::Catalogue& tr)
+std::string solid_text(const Snapshot& in, const ui::Catalogue& tr)
 {
     const topology::EulerCounts n = topology::euler_counts(*in.solid);
     const std::string words = counts_text(in.name, n) + "\n    " + formula_text(n) + "\n    ";
@@ -31,7 +31,7 @@ std::string solid_words(const Snapshot& in, const ui::Catalogue& tr)
 
 } // namespace
 
-std::string in_words(const Session& session)
+std::string description(const Session& session)
 {
     const ui::Catalogue& tr = session.tr();
     const std::string place = std::to_string(session.place()), count = std::to_string(session.n_steps());
@@ -41,7 +41,7 @@ std::string in_words(const Session& session)
         words += std::to_string(i) + ". " + step.line + "    " + deltas(step) + '\n';
     }
     for (const Snapshot& in : session.present())
-        if (in.is_alive()) words += solid_words(in, tr);
+        if (in.is_alive()) words += solid_text(in, tr);
     return words;
 }
 

@@ -7,7 +7,7 @@
 namespace euler {
 
 /// The script's steps and every solid in words: counts, formula, whether it is sound.
-std::string in_words(const Session& session);
+std::string description(const Session& session);
 /// The line at the window's foot.
 std::string status_text(const Session& session);
 

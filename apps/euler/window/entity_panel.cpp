@@ -20,7 +20,7 @@ constexpr std::size_t most_letters = 200; // of a row
 bool is_to_be_mended(const Session& session)
 {
     return session.game() && !session.game()->is_over() &&
-           std::holds_alternative<BrokenPointer>(session.game()->task());
+           std::holds_alternative<CorruptedPointer>(session.game()->task());
 }
 
 // A click on a box selects its entity.

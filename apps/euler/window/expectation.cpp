@@ -66,10 +66,10 @@ std::string hint(const Session& session)
 }
 
 // "half-edges"
-std::string table_seen(const Desk& desk)
+std::string table_seen(const Workspace& workspace)
 {
-    if (desk.structure == Structure::WingedEdges) return "winged edges";
-    const auto entry = std::ranges::find(tables(), desk.table, &TableEntry::value);
+    if (workspace.structure == Structure::WingedEdges) return "winged edges";
+    const auto entry = std::ranges::find(tables(), workspace.table, &TableEntry::value);
     std::string name(entry->label);
     name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
     return name;
@@ -100,8 +100,9 @@ const ui::Facts<Session>& facts()
 std::optional<std::string> why_not(std::string_view expectation, Application& application)
 {
     if (constexpr std::string_view table = "table"; ui::first_word(expectation).first == table)
-        return ui::compared(table, table_seen(application.desk()), std::string(ui::first_word(expectation).second));
-    return facts().complaint(expectation, application.session());
+        return ui::compared(table, table_seen(application.workspace()),
+                            std::string(ui::first_word(expectation).second));
+    return facts().mismatch(expectation, application.session());
 }
 
 } // namespace euler

@@ -6,11 +6,12 @@
 
 namespace euler {
 
-void gallery_panel(Desk& desk, const CommandTable& commands)
+void gallery_panel(Workspace& workspace, const CommandTable& commands)
 {
     for (const std::string& id : gallery_command_ids()) {
         const auto& command = *commands.find(id);
-        if (ImGui::Selectable((label(command, desk, desk.session.tr()) + "###" + id).c_str())) run(command, desk);
+        if (ImGui::Selectable((label(command, workspace, workspace.session.tr()) + "###" + id).c_str()))
+            run(command, workspace);
     }
 }
 

@@ -5,6 +5,6 @@
 namespace euler {
 
 /// The ready scripts by their titles; a click begins one.
-void gallery_panel(Desk& desk, const CommandTable& commands);
+void gallery_panel(Workspace& workspace, const CommandTable& commands);
 
 } // namespace euler

@@ -26,42 +26,42 @@ std::string text_of(const Session& session, const Choice& choice)
 }
 
 // One button of the palette.
-void operator_button(Desk& desk, const CommandTable& commands, const OperatorForm& form)
+void operator_button(Workspace& workspace, const CommandTable& commands, const OperatorForm& form)
 {
     const auto& command = *commands.find(command_id(form));
     const float width = 5.0F * ImGui::GetFontSize();
     const bool is_full = form.verb == Verb::Split; // it shares its name with the strut's
     const std::string name = std::string(form.name) + (is_full ? " *" : "") + "###" + std::string(command.id);
-    if (ImGui::Button(name.c_str(), {width, 0.0F})) run(command, desk);
+    if (ImGui::Button(name.c_str(), {width, 0.0F})) run(command, workspace);
     ImGui::SameLine();
     ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(desk.session.tr()(form.meaning).c_str());
+    ImGui::TextUnformatted(workspace.session.tr()(form.meaning).c_str());
     ImGui::PopTextWrapPos();
 }
 
 } // namespace
 
-void OperatorsPanel::show(Desk& desk, const CommandTable& commands)
+void OperatorsPanel::show(Workspace& workspace, const CommandTable& commands)
 {
-    if (desk.session.draft()) show_draft(desk, commands);
-    else list(desk, commands);
+    if (workspace.session.draft()) show_draft(workspace, commands);
+    else list(workspace, commands);
 }
 
-void OperatorsPanel::list(Desk& desk, const CommandTable& commands)
+void OperatorsPanel::list(Workspace& workspace, const CommandTable& commands)
 {
     asked_.reset();
     reason_.reset();
     ImGui::BeginChild("###operators");
-    for (const OperatorForm& form : operator_forms()) operator_button(desk, commands, form);
+    for (const OperatorForm& form : operator_forms()) operator_button(workspace, commands, form);
     ImGui::EndChild();
 }
 
 // The line as far as it is known, then what is asked for.
-void OperatorsPanel::show_draft(Desk& desk, const CommandTable& commands)
+void OperatorsPanel::show_draft(Workspace& workspace, const CommandTable& commands)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     const ui::Catalogue& tr = session.tr();
-    const Draft& draft = *session.draft();
+    const PendingOperator& draft = *session.draft();
     ImGui::TextUnformatted(std::string(draft.form().name).c_str());
     ImGui::SameLine();
     ImGui::PushTextWrapPos(0.0F);
@@ -77,15 +77,15 @@ void OperatorsPanel::show_draft(Desk& desk, const CommandTable& commands)
     }
     if (!session.draft()) return;
     ImGui::Spacing();
-    ui::command_button(desk, commands, "operator.accept");
-    ui::command_button(desk, commands, "operator.take_back");
-    ui::command_button(desk, commands, "operator.cancel");
+    ui::command_button(workspace, commands, "operator.accept");
+    ui::command_button(workspace, commands, "operator.take_back");
+    ui::command_button(workspace, commands, "operator.cancel");
 }
 
 // What is likely typed stands there already.
 void OperatorsPanel::suggest(const Session& session)
 {
-    const Draft& draft = *session.draft();
+    const PendingOperator& draft = *session.draft();
     if (asked_ == draft.chosen().size() && verb_ == draft.form().verb) return;
     asked_ = draft.chosen().size();
     verb_ = draft.form().verb;
@@ -105,21 +105,21 @@ void OperatorsPanel::ask(Session& session)
         ImGui::TextDisabled("%s", tr("Click it in the picture, or type its name.").c_str());
     if (argument.kind == ArgumentKind::Point) ImGui::TextDisabled("%s", tr("Type x y z: 1 0 0").c_str());
     if (argument.kind == ArgumentKind::Vector) ImGui::TextDisabled("%s", tr("Type dx dy dz: 0 0 1").c_str());
-    take_typed(session);
+    handle_typed(session);
     if (reason_) ui::wrapped_text(tr(*reason_));
     ImGui::PopTextWrapPos();
 }
 
 // Where nothing is typed, Backspace takes back what was chosen before. What is refused is typed anew.
-void OperatorsPanel::take_typed(Session& session)
+void OperatorsPanel::handle_typed(Session& session)
 {
-    field_.take_keyboard();
+    field_.grab_keyboard();
     const bool was_empty = field_.text().empty();
     if (field_.show("###argument")) {
         reason_ = session.choose_typed(field_.text());
         if (reason_) field_.offer(field_.text());
     } else if (was_empty && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Backspace), false)) {
-        session.take_back_choice();
+        session.undo_choice();
     }
 }
 

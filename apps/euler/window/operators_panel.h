@@ -12,19 +12,19 @@ namespace euler {
 /// asks its field has the keyboard.
 class OperatorsPanel {
 public:
-    void show(Desk& desk, const CommandTable& commands);
+    void show(Workspace& workspace, const CommandTable& commands);
 
 private:
-    void list(Desk& desk, const CommandTable& commands);
-    void show_draft(Desk& desk, const CommandTable& commands);
+    void list(Workspace& workspace, const CommandTable& commands);
+    void show_draft(Workspace& workspace, const CommandTable& commands);
     void ask(Session& session);
-    void take_typed(Session& session);
+    void handle_typed(Session& session);
     void suggest(const Session& session);
 
     ui::KeptField field_{ui::KeptField::Hold::UntilDone};
     std::optional<std::size_t> asked_; ///< argument that the field is for
     std::optional<Verb> verb_;
-    std::optional<ui::Phrase> reason_; ///< why what was typed last was not taken
+    std::optional<ui::Message> reason_; ///< why what was typed last was not taken
 };
 
 } // namespace euler

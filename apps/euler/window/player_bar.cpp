@@ -38,11 +38,11 @@ void draw_icon(ui::Painter& painter, const Icon& icon, ui::Color color)
         if (left >= 0.0) painter.rectangle(ui::box_at({left * side, top}, {0.12 * side, bottom - top}), color);
 }
 
-void icon_button(Desk& desk, const CommandTable& commands, const Icon& icon, ui::ImGuiSession& gui,
+void icon_button(Workspace& workspace, const CommandTable& commands, const Icon& icon, ui::ImGuiSession& gui,
                  const ui::Fonts& fonts)
 {
     const auto& command = *commands.find(icon.command);
-    const auto reason = why_not(command, desk);
+    const auto reason = why_not(command, workspace);
     const float side = ImGui::GetFrameHeight() * 1.25F;
     ImGui::BeginDisabled(reason.has_value());
     const bool is_clicked = ImGui::Button(("###" + std::string(icon.command)).c_str(), {side, side});
@@ -50,16 +50,16 @@ void icon_button(Desk& desk, const CommandTable& commands, const Icon& icon, ui:
     const ImVec2 corner = ImGui::GetItemRectMin();
     const double size = static_cast<double>(side) / gui.scale();
     ui::Painter painter({size, size}, fonts);
-    const ui::Theme theme(desk.session.look.theme);
+    const ui::Theme theme(workspace.session.look.theme);
     draw_icon(painter, icon, theme[reason ? ui::Role::FaintLabel : ui::Role::Label].text);
     gui.show(painter.picture(), *ImGui::GetWindowDrawList(),
              {static_cast<double>(corner.x), static_cast<double>(corner.y)});
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-        const ui::Catalogue& tr = desk.session.tr();
-        const std::string name = label(command, desk, tr) + "  (" + text(command.shortcuts.front()) + ")";
+        const ui::Catalogue& tr = workspace.session.tr();
+        const std::string name = label(command, workspace, tr) + "  (" + text(command.shortcuts.front()) + ")";
         ImGui::SetTooltip("%s", reason ? tr(*reason).c_str() : name.c_str());
     }
-    if (is_clicked) run(command, desk);
+    if (is_clicked) run(command, workspace);
 }
 
 void scrub_bar(Session& session, float width)
@@ -106,20 +106,20 @@ void speed_choice(Session& session)
 
 } // namespace
 
-void player_bar(Desk& desk, const CommandTable& commands, ui::ImGuiSession& gui, const ui::Fonts& fonts)
+void player_bar(Workspace& workspace, const CommandTable& commands, ui::ImGuiSession& gui, const ui::Fonts& fonts)
 {
     const float em = ImGui::GetFontSize();
     const float top = ImGui::GetCursorPosY() + 0.125F * ImGui::GetFrameHeight();
     for (const Icon& icon : icons) {
-        const bool rests = icon.command == rest_icon.command && desk.session.is_playing;
-        icon_button(desk, commands, rests ? rest_icon : icon, gui, fonts);
+        const bool rests = icon.command == rest_icon.command && workspace.session.is_playing;
+        icon_button(workspace, commands, rests ? rest_icon : icon, gui, fonts);
         ImGui::SameLine(0.0F, 0.2F * em);
     }
     ImGui::SetCursorPosY(top);
-    scrub_bar(desk.session, std::max(4.0F * em, ImGui::GetContentRegionAvail().x - 5.0F * em));
+    scrub_bar(workspace.session, std::max(4.0F * em, ImGui::GetContentRegionAvail().x - 5.0F * em));
     ImGui::SameLine(0.0F, 0.4F * em);
     ImGui::SetCursorPosY(top);
-    speed_choice(desk.session);
+    speed_choice(workspace.session);
 }
 
 } // namespace euler

@@ -7,6 +7,6 @@
 namespace euler {
 
 /// The buttons that walk through the lesson, the bar that is scrubbed, and the speed.
-void player_bar(Desk& desk, const CommandTable& commands, ui::ImGuiSession& gui, const ui::Fonts& fonts);
+void player_bar(Workspace& workspace, const CommandTable& commands, ui::ImGuiSession& gui, const ui::Fonts& fonts);
 
 } // namespace euler

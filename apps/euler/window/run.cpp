@@ -34,7 +34,7 @@ ui::MakeApp app_to_play_with(Session& session, const Options& options, const std
 {
     return [&session, &options, &folder](ui::Context& context, const ui::Fonts& fonts) {
         auto app = std::make_unique<Application>(context, fonts, std::move(session));
-        app->desk().next_challenge = std::random_device{}();
+        app->workspace().next_challenge = std::random_device{}();
         ui::remember(*app, options, folder);
         return app;
     };

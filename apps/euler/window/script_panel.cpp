@@ -120,7 +120,7 @@ ScriptPanel::ScriptPanel() : line_(ui::KeptField::Hold::UntilLeft, shorten) {}
 // It keeps the keyboard, so that line after line is written.
 void ScriptPanel::write_line(Session& session)
 {
-    if (std::exchange(wants_keyboard_, false)) line_.take_keyboard();
+    if (std::exchange(wants_keyboard_, false)) line_.grab_keyboard();
     if (line_.show("###line", session.tr()("one more line")) && session.write(line_.text())) line_.offer("");
     is_typing_ = line_.has_keyboard();
 }
@@ -163,9 +163,9 @@ void ScriptPanel::mark_faulty_line(const Session& session) const
     ImGui::EndChild();
 }
 
-void ScriptPanel::show(Desk& desk, const CommandTable& commands)
+void ScriptPanel::show(Workspace& workspace, const CommandTable& commands)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     const std::string fault = session.script_fault ? session.tr()(*session.script_fault) : "";
     const float row = ImGui::GetFrameHeightWithSpacing();
     const float below = height_of(fault) + 2.0F * row;
@@ -180,10 +180,10 @@ void ScriptPanel::show(Desk& desk, const CommandTable& commands)
     }
     if (!fault.empty()) ui::wrapped_text(fault);
     if (session.edited_text) {
-        ui::command_button(desk, commands, "script.accept");
-        ui::command_button(desk, commands, "operator.cancel");
+        ui::command_button(workspace, commands, "script.accept");
+        ui::command_button(workspace, commands, "operator.cancel");
     } else {
-        ui::command_button(desk, commands, "script.edit");
+        ui::command_button(workspace, commands, "script.edit");
     }
 }
 

@@ -13,8 +13,8 @@ namespace euler {
 class ScriptPanel {
 public:
     ScriptPanel();
-    void show(Desk& desk, const CommandTable& commands);
-    void take_keyboard() { wants_keyboard_ = true; }
+    void show(Workspace& workspace, const CommandTable& commands);
+    void grab_keyboard() { wants_keyboard_ = true; }
     void go_to_line(std::size_t line) { line_to_go_to_ = line; } ///< of the text, from 1, with the cursor
     /// Something is written into it.
     bool is_typing() const { return is_typing_; }

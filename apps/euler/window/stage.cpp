@@ -28,7 +28,7 @@ std::optional<topology::Point> point_in(std::string_view text)
 
 } // namespace
 
-ui::Stage::Sought OffscreenStage::find(std::string_view place)
+ui::Stage::Located OffscreenStage::find(std::string_view place)
 {
     if (const auto pixel = ui::pixel_place(place)) return *pixel;
     if (const auto point = point_in(place)) {

@@ -20,7 +20,7 @@ class OffscreenStage final : public ui::OffscreenStage<Application> {
 public:
     using ui::OffscreenStage<Application>::OffscreenStage;
 
-    Sought find(std::string_view place) override;
+    Located find(std::string_view place) override;
 };
 
 } // namespace euler

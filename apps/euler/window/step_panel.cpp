@@ -212,9 +212,9 @@ void step_caption(const Session& session, const ui::ImGuiSession& gui)
     ImGui::PopStyleVar();
 }
 
-void step_panel(Desk& desk, const CommandTable& commands, const ui::ImGuiSession& gui)
+void step_panel(Workspace& workspace, const CommandTable& commands, const ui::ImGuiSession& gui)
 {
-    const Session& session = desk.session;
+    const Session& session = workspace.session;
     const StepReport* const step = session.report();
     if (step == nullptr) return before_the_first(session);
     const ui::Catalogue& tr = session.tr();
@@ -237,7 +237,7 @@ void step_panel(Desk& desk, const CommandTable& commands, const ui::ImGuiSession
     ImGui::Spacing();
     show_inverse(*step, tr);
     ImGui::Spacing();
-    if (session.stepper().is_sweep(session.step())) ui::command_button(desk, commands, "step.open_sweep");
+    if (session.stepper().is_sweep(session.step())) ui::command_button(workspace, commands, "step.open_sweep");
 }
 
 } // namespace euler

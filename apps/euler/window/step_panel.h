@@ -7,7 +7,7 @@ namespace euler {
 
 /// The step that is looked at: its operator, what it changed in the counts, the formula of Euler and Poincare, its
 /// explanation and its inverse.
-void step_panel(Desk& desk, const CommandTable& commands, const ui::ImGuiSession& gui);
+void step_panel(Workspace& workspace, const CommandTable& commands, const ui::ImGuiSession& gui);
 
 /// The same in two lines, to be read from the last row: where no panel says it.
 void step_caption(const Session& session, const ui::ImGuiSession& gui);

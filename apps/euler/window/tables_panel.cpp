@@ -54,7 +54,7 @@ private:
     void take(const TableRow& row, const TableCell& cell)
     {
         session_.selection = Part{solid_, *cell.link};
-        if (session_.game() && std::holds_alternative<BrokenPointer>(session_.game()->task()))
+        if (session_.game() && std::holds_alternative<CorruptedPointer>(session_.game()->task()))
             session_.typed_answer() = std::string(row.label) + " " + std::to_string(row.number) + " " +
                                       std::string(cell.label) + " ";
     }
@@ -86,59 +86,59 @@ private:
 
 } // namespace
 
-void TablesPanel::bring_changed_forward(Desk& desk) const
+void TablesPanel::bring_changed_forward(Workspace& workspace) const
 {
-    desk.table = desk.wanted_table;
+    workspace.table = workspace.wanted_table;
     const auto changes = [&](const TableEntry& entry) { return tables_.first_changed(entry.value).has_value(); };
-    if (tables_.first_changed(desk.table)) return;
+    if (tables_.first_changed(workspace.table)) return;
     const auto first = std::ranges::find_if(euler::tables(), changes);
-    if (first != euler::tables().end()) desk.table = first->value;
+    if (first != euler::tables().end()) workspace.table = first->value;
 }
 
-void TablesPanel::follow(Desk& desk)
+void TablesPanel::follow(Workspace& workspace)
 {
-    const Session& session = desk.session;
-    if (std::exchange(seen_, desk.table) != desk.table) is_new_ = true;
+    const Session& session = workspace.session;
+    if (std::exchange(seen_, workspace.table) != workspace.table) is_new_ = true;
     if (std::exchange(generation_, session.generation()) == session.generation()) return;
     const StepReport* const step = session.report();
     solid_ = step == nullptr ? 0 : step->solid;
     tables_ = step == nullptr ? topology::ComparedTables() : step_tables(session.before(), session.after(), solid_);
-    const bool is_broken = session.game() && std::holds_alternative<BrokenPointer>(session.game()->task());
+    const bool is_broken = session.game() && std::holds_alternative<CorruptedPointer>(session.game()->task());
     broken_ = is_broken && step == nullptr
-                  ? topology::EntityRows(std::get<BrokenPointer>(session.game()->task()).broken)
+                  ? topology::EntityRows(std::get<CorruptedPointer>(session.game()->task()).broken)
                   : topology::EntityRows();
     winged_ = step == nullptr ? topology::WingedTables() : topology::WingedTables(*session.after()[solid_].solid);
-    bring_changed_forward(desk);
+    bring_changed_forward(workspace);
     is_new_ = true;
 }
 
-void TablesPanel::show(Desk& desk)
+void TablesPanel::show(Workspace& workspace)
 {
-    follow(desk);
+    follow(workspace);
     const float em = ImGui::GetFontSize();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.6F * em, 0.3F * em});
     ImGui::BeginChild("###tables", {}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.4F * em, 0.2F * em});
-    show_tabs(desk);
-    if (desk.structure == Structure::WingedEdges) show_winged(desk.session);
-    else show_table(desk.session, desk.table);
+    show_tabs(workspace);
+    if (workspace.structure == Structure::WingedEdges) show_winged(workspace.session);
+    else show_table(workspace.session, workspace.table);
     ImGui::PopStyleVar();
     ImGui::EndChild();
     ImGui::PopStyleVar();
 }
 
 // A dot tells which tables the step has changed.
-void TablesPanel::show_tabs(Desk& desk) const
+void TablesPanel::show_tabs(Workspace& workspace) const
 {
     ui::TabRow row;
     for (const TableEntry& entry : euler::tables()) {
         const bool is_changed = tables_.first_changed(entry.value).has_value();
-        const std::string title = desk.session.tr()(entry.label) + (is_changed ? " •" : "");
-        const bool is_chosen = desk.structure == Structure::HalfEdges && entry.value == desk.table;
-        if (row.show(title + "###" + std::string(entry.id), is_chosen)) desk.show_table(entry.value);
+        const std::string title = workspace.session.tr()(entry.label) + (is_changed ? " •" : "");
+        const bool is_chosen = workspace.structure == Structure::HalfEdges && entry.value == workspace.table;
+        if (row.show(title + "###" + std::string(entry.id), is_chosen)) workspace.show_table(entry.value);
     }
-    const std::string winged = desk.session.tr()("Winged edges") + "###table.winged";
-    if (row.show(winged, desk.structure == Structure::WingedEdges)) desk.structure = Structure::WingedEdges;
+    const std::string winged = workspace.session.tr()("Winged edges") + "###table.winged";
+    if (row.show(winged, workspace.structure == Structure::WingedEdges)) workspace.structure = Structure::WingedEdges;
 }
 
 void TablesPanel::headings(const Session& session, const TableRow& like) const

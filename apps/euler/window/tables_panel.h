@@ -15,12 +15,12 @@ namespace euler {
 /// that was asked for last, else the first. A number leads to its entity, which it selects.
 class TablesPanel {
 public:
-    void show(Desk& desk);
+    void show(Workspace& workspace);
 
 private:
-    void follow(Desk& desk);
-    void bring_changed_forward(Desk& desk) const;
-    void show_tabs(Desk& desk) const;
+    void follow(Workspace& workspace);
+    void bring_changed_forward(Workspace& workspace) const;
+    void show_tabs(Workspace& workspace) const;
     void show_table(Session& session, topology::TableKind kind);
     void headings(const Session& session, const topology::TableRow& like) const;
 

@@ -5,7 +5,7 @@
 
 #include "apps/frame/document/document.h"
 #include "apps/frame/document/selection.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace frame {
 
@@ -15,7 +15,7 @@ enum class Step : std::uint8_t { Click, Drag };
 /// What somebody wants done to the document, as the history names it. The changes of one gesture all start from the
 /// document as it was before the gesture, so each says the whole of what the hand has done so far.
 struct Change {
-    ui::Phrase label;
+    ui::Message label;
     std::function<void(Document&)> command;
     Step step = Step::Click;
     /// Where what the command adds is to be selected: what is done after it was, such as to join what meets; the

@@ -154,7 +154,7 @@ std::vector<femoop::Fault> weightless(const Model& model, const Clipping& clippi
     return faults;
 }
 
-std::optional<ui::Phrase> why_not_paste(const Model& model, std::span<const Part> selected, const Clipping& clipping)
+std::optional<ui::Message> why_not_paste(const Model& model, std::span<const Part> selected, const Clipping& clipping)
 {
     const bool is_alike = clipping.model.analysis == model.analysis;
     if (!is_alike && !model.nodes.empty()) return translatable("what was copied is of another kind of structure");

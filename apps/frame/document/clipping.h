@@ -9,7 +9,7 @@
 #include "apps/frame/document/document.h"
 #include "apps/frame/document/part.h"
 #include "femoop/model/fault/fault.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace frame {
 
@@ -31,8 +31,8 @@ bool can_be_clipped(const Part& part);
 std::optional<Clipping> clipping_of(const Document& document, std::span<const Part> parts);
 
 /// Why the clipping cannot go into the model, where these parts are selected; nothing where it can.
-std::optional<ui::Phrase> why_not_paste(const femoop::Model& model, std::span<const Part> selected,
-                                        const Clipping& clipping);
+std::optional<ui::Message> why_not_paste(const femoop::Model& model, std::span<const Part> selected,
+                                         const Clipping& clipping);
 
 /// The materials without density that would have to bear their own weight once the structure were pasted: load cases
 /// come along, and those of one name are one.

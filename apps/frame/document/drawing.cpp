@@ -263,10 +263,10 @@ void join(Document& document, Selection& selection, const Model& before, const f
     selection.follow(apart, document);
 }
 
-void name_anew(Document& document, const Model& before)
+void rename(Document& document, const Model& before)
 {
     const std::vector<femoop::Node> were = document.model.nodes;
-    femoop::name_anew(document.model, before);
+    femoop::rename(document.model, before);
     Renaming names;
     for (std::size_t i = 0; i < were.size(); ++i) names[were[i].id] = document.model.nodes[i].id;
     for (DimensionLine& dimension : document.companion.dimensions)

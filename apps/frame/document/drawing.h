@@ -55,6 +55,6 @@ void join(Document& document, Selection& selection, const femoop::Model& before,
 
 /// Names the nodes and members that were made since `before` as if they were drawn one by one (femoop/edit/naming.h),
 /// in dimension lines too: copies that were joined keep no gaps and no names of nodes that are gone.
-void name_anew(Document& document, const femoop::Model& before);
+void rename(Document& document, const femoop::Model& before);
 
 } // namespace frame

@@ -10,7 +10,7 @@
 namespace frame {
 
 using namespace femoop;
-using ui::Phrase;
+using ui::Message;
 using ui::translatable;
 
 Part part_of(const Model& model, CaseId id)
@@ -58,13 +58,13 @@ CaseId copy_case(Document& document, CaseId id)
     return CaseId(model.n_cases() - 1);
 }
 
-std::optional<Phrase> why_not_rename(const Model& model, CaseId id, std::string_view name)
+std::optional<Message> why_not_rename(const Model& model, CaseId id, std::string_view name)
 {
-    if (name.find_first_not_of(' ') == std::string_view::npos) return Phrase(translatable("a name is wanted"));
+    if (name.find_first_not_of(' ') == std::string_view::npos) return Message(translatable("a name is wanted"));
     const std::optional<CaseId> other = model.find_case(name);
     if (!other || *other == id) return std::nullopt;
-    return Phrase(translatable("there is another load case or combination named {name}"),
-                  {{"name", std::string(name)}});
+    return Message(translatable("there is another load case or combination named {name}"),
+                   {{"name", std::string(name)}});
 }
 
 void rename(Document& document, CaseId id, std::string name)

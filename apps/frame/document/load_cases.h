@@ -25,7 +25,7 @@ femoop::CaseId add_combination(Document& document);
 femoop::CaseId copy_case(Document& document, femoop::CaseId id);
 
 /// Why the case cannot have this name; nothing where it can.
-std::optional<ui::Phrase> why_not_rename(const femoop::Model& model, femoop::CaseId id, std::string_view name);
+std::optional<ui::Message> why_not_rename(const femoop::Model& model, femoop::CaseId id, std::string_view name);
 /// \pre why_not_rename gives no reason
 void rename(Document& document, femoop::CaseId id, std::string name);
 

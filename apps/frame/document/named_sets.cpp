@@ -171,7 +171,7 @@ void replace(Document& document, NamedSetPlace set, const Part& part)
     value = wanted;
 }
 
-std::optional<ui::Phrase> why_not_rename(const Document& document, NamedSetPlace set, std::string_view name)
+std::optional<ui::Message> why_not_rename(const Document& document, NamedSetPlace set, std::string_view name)
 {
     return objection(document.companion.sets, &NamedSet::name, set.set, name);
 }

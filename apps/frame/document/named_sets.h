@@ -12,7 +12,7 @@
 #include "femoop/edit/condense.h"
 #include "femoop/model/load.h"
 #include "femoop/model/node.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace frame {
 
@@ -68,7 +68,7 @@ void assign(Document& document, NamedSetPlace set, const Part& part);
 /// The set becomes what the part has, and so does everything that had it. \pre value_of(part) is of the set's kind
 void replace(Document& document, NamedSetPlace set, const Part& part);
 
-std::optional<ui::Phrase> why_not_rename(const Document& document, NamedSetPlace set, std::string_view name);
+std::optional<ui::Message> why_not_rename(const Document& document, NamedSetPlace set, std::string_view name);
 /// \pre why_not_rename gives no reason
 void rename(Document& document, NamedSetPlace set, std::string name);
 

@@ -8,19 +8,19 @@
 
 #include "femoop/edit/naming.h"
 #include "ui/text/catalogue.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace frame {
 
 /// Why an entry of a list cannot have this name; nothing where it can. \param place of the entry in the list
 template <class Entry>
-std::optional<ui::Phrase> objection(const std::vector<Entry>& list, std::string Entry::*name_of, std::size_t place,
-                                    std::string_view name)
+std::optional<ui::Message> objection(const std::vector<Entry>& list, std::string Entry::*name_of, std::size_t place,
+                                     std::string_view name)
 {
-    if (name.find_first_not_of(' ') == std::string_view::npos) return ui::Phrase(ui::translatable("a name is wanted"));
+    if (name.find_first_not_of(' ') == std::string_view::npos) return ui::Message(ui::translatable("a name is wanted"));
     for (std::size_t i = 0; i < list.size(); ++i)
         if (i != place && list[i].*name_of == name)
-            return ui::Phrase(ui::translatable("there is another one named {name}"), {{"name", std::string(name)}});
+            return ui::Message(ui::translatable("there is another one named {name}"), {{"name", std::string(name)}});
     return std::nullopt;
 }
 

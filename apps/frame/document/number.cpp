@@ -15,20 +15,20 @@ namespace frame {
 
 using namespace femoop;
 using ui::Measure;
-using ui::Phrase;
+using ui::Message;
 using ui::translatable;
 
 namespace {
 
 // ---- one visit of all numbers of a part, for reading (const Model) and for writing (Model) ----
 
-Phrase line_load_label(Dof dof, std::string_view sentence)
+Message line_load_label(Dof dof, std::string_view sentence)
 {
     static constexpr std::string_view symbols[] = {"qx", "qy", "qz", "mx", "my", "mz"};
     return {sentence, {{"q", std::string(symbols[index(dof)])}}};
 }
 
-Phrase spring_label(std::string_view sentence, Dof dof) { return {sentence, {{"dof", std::string(name(dof))}}}; }
+Message spring_label(std::string_view sentence, Dof dof) { return {sentence, {{"dof", std::string(name(dof))}}}; }
 
 template <class ModelType, class Visit> class NumberVisit {
 public:
@@ -90,7 +90,7 @@ public:
     void operator()(CombinationPlace p)
     {
         for (auto& term : model_.combinations[p.combination].terms)
-            visit_(Phrase(translatable("Factor of {case}"), {{"case", model_.case_name(term.of)}}), Measure::Plain,
+            visit_(Message(translatable("Factor of {case}"), {{"case", model_.case_name(term.of)}}), Measure::Plain,
                    term.factor);
     }
 
@@ -121,13 +121,13 @@ private:
     {
         static constexpr const char* axes[] = {"x", "y", "z"};
         for (std::size_t i = 0; i < list.size() && i < 3; ++i)
-            visit_(Phrase(sentence, {{"axis", axes[i]}}), measure, list[i]);
+            visit_(Message(sentence, {{"axis", axes[i]}}), measure, list[i]);
     }
 
     template <class Components> void components(Components& list, std::string_view sentence = "{force}")
     {
         for (auto& component : list)
-            visit_(Phrase(sentence, {{"force", std::string(force_name(component.dof))}}),
+            visit_(Message(sentence, {{"force", std::string(force_name(component.dof))}}),
                    force_measures.of(component.dof), component.value);
     }
 
@@ -201,7 +201,7 @@ template <class Change> void change_number(Document& document, const NumberId& n
     if (!has(document.model, number.part)) throw std::out_of_range("no such part");
     std::size_t place = 0;
     bool is_found = false;
-    visit_numbers(document.model, number.part, [&](const Phrase&, Measure, auto& value) {
+    visit_numbers(document.model, number.part, [&](const Message&, Measure, auto& value) {
         if (place++ != number.place) return;
         change(value);
         is_found = true;
@@ -265,7 +265,7 @@ std::string as_in_file(std::string_view text)
 std::vector<Number> numbers(const Model& model, const Part& part)
 {
     std::vector<Number> all;
-    visit_numbers(model, part, [&](const Phrase& label, Measure measure, const auto& value) {
+    visit_numbers(model, part, [&](const Message& label, Measure measure, const auto& value) {
         using Value = std::remove_cvref_t<decltype(value)>;
         Number number{{part, all.size()}, label, measure, Need::Required, std::nullopt};
         if constexpr (std::is_same_v<Value, std::optional<Quantity>>) {

@@ -13,7 +13,7 @@
 #include "femoop/model/fault/fault.h"
 #include "femoop/model/quantity/quantity.h"
 #include "ui/text/display_units.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace frame {
 
@@ -30,7 +30,7 @@ enum class Need { Required, Optional };
 /// A number that the user may change: a coordinate, a modulus, the value of a load.
 struct Number {
     NumberId id;
-    ui::Phrase label; ///< without its unit
+    ui::Message label; ///< without its unit
     ui::Measure measure = ui::Measure::Plain;
     Need presence = Need::Required;
     std::optional<femoop::Quantity> value; ///< absent where the file says nothing, such as a shear modulus

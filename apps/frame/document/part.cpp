@@ -7,12 +7,12 @@
 namespace frame {
 
 using namespace femoop;
-using ui::Phrase;
+using ui::Message;
 using ui::translatable;
 
 namespace {
 
-Phrase named(std::string_view sentence, const std::string& id) { return {sentence, {{"id", id}}}; }
+Message named(std::string_view sentence, const std::string& id) { return {sentence, {{"id", id}}}; }
 
 std::string_view load_title(const MemberLoad& load)
 {
@@ -54,7 +54,7 @@ bool has(const Model& model, const Part& part)
                       part);
 }
 
-Phrase title(const Document& document, const Part& part)
+Message title(const Document& document, const Part& part)
 {
     const auto* const place = std::get_if<DimensionPlace>(&part);
     if (place == nullptr) return title(document.model, part);
@@ -62,7 +62,7 @@ Phrase title(const Document& document, const Part& part)
     return named(translatable("Dimension line {id}"), line.nodes.front() + "–" + line.nodes.back());
 }
 
-Phrase title(const Model& model, const Part& part)
+Message title(const Model& model, const Part& part)
 {
     const auto& cases = model.load_cases;
     return std::visit(Overloaded{
@@ -86,7 +86,7 @@ Phrase title(const Model& model, const Part& part)
                               const MemberLoad& load = cases[p.load_case].members[p.load];
                               return named(load_title(load), model[load.member].id);
                           },
-                          [](DimensionPlace) { return Phrase(translatable("Dimension line")); },
+                          [](DimensionPlace) { return Message(translatable("Dimension line")); },
                       },
                       part);
 }

@@ -6,7 +6,7 @@
 #include "apps/drawing/part.h"
 #include "apps/frame/document/drawing_names.h"
 #include "femoop/model/model.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace frame {
 
@@ -17,8 +17,8 @@ bool has(const Document& document, const Part& part);
 bool has(const femoop::Model& model, const Part& part); ///< of what is the model's own
 
 /// "Node B", "Load on member BC". \pre has(document, part)
-ui::Phrase title(const Document& document, const Part& part);
-ui::Phrase title(const femoop::Model& model, const Part& part); ///< of what is the model's own
+ui::Message title(const Document& document, const Part& part);
+ui::Message title(const femoop::Model& model, const Part& part); ///< of what is the model's own
 
 /// Every part of the model, in the order of the file.
 std::vector<Part> parts(const femoop::Model& model);

@@ -86,12 +86,12 @@ MaterialId add_material(Document& document, Material material, std::span<const M
     return add_for(document.model, std::move(material), &Member::material, members);
 }
 
-std::optional<ui::Phrase> why_not_rename(const Model& model, SectionId id, std::string_view name)
+std::optional<ui::Message> why_not_rename(const Model& model, SectionId id, std::string_view name)
 {
     return objection(model.sections, &Section::id, id.index, name);
 }
 
-std::optional<ui::Phrase> why_not_rename(const Model& model, MaterialId id, std::string_view name)
+std::optional<ui::Message> why_not_rename(const Model& model, MaterialId id, std::string_view name)
 {
     return objection(model.materials, &Material::id, id.index, name);
 }
@@ -127,9 +127,9 @@ SectionShape usual_shape(SectionShapeKind kind, const Units& units)
     return shape;
 }
 
-ui::Phrase sentence_of(const ShapeFault& fault, const ui::DisplayUnits& units)
+ui::Message sentence_of(const ShapeFault& fault, const ui::DisplayUnits& units)
 {
-    const ui::Phrase::Argument key{"key", std::string(fault.key)};
+    const ui::Message::Argument key{"key", std::string(fault.key)};
     if (fault.flaw != ShapeFlaw::TooLarge) return {translatable("{key} must be a positive length"), {key}};
     return {
         translatable("{key} must be less than {limit} = {value}"),

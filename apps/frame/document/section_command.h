@@ -9,7 +9,7 @@
 #include "apps/frame/document/document.h"
 #include "femoop/section/shape.h"
 #include "ui/text/display_units.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace frame {
 
@@ -25,8 +25,8 @@ femoop::MaterialId add_material(Document& document, femoop::Material material,
                                 std::span<const femoop::MemberId> members = {});
 
 /// Why it cannot have this name; nothing where it can.
-std::optional<ui::Phrase> why_not_rename(const femoop::Model& model, femoop::SectionId id, std::string_view name);
-std::optional<ui::Phrase> why_not_rename(const femoop::Model& model, femoop::MaterialId id, std::string_view name);
+std::optional<ui::Message> why_not_rename(const femoop::Model& model, femoop::SectionId id, std::string_view name);
+std::optional<ui::Message> why_not_rename(const femoop::Model& model, femoop::MaterialId id, std::string_view name);
 /// \pre why_not_rename gives no reason. What refers to it follows, since references are no names.
 void rename(Document& document, femoop::SectionId id, std::string name);
 void rename(Document& document, femoop::MaterialId id, std::string name);
@@ -39,7 +39,7 @@ std::vector<femoop::MemberId> members_with(const femoop::Model& model, femoop::M
 femoop::SectionShape usual_shape(femoop::SectionShapeKind kind, const femoop::Units& units);
 
 /// What is wrong with a shape, as a sentence for a field.
-ui::Phrase sentence_of(const femoop::ShapeFault& fault, const ui::DisplayUnits& units);
+ui::Message sentence_of(const femoop::ShapeFault& fault, const ui::DisplayUnits& units);
 
 /// The materials and sections of another model, in the units of the document: those that are like one that is there
 /// stay out, names that are taken are made fresh. \returns how many came

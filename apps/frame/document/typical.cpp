@@ -228,19 +228,19 @@ std::vector<double> first_numbers(const TypicalStructure& structure)
     return numbers;
 }
 
-std::optional<ui::Phrase> why_not(const TypicalNumber& number, double value)
+std::optional<ui::Message> why_not(const TypicalNumber& number, double value)
 {
     constexpr double most_length = 1e4, most_load = 1e6; // m, kN: nobody means more
-    const ui::Phrase::Argument least{"least", text_of(number.least)}, most{"most", text_of(number.most)};
+    const ui::Message::Argument least{"least", text_of(number.least)}, most{"most", text_of(number.most)};
     const bool is_on_step = std::fmod(std::round(value) - number.least, number.step) == 0.0;
     const bool is_count = value == std::round(value) && value >= number.least && value <= number.most;
     if (number.is_count() && number.step == 2.0 && !(is_count && is_on_step))
-        return ui::Phrase(translatable("wanted an even number from {least} to {most}"), {least, most});
+        return ui::Message(translatable("wanted an even number from {least} to {most}"), {least, most});
     if (number.is_count() && !is_count)
-        return ui::Phrase(translatable("wanted a whole number from {least} to {most}"), {least, most});
+        return ui::Message(translatable("wanted a whole number from {least} to {most}"), {least, most});
     if (number.measure == Measure::Length && !(value > 0.0 && value <= most_length))
-        return ui::Phrase(translatable("wanted a positive length up to 10 km"));
-    if (!(std::abs(value) <= most_load)) return ui::Phrase(translatable("wanted a load of a sensible size"));
+        return ui::Message(translatable("wanted a positive length up to 10 km"));
+    if (!(std::abs(value) <= most_load)) return ui::Message(translatable("wanted a load of a sensible size"));
     return std::nullopt;
 }
 

@@ -7,7 +7,7 @@
 
 #include "apps/frame/document/document.h"
 #include "ui/text/display_units.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace frame {
 
@@ -40,7 +40,7 @@ std::span<const TypicalStructure> typical_structures();
 std::vector<double> first_numbers(const TypicalStructure& structure);
 
 /// Why the structure cannot have this number; nothing where it can.
-std::optional<ui::Phrase> why_not(const TypicalNumber& number, double value);
+std::optional<ui::Message> why_not(const TypicalNumber& number, double value);
 
 /// Where a structure goes among what is there.
 struct Neighbour {

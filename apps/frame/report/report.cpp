@@ -131,7 +131,7 @@ private:
     void write_structure()
     {
         heading(2, tr_("Structure"));
-        text(kind_words(model_.analysis, tr_) + ", " + size_words(model_, tr_) + degree());
+        text(kind_text(model_.analysis, tr_) + ", " + size_text(model_, tr_) + degree());
         figure(tr_("Names of nodes and members, dimensions"), [&](ui::Painter& painter) {
             using enum Show;
             const ShowSet dimensions{options_.dimensions.empty() ? Dimensions : DrawnDimensions};
@@ -186,7 +186,7 @@ private:
     void write_envelope()
     {
         const Results& results = *solution_.results;
-        heading(2, envelope_words(model_, options_.view));
+        heading(2, envelope_text(model_, options_.view));
         for (const MemberComponent component : section_force_components(model_.analysis)) {
             figure(force_label(component), [&](ui::Painter& painter) {
                 DrawOptions bands = view({show_of(component), Show::Values});

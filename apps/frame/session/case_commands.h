@@ -13,6 +13,6 @@ void add_case_commands(CommandTable& table);
 void show_case(Session& session, femoop::CaseId id);
 
 /// \returns why the case cannot have this name, else renames it. \pre the model has it
-std::optional<ui::Phrase> rename(Session& session, femoop::CaseId id, const std::string& name);
+std::optional<ui::Message> rename(Session& session, femoop::CaseId id, const std::string& name);
 
 } // namespace frame

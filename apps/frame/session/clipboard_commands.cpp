@@ -17,50 +17,50 @@ using ui::translatable;
 
 namespace {
 
-Reason why_not_copy(const Desk& desk)
+Reason why_not_copy(const Workspace& workspace)
 {
-    if (!is_in_plane(desk))
+    if (!is_in_plane(workspace))
         return translatable("a structure in space is not moved with the mouse; change its numbers instead");
-    if (std::ranges::none_of(desk.session.selection.parts(), can_be_clipped))
+    if (std::ranges::none_of(workspace.session.selection.parts(), can_be_clipped))
         return translatable("nothing is selected that can be copied");
     return std::nullopt;
 }
 
-void copy_selection(Desk& desk)
+void copy_selection(Workspace& workspace)
 {
-    desk.clipboard = std::make_shared<const Clipping>(
-        *clipping_of(desk.session.document(), desk.session.selection.parts()));
+    workspace.clipboard = std::make_shared<const Clipping>(
+        *clipping_of(workspace.session.document(), workspace.session.selection.parts()));
 }
 
-void cut_selection(Desk& desk)
+void cut_selection(Workspace& workspace)
 {
-    copy_selection(desk);
-    const auto selected = desk.session.selection.parts();
-    desk.session.change({translatable("Cut"), [parts = std::vector<Part>(selected.begin(), selected.end())](
-                                                  Document& document) { remove(document, parts); }});
+    copy_selection(workspace);
+    const auto selected = workspace.session.selection.parts();
+    workspace.session.change({translatable("Cut"), [parts = std::vector<Part>(selected.begin(), selected.end())](
+                                                       Document& document) { remove(document, parts); }});
 }
 
-Reason why_not_put(const Desk& desk)
+Reason why_not_put(const Workspace& workspace)
 {
-    if (!desk.clipboard) return translatable("nothing was copied yet");
-    return frame::why_not_paste(desk.session.model(), desk.session.selection.parts(), *desk.clipboard);
+    if (!workspace.clipboard) return translatable("nothing was copied yet");
+    return frame::why_not_paste(workspace.session.model(), workspace.session.selection.parts(), *workspace.clipboard);
 }
 
-void put_clipboard(Desk& desk)
+void put_clipboard(Workspace& workspace)
 {
-    cancel_transform(desk);
-    if (std::vector<femoop::Fault> faults = weightless(desk.session.model(), *desk.clipboard); !faults.empty()) {
-        desk.session.notice = refusal_of(std::move(faults));
+    cancel_transform(workspace);
+    if (std::vector<femoop::Fault> faults = weightless(workspace.session.model(), *workspace.clipboard);
+        !faults.empty()) {
+        workspace.session.notice = refusal_of(std::move(faults));
         return;
     }
-    if (desk.clipboard->holds == Clipping::Holds::Structure)
-        return desk.hand.carry(desk.clipboard, desk.session.model().units);
-    const auto selected = desk.session.selection.parts();
-    desk.session.change_soundly(
+    if (workspace.clipboard->holds == Clipping::Holds::Structure)
+        return workspace.tool_controller.carry(workspace.clipboard, workspace.session.model().units);
+    const auto selected = workspace.session.selection.parts();
+    workspace.session.change_soundly(
         {translatable("Paste the loads"),
-         [clipping = desk.clipboard, parts = std::vector<Part>(selected.begin(), selected.end())](Document& document) {
-             paste_loads(document, *clipping, parts);
-         }});
+         [clipping = workspace.clipboard, parts = std::vector<Part>(selected.begin(), selected.end())](
+             Document& document) { paste_loads(document, *clipping, parts); }});
 }
 
 } // namespace

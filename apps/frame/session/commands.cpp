@@ -14,7 +14,7 @@
 #include "apps/frame/session/table_commands.h"
 #include "apps/frame/session/tabs.h"
 #include "apps/frame/session/view_commands.h"
-#include "ui/desk/standard_commands.h"
+#include "ui/workspace/standard_commands.h"
 
 #include <array>
 #include <utility>
@@ -32,14 +32,14 @@ using ui::standard::file_menu;
 using ui::standard::view_menu;
 
 // A command that asks this app's window for something.
-std::function<void(Desk&)> asks(Request request)
+std::function<void(Workspace&)> asks(Request request)
 {
-    return [request](Desk& desk) { desk.requests.push_back(request); };
+    return [request](Workspace& workspace) { workspace.requests.push_back(request); };
 }
 
-Reason why_no_other_tab(const Desk& desk)
+Reason why_no_other_tab(const Workspace& workspace)
 {
-    if (n_tabs(desk) > 1) return std::nullopt;
+    if (n_tabs(workspace) > 1) return std::nullopt;
     return translatable("no other document is open");
 }
 
@@ -47,20 +47,21 @@ void add_file_commands(CommandTable& table)
 {
     Menu menu(table, file_menu);
     add_new_commands(table);
-    ui::standard::add_open<Desk>(table, ui::asks(ui::Request::OpenDialog),
-                                 [](Desk& desk, const std::filesystem::path& path) { return open_file(desk, path); });
+    ui::standard::add_open<Workspace>(
+        table, ui::asks(ui::Request::OpenDialog),
+        [](Workspace& workspace, const std::filesystem::path& path) { return open_file(workspace, path); });
     ui::standard::add_save(table, save_as);
     ui::standard::add_export(table, translatable("Export picture, results or report…"));
     menu.toggle(
         {"file.report_matrices", translatable("Matrices in the report")},
-        [](auto& desk) -> auto& { return desk.session.reports_matrices; });
+        [](auto& workspace) -> auto& { return workspace.session.reports_matrices; });
     ui::standard::add_copy_and_describe(table, translatable("Model and results in words"));
     add_method_commands(table);
     menu.step({"file.close", translatable("Close"), {{Key::W, ui::ctrl}}}, asks(Request::CloseTab));
     menu.step(
         {"file.next_tab", translatable("Next tab"), {{Key::Tab, ui::ctrl}}},
-        [](Desk& desk) { show_tab(desk, (desk.tab + 1) % n_tabs(desk)); }, why_no_other_tab);
-    ui::standard::add_quit<Desk>(table, ui::asks(ui::Request::Quit));
+        [](Workspace& workspace) { show_tab(workspace, (workspace.tab + 1) % n_tabs(workspace)); }, why_no_other_tab);
+    ui::standard::add_quit<Workspace>(table, ui::asks(ui::Request::Quit));
 }
 
 using Shown = ui::Choice<Show>;
@@ -86,44 +87,44 @@ void add_show_commands(CommandTable& table)
 {
     Menu(table, translatable("Show"))
         .toggles(
-            toggles, [](const Desk& desk, Show item) { return desk.session.view.show.contains(item); },
-            [](Desk& desk, Show item, bool is_on) {
-                ShowSet& show = desk.session.view.show;
+            toggles, [](const Workspace& workspace, Show item) { return workspace.session.view.show.contains(item); },
+            [](Workspace& workspace, Show item, bool is_on) {
+                ShowSet& show = workspace.session.view.show;
                 is_on ? show.insert(item) : show.erase(item);
             });
 }
 
 // Keeps the present solution to compare later ones with it; drops the one that is kept.
-void keep_reference(Desk& desk, bool is_kept)
+void keep_reference(Workspace& workspace, bool is_kept)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     session.reference.reset();
     if (is_kept)
         session.reference = std::make_shared<const ReferenceResults>(
             ReferenceResults{session.model(), *session.solution().results});
 }
 
-Reason why_not_compare(const Desk& desk)
+Reason why_not_compare(const Workspace& workspace)
 {
-    if (desk.session.reference || desk.session.solution().results) return std::nullopt;
+    if (workspace.session.reference || workspace.session.solution().results) return std::nullopt;
     return translatable("the model has no results");
 }
 
-Reason why_no_envelope(const Desk& desk)
+Reason why_no_envelope(const Workspace& workspace)
 {
-    if (desk.session.view.is_envelope || desk.session.model().n_cases() > 1) return std::nullopt;
+    if (workspace.session.view.is_envelope || workspace.session.model().n_cases() > 1) return std::nullopt;
     return translatable("the model has no other load case");
 }
 
-void animate(Desk& desk, bool is_on)
+void animate(Workspace& workspace, bool is_on)
 {
-    desk.session.is_animated = is_on;
-    if (is_on) desk.session.view.show.insert(Show::Deformed);
+    workspace.session.is_animated = is_on;
+    if (is_on) workspace.session.view.show.insert(Show::Deformed);
 }
 
-Reason why_not_animate(const Desk& desk)
+Reason why_not_animate(const Workspace& workspace)
 {
-    return desk.session.is_animated ? std::nullopt : desk.session.why_no_results();
+    return workspace.session.is_animated ? std::nullopt : workspace.session.why_no_results();
 }
 
 void add_camera_commands(CommandTable& table)
@@ -132,19 +133,20 @@ void add_camera_commands(CommandTable& table)
     ui::standard::add_zoom(table, translatable("Show the whole model"), {{Key::F, {}}, {Key::Home, {}}});
     menu.toggle(
         {"view.animate", translatable("Animate"), {{Key::A, {}}}},
-        [](const Desk& desk) { return desk.session.is_animated; }, animate, why_not_animate);
+        [](const Workspace& workspace) { return workspace.session.is_animated; }, animate, why_not_animate);
     menu.toggle(
         {"view.envelope", translatable("Envelope"), {{Key::E, {}}}},
-        [](auto& desk) -> auto& { return desk.session.view.is_envelope; }, why_no_envelope);
+        [](auto& workspace) -> auto& { return workspace.session.view.is_envelope; }, why_no_envelope);
     menu.toggle(
         {"view.compare", translatable("Compare with the present results"), {{Key::G, {}}}},
-        [](const Desk& desk) { return desk.session.reference != nullptr; }, keep_reference, why_not_compare);
+        [](const Workspace& workspace) { return workspace.session.reference != nullptr; }, keep_reference,
+        why_not_compare);
     ui::standard::add_projector(table);
     menu.toggle(
         {"view.moment_side", translatable("Moments on the tension side")},
-        [](const Desk& desk) { return desk.session.view.moment_side == MomentSide::Tension; },
-        [](Desk& desk, bool is_on) {
-            desk.session.view.moment_side = is_on ? MomentSide::Tension : MomentSide::Compression;
+        [](const Workspace& workspace) { return workspace.session.view.moment_side == MomentSide::Tension; },
+        [](Workspace& workspace, bool is_on) {
+            workspace.session.view.moment_side = is_on ? MomentSide::Tension : MomentSide::Compression;
         });
 }
 
@@ -184,10 +186,10 @@ void add_look_commands(CommandTable& table)
     ui::standard::add_themes(table);
     Menu menu(table, translatable("Units"));
     menu.choices(
-        unit_entries, [](const Desk& desk) { return desk.session.units().system(); },
-        [](Desk& desk, ui::UnitSystem system) { desk.session.view.units = system; });
+        unit_entries, [](const Workspace& workspace) { return workspace.session.units().system(); },
+        [](Workspace& workspace, ui::UnitSystem system) { workspace.session.view.units = system; });
     menu.choices(
-        digits_entries, [](auto& desk) -> auto& { return desk.session.view.numbers.digits; });
+        digits_entries, [](auto& workspace) -> auto& { return workspace.session.view.numbers.digits; });
     ui::standard::add_export_scales(table);
     ui::standard::add_languages(table);
 }

@@ -14,12 +14,12 @@
 #include "apps/frame/session/solver_show.h"
 #include "apps/frame/session/transform.h"
 #include "apps/frame/session/typical_draft.h"
-#include "apps/frame/tools/hand.h"
 #include "apps/frame/tools/kept_settings.h"
+#include "apps/frame/tools/tool_controller.h"
 #include "ui/command/menu_builder.h"
-#include "ui/desk/desk.h"
-#include "ui/desk/handover.h"
 #include "ui/files/autosave.h"
+#include "ui/workspace/export_to_app.h"
+#include "ui/workspace/workspace.h"
 
 namespace frame {
 
@@ -41,43 +41,43 @@ enum class Topic : std::uint8_t { Properties, Results, Problems, History };
 
 /// A session, the panels around its picture, and what its commands ask the window for. The window takes the requests
 /// once a frame.
-struct Desk : ui::Desk {
-    explicit Desk(Session first) : session(std::move(first)) {}
+struct Workspace : ui::Workspace {
+    explicit Workspace(Session first) : session(std::move(first)) {}
     ui::ThemeName& theme() { return session.view.theme; }
     ui::ThemeName theme() const { return session.view.theme; }
     const ui::Catalogue& tr() const { return session.view.tr; }
     std::optional<ui::UnitSystem> units() const { return session.view.units; }
     void set_language(ui::Language language) { session.set_language(language); }
-    std::string kept_tools() const { return kept_words(hand.settings()); }
-    void take_up_tools(std::string_view words) { take_up(hand.settings(), words); }
+    std::string kept_tools() const { return kept_words(tool_controller.settings()); }
+    void take_up_tools(std::string_view words) { take_up(tool_controller.settings(), words); }
     void give_room_to_the_picture(bool all) { has_panels = !all; }
     void open(const std::filesystem::path& path);
-    void tell(const ui::Phrase& sentence) { session.notice = Notice{sentence, {}}; }
-    std::vector<ui::Unsaved> unsaved() const;
+    void notify(const ui::Message& sentence) { session.notice = Notice{sentence, {}}; }
+    std::vector<ui::UnsavedDocument> unsaved() const;
     bool can_recover() const { return !session.history().is_dragging(); }
-    std::optional<std::uint64_t> recover(const ui::Leftover& leftover); ///< in a tab of its own
+    std::optional<std::uint64_t> recover(const ui::RecoverableFile& recoverable); ///< in a tab of its own
 
     Session session;
-    Hand hand{};
-    std::vector<Session> shelf{};                ///< the other tabs in their order (tabs.h)
+    ToolController tool_controller{};
+    std::vector<Session> other_tabs{};           ///< the other tabs in their order (tabs.h)
     std::size_t tab = 0;                         ///< place of the session among the tabs
     std::shared_ptr<const Clipping> clipboard{}; ///< what was copied last; null before that
     std::optional<Transform> transform{};        ///< under way: its numbers can still change
     TypicalDraft typical{};
     SectionDraft section{};
     std::vector<Request> requests{};
-    std::vector<ui::Handover> handed{}; ///< documents for other programs; the window takes them once a frame
+    std::vector<ui::ExportToApp> handed{}; ///< documents for other programs; the window takes them once a frame
     Topic topic = Topic::Properties;
     BottomView bottom{};
     SolverShow solver{}; ///< what the panel at the bottom shows of it
 };
 
-using CommandTable = ui::CommandTable<Desk>;
+using CommandTable = ui::CommandTable<Workspace>;
 
 /// Everything that the app can do, by name.
 CommandTable command_table();
 
-using Menu = ui::MenuBuilder<Desk>;
+using Menu = ui::MenuBuilder<Workspace>;
 
 /// The commands that choose what the panel at the right shows, in the order of its tabs.
 using TopicEntry = ui::Choice<Topic>;

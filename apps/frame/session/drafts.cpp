@@ -15,7 +15,7 @@ std::error_code write_draft(const Document& document, const std::filesystem::pat
     return files::write_whole_file(draft, femoop::write_model(document.model));
 }
 
-ui::Unsaved unsaved_of(const Session& session)
+ui::UnsavedDocument unsaved_of(const Session& session)
 {
     return {.document = session.number(),
             .state = session.generation(),
@@ -26,30 +26,30 @@ ui::Unsaved unsaved_of(const Session& session)
                         return write_draft(document, draft);
                     };
                 },
-            .about = femoop::size_words(session.model(), session.view.tr)};
+            .about = femoop::size_text(session.model(), session.view.tr)};
 }
 
 } // namespace
 
-std::vector<ui::Unsaved> Desk::unsaved() const
+std::vector<ui::UnsavedDocument> Workspace::unsaved() const
 {
-    std::vector<ui::Unsaved> documents;
+    std::vector<ui::UnsavedDocument> documents;
     for (std::size_t i = 0; i < n_tabs(*this); ++i)
         if (const Session& in = frame::tab(*this, i); in.is_dirty()) documents.push_back(unsaved_of(in));
     return documents;
 }
 
-std::optional<std::uint64_t> Desk::recover(const ui::Leftover& leftover)
+std::optional<std::uint64_t> Workspace::recover(const ui::RecoverableFile& recoverable)
 {
     Session recovered{Document{}};
-    if (!recovered.recover(leftover.draft, leftover.original)) {
-        session.refuse(leftover.draft, *recovered.notice);
+    if (!recovered.recover(recoverable.draft, recoverable.original)) {
+        session.refuse(recoverable.draft, *recovered.notice);
         return std::nullopt;
     }
     add_tab(*this, std::move(recovered));
     return session.number();
 }
 
-void Desk::open(const std::filesystem::path& path) { open_file(*this, path); }
+void Workspace::open(const std::filesystem::path& path) { open_file(*this, path); }
 
 } // namespace frame

@@ -8,7 +8,7 @@
 #include "apps/frame/session/in_plane.h"
 #include "apps/frame/session/predict_commands.h"
 #include "femoop/edit/place.h"
-#include "ui/desk/standard_commands.h"
+#include "ui/workspace/standard_commands.h"
 
 namespace frame {
 
@@ -33,75 +33,78 @@ constexpr std::array tool_entries{
     ToolEntry{ToolKind::Predict, "draw.predict", translatable("Predict the moments"), {{Key::K, {}}}},
 };
 
-Reason why_not_take(const Desk& desk, ToolKind tool)
+Reason why_not_take(const Workspace& workspace, ToolKind tool)
 {
-    if (tool == ToolKind::Predict) return why_not_predict(desk);
-    if (tool != ToolKind::Dimension || is_in_plane(desk)) return std::nullopt;
+    if (tool == ToolKind::Predict) return why_not_predict(workspace);
+    if (tool != ToolKind::Dimension || is_in_plane(workspace)) return std::nullopt;
     return translatable("dimension lines stand in plane structures alone");
 }
 
-Reason needs_selection(const Desk& desk)
+Reason needs_selection(const Workspace& workspace)
 {
-    if (!desk.session.selection.is_empty()) return std::nullopt;
+    if (!workspace.session.selection.is_empty()) return std::nullopt;
     return translatable("nothing is selected");
 }
 
-Reason needs_plane_selection(const Desk& desk)
+Reason needs_plane_selection(const Workspace& workspace)
 {
-    if (const Reason reason = needs_selection(desk)) return reason;
-    if (is_in_plane(desk)) return std::nullopt;
+    if (const Reason reason = needs_selection(workspace)) return reason;
+    if (is_in_plane(workspace)) return std::nullopt;
     return translatable("a structure in space is not moved with the mouse; change its numbers instead");
 }
 
-std::vector<Part> selected(const Desk& desk)
+std::vector<Part> selected(const Workspace& workspace)
 {
-    const auto parts = desk.session.selection.parts();
+    const auto parts = workspace.session.selection.parts();
     return {parts.begin(), parts.end()};
 }
 
-ui::Phrase about_selection(const Desk& desk, std::string_view one, std::string_view many)
+ui::Message about_selection(const Workspace& workspace, std::string_view one, std::string_view many)
 {
-    const std::optional<Part> part = desk.session.selection.only();
-    return part ? ui::Phrase(one, {{"part", title(desk.session.document(), *part)}}) : ui::Phrase(many);
+    const std::optional<Part> part = workspace.session.selection.only();
+    return part ? ui::Message(one, {{"part", title(workspace.session.document(), *part)}}) : ui::Message(many);
 }
 
-Reason needs_something_to_delete(const Desk& desk)
+Reason needs_something_to_delete(const Workspace& workspace)
 {
-    return is_predicting(desk) ? std::nullopt : needs_selection(desk);
+    return is_predicting(workspace) ? std::nullopt : needs_selection(workspace);
 }
 
-void delete_selection(Desk& desk)
+void delete_selection(Workspace& workspace)
 {
-    if (is_predicting(desk)) return desk.session.prediction.clear();
-    desk.session.change({about_selection(desk, translatable("Delete: {part}"), translatable("Delete the selection")),
-                         [parts = selected(desk)](Document& document) { remove(document, parts); }});
+    if (is_predicting(workspace)) return workspace.session.prediction.clear();
+    workspace.session.change(
+        {about_selection(workspace, translatable("Delete: {part}"), translatable("Delete the selection")),
+         [parts = selected(workspace)](Document& document) { remove(document, parts); }});
 }
 
-void nudge(Desk& desk, double x, double y)
+void nudge(Workspace& workspace, double x, double y)
 {
-    const double step = desk.hand.settings().grid;
-    desk.session.change({about_selection(desk, translatable("Move: {part}"), translatable("Move the selection")),
-                         [=, parts = selected(desk)](Document& document) {
-                             const femoop::Model before = document.model;
-                             place(document, parts, femoop::moved_by({x * step, y * step, 0.0}));
-                             join(document, before);
-                         }});
+    const double step = workspace.tool_controller.settings().grid;
+    workspace.session.change(
+        {about_selection(workspace, translatable("Move: {part}"), translatable("Move the selection")),
+         [=, parts = selected(workspace)](Document& document) {
+             const femoop::Model before = document.model;
+             place(document, parts, femoop::moved_by({x * step, y * step, 0.0}));
+             join(document, before);
+         }});
 }
 
 // What Esc does: the innermost of what is under way ends.
-void give_up(Desk& desk)
+void give_up(Workspace& workspace)
 {
-    if (desk.transform) return cancel_transform(desk);
-    if (is_predicting(desk) && !desk.hand.is_sketching()) return desk.session.prediction.clear();
-    if (desk.hand.escape()) return;
-    desk.session.selection.clear();
-    desk.session.pin.reset();
-    desk.session.notice.reset();
+    if (workspace.transform) return cancel_transform(workspace);
+    if (is_predicting(workspace) && !workspace.tool_controller.is_sketching())
+        return workspace.session.prediction.clear();
+    if (workspace.tool_controller.escape()) return;
+    workspace.session.selection.clear();
+    workspace.session.pin.reset();
+    workspace.session.notice.reset();
 }
 
-void select_similar(Desk& desk)
+void select_similar(Workspace& workspace)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     session.selection = similar(session.model(), session.selection);
 }
 
@@ -109,12 +112,12 @@ void add_selection_commands(CommandTable& table)
 {
     Menu menu(table, edit_menu);
     menu.step({"edit.select_all", translatable("Select everything"), {{Key::A, ui::ctrl}}},
-              [](Desk& desk) { desk.session.selection = everything(desk.session.model()); });
+              [](Workspace& workspace) { workspace.session.selection = everything(workspace.session.model()); });
     menu.step({"edit.select_similar", translatable("Select what is alike"), {{Key::A, ui::ctrl_shift}}}, select_similar,
               needs_selection);
     menu.step({"edit.deselect", translatable("Give up, select nothing"), {{Key::Escape, {}}}}, give_up);
     menu.step({"edit.menu", translatable("Menu of the selection"), {{Key::F10, ui::shift}}},
-              [](Desk& desk) { desk.requests.push_back(Request::ContextMenu); });
+              [](Workspace& workspace) { workspace.requests.push_back(Request::ContextMenu); });
     menu.step({"edit.delete", translatable("Delete the selection"), {{Key::Delete, {}}, {Key::Backspace, {}}}},
               delete_selection, needs_something_to_delete);
 }
@@ -122,12 +125,12 @@ void add_selection_commands(CommandTable& table)
 void add_transform(Menu& menu, ui::CommandName name, Transform::Kind kind)
 {
     menu.step(
-        std::move(name), [kind](Desk& desk) { begin_transform(desk, kind); }, needs_plane_selection);
+        std::move(name), [kind](Workspace& workspace) { begin_transform(workspace, kind); }, needs_plane_selection);
 }
 
-Reason why_not_accept(const Desk& desk)
+Reason why_not_accept(const Workspace& workspace)
 {
-    if (desk.transform) return std::nullopt;
+    if (workspace.transform) return std::nullopt;
     return translatable("nothing is under way");
 }
 
@@ -146,7 +149,7 @@ void add_transform_commands(CommandTable& table)
 void add_nudge(Menu& menu, ui::CommandName name, double x, double y)
 {
     menu.step(
-        std::move(name), [x, y](Desk& desk) { nudge(desk, x, y); }, needs_plane_selection);
+        std::move(name), [x, y](Workspace& workspace) { nudge(workspace, x, y); }, needs_plane_selection);
 }
 
 void add_nudges(CommandTable& table)
@@ -160,32 +163,32 @@ void add_nudges(CommandTable& table)
 
 } // namespace
 
-void begin_transform(Desk& desk, Transform::Kind kind)
+void begin_transform(Workspace& workspace, Transform::Kind kind)
 {
-    cancel_transform(desk);
-    desk.hand.take(ToolKind::Select);
-    desk.transform = transform_of(kind, desk.session.model(), desk.session.selection);
-    change_transform(desk);
+    cancel_transform(workspace);
+    workspace.tool_controller.take(ToolKind::Select);
+    workspace.transform = transform_of(kind, workspace.session.model(), workspace.session.selection);
+    change_transform(workspace);
 }
 
-std::optional<ui::Phrase> change_transform(Desk& desk)
+std::optional<ui::Message> change_transform(Workspace& workspace)
 {
-    Session& session = desk.session;
-    return session.change(desk.transform->change(session.history().settled().model));
+    Session& session = workspace.session;
+    return session.change(workspace.transform->change(session.history().settled().model));
 }
 
-void accept_transform(Desk& desk)
+void accept_transform(Workspace& workspace)
 {
-    if (!desk.transform) return;
-    desk.session.settle();
-    desk.transform.reset();
+    if (!workspace.transform) return;
+    workspace.session.settle();
+    workspace.transform.reset();
 }
 
-void cancel_transform(Desk& desk)
+void cancel_transform(Workspace& workspace)
 {
-    if (!desk.transform) return;
-    desk.session.cancel();
-    desk.transform.reset();
+    if (!workspace.transform) return;
+    workspace.session.cancel();
+    workspace.transform.reset();
 }
 
 namespace {
@@ -197,10 +200,10 @@ constexpr std::array snap_switches{
     SnapSwitch{&ToolSettings::draws_to_parts, "draw.snap", translatable("Snap to nodes and lines"), {{Key::F9, {}}}},
 };
 
-void take(Desk& desk, ToolKind tool)
+void take(Workspace& workspace, ToolKind tool)
 {
-    if (tool == ToolKind::Predict) begin_to_predict(desk);
-    else desk.hand.take(tool);
+    if (tool == ToolKind::Predict) begin_to_predict(workspace);
+    else workspace.tool_controller.take(tool);
 }
 
 // What a scenario sets of a typical structure and of a section that are being made.
@@ -209,12 +212,12 @@ constexpr std::array typical_verbs{"template.choose", "template.set", "template.
 constexpr std::array section_verbs{"section.shape", "section.profile", "section.name",  "section.set",
                                    "section.new",   "section.accept",  "section.cancel"};
 
-template <class Draft> CommandTable::RunWith obey(Draft Desk::*draft)
+template <class Draft> CommandTable::RunWith run_command(Draft Workspace::*draft)
 {
-    return [draft](Desk& desk, const ui::Argument& argument) -> Reason {
+    return [draft](Workspace& workspace, const ui::Argument& argument) -> Reason {
         const std::string_view verb = argument.id.substr(argument.id.find('.') + 1);
-        const auto complaint = (desk.*draft).obey(desk.session, verb, argument.text);
-        return complaint ? Reason(*complaint) : std::nullopt;
+        const auto mismatch = (workspace.*draft).run_command(workspace.session, verb, argument.text);
+        return mismatch ? Reason(*mismatch) : std::nullopt;
     };
 }
 
@@ -225,29 +228,29 @@ void add_tool_commands(CommandTable& table)
     Menu menu(table, draw_menu);
     for (const ToolEntry& entry : tool_entries)
         menu.choice(
-            entry, [](const Desk& desk) { return desk.hand.kind(); }, take,
-            [tool = entry.value](const Desk& desk) { return why_not_take(desk, tool); });
+            entry, [](const Workspace& workspace) { return workspace.tool_controller.kind(); }, take,
+            [tool = entry.value](const Workspace& workspace) { return why_not_take(workspace, tool); });
     menu.toggles(
-        snap_switches, [](auto& desk, auto item) -> auto& { return desk.hand.settings().*item; });
+        snap_switches, [](auto& workspace, auto item) -> auto& { return workspace.tool_controller.settings().*item; });
 }
 
 void add_edit_commands(CommandTable& table)
 {
     ui::standard::add_undo_and_redo(table);
-    Menu(table, draw_menu).step({"edit.template", translatable("Typical structures…"), {{Key::T, {}}}}, [](Desk& desk) {
-        desk.typical.open(desk.session);
-    });
+    Menu(table, draw_menu)
+        .step({"edit.template", translatable("Typical structures…"), {{Key::T, {}}}},
+              [](Workspace& workspace) { workspace.typical.open(workspace.session); });
     Menu menu(table, edit_menu);
     menu.step({"edit.section", translatable("Section…"), {{Key::C, {}}}},
-              [](Desk& desk) { desk.section.open(desk.session); });
+              [](Workspace& workspace) { workspace.section.open(workspace.session); });
     menu.step({"edit.new_section", translatable("New section…"), {{Key::C, ui::shift}}},
-              [](Desk& desk) { desk.section.open_new(desk.session); });
+              [](Workspace& workspace) { workspace.section.open_new(workspace.session); });
     add_clipboard_commands(table);
     add_selection_commands(table);
     add_transform_commands(table);
     add_nudges(table);
-    for (const std::string_view id : typical_verbs) table.with_argument(id, obey(&Desk::typical));
-    for (const std::string_view id : section_verbs) table.with_argument(id, obey(&Desk::section));
+    for (const std::string_view id : typical_verbs) table.with_argument(id, run_command(&Workspace::typical));
+    for (const std::string_view id : section_verbs) table.with_argument(id, run_command(&Workspace::section));
 }
 
 std::span<const ToolEntry> tools() { return tool_entries; }

@@ -9,11 +9,11 @@ void add_tool_commands(CommandTable& table);
 void add_edit_commands(CommandTable& table);
 
 /// Begins, ends or gives up a transformation of the selection by numbers.
-void begin_transform(Desk& desk, Transform::Kind kind);
+void begin_transform(Workspace& workspace, Transform::Kind kind);
 /// Its numbers are others now. Where these cannot be, what was before is still shown, and why is returned.
-std::optional<ui::Phrase> change_transform(Desk& desk);
-void accept_transform(Desk& desk);
-void cancel_transform(Desk& desk);
+std::optional<ui::Message> change_transform(Workspace& workspace);
+void accept_transform(Workspace& workspace);
+void cancel_transform(Workspace& workspace);
 
 /// The commands that take up a tool, in the order of the tool bar.
 using ToolEntry = ui::Choice<ToolKind>;

@@ -126,16 +126,17 @@ std::optional<BottomView> table_with(const Model& model, const Part& part, const
 
 } // namespace
 
-void go_to(Desk& desk, const Fault& fault)
+void go_to(Workspace& workspace, const Fault& fault)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     if (const auto id = case_about(session, fault)) bring_case_forth(session, *id);
     const std::optional<Part> about = part_about(session.model(), fault);
     const Selection named = about ? Selection(*about) : parts_named(session.model(), fault);
     if (!named.is_empty()) session.selection = named;
     const std::optional<Part> mended = mended_part(session.model(), fault);
     if (!mended) return;
-    if (auto table = table_with(session.model(), *mended, field_of(remedy_of(fault)))) desk.bottom = std::move(*table);
+    if (auto table = table_with(session.model(), *mended, field_of(remedy_of(fault))))
+        workspace.bottom = std::move(*table);
 }
 
 } // namespace frame

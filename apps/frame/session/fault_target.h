@@ -7,6 +7,6 @@ namespace frame {
 
 /// Goes to where a fault of the document is mended: shows its case, selects the part that it is about, and opens the
 /// table with the cell of the field. What the fault has none of stays as it is.
-void go_to(Desk& desk, const femoop::Fault& fault);
+void go_to(Workspace& workspace, const femoop::Fault& fault);
 
 } // namespace frame

@@ -7,7 +7,7 @@
 #include "apps/frame/session/new_commands.h"
 #include "apps/frame/session/tabs.h"
 #include "femoop/io/model_file.h"
-#include "ui/desk/standard_commands.h"
+#include "ui/workspace/standard_commands.h"
 
 namespace frame {
 
@@ -42,14 +42,14 @@ std::optional<Notice> why_not_into(const Model& now, const Model& next)
     if (!after.faults.empty()) return refusal_of(named(std::move(after.faults), next));
     if (!was_sound || after.is_whole) return std::nullopt;
     return passing_notice({translatable("nothing was changed: {kind} has no place for a part of the model"),
-                           {{"kind", ui::Phrase(label_of(next.analysis))}}});
+                           {{"kind", ui::Message(label_of(next.analysis))}}});
 }
 
 } // namespace
 
-void change_kind(Desk& desk, AnalysisKind kind)
+void change_kind(Workspace& workspace, AnalysisKind kind)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     const bool was_truss = femoop::is_truss(session.model().analysis), is_truss = femoop::is_truss(kind);
     Model next = session.model();
     next.analysis = kind;
@@ -57,7 +57,7 @@ void change_kind(Desk& desk, AnalysisKind kind)
         session.notice = std::move(notice);
         return;
     }
-    session.change({{translatable("Change into: {kind}"), {{"kind", ui::Phrase(label_of(kind))}}},
+    session.change({{translatable("Change into: {kind}"), {{"kind", ui::Message(label_of(kind))}}},
                     [kind](Document& document) { document.model.analysis = kind; }});
     if (is_truss != was_truss) session.view.show = suited(session.view.show, is_truss);
 }
@@ -68,9 +68,9 @@ void add_kind_commands(CommandTable& table)
     for (const KindEntry& entry : kinds())
         menu.choice(
                 ui::Choice<AnalysisKind>{entry.kind, entry.change_id, entry.label},
-                [](const Desk& desk) { return desk.session.model().analysis; }, change_kind)
-            .live_label = [label = entry.label](const Desk&) -> ui::Phrase {
-            return {translatable("Change into: {kind}"), {{"kind", ui::Phrase(label)}}};
+                [](const Workspace& workspace) { return workspace.session.model().analysis; }, change_kind)
+            .live_label = [label = entry.label](const Workspace&) -> ui::Message {
+            return {translatable("Change into: {kind}"), {{"kind", ui::Message(label)}}};
         };
 }
 

@@ -6,7 +6,7 @@ namespace frame {
 
 /// Changes the kind of the structure - plane truss, space frame and so on - where every part of it has its meaning in
 /// the new kind too; a notice names what has not.
-void change_kind(Desk& desk, femoop::AnalysisKind kind);
+void change_kind(Workspace& workspace, femoop::AnalysisKind kind);
 
 /// A command for each kind.
 void add_kind_commands(CommandTable& table);

@@ -11,7 +11,7 @@
 
 namespace frame {
 
-using ui::Phrase;
+using ui::Message;
 using ui::translatable;
 
 namespace {
@@ -80,7 +80,7 @@ void keep_blank_cases(femoop::Model& next, const Session& session)
 
 } // namespace
 
-void LinkedPrograms::add(ui::Link link, const Session& session, const ui::Handover& handed)
+void LinkedPrograms::add(ui::Link link, const Session& session, const ui::ExportToApp& handed)
 {
     const femoop::Model& model = session.model();
     Handed what{session.number(), handed.program, {}, 0.0, model.case_name(session.view.load_case)};
@@ -106,8 +106,8 @@ std::string LinkedPrograms::text_now(const Linked& linked, const Session& sessio
     const double x = results ? std::min(handed.x, results->geometry(members.front()).length) : handed.x;
     const Offer offer = handed.program == circle ? circle_at(session, {members.front(), x}, *load_case)
                                                  : moment_distribution(session, members, *load_case);
-    const auto* const handover = std::get_if<ui::Handover>(&offer);
-    return handover != nullptr ? handover->document : linked.text;
+    const auto* const exported = std::get_if<ui::ExportToApp>(&offer);
+    return exported != nullptr ? exported->document : linked.text;
 }
 
 bool LinkedPrograms::is_news(const Linked& linked, const Session& session, const std::string& other)
@@ -117,11 +117,11 @@ bool LinkedPrograms::is_news(const Linked& linked, const Session& session, const
     return theirs && ours && femoop::write_model(*theirs) != femoop::write_model(*ours);
 }
 
-void LinkedPrograms::tick(double seconds, const Desk& desk)
+void LinkedPrograms::tick(double seconds, const Workspace& workspace)
 {
     std::erase_if(all_, [](const Linked& linked) { return linked.copy.is_cut(); });
     for (Linked& linked : all_) {
-        const Session& session = desk.session;
+        const Session& session = workspace.session;
         if (linked.handed.session != session.number() || session.history().is_dragging()) continue;
         if (linked.generation != session.generation()) {
             linked.text = text_now(linked, session);
@@ -132,37 +132,37 @@ void LinkedPrograms::tick(double seconds, const Desk& desk)
     }
 }
 
-const LinkedPrograms::Linked* LinkedPrograms::offering_one(const Desk& desk) const
+const LinkedPrograms::Linked* LinkedPrograms::offering_one(const Workspace& workspace) const
 {
     const auto found = std::ranges::find_if(all_, [&](const Linked& linked) {
-        return linked.handed.session == desk.session.number() && linked.copy.offered();
+        return linked.handed.session == workspace.session.number() && linked.copy.offered();
     });
     return found == all_.end() ? nullptr : &*found;
 }
 
-std::optional<std::string_view> LinkedPrograms::offering(const Desk& desk) const
+std::optional<std::string_view> LinkedPrograms::offering(const Workspace& workspace) const
 {
-    const Linked* const linked = offering_one(desk);
+    const Linked* const linked = offering_one(workspace);
     if (linked == nullptr) return std::nullopt;
     return linked->handed.program == circle ? translatable("Mohr's circle has changed the section")
                                             : translatable("moment distribution has changed the structure");
 }
 
-void LinkedPrograms::keep(const Desk& desk)
+void LinkedPrograms::keep(const Workspace& workspace)
 {
-    const Linked* const from = offering_one(desk);
+    const Linked* const from = offering_one(workspace);
     for (Linked& linked : all_)
         if (&linked == from) linked.copy.keep();
 }
 
-void LinkedPrograms::take_over(Desk& desk)
+void LinkedPrograms::adopt(Workspace& workspace)
 {
-    const Linked* const from = offering_one(desk);
+    const Linked* const from = offering_one(workspace);
     for (Linked& linked : all_) {
         if (&linked != from) continue;
         const std::string text = linked.copy.take();
-        if (linked.handed.program == circle) take_section(desk.session, linked.handed, text);
-        else take_structure(desk.session, linked.handed, text);
+        if (linked.handed.program == circle) adopt_section(workspace.session, linked.handed, text);
+        else adopt_structure(workspace.session, linked.handed, text);
         return;
     }
 }
@@ -182,7 +182,7 @@ std::optional<LinkedPrograms::NewSection> LinkedPrograms::section_from(const Ses
     return NewSection{*id, *next};
 }
 
-void LinkedPrograms::take_section(Session& session, const Handed& handed, const std::string& text)
+void LinkedPrograms::adopt_section(Session& session, const Handed& handed, const std::string& text)
 {
     const auto taken = section_from(session, handed, text);
     if (!taken) return;
@@ -191,7 +191,7 @@ void LinkedPrograms::take_section(Session& session, const Handed& handed, const 
          [taken = *taken](Document& document) { document.model.sections[taken.id.index] = taken.section; }});
 }
 
-void LinkedPrograms::take_structure(Session& session, const Handed& handed, const std::string& text)
+void LinkedPrograms::adopt_structure(Session& session, const Handed& handed, const std::string& text)
 {
     auto model = model_of(text);
     if (!model) return;

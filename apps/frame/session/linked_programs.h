@@ -16,12 +16,12 @@ namespace frame {
 class LinkedPrograms {
 public:
     /// \param handed  to a program of the present session, by the selection, the pin and the pointer that it has now
-    void add(ui::Link link, const Session& session, const ui::Handover& handed);
-    void tick(double seconds, const Desk& desk); ///< time goes by
+    void add(ui::Link link, const Session& session, const ui::ExportToApp& handed);
+    void tick(double seconds, const Workspace& workspace); ///< time goes by
     /// What the first program that offers something is called: "Mohr's circle"; nothing where none does.
-    std::optional<std::string_view> offering(const Desk& desk) const;
-    void take_over(Desk& desk); ///< as a step, or a notice says why not. \pre something is offered
-    void keep(const Desk& desk);
+    std::optional<std::string_view> offering(const Workspace& workspace) const;
+    void adopt(Workspace& workspace); ///< as a step, or a notice says why not. \pre something is offered
+    void keep(const Workspace& workspace);
 
 private:
     /// What was handed over, by names, so that it is found again after the model has changed.
@@ -46,9 +46,9 @@ private:
                                                   const std::string& text);
     static std::string text_now(const Linked& linked, const Session& session);
     static bool is_news(const Linked& linked, const Session& session, const std::string& other);
-    static void take_section(Session& session, const Handed& handed, const std::string& text);
-    static void take_structure(Session& session, const Handed& handed, const std::string& text);
-    const Linked* offering_one(const Desk& desk) const;
+    static void adopt_section(Session& session, const Handed& handed, const std::string& text);
+    static void adopt_structure(Session& session, const Handed& handed, const std::string& text);
+    const Linked* offering_one(const Workspace& workspace) const;
 
     std::vector<Linked> all_;
 };

@@ -14,11 +14,11 @@
 namespace frame {
 
 using namespace femoop;
-using ui::Phrase;
+using ui::Message;
 using ui::Reason;
 using ui::translatable;
 
-std::optional<Phrase> why_shown_case_takes_no_load(const Session& session)
+std::optional<Message> why_shown_case_takes_no_load(const Session& session)
 {
     if (session.view.is_envelope) return translatable("the envelope is shown; choose a load case first");
     if (session.view.load_case.index < session.model().load_cases.size() || session.model().n_cases() == 0)
@@ -69,10 +69,10 @@ std::vector<Dof> directions(AnalysisKind kind)
 
 // ---- why not ----
 
-Reason needs_members(const Desk& desk)
+Reason needs_members(const Workspace& workspace)
 {
-    if (const Reason reason = why_shown_case_takes_no_load(desk.session)) return reason;
-    if (!Targets(desk.session).members.empty()) return std::nullopt;
+    if (const Reason reason = why_shown_case_takes_no_load(workspace.session)) return reason;
+    if (!Targets(workspace.session).members.empty()) return std::nullopt;
     return translatable("select members first");
 }
 
@@ -103,66 +103,66 @@ std::optional<Dof> dof_to_spring(const Model& model, NodeId node)
     return std::nullopt;
 }
 
-Reason why_not_settle(const Desk& desk)
+Reason why_not_settle(const Workspace& workspace)
 {
-    if (const Reason reason = why_shown_case_takes_no_load(desk.session)) return reason;
-    const Targets targets(desk.session);
+    if (const Reason reason = why_shown_case_takes_no_load(workspace.session)) return reason;
+    const Targets targets(workspace.session);
     if (targets.nodes.empty()) return translatable("select supported nodes first");
     for (const NodeId node : targets.nodes) {
-        const Phrase::Argument name{"node", desk.session.model()[node].id};
-        if (!desk.session.model()[node].support)
-            return Phrase(translatable("node {node} has no support that could settle"), {name});
-        if (!dof_to_settle(desk.session, node))
-            return Phrase(translatable("node {node} settles in every direction that its support holds already"),
-                          {name});
+        const Message::Argument name{"node", workspace.session.model()[node].id};
+        if (!workspace.session.model()[node].support)
+            return Message(translatable("node {node} has no support that could settle"), {name});
+        if (!dof_to_settle(workspace.session, node))
+            return Message(translatable("node {node} settles in every direction that its support holds already"),
+                           {name});
     }
     return std::nullopt;
 }
 
-Reason why_not_spring(const Desk& desk)
+Reason why_not_spring(const Workspace& workspace)
 {
-    const Targets targets(desk.session);
+    const Targets targets(workspace.session);
     if (targets.nodes.empty()) return translatable("select nodes first");
     for (const NodeId node : targets.nodes)
-        if (!dof_to_spring(desk.session.model(), node))
-            return Phrase(translatable("node {node} has a spring in every direction already"),
-                          {{"node", desk.session.model()[node].id}});
+        if (!dof_to_spring(workspace.session.model(), node))
+            return Message(translatable("node {node} has a spring in every direction already"),
+                           {{"node", workspace.session.model()[node].id}});
     return std::nullopt;
 }
 
-Reason why_not_warm(const Desk& desk)
+Reason why_not_warm(const Workspace& workspace)
 {
-    if (const Reason reason = needs_members(desk)) return reason;
-    const Model& model = desk.session.model();
-    for (const MemberId member : Targets(desk.session).members) {
+    if (const Reason reason = needs_members(workspace)) return reason;
+    const Model& model = workspace.session.model();
+    for (const MemberId member : Targets(workspace.session).members) {
         const auto material = model[member].material;
         if (material && !model[*material].alpha)
-            return Phrase(translatable("material {material} has no thermal expansion; give it one first"),
-                          {{"material", model[*material].id}});
+            return Message(translatable("material {material} has no thermal expansion; give it one first"),
+                           {{"material", model[*material].id}});
     }
     return std::nullopt;
 }
 
-Reason why_not_turn_ends(const Desk& desk)
+Reason why_not_turn_ends(const Workspace& workspace)
 {
-    if (is_truss(desk.session.model().analysis))
+    if (is_truss(workspace.session.model().analysis))
         return translatable("the members of a truss have no moments at their ends");
-    return needs_members(desk);
+    return needs_members(workspace);
 }
 
 // ---- what is done ----
 
-Phrase about(const Session& session, std::string_view what, std::span<const Part> parts)
+Message about(const Session& session, std::string_view what, std::span<const Part> parts)
 {
     if (parts.size() != 1) return what;
-    return {"{what}: {part}", {{"what", Phrase(what)}, {"part", title(session.document(), parts.front())}}};
+    return {"{what}: {part}", {{"what", Message(what)}, {"part", title(session.document(), parts.front())}}};
 }
 
 /// Adds one load to each part, and selects what came.
-void add_loads(Desk& desk, std::string_view what, std::span<const Part> parts,
+void add_loads(Workspace& workspace, std::string_view what, std::span<const Part> parts,
                const std::function<Part(Document&, LoadCasePlace, const Part&)>& add)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     Selection added;
     const bool is_done = session.change_soundly({about(session, what, parts), [&](Document& document) {
                                                      added.clear();
@@ -172,29 +172,29 @@ void add_loads(Desk& desk, std::string_view what, std::span<const Part> parts,
                                                  }});
     if (!is_done) return;
     session.selection = added;
-    desk.topic = Topic::Properties;
+    workspace.topic = Topic::Properties;
 }
 
-void add_to_members(Desk& desk, std::string_view what, const MemberLoadValue& load)
+void add_to_members(Workspace& workspace, std::string_view what, const MemberLoadValue& load)
 {
-    const std::vector<MemberId> members = Targets(desk.session).members;
-    add_loads(desk, what, std::vector<Part>(members.begin(), members.end()),
+    const std::vector<MemberId> members = Targets(workspace.session).members;
+    add_loads(workspace, what, std::vector<Part>(members.begin(), members.end()),
               [&](Document& document, LoadCasePlace place, const Part& part) {
                   return add_member_load(document, place, std::get<MemberId>(part), load);
               });
 }
 
-void settle(Desk& desk, std::string_view what)
+void settle(Workspace& workspace, std::string_view what)
 {
-    const std::vector<NodeId> nodes = Targets(desk.session).nodes;
-    const Units& units = desk.session.model().units;
+    const std::vector<NodeId> nodes = Targets(workspace.session).nodes;
+    const Units& units = workspace.session.model().units;
     const Quantity down = typed("-10 mm", dimension::length, units), turn(0.001);
     std::vector<Component> settlements; // told from the document as it was
     for (const NodeId node : nodes) {
-        const Dof dof = dof_to_settle(desk.session, node).value();
+        const Dof dof = dof_to_settle(workspace.session, node).value();
         settlements.push_back({dof, is_rotation(dof) ? turn : down});
     }
-    add_loads(desk, what, std::vector<Part>(nodes.begin(), nodes.end()),
+    add_loads(workspace, what, std::vector<Part>(nodes.begin(), nodes.end()),
               [&](Document& document, LoadCasePlace place, const Part& part) {
                   const auto i = std::ranges::find(nodes, std::get<NodeId>(part)) - nodes.begin();
                   return add_settlement(document, place, std::get<NodeId>(part),
@@ -202,9 +202,9 @@ void settle(Desk& desk, std::string_view what)
               });
 }
 
-void spring(Desk& desk, std::string_view what)
+void spring(Workspace& workspace, std::string_view what)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     const std::vector<NodeId> nodes = Targets(session).nodes;
     const std::vector<Part> parts(nodes.begin(), nodes.end());
     const Units& units = session.model().units;
@@ -220,32 +220,32 @@ void spring(Desk& desk, std::string_view what)
     if (!is_done) return;
     session.selection.clear();
     for (const Part& part : parts) session.selection.add(part);
-    desk.topic = Topic::Properties;
+    workspace.topic = Topic::Properties;
 }
 
-void add_part_load(Desk& desk, std::string_view what)
+void add_part_load(Workspace& workspace, std::string_view what)
 {
-    ToolSettings settings = desk.hand.settings();
+    ToolSettings settings = workspace.tool_controller.settings();
     settings.load = LoadKind::UniformDown;
     const LoadReach middle{.from = Percent{25.0}, .to = Percent{75.0}};
-    add_to_members(desk, what, member_load_of(settings, desk.session.model().analysis, middle).value());
+    add_to_members(workspace, what, member_load_of(settings, workspace.session.model().analysis, middle).value());
 }
 
-void add_temperature(Desk& desk, std::string_view what)
+void add_temperature(Workspace& workspace, std::string_view what)
 {
-    add_to_members(desk, what, TemperatureLoad{.top = Quantity(20.0), .bottom = Quantity(20.0)});
+    add_to_members(workspace, what, TemperatureLoad{.top = Quantity(20.0), .bottom = Quantity(20.0)});
 }
 
-void add_misfit(Desk& desk, std::string_view what)
+void add_misfit(Workspace& workspace, std::string_view what)
 {
-    add_to_members(desk, what, Misfit{typed("1 mm", dimension::length, desk.session.model().units)});
+    add_to_members(workspace, what, Misfit{typed("1 mm", dimension::length, workspace.session.model().units)});
 }
 
-void add_end_moments(Desk& desk, std::string_view what)
+void add_end_moments(Workspace& workspace, std::string_view what)
 {
-    const Quantity& moment = desk.hand.settings().moment;
+    const Quantity& moment = workspace.tool_controller.settings().moment;
     add_to_members(
-        desk, what,
+        workspace, what,
         EndLoads{.start = {{Dof::rz, Quantity(-moment)}}, .end = {{Dof::rz, moment}}, .axes = LoadAxes::Local});
 }
 
@@ -264,39 +264,39 @@ constexpr std::array tool_loads{
     ToolLoad{"load.triangular", translatable("Add a triangular load ↓"), LoadKind::TriangularDown},
 };
 
-ToolSettings set_to(const Desk& desk, LoadKind kind)
+ToolSettings set_to(const Workspace& workspace, LoadKind kind)
 {
-    ToolSettings settings = desk.hand.settings();
+    ToolSettings settings = workspace.tool_controller.settings();
     settings.load = kind;
     return settings;
 }
 
-Reason why_not_load(const Desk& desk, LoadKind kind)
+Reason why_not_load(const Workspace& workspace, LoadKind kind)
 {
-    if (const Reason reason = why_shown_case_takes_no_load(desk.session)) return reason;
-    const Targets targets(desk.session);
-    const ToolSettings settings = set_to(desk, kind);
-    const AnalysisKind analysis = desk.session.model().analysis;
+    if (const Reason reason = why_shown_case_takes_no_load(workspace.session)) return reason;
+    const Targets targets(workspace.session);
+    const ToolSettings settings = set_to(workspace, kind);
+    const AnalysisKind analysis = workspace.session.model().analysis;
     if (!member_load_of(settings, analysis, {})) return translatable("a structure of this kind has no such load");
     if (targets.members.empty() && !targets.nodes.empty() && !force_of(settings, analysis))
         return translatable("a node bears forces and moments alone; select members");
     return std::nullopt;
 }
 
-void load(Desk& desk, const ToolLoad& entry)
+void load(Workspace& workspace, const ToolLoad& entry)
 {
-    const Targets targets(desk.session);
-    const ToolSettings settings = set_to(desk, entry.kind);
-    const AnalysisKind analysis = desk.session.model().analysis;
+    const Targets targets(workspace.session);
+    const ToolSettings settings = set_to(workspace, entry.kind);
+    const AnalysisKind analysis = workspace.session.model().analysis;
     if (targets.is_empty()) {
-        desk.hand.settings().load = entry.kind;
-        return desk.hand.take(ToolKind::Load);
+        workspace.tool_controller.settings().load = entry.kind;
+        return workspace.tool_controller.take(ToolKind::Load);
     }
     const auto force = force_of(settings, analysis);
     const MemberLoadValue on_member = member_load_of(settings, analysis, {}).value();
     std::vector<Part> parts(targets.members.begin(), targets.members.end());
     if (force) parts.insert(parts.end(), targets.nodes.begin(), targets.nodes.end());
-    add_loads(desk, entry.label, parts, [&](Document& document, LoadCasePlace place, const Part& part) {
+    add_loads(workspace, entry.label, parts, [&](Document& document, LoadCasePlace place, const Part& part) {
         if (const auto* const node = std::get_if<NodeId>(&part)) return add_node_load(document, place, *node, *force);
         return add_member_load(document, place, std::get<MemberId>(part), on_member);
     });
@@ -306,8 +306,8 @@ void load(Desk& desk, const ToolLoad& entry)
 
 struct OtherLoad {
     std::string_view id, label;
-    void (*run)(Desk&, std::string_view);
-    Reason (*why_not)(const Desk&);
+    void (*run)(Workspace&, std::string_view);
+    Reason (*why_not)(const Workspace&);
 };
 constexpr std::array other_loads{
     OtherLoad{"load.part", translatable("Add a load on a part of the member"), add_part_load, needs_members},
@@ -331,11 +331,12 @@ void add_load_commands(CommandTable& table)
     Menu menu(table, translatable("Loads"));
     for (const ToolLoad& entry : tool_loads)
         menu.step(
-            {entry.id, entry.label}, [entry](Desk& desk) { load(desk, entry); },
-            [kind = entry.kind](const Desk& desk) { return why_not_load(desk, kind); });
+            {entry.id, entry.label}, [entry](Workspace& workspace) { load(workspace, entry); },
+            [kind = entry.kind](const Workspace& workspace) { return why_not_load(workspace, kind); });
     for (const OtherLoad& entry : other_loads)
         menu.step(
-            {entry.id, entry.label}, [entry](Desk& desk) { entry.run(desk, entry.label); }, entry.why_not);
+            {entry.id, entry.label}, [entry](Workspace& workspace) { entry.run(workspace, entry.label); },
+            entry.why_not);
 }
 
 std::span<const std::string_view> loads_for_nodes() { return for_nodes; }

@@ -13,7 +13,7 @@ namespace frame {
 void add_load_commands(CommandTable& table);
 
 /// Why what is shown takes no load: a combination and the envelope have none of their own.
-std::optional<ui::Phrase> why_shown_case_takes_no_load(const Session& session);
+std::optional<ui::Message> why_shown_case_takes_no_load(const Session& session);
 
 /// The ids of those that nodes can have, and members.
 std::span<const std::string_view> loads_for_nodes();

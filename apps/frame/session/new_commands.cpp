@@ -4,7 +4,7 @@
 #include <array>
 
 #include "apps/frame/session/tabs.h"
-#include "ui/desk/standard_commands.h"
+#include "ui/workspace/standard_commands.h"
 
 namespace frame {
 
@@ -29,15 +29,15 @@ std::string_view label_of(AnalysisKind kind) { return std::ranges::find(kind_ent
 
 void add_new_commands(CommandTable& table)
 {
-    ui::standard::add_new<Desk>(table, [](Desk& desk) {
-        new_document(desk, AnalysisKind::Frame2d);
-        desk.requests.push_back(Request::AskKind);
+    ui::standard::add_new<Workspace>(table, [](Workspace& workspace) {
+        new_document(workspace, AnalysisKind::Frame2d);
+        workspace.requests.push_back(Request::AskKind);
     });
     Menu menu(table, ui::standard::file_menu);
     for (const KindEntry& entry : kind_entries)
-        menu.step({entry.id, entry.label}, [kind = entry.kind](Desk& desk) { new_document(desk, kind); }).live_label =
-            [label = entry.label](const Desk&) -> ui::Phrase {
-            return {translatable("New: {kind}"), {{"kind", ui::Phrase(label)}}};
+        menu.step({entry.id, entry.label}, [kind = entry.kind](Workspace& workspace) { new_document(workspace, kind); })
+            .live_label = [label = entry.label](const Workspace&) -> ui::Message {
+            return {translatable("New: {kind}"), {{"kind", ui::Message(label)}}};
         };
 }
 

@@ -21,13 +21,13 @@
 #include "femoop/model/quantity/quantity_parser.h"
 #include "femoop/section/profile.h"
 #include "femoop/section/shape.h"
-#include "ui/desk/standard_commands.h"
+#include "ui/workspace/standard_commands.h"
 
 namespace frame {
 
 using femoop::MemberComponent;
 using femoop::MemberId;
-using ui::Phrase;
+using ui::Message;
 using ui::translatable;
 
 namespace dimension = femoop::dimension;
@@ -68,7 +68,7 @@ Offer moment_distribution(const Session& session, const std::vector<MemberId>& m
                       .is_about_model = true};
     document = cross::read_document(femoop::write_model(model)); // with the method that the file asks for
     document.method.load_case = load_case;
-    return ui::Handover{.program = "cross", .document = cross::write_document(document)};
+    return ui::ExportToApp{.program = "cross", .document = cross::write_document(document)};
 }
 
 Offer moment_distribution(const Session& session)
@@ -146,23 +146,23 @@ std::optional<Cut> worst_cut(const Session& session)
     return Cut{*member, is_sagging ? extremes.max.x : extremes.min.x};
 }
 
-std::optional<Phrase> why_no_forces(const Session& session)
+std::optional<Message> why_no_forces(const Session& session)
 {
     using enum femoop::AnalysisKind;
     if (session.hidden || !session.solution().results) return session.why_no_results();
-    if (session.model().n_cases() == 0) return Phrase(translatable("the model has no load case; add one first"));
+    if (session.model().n_cases() == 0) return Message(translatable("the model has no load case; add one first"));
     if (session.model().analysis != Frame2d && session.model().analysis != Truss2d)
-        return Phrase(translatable(
+        return Message(translatable(
             "a section's circle is that of a plane frame or truss; here members bend in other planes too"));
     return std::nullopt;
 }
 
 /// Of the case that is shown.
-std::optional<Phrase> why_no_forces_here(const Session& session)
+std::optional<Message> why_no_forces_here(const Session& session)
 {
     if (auto reason = why_no_forces(session)) return reason;
     if (session.view.is_envelope)
-        return Phrase(translatable("an envelope is no state of a section; choose a load case"));
+        return Message(translatable("an envelope is no state of a section; choose a load case"));
     return session.why_no_results();
 }
 
@@ -209,37 +209,37 @@ struct NamedFigure {
     femoop::mohr::SectionFigure figure;
 };
 
-std::variant<NamedFigure, Phrase> figure_of(const femoop::Model& model, MemberId id)
+std::variant<NamedFigure, Message> figure_of(const femoop::Model& model, MemberId id)
 {
     const femoop::Member& member = model[id];
     if (!member.section || !member.material)
-        return Phrase(translatable("member {id} has no section: it is rigid"), {{"id", member.id}});
+        return Message(translatable("member {id} has no section: it is rigid"), {{"id", member.id}});
     const femoop::Section& section = model[*member.section];
     const auto words = section_text(section, model.units);
     if (!words)
-        return Phrase(
+        return Message(
             translatable(
                 "section {name} is given by numbers alone, so its fibres are not known; choose a profile or a shape"),
             {{"name", section.id}});
     if (section.A || section.Iz)
-        return Phrase(
+        return Message(
             translatable("section {name} is {outline} with an area or a second moment of its own, "
                          "which its outline does not have, so its fibres are not known; take the own values away"),
             {{"name", section.id}, {"outline", *words}});
     auto figure = mohr::section_figure(*words);
-    if (auto* const reason = std::get_if<Phrase>(&figure)) return std::move(*reason);
+    if (auto* const reason = std::get_if<Message>(&figure)) return std::move(*reason);
     return NamedFigure{*words, std::get<femoop::mohr::SectionFigure>(std::move(figure))};
 }
 
 /// Without the work of handing it over: it is asked for in every frame that shows the command.
-std::optional<Phrase> why_no_circle(const Session& session)
+std::optional<Message> why_no_circle(const Session& session)
 {
     if (auto reason = why_no_forces_here(session)) return reason;
     const auto cut = cut_for_circle(session);
     if (!cut || cut->member.index >= session.model().members.size())
-        return Phrase(translatable("point at a section of a member, or select one member"));
+        return Message(translatable("point at a section of a member, or select one member"));
     auto figure = figure_of(session.model(), cut->member);
-    const auto* const reason = std::get_if<Phrase>(&figure);
+    const auto* const reason = std::get_if<Message>(&figure);
     return reason != nullptr ? std::optional(*reason) : std::nullopt;
 }
 
@@ -258,18 +258,18 @@ Offer circle_at(const Session& session, const Cut& cut, femoop::CaseId load_case
         return passing_notice({translatable("Case {case} has no results: see the problems."),
                                {{"case", session.model().case_name(load_case)}}});
     const auto found = figure_of(session.model(), cut.member);
-    if (const auto* const reason = std::get_if<Phrase>(&found)) return passing_notice(*reason);
+    if (const auto* const reason = std::get_if<Message>(&found)) return passing_notice(*reason);
     const auto& [words, figure] = std::get<NamedFigure>(found);
     mohr::Document document = mohr::textbook_state();
     document.section = words;
     document = section_document(session, cut, load_case, document, figure);
-    return ui::Handover{.program = "mohr", .document = mohr::file_text(document)};
+    return ui::ExportToApp{.program = "mohr", .document = mohr::file_text(document)};
 }
 
 std::optional<femoop::Section> section_named(const std::string& words, const femoop::Section& section,
                                              const femoop::Units& units)
 {
-    if (std::holds_alternative<Phrase>(mohr::section_figure(words))) return std::nullopt;
+    if (std::holds_alternative<Message>(mohr::section_figure(words))) return std::nullopt;
     femoop::Section next{.id = section.id};
     if (femoop::find_profile(words) != nullptr) {
         next.profile = words;
@@ -295,14 +295,14 @@ std::optional<femoop::Section> section_named(const std::string& words, const fem
 
 namespace {
 
-void hand_over(Desk& desk, Offer offer, Notice told)
+void hand_over(Workspace& workspace, Offer offer, Notice told)
 {
     if (auto* const refusal = std::get_if<Notice>(&offer)) {
-        desk.session.notice = std::move(*refusal);
+        workspace.session.notice = std::move(*refusal);
         return;
     }
-    desk.handed.push_back(std::get<ui::Handover>(std::move(offer)));
-    desk.session.notice = std::move(told);
+    workspace.handed.push_back(std::get<ui::ExportToApp>(std::move(offer)));
+    workspace.session.notice = std::move(told);
 }
 
 Notice told_of_distribution(const Session& session)
@@ -318,30 +318,30 @@ Notice told_of_distribution(const Session& session)
 
 namespace {
 
-void hand_over_distribution(Desk& desk)
+void hand_over_distribution(Workspace& workspace)
 {
-    hand_over(desk, moment_distribution(desk.session), told_of_distribution(desk.session));
+    hand_over(workspace, moment_distribution(workspace.session), told_of_distribution(workspace.session));
 }
 
-void hand_over_circle(Desk& desk)
+void hand_over_circle(Workspace& workspace)
 {
-    hand_over(desk, circle_at_section(desk.session),
+    hand_over(workspace, circle_at_section(workspace.session),
               passing_notice(translatable("the circle is drawn in a window of its own")));
 }
 
-ui::Reason why_no_distribution(const Desk& desk)
+ui::Reason why_no_distribution(const Workspace& workspace)
 {
-    if (!desk.session.model().members.empty()) return std::nullopt;
-    return Phrase(translatable("the model has no members"));
+    if (!workspace.session.model().members.empty()) return std::nullopt;
+    return Message(translatable("the model has no members"));
 }
 
 // With a path, what the other program would get is written there.
-CommandTable::RunWith into_file(void (*run)(Desk&))
+CommandTable::RunWith into_file(void (*run)(Workspace&))
 {
-    return [run](Desk& desk, const ui::Argument& path) -> ui::Reason {
-        run(desk);
-        if (desk.handed.empty()) return desk.session.notice->sentence;
-        const std::error_code error = files::write_whole_file(path.text, desk.handed.back().document);
+    return [run](Workspace& workspace, const ui::Argument& path) -> ui::Reason {
+        run(workspace);
+        if (workspace.handed.empty()) return workspace.session.notice->sentence;
+        const std::error_code error = files::write_whole_file(path.text, workspace.handed.back().document);
         return error ? ui::Reason(error.message()) : std::nullopt;
     };
 }
@@ -354,7 +354,7 @@ void add_method_commands(CommandTable& table)
     menu.step({"methods.distribution", translatable("Moment distribution of the selection")}, hand_over_distribution,
               why_no_distribution);
     menu.step({"methods.circle", translatable("Mohr's circle at this section")}, hand_over_circle,
-              [](const Desk& desk) { return why_no_circle(desk.session); });
+              [](const Workspace& workspace) { return why_no_circle(workspace.session); });
     table.with_argument("methods.distribution", into_file(hand_over_distribution));
     table.with_argument("methods.circle", into_file(hand_over_circle));
 }

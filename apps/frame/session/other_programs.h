@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "apps/frame/session/commands.h"
-#include "ui/desk/handover.h"
+#include "ui/workspace/export_to_app.h"
 
 namespace frame {
 
 /// What another program of the suite is started with, or why there is nothing to start it with.
-using Offer = std::variant<ui::Handover, Notice>;
+using Offer = std::variant<ui::ExportToApp, Notice>;
 
 /// The selected members, or all where none is selected, for moment distribution, in the case that is shown.
 Offer moment_distribution(const Session& session);

@@ -15,19 +15,19 @@ constexpr std::array plane_entries{
     PlaneEntry{Normal::X, "draw.plane_yz", translatable("Draw in the plane yz"), "yz"},
 };
 
-std::optional<ui::Phrase> why_not_in_space(const Desk& desk)
+std::optional<ui::Message> why_not_in_space(const Workspace& workspace)
 {
-    if (femoop::is_3d(desk.session.model().analysis)) return std::nullopt;
+    if (femoop::is_3d(workspace.session.model().analysis)) return std::nullopt;
     return translatable("the structure is plane; a working plane is for structures in space");
 }
 
-void work_in(Desk& desk, Normal normal)
+void work_in(Workspace& workspace, Normal normal)
 {
-    WorkingPlane& plane = desk.hand.settings().plane;
+    WorkingPlane& plane = workspace.tool_controller.settings().plane;
     plane.normal = normal;
-    const auto part = desk.session.selection.only();
+    const auto part = workspace.session.selection.only();
     const auto* const node = part ? std::get_if<femoop::NodeId>(&*part) : nullptr;
-    if (node != nullptr) plane.level = desk.session.model()[*node].at[static_cast<std::size_t>(plane.index())];
+    if (node != nullptr) plane.level = workspace.session.model()[*node].at[static_cast<std::size_t>(plane.index())];
 }
 
 } // namespace
@@ -36,8 +36,9 @@ std::span<const PlaneEntry> working_planes() { return plane_entries; }
 
 void add_plane_commands(CommandTable& table)
 {
-    const auto plane_now = [](const Desk& desk) -> std::optional<Normal> {
-        return why_not_in_space(desk) ? std::nullopt : std::optional(desk.hand.settings().plane.normal);
+    const auto plane_now = [](const Workspace& workspace) -> std::optional<Normal> {
+        return why_not_in_space(workspace) ? std::nullopt
+                                           : std::optional(workspace.tool_controller.settings().plane.normal);
     };
     Menu menu(table, translatable("Draw"));
     for (const PlaneEntry& entry : plane_entries)

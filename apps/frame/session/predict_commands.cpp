@@ -17,26 +17,26 @@ void hide(Session& session)
     session.view.show = session.view.show - results;
 }
 
-void reveal(Desk& desk)
+void reveal(Workspace& workspace)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     session.view.show = session.view.show | *session.hidden;
     session.hidden.reset();
     if (!session.prediction.is_empty()) session.view.show.insert(Show::M);
-    if (desk.hand.kind() == ToolKind::Predict) desk.hand.take(ToolKind::Select);
+    if (workspace.tool_controller.kind() == ToolKind::Predict) workspace.tool_controller.take(ToolKind::Select);
 }
 
 } // namespace
 
-void hide_or_reveal(Desk& desk)
+void hide_or_reveal(Workspace& workspace)
 {
-    if (desk.session.hidden) reveal(desk);
-    else hide(desk.session);
+    if (workspace.session.hidden) reveal(workspace);
+    else hide(workspace.session);
 }
 
-Reason why_not_predict(const Desk& desk)
+Reason why_not_predict(const Workspace& workspace)
 {
-    const Session& session = desk.session;
+    const Session& session = workspace.session;
     if (session.model().analysis != femoop::AnalysisKind::Frame2d)
         return translatable("moments are guessed on plane frames only");
     if (!session.solution().results) return translatable("the model has no results");
@@ -44,22 +44,22 @@ Reason why_not_predict(const Desk& desk)
     return std::nullopt;
 }
 
-void begin_to_predict(Desk& desk)
+void begin_to_predict(Workspace& workspace)
 {
-    if (!desk.session.hidden) hide(desk.session);
-    desk.hand.take(ToolKind::Predict);
+    if (!workspace.session.hidden) hide(workspace.session);
+    workspace.tool_controller.take(ToolKind::Predict);
 }
 
-bool is_predicting(const Desk& desk)
+bool is_predicting(const Workspace& workspace)
 {
-    return desk.hand.kind() == ToolKind::Predict && !desk.session.prediction.is_empty();
+    return workspace.tool_controller.kind() == ToolKind::Predict && !workspace.session.prediction.is_empty();
 }
 
 namespace {
 
-Reason why_not_clear(const Desk& desk)
+Reason why_not_clear(const Workspace& workspace)
 {
-    if (!desk.session.prediction.is_empty()) return std::nullopt;
+    if (!workspace.session.prediction.is_empty()) return std::nullopt;
     return translatable("nothing was guessed yet");
 }
 
@@ -69,10 +69,10 @@ void add_predict_commands(CommandTable& table)
 {
     Menu menu(table, translatable("View"));
     menu.step({"view.hide_results", translatable("Hide the results, or reveal them"), {{Key::H, {}}}}, hide_or_reveal)
-        .is_on = [](const Desk& desk) { return desk.session.hidden.has_value(); };
+        .is_on = [](const Workspace& workspace) { return workspace.session.hidden.has_value(); };
     menu.step(
         {"view.clear_guess", translatable("Wipe out what was guessed")},
-        [](Desk& desk) { desk.session.prediction.clear(); }, why_not_clear);
+        [](Workspace& workspace) { workspace.session.prediction.clear(); }, why_not_clear);
 }
 
 } // namespace frame

@@ -9,15 +9,15 @@ void add_predict_commands(CommandTable& table);
 
 /// Hides every result, for a class to guess, or brings back those that were shown; the moments too, where they were
 /// guessed.
-void hide_or_reveal(Desk& desk);
+void hide_or_reveal(Workspace& workspace);
 
 /// Why no moments can be sketched now; nothing where they can.
-std::optional<ui::Phrase> why_not_predict(const Desk& desk);
+std::optional<ui::Message> why_not_predict(const Workspace& workspace);
 
 /// Takes up the tool that sketches, and hides the results.
-void begin_to_predict(Desk& desk);
+void begin_to_predict(Workspace& workspace);
 
 /// Whether the hand is at it and something was sketched, so that Esc and Del mean the sketch.
-bool is_predicting(const Desk& desk);
+bool is_predicting(const Workspace& workspace);
 
 } // namespace frame

@@ -37,11 +37,11 @@ femoop::Material pattern(const Session& session, const std::vector<MemberId>& me
     return femoop::steel(model.units, "210 GPa");
 }
 
-void edit_title(Desk& desk)
+void edit_title(Workspace& workspace)
 {
-    desk.session.selection.clear();
-    desk.topic = Topic::Properties;
-    desk.requests.push_back(Request::EditTitle);
+    workspace.session.selection.clear();
+    workspace.topic = Topic::Properties;
+    workspace.requests.push_back(Request::EditTitle);
 }
 
 } // namespace
@@ -49,12 +49,13 @@ void edit_title(Desk& desk)
 void add_property_commands(CommandTable& table)
 {
     Menu menu(table, translatable("Edit"));
-    menu.step({"edit.new_material", translatable("New material")}, [](Desk& desk) { new_material(desk.session); });
+    menu.step({"edit.new_material", translatable("New material")},
+              [](Workspace& workspace) { new_material(workspace.session); });
     menu.step({"edit.title", translatable("Title and notes…")}, edit_title);
     menu.step({"edit.import_properties", translatable("Import materials and sections…")},
-              [](Desk& desk) { desk.requests.push_back(Request::ImportDialog); });
+              [](Workspace& workspace) { workspace.requests.push_back(Request::ImportDialog); });
     menu.step({"edit.condense", translatable("Condense materials, sections and named sets")},
-              [](Desk& desk) { condense_properties(desk.session); });
+              [](Workspace& workspace) { condense_properties(workspace.session); });
 }
 
 void new_material(Session& session)
@@ -82,7 +83,7 @@ void condense_properties(Session& session)
 bool import_properties(Session& session, const std::filesystem::path& path)
 {
     femoop::ModelReading reading = femoop::examine_model_file(path);
-    const ui::Phrase::Argument file{"file", path.filename().string()};
+    const ui::Message::Argument file{"file", path.filename().string()};
     if (!reading.is_sound()) {
         std::erase_if(reading.faults,
                       [](const auto& fault) { return femoop::severity(fault.kind) != femoop::Severity::Error; });
@@ -124,7 +125,7 @@ void select_members_with(Session& session, const Part& property)
 
 void duplicate(Session& session, const Part& property)
 {
-    const ui::Phrase label{translatable("Duplicate: {part}"), {{"part", title(session.model(), property)}}};
+    const ui::Message label{translatable("Duplicate: {part}"), {{"part", title(session.model(), property)}}};
     if (const auto id = case_id_of(session.model(), property)) {
         femoop::CaseId added;
         session.change({label, [&](Document& document) { added = copy_case(document, *id); }});
@@ -141,10 +142,10 @@ void duplicate(Session& session, const Part& property)
     }
 }
 
-std::optional<ui::Phrase> rename(Session& session, const Part& property, const std::string& name)
+std::optional<ui::Message> rename(Session& session, const Part& property, const std::string& name)
 {
     if (const auto id = case_id_of(session.model(), property)) return rename(session, *id, name);
-    const auto rename_it = [&](auto id) -> std::optional<ui::Phrase> {
+    const auto rename_it = [&](auto id) -> std::optional<ui::Message> {
         if (auto reason = why_not_rename(session.model(), id, name)) return reason;
         session.change({{translatable("Rename: {part}"), {{"part", title(session.model(), property)}}},
                         [&](Document& document) { rename(document, id, name); }});

@@ -31,7 +31,7 @@ void duplicate(Session& session, const Part& property);
 
 /// \returns why the material, section, load case or combination cannot have this name, else renames it. \pre the model
 /// has it
-std::optional<ui::Phrase> rename(Session& session, const Part& property, const std::string& name);
+std::optional<ui::Message> rename(Session& session, const Part& property, const std::string& name);
 
 /// Of a material, section, load case or combination.
 const std::string& name_of(const femoop::Model& model, const Part& property);

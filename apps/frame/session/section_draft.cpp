@@ -77,8 +77,8 @@ void SectionDraft::choose_profile(Session& session, std::string_view name)
     show(session);
 }
 
-std::optional<ui::Phrase> SectionDraft::set_dimension(Session& session, const ShapeDimension& dimension,
-                                                      const Quantity& value)
+std::optional<ui::Message> SectionDraft::set_dimension(Session& session, const ShapeDimension& dimension,
+                                                       const Quantity& value)
 {
     Section next = section_;
     (*next.shape).*dimension.value = value;
@@ -88,7 +88,7 @@ std::optional<ui::Phrase> SectionDraft::set_dimension(Session& session, const Sh
     return std::nullopt;
 }
 
-std::optional<ui::Phrase> SectionDraft::set_name(Session& session, std::string_view name)
+std::optional<ui::Message> SectionDraft::set_name(Session& session, std::string_view name)
 {
     const Model& before = session.history().settled().model;
     const std::size_t none = before.sections.size();
@@ -110,7 +110,7 @@ void SectionDraft::set_target(Session& session, SectionTarget target)
 
 void SectionDraft::show(Session& session)
 {
-    const ui::Phrase::Argument id{"id", section_.id};
+    const ui::Message::Argument id{"id", section_.id};
     if (target() == SectionTarget::This)
         session.change({{translatable("Change section {id}"), {id}},
                         [this](Document& document) { put_section(document, *existing_, section_); },
@@ -122,7 +122,7 @@ void SectionDraft::show(Session& session)
     session.selection = selected_;
 }
 
-std::optional<std::string> SectionDraft::obey(Session& session, std::string_view verb, std::string_view argument)
+std::optional<std::string> SectionDraft::run_command(Session& session, std::string_view verb, std::string_view argument)
 {
     const ui::Catalogue english;
     if (!is_open_) return "no section is being made; begin with edit.section";

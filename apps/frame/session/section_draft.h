@@ -29,9 +29,9 @@ public:
     void choose_shape(Session& session, femoop::SectionShapeKind kind);
     void choose_profile(Session& session, std::string_view name);
     /// \returns why the shape cannot have it; the section stays then as it was. \pre the section has a shape
-    std::optional<ui::Phrase> set_dimension(Session& session, const femoop::ShapeDimension& dimension,
-                                            const femoop::Quantity& value);
-    std::optional<ui::Phrase> set_name(Session& session, std::string_view name);
+    std::optional<ui::Message> set_dimension(Session& session, const femoop::ShapeDimension& dimension,
+                                             const femoop::Quantity& value);
+    std::optional<ui::Message> set_name(Session& session, std::string_view name);
     void set_target(Session& session, SectionTarget target);
 
     const femoop::Section& section() const { return section_; }
@@ -41,7 +41,7 @@ public:
 
     /// What a scenario says: "shape i", "set h 400 mm", "profile IPE 300", "name beam", "new", "accept", "cancel".
     /// \returns the complaint
-    std::optional<std::string> obey(Session& session, std::string_view verb, std::string_view argument);
+    std::optional<std::string> run_command(Session& session, std::string_view verb, std::string_view argument);
 
 private:
     void begin(Session& session, std::optional<femoop::SectionId> existing);

@@ -7,11 +7,11 @@
 #include "apps/drawing/results/envelope_cases.h"
 #include "apps/drawing/results/locked_scale.h"
 #include "apps/frame/document/companion/companion_file.h"
+#include "apps/frame/document/coordinate_limit.h"
+#include "apps/frame/document/dropped_references.h"
 #include "apps/frame/document/fault/place.h"
 #include "apps/frame/document/fault/sentence.h"
-#include "apps/frame/document/loss.h"
 #include "apps/frame/document/number.h"
-#include "apps/frame/document/reach.h"
 #include "apps/frame/session/transform.h"
 #include "femoop/io/model_file.h"
 #include "femoop/io/results/results_table.h"
@@ -42,7 +42,7 @@ Notice refusal_of(std::vector<femoop::Fault> faults)
             .is_about_model = true};
 }
 
-Notice passing_notice(ui::Phrase sentence)
+Notice passing_notice(ui::Message sentence)
 {
     constexpr double seconds_to_read = 6.0;
     return {.sentence = std::move(sentence), .faults = {}, .seconds_left = seconds_to_read};
@@ -101,7 +101,7 @@ bool Session::change_soundly(const Change& wanted)
     return is_sound;
 }
 
-std::optional<ui::Phrase> Session::change(const Change& change)
+std::optional<ui::Message> Session::change(const Change& change)
 {
     Outcome outcome = outcome_of(change);
     if (refuse(outcome)) return outcome.objection;
@@ -131,7 +131,7 @@ Session::Outcome Session::outcome_of(const Change& change) const
     }
     outcome.companions.prediction.follow(from.model, next.model);
     if (!next.companion.is_empty()) frame::follow(next.companion, from.model, next.model);
-    outcome.objection = why_not_in_reach(from.model, next.model);
+    outcome.objection = why_beyond_coordinate_limit(from.model, next.model);
     return outcome;
 }
 
@@ -145,7 +145,7 @@ void Session::take(const Change& change, Outcome outcome)
     hold_scales(change.step);
     follow_case(model(), outcome.document.model);
     if (change.step == Step::Click) {
-        tell_loss(model(), outcome.document.model);
+        notify_dropped(model(), outcome.document.model);
         history_.apply(std::move(outcome.document), change.label);
     }
     if (change.step == Step::Drag) history_.drag(std::move(outcome.document), change.label);
@@ -158,7 +158,7 @@ void Session::follow(const Document& before)
     selection.follow(before, document());
     prediction.follow(before.model, model());
     follow_case(before.model, model());
-    const std::optional<ui::Phrase> brought_back = unseen_loss(model(), before.model);
+    const std::optional<ui::Message> brought_back = dropped_references(model(), before.model);
     if (notice && brought_back && notice->sentence == *brought_back) notice.reset();
     refresh();
 }
@@ -182,14 +182,14 @@ void Session::hold_scales(Step step)
         draw_state.locked_scale = locked_scale(model(), *solution_.results, view.load_case);
 }
 
-void Session::tell_loss(const femoop::Model& before, const femoop::Model& after)
+void Session::notify_dropped(const femoop::Model& before, const femoop::Model& after)
 {
-    if (const std::optional<ui::Phrase> loss = unseen_loss(before, after)) notice = passing_notice(*loss);
+    if (const std::optional<ui::Message> loss = dropped_references(before, after)) notice = passing_notice(*loss);
 }
 
 void Session::settle()
 {
-    if (history_.is_dragging()) tell_loss(history_.settled().model, model());
+    if (history_.is_dragging()) notify_dropped(history_.settled().model, model());
     history_.settle();
     draw_state.locked_scale.reset();
 }
@@ -260,12 +260,12 @@ bool Session::open(const std::filesystem::path& path, Purpose purpose)
     path_ = path;
     CompanionReading beside = read_companion_of(path, reading.model);
     restart({.model = std::move(reading.model), .companion = std::move(beside.companion)});
-    if (!beside.faults.empty()) tell_of_companion(translatable("{file} was not understood in full"), beside.faults);
+    if (!beside.faults.empty()) notify_of_companion(translatable("{file} was not understood in full"), beside.faults);
     return true;
 }
 
 // The model is open all the same. What is kept beside it has faults, so it is not overwritten: see `save`.
-void Session::tell_of_companion(std::string_view sentence, std::vector<femoop::Fault> faults)
+void Session::notify_of_companion(std::string_view sentence, std::vector<femoop::Fault> faults)
 {
     notice = Notice{{sentence, {{"file", companion_path(*path_).filename().string()}}}, std::move(faults)};
 }
@@ -308,7 +308,7 @@ femoop::Fault unwritable(const std::filesystem::path& path, const std::error_cod
 bool Session::save(const std::filesystem::path& path)
 {
     settle();
-    const ui::Phrase::Argument file{"file", path.filename().string()};
+    const ui::Message::Argument file{"file", path.filename().string()};
     if (model_of_companion(path)) {
         notice = Notice{{translatable("{file} is the name of a view file; choose another for the model"), {file}}, {}};
         return false;
@@ -325,7 +325,7 @@ bool Session::save(const std::filesystem::path& path)
     const std::filesystem::path beside = companion_path(path), aside = free_old_path(beside);
     std::error_code error;
     if (!was_sound) std::filesystem::rename(beside, aside, error); // before another takes its place
-    if (error) tell_of_companion(translatable("{file} was not saved"), {unwritable(aside, error)});
+    if (error) notify_of_companion(translatable("{file} was not saved"), {unwritable(aside, error)});
     if (error || !save_companion()) return false;
     if (!was_sound)
         notice = Notice{{translatable("{file} was not understood; it is kept as {old}"),
@@ -339,19 +339,19 @@ bool Session::save(const std::filesystem::path& path)
 bool Session::save_companion()
 {
     const std::error_code error = save_companion_of(*path_, document());
-    if (error) tell_of_companion(translatable("{file} was not saved"), {unwritable(companion_path(*path_), error)});
+    if (error) notify_of_companion(translatable("{file} was not saved"), {unwritable(companion_path(*path_), error)});
     return !error;
 }
 
 std::string Session::file_name() const { return ui::file_name(path_, view.tr); }
 
-std::optional<ui::Phrase> Session::why_no_results() const
+std::optional<ui::Message> Session::why_no_results() const
 {
     if (hidden) return translatable("The results are hidden; H reveals them.");
     if (!solution_.results) return translatable("There are no results: see the problems.");
     if (const BlankCase* const blank = shown_blank())
-        return ui::Phrase(translatable("Case {case} has no results: see the problems."),
-                          {{"case", model().case_name(blank->id)}});
+        return ui::Message(translatable("Case {case} has no results: see the problems."),
+                           {{"case", model().case_name(blank->id)}});
     return std::nullopt;
 }
 
@@ -378,11 +378,11 @@ DrawOptions Session::results_view() const
     return shown;
 }
 
-std::optional<femoop::Results> Session::told_results() const { return hidden ? std::nullopt : solution_.results; }
+std::optional<femoop::Results> Session::described_results() const { return hidden ? std::nullopt : solution_.results; }
 
-std::string Session::in_words() const
+std::string Session::description() const
 {
-    const std::optional<femoop::Results> told = told_results();
+    const std::optional<femoop::Results> told = described_results();
     if (!told) {
         const std::string words = femoop::describe(model(), told, view.tr);
         return hidden ? words + "\n" + view.tr(*why_no_results()) + "\n" : words;
@@ -394,7 +394,7 @@ std::string Session::in_words() const
         for (const femoop::Fault& fault : one.faults) words += sentence(fault, view.tr) + "\n";
     }
     if (view.is_envelope)
-        words += "\n" + envelope_words(model(), shown) + "\n" +
+        words += "\n" + envelope_text(model(), shown) + "\n" +
                  femoop::envelope_text(model(), *told, envelope_cases(model(), shown), view.tr);
     return words;
 }

@@ -23,13 +23,13 @@
 #include "femoop/model/fault/fault.h"
 #include "ui/history/history.h"
 #include "ui/text/display_units.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace frame {
 
 /// Something that the app tells its user: one sentence, and the faults that it is about.
 struct Notice {
-    ui::Phrase sentence;
+    ui::Message sentence;
     std::vector<femoop::Fault> faults;
     /// A file that was understood, but whose structure has errors: it can be opened to be mended.
     std::optional<std::filesystem::path> to_mend{};
@@ -38,7 +38,7 @@ struct Notice {
 };
 
 /// A notice that needs no answer: it goes when it has been read.
-Notice passing_notice(ui::Phrase sentence);
+Notice passing_notice(ui::Message sentence);
 /// A change was not made, since the model that is open would get these faults.
 Notice refusal_of(std::vector<femoop::Fault> faults);
 
@@ -59,7 +59,7 @@ public:
 
     /// Carries it out, or throws what its command throws and changes nothing. Where it takes a node too far off
     /// (document/reach.h) nothing is changed, `notice` says why, and so does what is returned.
-    std::optional<ui::Phrase> change(const Change& change);
+    std::optional<ui::Message> change(const Change& change);
     /// Carries it out where the model gets no error by it that it had not and no node goes too far off; else nothing,
     /// and `notice` says why.
     bool change_soundly(const Change& change);
@@ -90,7 +90,7 @@ public:
     std::string file_name() const;
 
     /// Why no results are to be read: there are none, or they are kept from the class; nothing where they can be.
-    std::optional<ui::Phrase> why_no_results() const;
+    std::optional<ui::Message> why_no_results() const;
     /// The load case or combination that is shown, if it alone has no results; null where it has, and in an envelope.
     const BlankCase* shown_blank() const;
     /// What the picture can show: null where there are no results, or none of the case that is shown.
@@ -100,10 +100,10 @@ public:
     /// The view with an envelope of those cases alone that have results.
     DrawOptions results_view() const;
     /// The results as far as they may be told: nothing while they are kept from the class.
-    std::optional<femoop::Results> told_results() const;
+    std::optional<femoop::Results> described_results() const;
     /// Model and results in words, and the envelope's numbers where one is shown; of hidden results it says that they
     /// are hidden.
-    std::string in_words() const;
+    std::string description() const;
 
     ui::DisplayUnits units() const;
     Manner manner() const { return {units(), view.tr}; } ///< of tables
@@ -134,13 +134,13 @@ private:
     struct Outcome {
         Document document;
         Companions companions;
-        std::optional<ui::Phrase> objection{}; ///< why it is not to be taken
+        std::optional<ui::Message> objection{}; ///< why it is not to be taken
     };
     Outcome outcome_of(const Change& change) const;
     bool refuse(const Outcome& outcome); ///< and says why; false where nothing is against it
     void take(const Change& change, Outcome outcome);
     void refresh();
-    void tell_loss(const femoop::Model& before, const femoop::Model& after);
+    void notify_dropped(const femoop::Model& before, const femoop::Model& after);
     void follow(const Document& before);
     /// The case that is shown is known by its name.
     void follow_case(const femoop::Model& before, const femoop::Model& after);
@@ -148,7 +148,7 @@ private:
     void hold_scales(Step step);
     void restart(Document document);
     bool save_companion();
-    void tell_of_companion(std::string_view sentence, std::vector<femoop::Fault> faults);
+    void notify_of_companion(std::string_view sentence, std::vector<femoop::Fault> faults);
 
     ui::History<Document> history_;
     Companions before_gesture_;

@@ -4,12 +4,12 @@
 
 namespace frame {
 
-using ui::Phrase;
+using ui::Message;
 using ui::translatable;
 
 namespace {
 
-Phrase named(std::string_view what, const Session& session, NamedSetPlace set)
+Message named(std::string_view what, const Session& session, NamedSetPlace set)
 {
     return {what, {{"name", session.document().companion.sets.at(set.set).name}}};
 }
@@ -23,20 +23,22 @@ void add_set_commands(CommandTable& table)
     Menu(table, translatable("Edit"))
         .step(
             {"edit.keep_under_name", translatable("Keep the support or load under a name")},
-            [](Desk& desk) { keep_under_name(desk.session, desk.session.selection.parts()); },
-            [](const Desk& desk) { return why_not_keep(desk.session, desk.session.selection.parts()); });
+            [](Workspace& workspace) { keep_under_name(workspace.session, workspace.session.selection.parts()); },
+            [](const Workspace& workspace) {
+                return why_not_keep(workspace.session, workspace.session.selection.parts());
+            });
 }
 
-std::optional<Phrase> why_not_keep(const Session& session, std::span<const Part> parts)
+std::optional<Message> why_not_keep(const Session& session, std::span<const Part> parts)
 {
     const auto first = parts.empty() ? std::nullopt : value_of(session.model(), parts.front());
-    if (!first) return Phrase(translatable("select a supported node or a load"));
+    if (!first) return Message(translatable("select a supported node or a load"));
     const bool is_common = std::ranges::all_of(parts, [&](const Part& part) {
         const auto value = value_of(session.model(), part);
         return value && are_alike(*value, *first);
     });
     if (is_common) return std::nullopt;
-    return Phrase(translatable("what is selected differs"));
+    return Message(translatable("what is selected differs"));
 }
 
 void keep_under_name(Session& session, std::span<const Part> parts)
@@ -72,7 +74,7 @@ void select_users(Session& session, NamedSetPlace set)
     for (const Part& part : users(session.document(), set)) session.selection.add(part);
 }
 
-std::optional<Phrase> rename(Session& session, NamedSetPlace set, const std::string& name)
+std::optional<Message> rename(Session& session, NamedSetPlace set, const std::string& name)
 {
     if (session.document().companion.sets.at(set.set).name == name) return std::nullopt;
     if (auto reason = why_not_rename(session.document(), set, name)) return reason;

@@ -13,7 +13,7 @@ namespace frame {
 void add_set_commands(CommandTable& table);
 
 /// Why the parts cannot be kept under a name: they are no support or load, or several that differ.
-std::optional<ui::Phrase> why_not_keep(const Session& session, std::span<const Part> parts);
+std::optional<ui::Message> why_not_keep(const Session& session, std::span<const Part> parts);
 /// Keeps their support or load under a name. \pre why_not_keep gives no reason
 void keep_under_name(Session& session, std::span<const Part> parts);
 
@@ -26,7 +26,7 @@ void replace(Session& session, NamedSetPlace set, std::span<const Part> parts);
 /// Whoever has the set becomes the selection.
 void select_users(Session& session, NamedSetPlace set);
 /// \returns why the set cannot have this name, else renames it
-std::optional<ui::Phrase> rename(Session& session, NamedSetPlace set, const std::string& name);
+std::optional<ui::Message> rename(Session& session, NamedSetPlace set, const std::string& name);
 /// The name goes, its users stay as they are.
 void erase(Session& session, NamedSetPlace set);
 

@@ -11,27 +11,27 @@ using ui::translatable;
 
 namespace {
 
-bool shows_solver(const Desk& desk) { return desk.bottom.shows(BottomContent::Solver); }
+bool shows_solver(const Workspace& workspace) { return workspace.bottom.shows(BottomContent::Solver); }
 
-std::optional<ui::Phrase> why_not_step(const Desk& desk)
+std::optional<ui::Message> why_not_step(const Workspace& workspace)
 {
-    if (!shows_solver(desk)) return translatable("the solver is not shown; Ctrl+F4 shows it");
-    if (desk.solver.n_steps() == 0) return translatable("there is no front that walks");
+    if (!shows_solver(workspace)) return translatable("the solver is not shown; Ctrl+F4 shows it");
+    if (workspace.solver.n_steps() == 0) return translatable("there is no front that walks");
     return std::nullopt;
 }
 
-void show_solver(Desk& desk, bool is_on)
+void show_solver(Workspace& workspace, bool is_on)
 {
-    desk.bottom = {is_on, desk.bottom.table, BottomContent::Solver};
-    desk.solver.follow(desk.session);
+    workspace.bottom = {is_on, workspace.bottom.table, BottomContent::Solver};
+    workspace.solver.follow(workspace.session);
 }
 
 // Goes to a front, and rests there. \param wanted  of a show that is at its step
-std::function<void(Desk&)> go(std::size_t (*wanted)(const SolverShow&))
+std::function<void(Workspace&)> go(std::size_t (*wanted)(const SolverShow&))
 {
-    return [wanted](Desk& desk) {
-        desk.solver.rest();
-        desk.solver.go_to(wanted(desk.solver));
+    return [wanted](Workspace& workspace) {
+        workspace.solver.rest();
+        workspace.solver.go_to(wanted(workspace.solver));
     };
 }
 
@@ -44,9 +44,9 @@ constexpr std::array orders{
     OrderEntry{Ordering::NestedDissection, "solver.nested_dissection", translatable("Eliminate by nested dissection")},
 };
 
-std::optional<Ordering> shown_order(const Desk& desk)
+std::optional<Ordering> shown_order(const Workspace& workspace)
 {
-    return shows_solver(desk) ? std::optional(desk.solver.ordering()) : std::nullopt;
+    return shows_solver(workspace) ? std::optional(workspace.solver.ordering()) : std::nullopt;
 }
 
 } // namespace
@@ -65,10 +65,13 @@ void add_solver_commands(CommandTable& table)
     unlisted.step({"solver.last", translatable("Last front")},
                   go([](const SolverShow& show) { return show.n_steps(); }), why_not_step);
     unlisted.toggle(
-        {"solver.play", translatable("Let the front walk")}, [](const Desk& desk) { return desk.solver.is_playing(); },
-        [](Desk& desk, bool is_on) { is_on ? desk.solver.play() : desk.solver.rest(); }, why_not_step);
+        {"solver.play", translatable("Let the front walk")},
+        [](const Workspace& workspace) { return workspace.solver.is_playing(); },
+        [](Workspace& workspace, bool is_on) { is_on ? workspace.solver.play() : workspace.solver.rest(); },
+        why_not_step);
     unlisted.choices(
-        orders, shown_order, [](Desk& desk, Ordering order) { desk.solver.choose(order); }, why_not_step);
+        orders, shown_order, [](Workspace& workspace, Ordering order) { workspace.solver.choose(order); },
+        why_not_step);
 }
 
 } // namespace frame

@@ -13,13 +13,13 @@ namespace {
 
 constexpr std::size_t most_nodes = 2000; // of more not even the counts are taken while the hand moves
 
-std::optional<ui::Phrase> why_not_trace(const Session& session)
+std::optional<ui::Message> why_not_trace(const Session& session)
 {
     if (!session.solution().results)
         return translatable("The structure cannot be solved, so no front walks: see the problems.");
     const std::size_t n = session.model().nodes.size();
     if (n <= most_nodes) return std::nullopt;
-    return ui::Phrase(
+    return ui::Message(
         translatable(
             "The model has {count} nodes; the walk of the front is shown of systems of {most} unknowns or fewer."),
         {{"count", std::to_string(n)}, {"most", std::to_string(SolverTrace::most_unknowns)}});

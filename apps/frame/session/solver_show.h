@@ -7,7 +7,7 @@
 
 #include "apps/frame/session/session.h"
 #include "femoop/analysis/solver_trace.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace frame {
 
@@ -22,7 +22,7 @@ public:
 
     /// Null where there is nothing to watch: `why_none` says why.
     const femoop::SolverTrace* trace() const { return trace_ ? &*trace_ : nullptr; }
-    const std::optional<ui::Phrase>& why_none() const { return why_none_; }
+    const std::optional<ui::Message>& why_none() const { return why_none_; }
 
     femoop::Ordering ordering() const; ///< that was chosen, else the solver's own
     void choose(femoop::Ordering ordering);
@@ -38,7 +38,7 @@ public:
 
 private:
     std::optional<femoop::SolverTrace> trace_;
-    std::optional<ui::Phrase> why_none_;
+    std::optional<ui::Message> why_none_;
     std::optional<std::pair<std::uint64_t, std::uint64_t>> made_for_; ///< session and its generation
     std::optional<femoop::Ordering> ordering_;
     std::size_t step_ = 0;

@@ -36,35 +36,38 @@ constexpr std::array table_entries{
     TableEntry{TableKind::ReactionEnvelope, "view.table.reaction_envelope"},
 };
 
-bool shows(const Desk& desk, TableKind kind)
+bool shows(const Workspace& workspace, TableKind kind)
 {
-    return desk.bottom.shows(BottomContent::Table) && desk.bottom.table == kind;
+    return workspace.bottom.shows(BottomContent::Table) && workspace.bottom.table == kind;
 }
 
-bool shows_member(const Desk& desk) { return desk.bottom.shows(BottomContent::Member); }
+bool shows_member(const Workspace& workspace) { return workspace.bottom.shows(BottomContent::Member); }
 
-void show_table(Desk& desk, TableKind kind) { desk.bottom = {!shows(desk, kind), kind}; }
+void show_table(Workspace& workspace, TableKind kind) { workspace.bottom = {!shows(workspace, kind), kind}; }
 
 // From the solver to the tables it is one key.
-void open_or_close(Desk& desk)
+void open_or_close(Workspace& workspace)
 {
-    BottomView& bottom = desk.bottom;
+    BottomView& bottom = workspace.bottom;
     const bool is_left = bottom.shows(BottomContent::Solver);
     bottom.is_open = is_left || !bottom.is_open;
     if (bottom.content == BottomContent::Solver) bottom.content = BottomContent::Table;
 }
 
-void show_member(Desk& desk, bool is_on) { desk.bottom = {is_on, desk.bottom.table, BottomContent::Member}; }
-
-ui::Reason why_no_member_results(const Desk& desk)
+void show_member(Workspace& workspace, bool is_on)
 {
-    if (shows_member(desk) || desk.session.solution().results) return std::nullopt;
+    workspace.bottom = {is_on, workspace.bottom.table, BottomContent::Member};
+}
+
+ui::Reason why_no_member_results(const Workspace& workspace)
+{
+    if (shows_member(workspace) || workspace.session.solution().results) return std::nullopt;
     return translatable("There are no results: see the problems.");
 }
 
-ui::Reason why_not_export(const Desk& desk)
+ui::Reason why_not_export(const Workspace& workspace)
 {
-    if (desk.bottom.shows(BottomContent::Table)) return std::nullopt;
+    if (workspace.bottom.shows(BottomContent::Table)) return std::nullopt;
     return translatable("no table is shown; choose one");
 }
 
@@ -80,19 +83,19 @@ std::string_view command_id(TableKind kind)
 
 void add_table_commands(CommandTable& table)
 {
-    const auto shown = [](const Desk& desk) -> std::optional<TableKind> {
-        return desk.bottom.shows(BottomContent::Table) ? std::optional(desk.bottom.table) : std::nullopt;
+    const auto shown = [](const Workspace& workspace) -> std::optional<TableKind> {
+        return workspace.bottom.shows(BottomContent::Table) ? std::optional(workspace.bottom.table) : std::nullopt;
     };
     Menu menu(table, translatable("Tables"));
     menu.step({"view.tables", translatable("Panel of tables"), {{Key::F4, {}}}}, open_or_close).is_on =
-        [](const Desk& desk) { return desk.bottom.is_open; };
+        [](const Workspace& workspace) { return workspace.bottom.is_open; };
     for (const TableEntry& entry : table_entries)
         menu.choice(ui::Choice<TableKind>{entry.kind, entry.id, title(entry.kind)}, shown, show_table);
     menu.toggle({"view.member_results", translatable("Diagrams of the member"), {{Key::F4, ui::shift}}}, shows_member,
                 show_member, why_no_member_results);
     menu.step(
         {"file.export_table", translatable("Export the table as CSV…")},
-        [](Desk& desk) { desk.requests.push_back(Request::ExportTable); }, why_not_export);
+        [](Workspace& workspace) { workspace.requests.push_back(Request::ExportTable); }, why_not_export);
 }
 
 } // namespace frame

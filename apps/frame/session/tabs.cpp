@@ -13,7 +13,10 @@ namespace frame {
 namespace {
 
 // The shelf has the other tabs in their order, so those behind the present one stand one place earlier there.
-std::size_t on_shelf(const Desk& desk, std::size_t place) { return place < desk.tab ? place : place - 1; }
+std::size_t in_other_tabs(const Workspace& workspace, std::size_t place)
+{
+    return place < workspace.tab ? place : place - 1;
+}
 
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b)
 {
@@ -22,7 +25,7 @@ bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b
 }
 
 // What belongs to the person, not to the document.
-void take_look(Session& session, const Session& from)
+void adopt_look(Session& session, const Session& from)
 {
     session.view.tr = from.view.tr;
     session.view.numbers = from.view.numbers;
@@ -49,67 +52,67 @@ ShowSet suited(ShowSet show, bool is_truss)
     return show;
 }
 
-std::size_t n_tabs(const Desk& desk) { return desk.shelf.size() + 1; }
+std::size_t n_tabs(const Workspace& workspace) { return workspace.other_tabs.size() + 1; }
 
-const Session& tab(const Desk& desk, std::size_t place)
+const Session& tab(const Workspace& workspace, std::size_t place)
 {
-    return place == desk.tab ? desk.session : desk.shelf.at(on_shelf(desk, place));
+    return place == workspace.tab ? workspace.session : workspace.other_tabs.at(in_other_tabs(workspace, place));
 }
 
-void show_tab(Desk& desk, std::size_t place)
+void show_tab(Workspace& workspace, std::size_t place)
 {
-    if (place == desk.tab) return;
-    cancel_transform(desk);
-    const std::size_t source = on_shelf(desk, place);
-    Session next = std::move(desk.shelf.at(source));
-    take_look(next, desk.session);
-    desk.session.settle();
-    desk.shelf.erase(desk.shelf.begin() + static_cast<std::ptrdiff_t>(source));
-    const std::size_t home = place > desk.tab ? desk.tab : desk.tab - 1; // the shelf lost one before it
-    desk.shelf.insert(desk.shelf.begin() + static_cast<std::ptrdiff_t>(home),
-                      std::exchange(desk.session, std::move(next)));
-    desk.tab = place;
-    desk.hand.take(ToolKind::Select);
+    if (place == workspace.tab) return;
+    cancel_transform(workspace);
+    const std::size_t source = in_other_tabs(workspace, place);
+    Session next = std::move(workspace.other_tabs.at(source));
+    adopt_look(next, workspace.session);
+    workspace.session.settle();
+    workspace.other_tabs.erase(workspace.other_tabs.begin() + static_cast<std::ptrdiff_t>(source));
+    const std::size_t home = place > workspace.tab ? workspace.tab : workspace.tab - 1; // the shelf lost one before it
+    workspace.other_tabs.insert(workspace.other_tabs.begin() + static_cast<std::ptrdiff_t>(home),
+                                std::exchange(workspace.session, std::move(next)));
+    workspace.tab = place;
+    workspace.tool_controller.take(ToolKind::Select);
 }
 
-void add_tab(Desk& desk, Session session)
+void add_tab(Workspace& workspace, Session session)
 {
-    cancel_transform(desk);
-    take_look(session, desk.session);
-    desk.hand.take(ToolKind::Select);
-    if (desk.session.is_untouched()) {
-        desk.session = std::move(session);
+    cancel_transform(workspace);
+    adopt_look(session, workspace.session);
+    workspace.tool_controller.take(ToolKind::Select);
+    if (workspace.session.is_untouched()) {
+        workspace.session = std::move(session);
         return;
     }
-    desk.session.settle();
-    desk.shelf.insert(desk.shelf.begin() + static_cast<std::ptrdiff_t>(desk.tab),
-                      std::exchange(desk.session, std::move(session)));
-    ++desk.tab;
+    workspace.session.settle();
+    workspace.other_tabs.insert(workspace.other_tabs.begin() + static_cast<std::ptrdiff_t>(workspace.tab),
+                                std::exchange(workspace.session, std::move(session)));
+    ++workspace.tab;
 }
 
-void close_tab(Desk& desk)
+void close_tab(Workspace& workspace)
 {
-    cancel_transform(desk);
-    desk.hand.take(ToolKind::Select);
-    if (desk.shelf.empty()) {
+    cancel_transform(workspace);
+    workspace.tool_controller.take(ToolKind::Select);
+    if (workspace.other_tabs.empty()) {
         Session empty{Document{}};
-        take_look(empty, desk.session);
-        desk.session = std::move(empty);
+        adopt_look(empty, workspace.session);
+        workspace.session = std::move(empty);
         return;
     }
-    const std::size_t next = std::min(desk.tab, desk.shelf.size() - 1);
-    Session session = std::move(desk.shelf[next]);
-    take_look(session, desk.session);
-    desk.shelf.erase(desk.shelf.begin() + static_cast<std::ptrdiff_t>(next));
-    desk.session = std::move(session);
-    desk.tab = next;
+    const std::size_t next = std::min(workspace.tab, workspace.other_tabs.size() - 1);
+    Session session = std::move(workspace.other_tabs[next]);
+    adopt_look(session, workspace.session);
+    workspace.other_tabs.erase(workspace.other_tabs.begin() + static_cast<std::ptrdiff_t>(next));
+    workspace.session = std::move(session);
+    workspace.tab = next;
 }
 
-void new_document(Desk& desk, femoop::AnalysisKind kind)
+void new_document(Workspace& workspace, femoop::AnalysisKind kind)
 {
     Document document;
     document.model.analysis = kind;
-    add_tab(desk, Session(std::move(document)));
+    add_tab(workspace, Session(std::move(document)));
 }
 
 namespace {
@@ -122,10 +125,10 @@ std::filesystem::path model_meant(const std::filesystem::path& path)
     return model && std::filesystem::exists(*model, unknown) ? *model : path;
 }
 
-std::optional<std::size_t> tab_of(const Desk& desk, const std::filesystem::path& file)
+std::optional<std::size_t> tab_of(const Workspace& workspace, const std::filesystem::path& file)
 {
-    for (std::size_t i = 0; i < n_tabs(desk); ++i) {
-        const auto& open = tab(desk, i).path();
+    for (std::size_t i = 0; i < n_tabs(workspace); ++i) {
+        const auto& open = tab(workspace, i).path();
         if (open && is_same_file(*open, file)) return i;
     }
     return std::nullopt;
@@ -133,29 +136,30 @@ std::optional<std::size_t> tab_of(const Desk& desk, const std::filesystem::path&
 
 } // namespace
 
-bool open_file(Desk& desk, const std::filesystem::path& chosen, Session::Purpose purpose)
+bool open_file(Workspace& workspace, const std::filesystem::path& chosen, Session::Purpose purpose)
 {
     const std::filesystem::path path = model_meant(chosen);
-    if (const auto place = tab_of(desk, path)) {
-        show_tab(desk, *place);
+    if (const auto place = tab_of(workspace, path)) {
+        show_tab(workspace, *place);
         return true;
     }
     Session session{Document{}};
     if (!session.open(path, purpose)) {
-        desk.session.refuse(path, *session.notice);
+        workspace.session.refuse(path, *session.notice);
         return false;
     }
-    add_tab(desk, std::move(session));
+    add_tab(workspace, std::move(session));
     return true;
 }
 
-bool save_as(Desk& desk, const std::filesystem::path& path)
+bool save_as(Workspace& workspace, const std::filesystem::path& path)
 {
-    const auto place = tab_of(desk, path);
-    if (!place || *place == desk.tab) return desk.session.save(path);
-    desk.session.notice = Notice{{ui::translatable("{file} is open in another tab; close it or choose another name"),
-                                  {{"file", path.filename().string()}}},
-                                 {}};
+    const auto place = tab_of(workspace, path);
+    if (!place || *place == workspace.tab) return workspace.session.save(path);
+    workspace.session.notice = Notice{
+        {ui::translatable("{file} is open in another tab; close it or choose another name"),
+         {{"file", path.filename().string()}}},
+        {}};
     return false;
 }
 

@@ -62,7 +62,7 @@ Change Transform::change(const femoop::Model& before) const
     };
     const auto finish = [=, n_copies = n_copies()](Document& document, Selection& copies) {
         join(document, copies, before, {.n_copies = n_copies});
-        name_anew(document, before); // which moves nothing in the lists
+        rename(document, before); // which moves nothing in the lists
     };
     return {label(kind), make, Step::Drag, finish};
 }

@@ -70,7 +70,7 @@ void TypicalDraft::cancel(Session& session)
     is_open_ = false;
 }
 
-std::optional<ui::Phrase> TypicalDraft::show(Session& session)
+std::optional<ui::Message> TypicalDraft::show(Session& session)
 {
     femoop::Model made = structure().model(numbers());
     made.title = session.view.tr(made.title);
@@ -83,14 +83,14 @@ std::optional<ui::Phrase> TypicalDraft::show(Session& session)
         else put_in_place(document, made);
     };
     auto objection = session.change(
-        {{translatable("Insert: {structure}"), {{"structure", ui::Phrase(structure().label)}}}, command, Step::Drag});
+        {{translatable("Insert: {structure}"), {{"structure", ui::Message(structure().label)}}}, command, Step::Drag});
     session.draw_state.locked_scale.reset(); // another structure has another scale
     session.view.show = show_before_;
     if (is_truss != was_truss) exchange_forces(session.view.show, is_truss);
     return objection;
 }
 
-std::optional<std::string> TypicalDraft::obey(Session& session, std::string_view verb, std::string_view argument)
+std::optional<std::string> TypicalDraft::run_command(Session& session, std::string_view verb, std::string_view argument)
 {
     if (!is_open_) return "no typical structure is being chosen; begin with edit.template";
     if (verb == "choose") return choose_named(session, argument);

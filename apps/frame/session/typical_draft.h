@@ -39,11 +39,11 @@ public:
 
     /// What a scenario says: "choose warren", "set panels 8", "set distance 2", "insert", "cancel". \returns the
     /// complaint
-    std::optional<std::string> obey(Session& session, std::string_view verb, std::string_view argument);
+    std::optional<std::string> run_command(Session& session, std::string_view verb, std::string_view argument);
 
 private:
     /// \returns why it cannot be shown with these numbers
-    std::optional<ui::Phrase> show(Session& session);
+    std::optional<ui::Message> show(Session& session);
     std::optional<std::string> choose_named(Session& session, std::string_view id);
     std::optional<std::string> set_named(Session& session, std::string_view argument);
 

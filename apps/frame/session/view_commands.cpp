@@ -6,12 +6,12 @@
 #include "apps/drawing/results/envelope_cases.h"
 #include "apps/frame/document/naming.h"
 #include "apps/frame/view/kept_view.h"
-#include "ui/desk/standard_commands.h"
+#include "ui/workspace/standard_commands.h"
 
 namespace frame {
 
 using ui::Key;
-using ui::Phrase;
+using ui::Message;
 using ui::translatable;
 using ui::standard::view_menu;
 
@@ -25,21 +25,21 @@ void change(Session& session, std::string_view what, const std::string& name, au
 }
 
 // The walk goes on from the view that was shown last, and begins again at its end.
-void walk_views(Session& session, Way way)
+void walk_views(Session& session, Direction way)
 {
     const std::size_t n = views(session).size();
-    const std::size_t last = session.shown_view.value_or(way == Way::Later ? n - 1 : 0) % n;
-    show_view(session, (last + (way == Way::Later ? 1 : n - 1)) % n);
+    const std::size_t last = session.shown_view.value_or(way == Direction::Later ? n - 1 : 0) % n;
+    show_view(session, (last + (way == Direction::Later ? 1 : n - 1)) % n);
 }
 
-void walk_cases(Session& session, Way way)
+void walk_cases(Session& session, Direction way)
 {
     const std::size_t n = session.model().n_cases();
     session.view.is_envelope = false;
-    session.view.load_case = femoop::CaseId((session.view.load_case.index + (way == Way::Later ? 1 : n - 1)) % n);
+    session.view.load_case = femoop::CaseId((session.view.load_case.index + (way == Direction::Later ? 1 : n - 1)) % n);
 }
 
-void walk(Session& session, Way way)
+void walk(Session& session, Direction way)
 {
     if (views(session).empty()) walk_cases(session, way);
     else walk_views(session, way);
@@ -54,9 +54,9 @@ std::vector<std::string> chosen_cases(const Session& session)
     return names.size() == model.n_cases() ? std::vector<std::string>{} : names;
 }
 
-ui::Reason why_not_walk(const Desk& desk)
+ui::Reason why_not_walk(const Workspace& workspace)
 {
-    if (!views(desk.session).empty() || desk.session.model().n_cases() > 1) return std::nullopt;
+    if (!views(workspace.session).empty() || workspace.session.model().n_cases() > 1) return std::nullopt;
     return translatable("the model has no other load case");
 }
 
@@ -67,14 +67,14 @@ void add_view_commands(CommandTable& table)
     Menu menu(table, view_menu);
     menu.step(
         {"view.next", translatable("Next view or load case"), {{Key::PageDown, {}}}},
-        [](Desk& desk) { walk(desk.session, Way::Later); }, why_not_walk);
+        [](Workspace& workspace) { walk(workspace.session, Direction::Later); }, why_not_walk);
     menu.step(
         {"view.previous", translatable("Previous view or load case"), {{Key::PageUp, {}}}},
-        [](Desk& desk) { walk(desk.session, Way::Earlier); }, why_not_walk);
+        [](Workspace& workspace) { walk(workspace.session, Direction::Earlier); }, why_not_walk);
     menu.step({"view.keep", translatable("Keep this view"), {{Key::B, ui::ctrl}}},
-              [](Desk& desk) { desk.requests.push_back(Request::KeepView); });
+              [](Workspace& workspace) { workspace.requests.push_back(Request::KeepView); });
     menu.step({"view.list", translatable("Kept views…"), {{Key::B, ui::ctrl_shift}}},
-              [](Desk& desk) { desk.requests.push_back(Request::ViewList); });
+              [](Workspace& workspace) { workspace.requests.push_back(Request::ViewList); });
 }
 
 void keep_view(Session& session, const std::optional<Region>& region)
@@ -97,20 +97,20 @@ void keep_view(Session& session, const std::optional<Region>& region)
 
 namespace {
 
-void tell_lost_case(Session& session, const NamedView& view)
+void notify_lost_case(Session& session, const NamedView& view)
 {
     const auto is_lost = [&](const std::string& id) { return !session.model().find_case(id); };
-    const auto tell = [&](std::string_view sentence, const std::string& id) {
+    const auto notify = [&](std::string_view sentence, const std::string& id) {
         session.notice = passing_notice({sentence, {{"name", view.name}, {"case", id}}});
     };
     const auto lost = std::ranges::find_if(view.envelope, is_lost);
     if (lost != view.envelope.end())
-        tell(translatable(
-                 "{name}: the model has no load case or combination {case} any more; the envelope is without it"),
-             *lost);
+        notify(translatable(
+                   "{name}: the model has no load case or combination {case} any more; the envelope is without it"),
+               *lost);
     if (view.load_case && is_lost(*view.load_case))
-        tell(translatable("{name}: the model has no load case or combination {case} any more; another is shown"),
-             *view.load_case);
+        notify(translatable("{name}: the model has no load case or combination {case} any more; another is shown"),
+               *view.load_case);
 }
 
 } // namespace
@@ -123,10 +123,10 @@ void show_view(Session& session, std::size_t place)
     session.draw_state.camera.reset();
     session.look_at = view.region;
     session.shown_view = place;
-    tell_lost_case(session, view);
+    notify_lost_case(session, view);
 }
 
-std::optional<Phrase> rename_view(Session& session, std::size_t place, const std::string& name)
+std::optional<Message> rename_view(Session& session, std::size_t place, const std::string& name)
 {
     const std::string before = views(session).at(place).name;
     if (before == name) return std::nullopt;
@@ -135,9 +135,9 @@ std::optional<Phrase> rename_view(Session& session, std::size_t place, const std
     return std::nullopt;
 }
 
-void move_view(Session& session, std::size_t place, Way way)
+void move_view(Session& session, std::size_t place, Direction way)
 {
-    const std::size_t other = way == Way::Later ? place + 1 : place - 1;
+    const std::size_t other = way == Direction::Later ? place + 1 : place - 1;
     change(session, translatable("Move view: {name}"), views(session).at(place).name,
            [&](auto& list) { std::swap(list.at(place), list.at(other)); });
 }

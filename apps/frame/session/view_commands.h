@@ -18,10 +18,10 @@ void keep_view(Session& session, const std::optional<Region>& region);
 void show_view(Session& session, std::size_t view);
 
 /// Why the view cannot have this name; else it is renamed.
-std::optional<ui::Phrase> rename_view(Session& session, std::size_t view, const std::string& name);
-enum class Way : std::uint8_t { Earlier, Later };
+std::optional<ui::Message> rename_view(Session& session, std::size_t view, const std::string& name);
+enum class Direction : std::uint8_t { Earlier, Later };
 /// Changes places with its neighbour. \pre it has one there
-void move_view(Session& session, std::size_t view, Way way);
+void move_view(Session& session, std::size_t view, Direction way);
 void erase_view(Session& session, std::size_t view);
 
 } // namespace frame

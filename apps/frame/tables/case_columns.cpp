@@ -70,7 +70,7 @@ Column n_loads_column()
 
 Column factor_column(const Model& model, CaseId of)
 {
-    return number_column(ui::Phrase("{case} ×", {{"case", model.case_name(of)}}), Measure::Plain,
+    return number_column(ui::Message("{case} ×", {{"case", model.case_name(of)}}), Measure::Plain,
                          {.get = [of](const Model& m, const Part& part) -> std::optional<Quantity> {
                               const auto& terms = combination_at(m, part).terms;
                               const auto found = std::ranges::find(terms, of, &Combination::Term::of);

@@ -64,7 +64,7 @@ Cell cell_of(const CellValue& value, ui::Measure measure, const Manner& manner)
         return cell;
     }
     if (const auto* const name = std::get_if<std::string>(&value)) return {*name};
-    if (const auto* const word = std::get_if<ui::Phrase>(&value)) return {manner.tr(*word)};
+    if (const auto* const word = std::get_if<ui::Message>(&value)) return {manner.tr(*word)};
     return {};
 }
 
@@ -89,7 +89,7 @@ bool says(const CellText& entry, std::string_view sentence)
     return said == lower(sentence) || said == lower(entry.manner.tr(sentence));
 }
 
-Column number_column(ui::Phrase heading, ui::Measure measure, NumberAccess access)
+Column number_column(ui::Message heading, ui::Measure measure, NumberAccess access)
 {
     Column column{.heading = std::move(heading), .measure = measure, .is_number = true, .read = {}};
     column.read = [get = std::move(access.get)](const femoop::Model& model, const Part& part) -> CellValue {
@@ -105,11 +105,11 @@ Column number_column(ui::Phrase heading, ui::Measure measure, NumberAccess acces
     return column;
 }
 
-Column word_column(ui::Phrase heading, const WordAccess& access)
+Column word_column(ui::Message heading, const WordAccess& access)
 {
     Column column{.heading = std::move(heading), .read = {}};
     column.read = [access](const femoop::Model& model, const Part& part) -> CellValue {
-        return ui::Phrase(access.words.at(access.get(model, part)));
+        return ui::Message(access.words.at(access.get(model, part)));
     };
     column.write = [access](Document& document, const Part& part, const CellText& entry) -> Refusal {
         std::string all;

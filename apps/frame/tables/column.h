@@ -15,12 +15,12 @@
 #include "apps/frame/tables/table.h"
 #include "femoop/model/load.h"
 #include "femoop/model/quantity/quantity.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace frame {
 
 /// What a cell holds: nothing, a number, a share of a length, a name or a word of ours.
-using CellValue = std::variant<std::monostate, femoop::Quantity, femoop::Percent, std::string, ui::Phrase>;
+using CellValue = std::variant<std::monostate, femoop::Quantity, femoop::Percent, std::string, ui::Message>;
 
 /// A load that is to go to another load case, once all cells are written: until then its place must stay.
 struct CaseMove {
@@ -42,7 +42,7 @@ using Refusal = std::optional<std::string>;
 
 /// One property of all parts of a kind.
 struct Column {
-    ui::Phrase heading; ///< without its unit
+    ui::Message heading; ///< without its unit
     ui::Measure measure = ui::Measure::Plain;
     bool is_number = false;
     Need need = Need::Optional; ///< whether a new row must have it
@@ -67,7 +67,7 @@ struct NumberAccess {
     std::function<std::optional<femoop::Quantity>(const femoop::Model&, const Part&)> get;
     std::function<Refusal(Document&, const Part&, const std::optional<femoop::Quantity>&, const Manner&)> set;
 };
-Column number_column(ui::Phrase heading, ui::Measure measure, NumberAccess access);
+Column number_column(ui::Message heading, ui::Measure measure, NumberAccess access);
 
 /// A column of words out of a list.
 struct WordAccess {
@@ -75,11 +75,11 @@ struct WordAccess {
     std::function<std::size_t(const femoop::Model&, const Part&)> get;
     std::function<void(Document&, const Part&, std::size_t)> set;
 };
-Column word_column(ui::Phrase heading, const WordAccess& access);
+Column word_column(ui::Message heading, const WordAccess& access);
 
 /// A column of numbers that the parts hold as fields: find(model, part) is the address of a Quantity or of an
 /// optional one, for a const model and for another; null where the part has none.
-template <class Find> Column field_column(ui::Phrase heading, ui::Measure measure, Find find)
+template <class Find> Column field_column(ui::Message heading, ui::Measure measure, Find find)
 {
     const auto get = [find](const femoop::Model& model, const Part& part) -> std::optional<femoop::Quantity> {
         const auto* const field = find(model, part);

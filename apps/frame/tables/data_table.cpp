@@ -165,7 +165,7 @@ Table data_table(const Model& model, TableKind kind, const Manner& manner)
 
 namespace {
 
-std::string place_words(const CellFault& fault, const Table& table, const ui::Catalogue& tr)
+std::string place_text(const CellFault& fault, const Table& table, const ui::Catalogue& tr)
 {
     const std::string row = std::to_string(fault.row + 1);
     if (fault.column >= table.headings.size()) return tr("row {row}", {{"row", row}});
@@ -176,11 +176,11 @@ std::string place_words(const CellFault& fault, const Table& table, const ui::Ca
 
 std::string sentence(const std::vector<CellFault>& faults, const Table& table, const ui::Catalogue& tr)
 {
-    const std::string first = place_words(faults.front(), table, tr) + ": " + faults.front().reason;
+    const std::string first = place_text(faults.front(), table, tr) + ": " + faults.front().reason;
     std::string others;
     constexpr std::size_t most = 3;
     for (std::size_t i = 1; i < faults.size() && i <= most; ++i)
-        others += (i > 1 ? "; " : "") + place_words(faults[i], table, tr);
+        others += (i > 1 ? "; " : "") + place_text(faults[i], table, tr);
     if (faults.size() > most + 1) others += "; …";
     return others.empty() ? first : tr("{sentence}. See also: {cells}", {{"sentence", first}, {"cells", others}});
 }

@@ -9,7 +9,7 @@
 namespace frame {
 
 using namespace femoop;
-using ui::Phrase;
+using ui::Message;
 using ui::translatable;
 
 namespace {
@@ -28,7 +28,7 @@ const MemberEnd& end_at(const Model& model, const Part& part, MemberEndName end)
 // The spring takes the place of a release on the same degree of freedom.
 Column spring_column(std::string_view heading, MemberEndName end, Dof dof)
 {
-    return number_column(Phrase(heading, {{"dof", std::string(name(dof))}}), spring_measures.of(dof),
+    return number_column(Message(heading, {{"dof", std::string(name(dof))}}), spring_measures.of(dof),
                          {.get = [=](const Model& model, const Part& part) -> std::optional<Quantity> {
                               const auto& springs = end_at(model, part, end).springs;
                               const auto found = std::ranges::find(springs, dof, &Spring::dof);
@@ -50,7 +50,7 @@ Column spring_column(std::string_view heading, MemberEndName end, Dof dof)
 Column offset_column(std::string_view heading, MemberEndName end, std::size_t axis)
 {
     static constexpr const char* axes[] = {"x", "y", "z"};
-    return number_column(Phrase(heading, {{"axis", axes[axis]}}), ui::Measure::Length,
+    return number_column(Message(heading, {{"axis", axes[axis]}}), ui::Measure::Length,
                          {.get = [=](const Model& model, const Part& part) -> std::optional<Quantity> {
                               const auto& offset = end_at(model, part, end).offset;
                               return axis < offset.size() ? std::optional(offset[axis]) : std::nullopt;

@@ -10,7 +10,7 @@ namespace frame {
 
 using namespace femoop;
 using ui::Measure;
-using ui::Phrase;
+using ui::Message;
 using ui::translatable;
 
 namespace {
@@ -87,7 +87,7 @@ std::string dof_symbol(Dof dof, std::string_view along)
 }
 
 // A number of a list of components: added where it is given first, erased where it is taken away.
-template <class List> Column component_column(Phrase heading, Measure measure, Dof dof, List list)
+template <class List> Column component_column(Message heading, Measure measure, Dof dof, List list)
 {
     return number_column(std::move(heading), measure,
                          {.get = [=](const Model& model, const Part& part) -> std::optional<Quantity> {
@@ -110,7 +110,7 @@ template <class List> void add_forces(std::vector<Column>& all, DofSet which, st
 {
     for (const Dof dof : all_dofs) {
         if (!which.contains(dof)) continue;
-        const Phrase heading(sentence, {{"force", std::string(force_name(dof))}});
+        const Message heading(sentence, {{"force", std::string(force_name(dof))}});
         all.push_back(component_column(heading, force_measures.of(dof), dof, list));
     }
 }
@@ -234,7 +234,7 @@ LineValue& line_value_at(std::vector<LineValue>& all, Dof dof)
 
 Column line_start_column(Dof dof)
 {
-    const Phrase heading(translatable("{q}, start"), {{"q", dof_symbol(dof, "q")}});
+    const Message heading(translatable("{q}, start"), {{"q", dof_symbol(dof, "q")}});
     return number_column(heading, line_load_measures.of(dof),
                          {.get = [dof](const Model& model, const Part& part) -> std::optional<Quantity> {
                               const auto value = line_value(model, part, dof);
@@ -252,7 +252,7 @@ Column line_start_column(Dof dof)
 // Empty where the load is uniform.
 Column line_end_column(Dof dof)
 {
-    const Phrase heading(translatable("{q}, end"), {{"q", dof_symbol(dof, "q")}});
+    const Message heading(translatable("{q}, end"), {{"q", dof_symbol(dof, "q")}});
     return number_column(heading, line_load_measures.of(dof),
                          {.get = [dof](const Model& model, const Part& part) -> std::optional<Quantity> {
                               const auto value = line_value(model, part, dof);

@@ -104,7 +104,7 @@ Column theory_column()
 Column up_column(std::size_t axis)
 {
     static constexpr const char* axes[] = {"x", "y", "z"};
-    return number_column(ui::Phrase(translatable("Up {axis}"), {{"axis", axes[axis]}}), Measure::Plain,
+    return number_column(ui::Message(translatable("Up {axis}"), {{"axis", axes[axis]}}), Measure::Plain,
                          {.get = [axis](const Model& model, const Part& part) -> std::optional<Quantity> {
                               const auto& up = member_of(model, part).up;
                               return axis < up.size() ? std::optional(up[axis]) : std::nullopt;

@@ -10,7 +10,7 @@
 namespace frame {
 
 /// The names of the parts of a list. Whether each stands once is seen when all cells are written.
-template <class Id, class Entries> Column name_column(ui::Phrase heading, Entries femoop::Model::*list)
+template <class Id, class Entries> Column name_column(ui::Message heading, Entries femoop::Model::*list)
 {
     Column column{.heading = std::move(heading), .read = {}};
     column.read = [list](const femoop::Model& model, const Part& part) -> CellValue {

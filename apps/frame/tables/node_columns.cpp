@@ -33,7 +33,7 @@ struct SupportWord {
     std::optional<SupportKind> kind;
     std::string_view word, in_file;
 };
-constexpr std::array support_words{
+constexpr std::array support_text{
     SupportWord{std::nullopt, translatable("Free"), "free"},
     SupportWord{SupportKind::Roller, translatable("Roller"), "roller"},
     SupportWord{SupportKind::Pin, translatable("Pinned"), "pin"},
@@ -45,8 +45,8 @@ CellValue support_value(const Model& model, const Part& part)
     const std::optional<Support>& support = node_of(model, part).support;
     if (!support) return {};
     if (support->kind == SupportKind::Custom) return names_of(support->fixed);
-    const auto* const known = std::ranges::find(support_words, std::optional(support->kind), &SupportWord::kind);
-    return ui::Phrase(known->word);
+    const auto* const known = std::ranges::find(support_text, std::optional(support->kind), &SupportWord::kind);
+    return ui::Message(known->word);
 }
 
 // Springs stay where the directions that are held are named.
@@ -62,7 +62,7 @@ void hold(Document& document, NodeId node, DofSet held)
 Refusal write_support(Document& document, const Part& part, const CellText& entry)
 {
     const NodeId node = std::get<NodeId>(part);
-    for (const SupportWord& known : support_words) {
+    for (const SupportWord& known : support_text) {
         if (!says(entry, known.word) && entry.text != known.in_file) continue;
         set_support(document, node, known.kind);
         return std::nullopt;
@@ -126,7 +126,7 @@ Refusal set_spring(Document& document, const Part& part, Dof dof, const std::opt
 
 Column spring_column(Dof dof)
 {
-    return number_column(ui::Phrase(translatable("Spring {dof}"), {{"dof", std::string(name(dof))}}),
+    return number_column(ui::Message(translatable("Spring {dof}"), {{"dof", std::string(name(dof))}}),
                          spring_measures.of(dof),
                          {.get = [dof](const Model& model, const Part& part) { return spring(model, part, dof); },
                           .set = [dof](Document& document, const Part& part, const std::optional<Quantity>& value,

@@ -64,7 +64,7 @@ CellValue shape_value(const Model& model, const Part& part)
 {
     const std::optional<SectionShape>& shape = section_of(model, part).shape;
     if (!shape) return {};
-    return ui::Phrase(shapes.at(static_cast<std::size_t>(shape->kind)));
+    return ui::Message(shapes.at(static_cast<std::size_t>(shape->kind)));
 }
 
 Refusal write_shape(Document& document, const Part& part, const CellText& entry)

@@ -64,7 +64,7 @@ std::optional<Change> DimensionTool::move(const Work& work, const Aim& to)
     return std::nullopt;
 }
 
-std::optional<ui::Phrase> DimensionTool::why_not_type(const Work& work, const Vector2d& place) const
+std::optional<ui::Message> DimensionTool::why_not_type(const Work& work, const Vector2d& place) const
 {
     if (is_placing() || node_at(work.document.model, place)) return std::nullopt;
     return ui::translatable("no node is at that place, and a dimension line stands between nodes");

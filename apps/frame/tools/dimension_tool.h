@@ -13,7 +13,7 @@ class DimensionTool : public Tool {
 public:
     std::optional<Change> press(const Work& work, const Aim& at) override;
     std::optional<Change> move(const Work& work, const Aim& to) override;
-    std::optional<ui::Phrase> why_not_type(const Work& work, const Eigen::Vector2d& place) const override;
+    std::optional<ui::Message> why_not_type(const Work& work, const Eigen::Vector2d& place) const override;
     std::optional<Change> type(const Work& work, const Eigen::Vector2d& place) override;
     bool escape() override;
     bool draws() const override { return true; }

@@ -31,7 +31,7 @@ DistributedLoad::Value triangle(Dof dof, const Quantity& value, bool grows)
     return {dof, value, Quantity(0.0)};
 }
 
-ui::Phrase label(const Work& work, const Part& part)
+ui::Message label(const Work& work, const Part& part)
 {
     return {translatable("Load: {part}"), {{"part", title(work.document, part)}}};
 }

@@ -10,12 +10,12 @@
 namespace frame {
 
 using namespace femoop;
-using ui::Phrase;
+using ui::Message;
 using ui::translatable;
 
 namespace {
 
-Phrase about(const Document& document, std::string_view sentence, const Part& part)
+Message about(const Document& document, std::string_view sentence, const Part& part)
 {
     return {sentence, {{"part", title(document, part)}}};
 }

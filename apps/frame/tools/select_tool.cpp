@@ -96,9 +96,9 @@ Change SelectTool::moved(const Work& work, const Aim& to) const
     const Vector2d anchor = start_.node ? place_of(work.document.model, *start_.node) : start_.snap.place;
     const Vector2d shift = to.snap.place - anchor;
     const std::vector<Part> parts(grabbed_.parts().begin(), grabbed_.parts().end());
-    const ui::Phrase label = grabbed_.only() ? ui::Phrase(translatable("Move: {part}"),
-                                                          {{"part", title(work.document, parts.front())}})
-                                             : ui::Phrase(translatable("Move the selection"));
+    const ui::Message label = grabbed_.only() ? ui::Message(translatable("Move: {part}"),
+                                                            {{"part", title(work.document, parts.front())}})
+                                              : ui::Message(translatable("Move the selection"));
     return {label,
             [=, crossings = to.crossings()](Document& changed) {
                 const Model before = changed.model;

@@ -15,7 +15,7 @@
 #include "apps/frame/tools/snap.h"
 #include "femoop/edit/crossing.h"
 #include "ui/text/display_units.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace frame {
 
@@ -99,7 +99,7 @@ public:
     virtual std::optional<Change> move(const Work&, const Aim&) { return std::nullopt; }
     virtual std::optional<Change> release(const Work&, const Aim&) { return std::nullopt; }
     /// Why a place that was typed is of no use now; nothing where it is.
-    virtual std::optional<ui::Phrase> why_not_type(const Work&, const Eigen::Vector2d&) const { return std::nullopt; }
+    virtual std::optional<ui::Message> why_not_type(const Work&, const Eigen::Vector2d&) const { return std::nullopt; }
     /// A place that was typed, as if it had been clicked; tools that draw nothing have no use for it.
     virtual std::optional<Change> type(const Work&, const Eigen::Vector2d&) { return std::nullopt; }
     /// The same in a model in space.

@@ -48,9 +48,9 @@ std::optional<SupportGrip> support_at(const Projection& projection, ui::Point at
     const auto mark = std::ranges::find_if(marks,
                                            [&](const auto& m) { return ui::distance(m.middle, at) <= m.radius; });
     if (mark == marks.end()) return std::nullopt;
-    const auto root = place_in_plane(projection, mark->root), hand = place_in_plane(projection, at);
-    if (!root || !hand || *root == *hand) return std::nullopt;
-    return SupportGrip{mark->node, direction_of(*hand - *root)};
+    const auto root = place_in_plane(projection, mark->root), tool_controller = place_in_plane(projection, at);
+    if (!root || !tool_controller || *root == *tool_controller) return std::nullopt;
+    return SupportGrip{mark->node, direction_of(*tool_controller - *root)};
 }
 
 std::optional<DimensionPlace> dimension_at(ui::Point at, std::span<const DimensionMark> marks)
@@ -97,9 +97,10 @@ std::optional<Eigen::Vector3d> place_in_working_plane(const Projection& projecti
 namespace {
 
 /// In space a hand means the node under the pointer, else a place of the member there, else one of the working plane.
-void aim_in_space(Aim& aim, const femoop::Model& model, const Hand& hand, const Projection& projection, ui::Point at)
+void aim_in_space(Aim& aim, const femoop::Model& model, const ToolController& tool_controller,
+                  const Projection& projection, ui::Point at)
 {
-    const ToolSettings& settings = hand.settings();
+    const ToolSettings& settings = tool_controller.settings();
     const WorkingPlane& plane = settings.plane;
     const bool is_on_part = settings.draws_to_parts && (aim.node || aim.cut);
     if (is_on_part && aim.node) aim.in_space = femoop::position_of(model, *aim.node);
@@ -117,8 +118,8 @@ void aim_in_space(Aim& aim, const femoop::Model& model, const Hand& hand, const 
 
 double grid_of(const Projection& projection) { return round_grid(grid_spacing / projection.scale()); }
 
-Aim aim_at(const Session& session, const Hand& hand, const Projection& projection, const Pointer& pointer,
-           const Pick& under, const Grips& grips)
+Aim aim_at(const Session& session, const ToolController& tool_controller, const Projection& projection,
+           const Pointer& pointer, const Pick& under, const Grips& grips)
 {
     Aim aim;
     aim.node = under.node;
@@ -136,18 +137,18 @@ Aim aim_at(const Session& session, const Hand& hand, const Projection& projectio
     const Document& document = session.history().settled();
     aim.pointer = place_in_plane(projection, pointer.at).value_or(Vector2d::Zero());
     if (femoop::is_3d(document.model.analysis)) {
-        aim_in_space(aim, document.model, hand, projection, pointer.at);
+        aim_in_space(aim, document.model, tool_controller, projection, pointer.at);
         return aim;
     }
-    const ToolSettings& settings = hand.settings();
+    const ToolSettings& settings = tool_controller.settings();
     aim.snap = snap(document.model, aim.pointer,
                     {.reach = snap_reach * aim.pixel,
                      .grid = settings.draws_to_grid ? settings.grid : 0.0,
                      .fine = 0.1 * std::min(settings.grid, grid_of(projection)), // the hand hardly feels it
-                     .from = hand.tool().from(),
-                     .moving = hand.tool().moving(),
+                     .from = tool_controller.tool().from(),
+                     .moving = tool_controller.tool().moving(),
                      .to_parts = settings.draws_to_parts,
-                     .is_off = pointer.is_exact || !hand.tool().snaps()});
+                     .is_off = pointer.is_exact || !tool_controller.tool().snaps()});
     return aim;
 }
 

@@ -6,7 +6,7 @@
 #include "apps/drawing/sketch/sketch.h"
 #include "apps/frame/document/drawing_names.h"
 #include "apps/frame/session/session.h"
-#include "apps/frame/tools/hand.h"
+#include "apps/frame/tools/tool_controller.h"
 
 namespace frame {
 
@@ -27,8 +27,8 @@ std::optional<Eigen::Vector3d> place_in_working_plane(const Projection& projecti
 
 /// What the tool in the hand is told of the pointer. Places are drawn to the model as it was before the gesture that is
 /// under way.
-Aim aim_at(const Session& session, const Hand& hand, const Projection& projection, const Pointer& pointer,
-           const Pick& under, const Grips& grips);
+Aim aim_at(const Session& session, const ToolController& tool_controller, const Projection& projection,
+           const Pointer& pointer, const Pick& under, const Grips& grips);
 
 /// The distance of the grid's lines at this scale, where none was typed [length].
 double grid_of(const Projection& projection);

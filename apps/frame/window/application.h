@@ -21,8 +21,8 @@
 #include "apps/frame/window/typical_window.h"
 #include "apps/frame/window/view_list.h"
 #include "ui/app/app.h"
-#include "ui/app/kept_files.h"
-#include "ui/app/overlays.h"
+#include "ui/app/dialogs.h"
+#include "ui/app/session_store.h"
 #include "ui/context/context.h"
 #include "ui/context/imgui_session.h"
 #include "ui/context/input.h"
@@ -42,10 +42,10 @@ public:
 
     void frame(const ui::Input& input) override;
 
-    Desk& desk() { return desk_; }
-    const Desk& desk() const { return desk_; }
-    Session& session() { return desk_.session; }
-    const Session& session() const { return desk_.session; }
+    Workspace& workspace() { return workspace_; }
+    const Workspace& workspace() const { return workspace_; }
+    Session& session() { return workspace_.session; }
+    const Session& session() const { return workspace_.session; }
     const CommandTable& commands() const { return commands_; }
     const Canvas& canvas() const { return canvas_; }
     bool is_moving() const override;
@@ -54,29 +54,29 @@ public:
     /// From now on the last files and drafts of unsaved work are kept there. Offers what was left behind.
     void remember_in(const ui::DraftFolder& folder);
     /// Starts another program of the suite. \returns why it cannot
-    using StartProgram = std::function<std::optional<ui::Phrase>(const ui::Handover&)>;
+    using StartProgram = std::function<std::optional<ui::Message>(const ui::ExportToApp&)>;
     void start_programs_by(StartProgram start) { start_program_ = std::move(start); }
     /// What another program was given last.
-    const std::optional<ui::Handover>& handed() const { return handed_; }
+    const std::optional<ui::ExportToApp>& handed() const { return handed_; }
     /// Writes the picture, the results or a report to a file (export.h), and tells that it did. \returns why it cannot
-    std::optional<ui::Phrase> export_as(const std::filesystem::path& path);
-    std::optional<ui::Phrase> copy_picture(); ///< to the system's clipboard. \returns why it cannot
+    std::optional<ui::Message> export_as(const std::filesystem::path& path);
+    std::optional<ui::Message> copy_picture(); ///< to the system's clipboard. \returns why it cannot
     std::string window_title() const override;
     ui::ImGuiSession& gui() override { return gui_; }
     TablesPanel& tables() { return tables_; }
     const TablesPanel& tables() const { return tables_; }
 
 private:
-    void take_keys(const ui::Input& all);
-    bool take_typing(ui::Key key);
-    bool put_away_a_window();
-    void explain(const ui::Phrase& reason);
-    void take_files(const std::vector<std::string>& files);
-    void take_requests();
+    void handle_keys(const ui::Input& all);
+    bool handle_typing(ui::Key key);
+    bool close_topmost_window();
+    void explain(const ui::Message& reason);
+    void handle_files(const std::vector<std::string>& files);
+    void handle_requests();
     void take(ui::Request request);
     void take(Request request);
     void take(const ui::ChosenFile& file);
-    void hand_over(ui::Handover handover);
+    void hand_over(ui::ExportToApp exported);
     void show_menu_bar();
     void show_offer_of_program();
     void show_body();
@@ -89,7 +89,7 @@ private:
     void animate(double seconds);
     void pass_notice(double seconds);
 
-    Desk desk_;
+    Workspace workspace_;
     CommandTable commands_;
     ui::ImGuiSession gui_;
     ui::Context& context_;
@@ -106,14 +106,14 @@ private:
     KindQuestion kind_question_;
     ui::PathDialog import_dialog_;
     ui::NumberFields fields_;
-    ui::Overlays overlays_{{.extension = ".json", .left_out = ".view.json", .exports = export_endings()}};
+    ui::Dialogs dialogs_{{.extension = ".json", .left_out = ".view.json", .exports = export_endings()}};
     Questions questions_;
-    ui::KeptFiles kept_files_{std::nullopt};
+    ui::SessionStore session_store_{std::nullopt};
     ui::ThemeName theme_;
     ui::SidePanels sides_{{16.5F, 24.0F}, {0.25F, 0.30F}};
     double time_;                ///< of the animation since the middle of a swing [s]
     StartProgram start_program_; ///< none: nothing is started, as in a scenario
-    std::optional<ui::Handover> handed_;
+    std::optional<ui::ExportToApp> handed_;
     LinkedPrograms linked_;
     bool wants_to_quit_ = false;
     bool had_popup_ = false; ///< in the last frame: Esc, which has closed it since, was for it

@@ -57,39 +57,39 @@ ui::FootMessage message_of(const Hindrance& hindrance, const ui::Catalogue& tr)
             {0}};
 }
 
-void show_problems(Desk& desk)
+void show_problems(Workspace& workspace)
 {
-    desk.topic = Topic::Problems;
-    desk.has_panels = true;
+    workspace.topic = Topic::Problems;
+    workspace.has_panels = true;
 }
 
 } // namespace
 
-std::optional<ui::FootMessage> banner(const Desk& desk)
+std::optional<ui::FootMessage> banner(const Workspace& workspace)
 {
-    const ui::Catalogue& tr = desk.session.view.tr;
-    if (desk.session.notice) return message_of(*desk.session.notice, tr);
-    const Hindrance found = hindrance(desk.session);
+    const ui::Catalogue& tr = workspace.session.view.tr;
+    if (workspace.session.notice) return message_of(*workspace.session.notice, tr);
+    const Hindrance found = hindrance(workspace.session);
     return found.faults.empty() ? std::nullopt : std::optional(message_of(found, tr));
 }
 
-void show_banner(Desk& desk, const ui::FootMessage& message)
+void show_banner(Workspace& workspace, const ui::FootMessage& message)
 {
     const auto pressed = ui::show(message);
     if (!pressed) return;
-    if (!desk.session.notice) {
-        const Hindrance found = hindrance(desk.session);
-        if (*pressed == 1 || found.faults.empty()) show_problems(desk);
-        else go_to(desk, found.faults.front()); // by its button or its sentence
+    if (!workspace.session.notice) {
+        const Hindrance found = hindrance(workspace.session);
+        if (*pressed == 1 || found.faults.empty()) show_problems(workspace);
+        else go_to(workspace, found.faults.front()); // by its button or its sentence
         return;
     }
     if (*pressed >= message.buttons.size()) {
-        const femoop::Fault fault = desk.session.notice->faults.at(*pressed - message.buttons.size());
-        return go_to(desk, fault); // the notice stays for the next one
+        const femoop::Fault fault = workspace.session.notice->faults.at(*pressed - message.buttons.size());
+        return go_to(workspace, fault); // the notice stays for the next one
     }
-    const std::optional<std::filesystem::path> to_mend = desk.session.notice->to_mend;
-    desk.session.notice.reset();
-    if (*pressed == 1 && to_mend) open_file(desk, *to_mend, Session::Purpose::Mend);
+    const std::optional<std::filesystem::path> to_mend = workspace.session.notice->to_mend;
+    workspace.session.notice.reset();
+    if (*pressed == 1 && to_mend) open_file(workspace, *to_mend, Session::Purpose::Mend);
 }
 
 } // namespace frame

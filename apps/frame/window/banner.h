@@ -8,8 +8,8 @@
 namespace frame {
 
 /// What went wrong: a notice, or the first error of the model with the way to the others.
-std::optional<ui::FootMessage> banner(const Desk& desk);
+std::optional<ui::FootMessage> banner(const Workspace& workspace);
 /// Shows it at the window's foot.
-void show_banner(Desk& desk, const ui::FootMessage& message);
+void show_banner(Workspace& workspace, const ui::FootMessage& message);
 
 } // namespace frame

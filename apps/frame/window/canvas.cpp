@@ -50,20 +50,22 @@ std::optional<GuessPicture> guess_picture(const Session& session, const DrawOpti
 }
 
 // While members are drawn the structure is not complete yet, so no motion is played.
-std::optional<std::size_t> shown_mechanism(const Desk& desk)
+std::optional<std::size_t> shown_mechanism(const Workspace& workspace)
 {
-    const std::size_t n = desk.session.shown_mechanisms().size();
-    return desk.hand.can_type() || n == 0 ? std::nullopt : std::optional(std::min(desk.session.mechanism, n - 1));
+    const std::size_t n = workspace.session.shown_mechanisms().size();
+    return workspace.tool_controller.can_type() || n == 0 ? std::nullopt
+                                                          : std::optional(std::min(workspace.session.mechanism, n - 1));
 }
 
-DrawInput input_of(const Desk& desk, const DrawOptions& options, const std::optional<GuessPicture>& guess)
+DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const std::optional<GuessPicture>& guess)
 {
-    const Session& session = desk.session;
+    const Session& session = workspace.session;
     DrawInput input{.model = session.model(),
                     .reference = session.reference.get(),
                     .dimensions = session.document().companion.dimensions,
                     .overlay = guess ? &*guess : nullptr};
-    if (const auto i = shown_mechanism(desk)) input.motion = motion_choice(session.shown_mechanisms(), *i, options.tr);
+    if (const auto i = shown_mechanism(workspace))
+        input.motion = motion_choice(session.shown_mechanisms(), *i, options.tr);
     else input.results = session.shown_results();
     return input;
 }
@@ -103,9 +105,9 @@ Canvas::FittedFor Canvas::wanted_fit(const Session& session, const DrawOptions& 
             {options.diagram_factor, options.load_factor, options.symbol_factor}};
 }
 
-void Canvas::follow_structure(Desk& desk)
+void Canvas::follow_structure(Workspace& workspace)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     const bool is_same = session_ == session.number();
     if (!is_same || generation_ != session.generation()) shape_ = shape_of(session.model());
     session_ = session.number();
@@ -118,13 +120,13 @@ void Canvas::follow_structure(Desk& desk)
     const bool must_rest = is_working_ || session.history().is_dragging();
     const bool can_rest = fitted_for_ && fitted_for_->session == session_ && fitted_for_->sheet == whole_sheet();
     const bool is_resting = must_rest && can_rest;
-    const bool is_fitted = is_resting || (fitted_for_ && fitted_for_->serves(wanted) && is_all_in_sight(desk));
+    const bool is_fitted = is_resting || (fitted_for_ && fitted_for_->serves(wanted) && is_all_in_sight(workspace));
     is_just_fitted_ = !state.camera && !is_fitted;
     if (!state.camera && is_fitted) state.camera = plan_.camera;
     if (is_just_fitted_) fitted_for_ = wanted;
     if (session.draw_state.camera) fitted_for_.reset();
     const Subject::Plan before = std::exchange(
-        plan_, Subject(input_of(desk, options, guess), options, state).plan(sheet_, fonts_));
+        plan_, Subject(input_of(workspace, options, guess), options, state).plan(sheet_, fonts_));
     if (is_same && !is_just_fitted_) hold_still(session, before);
 }
 
@@ -140,10 +142,11 @@ void Canvas::hold_still(Session& session, const Subject::Plan& before)
 
 // Drawing must not move the picture under the hand; it moves where a node would be lost, and with no tool in the hand
 // where other marks would be.
-bool Canvas::is_all_in_sight(const Desk& desk) const
+bool Canvas::is_all_in_sight(const Workspace& workspace) const
 {
     if (plan_.panels.empty()) return false;
-    const bool is_at_rest = desk.hand.kind() == ToolKind::Select && !shown_mechanism(desk) && lent_ <= 0.0;
+    const bool is_at_rest = workspace.tool_controller.kind() == ToolKind::Select && !shown_mechanism(workspace) &&
+                            lent_ <= 0.0;
     if (is_at_rest && was_whole_ && !drawn_.is_whole) return false;
     const ui::Box box = plan_.panels.front().box;
     const Projection projection(plan_.camera, box.min);
@@ -171,12 +174,12 @@ std::optional<Region> Canvas::region(const Session& session) const
 }
 
 // A view under a name is put into the picture as large as it is now.
-void Canvas::look_at_region(Desk& desk)
+void Canvas::look_at_region(Workspace& workspace)
 {
-    const std::optional<Region> region = std::exchange(desk.session.look_at, std::nullopt);
+    const std::optional<Region> region = std::exchange(workspace.session.look_at, std::nullopt);
     if (!region || plan_.panels.empty() || !std::holds_alternative<ui::PlaneCamera>(plan_.camera)) return;
-    desk.session.draw_state.camera = camera_on(*region, plan_.panels.front().box.size());
-    follow_structure(desk);
+    workspace.session.draw_state.camera = camera_on(*region, plan_.panels.front().box.size());
+    follow_structure(workspace);
 }
 
 void Canvas::zoom(Session& session, double factor) const
@@ -208,7 +211,7 @@ std::optional<ui::Point> Canvas::in_window(const Cut& cut) const
     return in_window(shape_[cut.member].at(cut.x));
 }
 
-void Canvas::show(Desk& desk, ui::ImGuiSession& gui)
+void Canvas::show(Workspace& workspace, ui::ImGuiSession& gui)
 {
     const auto scale = static_cast<float>(gui.scale());
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -216,10 +219,10 @@ void Canvas::show(Desk& desk, ui::ImGuiSession& gui)
     if (room.x < 8.0F || room.y < 8.0F) return;
     corner_ = {static_cast<double>(corner.x / scale), static_cast<double>(corner.y / scale)};
     sheet_ = {static_cast<double>(room.x / scale), static_cast<double>(room.y / scale)};
-    const auto told = banner(desk);
+    const auto told = banner(workspace);
     lent_ = told ? static_cast<double>((ui::height(*told) - ui::status_height()) / scale) : 0.0;
-    follow_structure(desk);
-    look_at_region(desk);
+    follow_structure(workspace);
+    look_at_region(workspace);
 
     ImGui::InvisibleButton("canvas", room,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
@@ -229,22 +232,22 @@ void Canvas::show(Desk& desk, ui::ImGuiSession& gui)
                        static_cast<double>((io.MousePos.y - corner.y) / scale)};
     is_over_ = ImGui::IsItemHovered() || ImGui::IsItemActive();
     const bool is_followed = is_over_ || is_working_; // a button may be released beside the picture
-    follow(desk, {.at = at, .is_over = is_followed, .adds = io.KeyShift, .is_exact = io.KeyAlt});
-    paint(desk);
+    follow(workspace, {.at = at, .is_over = is_followed, .adds = io.KeyShift, .is_exact = io.KeyAlt});
+    paint(workspace);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(corner, {corner.x + room.x, corner.y + room.y}, true);
     gui.show(*picture_, list, {static_cast<double>(corner.x), static_cast<double>(corner.y)});
     list.PopClipRect();
 }
 
-void Canvas::follow(Desk& desk, const Pointer& pointer)
+void Canvas::follow(Workspace& workspace, const Pointer& pointer)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     session.hover.reset();
     session.draw_state.hover = {};
     if (!pointer.is_over) return;
     const Projection projection = projection_at(pointer.at);
-    ToolSettings& settings = desk.hand.settings();
+    ToolSettings& settings = workspace.tool_controller.settings();
     settings.grid = typed_spacing(settings, session.model().units).value_or(grid_of(projection));
     settings.load_case = session.view.load_case;
     settings.moment_side = session.view.moment_side;
@@ -253,32 +256,36 @@ void Canvas::follow(Desk& desk, const Pointer& pointer)
     turn_wheel(session, pointer.at);
     const bool asks_for_menu = ImGui::IsMouseReleased(ImGuiMouseButton_Right) && !is_panning_;
     move_camera(session);
-    const Aim aim = aim_at(session, desk.hand, projection, pointer, under, drawn_.grips);
-    desk.hand.point_at(aim);
-    if (asks_for_menu) ask_for_menu(desk, aim);
+    const Aim aim = aim_at(session, workspace.tool_controller, projection, pointer, under, drawn_.grips);
+    workspace.tool_controller.point_at(aim);
+    if (asks_for_menu) ask_for_menu(workspace, aim);
     if (is_panning_) return;
-    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && under.is_nothing() && !desk.hand.can_type()) fit(session);
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && under.is_nothing() &&
+        !workspace.tool_controller.can_type())
+        fit(session);
     if (under.node) session.draw_state.hover.nodes.push_back(*under.node);
     if (aim.points_at_support()) session.draw_state.hover.nodes.push_back(aim.support->node);
     if (aim.part() && aim.dimension) session.draw_state.hover.dimensions.push_back(*aim.dimension);
     if (aim.cut) session.draw_state.hover.members.push_back(aim.cut->member);
     session.hover = under.cut;
     hover_panel_ = corner_of_panel(pointer.at);
-    work(desk, aim, under);
-    if (const auto member = desk.hand.tool().preview().member) session.draw_state.hover.members = {*member};
+    work(workspace, aim, under);
+    if (const auto member = workspace.tool_controller.tool().preview().member)
+        session.draw_state.hover.members = {*member};
 }
 
 // A right click that was no drag: the menu of what lies there, and of what is selected together with it.
-void Canvas::ask_for_menu(Desk& desk, const Aim& aim)
+void Canvas::ask_for_menu(Workspace& workspace, const Aim& aim)
 {
-    Selection& selection = desk.session.selection;
-    const bool is_busy = desk.transform || desk.session.history().is_dragging() ||
-                         desk.hand.kind() == ToolKind::Predict || desk.hand.tool().preview().window;
+    Selection& selection = workspace.session.selection;
+    const bool is_busy = workspace.transform || workspace.session.history().is_dragging() ||
+                         workspace.tool_controller.kind() == ToolKind::Predict ||
+                         workspace.tool_controller.tool().preview().window;
     if (is_busy) return;
     const std::optional<Part> part = aim.part();
     if (!part) selection.clear();
     else if (!selection.contains(*part)) selection = *part;
-    desk.requests.push_back(Request::ContextMenu);
+    workspace.requests.push_back(Request::ContextMenu);
 }
 
 void Canvas::turn_wheel(Session& session, ui::Point at) const
@@ -299,54 +306,56 @@ void carry_out(Session& session, const std::optional<Change>& change)
 }
 
 // A load that is put where it would not be seen is none that was meant.
-std::optional<ui::Phrase> why_not_press(const Desk& desk, const Aim& aim)
+std::optional<ui::Message> why_not_press(const Workspace& workspace, const Aim& aim)
 {
-    if (desk.hand.kind() != ToolKind::Load || (!aim.node && !aim.cut)) return std::nullopt;
-    if (auto reason = why_shown_case_takes_no_load(desk.session)) return reason;
-    if (!aim.node || force_of(desk.hand.settings(), desk.session.model().analysis)) return std::nullopt;
+    if (workspace.tool_controller.kind() != ToolKind::Load || (!aim.node && !aim.cut)) return std::nullopt;
+    if (auto reason = why_shown_case_takes_no_load(workspace.session)) return reason;
+    if (!aim.node || force_of(workspace.tool_controller.settings(), workspace.session.model().analysis))
+        return std::nullopt;
     return ui::translatable("a node cannot have this load; click a member, or choose another load");
 }
 
 } // namespace
 
 // The left button: the tool's in the hand.
-void Canvas::work(Desk& desk, const Aim& aim, const Pick& under)
+void Canvas::work(Workspace& workspace, const Aim& aim, const Pick& under)
 {
-    if (is_seen_in_space(desk.session.model().analysis)) return click_in_space(desk, aim, under);
-    if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) press(desk, aim);
-    carry_out(desk.session, desk.hand.tool().move(work_of(desk.session), aim));
-    if (is_working_ && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) release(desk, aim, under);
+    if (is_seen_in_space(workspace.session.model().analysis)) return click_in_space(workspace, aim, under);
+    if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) press(workspace, aim);
+    carry_out(workspace.session, workspace.tool_controller.tool().move(work_of(workspace.session), aim));
+    if (is_working_ && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) release(workspace, aim, under);
 }
 
-void Canvas::press(Desk& desk, const Aim& aim)
+void Canvas::press(Workspace& workspace, const Aim& aim)
 {
     is_working_ = true;
-    desk.session.settle();
-    if (const auto reason = why_not_press(desk, aim)) desk.session.notice = passing_notice(*reason);
-    else carry_out(desk.session, desk.hand.tool().press(work_of(desk.session), aim));
+    workspace.session.settle();
+    if (const auto reason = why_not_press(workspace, aim)) workspace.session.notice = passing_notice(*reason);
+    else carry_out(workspace.session, workspace.tool_controller.tool().press(work_of(workspace.session), aim));
 }
 
-void Canvas::release(Desk& desk, const Aim& aim, const Pick& under)
+void Canvas::release(Workspace& workspace, const Aim& aim, const Pick& under)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     is_working_ = false;
-    const bool was_dragging = session.history().is_dragging() || desk.hand.tool().preview().window;
-    carry_out(session, desk.hand.tool().release(work_of(session), aim));
+    const bool was_dragging = session.history().is_dragging() || workspace.tool_controller.tool().preview().window;
+    carry_out(session, workspace.tool_controller.tool().release(work_of(session), aim));
     session.settle();
-    if (desk.hand.tool().is_done()) return desk.hand.settle();
-    if (was_dragging || desk.hand.kind() != ToolKind::Select) return;
+    if (workspace.tool_controller.tool().is_done()) return workspace.tool_controller.settle();
+    if (was_dragging || workspace.tool_controller.kind() != ToolKind::Select) return;
     session.pin = under.cut;
     const bool is_read = under.cut && !aim.part(); // a click on a diagram means its member
     if (is_read && !aim.adds) session.selection = Part(under.cut->member);
 }
 
 // In space the left button turns the model, so a tool gets clicks alone.
-void Canvas::click_in_space(Desk& desk, const Aim& aim, const Pick& under)
+void Canvas::click_in_space(Workspace& workspace, const Aim& aim, const Pick& under)
 {
-    if (desk.hand.can_type()) carry_out(desk.session, desk.hand.tool().move(work_of(desk.session), aim));
+    if (workspace.tool_controller.can_type())
+        carry_out(workspace.session, workspace.tool_controller.tool().move(work_of(workspace.session), aim));
     if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left)) return;
-    press(desk, aim);
-    release(desk, aim, under);
+    press(workspace, aim);
+    release(workspace, aim, under);
 }
 
 void Canvas::move_camera(Session& session)
@@ -420,16 +429,16 @@ DrawState Canvas::state(const Session& session) const
 }
 
 // The structure, its results and the reading that is pinned.
-Subject::Picture Canvas::draw(const Desk& desk, const DrawOptions& options, const DrawState& state,
+Subject::Picture Canvas::draw(const Workspace& workspace, const DrawOptions& options, const DrawState& state,
                               ui::Painter& painter) const
 {
-    const Session& session = desk.session;
+    const Session& session = workspace.session;
     if (session.model().nodes.empty()) {
-        if (desk.hand.kind() != ToolKind::Paste) draw_invitation(painter, options);
+        if (workspace.tool_controller.kind() != ToolKind::Paste) draw_invitation(painter, options);
         return {};
     }
     const std::optional<GuessPicture> guess = guess_picture(session, options);
-    Subject::Picture picture = Subject(input_of(desk, options, guess), options, state).draw(painter);
+    Subject::Picture picture = Subject(input_of(workspace, options, guess), options, state).draw(painter);
     draw_why_blank(painter, session, options);
     if (session.pin && !plan_.panels.empty())
         draw_cut(session, options, picture, {*session.pin, plan_.panels.front().box.min}, painter);
@@ -445,29 +454,29 @@ void Canvas::draw_cut(const Session& session, const DrawOptions& options, const 
                  {.plan = picture.plan, .cut = seen.cut, .beside = at, .top = picture.legend_bottom});
 }
 
-ui::Picture Canvas::picture_of(const Desk& desk) const
+ui::Picture Canvas::picture_of(const Workspace& workspace) const
 {
-    DrawState plain = state(desk.session);
+    DrawState plain = state(workspace.session);
     plain.hover = plain.selection = {};
     ui::Painter painter(sheet_, fonts_);
-    draw(desk, looked_at(desk.session), plain, painter);
+    draw(workspace, looked_at(workspace.session), plain, painter);
     return painter.picture();
 }
 
-void Canvas::paint(const Desk& desk)
+void Canvas::paint(const Workspace& workspace)
 {
-    const Session& session = desk.session;
+    const Session& session = workspace.session;
     const DrawOptions shown = looked_at(session);
     const DrawState now = state(session);
     ui::Painter painter(sheet_, fonts_);
-    drawn_ = draw(desk, shown, now, painter);
+    drawn_ = draw(workspace, shown, now, painter);
     if (std::exchange(is_just_fitted_, false)) was_whole_ = drawn_.is_whole;
     if (session.hover && session.hover != session.pin && !is_working_)
         draw_cut(session, shown, drawn_, {*session.hover, hover_panel_}, painter);
     const ui::Theme theme(shown.theme);
     if (is_over_ && !plan_.panels.empty())
-        draw_hand(painter, session, desk.hand, Projection(*now.camera, hover_panel_), theme);
-    else if (!desk.hand.typed().empty()) draw_typed(painter, desk.hand, theme);
+        draw_hand(painter, session, workspace.tool_controller, Projection(*now.camera, hover_panel_), theme);
+    else if (!workspace.tool_controller.typed().empty()) draw_typed(painter, workspace.tool_controller, theme);
     picture_ = painter.picture();
 }
 

@@ -26,7 +26,7 @@ public:
     explicit Canvas(const ui::Fonts& fonts) : fonts_(fonts) {}
 
     /// Fills what is left of the current window of Dear ImGui's.
-    void show(Desk& desk, ui::ImGuiSession& gui);
+    void show(Workspace& workspace, ui::ImGuiSession& gui);
 
     /// From now on the camera follows the sheet and the structure, until it is moved by hand.
     void fit(Session& session);
@@ -38,21 +38,21 @@ public:
     std::optional<ui::Point> in_window(const Eigen::Vector3d& place) const;
     std::optional<ui::Point> in_window(const Cut& cut) const;
     /// The structure as it is seen now, without what the hand is doing.
-    ui::Picture picture_of(const Desk& desk) const;
+    ui::Picture picture_of(const Workspace& workspace) const;
     /// The picture that was drawn last, for golden texts.
     const std::optional<ui::Picture>& picture() const { return picture_; }
 
 private:
-    void follow(Desk& desk, const Pointer& pointer);
-    void work(Desk& desk, const Aim& aim, const Pick& under);
-    void press(Desk& desk, const Aim& aim);
-    void release(Desk& desk, const Aim& aim, const Pick& under);
-    void click_in_space(Desk& desk, const Aim& aim, const Pick& under);
-    static void ask_for_menu(Desk& desk, const Aim& aim);
+    void follow(Workspace& workspace, const Pointer& pointer);
+    void work(Workspace& workspace, const Aim& aim, const Pick& under);
+    void press(Workspace& workspace, const Aim& aim);
+    void release(Workspace& workspace, const Aim& aim, const Pick& under);
+    void click_in_space(Workspace& workspace, const Aim& aim, const Pick& under);
+    static void ask_for_menu(Workspace& workspace, const Aim& aim);
     void turn_wheel(Session& session, ui::Point at) const;
     void move_camera(Session& session);
-    void paint(const Desk& desk);
-    Subject::Picture draw(const Desk& desk, const DrawOptions& options, const DrawState& state,
+    void paint(const Workspace& workspace);
+    Subject::Picture draw(const Workspace& workspace, const DrawOptions& options, const DrawState& state,
                           ui::Painter& painter) const;
     DrawState state(const Session& session) const;
     struct SeenCut {
@@ -61,9 +61,9 @@ private:
     };
     void draw_cut(const Session& session, const DrawOptions& options, const Subject::Picture& picture,
                   const SeenCut& seen, ui::Painter& painter) const;
-    void look_at_region(Desk& desk);
-    void follow_structure(Desk& desk);
-    bool is_all_in_sight(const Desk& desk) const;
+    void look_at_region(Workspace& workspace);
+    void follow_structure(Workspace& workspace);
+    bool is_all_in_sight(const Workspace& workspace) const;
     /// The panel of the sheet under a point, the first one where there is none.
     Projection projection_at(ui::Point at) const;
     double pixels_along(const Projection& projection, const Cut& cut) const;

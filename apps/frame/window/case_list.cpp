@@ -21,20 +21,20 @@ constexpr std::array<std::string_view, 6> of_cases{"case.new",  "case.combinatio
                                                    "case.copy", "case.delete",      "case.self_weight"};
 
 // The commands, once the list has opened it.
-void show_menu(Desk& desk, const CommandTable& commands)
+void show_menu(Workspace& workspace, const CommandTable& commands)
 {
     if (!ImGui::BeginPopup("###case menu")) return;
-    const ui::Catalogue tr = desk.session.view.tr;
-    for (const std::string_view id : of_cases) ui::show_command(*commands.find(id), desk, tr);
+    const ui::Catalogue tr = workspace.session.view.tr;
+    for (const std::string_view id : of_cases) ui::show_command(*commands.find(id), workspace, tr);
     ImGui::EndPopup();
 }
 
 } // namespace
 
-void CaseList::show(Desk& desk, const CommandTable& commands)
+void CaseList::show(Workspace& workspace, const CommandTable& commands)
 {
-    Session& session = desk.session;
-    show_heading(desk);
+    Session& session = workspace.session;
+    show_heading(workspace);
     const femoop::Model& model = session.model();
     if (std::exchange(begins_to_type_, false) && model.n_cases() > 0) {
         typed_case_ = session.view.load_case;
@@ -45,19 +45,19 @@ void CaseList::show(Desk& desk, const CommandTable& commands)
     if (typed_case_ && typed_case_->index >= model.n_cases()) typed_case_.reset();
     if (model.n_cases() == 0) ImGui::TextWrapped("%s", session.view.tr("The model has no load case.").c_str());
     for (std::size_t i = 0; i < session.model().n_cases(); ++i) {
-        if (typed_case_ == femoop::CaseId(i)) show_name_field(desk, femoop::CaseId(i));
-        else show_entry(desk, femoop::CaseId(i));
+        if (typed_case_ == femoop::CaseId(i)) show_name_field(workspace, femoop::CaseId(i));
+        else show_entry(workspace, femoop::CaseId(i));
     }
     bool& is_envelope = session.view.is_envelope;
     if (session.model().n_cases() > 1 && ImGui::RadioButton(session.view.tr("Envelope").c_str(), is_envelope))
         is_envelope = true;
     if (std::exchange(opens_menu_, false)) ImGui::OpenPopup("###case menu");
-    show_menu(desk, commands);
+    show_menu(workspace, commands);
 }
 
-void CaseList::show_heading(Desk& desk)
+void CaseList::show_heading(Workspace& workspace)
 {
-    const ui::Catalogue& tr = desk.session.view.tr;
+    const ui::Catalogue& tr = workspace.session.view.tr;
     ImGui::Spacing();
     ImGui::TextDisabled("%s", tr("Load case").c_str());
     const float side = ImGui::GetTextLineHeight();
@@ -77,9 +77,9 @@ void CaseList::show_heading(Desk& desk)
     ImGui::Separator();
 }
 
-void CaseList::show_entry(Desk& desk, femoop::CaseId id)
+void CaseList::show_entry(Workspace& workspace, femoop::CaseId id)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     const femoop::Model& model = session.model();
     const std::string& name = model.case_name(id);
     const bool is_combination = id.index >= model.load_cases.size();
@@ -94,20 +94,20 @@ void CaseList::show_entry(Desk& desk, femoop::CaseId id)
     opens_menu_ = true;
 }
 
-void CaseList::show_name_field(Desk& desk, femoop::CaseId id)
+void CaseList::show_name_field(Workspace& workspace, femoop::CaseId id)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     ImGui::SetNextItemWidth(-1.0F);
     if (std::exchange(is_fresh_, false)) ImGui::SetKeyboardFocusHere();
     const auto flags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll;
     const bool is_confirmed = ImGui::InputText("###case name", &name_, flags);
-    const bool is_given_up = ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    const bool is_cancelled = ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
     const bool is_left = is_confirmed || ImGui::IsItemDeactivated();
-    if (is_left) reason_ = is_given_up ? std::nullopt : rename(session, id, name_);
-    if (is_left && (is_given_up || !reason_ || !is_confirmed)) typed_case_.reset();
+    if (is_left) reason_ = is_cancelled ? std::nullopt : rename(session, id, name_);
+    if (is_left && (is_cancelled || !reason_ || !is_confirmed)) typed_case_.reset();
     else if (is_confirmed) is_fresh_ = true; // to be mended
     if (typed_case_ && reason_) ui::wrapped_text(session.view.tr(*reason_));
-    if (!typed_case_ && reason_) desk.tell(*std::exchange(reason_, std::nullopt));
+    if (!typed_case_ && reason_) workspace.notify(*std::exchange(reason_, std::nullopt));
 }
 
 } // namespace frame

@@ -31,10 +31,10 @@ template <class Id> bool is_any(const Selection& selection)
     return std::ranges::any_of(selection.parts(), [](const Part& part) { return std::holds_alternative<Id>(part); });
 }
 
-void show(Desk& desk, const CommandTable& commands, Ids ids)
+void show(Workspace& workspace, const CommandTable& commands, Ids ids)
 {
-    const ui::Catalogue tr = desk.session.view.tr; // a command may change the language
-    for (const std::string_view id : ids) ui::show_command(*commands.find(id), desk, tr);
+    const ui::Catalogue tr = workspace.session.view.tr; // a command may change the language
+    for (const std::string_view id : ids) ui::show_command(*commands.find(id), workspace, tr);
 }
 
 Ids loads_for(const Selection& selection)
@@ -47,41 +47,41 @@ Ids loads_for(const Selection& selection)
 
 } // namespace
 
-void ContextMenu::show(Desk& desk, const CommandTable& commands)
+void ContextMenu::show(Workspace& workspace, const CommandTable& commands)
 {
     if (std::exchange(opens_, false)) ImGui::OpenPopup("###context");
     if (!ImGui::BeginPopup("###context")) return;
-    const Selection selection = desk.session.selection; // a command may change it
+    const Selection selection = workspace.session.selection; // a command may change it
     if (selection.is_empty()) {
-        frame::show(desk, commands, beginnings);
+        frame::show(workspace, commands, beginnings);
         return ImGui::EndPopup();
     }
     if (const Ids loads = loads_for(selection); !loads.empty()) {
-        frame::show(desk, commands, loads);
+        frame::show(workspace, commands, loads);
         ImGui::Separator();
     }
     if (is_any<femoop::NodeId>(selection) || is_any<femoop::MemberId>(selection)) {
-        frame::show(desk, commands, changes);
+        frame::show(workspace, commands, changes);
         ImGui::Separator();
     }
     if (is_any<femoop::MemberId>(selection)) {
-        frame::show(desk, commands, methods);
+        frame::show(workspace, commands, methods);
         ImGui::Separator();
     }
-    frame::show(desk, commands, ends);
+    frame::show(workspace, commands, ends);
     ImGui::EndPopup();
 }
 
-void add_load_button(Desk& desk, const CommandTable& commands)
+void add_load_button(Workspace& workspace, const CommandTable& commands)
 {
-    const Ids loads = loads_for(desk.session.selection);
+    const Ids loads = loads_for(workspace.session.selection);
     if (loads.empty()) return;
     const std::string_view label = loads.data() == loads_for_members().data()
                                        ? translatable("Add a load or temperature…")
                                        : translatable("Add a load, settlement or spring…");
-    if (ImGui::Button((desk.session.view.tr(label) + "###add load").c_str())) ImGui::OpenPopup("###loads");
+    if (ImGui::Button((workspace.session.view.tr(label) + "###add load").c_str())) ImGui::OpenPopup("###loads");
     if (!ImGui::BeginPopup("###loads")) return;
-    show(desk, commands, loads);
+    show(workspace, commands, loads);
     ImGui::EndPopup();
 }
 

@@ -9,13 +9,13 @@ namespace frame {
 class ContextMenu {
 public:
     void open() { opens_ = true; }
-    void show(Desk& desk, const CommandTable& commands);
+    void show(Workspace& workspace, const CommandTable& commands);
 
 private:
     bool opens_ = false;
 };
 
 /// A button that opens the loads that the selected nodes or members can have, in the panel of their properties.
-void add_load_button(Desk& desk, const CommandTable& commands);
+void add_load_button(Workspace& workspace, const CommandTable& commands);
 
 } // namespace frame

@@ -3,16 +3,16 @@
 #include <imgui.h>
 
 #include "apps/frame/window/no_results.h"
-#include "ui/widgets/words_window.h"
+#include "ui/widgets/text_window.h"
 
 namespace frame {
 
-void description_window(Desk& desk, bool& is_open)
+void description_window(Workspace& workspace, bool& is_open)
 {
-    const ui::Catalogue& tr = desk.tr();
-    ui::words_window(tr("Model and results in words"), desk.session.in_words(), tr, is_open, [&] {
-        if (desk.session.hidden) ImGui::SameLine();
-        offer_to_reveal(desk);
+    const ui::Catalogue& tr = workspace.tr();
+    ui::text_window(tr("Model and results in words"), workspace.session.description(), tr, is_open, [&] {
+        if (workspace.session.hidden) ImGui::SameLine();
+        offer_to_reveal(workspace);
     });
 }
 

@@ -10,25 +10,25 @@
 
 namespace frame {
 
-void document_tabs(Desk& desk)
+void document_tabs(Workspace& workspace)
 {
-    if (n_tabs(desk) < 2) return;
+    if (n_tabs(workspace) < 2) return;
     std::optional<std::size_t> chosen;
-    for (std::size_t i = 0; i < n_tabs(desk); ++i) {
-        const Session& session = tab(desk, i);
+    for (std::size_t i = 0; i < n_tabs(workspace); ++i) {
+        const Session& session = tab(workspace, i);
         const std::string title = (session.is_dirty() ? "* " : "") + session.file_name();
-        const bool is_shown = i == desk.tab;
+        const bool is_shown = i == workspace.tab;
         ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(is_shown ? ImGuiCol_TabActive : ImGuiCol_Tab));
         if (ImGui::Button(ui::item_label(title, "tab" + std::to_string(i)).c_str())) chosen = i;
         ImGui::PopStyleColor();
         if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) {
             chosen = i;
-            desk.requests.push_back(Request::CloseTab);
+            workspace.requests.push_back(Request::CloseTab);
         }
         ImGui::SameLine(0.0F, 0.2F * ImGui::GetFontSize());
     }
     ImGui::NewLine();
-    if (chosen) show_tab(desk, *chosen);
+    if (chosen) show_tab(workspace, *chosen);
 }
 
 } // namespace frame

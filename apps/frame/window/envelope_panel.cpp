@@ -100,13 +100,14 @@ private:
 
 } // namespace
 
-void envelope_panel(Desk& desk)
+void envelope_panel(Workspace& workspace)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     const ui::Catalogue& tr = session.view.tr;
     ImGui::TextDisabled("%s", tr("Envelope of").c_str());
     choose_cases(session);
-    if (ImGui::Button((tr("Tables with places (F4)") + "###tables").c_str())) desk.bottom = {true, TableKind::Envelope};
+    if (ImGui::Button((tr("Tables with places (F4)") + "###tables").c_str()))
+        workspace.bottom = {true, TableKind::Envelope};
     EnvelopeTables tables(session);
     for (const MemberComponent component : section_force_components(session.model().analysis))
         tables.member_forces(component);

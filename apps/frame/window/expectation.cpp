@@ -20,8 +20,8 @@ namespace frame {
 namespace {
 
 using ui::compared;
-using ui::Complaint;
 using ui::joined;
+using ui::Mismatch;
 using ui::words_of;
 
 // "50%" or a length from the start.
@@ -35,7 +35,7 @@ std::optional<double> along(std::string_view text, double length)
 }
 
 // member AB M at 50% is -12.5 kN·m
-Complaint value(const Application& application, std::string_view text)
+Mismatch value(const Application& application, std::string_view text)
 {
     constexpr const char* form =
         "value: wanted member NAME QUANTITY at PLACE is VALUE, such as \"member AB M at 50% is -12.5 kN·m\"";
@@ -55,7 +55,7 @@ Complaint value(const Application& application, std::string_view text)
 }
 
 // Where it lies in the window; half a pixel is nothing.
-Complaint at_pixel(std::string_view what, const std::optional<ui::Point>& found, const ui::PointerPlace& wanted)
+Mismatch at_pixel(std::string_view what, const std::optional<ui::Point>& found, const ui::PointerPlace& wanted)
 {
     if (!found) return std::string(what) + ": found no picture yet";
     if (std::hypot(found->x - wanted.x, found->y - wanted.y) <= 0.5) return std::nullopt;
@@ -66,17 +66,17 @@ Complaint at_pixel(std::string_view what, const std::optional<ui::Point>& found,
 }
 
 // B at (2, 4), or B at pixel 302 609
-Complaint node(const Application& application, std::string_view text)
+Mismatch node(const Application& application, std::string_view text)
 {
     const std::vector<std::string> words = words_of(text);
     const femoop::Model& model = application.session().model();
     const auto id = words.empty() ? std::nullopt : model.find_node(words[0]);
     if (!id) return "node: found no node \"" + (words.empty() ? "" : words[0]) + "\" in the model";
-    const std::string place_words = words.size() >= 3 && words[1] == "at" ? joined(words, 2) : "";
+    const std::string place_text = words.size() >= 3 && words[1] == "at" ? joined(words, 2) : "";
     const Eigen::Vector3d found = shape_of(model)[*id];
-    if (const auto pixel = ui::pixel_place(place_words))
+    if (const auto pixel = ui::pixel_place(place_text))
         return at_pixel("node " + words[0], application.canvas().in_window(found), *pixel);
-    const auto wanted = point_in(place_words);
+    const auto wanted = point_in(place_text);
     if (!wanted) return "node: wanted NAME at (X, Y) or NAME at pixel X Y";
     constexpr double tolerance = 1e-3; // places are written with few digits
     if ((found - *wanted).norm() <= tolerance) return std::nullopt;
@@ -95,23 +95,23 @@ std::string selection_text(const Session& session)
     return text.empty() ? "nothing" : text;
 }
 
-std::string sentence_or_nothing(const std::optional<ui::Phrase>& phrase)
+std::string sentence_or_nothing(const std::optional<ui::Message>& message)
 {
-    return phrase ? ui::Catalogue()(*phrase) : "nothing";
+    return message ? ui::Catalogue()(*message) : "nothing";
 }
 
-std::string tool_in(const Hand& hand)
+std::string tool_in(const ToolController& tool_controller)
 {
-    if (hand.kind() == ToolKind::Paste) return "edit.paste";
-    return std::string(std::ranges::find(tools(), hand.kind(), &ToolEntry::value)->id);
+    if (tool_controller.kind() == ToolKind::Paste) return "edit.paste";
+    return std::string(std::ranges::find(tools(), tool_controller.kind(), &ToolEntry::value)->id);
 }
 
 // "5 of 24, nested-dissection"
-std::string front_of(const Desk& desk)
+std::string front_of(const Workspace& workspace)
 {
-    if (!desk.bottom.shows(BottomContent::Solver) || desk.solver.n_steps() == 0) return "nothing";
-    return std::to_string(desk.solver.step() + 1) + " of " + std::to_string(desk.solver.n_steps()) + ", " +
-           std::string(name(desk.solver.ordering()));
+    if (!workspace.bottom.shows(BottomContent::Solver) || workspace.solver.n_steps() == 0) return "nothing";
+    return std::to_string(workspace.solver.step() + 1) + " of " + std::to_string(workspace.solver.n_steps()) + ", " +
+           std::string(name(workspace.solver.ordering()));
 }
 
 std::size_t n_loads(const femoop::Model& model)
@@ -148,15 +148,15 @@ const ui::Facts<Application>& facts()
                  [](const Application& a) { return a.session().model().case_name(a.session().view.load_case); }},
             Fact{"problems", [](const Application& a) { return std::to_string(a.session().solution().faults.size()); }},
             Fact{"blank", [](const Application& a) { return blank_in(a.session()); }},
-            Fact{"cell", [](const Application& a) { return a.tables().cell(a.desk()).value_or("nothing"); }},
-            Fact{"tool", [](const Application& a) { return tool_in(a.desk().hand); }},
+            Fact{"cell", [](const Application& a) { return a.tables().cell(a.workspace()).value_or("nothing"); }},
+            Fact{"tool", [](const Application& a) { return tool_in(a.workspace().tool_controller); }},
             Fact{"typed",
                  [](const Application& a) {
-                     const std::string& typed = a.desk().hand.typed();
+                     const std::string& typed = a.workspace().tool_controller.typed();
                      return typed.empty() ? "nothing" : typed;
                  }},
-            Fact{"front", [](const Application& a) { return front_of(a.desk()); }},
-            Fact{"tabs", [](const Application& a) { return std::to_string(n_tabs(a.desk())); }},
+            Fact{"front", [](const Application& a) { return front_of(a.workspace()); }},
+            Fact{"tabs", [](const Application& a) { return std::to_string(n_tabs(a.workspace())); }},
             Fact{"started",
                  [](const Application& a) { return a.handed() ? a.handed()->program : std::string("nothing"); }},
         },
@@ -194,7 +194,7 @@ std::optional<std::string> why_not(std::string_view expectation, const Applicati
     const auto [what, rest] = ui::first_word(expectation);
     if (what == "value") return value(application, rest);
     if (what == "node") return node(application, rest);
-    return facts().complaint(expectation, application);
+    return facts().mismatch(expectation, application);
 }
 
 } // namespace frame

@@ -32,13 +32,13 @@ public:
         : path_(path), session_(session), fonts_(fonts)
     {}
 
-    std::optional<ui::Phrase> write(const ui::Picture& picture, double png_scale)
+    std::optional<ui::Message> write(const ui::Picture& picture, double png_scale)
     {
         if (const auto reason = ui::why_not_ending(path_, export_endings())) return reason;
         const auto is_a = [this](std::string_view ending) { return ui::has_ending(path_, ending); };
         if (is_a(".report.pdf")) write_pdf(path_, ui::report_pages(report(), fonts_), fonts_, pdf_look());
         else if (is_a(".html")) return text(ui::report_html(report(), fonts_));
-        else if (is_a(".txt")) return text(session_.in_words());
+        else if (is_a(".txt")) return text(session_.description());
         else if (is_a(".csv")) return results();
         else return write_picture(path_, picture, fonts_, picture_look(session_, png_scale));
         return std::nullopt;
@@ -57,9 +57,9 @@ private:
                            fonts_);
     }
 
-    std::optional<ui::Phrase> results() const
+    std::optional<ui::Message> results() const
     {
-        const std::optional<femoop::Results> results = session_.told_results();
+        const std::optional<femoop::Results> results = session_.described_results();
         if (!results) return session_.why_no_results();
         if (session_.view.is_envelope)
             return text(long_envelope_csv(session_.model(), *results,
@@ -68,7 +68,7 @@ private:
         return text(long_csv(session_.model(), *results, session_.solution().solved_cases(), femoop::usual_n_stations));
     }
 
-    std::optional<ui::Phrase> text(const std::string& content) const
+    std::optional<ui::Message> text(const std::string& content) const
     {
         const std::error_code error = files::write_whole_file(path_, content);
         if (!error) return std::nullopt;
@@ -84,14 +84,14 @@ private:
 
 std::vector<std::string> export_endings() { return {".png", ".svg", ".pdf", ".report.pdf", ".html", ".csv", ".txt"}; }
 
-std::optional<ui::Phrase> copy_to_clipboard(const ui::Picture& picture, const Session& session, const ui::Fonts& fonts,
-                                            double png_scale)
+std::optional<ui::Message> copy_to_clipboard(const ui::Picture& picture, const Session& session, const ui::Fonts& fonts,
+                                             double png_scale)
 {
     return ui::copy_picture(picture, fonts, picture_look(session, png_scale));
 }
 
-std::optional<ui::Phrase> export_to(const std::filesystem::path& path, const Session& session, const ui::Fonts& fonts,
-                                    const ui::Picture& picture, double png_scale)
+std::optional<ui::Message> export_to(const std::filesystem::path& path, const Session& session, const ui::Fonts& fonts,
+                                     const ui::Picture& picture, double png_scale)
 {
     try {
         return Exporter(path, session, fonts).write(picture, png_scale);

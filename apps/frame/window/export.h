@@ -17,14 +17,14 @@ namespace frame {
 ///     .report.pdf      the same on paper
 ///
 /// \returns why it cannot be written
-std::optional<ui::Phrase> export_to(const std::filesystem::path& path, const Session& session, const ui::Fonts& fonts,
-                                    const ui::Picture& picture, double png_scale);
+std::optional<ui::Message> export_to(const std::filesystem::path& path, const Session& session, const ui::Fonts& fonts,
+                                     const ui::Picture& picture, double png_scale);
 
 /// The extensions, that of a name without one first.
 std::vector<std::string> export_endings();
 
 /// Puts the picture on the clipboard, as a PNG. \returns why it could not
-std::optional<ui::Phrase> copy_to_clipboard(const ui::Picture& picture, const Session& session, const ui::Fonts& fonts,
-                                            double png_scale);
+std::optional<ui::Message> copy_to_clipboard(const ui::Picture& picture, const Session& session, const ui::Fonts& fonts,
+                                             double png_scale);
 
 } // namespace frame

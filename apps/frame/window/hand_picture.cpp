@@ -26,7 +26,7 @@ ui::TextStyle note_style(const ui::Theme& theme, ui::Anchor anchor)
     return style;
 }
 
-std::string typed_so_far(const Hand& hand) { return hand.typed() + "▏"; }
+std::string typed_so_far(const ToolController& tool_controller) { return tool_controller.typed() + "▏"; }
 
 class HandPicture {
 public:
@@ -211,18 +211,18 @@ private:
 
 } // namespace
 
-void draw_hand(ui::Painter& painter, const Session& session, const Hand& hand, const Projection& projection,
-               const ui::Theme& theme)
+void draw_hand(ui::Painter& painter, const Session& session, const ToolController& tool_controller,
+               const Projection& projection, const ui::Theme& theme)
 {
     HandPicture picture(painter, session, projection, theme);
     const bool is_in_space = femoop::is_3d(session.model().analysis);
-    if (hand.can_type() && hand.settings().draws_to_grid) {
-        const ToolSettings& settings = hand.settings();
+    if (tool_controller.can_type() && tool_controller.settings().draws_to_grid) {
+        const ToolSettings& settings = tool_controller.settings();
         if (is_in_space) picture.grid_in_space(settings.plane, shape_of(session.model()).nodes, settings.grid);
         else picture.grid(settings.grid);
     }
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
-    const Preview preview = hand.tool().preview();
+    const Preview preview = tool_controller.tool().preview();
     for (const auto& [start, end] : preview.lines) picture.line(start, end, is_in_space);
     for (const Preview::Carried& part : preview.carried) picture.carried(part);
     for (const Preview::Carried& part : preview.carried) picture.name(part, session.view.show);
@@ -230,19 +230,21 @@ void draw_hand(ui::Painter& painter, const Session& session, const Hand& hand, c
     const auto dimension = preview.dimension ? layout_of(session.model(), *preview.dimension) : std::nullopt;
     if (dimension) picture.dimension(*dimension);
     if (preview.window) picture.window(preview.window->first, preview.window->second);
-    const bool is_placing = (hand.can_type() && hand.tool().snaps()) || !hand.tool().moving().empty();
-    const Aim& aim = hand.aim();
+    const bool is_placing = (tool_controller.can_type() && tool_controller.tool().snaps()) ||
+                            !tool_controller.tool().moving().empty();
+    const Aim& aim = tool_controller.aim();
     const Point meant = projection(aim.place());
     if (is_placing && !aim.is_lost) picture.glyph(meant, aim.snap.kind);
-    if (!hand.typed().empty()) picture.note(meant + Point{0.0, 40.0}, typed_so_far(hand));
+    if (!tool_controller.typed().empty()) picture.note(meant + Point{0.0, 40.0}, typed_so_far(tool_controller));
     else if (is_in_space && is_placing && !aim.is_lost) picture.coordinates(aim.place());
 }
 
-void draw_typed(ui::Painter& painter, const Hand& hand, const ui::Theme& theme)
+void draw_typed(ui::Painter& painter, const ToolController& tool_controller, const ui::Theme& theme)
 {
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
     const ui::Size sheet = painter.size();
-    painter.text({0.5 * sheet.width, sheet.height - 16.0}, typed_so_far(hand), note_style(theme, ui::Anchor::Bottom));
+    painter.text({0.5 * sheet.width, sheet.height - 16.0}, typed_so_far(tool_controller),
+                 note_style(theme, ui::Anchor::Bottom));
 }
 
 } // namespace frame

@@ -10,9 +10,9 @@ class KindQuestion {
 public:
     void open() { is_open_ = true; }
     bool is_open() const { return is_open_; }
-    void show(Desk& desk, const CommandTable& commands);
+    void show(Workspace& workspace, const CommandTable& commands);
     /// \returns whether the key was an answer; any other ends the question
-    bool take(Desk& desk, const CommandTable& commands, ui::Key key);
+    bool take(Workspace& workspace, const CommandTable& commands, ui::Key key);
 
 private:
     bool is_open_ = false;

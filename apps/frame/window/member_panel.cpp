@@ -28,10 +28,10 @@ std::optional<femoop::MemberId> MemberPanel::member_of(const Session& session)
     return session.pin ? std::optional(session.pin->member) : std::nullopt;
 }
 
-void MemberPanel::show(Desk& desk, ui::ImGuiSession& gui, const ui::Fonts& fonts)
+void MemberPanel::show(Workspace& workspace, ui::ImGuiSession& gui, const ui::Fonts& fonts)
 {
-    if (explain_no_results(desk)) return;
-    Session& session = desk.session;
+    if (explain_no_results(workspace)) return;
+    Session& session = workspace.session;
     const ui::Catalogue& tr = session.view.tr;
     const auto& results = session.solution().results;
     const std::optional<femoop::MemberId> member = member_of(session);

@@ -17,7 +17,7 @@ public:
     static std::optional<femoop::MemberId> member_of(const Session& session);
 
     /// Fills what is left of the current window of Dear ImGui's.
-    void show(Desk& desk, ui::ImGuiSession& gui, const ui::Fonts& fonts);
+    void show(Workspace& workspace, ui::ImGuiSession& gui, const ui::Fonts& fonts);
 
     /// Left and Right move the pinned section, with Shift by a small step. False for other keys.
     bool take(Session& session, const ui::Chord& chord);

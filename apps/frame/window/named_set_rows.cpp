@@ -131,15 +131,15 @@ void named_set_rows(Session& session, std::span<const Part> shown)
     choose_load(session, parts, loads);
 }
 
-void NamedSetLists::show(Desk& desk)
+void NamedSetLists::show(Workspace& workspace)
 {
-    show_list(desk, translatable("Named supports"), true);
-    show_list(desk, translatable("Named loads"), false);
+    show_list(workspace, translatable("Named supports"), true);
+    show_list(workspace, translatable("Named loads"), false);
 }
 
-void NamedSetLists::show_list(Desk& desk, std::string_view heading, bool of_supports)
+void NamedSetLists::show_list(Workspace& workspace, std::string_view heading, bool of_supports)
 {
-    const Session& session = desk.session;
+    const Session& session = workspace.session;
     const auto sets = sets_where(session.document(),
                                  [&](const NamedSet& set) { return is_support(set) == of_supports; });
     if (chosen_ && chosen_->set >= session.document().companion.sets.size()) chosen_.reset();
@@ -154,14 +154,14 @@ void NamedSetLists::show_list(Desk& desk, std::string_view heading, bool of_supp
             chosen_ = chosen_ == set ? std::nullopt : std::optional(set);
             reason_.reset();
         }
-        if (chosen_ == set) show_chosen(desk);
+        if (chosen_ == set) show_chosen(workspace);
         if (!chosen_ && session.document().companion.sets.size() <= set.set) return; // it is gone
     }
 }
 
-void NamedSetLists::show_chosen(Desk& desk)
+void NamedSetLists::show_chosen(Workspace& workspace)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     const ui::Catalogue& tr = session.view.tr;
     const NamedSetPlace set = *chosen_;
     ImGui::Indent();

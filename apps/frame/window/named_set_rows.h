@@ -17,15 +17,15 @@ void named_set_rows(Session& session, std::span<const Part> parts);
 /// done with it.
 class NamedSetLists {
 public:
-    void show(Desk& desk);
+    void show(Workspace& workspace);
 
 private:
-    void show_list(Desk& desk, std::string_view heading, bool of_supports);
-    void show_chosen(Desk& desk);
+    void show_list(Workspace& workspace, std::string_view heading, bool of_supports);
+    void show_chosen(Workspace& workspace);
 
     std::optional<NamedSetPlace> chosen_;
     std::string name_; ///< as it is typed
-    std::optional<ui::Phrase> reason_;
+    std::optional<ui::Message> reason_;
 };
 
 } // namespace frame

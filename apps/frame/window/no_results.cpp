@@ -7,20 +7,20 @@
 
 namespace frame {
 
-bool explain_no_results(Desk& desk)
+bool explain_no_results(Workspace& workspace)
 {
-    const auto reason = desk.session.why_no_results();
+    const auto reason = workspace.session.why_no_results();
     if (!reason) return false;
-    ui::wrapped_text(desk.session.view.tr(*reason));
-    offer_to_reveal(desk);
+    ui::wrapped_text(workspace.session.view.tr(*reason));
+    offer_to_reveal(workspace);
     return true;
 }
 
-void offer_to_reveal(Desk& desk)
+void offer_to_reveal(Workspace& workspace)
 {
-    if (!desk.session.hidden) return;
-    const std::string label = desk.session.view.tr("Reveal the results");
-    if (ImGui::Button((label + "###reveal").c_str())) hide_or_reveal(desk);
+    if (!workspace.session.hidden) return;
+    const std::string label = workspace.session.view.tr("Reveal the results");
+    if (ImGui::Button((label + "###reveal").c_str())) hide_or_reveal(workspace);
 }
 
 } // namespace frame

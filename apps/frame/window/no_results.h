@@ -6,9 +6,9 @@ namespace frame {
 
 /// Where results would stand: says why there are none to read, and offers hidden ones. \returns false where they can be
 /// read
-bool explain_no_results(Desk& desk);
+bool explain_no_results(Workspace& workspace);
 
 /// A button that reveals the results; nothing where they are not hidden.
-void offer_to_reveal(Desk& desk);
+void offer_to_reveal(Workspace& workspace);
 
 } // namespace frame

@@ -57,8 +57,8 @@ std::string reason(const femoop::Fault& fault, const ui::Catalogue& tr)
     return text;
 }
 
-std::optional<ui::Phrase> change(Session& session, const SharedNumber& number,
-                                 const std::function<void(Document&, const NumberId&)>& command, Step step)
+std::optional<ui::Message> change(Session& session, const SharedNumber& number,
+                                  const std::function<void(Document&, const NumberId&)>& command, Step step)
 {
     std::vector<Part> parts;
     for (const NumberId& id : number.ids) parts.push_back(id.part);
@@ -69,15 +69,16 @@ std::optional<ui::Phrase> change(Session& session, const SharedNumber& number,
                            step});
 }
 
-std::optional<ui::Phrase> set(Session& session, const SharedNumber& number, const femoop::Quantity& value, Step step)
+std::optional<ui::Message> set(Session& session, const SharedNumber& number, const femoop::Quantity& value, Step step)
 {
     return change(
         session, number, [&](Document& document, const NumberId& id) { set_number(document, id, value); }, step);
 }
 
-void take_text(Desk& desk, ui::NumberFields& fields, const SharedNumber& number, const ui::NumberFieldEvent& event)
+void take_text(Workspace& workspace, ui::NumberFields& fields, const SharedNumber& number,
+               const ui::NumberFieldEvent& event)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     const bool is_emptied = event.text.find_first_not_of(' ') == std::string::npos;
     if (is_emptied && number.is_mixed) return;
     if (is_emptied && number.of_first.presence == Need::Optional) {
@@ -93,9 +94,9 @@ void take_text(Desk& desk, ui::NumberFields& fields, const SharedNumber& number,
         fields.reject(event, session.view.tr(*objection));
 }
 
-void take_drag(Desk& desk, const SharedNumber& number, double shown)
+void take_drag(Workspace& workspace, const SharedNumber& number, double shown)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     const auto value = quantity_typed(ui::number_text(shown, {digits_to_edit}), number.of_first.measure,
                                       session.model().units, session.units());
     if (const auto* const quantity = std::get_if<femoop::Quantity>(&value)) set(session, number, *quantity, Step::Drag);
@@ -108,10 +109,10 @@ std::string shown_text(const SharedNumber& number, const ui::DisplayUnits& units
     return first.value ? units.number(*first.value, first.measure) : tr("not given");
 }
 
-void show_number(const Rows& rows, Desk& desk, ui::NumberFields& fields, const SharedNumber& number)
+void show_number(const Rows& rows, Workspace& workspace, ui::NumberFields& fields, const SharedNumber& number)
 {
-    const ui::DisplayUnits units = desk.session.units();
-    const ui::Catalogue& tr = desk.session.view.tr;
+    const ui::DisplayUnits units = workspace.session.units();
+    const ui::Catalogue& tr = workspace.session.view.tr;
     const Number& first = number.of_first;
     rows.name(units.label(tr(first.label), first.measure));
     const std::optional<femoop::Quantity> common = number.is_mixed ? std::nullopt : first.value;
@@ -120,31 +121,31 @@ void show_number(const Rows& rows, Desk& desk, ui::NumberFields& fields, const S
         {.text = shown_text(number, units, tr),
          .exact_text = exact_text(common, first.measure, units),
          .value = common ? std::optional(units.shown(*common, first.measure)) : std::nullopt});
-    if (event.kind == Kind::Dragged) take_drag(desk, number, event.value);
-    if (event.kind == Kind::Settled) desk.session.settle();
-    if (event.kind == Kind::Typed) take_text(desk, fields, number, event);
+    if (event.kind == Kind::Dragged) take_drag(workspace, number, event.value);
+    if (event.kind == Kind::Settled) workspace.session.settle();
+    if (event.kind == Kind::Typed) take_text(workspace, fields, number, event);
 }
 
 } // namespace
 
-ui::Phrase change_label(const femoop::Model& model, const ui::Phrase& what, std::span<const Part> parts)
+ui::Message change_label(const femoop::Model& model, const ui::Message& what, std::span<const Part> parts)
 {
-    const ui::Phrase whose = parts.size() == 1 ? title(model, parts.front())
-                                               : ui::Phrase(translatable("the selection"));
+    const ui::Message whose = parts.size() == 1 ? title(model, parts.front())
+                                                : ui::Message(translatable("the selection"));
     return {translatable("Change {number}: {part}"), {{"number", what}, {"part", whose}}};
 }
 
-void show_numbers(Desk& desk, ui::NumberFields& fields, std::span<const Part> parts)
+void show_numbers(Workspace& workspace, ui::NumberFields& fields, std::span<const Part> parts)
 {
-    const std::vector<SharedNumber> all = shared_numbers(desk.session.model(), parts);
+    const std::vector<SharedNumber> all = shared_numbers(workspace.session.model(), parts);
     const Rows rows("numbers");
     if (!rows.is_open()) return;
-    for (const SharedNumber& number : all) show_number(rows, desk, fields, number);
+    for (const SharedNumber& number : all) show_number(rows, workspace, fields, number);
 }
 
-bool edit_quantity(Desk& desk, ui::NumberFields& fields, const FieldPlace& place, femoop::Quantity& value)
+bool edit_quantity(Workspace& workspace, ui::NumberFields& fields, const FieldPlace& place, femoop::Quantity& value)
 {
-    const Session& session = desk.session;
+    const Session& session = workspace.session;
     const ui::DisplayUnits units = session.units();
     const ui::NumberFieldEvent event = fields.show(place.id, {.text = units.number(value, place.measure),
                                                               .exact_text = exact_text(value, place.measure, units),
@@ -158,7 +159,7 @@ bool edit_quantity(Desk& desk, ui::NumberFields& fields, const FieldPlace& place
         return false;
     }
     const femoop::Quantity& wanted = std::get<femoop::Quantity>(typed);
-    const std::optional<ui::Phrase> objection = place.why_not ? place.why_not(wanted) : std::nullopt;
+    const std::optional<ui::Message> objection = place.why_not ? place.why_not(wanted) : std::nullopt;
     if (objection && event.kind == Kind::Typed) fields.reject(event, session.view.tr(*objection));
     if (objection) return false;
     value = wanted;

@@ -28,10 +28,10 @@ private:
 };
 
 /// How the history names the change of something of these parts: "Change qy: Node B", "Change qy: the selection".
-ui::Phrase change_label(const femoop::Model& model, const ui::Phrase& what, std::span<const Part> parts);
+ui::Message change_label(const femoop::Model& model, const ui::Message& what, std::span<const Part> parts);
 
 /// The numbers that the parts share, in a table of their own. Each follows every movement of the hand.
-void show_numbers(Desk& desk, ui::NumberFields& fields, std::span<const Part> parts);
+void show_numbers(Workspace& workspace, ui::NumberFields& fields, std::span<const Part> parts);
 
 /// A field of its own for a quantity that is no number of the document, such as a setting of a tool.
 struct FieldPlace {
@@ -39,9 +39,9 @@ struct FieldPlace {
     ui::Measure measure;
     float width = 0.0F; ///< physical pixels; 0: all that is left
     /// Why the quantity cannot have this value; empty where any will do.
-    std::function<std::optional<ui::Phrase>(double)> why_not{};
+    std::function<std::optional<ui::Message>(double)> why_not{};
 };
 /// \returns whether the quantity was changed
-bool edit_quantity(Desk& desk, ui::NumberFields& fields, const FieldPlace& place, femoop::Quantity& value);
+bool edit_quantity(Workspace& workspace, ui::NumberFields& fields, const FieldPlace& place, femoop::Quantity& value);
 
 } // namespace frame

@@ -24,9 +24,9 @@ void select(Session& session, const Part& part)
     if (const auto id = case_id_of(session.model(), part)) show_case(session, *id);
 }
 
-void show_list(Desk& desk, std::string_view heading, const std::vector<Part>& list)
+void show_list(Workspace& workspace, std::string_view heading, const std::vector<Part>& list)
 {
-    const ui::Catalogue& tr = desk.session.view.tr;
+    const ui::Catalogue& tr = workspace.session.view.tr;
     const std::string label = tr(heading) + "  (" + std::to_string(list.size()) + ")###" + std::string(heading);
     if (list.empty() || !ImGui::CollapsingHeader(label.c_str(), ImGuiTreeNodeFlags_DefaultOpen)) return;
     ImGui::PushID(heading.data());
@@ -35,8 +35,8 @@ void show_list(Desk& desk, std::string_view heading, const std::vector<Part>& li
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const Part& part = list[static_cast<std::size_t>(i)];
-            const std::string name = ui::item_label(tr(title(desk.session.model(), part)), std::to_string(i));
-            if (ImGui::Selectable(name.c_str())) select(desk.session, part);
+            const std::string name = ui::item_label(tr(title(workspace.session.model(), part)), std::to_string(i));
+            if (ImGui::Selectable(name.c_str())) select(workspace.session, part);
         }
     }
     ImGui::PopID();
@@ -53,21 +53,22 @@ template <class... Types> std::vector<Part> of_type(const std::vector<Part>& all
 
 } // namespace
 
-void parts_list(Desk& desk, PropertySets& sets, TitleRows& title)
+void parts_list(Workspace& workspace, PropertySets& sets, TitleRows& title)
 {
-    title.show(desk);
-    const std::vector<Part> all = parts(desk.session.model());
-    ImGui::TextWrapped("%s", desk.session.view.tr("Click a part in the picture or in this list to change it.").c_str());
+    title.show(workspace);
+    const std::vector<Part> all = parts(workspace.session.model());
+    ImGui::TextWrapped("%s",
+                       workspace.session.view.tr("Click a part in the picture or in this list to change it.").c_str());
     ImGui::Spacing();
-    show_list(desk, translatable("Members"), of_type<MemberId>(all));
-    show_list(desk, translatable("Nodes"), of_type<NodeId>(all));
-    show_list(desk, translatable("Materials"), of_type<MaterialId>(all));
-    show_list(desk, translatable("Sections"), of_type<SectionId>(all));
-    sets.show_named(desk);
-    property_buttons(desk);
-    show_list(desk, translatable("Load cases"), of_type<LoadCasePlace>(all));
-    show_list(desk, translatable("Loads"), of_type<NodeLoadPlace, SettlementPlace, MemberLoadPlace>(all));
-    show_list(desk, translatable("Combinations"), of_type<CombinationPlace>(all));
+    show_list(workspace, translatable("Members"), of_type<MemberId>(all));
+    show_list(workspace, translatable("Nodes"), of_type<NodeId>(all));
+    show_list(workspace, translatable("Materials"), of_type<MaterialId>(all));
+    show_list(workspace, translatable("Sections"), of_type<SectionId>(all));
+    sets.show_named(workspace);
+    property_buttons(workspace);
+    show_list(workspace, translatable("Load cases"), of_type<LoadCasePlace>(all));
+    show_list(workspace, translatable("Loads"), of_type<NodeLoadPlace, SettlementPlace, MemberLoadPlace>(all));
+    show_list(workspace, translatable("Combinations"), of_type<CombinationPlace>(all));
 }
 
 } // namespace frame

@@ -7,6 +7,6 @@
 namespace frame {
 
 /// What the whole model has, and all its parts by their kinds; a click selects one.
-void parts_list(Desk& desk, PropertySets& sets, TitleRows& title);
+void parts_list(Workspace& workspace, PropertySets& sets, TitleRows& title);
 
 } // namespace frame

@@ -25,41 +25,41 @@ using ui::translatable;
 namespace {
 
 // Of a dimension line, which is no part of the model: its distance from its first node.
-void show_offset(Desk& desk, ui::NumberFields& fields, std::span<const Part> parts)
+void show_offset(Workspace& workspace, ui::NumberFields& fields, std::span<const Part> parts)
 {
     const auto* const place = parts.size() == 1 ? std::get_if<DimensionPlace>(&parts.front()) : nullptr;
     if (place == nullptr) return;
     const Rows rows("offset");
     if (!rows.is_open()) return;
-    Session& session = desk.session;
+    Session& session = workspace.session;
     Quantity offset = session.document().companion.dimensions[place->dimension].offset;
     rows.name(session.units().label(session.view.tr("Distance"), ui::Measure::Length));
-    if (edit_quantity(desk, fields, {"offset", ui::Measure::Length}, offset))
+    if (edit_quantity(workspace, fields, {"offset", ui::Measure::Length}, offset))
         session.change({{translatable("Move: {part}"), {{"part", title(session.document(), *place)}}},
                         [place = *place, offset](Document& document) { set_offset(document, place, offset); }});
 }
 
-void show_parts(Desk& desk, ui::NumberFields& fields, std::span<const Part> parts)
+void show_parts(Workspace& workspace, ui::NumberFields& fields, std::span<const Part> parts)
 {
-    show_numbers(desk, fields, parts);
-    show_offset(desk, fields, parts);
-    show_choices(desk.session, parts);
-    named_set_rows(desk.session, parts);
+    show_numbers(workspace, fields, parts);
+    show_offset(workspace, fields, parts);
+    show_choices(workspace.session, parts);
+    named_set_rows(workspace.session, parts);
 }
 
 // Which case a load belongs to, so that equal loads of two cases are told apart.
 std::string case_of(const Model& model, const Part& load) { return model.load_cases[load_case_of(load)].id; }
 
-void show_loads_on(Desk& desk, ui::NumberFields& fields, const Part& part)
+void show_loads_on(Workspace& workspace, ui::NumberFields& fields, const Part& part)
 {
     int i = 0;
-    for (const Part& load : loads_on(desk.session.model(), part)) {
-        if (!has(desk.session.model(), load)) return;
+    for (const Part& load : loads_on(workspace.session.model(), part)) {
+        if (!has(workspace.session.model(), load)) return;
         ImGui::PushID(++i);
-        const std::string heading = desk.session.view.tr(title(desk.session.model(), load)) + " · " +
-                                    case_of(desk.session.model(), load);
+        const std::string heading = workspace.session.view.tr(title(workspace.session.model(), load)) + " · " +
+                                    case_of(workspace.session.model(), load);
         if (ImGui::CollapsingHeader(ui::item_label(heading, "load").c_str(), ImGuiTreeNodeFlags_DefaultOpen))
-            show_parts(desk, fields, std::array{load});
+            show_parts(workspace, fields, std::array{load});
         ImGui::PopID();
     }
 }
@@ -85,22 +85,22 @@ void show_ways_on(Session& session, const Part& part)
         session.selection = Part(*member.material);
 }
 
-void show_one(Desk& desk, const CommandTable& commands, const PropertyFields& fields, const Part& part)
+void show_one(Workspace& workspace, const CommandTable& commands, const PropertyFields& fields, const Part& part)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     const ui::Catalogue& tr = session.view.tr;
     ImGui::TextUnformatted(tr(title(session.document(), part)).c_str());
     ImGui::Separator();
-    fields.sets.show(desk, part);
+    fields.sets.show(workspace, part);
     if (session.selection.only() != part || !has(session.document(), part))
         return; // the panel shows what it was before
-    show_parts(desk, fields.numbers, std::array{part});
+    show_parts(workspace, fields.numbers, std::array{part});
     show_ways_on(session, part);
     if (std::holds_alternative<MemberId>(part))
         for (const std::string_view id : {"methods.distribution", "methods.circle"})
-            ui::command_button(desk, commands, id);
-    if (session.selection.only() == part && has(session.model(), part)) show_loads_on(desk, fields.numbers, part);
-    add_load_button(desk, commands);
+            ui::command_button(workspace, commands, id);
+    if (session.selection.only() == part && has(session.model(), part)) show_loads_on(workspace, fields.numbers, part);
+    add_load_button(workspace, commands);
 }
 
 std::string_view heading_of(const Part& part)
@@ -111,39 +111,40 @@ std::string_view heading_of(const Part& part)
 }
 
 // Parts of one kind are shown and changed together.
-void show_many(Desk& desk, const CommandTable& commands, ui::NumberFields& fields)
+void show_many(Workspace& workspace, const CommandTable& commands, ui::NumberFields& fields)
 {
-    const ui::Catalogue& tr = desk.session.view.tr;
-    ImGui::TextUnformatted(tr("Selected: {count}", {{"count", std::to_string(desk.session.selection.size())}}).c_str());
+    const ui::Catalogue& tr = workspace.session.view.tr;
+    ImGui::TextUnformatted(
+        tr("Selected: {count}", {{"count", std::to_string(workspace.session.selection.size())}}).c_str());
     ImGui::Separator();
     std::map<std::size_t, std::vector<Part>> kinds;
-    for (const Part& part : desk.session.selection.parts()) kinds[part.index()].push_back(part);
+    for (const Part& part : workspace.session.selection.parts()) kinds[part.index()].push_back(part);
     for (const auto& [kind, parts] : kinds) {
         const std::string heading = tr(heading_of(parts.front()), {{"count", std::to_string(parts.size())}});
         ImGui::PushID(static_cast<int>(kind));
         if (ImGui::CollapsingHeader((heading + "###kind").c_str(), ImGuiTreeNodeFlags_DefaultOpen))
-            show_parts(desk, fields, parts);
+            show_parts(workspace, fields, parts);
         ImGui::PopID();
     }
-    add_load_button(desk, commands);
+    add_load_button(workspace, commands);
 }
 
 } // namespace
 
-void properties_panel(Desk& desk, const CommandTable& commands, const PropertyFields& fields)
+void properties_panel(Workspace& workspace, const CommandTable& commands, const PropertyFields& fields)
 {
-    Selection& selection = desk.session.selection;
+    Selection& selection = workspace.session.selection;
     if (selection.is_empty()) {
-        parts_list(desk, fields.sets, fields.title);
+        parts_list(workspace, fields.sets, fields.title);
         return;
     }
-    if (ImGui::SmallButton((desk.session.view.tr("All parts") + "###all").c_str())) {
+    if (ImGui::SmallButton((workspace.session.view.tr("All parts") + "###all").c_str())) {
         selection.clear();
         return;
     }
     ImGui::SameLine();
-    if (const std::optional<Part> only = selection.only()) show_one(desk, commands, fields, *only);
-    else show_many(desk, commands, fields.numbers);
+    if (const std::optional<Part> only = selection.only()) show_one(workspace, commands, fields, *only);
+    else show_many(workspace, commands, fields.numbers);
 }
 
 } // namespace frame

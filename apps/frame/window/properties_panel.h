@@ -16,6 +16,6 @@ struct PropertyFields {
 
 /// What is selected: its numbers, its choices and the loads on it, and a button that adds one; nothing selected: the
 /// model's title and the list of parts.
-void properties_panel(Desk& desk, const CommandTable& commands, const PropertyFields& fields);
+void properties_panel(Workspace& workspace, const CommandTable& commands, const PropertyFields& fields);
 
 } // namespace frame

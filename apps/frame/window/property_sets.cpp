@@ -34,9 +34,9 @@ std::size_t n_users(const femoop::Model& model, const Part& part)
 }
 
 /// A small button beside the one before it, in a new line where it has no room.
-bool button(const Desk& desk, std::string_view words, bool is_first = false)
+bool button(const Workspace& workspace, std::string_view words, bool is_first = false)
 {
-    const std::string label = desk.session.view.tr(words);
+    const std::string label = workspace.session.view.tr(words);
     const float width = ImGui::CalcTextSize(label.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
     const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
     const float gap = 0.4F * ImGui::GetFontSize();
@@ -46,65 +46,65 @@ bool button(const Desk& desk, std::string_view words, bool is_first = false)
 
 } // namespace
 
-void PropertySets::show_case(Desk& desk, const Part& part)
+void PropertySets::show_case(Workspace& workspace, const Part& part)
 {
-    show_name(desk, part);
-    const bool duplicates = button(desk, translatable("Duplicate"), true);
-    const bool deletes = button(desk, translatable("Delete"));
+    show_name(workspace, part);
+    const bool duplicates = button(workspace, translatable("Duplicate"), true);
+    const bool deletes = button(workspace, translatable("Delete"));
     ImGui::Spacing();
-    Session& session = desk.session;
+    Session& session = workspace.session;
     if (duplicates) duplicate(session, part);
     if (deletes)
         session.change({{translatable("Delete: {part}"), {{"part", title(session.model(), part)}}},
                         [&](Document& document) { remove(document, std::array{part}); }});
 }
 
-void PropertySets::show(Desk& desk, const Part& part)
+void PropertySets::show(Workspace& workspace, const Part& part)
 {
-    if (is_case(part)) return show_case(desk, part);
+    if (is_case(part)) return show_case(workspace, part);
     if (!is_property(part)) return;
-    show_name(desk, part);
-    Session& session = desk.session;
+    show_name(workspace, part);
+    Session& session = workspace.session;
     const std::size_t n = n_users(session.model(), part);
     ImGui::TextUnformatted(session.view.tr("Members: {count}", {{"count", std::to_string(n)}}).c_str());
     ImGui::BeginDisabled(n == 0);
-    const bool selects = button(desk, translatable("Select its members"), true);
+    const bool selects = button(workspace, translatable("Select its members"), true);
     ImGui::EndDisabled();
-    const bool duplicates = button(desk, translatable("Duplicate"));
+    const bool duplicates = button(workspace, translatable("Duplicate"));
     const bool is_section = std::holds_alternative<femoop::SectionId>(part);
-    if (is_section && button(desk, translatable("Shape or profile…"))) desk.section.open(session);
+    if (is_section && button(workspace, translatable("Shape or profile…"))) workspace.section.open(session);
     ImGui::Spacing();
     if (selects) select_members_with(session, part);
     if (duplicates) duplicate(session, part);
 }
 
-void PropertySets::show_name(Desk& desk, const Part& part)
+void PropertySets::show_name(Workspace& workspace, const Part& part)
 {
-    const ui::Catalogue& tr = desk.session.view.tr;
+    const ui::Catalogue& tr = workspace.session.view.tr;
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(tr("Name").c_str());
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1.0F);
     const bool is_confirmed = ImGui::InputText("###property name", &name_, ImGuiInputTextFlags_EnterReturnsTrue);
     const bool is_left = ImGui::IsItemDeactivatedAfterEdit();
-    if (is_confirmed || is_left) reason_ = rename(desk.session, part, name_);
+    if (is_confirmed || is_left) reason_ = rename(workspace.session, part, name_);
     if (ImGui::IsItemActivated()) reason_.reset();
-    if (!ImGui::IsItemActive() && !is_confirmed) name_ = name_of(desk.session.model(), part);
+    if (!ImGui::IsItemActive() && !is_confirmed) name_ = name_of(workspace.session.model(), part);
     if (reason_) ui::wrapped_text(tr(*reason_));
 }
 
-void property_buttons(Desk& desk)
+void property_buttons(Workspace& workspace)
 {
-    const bool adds_material = button(desk, translatable("New material"), true);
-    const bool adds_section = button(desk, translatable("New section…"));
-    const bool imports = button(desk, translatable("Import…"));
-    const bool condenses = button(desk, translatable("Condense"));
+    const bool adds_material = button(workspace, translatable("New material"), true);
+    const bool adds_section = button(workspace, translatable("New section…"));
+    const bool imports = button(workspace, translatable("Import…"));
+    const bool condenses = button(workspace, translatable("Condense"));
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s", desk.session.view.tr("Equal ones become one, unused ones go").c_str());
-    if (adds_material) new_material(desk.session);
-    if (adds_section) desk.section.open_new(desk.session);
-    if (imports) desk.requests.push_back(Request::ImportDialog);
-    if (condenses) condense_properties(desk.session);
+        ImGui::SetTooltip("%s", workspace.session.view.tr("Equal ones become one, unused ones go").c_str());
+    if (adds_material) new_material(workspace.session);
+    if (adds_section) workspace.section.open_new(workspace.session);
+    if (imports) workspace.requests.push_back(Request::ImportDialog);
+    if (condenses) condense_properties(workspace.session);
 }
 
 } // namespace frame

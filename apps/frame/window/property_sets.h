@@ -13,20 +13,20 @@ class PropertySets {
 public:
     /// The name of a material, section, load case or combination, typed anew, who has it, and what can be done with it.
     /// Nothing for other parts.
-    void show(Desk& desk, const Part& part);
+    void show(Workspace& workspace, const Part& part);
     /// The lists of supports and loads under names.
-    void show_named(Desk& desk) { named_.show(desk); }
+    void show_named(Workspace& workspace) { named_.show(workspace); }
 
 private:
-    void show_name(Desk& desk, const Part& part);
-    void show_case(Desk& desk, const Part& part);
+    void show_name(Workspace& workspace, const Part& part);
+    void show_case(Workspace& workspace, const Part& part);
 
     NamedSetLists named_;
-    std::string name_;                 ///< as it is typed
-    std::optional<ui::Phrase> reason_; ///< why it was not taken
+    std::string name_;                  ///< as it is typed
+    std::optional<ui::Message> reason_; ///< why it was not taken
 };
 
 /// Below the list of materials: small buttons that add, import and condense.
-void property_buttons(Desk& desk);
+void property_buttons(Workspace& workspace);
 
 } // namespace frame

@@ -7,46 +7,46 @@ namespace frame {
 namespace {
 
 // The first document that has something to lose; the present one, if it has.
-std::optional<std::size_t> unsaved_tab(const Desk& desk)
+std::optional<std::size_t> unsaved_tab(const Workspace& workspace)
 {
-    if (desk.session.is_dirty()) return desk.tab;
-    for (std::size_t i = 0; i < n_tabs(desk); ++i)
-        if (tab(desk, i).is_dirty()) return i;
+    if (workspace.session.is_dirty()) return workspace.tab;
+    for (std::size_t i = 0; i < n_tabs(workspace); ++i)
+        if (tab(workspace, i).is_dirty()) return i;
     return std::nullopt;
 }
 
 } // namespace
 
-bool Questions::show(Desk& desk, ui::Overlays& overlays)
+bool Questions::show(Workspace& workspace, ui::Dialogs& dialogs)
 {
     if (purpose_ == Purpose::None) return false;
-    if (unsaved_changes_.is_naming() || desk.session.is_dirty()) {
-        ask(desk, overlays);
+    if (unsaved_changes_.is_naming() || workspace.session.is_dirty()) {
+        ask(workspace, dialogs);
         return false;
     }
-    return go_on(desk);
+    return go_on(workspace);
 }
 
-bool Questions::go_on(Desk& desk)
+bool Questions::go_on(Workspace& workspace)
 {
     if (purpose_ == Purpose::Close) {
-        close_tab(desk);
+        close_tab(workspace);
         purpose_ = Purpose::None;
         return false;
     }
-    const std::optional<std::size_t> unsaved = unsaved_tab(desk);
-    if (unsaved) show_tab(desk, *unsaved);
+    const std::optional<std::size_t> unsaved = unsaved_tab(workspace);
+    if (unsaved) show_tab(workspace, *unsaved);
     else purpose_ = Purpose::None;
     return !unsaved;
 }
 
-void Questions::ask(Desk& desk, ui::Overlays& overlays)
+void Questions::ask(Workspace& workspace, ui::Dialogs& dialogs)
 {
     using enum ui::UnsavedChanges::Fate;
-    const auto fate = unsaved_changes_.ask(desk.session, overlays, desk.session.view.tr);
+    const auto fate = unsaved_changes_.ask(workspace.session, dialogs, workspace.session.view.tr);
     if (fate == Kept) purpose_ = Purpose::None;
     if (fate != GivenUp) return;
-    close_tab(desk);
+    close_tab(workspace);
     if (purpose_ == Purpose::Close) purpose_ = Purpose::None;
 }
 

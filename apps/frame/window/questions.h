@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "apps/frame/session/commands.h"
-#include "ui/app/overlays.h"
+#include "ui/app/dialogs.h"
 #include "ui/app/unsaved_changes.h"
 
 namespace frame {
@@ -17,13 +17,13 @@ public:
 
     /// Goes on with what was asked for: at once where nothing is unsaved, else with a question for each document.
     /// \returns true when the program may end
-    bool show(Desk& desk, ui::Overlays& overlays);
+    bool show(Workspace& workspace, ui::Dialogs& dialogs);
 
 private:
     enum class Purpose : std::uint8_t { None, Close, Quit };
 
-    bool go_on(Desk& desk);
-    void ask(Desk& desk, ui::Overlays& overlays);
+    bool go_on(Workspace& workspace);
+    void ask(Workspace& workspace, ui::Dialogs& dialogs);
 
     Purpose purpose_ = Purpose::None;
     ui::UnsavedChanges unsaved_changes_;

@@ -138,22 +138,23 @@ void show_equilibrium(const ShownCase& shown)
 
 } // namespace
 
-void results_panel(Desk& desk)
+void results_panel(Workspace& workspace)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     const ui::Catalogue& tr = session.view.tr;
     const auto& results = session.solution().results;
-    if (explain_no_results(desk)) return;
+    if (explain_no_results(workspace)) return;
     if (results->n_cases() == 0) {
         ui::wrapped_text(tr("The model has no load case."));
         return;
     }
-    if (session.view.is_envelope) return envelope_panel(desk);
+    if (session.view.is_envelope) return envelope_panel(workspace);
     const CaseResult result = (*results)[session.view.load_case];
     const ui::DisplayUnits units = session.units();
     const ShownCase shown{session, result, units, CaseNumbers(result, units)};
     ImGui::TextDisabled("%s", tr("Case {case}", {{"case", result.name()}}).c_str());
-    if (ImGui::Button((tr("Tables with places (F4)") + "###tables").c_str())) desk.bottom = {true, TableKind::Extremes};
+    if (ImGui::Button((tr("Tables with places (F4)") + "###tables").c_str()))
+        workspace.bottom = {true, TableKind::Extremes};
     for (const MemberComponent component : section_force_components(session.model().analysis)) {
         const std::string id(name(component, session.model().analysis));
         if (result_section(tr("Members: {value}", {{"value", units.label(id, measure_of(component))}}), id.c_str()))
@@ -183,16 +184,16 @@ bool problem_button(const Fault& fault, const ui::Catalogue& tr)
 
 } // namespace
 
-void problems_panel(Desk& desk)
+void problems_panel(Workspace& workspace)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     const ui::Catalogue& tr = session.view.tr;
     const std::vector<Fault>& faults = session.solution().faults;
     if (faults.empty()) ui::wrapped_text(tr("Nothing is wrong with the model."));
     else ImGui::TextDisabled("%s", tr("A click goes to the place.").c_str());
     for (std::size_t i = 0; i < faults.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
-        if (problem_button(faults[i], tr)) go_to(desk, faults[i]);
+        if (problem_button(faults[i], tr)) go_to(workspace, faults[i]);
         ImGui::PopID();
     }
     const std::size_t n_mechanisms = session.shown_mechanisms().size();
@@ -202,9 +203,9 @@ void problems_panel(Desk& desk)
     }
 }
 
-void history_panel(Desk& desk)
+void history_panel(Workspace& workspace)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     for (std::size_t i = 0; i < session.history().n_states(); ++i) {
         const bool is_ahead = i > session.history().place();
         if (is_ahead) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));

@@ -5,12 +5,12 @@
 namespace frame {
 
 /// Tables of displacements, reactions and section forces of the case that is shown; a row that is clicked is selected.
-void results_panel(Desk& desk);
+void results_panel(Workspace& workspace);
 
 /// Errors, warnings and mechanisms, each a sentence; a click goes to its place.
-void problems_panel(Desk& desk);
+void problems_panel(Workspace& workspace);
 
 /// The steps of the history; a click jumps there.
-void history_panel(Desk& desk);
+void history_panel(Workspace& workspace);
 
 } // namespace frame

@@ -64,7 +64,7 @@ ui::MakeApp remembering_app_with(const Session& session, const Options& options,
 {
     return [session, options, folder](ui::Context& context, const ui::Fonts& fonts) {
         auto application = std::make_unique<Application>(context, fonts, session);
-        application->start_programs_by([](const ui::Handover& handover) { return ui::start_program(handover); });
+        application->start_programs_by([](const ui::ExportToApp& exported) { return ui::start_program(exported); });
         ui::remember(*application, options, folder);
         return application;
     };
@@ -83,7 +83,7 @@ int run(Options options)
     }
     if (!choose_case(session, options)) return BadInput;
     if (options.describe) {
-        std::cout << ui::printable(session.in_words());
+        std::cout << ui::printable(session.description());
         return Done;
     }
     if (options.play) return ui::play_through<Application, OffscreenStage>(options, "frame", session, session.view.tr);

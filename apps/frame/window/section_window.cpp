@@ -54,28 +54,29 @@ std::string_view meaning(std::string_view key)
     return translatable("Thickness of the web");
 }
 
-void show_dimensions(Desk& desk, ui::NumberFields& fields)
+void show_dimensions(Workspace& workspace, ui::NumberFields& fields)
 {
-    SectionDraft& draft = desk.section;
+    SectionDraft& draft = workspace.section;
     if (!draft.section().shape) {
         ImGui::TextWrapped(
-            "%s", desk.session.view.tr("This section is given by its numbers. Choose a shape or a profile.").c_str());
+            "%s",
+            workspace.session.view.tr("This section is given by its numbers. Choose a shape or a profile.").c_str());
         return;
     }
     const Rows rows("section dimensions");
     if (!rows.is_open()) return;
     for (const femoop::ShapeDimension& dimension : dimensions(draft.section().shape->kind)) {
-        const std::string words = desk.session.view.tr(meaning(dimension.key)) + ' ' + std::string(dimension.key);
-        rows.name(desk.session.units().label(words, Measure::SectionLength));
+        const std::string words = workspace.session.view.tr(meaning(dimension.key)) + ' ' + std::string(dimension.key);
+        rows.name(workspace.session.units().label(words, Measure::SectionLength));
         femoop::Quantity value = *((*draft.section().shape).*dimension.value);
-        const auto why_not_this = [&](double wanted) -> std::optional<ui::Phrase> {
+        const auto why_not_this = [&](double wanted) -> std::optional<ui::Message> {
             femoop::SectionShape next = *draft.section().shape;
             next.*dimension.value = femoop::Quantity(wanted);
             const auto fault = why_not(next);
-            return fault ? std::optional(sentence_of(*fault, desk.session.units())) : std::nullopt;
+            return fault ? std::optional(sentence_of(*fault, workspace.session.units())) : std::nullopt;
         };
-        if (edit_quantity(desk, fields, {dimension.key, Measure::SectionLength, 0.0F, why_not_this}, value))
-            draft.set_dimension(desk.session, dimension, value);
+        if (edit_quantity(workspace, fields, {dimension.key, Measure::SectionLength, 0.0F, why_not_this}, value))
+            draft.set_dimension(workspace.session, dimension, value);
     }
 }
 
@@ -88,12 +89,12 @@ std::string plain(std::string_view text)
     return letters;
 }
 
-void show_target(Desk& desk)
+void show_target(Workspace& workspace)
 {
-    SectionDraft& draft = desk.section;
+    SectionDraft& draft = workspace.section;
     if (!draft.existing()) return;
-    const ui::Catalogue& tr = desk.session.view.tr;
-    const femoop::Model& before = desk.session.history().settled().model;
+    const ui::Catalogue& tr = workspace.session.view.tr;
+    const femoop::Model& before = workspace.session.history().settled().model;
     const std::string n_users = std::to_string(members_with(before, *draft.existing()).size());
     const std::string change = tr("Change {id} (members: {count})",
                                   {{"id", before[*draft.existing()].id}, {"count", n_users}});
@@ -101,8 +102,8 @@ void show_target(Desk& desk)
                                 {{"count", std::to_string(draft.n_members())}});
     const bool is_new = draft.target() == SectionTarget::New;
     if (ImGui::RadioButton(ui::item_label(change, "this").c_str(), !is_new))
-        draft.set_target(desk.session, SectionTarget::This);
-    if (ImGui::RadioButton((make + "###new").c_str(), is_new)) draft.set_target(desk.session, SectionTarget::New);
+        draft.set_target(workspace.session, SectionTarget::This);
+    if (ImGui::RadioButton((make + "###new").c_str(), is_new)) draft.set_target(workspace.session, SectionTarget::New);
 }
 
 /// A cell of the table of properties: the symbol, its value and unit.
@@ -149,12 +150,12 @@ void show_properties_of(const femoop::SectionProperties& s, const ui::DisplayUni
 
 } // namespace
 
-void SectionWindow::show_buttons(Desk& desk, const ui::NumberFields& fields) const
+void SectionWindow::show_buttons(Workspace& workspace, const ui::NumberFields& fields) const
 {
-    SectionDraft& draft = desk.section;
-    const ui::Catalogue& tr = desk.session.view.tr;
+    SectionDraft& draft = workspace.section;
+    const ui::Catalogue& tr = workspace.session.view.tr;
     const auto is_pressed = [&](int key) { return !fields.is_typing() && ui::is_pressed_outside_fields(key); };
-    const std::optional<ui::Phrase> reason = why_not_accept(draft);
+    const std::optional<ui::Message> reason = why_not_accept(draft);
     ImGui::BeginDisabled(reason.has_value());
     const bool is_accepted = ImGui::Button("OK###accept") || (!reason && is_pressed(ImGuiKey_Enter));
     ImGui::EndDisabled();
@@ -164,55 +165,55 @@ void SectionWindow::show_buttons(Desk& desk, const ui::NumberFields& fields) con
         ImGui::SameLine();
         ui::wrapped_text(tr(*reason));
     }
-    if (is_accepted) draft.accept(desk.session);
-    else if (is_cancelled) draft.cancel(desk.session);
+    if (is_accepted) draft.accept(workspace.session);
+    else if (is_cancelled) draft.cancel(workspace.session);
 }
 
-std::optional<ui::Phrase> SectionWindow::why_not_accept(const SectionDraft& draft) const
+std::optional<ui::Message> SectionWindow::why_not_accept(const SectionDraft& draft) const
 {
     if (!lists_profiles(draft)) return std::nullopt;
     const auto& chosen = draft.section().profile;
     if (!chosen) return translatable("no profile is chosen; click one in the list, or a shape");
     const std::vector<const femoop::Profile*> listed = listed_profiles();
     if (std::ranges::find(listed, femoop::find_profile(*chosen)) != listed.end()) return std::nullopt;
-    return ui::Phrase(translatable("the list does not show {profile}, which is chosen; click one in the list"),
-                      {{"profile", *chosen}});
+    return ui::Message(translatable("the list does not show {profile}, which is chosen; click one in the list"),
+                       {{"profile", *chosen}});
 }
 
-void SectionWindow::show(Desk& desk, ui::ImGuiSession& gui, ui::NumberFields& fields)
+void SectionWindow::show(Workspace& workspace, ui::ImGuiSession& gui, ui::NumberFields& fields)
 {
-    SectionDraft& draft = desk.section;
+    SectionDraft& draft = workspace.section;
     if (!draft.is_open()) {
         is_listing_ = false;
         family_.reset();
         filter_.clear();
     }
-    if (!window_.begin(draft.is_open(), "###section", desk.session.view.tr("Section"))) return;
-    show_name(desk);
-    show_target(desk);
-    show_shapes(desk, gui);
-    show_families(desk);
-    if (lists_profiles(draft)) show_profiles(desk);
-    else show_dimensions(desk, fields);
+    if (!window_.begin(draft.is_open(), "###section", workspace.session.view.tr("Section"))) return;
+    show_name(workspace);
+    show_target(workspace);
+    show_shapes(workspace, gui);
+    show_families(workspace);
+    if (lists_profiles(draft)) show_profiles(workspace);
+    else show_dimensions(workspace, fields);
     const float line = ImGui::GetTextLineHeightWithSpacing();
-    const auto properties = section_properties(draft.section(), desk.session.model().units);
+    const auto properties = section_properties(draft.section(), workspace.session.model().units);
     const float below = (properties.Iyz != 0.0 ? 7.5F : 5.5F) * line + 2.0F * ImGui::GetFrameHeightWithSpacing();
-    show_picture(desk, gui, std::max(ImGui::GetContentRegionAvail().y - below, 7.0F * line));
-    show_properties_of(properties, desk.session.units());
+    show_picture(workspace, gui, std::max(ImGui::GetContentRegionAvail().y - below, 7.0F * line));
+    show_properties_of(properties, workspace.session.units());
     ImGui::Separator();
-    show_buttons(desk, fields);
+    show_buttons(workspace, fields);
     window_.end(draft.is_open());
 }
 
-void SectionWindow::show_name(Desk& desk)
+void SectionWindow::show_name(Workspace& workspace)
 {
-    SectionDraft& draft = desk.section;
-    const ui::Catalogue& tr = desk.session.view.tr;
+    SectionDraft& draft = workspace.section;
+    const ui::Catalogue& tr = workspace.session.view.tr;
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(tr("Name").c_str());
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1.0F);
-    if (ImGui::InputText("###name", &name_)) reason_ = draft.set_name(desk.session, name_);
+    if (ImGui::InputText("###name", &name_)) reason_ = draft.set_name(workspace.session, name_);
     if (!ImGui::IsItemActive()) {
         name_ = draft.section().id;
         reason_.reset();
@@ -220,9 +221,9 @@ void SectionWindow::show_name(Desk& desk)
     if (reason_) ui::wrapped_text(tr(*reason_));
 }
 
-void SectionWindow::show_shapes(Desk& desk, ui::ImGuiSession& gui)
+void SectionWindow::show_shapes(Workspace& workspace, ui::ImGuiSession& gui)
 {
-    SectionDraft& draft = desk.section;
+    SectionDraft& draft = workspace.section;
     const float gap = 0.2F * ImGui::GetFontSize();
     const float n = static_cast<float>(shapes.size());
     const float side = std::floor((ImGui::GetContentRegionAvail().x - (n - 1.0F) * gap) / n);
@@ -233,22 +234,22 @@ void SectionWindow::show_shapes(Desk& desk, ui::ImGuiSession& gui)
         if (is_chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_ButtonActive));
         const bool is_clicked = ImGui::Button(("###" + std::string(entry.label)).c_str(), {side, side});
         if (is_chosen) ImGui::PopStyleColor();
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", desk.session.view.tr(entry.label).c_str());
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", workspace.session.view.tr(entry.label).c_str());
         const ImVec2 corner = ImGui::GetItemRectMin();
         const double size = static_cast<double>(side) / gui.scale();
         ui::Painter painter({size, size}, fonts_);
-        const bool is_dark = ui::Theme(desk.session.view.theme).is_dark();
+        const bool is_dark = ui::Theme(workspace.session.view.theme).is_dark();
         draw_section_icon(painter, usual_shape(entry.kind, {}),
                           ui::Theme(is_dark ? ui::ThemeName::Dark : ui::ThemeName::Light));
         gui.show(painter.picture(), *ImGui::GetWindowDrawList(),
                  {static_cast<double>(corner.x), static_cast<double>(corner.y)});
         if (!is_clicked) continue;
         is_listing_ = false;
-        draft.choose_shape(desk.session, entry.kind);
+        draft.choose_shape(workspace.session, entry.kind);
     }
 }
 
-void SectionWindow::show_families(Desk& desk)
+void SectionWindow::show_families(Workspace& workspace)
 {
     const float gap = 0.2F * ImGui::GetFontSize();
     const auto families = femoop::profile_families();
@@ -256,7 +257,7 @@ void SectionWindow::show_families(Desk& desk)
     const float width = (ImGui::GetContentRegionAvail().x - (n - 1.0F) * gap) / n;
     for (const femoop::ProfileFamily family : families) {
         if (family != families.front()) ImGui::SameLine(0.0F, gap);
-        const bool is_chosen = lists_profiles(desk.section) && family_ == family;
+        const bool is_chosen = lists_profiles(workspace.section) && family_ == family;
         if (is_chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_ButtonActive));
         const bool is_clicked = ImGui::Button(std::string(name(family)).c_str(), {width, 0.0F});
         if (is_chosen) ImGui::PopStyleColor();
@@ -277,12 +278,12 @@ std::vector<const femoop::Profile*> SectionWindow::listed_profiles() const
 }
 
 /// \returns whether Enter was pressed in it
-bool SectionWindow::show_filter(const Desk& desk)
+bool SectionWindow::show_filter(const Workspace& workspace)
 {
     ImGui::SetNextItemWidth(-1.0F);
     ImGui::PushID(family_ ? static_cast<int>(*family_) : -1); // another family's field is another: it keeps no text
     if (std::exchange(begins_filter_, false)) ImGui::SetKeyboardFocusHere();
-    const std::string hint = desk.session.view.tr("Type a part of its name: 300");
+    const std::string hint = workspace.session.view.tr("Type a part of its name: 300");
     const bool is_entered = ImGui::InputTextWithHint(
         "###filter", hint.c_str(), &filter_, ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::PopID();
@@ -290,33 +291,33 @@ bool SectionWindow::show_filter(const Desk& desk)
 }
 
 // Enter takes the profile where it is the only one left.
-void SectionWindow::show_profiles(Desk& desk)
+void SectionWindow::show_profiles(Workspace& workspace)
 {
-    SectionDraft& draft = desk.section;
-    const ui::Catalogue& tr = desk.session.view.tr;
-    const bool is_entered = show_filter(desk);
+    SectionDraft& draft = workspace.section;
+    const ui::Catalogue& tr = workspace.session.view.tr;
+    const bool is_entered = show_filter(workspace);
     ImGui::BeginChild("###profiles", {0.0F, 4.0F * ImGui::GetTextLineHeightWithSpacing()}, true);
     const femoop::Profile* const chosen = draft.section().profile ? femoop::find_profile(*draft.section().profile)
                                                                   : nullptr;
     const std::vector<const femoop::Profile*> listed = listed_profiles();
-    if (is_entered && listed.size() == 1) draft.choose_profile(desk.session, listed.front()->name);
+    if (is_entered && listed.size() == 1) draft.choose_profile(workspace.session, listed.front()->name);
     if (listed.empty()) ui::wrapped_text(tr("no profile has {text} in its name", {{"text", filter_}}));
     for (const femoop::Profile* const profile : listed) {
         const std::string label(profile->name);
-        if (ImGui::Selectable(label.c_str(), profile == chosen)) draft.choose_profile(desk.session, profile->name);
+        if (ImGui::Selectable(label.c_str(), profile == chosen)) draft.choose_profile(workspace.session, profile->name);
         if (profile == chosen && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
     }
     ImGui::EndChild();
 }
 
-void SectionWindow::show_picture(Desk& desk, ui::ImGuiSession& gui, float height) const
+void SectionWindow::show_picture(Workspace& workspace, ui::ImGuiSession& gui, float height) const
 {
     const float width = ImGui::GetContentRegionAvail().x;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::Dummy({width, height});
     ui::Painter painter({static_cast<double>(width) / gui.scale(), static_cast<double>(height) / gui.scale()}, fonts_);
-    draw_section(painter, desk.section.section(), desk.session.model().units,
-                 {.theme = ui::Theme(desk.session.view.theme), .units = desk.session.units()});
+    draw_section(painter, workspace.section.section(), workspace.session.model().units,
+                 {.theme = ui::Theme(workspace.session.view.theme), .units = workspace.session.units()});
     gui.show(painter.picture(), *ImGui::GetWindowDrawList(),
              {static_cast<double>(corner.x), static_cast<double>(corner.y)});
 }

@@ -20,24 +20,24 @@ public:
     explicit SectionWindow(const ui::Fonts& fonts) : fonts_(fonts) {}
 
     /// Nothing where no section is being made.
-    void show(Desk& desk, ui::ImGuiSession& gui, ui::NumberFields& fields);
+    void show(Workspace& workspace, ui::ImGuiSession& gui, ui::NumberFields& fields);
 
 private:
-    void show_name(Desk& desk);
-    void show_shapes(Desk& desk, ui::ImGuiSession& gui);
-    void show_families(Desk& desk);
-    bool show_filter(const Desk& desk);
-    void show_profiles(Desk& desk);
-    void show_picture(Desk& desk, ui::ImGuiSession& gui, float height) const;
-    void show_buttons(Desk& desk, const ui::NumberFields& fields) const;
+    void show_name(Workspace& workspace);
+    void show_shapes(Workspace& workspace, ui::ImGuiSession& gui);
+    void show_families(Workspace& workspace);
+    bool show_filter(const Workspace& workspace);
+    void show_profiles(Workspace& workspace);
+    void show_picture(Workspace& workspace, ui::ImGuiSession& gui, float height) const;
+    void show_buttons(Workspace& workspace, const ui::NumberFields& fields) const;
     bool lists_profiles(const SectionDraft& draft) const { return is_listing_ || draft.section().profile; }
     std::vector<const femoop::Profile*> listed_profiles() const; ///< of the family, with the filter in their names
-    std::optional<ui::Phrase> why_not_accept(const SectionDraft& draft) const;
+    std::optional<ui::Message> why_not_accept(const SectionDraft& draft) const;
 
     const ui::Fonts& fonts_;
     ui::SideWindow window_;
     std::string name_;                            ///< as it is typed
-    std::optional<ui::Phrase> reason_;            ///< why it is not taken
+    std::optional<ui::Message> reason_;           ///< why it is not taken
     std::string filter_;                          ///< of profiles
     std::optional<femoop::ProfileFamily> family_; ///< of profiles; all when absent
     bool begins_filter_ = false;                  ///< a family was chosen: a part of a name is typed next

@@ -22,12 +22,13 @@ void heading(const std::string& text)
     ImGui::Separator();
 }
 
-void toggle(Desk& desk, const CommandTable& commands, Show item)
+void toggle(Workspace& workspace, const CommandTable& commands, Show item)
 {
     const auto* const command = commands.find(command_id(item));
     if (command == nullptr) return;
-    bool is_on = command->is_on(desk);
-    if (ImGui::Checkbox(ui::label(*command, desk, desk.session.view.tr).c_str(), &is_on)) run(*command, desk);
+    bool is_on = command->is_on(workspace);
+    if (ImGui::Checkbox(ui::label(*command, workspace, workspace.session.view.tr).c_str(), &is_on))
+        run(*command, workspace);
     if (command->shortcuts.empty()) return;
     const std::string key = text(command->shortcuts.front());
     const float at = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(key.c_str()).x;
@@ -37,9 +38,9 @@ void toggle(Desk& desk, const CommandTable& commands, Show item)
     ImGui::TextDisabled("%s", key.c_str());
 }
 
-void show_toggles(Desk& desk, const CommandTable& commands, std::initializer_list<Show> items)
+void show_toggles(Workspace& workspace, const CommandTable& commands, std::initializer_list<Show> items)
 {
-    for (const Show item : items) toggle(desk, commands, item);
+    for (const Show item : items) toggle(workspace, commands, item);
 }
 
 // A name with a value at the end of its line.
@@ -87,23 +88,23 @@ void deformation_slider(Session& session, const FactorLook& look)
 
 } // namespace
 
-void show_panel(Desk& desk, const CommandTable& commands, CaseList& cases, ui::NumberFields& fields)
+void show_panel(Workspace& workspace, const CommandTable& commands, CaseList& cases, ui::NumberFields& fields)
 {
     using enum Show;
-    Session& session = desk.session;
+    Session& session = workspace.session;
     const ui::Catalogue& tr = session.view.tr;
     const ImGuiStyle& style = ImGui::GetStyle();
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {style.FramePadding.x, 0.3F * style.FramePadding.y});
-    cases.show(desk, commands);
+    cases.show(workspace, commands);
     heading(tr("Results"));
-    show_toggles(desk, commands, {N, V, M});
+    show_toggles(workspace, commands, {N, V, M});
     const femoop::AnalysisKind kind = session.model().analysis;
-    if (kind == femoop::AnalysisKind::Grillage || kind == femoop::AnalysisKind::Frame3d) toggle(desk, commands, T);
-    show_toggles(desk, commands, {Deformed, Reactions});
+    if (kind == femoop::AnalysisKind::Grillage || kind == femoop::AnalysisKind::Frame3d) toggle(workspace, commands, T);
+    show_toggles(workspace, commands, {Deformed, Reactions});
     heading(tr("Picture"));
-    show_toggles(desk, commands, {Loads, Values, NodeNames, MemberNames, Dimensions});
-    if (!session.document().companion.dimensions.empty()) toggle(desk, commands, DrawnDimensions);
-    show_toggles(desk, commands, {LocalAxes, Legend});
+    show_toggles(workspace, commands, {Loads, Values, NodeNames, MemberNames, Dimensions});
+    if (!session.document().companion.dimensions.empty()) toggle(workspace, commands, DrawnDimensions);
+    show_toggles(workspace, commands, {LocalAxes, Legend});
     heading(tr("Scales"));
     const FactorLook look{fields, tr, {.digits = 2, .mark = session.view.numbers.mark}};
     show({.id = "###diagrams", .name = tr("Diagrams")}, look, session.view.diagram_factor);
@@ -112,8 +113,8 @@ void show_panel(Desk& desk, const CommandTable& commands, CaseList& cases, ui::N
     show({.id = "###symbols", .name = tr("Symbols")}, look, session.view.symbol_factor);
     deformation_slider(session, look);
     if (const auto* const animate = commands.find("view.animate")) {
-        bool is_on = animate->is_on(desk);
-        if (ImGui::Checkbox(tr(animate->label).c_str(), &is_on)) run(*animate, desk);
+        bool is_on = animate->is_on(workspace);
+        if (ImGui::Checkbox(tr(animate->label).c_str(), &is_on)) run(*animate, workspace);
     }
     ImGui::PopStyleVar();
 }

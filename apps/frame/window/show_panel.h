@@ -7,6 +7,6 @@
 namespace frame {
 
 /// What is shown and how large: the load case, what the picture shows, the scales.
-void show_panel(Desk& desk, const CommandTable& commands, CaseList& cases, ui::NumberFields& fields);
+void show_panel(Workspace& workspace, const CommandTable& commands, CaseList& cases, ui::NumberFields& fields);
 
 } // namespace frame

@@ -59,7 +59,7 @@ float width_of_orders(const ui::Catalogue& tr)
     const ImGuiStyle& style = ImGui::GetStyle();
     float width = 0.0F;
     for (const femoop::Ordering ordering : femoop::all_orderings)
-        width += ImGui::CalcTextSize(femoop::ordering_words(ordering, tr).c_str()).x + ImGui::GetFrameHeight() +
+        width += ImGui::CalcTextSize(femoop::ordering_text(ordering, tr).c_str()).x + ImGui::GetFrameHeight() +
                  style.ItemInnerSpacing.x + style.ItemSpacing.x;
     return width;
 }
@@ -67,7 +67,7 @@ float width_of_orders(const ui::Catalogue& tr)
 void show_orders(SolverShow& show, const ui::Catalogue& tr)
 {
     const auto label = [&](femoop::Ordering ordering) {
-        return femoop::ordering_words(ordering, tr) + "###" + std::string(name(ordering));
+        return femoop::ordering_text(ordering, tr) + "###" + std::string(name(ordering));
     };
     if (width_of_orders(tr) < ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight()) {
         for (const femoop::Ordering ordering : femoop::all_orderings) {
@@ -77,31 +77,31 @@ void show_orders(SolverShow& show, const ui::Catalogue& tr)
         return;
     }
     ImGui::SetNextItemWidth(15.0F * ImGui::GetFontSize());
-    if (!ImGui::BeginCombo("###order", femoop::ordering_words(show.ordering(), tr).c_str())) return;
+    if (!ImGui::BeginCombo("###order", femoop::ordering_text(show.ordering(), tr).c_str())) return;
     for (const femoop::Ordering ordering : femoop::all_orderings)
         if (ImGui::Selectable(label(ordering).c_str(), show.ordering() == ordering)) show.choose(ordering);
     ImGui::EndCombo();
 }
 
 /// At the right end of the bar.
-void show_closing(Desk& desk)
+void show_closing(Workspace& workspace)
 {
     const float side = ImGui::GetFrameHeight();
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - side);
-    if (ImGui::Button("×###close", {side, side})) desk.bottom.is_open = false;
+    if (ImGui::Button("×###close", {side, side})) workspace.bottom.is_open = false;
 }
 
-void show_picture(const Desk& desk, ui::ImGuiSession& gui, const ui::Fonts& fonts)
+void show_picture(const Workspace& workspace, ui::ImGuiSession& gui, const ui::Fonts& fonts)
 {
     const ImVec2 room = ImGui::GetContentRegionAvail(), corner = ImGui::GetCursorScreenPos();
     const ui::Size sheet{static_cast<double>(room.x) / gui.scale(), static_cast<double>(room.y) / gui.scale()};
     if (sheet.width < 1.0 || sheet.height < 1.0) return;
     ui::Painter painter(sheet, fonts);
-    draw_solver(painter, *desk.solver.trace(),
-                {.theme = ui::Theme(desk.session.view.theme),
-                 .tr = desk.tr(),
-                 .ordering = desk.solver.ordering(),
-                 .step = desk.solver.step()});
+    draw_solver(painter, *workspace.solver.trace(),
+                {.theme = ui::Theme(workspace.session.view.theme),
+                 .tr = workspace.tr(),
+                 .ordering = workspace.solver.ordering(),
+                 .step = workspace.solver.step()});
     gui.show(painter.picture(), *ImGui::GetWindowDrawList(),
              {static_cast<double>(corner.x), static_cast<double>(corner.y)});
     ImGui::Dummy(room);
@@ -109,27 +109,27 @@ void show_picture(const Desk& desk, ui::ImGuiSession& gui, const ui::Fonts& font
 
 } // namespace
 
-void solver_panel(Desk& desk, ui::ImGuiSession& gui, const ui::Fonts& fonts)
+void solver_panel(Workspace& workspace, ui::ImGuiSession& gui, const ui::Fonts& fonts)
 {
-    SolverShow& show = desk.solver;
-    show.follow(desk.session);
+    SolverShow& show = workspace.solver;
+    show.follow(workspace.session);
     if (show.n_steps() > 0) {
-        show_buttons(show, desk.tr());
+        show_buttons(show, workspace.tr());
         show_slider(show);
-        show_orders(show, desk.tr());
+        show_orders(show, workspace.tr());
     }
-    show_closing(desk);
+    show_closing(workspace);
     if (show.why_none()) {
-        ui::wrapped_text(desk.tr()(*show.why_none()));
+        ui::wrapped_text(workspace.tr()(*show.why_none()));
         return;
     }
-    show_picture(desk, gui, fonts);
+    show_picture(workspace, gui, fonts);
 }
 
-bool take_solver_key(Desk& desk, const ui::Chord& chord)
+bool handle_solver_key(Workspace& workspace, const ui::Chord& chord)
 {
-    SolverShow& show = desk.solver;
-    show.follow(desk.session);
+    SolverShow& show = workspace.solver;
+    show.follow(workspace.session);
     if (chord.modifiers != ui::Modifiers{}) return false;
     const auto turn_order = [&](std::size_t by) {
         const std::size_t n = femoop::all_orderings.size();

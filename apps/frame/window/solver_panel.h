@@ -9,10 +9,10 @@ namespace frame {
 
 /// The solver at work, in what is left of the current window of Dear ImGui's: a bar with the steps and the orders of
 /// elimination, and the four pictures of a step (apps/frame/view/solver/solver_picture.h). It follows every edit.
-void solver_panel(Desk& desk, ui::ImGuiSession& gui, const ui::Fonts& fonts);
+void solver_panel(Workspace& workspace, ui::ImGuiSession& gui, const ui::Fonts& fonts);
 
 /// Left and Right go from front to front, Home and End to the first and the last, the space bar lets it walk, Up and
 /// Down change the order, Esc does nothing. False for other keys.
-bool take_solver_key(Desk& desk, const ui::Chord& chord);
+bool handle_solver_key(Workspace& workspace, const ui::Chord& chord);
 
 } // namespace frame

@@ -24,7 +24,7 @@ template <class Part> std::string names(const std::vector<Part>& parts)
 
 } // namespace
 
-ui::Stage::Sought OffscreenStage::find(std::string_view place)
+ui::Stage::Located OffscreenStage::find(std::string_view place)
 {
     const femoop::Model& model = application().session().model();
     const Canvas& canvas = application().canvas();
@@ -50,7 +50,7 @@ std::optional<std::string> OffscreenStage::run_command(std::string_view id, std:
 {
     if (id != "file.export_table" || argument.empty())
         return ui::OffscreenStage<Application>::run_command(id, argument);
-    const auto reason = application().tables().export_to(application().desk(), argument);
+    const auto reason = application().tables().export_to(application().workspace(), argument);
     return reason ? std::optional(ui::Catalogue()(*reason)) : std::nullopt;
 }
 

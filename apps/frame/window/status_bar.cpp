@@ -34,7 +34,7 @@ std::vector<std::string> parts_of(const Session& session)
     std::vector<std::string> parts;
     if (session.shown_view && *session.shown_view < views.size())
         parts.push_back(ui::shortened(views[*session.shown_view].name, most_letters));
-    parts.push_back(femoop::size_words(session.model(), tr));
+    parts.push_back(femoop::size_text(session.model(), tr));
     const auto& results = session.solution().results;
     if (!results) parts.push_back(tr("not solved"));
     else if (!session.model().members.empty()) parts.push_back(degree_text(results->indeterminacy(), tr));

@@ -14,11 +14,11 @@ using ui::translatable;
 
 namespace {
 
-ui::Phrase change_label(TableKind kind) { return {translatable("Change table: {table}"), {{"table", title(kind)}}}; }
+ui::Message change_label(TableKind kind) { return {translatable("Change table: {table}"), {{"table", title(kind)}}}; }
 
 } // namespace
 
-void TablesPanel::copy(const Desk&) const
+void TablesPanel::copy(const Workspace&) const
 {
     const CellBlock block = grid_.block();
     if (block.rows.empty()) return;
@@ -31,7 +31,7 @@ void TablesPanel::copy(const Desk&) const
 }
 
 // One text fills the whole block.
-void TablesPanel::paste(Desk& desk)
+void TablesPanel::paste(Workspace& workspace)
 {
     const char* const text = ImGui::GetClipboardText();
     if (text == nullptr || is_result(kind_)) return;
@@ -42,35 +42,35 @@ void TablesPanel::paste(Desk& desk)
         const std::vector<std::string> line(block.last_column - block.first_column + 1, texts.front().front());
         texts.assign(grid_.n_rows_of_block(), line);
     }
-    fill(desk, {grid_.first_row(), block.first_column, std::move(texts)});
+    fill(workspace, {grid_.first_row(), block.first_column, std::move(texts)});
 }
 
-void TablesPanel::clear_block(Desk& desk)
+void TablesPanel::clear_block(Workspace& workspace)
 {
     const CellBlock block = grid_.block();
     if (is_result(kind_) || block.rows.empty()) return;
     const std::vector<std::string> line(block.last_column - block.first_column + 1);
-    fill(desk, {grid_.first_row(), block.first_column, TextBlock(block.rows.size(), line)});
+    fill(workspace, {grid_.first_row(), block.first_column, TextBlock(block.rows.size(), line)});
 }
 
-void TablesPanel::remove_rows(Desk& desk)
+void TablesPanel::remove_rows(Workspace& workspace)
 {
     if (is_result(kind_)) return;
     std::vector<Part> parts;
     for (const std::size_t row : grid_.block().rows)
         if (table_.rows[row].part) parts.push_back(*table_.rows[row].part);
-    const Document before = desk.session.document();
-    desk.session.change({ui::Phrase(translatable("Delete rows: {table}"), {{"table", title(kind_)}}),
-                         [&](Document& document) { remove(document, parts); }});
+    const Document before = workspace.session.document();
+    workspace.session.change({ui::Message(translatable("Delete rows: {table}"), {{"table", title(kind_)}}),
+                              [&](Document& document) { remove(document, parts); }});
     message_.clear();
-    if (!parts.empty() && desk.session.document() == before)
-        message_ = desk.session.view.tr("what members have cannot be deleted; give them another one first");
+    if (!parts.empty() && workspace.session.document() == before)
+        message_ = workspace.session.view.tr("what members have cannot be deleted; give them another one first");
 }
 
 // Fills cells, or says what hinders it and changes nothing.
-bool TablesPanel::fill(Desk& desk, const GridEdit& edit)
+bool TablesPanel::fill(Workspace& workspace, const GridEdit& edit)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     Filled result = filled(session.document(), kind_, {edit.row, edit.column, grid_.order()}, edit.texts,
                            session.manner());
     message_.clear();
@@ -86,34 +86,35 @@ bool TablesPanel::fill(Desk& desk, const GridEdit& edit)
 }
 
 // A new row is kept until it has all that it needs.
-bool TablesPanel::fill_draft(Desk& desk, const GridEdit& edit)
+bool TablesPanel::fill_draft(Workspace& workspace, const GridEdit& edit)
 {
     std::vector<std::string> line = grid_.draft;
     line[edit.column] = edit.texts.front().front();
-    Filled result = filled(desk.session.document(), kind_, {edit.row, 0, grid_.order()}, {line}, desk.session.manner());
+    Filled result = filled(workspace.session.document(), kind_, {edit.row, 0, grid_.order()}, {line},
+                           workspace.session.manner());
     std::erase_if(result.faults, [&](const CellFault& fault) { // what is still to be typed is no fault
         return fault.column >= line.size() || line[fault.column].empty();
     });
     if (!result.faults.empty()) {
-        message_ = sentence(result.faults, table_, desk.session.view.tr);
+        message_ = sentence(result.faults, table_, workspace.session.view.tr);
         return false;
     }
     grid_.draft = line;
-    if (fill(desk, {edit.row, 0, {line}})) grid_.draft.assign(line.size(), "");
+    if (fill(workspace, {edit.row, 0, {line}})) grid_.draft.assign(line.size(), "");
     return true;
 }
 
-void TablesPanel::carry_out(Desk& desk, const GridEdit& edit)
+void TablesPanel::carry_out(Workspace& workspace, const GridEdit& edit)
 {
     const bool is_new = edit.row >= table_.rows.size();
-    const bool is_taken = is_new ? fill_draft(desk, edit) : fill(desk, edit);
+    const bool is_taken = is_new ? fill_draft(workspace, edit) : fill(workspace, edit);
     if (!is_taken) {
         grid_.reject(edit);
         return;
     }
-    follow(desk);
+    follow(workspace);
     grid_.accept();
-    select_rows(desk);
+    select_rows(workspace);
 }
 
 } // namespace frame

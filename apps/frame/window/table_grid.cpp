@@ -83,7 +83,7 @@ bool TableGrid::has_whole_rows(const Table& table) const
     return !chosen.rows.empty() && chosen.first_column == 0 && chosen.last_column + 1 == table.headings.size();
 }
 
-std::optional<GridEdit> TableGrid::take_edit() { return std::exchange(edit_, std::nullopt); }
+std::optional<GridEdit> TableGrid::apply_edit() { return std::exchange(edit_, std::nullopt); }
 
 // ---- mouse ----
 
@@ -114,7 +114,7 @@ void TableGrid::sort_by(const Table& table, std::size_t column)
     if (is_descending_) std::ranges::reverse(order_);
 }
 
-void TableGrid::take_mouse(const Table& table)
+void TableGrid::handle_mouse(const Table& table)
 {
     was_clicked_ = false;
     if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) is_dragging_ = false;
@@ -128,7 +128,7 @@ void TableGrid::take_mouse(const Table& table)
     const bool is_heading = mouse.y < layout_.view_top + layout_.line;
     const bool is_in_editor = is_editing_ && place == cursor_ && !is_heading;
     if (is_in_editor) return;
-    if (is_editing_) confirm(Way::Stay);
+    if (is_editing_) confirm(Direction::Stay);
     if (is_heading) {
         if (place && mouse.x > layout_.view_left + layout_.gutter) sort_by(table, place->column);
         return;
@@ -160,7 +160,7 @@ void TableGrid::show(const Look& look, float footer)
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     layout_.left = origin.x;
     layout_.top = origin.y + layout_.line;
-    take_mouse(look.table);
+    handle_mouse(look.table);
     draw(look);
     if (is_editing_) show_editor();
     ImGui::SetCursorScreenPos(origin);

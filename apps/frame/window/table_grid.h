@@ -40,7 +40,7 @@ public:
     void type(std::string_view letters, const Table& table);
 
     /// What is asked for since it was asked last.
-    std::optional<GridEdit> take_edit();
+    std::optional<GridEdit> apply_edit();
     bool takes_clicks() const { return was_clicked_; } ///< the mouse pressed in the grid in this frame
 
     /// The text that was confirmed cannot be taken: its cell is opened again with it.
@@ -73,10 +73,10 @@ private:
         std::size_t row = 0, column = 0;
         friend bool operator==(const Place&, const Place&) = default;
     };
-    enum class Way { Stay, Down, Right, Up, Left };
+    enum class Direction { Stay, Down, Right, Up, Left };
 
     void measure(const Table& table);
-    void take_mouse(const Table& table);
+    void handle_mouse(const Table& table);
     std::optional<Place> place_under_mouse() const;
     void sort_by(const Table& table, std::size_t column);
     void draw(const Look& look) const;
@@ -86,11 +86,11 @@ private:
     void show_editor();
     void scroll_to_cursor();
     void open(std::string text);
-    void confirm(Way then);
-    void move(Way way, bool extends);
-    void advance(Way way);
-    bool take_editing(const ui::Chord& chord);
-    bool take_moving(const ui::Chord& chord);
+    void confirm(Direction then);
+    void move(Direction way, bool extends);
+    void advance(Direction way);
+    bool handle_editing_key(const ui::Chord& chord);
+    bool handle_moving_key(const ui::Chord& chord);
     std::string typed_text(const Table& table, Place place) const;
     std::string shown_text(const Table& table, Place place) const;
     float x_of(std::size_t column) const;
@@ -105,7 +105,7 @@ private:
     bool is_fresh_ = false; ///< the editor has no keyboard yet
     int n_openings_ = 0;    ///< of the editor
     std::string text_;
-    Way then_ = Way::Stay;
+    Direction then_ = Direction::Stay;
     std::optional<std::size_t> tabs_from_; ///< the column in which a row is filled from, by Tab
     std::optional<GridEdit> edit_;
 

@@ -44,7 +44,7 @@ void TableGrid::open(std::string text)
     anchor_ = cursor_;
 }
 
-void TableGrid::confirm(Way then)
+void TableGrid::confirm(Direction then)
 {
     is_editing_ = false;
     ImGui::ClearActiveID();
@@ -59,24 +59,24 @@ void TableGrid::reject(const GridEdit& edit)
     open(edit.texts.front().front());
 }
 
-void TableGrid::accept() { advance(std::exchange(then_, Way::Stay)); }
+void TableGrid::accept() { advance(std::exchange(then_, Direction::Stay)); }
 
 // By Tab and Enter, which fill one row after the other from the same column.
-void TableGrid::advance(Way way)
+void TableGrid::advance(Direction way)
 {
-    if (way == Way::Right && !tabs_from_) tabs_from_ = cursor_.column;
-    const bool ends_row = way == Way::Down && cursor_.row + 1 < n_rows_;
+    if (way == Direction::Right && !tabs_from_) tabs_from_ = cursor_.column;
+    const bool ends_row = way == Direction::Down && cursor_.row + 1 < n_rows_;
     if (ends_row && tabs_from_) cursor_.column = *tabs_from_;
-    if (way == Way::Down || way == Way::Up) tabs_from_.reset();
+    if (way == Direction::Down || way == Direction::Up) tabs_from_.reset();
     move(way, false);
 }
 
-void TableGrid::move(Way way, bool extends)
+void TableGrid::move(Direction way, bool extends)
 {
-    if (way == Way::Down && cursor_.row + 1 < n_rows_) ++cursor_.row;
-    if (way == Way::Up && cursor_.row > 0) --cursor_.row;
-    if (way == Way::Right && cursor_.column + 1 < n_columns_) ++cursor_.column;
-    if (way == Way::Left && cursor_.column > 0) --cursor_.column;
+    if (way == Direction::Down && cursor_.row + 1 < n_rows_) ++cursor_.row;
+    if (way == Direction::Up && cursor_.row > 0) --cursor_.row;
+    if (way == Direction::Right && cursor_.column + 1 < n_columns_) ++cursor_.column;
+    if (way == Direction::Left && cursor_.column > 0) --cursor_.column;
     if (!extends) anchor_ = cursor_;
     must_scroll_ = true;
 }
@@ -92,7 +92,7 @@ void TableGrid::type(std::string_view letters, const Table& table)
 
 bool TableGrid::take(const ui::Chord& chord, const Table& table)
 {
-    if (is_editing_) return take_editing(chord);
+    if (is_editing_) return handle_editing_key(chord);
     const bool has_no_modifier = chord.modifiers == ui::no_modifiers;
     if (chord.key == Key::F2 && has_no_modifier && n_rows_ > 0) {
         if (table.headings[cursor_.column].is_editable) open(typed_text(table, cursor_));
@@ -103,15 +103,15 @@ bool TableGrid::take(const ui::Chord& chord, const Table& table)
         cursor_ = {order_.empty() ? 0 : order_.size() - 1, n_columns_ - 1};
         return true;
     }
-    return take_moving(chord);
+    return handle_moving_key(chord);
 }
 
-bool TableGrid::take_editing(const ui::Chord& chord)
+bool TableGrid::handle_editing_key(const ui::Chord& chord)
 {
     const bool has_shift = chord.modifiers.shift;
     switch (chord.key) {
-    case Key::Enter: confirm(has_shift ? Way::Up : Way::Down); return true;
-    case Key::Tab: confirm(has_shift ? Way::Left : Way::Right); return true;
+    case Key::Enter: confirm(has_shift ? Direction::Up : Direction::Down); return true;
+    case Key::Tab: confirm(has_shift ? Direction::Left : Direction::Right); return true;
     case Key::Escape:
         is_editing_ = false;
         ImGui::ClearActiveID();
@@ -120,7 +120,7 @@ bool TableGrid::take_editing(const ui::Chord& chord)
     }
 }
 
-bool TableGrid::take_moving(const ui::Chord& chord)
+bool TableGrid::handle_moving_key(const ui::Chord& chord)
 {
     const bool extends = chord.modifiers.shift;
     if (chord.modifiers.alt) return false;
@@ -136,12 +136,12 @@ bool TableGrid::take_moving(const ui::Chord& chord)
         std::max(1.0F, layout_.view_height / std::max(1.0F, layout_.line) - 2.0F));
     const bool has_ctrl = chord.modifiers.ctrl;
     switch (chord.key) {
-    case Key::Up: return has_ctrl ? jump({0, cursor_.column}) : (move(Way::Up, extends), true);
-    case Key::Down: return has_ctrl ? jump({last_row, cursor_.column}) : (move(Way::Down, extends), true);
-    case Key::Left: return has_ctrl ? jump({cursor_.row, 0}) : (move(Way::Left, extends), true);
-    case Key::Right: return has_ctrl ? jump({cursor_.row, n_columns_ - 1}) : (move(Way::Right, extends), true);
-    case Key::Enter: advance(extends ? Way::Up : Way::Down); return true;
-    case Key::Tab: advance(extends ? Way::Left : Way::Right); return true;
+    case Key::Up: return has_ctrl ? jump({0, cursor_.column}) : (move(Direction::Up, extends), true);
+    case Key::Down: return has_ctrl ? jump({last_row, cursor_.column}) : (move(Direction::Down, extends), true);
+    case Key::Left: return has_ctrl ? jump({cursor_.row, 0}) : (move(Direction::Left, extends), true);
+    case Key::Right: return has_ctrl ? jump({cursor_.row, n_columns_ - 1}) : (move(Direction::Right, extends), true);
+    case Key::Enter: advance(extends ? Direction::Up : Direction::Down); return true;
+    case Key::Tab: advance(extends ? Direction::Left : Direction::Right); return true;
     case Key::Home: return jump({has_ctrl ? 0 : cursor_.row, 0});
     case Key::End: return jump({has_ctrl ? last_row : cursor_.row, n_columns_ - 1});
     case Key::PageUp: return jump({cursor_.row - std::min(page, cursor_.row), cursor_.column});

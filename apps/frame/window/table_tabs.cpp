@@ -26,64 +26,65 @@ bool TablesPanel::begin_tab(const std::string& label, bool is_chosen)
     return is_clicked;
 }
 
-bool TablesPanel::tab(Desk& desk, TableKind kind)
+bool TablesPanel::tab(Workspace& workspace, TableKind kind)
 {
-    const bool is_chosen = desk.bottom.table == kind && desk.bottom.shows(BottomContent::Table);
-    const std::string label = desk.session.view.tr(title(kind)) + "###" + std::string(command_id(kind));
+    const bool is_chosen = workspace.bottom.table == kind && workspace.bottom.shows(BottomContent::Table);
+    const std::string label = workspace.session.view.tr(title(kind)) + "###" + std::string(command_id(kind));
     if (!begin_tab(label, is_chosen)) return false;
-    desk.bottom = {true, kind};
+    workspace.bottom = {true, kind};
     has_keyboard_ = true;
     return true;
 }
 
 // Several tables in one tab: which one is chosen from a list.
-void TablesPanel::show_group(Desk& desk, std::string_view label, std::initializer_list<TableKind> kinds)
+void TablesPanel::show_group(Workspace& workspace, std::string_view label, std::initializer_list<TableKind> kinds)
 {
-    const ui::Catalogue& tr = desk.session.view.tr;
-    const bool is_chosen = std::ranges::find(kinds, desk.bottom.table) != kinds.end() &&
-                           desk.bottom.shows(BottomContent::Table);
-    const std::string name = tr(is_chosen ? title(desk.bottom.table) : label);
+    const ui::Catalogue& tr = workspace.session.view.tr;
+    const bool is_chosen = std::ranges::find(kinds, workspace.bottom.table) != kinds.end() &&
+                           workspace.bottom.shows(BottomContent::Table);
+    const std::string name = tr(is_chosen ? title(workspace.bottom.table) : label);
     const std::string list = "###tables of " + std::string(label);
     if (begin_tab(name + " …###" + std::string(label), is_chosen)) ImGui::OpenPopup(list.c_str());
     if (!ImGui::BeginPopup(list.c_str())) return;
     for (const TableKind kind : kinds) {
-        const std::size_t n = is_result(kind) ? 0 : parts_of(desk.session.model(), kind).size();
+        const std::size_t n = is_result(kind) ? 0 : parts_of(workspace.session.model(), kind).size();
         const std::string entry = tr(title(kind)) + (n > 0 ? " (" + std::to_string(n) + ")" : "");
-        if (!ImGui::MenuItem(entry.c_str(), nullptr, desk.bottom.table == kind)) continue;
-        desk.bottom = {true, kind};
+        if (!ImGui::MenuItem(entry.c_str(), nullptr, workspace.bottom.table == kind)) continue;
+        workspace.bottom = {true, kind};
         has_keyboard_ = true;
     }
     ImGui::EndPopup();
 }
 
-void TablesPanel::show_tabs(Desk& desk)
+void TablesPanel::show_tabs(Workspace& workspace)
 {
     using enum TableKind;
-    tab(desk, Nodes);
-    show_group(desk, translatable("Members"), {Members, Joints});
-    tab(desk, Materials);
-    tab(desk, Sections);
-    show_group(desk, translatable("Loads"),
+    tab(workspace, Nodes);
+    show_group(workspace, translatable("Members"), {Members, Joints});
+    tab(workspace, Materials);
+    tab(workspace, Sections);
+    show_group(workspace, translatable("Loads"),
                {LoadCases, Combinations, NodeLoads, DistributedLoads, PointLoads, EndLoads, Misfits, Temperatures,
                 Settlements});
-    for (const TableKind kind : {Displacements, Reactions, MemberEnds, Extremes}) tab(desk, kind);
-    show_group(desk, translatable("Envelope"), {Envelope, ReactionEnvelope});
-    show_member_tab(desk);
-    const ui::Catalogue& tr = desk.session.view.tr;
-    if (desk.bottom.shows(BottomContent::Table) && begin_tab(tr("CSV…") + "###csv", false)) ask_for_file(desk);
-    if (desk.bottom.shows(BottomContent::Table) && ImGui::IsItemHovered())
+    for (const TableKind kind : {Displacements, Reactions, MemberEnds, Extremes}) tab(workspace, kind);
+    show_group(workspace, translatable("Envelope"), {Envelope, ReactionEnvelope});
+    show_member_tab(workspace);
+    const ui::Catalogue& tr = workspace.session.view.tr;
+    if (workspace.bottom.shows(BottomContent::Table) && begin_tab(tr("CSV…") + "###csv", false))
+        ask_for_file(workspace);
+    if (workspace.bottom.shows(BottomContent::Table) && ImGui::IsItemHovered())
         ImGui::SetTooltip("%s", tr("Export the table as CSV…").c_str());
 }
 
 // It names the member whose diagrams it shows.
-void TablesPanel::show_member_tab(Desk& desk)
+void TablesPanel::show_member_tab(Workspace& workspace)
 {
-    const Session& session = desk.session;
+    const Session& session = workspace.session;
     const std::optional<femoop::MemberId> member = MemberPanel::member_of(session);
     const std::string name = session.view.tr(member ? title(session.model(), *member)
-                                                    : ui::Phrase(translatable("Diagrams of the member")));
-    if (!begin_tab(name + "###member", desk.bottom.shows(BottomContent::Member))) return;
-    desk.bottom.content = BottomContent::Member;
+                                                    : ui::Message(translatable("Diagrams of the member")));
+    if (!begin_tab(name + "###member", workspace.bottom.shows(BottomContent::Member))) return;
+    workspace.bottom.content = BottomContent::Member;
     has_keyboard_ = true;
 }
 

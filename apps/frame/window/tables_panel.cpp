@@ -36,41 +36,40 @@ Table table_of(const Session& session, TableKind kind)
     return result_table({session.model(), *results, session.view.load_case, chosen}, kind, session.manner());
 }
 
-ui::Phrase why_no_table(const Session& session)
+ui::Message why_no_table(const Session& session)
 {
-    return session.why_no_results().value_or(ui::Phrase(translatable("The model has no load case.")));
+    return session.why_no_results().value_or(ui::Message(translatable("The model has no load case.")));
 }
 
 } // namespace
 
 // ---- what is shown ----
 
-float TablesPanel::height(const Desk& desk, float room) const
+float TablesPanel::height(const Workspace& workspace, float room) const
 {
-    if (!desk.bottom.is_open) return 0.0F;
+    if (!workspace.bottom.is_open) return 0.0F;
     float least = 0.0F;
-    if (desk.bottom.content == BottomContent::Member) least = least_height_of_diagrams;
-    if (desk.bottom.content == BottomContent::Solver) least = least_height_of_solver;
+    if (workspace.bottom.content == BottomContent::Member) least = least_height_of_diagrams;
+    if (workspace.bottom.content == BottomContent::Solver) least = least_height_of_solver;
     const float height = std::max(height_, least);
     return std::min(height * ImGui::GetFontSize(), 0.7F * room);
 }
 
-void TablesPanel::follow(const Desk& desk)
+void TablesPanel::follow(const Workspace& workspace)
 {
-    const Session& session = desk.session;
-    const std::string now = std::to_string(desk.tab) + ' ' + session.file_name() + ' ' +
-                            std::to_string(session.generation()) + ' ' + std::to_string(session.view.load_case.index) +
-                            ' ' + std::string(code(session.units().system())) + ' ' +
-                            std::string(code(session.view.tr.language())) + ' ' +
-                            std::to_string(static_cast<int>(desk.bottom.table)) + (session.hidden ? " hidden " : " ") +
-                            envelope_words(session.model(), session.results_view());
-    const std::string document = std::to_string(desk.tab) + ' ' + session.file_name();
-    if (kind_ != desk.bottom.table || document_ != document) {
+    const Session& session = workspace.session;
+    const std::string now =
+        std::to_string(workspace.tab) + ' ' + session.file_name() + ' ' + std::to_string(session.generation()) + ' ' +
+        std::to_string(session.view.load_case.index) + ' ' + std::string(code(session.units().system())) + ' ' +
+        std::string(code(session.view.tr.language())) + ' ' + std::to_string(static_cast<int>(workspace.bottom.table)) +
+        (session.hidden ? " hidden " : " ") + envelope_text(session.model(), session.results_view());
+    const std::string document = std::to_string(workspace.tab) + ' ' + session.file_name();
+    if (kind_ != workspace.bottom.table || document_ != document) {
         grid_.reset();
         message_.clear();
         chosen_ = {};
     }
-    kind_ = desk.bottom.table;
+    kind_ = workspace.bottom.table;
     document_ = document;
     if (now == made_for_) return;
     made_for_ = now;
@@ -79,9 +78,9 @@ void TablesPanel::follow(const Desk& desk)
 }
 
 // What is selected elsewhere is gone to.
-void TablesPanel::follow_selection(const Desk& desk)
+void TablesPanel::follow_selection(const Workspace& workspace)
 {
-    const Selection& selection = desk.session.selection;
+    const Selection& selection = workspace.session.selection;
     if (selection == chosen_) return;
     chosen_ = selection;
     if (selection.is_empty()) return;
@@ -93,45 +92,45 @@ void TablesPanel::follow_selection(const Desk& desk)
 }
 
 // What is opened has the keyboard, though the click on a menu took it away.
-void TablesPanel::take_keyboard_if_opened(const Desk& desk)
+void TablesPanel::grab_keyboard_if_opened(const Workspace& workspace)
 {
-    const std::pair now{desk.bottom.content, desk.bottom.table};
+    const std::pair now{workspace.bottom.content, workspace.bottom.table};
     const bool is_other = std::exchange(shown_, now) != now;
     if (!std::exchange(was_open_, true) || is_other) has_keyboard_ = true;
 }
 
-void TablesPanel::go_to_wanted(Desk& desk)
+void TablesPanel::go_to_wanted(Workspace& workspace)
 {
-    const std::optional<WantedCell> wanted = std::exchange(desk.bottom.wanted, std::nullopt);
+    const std::optional<WantedCell> wanted = std::exchange(workspace.bottom.wanted, std::nullopt);
     if (!wanted) return;
     has_keyboard_ = true;
-    chosen_ = desk.session.selection; // which would be gone to
+    chosen_ = workspace.session.selection; // which would be gone to
     const auto row = std::ranges::find(table_.rows, std::optional(wanted->row), &Row::part);
     if (row != table_.rows.end()) grid_.go_to(static_cast<std::size_t>(row - table_.rows.begin()), wanted->column);
 }
 
-void TablesPanel::show(Desk& desk, ui::ImGuiSession& gui, const ui::Fonts& fonts)
+void TablesPanel::show(Workspace& workspace, ui::ImGuiSession& gui, const ui::Fonts& fonts)
 {
     const float em = ImGui::GetFontSize();
     show_splitter(ImGui::GetWindowHeight());
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.6F * em, 0.3F * em});
     ImGui::BeginChild("###tables", {0.0F, 0.0F}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.4F * em, 0.3F * em});
-    if (desk.bottom.content != BottomContent::Solver) show_tabs(desk);
-    follow(desk);
-    take_keyboard_if_opened(desk);
-    go_to_wanted(desk);
-    switch (desk.bottom.content) {
-    case BottomContent::Table: show_table(desk); break;
-    case BottomContent::Member: member_.show(desk, gui, fonts); break;
-    case BottomContent::Solver: solver_panel(desk, gui, fonts); break;
+    if (workspace.bottom.content != BottomContent::Solver) show_tabs(workspace);
+    follow(workspace);
+    grab_keyboard_if_opened(workspace);
+    go_to_wanted(workspace);
+    switch (workspace.bottom.content) {
+    case BottomContent::Table: show_table(workspace); break;
+    case BottomContent::Member: member_.show(workspace, gui, fonts); break;
+    case BottomContent::Solver: solver_panel(workspace, gui, fonts); break;
     }
     const bool is_over = ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
                                                 ImGuiHoveredFlags_AllowWhenBlockedByPopup |
                                                 ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
     const bool is_clicked = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
     if (is_clicked && !is_over) leave();
-    if (is_clicked && is_over && !desk.bottom.shows(BottomContent::Table)) has_keyboard_ = true;
+    if (is_clicked && is_over && !workspace.bottom.shows(BottomContent::Table)) has_keyboard_ = true;
     ImGui::PopStyleVar();
     ImGui::EndChild();
     ImGui::PopStyleVar();
@@ -154,27 +153,27 @@ void TablesPanel::show_splitter(float room)
     height_ = std::clamp(height_ - ImGui::GetIO().MouseDelta.y / em, 8.0F, 0.7F * room / em);
 }
 
-void TablesPanel::show_table(Desk& desk)
+void TablesPanel::show_table(Workspace& workspace)
 {
     if (table_.headings.empty()) {
-        const ui::Catalogue& tr = desk.session.view.tr;
-        if (!explain_no_results(desk)) ImGui::TextWrapped("%s", tr("The model has no load case.").c_str());
+        const ui::Catalogue& tr = workspace.session.view.tr;
+        if (!explain_no_results(workspace)) ImGui::TextWrapped("%s", tr("The model has no load case.").c_str());
         return;
     }
-    follow_selection(desk);
-    const Selection& selection = desk.session.selection;
+    follow_selection(workspace);
+    const Selection& selection = workspace.session.selection;
     const auto is_selected = [&](std::size_t row) {
         return table_.rows[row].part && selection.contains(*table_.rows[row].part);
     };
     grid_.show({table_, can_grow(kind_), is_selected}, ImGui::GetTextLineHeightWithSpacing());
     if (grid_.takes_clicks()) {
         has_keyboard_ = true;
-        select_rows(desk);
+        select_rows(workspace);
     } else if (has_keyboard_ && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
-        select_rows(desk);
+        select_rows(workspace);
     }
-    if (const auto edit = grid_.take_edit()) carry_out(desk, *edit);
-    show_footer(desk.session);
+    if (const auto edit = grid_.apply_edit()) carry_out(workspace, *edit);
+    show_footer(workspace.session);
 }
 
 void TablesPanel::show_footer(const Session& session) const
@@ -187,39 +186,39 @@ void TablesPanel::show_footer(const Session& session) const
     }
     std::string text = tr(
         "Type to change a cell: 25 kN/m, 2*3.5, 1/3. New rows at the end, or pasted from a spreadsheet.");
-    if (is_envelope(kind_)) text = envelope_words(session.model(), session.results_view());
+    if (is_envelope(kind_)) text = envelope_text(session.model(), session.results_view());
     else if (is_result(kind_)) text = tr("Case {case}", {{"case", session.model().case_name(session.view.load_case)}});
     ImGui::TextDisabled("%s", text.c_str());
 }
 
-void TablesPanel::select_rows(Desk& desk)
+void TablesPanel::select_rows(Workspace& workspace)
 {
     Selection selection;
     for (const std::size_t row : grid_.block().rows) {
         if (table_.rows[row].part) selection.add(*table_.rows[row].part);
     }
-    desk.session.selection = chosen_ = selection;
+    workspace.session.selection = chosen_ = selection;
 }
 
 // ---- keyboard ----
 
-ui::Input TablesPanel::take(Desk& desk, const ui::Input& input)
+ui::Input TablesPanel::take(Workspace& workspace, const ui::Input& input)
 {
-    if (!desk.bottom.is_open) {
+    if (!workspace.bottom.is_open) {
         if (std::exchange(was_open_, false)) leave();
         return input;
     }
-    take_keyboard_if_opened(desk);
-    if (!has_keyboard_ || (table_.headings.empty() && desk.bottom.shows(BottomContent::Table))) return input;
+    grab_keyboard_if_opened(workspace);
+    if (!has_keyboard_ || (table_.headings.empty() && workspace.bottom.shows(BottomContent::Table))) return input;
     ImGui::GetIO().ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard; // the arrows are the table's
     ui::Input rest = input;
     rest.keys.clear();
-    if (desk.bottom.shows(BottomContent::Table)) follow(desk);
+    if (workspace.bottom.shows(BottomContent::Table)) follow(workspace);
     for (const ui::KeyEvent& event : input.keys) {
-        const bool is_taken = event.is_down && take_key(desk, event.chord());
+        const bool is_taken = event.is_down && handle_key(workspace, event.chord());
         if (!is_taken) rest.keys.push_back(event);
     }
-    const bool is_typed = has_keyboard_ && !input.modifiers.ctrl && desk.bottom.shows(BottomContent::Table);
+    const bool is_typed = has_keyboard_ && !input.modifiers.ctrl && workspace.bottom.shows(BottomContent::Table);
     if (is_typed && !table_.headings.empty()) {
         grid_.type(input.text, table_);
         rest.text.clear();
@@ -227,31 +226,32 @@ ui::Input TablesPanel::take(Desk& desk, const ui::Input& input)
     return rest;
 }
 
-bool TablesPanel::take_key(Desk& desk, const ui::Chord& chord)
+bool TablesPanel::handle_key(Workspace& workspace, const ui::Chord& chord)
 {
-    if (desk.bottom.content == BottomContent::Member)
-        return chord.key == Key::Escape || member_.take(desk.session, chord);
-    if (desk.bottom.content == BottomContent::Solver) return take_solver_key(desk, chord);
-    follow(desk); // the key before may have changed the document
+    if (workspace.bottom.content == BottomContent::Member)
+        return chord.key == Key::Escape || member_.take(workspace.session, chord);
+    if (workspace.bottom.content == BottomContent::Solver) return handle_solver_key(workspace, chord);
+    follow(workspace); // the key before may have changed the document
     if (table_.headings.empty()) return false;
     if (grid_.take(chord, table_)) {
-        if (const auto edit = grid_.take_edit()) carry_out(desk, *edit);
-        else if (!grid_.is_editing()) select_rows(desk);
+        if (const auto edit = grid_.apply_edit()) carry_out(workspace, *edit);
+        else if (!grid_.is_editing()) select_rows(workspace);
         if (chord.key == Key::Escape) message_.clear();
         return true;
     }
     if (grid_.is_editing()) return false;
-    if (chord == ui::Chord{Key::C, ui::ctrl}) copy(desk);
-    else if (chord == ui::Chord{Key::V, ui::ctrl}) paste(desk);
-    else if (chord == ui::Chord{Key::Delete, {}} && can_grow(kind_) && grid_.has_whole_rows(table_)) remove_rows(desk);
-    else if (chord == ui::Chord{Key::Delete, {}} || chord == ui::Chord{Key::Backspace, {}}) clear_block(desk);
+    if (chord == ui::Chord{Key::C, ui::ctrl}) copy(workspace);
+    else if (chord == ui::Chord{Key::V, ui::ctrl}) paste(workspace);
+    else if (chord == ui::Chord{Key::Delete, {}} && can_grow(kind_) && grid_.has_whole_rows(table_))
+        remove_rows(workspace);
+    else if (chord == ui::Chord{Key::Delete, {}} || chord == ui::Chord{Key::Backspace, {}}) clear_block(workspace);
     else return !chord.modifiers.ctrl && (chord.key < Key::F1 || chord.key > Key::F12);
     return true;
 }
 
-std::optional<std::string> TablesPanel::cell(const Desk& desk) const
+std::optional<std::string> TablesPanel::cell(const Workspace& workspace) const
 {
-    if (!desk.bottom.shows(BottomContent::Table) || table_.headings.empty()) return std::nullopt;
+    if (!workspace.bottom.shows(BottomContent::Table) || table_.headings.empty()) return std::nullopt;
     const std::size_t row = grid_.first_row();
     const std::string name = row < grid_.order().size() ? table_.rows[grid_.order()[row]].cells.front().value.shown
                                                         : "new";
@@ -260,28 +260,29 @@ std::optional<std::string> TablesPanel::cell(const Desk& desk) const
 
 // ---- files ----
 
-void TablesPanel::ask_for_file(const Desk& desk)
+void TablesPanel::ask_for_file(const Workspace& workspace)
 {
-    std::filesystem::path start = desk.session.path().value_or("table.json");
+    std::filesystem::path start = workspace.session.path().value_or("table.json");
     start.replace_extension();
-    const std::string name = start.filename().string() + " " + desk.session.view.tr(title(desk.bottom.table)) + ".csv";
+    const std::string name = start.filename().string() + " " +
+                             workspace.session.view.tr(title(workspace.bottom.table)) + ".csv";
     path_dialog_.open(ui::PathDialog::Purpose::Save, std::filesystem::absolute(start).replace_filename(name), ".csv");
 }
 
-void TablesPanel::show_dialog(Desk& desk)
+void TablesPanel::show_dialog(Workspace& workspace)
 {
-    const auto path = path_dialog_.show(desk.session.view.tr);
+    const auto path = path_dialog_.show(workspace.session.view.tr);
     if (!path) return;
-    if (const auto reason = export_to(desk, *path)) desk.session.notice = Notice{*reason, {}};
+    if (const auto reason = export_to(workspace, *path)) workspace.session.notice = Notice{*reason, {}};
 }
 
-std::optional<ui::Phrase> TablesPanel::export_to(const Desk& desk, const std::filesystem::path& path)
+std::optional<ui::Message> TablesPanel::export_to(const Workspace& workspace, const std::filesystem::path& path)
 {
-    const Table table = table_of(desk.session, desk.bottom.table);
-    const ui::Phrase::Argument file{"file", path.filename().string()};
-    if (table.headings.empty()) return why_no_table(desk.session);
-    if (!files::write_whole_file(path, csv(table, desk.session.units().format().mark))) return std::nullopt;
-    return ui::Phrase(translatable("{file} was not saved"), {file});
+    const Table table = table_of(workspace.session, workspace.bottom.table);
+    const ui::Message::Argument file{"file", path.filename().string()};
+    if (table.headings.empty()) return why_no_table(workspace.session);
+    if (!files::write_whole_file(path, csv(table, workspace.session.units().format().mark))) return std::nullopt;
+    return ui::Message(translatable("{file} was not saved"), {file});
 }
 
 } // namespace frame

@@ -23,47 +23,47 @@ namespace frame {
 class TablesPanel {
 public:
     /// Of the panel with its splitter [physical pixels]; 0 while it is closed.
-    float height(const Desk& desk, float room) const;
+    float height(const Workspace& workspace, float room) const;
 
     /// Fills what is left of the current window of Dear ImGui's.
-    void show(Desk& desk, ui::ImGuiSession& gui, const ui::Fonts& fonts);
+    void show(Workspace& workspace, ui::ImGuiSession& gui, const ui::Fonts& fonts);
 
     /// Takes what is meant for the table. \returns what is left for others
-    ui::Input take(Desk& desk, const ui::Input& input);
+    ui::Input take(Workspace& workspace, const ui::Input& input);
     /// To a window that everything else waits for, until `take` is called again.
     static void lend_keyboard();
 
     /// Where the cursor is, in English: "Sections: column, Depth h [mm]"; nothing where no table is shown.
-    std::optional<std::string> cell(const Desk& desk) const;
+    std::optional<std::string> cell(const Workspace& workspace) const;
 
-    void ask_for_file(const Desk& desk);
+    void ask_for_file(const Workspace& workspace);
     bool is_asking() const { return path_dialog_.is_open(); }
-    void show_dialog(Desk& desk);
+    void show_dialog(Workspace& workspace);
     /// Writes the table that is shown. \returns why it could not
-    std::optional<ui::Phrase> export_to(const Desk& desk, const std::filesystem::path& path);
+    std::optional<ui::Message> export_to(const Workspace& workspace, const std::filesystem::path& path);
 
 private:
-    void follow(const Desk& desk);
-    void follow_selection(const Desk& desk);
-    void take_keyboard_if_opened(const Desk& desk);
-    void go_to_wanted(Desk& desk);
+    void follow(const Workspace& workspace);
+    void follow_selection(const Workspace& workspace);
+    void grab_keyboard_if_opened(const Workspace& workspace);
+    void go_to_wanted(Workspace& workspace);
     void show_splitter(float room);
-    void show_tabs(Desk& desk);
-    void show_group(Desk& desk, std::string_view label, std::initializer_list<TableKind> kinds);
-    bool tab(Desk& desk, TableKind kind);
+    void show_tabs(Workspace& workspace);
+    void show_group(Workspace& workspace, std::string_view label, std::initializer_list<TableKind> kinds);
+    bool tab(Workspace& workspace, TableKind kind);
     bool begin_tab(const std::string& label, bool is_chosen);
-    void show_table(Desk& desk);
-    void show_member_tab(Desk& desk);
+    void show_table(Workspace& workspace);
+    void show_member_tab(Workspace& workspace);
     void show_footer(const Session& session) const;
-    void select_rows(Desk& desk);
-    bool take_key(Desk& desk, const ui::Chord& chord);
-    void carry_out(Desk& desk, const GridEdit& edit);
-    bool fill_draft(Desk& desk, const GridEdit& edit);
-    bool fill(Desk& desk, const GridEdit& edit);
-    void copy(const Desk& desk) const;
-    void paste(Desk& desk);
-    void clear_block(Desk& desk);
-    void remove_rows(Desk& desk);
+    void select_rows(Workspace& workspace);
+    bool handle_key(Workspace& workspace, const ui::Chord& chord);
+    void carry_out(Workspace& workspace, const GridEdit& edit);
+    bool fill_draft(Workspace& workspace, const GridEdit& edit);
+    bool fill(Workspace& workspace, const GridEdit& edit);
+    void copy(const Workspace& workspace) const;
+    void paste(Workspace& workspace);
+    void clear_block(Workspace& workspace);
+    void remove_rows(Workspace& workspace);
     void leave();
 
     TableGrid grid_;

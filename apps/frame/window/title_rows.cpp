@@ -12,38 +12,38 @@ namespace frame {
 
 using ui::translatable;
 
-void TitleRows::show(Desk& desk)
+void TitleRows::show(Workspace& workspace)
 {
-    const ui::Catalogue& tr = desk.session.view.tr;
-    ImGui::TextUnformatted(tr(label_of(desk.session.model().analysis)).c_str());
+    const ui::Catalogue& tr = workspace.session.view.tr;
+    ImGui::TextUnformatted(tr(label_of(workspace.session.model().analysis)).c_str());
     ImGui::Separator();
-    show_title(desk);
-    show_notes(desk);
+    show_title(workspace);
+    show_notes(workspace);
     ImGui::Spacing();
 }
 
-void TitleRows::show_title(Desk& desk)
+void TitleRows::show_title(Workspace& workspace)
 {
-    const std::string words = desk.session.view.tr(translatable("Title"));
+    const std::string words = workspace.session.view.tr(translatable("Title"));
     ImGui::SetNextItemWidth(-1.0F);
     if (std::exchange(begins_, false)) ImGui::SetKeyboardFocusHere();
     const auto flags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll;
     const bool is_confirmed = ImGui::InputTextWithHint("###title", words.c_str(), &title_, flags);
-    if (is_confirmed || ImGui::IsItemDeactivatedAfterEdit()) set_title(desk.session, title_);
-    if (!ImGui::IsItemActive()) title_ = desk.session.model().title;
+    if (is_confirmed || ImGui::IsItemDeactivatedAfterEdit()) set_title(workspace.session, title_);
+    if (!ImGui::IsItemActive()) title_ = workspace.session.model().title;
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", words.c_str());
 }
 
 // Two lines of them are seen.
-void TitleRows::show_notes(Desk& desk)
+void TitleRows::show_notes(Workspace& workspace)
 {
-    const std::string words = desk.session.view.tr(translatable("Notes"));
+    const std::string words = workspace.session.view.tr(translatable("Notes"));
     const float line = ImGui::GetTextLineHeight(), pad = 2.0F * ImGui::GetStyle().FramePadding.y;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::InputTextMultiline("###notes", &notes_, {-1.0F, 2.0F * line + pad});
-    if (ImGui::IsItemDeactivatedAfterEdit()) set_notes(desk.session, notes_);
+    if (ImGui::IsItemDeactivatedAfterEdit()) set_notes(workspace.session, notes_);
     if (ImGui::IsItemActive()) return;
-    notes_ = desk.session.model().notes;
+    notes_ = workspace.session.model().notes;
     if (!notes_.empty()) return;
     const ImVec2 at{corner.x + ImGui::GetStyle().FramePadding.x, corner.y + ImGui::GetStyle().FramePadding.y};
     ImGui::GetWindowDrawList()->AddText(at, ImGui::GetColorU32(ImGuiCol_TextDisabled), words.c_str());

@@ -9,13 +9,13 @@ namespace frame {
 /// What the whole model has, where nothing is selected: its kind, its title and its notes, each typed anew as one step.
 class TitleRows {
 public:
-    void show(Desk& desk);
+    void show(Workspace& workspace);
     /// The title is typed next.
     void begin() { begins_ = true; }
 
 private:
-    void show_title(Desk& desk);
-    void show_notes(Desk& desk);
+    void show_title(Workspace& workspace);
+    void show_notes(Workspace& workspace);
 
     std::string title_, notes_; ///< as they are typed
     bool begins_ = false;

@@ -19,14 +19,14 @@ using ui::translatable;
 namespace {
 
 // One button of the row: the tool's icon, framed where the hand holds it.
-void tool_button(Desk& desk, const CommandTable& commands, const ToolEntry& entry, ui::ImGuiSession& gui,
+void tool_button(Workspace& workspace, const CommandTable& commands, const ToolEntry& entry, ui::ImGuiSession& gui,
                  const ui::Fonts& fonts, const ui::Theme& theme)
 {
     const auto& command = *commands.find(entry.id);
-    const auto reason = why_not(command, desk);
-    const ui::Catalogue& tr = desk.session.view.tr;
+    const auto reason = why_not(command, workspace);
+    const ui::Catalogue& tr = workspace.session.view.tr;
     const float side = ImGui::GetFrameHeight() * 1.25F;
-    const bool is_on = command.is_on(desk);
+    const bool is_on = command.is_on(workspace);
     if (is_on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_ButtonActive));
     ImGui::BeginDisabled(reason.has_value());
     const bool is_clicked = ImGui::Button(("###" + std::string(entry.id)).c_str(), {side, side});
@@ -43,7 +43,7 @@ void tool_button(Desk& desk, const CommandTable& commands, const ToolEntry& entr
         const std::string tip = reason ? tr(*reason) : tr(entry.label) + "  (" + text(command.shortcuts.front()) + ")";
         ImGui::SetTooltip("%s", tip.c_str());
     }
-    if (is_clicked) run(command, desk);
+    if (is_clicked) run(command, workspace);
 }
 
 struct SupportTool {
@@ -74,20 +74,20 @@ const std::array loads{
                &ToolSettings::line_load},
 };
 
-void support_settings(Desk& desk)
+void support_settings(Workspace& workspace)
 {
-    ToolSettings& settings = desk.hand.settings();
+    ToolSettings& settings = workspace.tool_controller.settings();
     for (const SupportTool& choice : supports) {
-        const std::string label = desk.session.view.tr(choice.label) + "###" + std::string(choice.label);
+        const std::string label = workspace.session.view.tr(choice.label) + "###" + std::string(choice.label);
         if (ImGui::RadioButton(label.c_str(), settings.support == choice.kind)) settings.support = choice.kind;
         ImGui::SameLine();
     }
 }
 
-void load_settings(Desk& desk, ui::NumberFields& fields)
+void load_settings(Workspace& workspace, ui::NumberFields& fields)
 {
-    ToolSettings& settings = desk.hand.settings();
-    const ui::Catalogue& tr = desk.session.view.tr;
+    ToolSettings& settings = workspace.tool_controller.settings();
+    const ui::Catalogue& tr = workspace.session.view.tr;
     const auto* const chosen = std::ranges::find(loads, settings.load, &LoadChoice::kind);
     const float em = ImGui::GetFontSize();
     ImGui::SetNextItemWidth(11.0F * em);
@@ -97,9 +97,9 @@ void load_settings(Desk& desk, ui::NumberFields& fields)
         ImGui::EndCombo();
     }
     ImGui::SameLine();
-    edit_quantity(desk, fields, {"tool load", chosen->measure, 6.0F * em}, settings.*chosen->value);
+    edit_quantity(workspace, fields, {"tool load", chosen->measure, 6.0F * em}, settings.*chosen->value);
     ImGui::SameLine();
-    ImGui::TextUnformatted(desk.session.units().unit(chosen->measure).name.c_str());
+    ImGui::TextUnformatted(workspace.session.units().unit(chosen->measure).name.c_str());
     ImGui::SameLine();
 }
 
@@ -128,11 +128,11 @@ private:
 };
 
 // The distance of the grid's lines: a round one that suits the scale where nothing was typed.
-void spacing_field(Desk& desk, ui::NumberFields& fields, const SnapLook& look)
+void spacing_field(Workspace& workspace, ui::NumberFields& fields, const SnapLook& look)
 {
-    const Session& session = desk.session;
+    const Session& session = workspace.session;
     const ui::DisplayUnits units = session.units();
-    ToolSettings& settings = desk.hand.settings();
+    ToolSettings& settings = workspace.tool_controller.settings();
     const std::optional<double> spacing = typed_spacing(settings, session.model().units);
     const std::string_view round = look.is_tight ? translatable("auto") : translatable("automatic");
     const std::string shown = spacing ? units.number(femoop::Quantity(*spacing), ui::Measure::Length)
@@ -154,22 +154,22 @@ void spacing_field(Desk& desk, ui::NumberFields& fields, const SnapLook& look)
                 {{"text", event.text}}));
 }
 
-void snap_settings(Desk& desk, const CommandTable& commands, ui::NumberFields& fields)
+void snap_settings(Workspace& workspace, const CommandTable& commands, ui::NumberFields& fields)
 {
-    const ui::Catalogue& tr = desk.session.view.tr;
-    const std::string unit = desk.session.units().unit(ui::Measure::Length).name;
+    const ui::Catalogue& tr = workspace.session.view.tr;
+    const std::string unit = workspace.session.units().unit(ui::Measure::Length).name;
     const SnapLook look(tr(grid_label) + tr(snap_label), unit, ImGui::GetContentRegionAvail().x);
     if (!look.has_room) return;
     const auto tick = [&](const char* id, std::string_view label) {
         const auto& command = *commands.find(id);
-        bool is_on = command.is_on(desk);
-        if (ImGui::Checkbox(((look.has_words ? tr(label) : "") + "###" + id).c_str(), &is_on)) run(command, desk);
+        bool is_on = command.is_on(workspace);
+        if (ImGui::Checkbox(((look.has_words ? tr(label) : "") + "###" + id).c_str(), &is_on)) run(command, workspace);
         if (ImGui::IsItemHovered())
             ImGui::SetTooltip("%s", (tr(command.label) + "  (" + text(command.shortcuts.front()) + ")").c_str());
         ImGui::SameLine();
     };
     tick("draw.grid", grid_label);
-    spacing_field(desk, fields, look);
+    spacing_field(workspace, fields, look);
     ImGui::SameLine();
     if (!look.is_tight) ImGui::TextUnformatted(unit.c_str());
     if (!look.is_tight) ImGui::SameLine();
@@ -177,9 +177,9 @@ void snap_settings(Desk& desk, const CommandTable& commands, ui::NumberFields& f
 }
 
 // In space: the plane that a click means a place of.
-void plane_settings(Desk& desk, ui::NumberFields& fields)
+void plane_settings(Workspace& workspace, ui::NumberFields& fields)
 {
-    WorkingPlane& plane = desk.hand.settings().plane;
+    WorkingPlane& plane = workspace.tool_controller.settings().plane;
     const float em = ImGui::GetFontSize();
     const auto planes = working_planes();
     const auto chosen = std::ranges::find(planes, plane.normal, &PlaneEntry::normal);
@@ -194,9 +194,9 @@ void plane_settings(Desk& desk, ui::NumberFields& fields)
     ImGui::SameLine();
     constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
     const std::string_view axis = axes.at(static_cast<std::size_t>(plane.index()));
-    ImGui::TextUnformatted(desk.session.units().label(axis, ui::Measure::Length).c_str());
+    ImGui::TextUnformatted(workspace.session.units().label(axis, ui::Measure::Length).c_str());
     ImGui::SameLine();
-    edit_quantity(desk, fields, {"working plane", ui::Measure::Length, 2.4F * em}, plane.level);
+    edit_quantity(workspace, fields, {"working plane", ui::Measure::Length, 2.4F * em}, plane.level);
     ImGui::SameLine();
 }
 
@@ -230,26 +230,26 @@ void show_hint(const std::string& words)
 
 } // namespace
 
-void tool_bar(Desk& desk, const CommandTable& commands, ui::ImGuiSession& gui, const ui::Fonts& fonts,
+void tool_bar(Workspace& workspace, const CommandTable& commands, ui::ImGuiSession& gui, const ui::Fonts& fonts,
               ui::NumberFields& fields)
 {
     const float em = ImGui::GetFontSize();
     const float top = ImGui::GetCursorPosY() + 0.125F * ImGui::GetFrameHeight();
-    const ui::Theme theme(desk.session.view.theme);
+    const ui::Theme theme(workspace.session.view.theme);
     for (const ToolEntry& entry : tools()) {
-        tool_button(desk, commands, entry, gui, fonts, theme);
+        tool_button(workspace, commands, entry, gui, fonts, theme);
         ImGui::SameLine(0.0F, 0.15F * em);
     }
     ImGui::SameLine(0.0F, em);
     ImGui::SetCursorPosY(top);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.5F * em, 0.0F});
-    const ToolKind tool = desk.hand.kind();
-    if (tool == ToolKind::Support) support_settings(desk);
-    if (tool == ToolKind::Load) load_settings(desk, fields);
-    const bool is_in_space = femoop::is_3d(desk.session.model().analysis);
-    if (is_in_space && desk.hand.can_type()) plane_settings(desk, fields);
-    if (desk.hand.can_type() && tool != ToolKind::Dimension) snap_settings(desk, commands, fields);
-    show_hint(desk.session.view.tr(hint(tool, is_in_space)));
+    const ToolKind tool = workspace.tool_controller.kind();
+    if (tool == ToolKind::Support) support_settings(workspace);
+    if (tool == ToolKind::Load) load_settings(workspace, fields);
+    const bool is_in_space = femoop::is_3d(workspace.session.model().analysis);
+    if (is_in_space && workspace.tool_controller.can_type()) plane_settings(workspace, fields);
+    if (workspace.tool_controller.can_type() && tool != ToolKind::Dimension) snap_settings(workspace, commands, fields);
+    show_hint(workspace.session.view.tr(hint(tool, is_in_space)));
     ImGui::PopStyleVar();
 }
 

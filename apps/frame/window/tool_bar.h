@@ -8,7 +8,7 @@
 namespace frame {
 
 /// The row of tools over the picture, with the settings of the tool in the hand beside them.
-void tool_bar(Desk& desk, const CommandTable& commands, ui::ImGuiSession& gui, const ui::Fonts& fonts,
+void tool_bar(Workspace& workspace, const CommandTable& commands, ui::ImGuiSession& gui, const ui::Fonts& fonts,
               ui::NumberFields& fields);
 
 } // namespace frame

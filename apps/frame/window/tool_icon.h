@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/frame/tools/hand.h"
+#include "apps/frame/tools/tool_controller.h"
 #include "ui/paint/painter.h"
 #include "ui/paint/theme.h"
 

@@ -17,8 +17,8 @@ namespace {
 
 class TransformBar {
 public:
-    TransformBar(Desk& desk, ui::NumberFields& fields)
-        : desk_(desk), fields_(fields), transform_(*desk.transform), tr_(desk.session.view.tr)
+    TransformBar(Workspace& workspace, ui::NumberFields& fields)
+        : workspace_(workspace), fields_(fields), transform_(*workspace.transform), tr_(workspace.session.view.tr)
     {}
 
     // True where a number was changed.
@@ -47,15 +47,15 @@ private:
     }
     void number(const std::string& label, const char* id, Measure measure, femoop::Quantity& value)
     {
-        name(desk_.session.units().label(label, measure));
-        is_changed_ |= edit_quantity(desk_, fields_, {id, measure, 4.0F * ImGui::GetFontSize()}, value);
+        name(workspace_.session.units().label(label, measure));
+        is_changed_ |= edit_quantity(workspace_, fields_, {id, measure, 4.0F * ImGui::GetFontSize()}, value);
         ImGui::SameLine();
     }
     void factor()
     {
         femoop::Quantity value(transform_.factor);
         name(tr_("factor"));
-        if (edit_quantity(desk_, fields_, {"factor", Measure::Plain, 4.0F * ImGui::GetFontSize()}, value) &&
+        if (edit_quantity(workspace_, fields_, {"factor", Measure::Plain, 4.0F * ImGui::GetFontSize()}, value) &&
             value > 0.0) {
             transform_.factor = value;
             is_changed_ = true;
@@ -71,7 +71,7 @@ private:
         ImGui::SameLine();
     }
 
-    Desk& desk_;
+    Workspace& workspace_;
     ui::NumberFields& fields_;
     Transform& transform_;
     const ui::Catalogue& tr_;
@@ -80,18 +80,18 @@ private:
 
 } // namespace
 
-void transform_bar(Desk& desk, ui::NumberFields& fields)
+void transform_bar(Workspace& workspace, ui::NumberFields& fields)
 {
-    const ui::Catalogue tr = desk.session.view.tr;
+    const ui::Catalogue tr = workspace.session.view.tr;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.5F * ImGui::GetFontSize(), 0.0F});
-    const Transform before = *desk.transform;
-    if (TransformBar(desk, fields).show() && change_transform(desk)) desk.transform = before;
+    const Transform before = *workspace.transform;
+    if (TransformBar(workspace, fields).show() && change_transform(workspace)) workspace.transform = before;
     const bool is_accepted = ImGui::Button((tr("Accept") + "###accept").c_str());
     ImGui::SameLine();
-    const bool is_given_up = ImGui::Button((tr("Cancel") + "###cancel").c_str());
+    const bool is_cancelled = ImGui::Button((tr("Cancel") + "###cancel").c_str());
     ImGui::PopStyleVar();
-    if (is_accepted) accept_transform(desk);
-    if (is_given_up) cancel_transform(desk);
+    if (is_accepted) accept_transform(workspace);
+    if (is_cancelled) cancel_transform(workspace);
 }
 
 } // namespace frame

@@ -6,7 +6,7 @@
 namespace frame {
 
 /// The numbers of the transformation that is under way, with its end: Enter or the button accepts, Esc gives up. The
-/// document shows at once what it does. \pre desk.transform
-void transform_bar(Desk& desk, ui::NumberFields& fields);
+/// document shows at once what it does. \pre workspace.transform
+void transform_bar(Workspace& workspace, ui::NumberFields& fields);
 
 } // namespace frame

@@ -26,14 +26,15 @@ femoop::Dimension dimension_of(ui::Measure measure)
 }
 
 /// A field for a number in m and kN, in the units of the screen. \returns the number where it was changed
-std::optional<double> number_field(Desk& desk, ui::NumberFields& fields, const TypicalNumber& number, double value)
+std::optional<double> number_field(Workspace& workspace, ui::NumberFields& fields, const TypicalNumber& number,
+                                   double value)
 {
-    const femoop::Units file = desk.session.model().units, metric;
+    const femoop::Units file = workspace.session.model().units, metric;
     const femoop::Dimension dimension = dimension_of(number.measure);
     const auto metric_value = [=](double v) { return femoop::converted(v, dimension, file, metric); };
     femoop::Quantity quantity(femoop::converted(value, dimension, metric, file));
     const auto reason = [&](double v) { return why_not(number, metric_value(v)); };
-    if (!edit_quantity(desk, fields, {number.id, number.measure, 0.0F, reason}, quantity)) return std::nullopt;
+    if (!edit_quantity(workspace, fields, {number.id, number.measure, 0.0F, reason}, quantity)) return std::nullopt;
     return metric_value(quantity);
 }
 
@@ -69,14 +70,14 @@ std::optional<double> options(const TypicalNumber& number, double value, const u
 }
 
 /// A row of the table: the number's name, its slider and its field.
-std::optional<double> number_row(Desk& desk, ui::NumberFields& fields, const Rows& rows, const TypicalNumber& number,
-                                 double value)
+std::optional<double> number_row(Workspace& workspace, ui::NumberFields& fields, const Rows& rows,
+                                 const TypicalNumber& number, double value)
 {
-    rows.name(desk.session.units().label(desk.session.view.tr(number.label), number.measure));
-    if (!number.options.empty()) return options(number, value, desk.session.view.tr);
+    rows.name(workspace.session.units().label(workspace.session.view.tr(number.label), number.measure));
+    if (!number.options.empty()) return options(number, value, workspace.session.view.tr);
     const std::optional<double> slid = slider(number, value);
     ImGui::SameLine();
-    const std::optional<double> typed = number_field(desk, fields, number, value);
+    const std::optional<double> typed = number_field(workspace, fields, number, value);
     return typed ? typed : slid;
 }
 
@@ -86,78 +87,80 @@ constexpr TypicalNumber distance_number{.id = "distance",
                                         .most = 20.0,
                                         .step = 0.5};
 
-void show_setting(Desk& desk)
+void show_setting(Workspace& workspace)
 {
-    TypicalDraft& draft = desk.typical;
-    const ui::Catalogue& tr = desk.session.view.tr;
+    TypicalDraft& draft = workspace.typical;
+    const ui::Catalogue& tr = workspace.session.view.tr;
     if (!draft.can_stand_beside()) {
-        const bool is_something_lost = !desk.session.history().settled().model.nodes.empty();
+        const bool is_something_lost = !workspace.session.history().settled().model.nodes.empty();
         if (is_something_lost)
             ImGui::TextWrapped("%s", tr("It takes the place of what is there; Undo brings that back.").c_str());
         return;
     }
     const bool is_beside = draft.setting() == Setting::Beside;
     if (ImGui::RadioButton((tr("Right of what is there") + "###beside").c_str(), is_beside))
-        draft.set_setting(desk.session, Setting::Beside);
+        draft.set_setting(workspace.session, Setting::Beside);
     if (ImGui::RadioButton((tr("In place of what is there") + "###in place").c_str(), !is_beside))
-        draft.set_setting(desk.session, Setting::InPlace);
+        draft.set_setting(workspace.session, Setting::InPlace);
 }
 
-void show_numbers_of(Desk& desk, ui::NumberFields& fields)
+void show_numbers_of(Workspace& workspace, ui::NumberFields& fields)
 {
-    TypicalDraft& draft = desk.typical;
+    TypicalDraft& draft = workspace.typical;
     const Rows rows("typical numbers");
     if (!rows.is_open()) return;
     const std::size_t chosen = draft.chosen();
     for (std::size_t i = 0; i < draft.numbers().size() && draft.chosen() == chosen; ++i) {
-        const auto value = number_row(desk, fields, rows, draft.structure().numbers[i], draft.numbers()[i]);
-        if (value) draft.set(desk.session, i, *value);
+        const auto value = number_row(workspace, fields, rows, draft.structure().numbers[i], draft.numbers()[i]);
+        if (value) draft.set(workspace.session, i, *value);
     }
     if (draft.setting() == Setting::InPlace) return;
-    const auto distance = number_row(desk, fields, rows, distance_number, draft.distance());
-    if (distance) draft.set_distance(desk.session, *distance);
+    const auto distance = number_row(workspace, fields, rows, distance_number, draft.distance());
+    if (distance) draft.set_distance(workspace.session, *distance);
 }
 
-void show_buttons(Desk& desk, const ui::NumberFields& fields)
+void show_buttons(Workspace& workspace, const ui::NumberFields& fields)
 {
-    TypicalDraft& draft = desk.typical;
-    const ui::Catalogue& tr = desk.session.view.tr;
+    TypicalDraft& draft = workspace.typical;
+    const ui::Catalogue& tr = workspace.session.view.tr;
     const auto is_pressed = [&](int key) { return !fields.is_typing() && ui::is_pressed_outside_fields(key); };
-    if (ImGui::Button((tr("Insert") + "###insert").c_str()) || is_pressed(ImGuiKey_Enter)) draft.insert(desk.session);
+    if (ImGui::Button((tr("Insert") + "###insert").c_str()) || is_pressed(ImGuiKey_Enter))
+        draft.insert(workspace.session);
     ImGui::SameLine();
-    if (ImGui::Button((tr("Cancel") + "###cancel").c_str()) || is_pressed(ImGuiKey_Escape)) draft.cancel(desk.session);
+    if (ImGui::Button((tr("Cancel") + "###cancel").c_str()) || is_pressed(ImGuiKey_Escape))
+        draft.cancel(workspace.session);
 }
 
 /// Room for the longest of the names, as high for all.
-float caption_height(const Desk& desk, float width)
+float caption_height(const Workspace& workspace, float width)
 {
     float height = 0.0F;
     for (const TypicalStructure& structure : typical_structures())
-        height = std::max(height,
-                          ImGui::CalcTextSize(desk.session.view.tr(structure.label).c_str(), nullptr, false, width).y);
+        height = std::max(
+            height, ImGui::CalcTextSize(workspace.session.view.tr(structure.label).c_str(), nullptr, false, width).y);
     return height;
 }
 
 } // namespace
 
-void TypicalWindow::show(Desk& desk, ui::ImGuiSession& gui, ui::NumberFields& fields)
+void TypicalWindow::show(Workspace& workspace, ui::ImGuiSession& gui, ui::NumberFields& fields)
 {
-    TypicalDraft& draft = desk.typical;
-    if (!window_.begin(draft.is_open(), "###typical", desk.session.view.tr("Typical structures"))) return;
+    TypicalDraft& draft = workspace.typical;
+    if (!window_.begin(draft.is_open(), "###typical", workspace.session.view.tr("Typical structures"))) return;
     const float line = ImGui::GetFrameHeightWithSpacing();
     const float below = (static_cast<float>(draft.numbers().size()) + 5.5F) * line;
-    show_list(desk, gui, std::max(ImGui::GetContentRegionAvail().y - below, 6.0F * line));
+    show_list(workspace, gui, std::max(ImGui::GetContentRegionAvail().y - below, 6.0F * line));
     ImGui::Separator();
-    show_numbers_of(desk, fields);
-    show_setting(desk);
+    show_numbers_of(workspace, fields);
+    show_setting(workspace);
     ImGui::Separator();
-    show_buttons(desk, fields);
+    show_buttons(workspace, fields);
     window_.end(draft.is_open());
-    if (generation_ != desk.session.generation()) desk.asked.push_back(ui::Request::Fit);
-    generation_ = desk.session.generation();
+    if (generation_ != workspace.session.generation()) workspace.asked.push_back(ui::Request::Fit);
+    generation_ = workspace.session.generation();
 }
 
-void TypicalWindow::show_list(Desk& desk, ui::ImGuiSession& gui, float height)
+void TypicalWindow::show_list(Workspace& workspace, ui::ImGuiSession& gui, float height)
 {
     ImGui::BeginChild("###structures", {0.0F, height});
     const ImGuiStyle& style = ImGui::GetStyle();
@@ -165,28 +168,28 @@ void TypicalWindow::show_list(Desk& desk, ui::ImGuiSession& gui, float height)
     const float n_columns = std::clamp(std::floor(room / (7.0F * ImGui::GetFontSize())), 1.0F, 4.0F);
     const float width = (room - (n_columns - 1.0F) * style.ItemSpacing.x) / n_columns;
     const ui::Size size{static_cast<double>(width), std::round(0.6 * static_cast<double>(width))};
-    draw_pictures(desk, (1.0 / gui.scale()) * size);
+    draw_pictures(workspace, (1.0 / gui.scale()) * size);
     std::optional<std::size_t> chosen;
     const auto all = typical_structures();
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (i % static_cast<std::size_t>(n_columns) != 0) ImGui::SameLine();
-        if (show_entry(all[i], desk, gui, size)) chosen = i;
+        if (show_entry(all[i], workspace, gui, size)) chosen = i;
     }
     ImGui::EndChild();
-    if (chosen) desk.typical.choose(desk.session, *chosen);
+    if (chosen) workspace.typical.choose(workspace.session, *chosen);
 }
 
-bool TypicalWindow::show_entry(const TypicalStructure& structure, const Desk& desk, ui::ImGuiSession& gui,
+bool TypicalWindow::show_entry(const TypicalStructure& structure, const Workspace& workspace, ui::ImGuiSession& gui,
                                ui::Size size)
 {
     const auto place = static_cast<std::size_t>(&structure - typical_structures().data());
-    const std::string name = desk.session.view.tr(structure.label);
+    const std::string name = workspace.session.view.tr(structure.label);
     const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
     const float pad = 0.25F * ImGui::GetFontSize();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const bool is_clicked = ImGui::Selectable(("###" + std::string(structure.id)).c_str(),
-                                              desk.typical.chosen() == place, 0,
-                                              {width, height + caption_height(desk, width - 2.0F * pad) + pad});
+                                              workspace.typical.chosen() == place, 0,
+                                              {width, height + caption_height(workspace, width - 2.0F * pad) + pad});
     gui.show(pictures_[place], *ImGui::GetWindowDrawList(),
              {static_cast<double>(corner.x), static_cast<double>(corner.y)});
     const ImVec2 extent = ImGui::CalcTextSize(name.c_str(), nullptr, false, width - 2.0F * pad);
@@ -196,14 +199,15 @@ bool TypicalWindow::show_entry(const TypicalStructure& structure, const Desk& de
     return is_clicked;
 }
 
-void TypicalWindow::draw_pictures(const Desk& desk, ui::Size size)
+void TypicalWindow::draw_pictures(const Workspace& workspace, ui::Size size)
 {
-    if (!pictures_.empty() && theme_ == desk.session.view.theme && size_ == size) return;
-    theme_ = desk.session.view.theme;
+    if (!pictures_.empty() && theme_ == workspace.session.view.theme && size_ == size) return;
+    theme_ = workspace.session.view.theme;
     size_ = size;
     pictures_.clear();
     const bool is_projected = theme_ == ui::ThemeName::Projector; // whose lines are too broad for small pictures
-    DrawOptions options{.show = {}, .theme = is_projected ? ui::ThemeName::Light : theme_, .tr = desk.session.view.tr};
+    DrawOptions options{
+        .show = {}, .theme = is_projected ? ui::ThemeName::Light : theme_, .tr = workspace.session.view.tr};
     for (const TypicalStructure& structure : typical_structures()) {
         ui::Painter painter(size, fonts_);
         const femoop::Model model = structure.model(first_numbers(structure));

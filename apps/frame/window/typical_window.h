@@ -18,12 +18,13 @@ public:
     explicit TypicalWindow(const ui::Fonts& fonts) : fonts_(fonts) {}
 
     /// Nothing where no structure is being chosen.
-    void show(Desk& desk, ui::ImGuiSession& gui, ui::NumberFields& fields);
+    void show(Workspace& workspace, ui::ImGuiSession& gui, ui::NumberFields& fields);
 
 private:
-    void show_list(Desk& desk, ui::ImGuiSession& gui, float height);
-    bool show_entry(const TypicalStructure& structure, const Desk& desk, ui::ImGuiSession& gui, ui::Size size);
-    void draw_pictures(const Desk& desk, ui::Size size);
+    void show_list(Workspace& workspace, ui::ImGuiSession& gui, float height);
+    bool show_entry(const TypicalStructure& structure, const Workspace& workspace, ui::ImGuiSession& gui,
+                    ui::Size size);
+    void draw_pictures(const Workspace& workspace, ui::Size size);
 
     const ui::Fonts& fonts_;
     ui::SideWindow window_;

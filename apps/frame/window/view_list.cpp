@@ -13,28 +13,28 @@ using ui::translatable;
 
 bool ViewList::close() { return std::exchange(is_open_, false); }
 
-void ViewList::show(Desk& desk)
+void ViewList::show(Workspace& workspace)
 {
     if (!is_open_) return;
-    const ui::Catalogue& tr = desk.session.view.tr;
+    const ui::Catalogue& tr = workspace.session.view.tr;
     ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
     ImGui::Begin((tr("Kept views") + "###views").c_str(), &is_open_,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse);
-    const std::size_t n = desk.session.document().companion.views.size();
+    const std::size_t n = workspace.session.document().companion.views.size();
     if (n == 0) ImGui::TextUnformatted(tr("None yet: Ctrl+B keeps how the picture looks now.").c_str());
     names_.resize(n);
-    for (std::size_t i = 0; i < desk.session.document().companion.views.size(); ++i) {
+    for (std::size_t i = 0; i < workspace.session.document().companion.views.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
-        show_row(desk, i);
+        show_row(workspace, i);
         ImGui::PopID();
     }
     if (reason_) ImGui::TextUnformatted(tr(*reason_).c_str());
     ImGui::End();
 }
 
-void ViewList::show_row(Desk& desk, std::size_t place)
+void ViewList::show_row(Workspace& workspace, std::size_t place)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     const ui::Catalogue& tr = session.view.tr;
     const std::size_t n = session.document().companion.views.size();
     const bool is_shown = ImGui::Button((tr("Show") + "###show").c_str());
@@ -56,8 +56,8 @@ void ViewList::show_row(Desk& desk, std::size_t place)
     if (is_renamed) reason_ = rename_view(session, place, names_[place]);
     else if (!is_typing) names_[place] = session.document().companion.views[place].name;
     if (is_shown) show_view(session, place);
-    if (is_raised) move_view(session, place, Way::Earlier);
-    if (is_lowered) move_view(session, place, Way::Later);
+    if (is_raised) move_view(session, place, Direction::Earlier);
+    if (is_lowered) move_view(session, place, Direction::Later);
     if (is_deleted) erase_view(session, place);
 }
 

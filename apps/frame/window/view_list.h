@@ -13,14 +13,14 @@ public:
     void toggle() { is_open_ = !is_open_; }
     /// \returns whether it was open
     bool close();
-    void show(Desk& desk);
+    void show(Workspace& workspace);
 
 private:
-    void show_row(Desk& desk, std::size_t place);
+    void show_row(Workspace& workspace, std::size_t place);
 
     bool is_open_ = false;
     std::vector<std::string> names_; ///< as they are typed
-    std::optional<ui::Phrase> reason_;
+    std::optional<ui::Message> reason_;
 };
 
 } // namespace frame

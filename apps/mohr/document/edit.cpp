@@ -98,7 +98,8 @@ Edit with_normal(const Document& document, const std::array<double, 3>& normal)
 Edit with_plane(const Document& document, const fm::PlaneState& state)
 {
     if (document.subject == Subject::Section)
-        return {document, Fault{ui::Phrase(translatable("the stresses follow from the section forces; change these"))}};
+        return {document,
+                Fault{ui::Message(translatable("the stresses follow from the section forces; change these"))}};
     Document next = document;
     auto& texts = next.state();
     const Solution before = solve(document);

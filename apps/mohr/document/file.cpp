@@ -17,7 +17,7 @@ namespace mohr {
 using femoop::JsonKind;
 using femoop::JsonValue;
 using femoop::mohr::Criterion;
-using ui::Phrase;
+using ui::Message;
 using ui::translatable;
 
 namespace {
@@ -44,13 +44,13 @@ std::string compact(JsonValue found) { return found.is_present() ? femoop::compa
 /// Goes on after what it cannot read, and lists it.
 class FileReader {
 public:
-    std::vector<Phrase> faults;
+    std::vector<Message> faults;
 
     std::optional<Document> read(JsonValue root)
     {
         if (!root.is(JsonKind::Object) || !member(root, "cremona").is(JsonKind::Number)) {
-            faults.push_back(Phrase(translatable("it is no file of Mohr's circle: {example} is missing"),
-                                    {{"example", "\"cremona\": 1"}}));
+            faults.push_back(Message(translatable("it is no file of Mohr's circle: {example} is missing"),
+                                     {{"example", "\"cremona\": 1"}}));
             return std::nullopt;
         }
         document_ = textbook_state();
@@ -64,13 +64,13 @@ public:
 private:
     void refuse(std::string_view key, JsonValue found, std::string_view wanted)
     {
-        faults.push_back(Phrase(translatable("\"{key}\": found {found}, wanted {wanted}"),
-                                {{"key", std::string(key)}, {"found", compact(found)}, {"wanted", Phrase(wanted)}}));
+        faults.push_back(Message(translatable("\"{key}\": found {found}, wanted {wanted}"),
+                                 {{"key", std::string(key)}, {"found", compact(found)}, {"wanted", Message(wanted)}}));
     }
 
     void refuse_key(std::string_view key)
     {
-        faults.push_back(Phrase(translatable("there is no key \"{key}\""), {{"key", std::string(key)}}));
+        faults.push_back(Message(translatable("there is no key \"{key}\""), {{"key", std::string(key)}}));
     }
 
     template <std::size_t N>
@@ -82,8 +82,8 @@ private:
                 return static_cast<std::size_t>(at - words.begin());
         std::string list;
         for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + std::string(word);
-        faults.push_back(Phrase(translatable("\"{key}\": found {found}, wanted one of {list}"),
-                                {{"key", std::string(key)}, {"found", compact(value)}, {"list", list}}));
+        faults.push_back(Message(translatable("\"{key}\": found {found}, wanted one of {list}"),
+                                 {{"key", std::string(key)}, {"found", compact(value)}, {"list", list}}));
         return std::nullopt;
     }
 
@@ -197,11 +197,11 @@ std::string file_text(const Document& document)
     return json.take();
 }
 
-std::variant<Document, std::vector<Phrase>> read_file_text(std::string_view text)
+std::variant<Document, std::vector<Message>> read_file_text(std::string_view text)
 {
     const femoop::JsonReading reading = femoop::parse_json(text);
     FileReader reader;
-    for (const femoop::Fault& fault : reading.faults) reader.faults.push_back(phrase(fault));
+    for (const femoop::Fault& fault : reading.faults) reader.faults.push_back(sentence(fault));
     const bool is_json = reading.document && reader.faults.empty();
     std::optional<Document> document = is_json ? reader.read(reading.document->root()) : std::nullopt;
     if (document)

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "apps/mohr/document/document.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace mohr {
 
@@ -18,7 +18,7 @@ namespace mohr {
 std::string file_text(const Document& document);
 
 /// What a text says, or everything that is wrong with it. What it does not say is as in `textbook_state`.
-std::variant<Document, std::vector<ui::Phrase>> read_file_text(std::string_view text);
+std::variant<Document, std::vector<ui::Message>> read_file_text(std::string_view text);
 
 /// What a section has in common with the frame that it is of, as the text of a file: the section, what it carries and
 /// the material, with all else as in `textbook_state`.

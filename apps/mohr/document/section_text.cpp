@@ -12,12 +12,12 @@
 namespace mohr {
 
 using femoop::SectionShape;
-using ui::Phrase;
+using ui::Message;
 using ui::translatable;
 
 namespace {
 
-Phrase unknown(std::string_view text)
+Message unknown(std::string_view text)
 {
     return {translatable("there is no section \"{text}\"; write a profile, "
                          "such as IPE 300, or a shape with its dimensions, such as rectangle b=90mm h=210mm"),
@@ -25,7 +25,7 @@ Phrase unknown(std::string_view text)
 }
 
 /// "b=90mm", or why not.
-std::optional<Phrase> take_dimension(SectionShape& shape, const std::string& word)
+std::optional<Message> take_dimension(SectionShape& shape, const std::string& word)
 {
     const auto equals = word.find('=');
     const std::string key = word.substr(0, equals), text = equals == std::string::npos ? "" : word.substr(equals + 1);
@@ -35,26 +35,26 @@ std::optional<Phrase> take_dimension(SectionShape& shape, const std::string& wor
         const auto value = femoop::parse_quantity(is_bare ? text + " mm" : text, femoop::dimension::length,
                                                   newtons_and_mm);
         if (!std::holds_alternative<double>(value))
-            return Phrase(translatable("\"{word}\" is no dimension; write it like h=210mm"), {{"word", word}});
+            return Message(translatable("\"{word}\" is no dimension; write it like h=210mm"), {{"word", word}});
         shape.*dimension.value = std::get<double>(value);
         return std::nullopt;
     }
-    return Phrase(translatable("\"{word}\" is no dimension; write it like h=210mm"), {{"word", word}});
+    return Message(translatable("\"{word}\" is no dimension; write it like h=210mm"), {{"word", word}});
 }
 
-std::variant<femoop::mohr::SectionFigure, Phrase> figure_of(const SectionShape& shape)
+std::variant<femoop::mohr::SectionFigure, Message> figure_of(const SectionShape& shape)
 {
     if (shape.kind == femoop::SectionShapeKind::L)
-        return Phrase(
+        return Message(
             translatable("a single angle bends out of its plane; choose a section that is symmetric about y′ or z′"));
     if (const auto fault = femoop::why_not(shape))
-        return Phrase(translatable("the shape cannot be: {reason}"), {{"reason", femoop::message(*fault)}});
+        return Message(translatable("the shape cannot be: {reason}"), {{"reason", femoop::message(*fault)}});
     return femoop::mohr::SectionFigure(shape);
 }
 
 } // namespace
 
-std::variant<femoop::mohr::SectionFigure, Phrase> section_figure(std::string_view text)
+std::variant<femoop::mohr::SectionFigure, Message> section_figure(std::string_view text)
 {
     if (const femoop::Profile* const profile = femoop::find_profile(text))
         return femoop::mohr::SectionFigure(*profile, newtons_and_mm);

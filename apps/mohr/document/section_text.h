@@ -5,7 +5,7 @@
 
 #include "femoop/methods/mohr/section_stress.h"
 #include "femoop/model/quantity/units.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace mohr {
 
@@ -14,6 +14,6 @@ inline constexpr femoop::Units newtons_and_mm{.length = femoop::LengthUnit::mm, 
 
 /// The section that a text names, in mm, or why it names none: a rolled profile, "IPE 300", or a shape with its
 /// dimensions, "i h=300mm bf=150mm tf=12mm tw=8mm"; bare dimensions are in mm.
-std::variant<femoop::mohr::SectionFigure, ui::Phrase> section_figure(std::string_view text);
+std::variant<femoop::mohr::SectionFigure, ui::Message> section_figure(std::string_view text);
 
 } // namespace mohr

@@ -19,7 +19,7 @@ namespace mohr {
 
 namespace fm = femoop::mohr;
 using femoop::mohr::Components;
-using ui::Phrase;
+using ui::Message;
 using ui::translatable;
 
 namespace {
@@ -65,8 +65,8 @@ public:
         return both.values.back();
     }
 
-    void refuse(const femoop::Fault& bad, NumberId number) { refuse(phrase(bad), number); }
-    void refuse(const Phrase& reason, NumberId number)
+    void refuse(const femoop::Fault& bad, NumberId number) { refuse(sentence(bad), number); }
+    void refuse(const Message& reason, NumberId number)
     {
         if (std::ranges::find(faults, number, &Fault::number) == faults.end()) faults.push_back({reason, number});
     }
@@ -114,8 +114,8 @@ void read_rosette(const Document&, Reader& reader, Solution& solution)
     if (!reader.faults.empty()) return;
     if (const auto same = why_not(*solution.rosette)) {
         constexpr std::array<const char*, 3> gauges{"a", "b", "c"};
-        reader.refuse(Phrase(translatable("gauges {first} and {second} measure along one direction; turn one of them"),
-                             {{"first", gauges[same->first]}, {"second", gauges[same->second]}}),
+        reader.refuse(Message(translatable("gauges {first} and {second} measure along one direction; turn one of them"),
+                              {{"first", gauges[same->first]}, {"second", gauges[same->second]}}),
                       {Group::State, same->second});
         return;
     }
@@ -126,7 +126,7 @@ void read_rosette(const Document&, Reader& reader, Solution& solution)
 void read_section(const Document& document, Reader& reader, Solution& solution)
 {
     auto figure = section_figure(document.section);
-    if (auto* reason = std::get_if<Phrase>(&figure)) reader.refuse(*reason, {Group::Section, 0});
+    if (auto* reason = std::get_if<Message>(&figure)) reader.refuse(*reason, {Group::Section, 0});
     std::array<double, 4> v{};
     for (std::size_t i = 0; i < v.size(); ++i) {
         const auto value = femoop::parse_quantity(document.state()[i], dimension_of(Subject::Section, i),
@@ -184,7 +184,7 @@ void read_elasticity(const Document& document, Reader& reader, Solution& solutio
     solution.state.E = micro * (is_GPa ? 1e3 : 1.0) * E.values.front();
 }
 
-Phrase flaw_sentence(fm::StrengthFlaw flaw, std::string_view name)
+Message flaw_sentence(fm::StrengthFlaw flaw, std::string_view name)
 {
     switch (flaw) {
     case fm::StrengthFlaw::NotPositive:
@@ -238,9 +238,9 @@ Solution read(const Document& document, Reader& reader)
 
 } // namespace
 
-Phrase phrase(const femoop::Fault& fault)
+Message sentence(const femoop::Fault& fault)
 {
-    Phrase words(femoop::pattern(fault.kind));
+    Message words(femoop::pattern(fault.kind));
     for (std::size_t i = 0; i < fault.arguments.size(); ++i) {
         std::string text = fault.arguments[i];
         text.erase(0, text.find_first_not_of(' ')); // of a component that is named without its state
@@ -303,7 +303,7 @@ namespace {
 
 bool is_small(double value, double beside) { return std::abs(value) <= 1e-12 * std::abs(beside); }
 
-void add_plane_remarks(const Solution& s, std::vector<Phrase>& all)
+void add_plane_remarks(const Solution& s, std::vector<Message>& all)
 {
     const auto& [first, second, angle] = s.principal;
     const double largest = std::max(std::abs(first), std::abs(second));
@@ -318,7 +318,7 @@ void add_plane_remarks(const Solution& s, std::vector<Phrase>& all)
         all.emplace_back(translatable("One principal value alone: the circle touches the shear axis."));
 }
 
-void add_space_remarks(const Solution& s, std::vector<Phrase>& all)
+void add_space_remarks(const Solution& s, std::vector<Message>& all)
 {
     const auto& v = s.space_principal.values;
     const double largest = std::max(std::abs(v[0]), std::abs(v[2]));
@@ -332,7 +332,7 @@ void add_space_remarks(const Solution& s, std::vector<Phrase>& all)
                          "the third is a point, and every direction square to the single one is principal."));
 }
 
-void add_third_remark(const Solution& s, std::vector<Phrase>& all)
+void add_third_remark(const Solution& s, std::vector<Message>& all)
 {
     if (s.absolute_shear <= s.circle.radius * (1.0 + 1e-9)) return;
     all.emplace_back(translatable(
@@ -342,9 +342,9 @@ void add_third_remark(const Solution& s, std::vector<Phrase>& all)
 
 } // namespace
 
-std::vector<Phrase> remarks(const Document& document, const Solution& solution)
+std::vector<Message> remarks(const Document& document, const Solution& solution)
 {
-    std::vector<Phrase> all;
+    std::vector<Message> all;
     if (is_in_space(document.subject)) {
         add_space_remarks(solution, all);
         return all;

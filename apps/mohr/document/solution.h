@@ -11,16 +11,16 @@
 #include "femoop/methods/mohr/rosette.h"
 #include "femoop/methods/mohr/section_stress.h"
 #include "femoop/model/fault/fault.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace mohr {
 
 /// A library's fault as a sentence.
-ui::Phrase phrase(const femoop::Fault& fault);
+ui::Message sentence(const femoop::Fault& fault);
 
 /// A reason why a document cannot be shown, with the number that is at fault.
 struct Fault {
-    ui::Phrase reason;
+    ui::Message reason;
     std::optional<NumberId> number{};
 };
 
@@ -61,6 +61,6 @@ std::vector<femoop::mohr::ConstructionStep> construction_of(const Document& docu
 
 /// A word on a state that is special: a point circle, one stress alone, pure shear; and on the third direction where
 /// the largest shear lies across the plane. Sentences, in order.
-std::vector<ui::Phrase> remarks(const Document& document, const Solution& solution);
+std::vector<ui::Message> remarks(const Document& document, const Solution& solution);
 
 } // namespace mohr

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "apps/mohr/exercise/exercise.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace mohr {
 
@@ -18,7 +18,7 @@ enum class Verdict : std::uint8_t {
 };
 struct Judgement {
     Verdict verdict = Verdict::Open;
-    ui::Phrase words{}; ///< of a wrong answer: the slip where it is known, else which operation gives it
+    ui::Message words{}; ///< of a wrong answer: the slip where it is known, else which operation gives it
 };
 
 /// Answers by their places in `asked`; absent ones are not judged.

@@ -9,7 +9,7 @@
 namespace mohr {
 
 using enum Asked;
-using ui::Phrase;
+using ui::Message;
 using ui::translatable;
 
 namespace {
@@ -31,51 +31,51 @@ std::string_view shear_letter(const Exercise& e)
 }
 
 /// A symbol and its unit, which no language changes.
-Phrase symbol(std::string name, const Exercise& e) { return Phrase(std::move(name) + " " + unit(e)); }
+Message symbol(std::string name, const Exercise& e) { return Message(std::move(name) + " " + unit(e)); }
 
 std::string with_letter(std::string_view letter, std::string_view index)
 {
     return std::string(letter) + std::string(index);
 }
 
-Phrase on_plane(std::string name, const Exercise& e)
+Message on_plane(std::string name, const Exercise& e)
 {
     return {translatable("{what} at θ = {angle}° {unit}"),
             {{"what", std::move(name)}, {"angle", text(e.angle)}, {"unit", unit(e)}}};
 }
 
-Phrase on_oblique(std::string name, const Exercise& e)
+Message on_oblique(std::string name, const Exercise& e)
 {
     return {translatable("{what} on the plane whose normal is ({x}; {y}; {z}) [MPa]"),
             {{"what", std::move(name)}, {"x", text(e.normal[0])}, {"y", text(e.normal[1])}, {"z", text(e.normal[2])}}};
 }
 
-Phrase factor(std::string criterion, std::string strengths)
+Message factor(std::string criterion, std::string strengths)
 {
     return {translatable("safety factor of {criterion}, {strengths}"),
             {{"criterion", std::move(criterion)}, {"strengths", std::move(strengths)}}};
 }
 
-Phrase by_hooke(std::string name, const Exercise& e)
+Message by_hooke(std::string name, const Exercise& e)
 {
     return {translatable("{what} [MPa], E = {E} GPa, ν = {nu}, free surface"),
             {{"what", std::move(name)}, {"E", text(e.E)}, {"nu", text(e.nu)}}};
 }
 
-Phrase third(const Exercise& e)
+Message third(const Exercise& e)
 {
     if (is_strain(e.topic)) return {translatable("εz of the free surface [10⁻⁶], ν = {nu}"), {{"nu", text(e.nu)}}};
     return {translatable("σz that holds the strain across the plane at 0 [MPa], ν = {nu}"), {{"nu", text(e.nu)}}};
 }
 
-Phrase largest_shear(const Exercise& e)
+Message largest_shear(const Exercise& e)
 {
     if (e.topic == ExerciseTopic::PlaneStrain) return translatable("largest shear in space [MPa]");
-    return e.topic == ExerciseTopic::Space ? Phrase(translatable("largest shear [MPa]"))
-                                           : Phrase(translatable("largest shear in space [MPa], σz = 0"));
+    return e.topic == ExerciseTopic::Space ? Message(translatable("largest shear [MPa]"))
+                                           : Message(translatable("largest shear in space [MPa], σz = 0"));
 }
 
-Phrase sentence(Asked asked, const Exercise& e)
+Message sentence(Asked asked, const Exercise& e)
 {
     const std::string_view normal = normal_letter(e), shear = shear_letter(e);
     const auto& k = e.strength;
@@ -84,8 +84,8 @@ Phrase sentence(Asked asked, const Exercise& e)
     case StrainY: return symbol("εy", e);
     case ShearStrain: return symbol("γxy", e);
     case Centre:
-        return e.topic == ExerciseTopic::Space ? Phrase(translatable("centre C of the circle in the plane x y [MPa]"))
-                                               : Phrase(translatable("centre C {unit}"), {{"unit", unit(e)}});
+        return e.topic == ExerciseTopic::Space ? Message(translatable("centre C of the circle in the plane x y [MPa]"))
+                                               : Message(translatable("centre C {unit}"), {{"unit", unit(e)}});
     case Radius: return {translatable("radius R {unit}"), {{"unit", unit(e)}}};
     case First: return symbol(with_letter(normal, "1"), e);
     case Second: return symbol(with_letter(normal, "2"), e);

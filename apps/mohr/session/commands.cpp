@@ -6,19 +6,19 @@
 #include <string>
 #include <utility>
 
-#include "ui/desk/file_commands.h"
 #include "ui/scenario/words.h"
 #include "ui/text/number_format.h"
+#include "ui/workspace/file_commands.h"
 
 namespace mohr {
 
 namespace fm = femoop::mohr;
 using fm::Criterion;
 using ui::Key;
-using ui::Phrase;
+using ui::Message;
 using ui::Reason;
 using ui::translatable;
-using Menu = ui::MenuBuilder<Desk>;
+using Menu = ui::MenuBuilder<Workspace>;
 
 namespace {
 
@@ -48,15 +48,15 @@ constexpr std::array criterion_entries{
     CriterionEntry{Criterion::HoekBrown, "criterion.hoek_brown", "Hoek–Brown"},
 };
 
-Reason why_not_another_state(const Desk& desk)
+Reason why_not_another_state(const Workspace& workspace)
 {
-    if (!desk.session.practice()) return std::nullopt;
+    if (!workspace.session.practice()) return std::nullopt;
     return exercise_keeps_state;
 }
 
-Reason why_no_gauges(const Desk& desk)
+Reason why_no_gauges(const Workspace& workspace)
 {
-    if (desk.session.document().subject == Subject::Rosette) return why_not_another_state(desk);
+    if (workspace.session.document().subject == Subject::Rosette) return why_not_another_state(workspace);
     return translatable("only a rosette has gauges");
 }
 
@@ -64,20 +64,20 @@ void add_state_commands(CommandTable& table)
 {
     Menu menu(table, state_menu);
     menu.choices(
-        subject_entries, [](const Desk& desk) { return desk.session.document().subject; },
-        [](Desk& desk, Subject subject) { desk.session.set_subject(subject); }, why_not_another_state);
+        subject_entries, [](const Workspace& workspace) { return workspace.session.document().subject; },
+        [](Workspace& workspace, Subject subject) { workspace.session.set_subject(subject); }, why_not_another_state);
     menu.step(
         {"state.rosette_45", translatable("Gauges at 0°, 45° and 90°")},
-        [](Desk& desk) { desk.session.set_gauges(fm::rosette_45_degrees); }, why_no_gauges);
+        [](Workspace& workspace) { workspace.session.set_gauges(fm::rosette_45_degrees); }, why_no_gauges);
     menu.step(
         {"state.rosette_60", translatable("Gauges at 0°, 60° and 120°")},
-        [](Desk& desk) { desk.session.set_gauges(fm::rosette_60_degrees); }, why_no_gauges);
+        [](Workspace& workspace) { workspace.session.set_gauges(fm::rosette_60_degrees); }, why_no_gauges);
 }
 
-Reason why_no_angle(const Desk& desk)
+Reason why_no_angle(const Workspace& workspace)
 {
-    if (desk.session.is_concealing()) return translatable("an exercise keeps its plane until it is done");
-    if (is_in_space(desk.session.document().subject))
+    if (workspace.session.is_concealing()) return translatable("an exercise keeps its plane until it is done");
+    if (is_in_space(workspace.session.document().subject))
         return translatable("in space the plane is turned by its normal, on the sphere");
     return std::nullopt;
 }
@@ -86,74 +86,76 @@ Reason why_no_angle(const Desk& desk)
 void turn_to(Session& session, std::optional<double> angle)
 {
     if (angle) session.set_angle(*angle * 180.0 / std::numbers::pi);
-    else session.tell(Phrase(translatable("every direction is principal")));
+    else session.notify(Message(translatable("every direction is principal")));
 }
 
 void turn_by(Session& session, double degrees) { session.set_angle(session.document().angle + degrees); }
 
-void play(Desk& desk, bool is_on)
+void play(Workspace& workspace, bool is_on)
 {
-    desk.session.is_playing = is_on;
-    if (!is_on) desk.session.settle();
+    workspace.session.is_playing = is_on;
+    if (!is_on) workspace.session.settle();
 }
 
 void add_plane_commands(CommandTable& table)
 {
     Menu menu(table, plane_menu);
     menu.step(
-        {"plane.x", translatable("To the face x"), {{Key::X, {}}}}, [](Desk& desk) { desk.session.set_angle(0.0); },
-        why_no_angle);
+        {"plane.x", translatable("To the face x"), {{Key::X, {}}}},
+        [](Workspace& workspace) { workspace.session.set_angle(0.0); }, why_no_angle);
     menu.step(
         {"plane.first", translatable("To the first principal direction"), {{Key::A, {}}}},
-        [](Desk& desk) { turn_to(desk.session, desk.session.solution().principal.angle); }, why_no_angle);
+        [](Workspace& workspace) { turn_to(workspace.session, workspace.session.solution().principal.angle); },
+        why_no_angle);
     menu.step(
         {"plane.shear", translatable("To the largest shear"), {{Key::M, {}}}},
-        [](Desk& desk) { turn_to(desk.session, desk.session.solution().shear_angle); }, why_no_angle);
+        [](Workspace& workspace) { turn_to(workspace.session, workspace.session.solution().shear_angle); },
+        why_no_angle);
     menu.step(
         {"plane.forward", translatable("Turn by 1° counter-clockwise"), {{Key::Right, {}}}},
-        [](Desk& desk) { turn_by(desk.session, 1.0); }, why_no_angle);
+        [](Workspace& workspace) { turn_by(workspace.session, 1.0); }, why_no_angle);
     menu.step(
         {"plane.back", translatable("Turn by 1° clockwise"), {{Key::Left, {}}}},
-        [](Desk& desk) { turn_by(desk.session, -1.0); }, why_no_angle);
+        [](Workspace& workspace) { turn_by(workspace.session, -1.0); }, why_no_angle);
     menu.toggle(
         {"plane.play", translatable("Let it turn"), {{Key::Space, {}}}},
-        [](const Desk& desk) { return desk.session.is_playing; }, play, why_no_angle);
+        [](const Workspace& workspace) { return workspace.session.is_playing; }, play, why_no_angle);
 }
 
-void step_forward(Desk& desk)
+void step_forward(Workspace& workspace)
 {
-    const auto step = desk.session.step();
-    desk.session.show_construction(step ? *step + 1 : 1);
+    const auto step = workspace.session.step();
+    workspace.session.show_construction(step ? *step + 1 : 1);
 }
 
-void step_back(Desk& desk)
+void step_back(Workspace& workspace)
 {
-    const auto step = desk.session.step();
-    desk.session.show_construction(step ? std::max<std::size_t>(*step, 2) - 1 : 1);
+    const auto step = workspace.session.step();
+    workspace.session.show_construction(step ? std::max<std::size_t>(*step, 2) - 1 : 1);
 }
 
 void add_construction_commands(CommandTable& table)
 {
     Menu menu(table, translatable("Construction"));
     menu.step({"construction.first", translatable("From the beginning"), {{Key::Home, {}}}},
-              [](Desk& desk) { desk.session.show_construction(1); });
+              [](Workspace& workspace) { workspace.session.show_construction(1); });
     menu.step({"construction.next", translatable("Next step"), {{Key::PageDown, {}}}}, step_forward);
     menu.step({"construction.back", translatable("Step back"), {{Key::PageUp, {}}}}, step_back);
     menu.step({"construction.last", translatable("To the end"), {{Key::End, {}}}},
-              [](Desk& desk) { desk.session.show_construction(desk.session.n_steps()); });
+              [](Workspace& workspace) { workspace.session.show_construction(workspace.session.n_steps()); });
     menu.step({"construction.whole", translatable("The whole circle again"), {{Key::W, {}}}},
-              [](Desk& desk) { desk.session.show_construction(std::nullopt); });
+              [](Workspace& workspace) { workspace.session.show_construction(std::nullopt); });
 }
 
-Reason why_not_record(const Desk& desk)
+Reason why_not_record(const Workspace& workspace)
 {
-    if (has_path(desk.session.document().subject)) return std::nullopt;
+    if (has_path(workspace.session.document().subject)) return std::nullopt;
     return translatable("a loading path has plane stresses or strains");
 }
 
-Reason why_no_path(const Desk& desk)
+Reason why_no_path(const Workspace& workspace)
 {
-    if (desk.session.solution().path.size() > 1) return std::nullopt;
+    if (workspace.session.solution().path.size() > 1) return std::nullopt;
     return translatable("a loading path needs two states; add them with R");
 }
 
@@ -162,12 +164,13 @@ void add_path_commands(CommandTable& table)
     Menu menu(table, translatable("Loading path"));
     menu.step(
         {"path.record", translatable("Add this state"), {{Key::R, {}}}},
-        [](Desk& desk) { desk.session.record_path_state(); }, why_not_record);
+        [](Workspace& workspace) { workspace.session.record_path_state(); }, why_not_record);
     menu.step(
-        {"path.play", translatable("Go along it"), {{Key::L, {}}}}, [](Desk& desk) { desk.session.play_path(); },
-        why_no_path);
+        {"path.play", translatable("Go along it"), {{Key::L, {}}}},
+        [](Workspace& workspace) { workspace.session.play_path(); }, why_no_path);
     menu.step(
-        {"path.clear", translatable("Clear it")}, [](Desk& desk) { desk.session.clear_path(); }, why_not_record);
+        {"path.clear", translatable("Clear it")}, [](Workspace& workspace) { workspace.session.clear_path(); },
+        why_not_record);
 }
 
 constexpr std::array exercise_topic_entries{
@@ -180,37 +183,37 @@ constexpr std::array exercise_topic_entries{
     ExerciseTopicEntry{ExerciseTopic::Criteria, "exercise.criteria", translatable("About criteria of failure")},
 };
 
-void choose_topic(Desk& desk, ExerciseTopic topic)
+void choose_topic(Workspace& workspace, ExerciseTopic topic)
 {
-    desk.exercise_topic = topic;
-    desk.topic = Topic::Exercises;
+    workspace.exercise_topic = topic;
+    workspace.topic = Topic::Exercises;
 }
 
-void begin_exercise(Desk& desk, Difficulty difficulty)
+void begin_exercise(Workspace& workspace, Difficulty difficulty)
 {
-    desk.session.begin_exercise(desk.exercise_topic, difficulty, desk.next_exercise++);
-    desk.topic = Topic::Exercises;
-    desk.has_panels = true;
-    desk.is_asking_next = true;
+    workspace.session.begin_exercise(workspace.exercise_topic, difficulty, workspace.next_exercise++);
+    workspace.topic = Topic::Exercises;
+    workspace.has_panels = true;
+    workspace.is_asking_next = true;
 }
 
 /// Once one that is being done is left.
-ui::MenuBuilder<Desk>::Run begin(Difficulty difficulty)
+ui::MenuBuilder<Workspace>::Run begin(Difficulty difficulty)
 {
-    return [difficulty](Desk& desk) {
-        desk.leave_exercise([difficulty](Desk& left) { begin_exercise(left, difficulty); });
+    return [difficulty](Workspace& workspace) {
+        workspace.leave_exercise([difficulty](Workspace& left) { begin_exercise(left, difficulty); });
     };
 }
 
-Reason why_not_give_up(const Desk& desk)
+Reason why_not_give_up(const Workspace& workspace)
 {
-    if (desk.session.is_concealing()) return std::nullopt;
+    if (workspace.session.is_concealing()) return std::nullopt;
     return translatable("there is no exercise to be done");
 }
 
-Reason why_not_end(const Desk& desk)
+Reason why_not_end(const Workspace& workspace)
 {
-    if (desk.session.practice()) return std::nullopt;
+    if (workspace.session.practice()) return std::nullopt;
     return translatable("there is no exercise to be done");
 }
 
@@ -218,16 +221,17 @@ void add_exercise_commands(CommandTable& table)
 {
     Menu menu(table, exercise_menu);
     menu.choices(
-        exercise_topic_entries, [](const Desk& desk) { return desk.exercise_topic; }, choose_topic);
+        exercise_topic_entries, [](const Workspace& workspace) { return workspace.exercise_topic; }, choose_topic);
     menu.step({"exercise.easy", translatable("An easy exercise")}, begin(Difficulty::Easy));
     menu.step({"exercise.medium", translatable("A usual exercise")}, begin(Difficulty::Medium));
     menu.step({"exercise.hard", translatable("A hard exercise")}, begin(Difficulty::Hard));
     menu.step(
-        {"exercise.give_up", translatable("Show the answers")}, [](Desk& desk) { desk.session.give_up_exercise(); },
-        why_not_give_up);
+        {"exercise.give_up", translatable("Show the answers")},
+        [](Workspace& workspace) { workspace.session.give_up_exercise(); }, why_not_give_up);
     menu.step(
         {"exercise.end", translatable("End the exercise")},
-        [](Desk& desk) { desk.leave_exercise([](Desk& left) { left.session.end_exercise(); }); }, why_not_end);
+        [](Workspace& workspace) { workspace.leave_exercise([](Workspace& left) { left.session.end_exercise(); }); },
+        why_not_end);
 }
 
 constexpr std::array topic_entries{
@@ -236,9 +240,9 @@ constexpr std::array topic_entries{
     TopicEntry{Topic::Exercises, "panel.exercises", translatable("Exercises")},
 };
 
-Reason why_no_criterion(const Desk& desk)
+Reason why_no_criterion(const Workspace& workspace)
 {
-    if (desk.session.document().subject != Subject::Inertia) return std::nullopt;
+    if (workspace.session.document().subject != Subject::Inertia) return std::nullopt;
     return translatable("second moments of area do not fail");
 }
 
@@ -246,8 +250,10 @@ void add_criterion_commands(CommandTable& table)
 {
     Menu(table, translatable("Criterion"))
         .choices(
-            criterion_entries, [](const Desk& desk) { return desk.session.document().criterion; },
-            [](Desk& desk, std::optional<Criterion> criterion) { desk.session.set_criterion(criterion); },
+            criterion_entries, [](const Workspace& workspace) { return workspace.session.document().criterion; },
+            [](Workspace& workspace, std::optional<Criterion> criterion) {
+                workspace.session.set_criterion(criterion);
+            },
             why_no_criterion);
 }
 
@@ -278,8 +284,8 @@ void add_show_commands(CommandTable& table)
     ui::standard::add_look_switches(table, show_menu, looks);
     Menu(table, show_menu)
         .choices(
-            rules, [](const Desk& desk) { return desk.session.look.rule; },
-            [](Desk& desk, fm::ShearRule rule) { desk.session.set_rule(rule); });
+            rules, [](const Workspace& workspace) { return workspace.session.look.rule; },
+            [](Workspace& workspace, fm::ShearRule rule) { workspace.session.set_rule(rule); });
 }
 
 void add_view_commands(CommandTable& table)
@@ -295,63 +301,64 @@ void add_view_commands(CommandTable& table)
 // ---- what a scenario gives ----
 
 /// "1 12 MPa": the first number of the state.
-Reason set_number(Desk& desk, const ui::Argument& argument)
+Reason set_number(Workspace& workspace, const ui::Argument& argument)
 {
     const auto words = argument.words();
     const auto place = words.empty() ? std::nullopt : ui::number_typed(words.front());
-    const std::size_t most = desk.session.document().state().size();
+    const std::size_t most = workspace.session.document().state().size();
     if (!place || *place < 1.0 || *place > static_cast<double>(most) || words.size() < 2)
         return argument.wanted("a place from 1 to " + std::to_string(most) + " and a number");
-    return desk.session.set_number({Group::State, static_cast<std::size_t>(*place) - 1}, ui::joined(words, 1));
+    return workspace.session.set_number({Group::State, static_cast<std::size_t>(*place) - 1}, ui::joined(words, 1));
 }
 
-Reason set_section(Desk& desk, const ui::Argument& argument)
+Reason set_section(Workspace& workspace, const ui::Argument& argument)
 {
-    return desk.session.set_number({Group::Section, 0}, std::string(argument.text));
+    return workspace.session.set_number({Group::Section, 0}, std::string(argument.text));
 }
 
-Reason set_direction(Desk& desk, const ui::Argument& argument)
+Reason set_direction(Workspace& workspace, const ui::Argument& argument)
 {
     const auto n = argument.numbers(4);
     if (!n || !(n->at(0) == 1.0 || n->at(0) == 2.0 || n->at(0) == 3.0))
         return argument.wanted("1, 2 or 3 and three numbers");
-    return desk.session.set_direction(static_cast<int>(n->at(0)) - 1, {n->at(1), n->at(2), n->at(3)});
+    return workspace.session.set_direction(static_cast<int>(n->at(0)) - 1, {n->at(1), n->at(2), n->at(3)});
 }
 
-Reason set_principal(Desk& desk, const ui::Argument& argument)
+Reason set_principal(Workspace& workspace, const ui::Argument& argument)
 {
     const auto n = argument.numbers(3);
     if (!n) return argument.wanted("two values and an angle");
-    if (is_in_space(desk.session.document().subject)) return desk.session.set_principal({n->at(0), n->at(1), n->at(2)});
-    return desk.session.set_principal(n->at(0), n->at(1), n->at(2));
+    if (is_in_space(workspace.session.document().subject))
+        return workspace.session.set_principal({n->at(0), n->at(1), n->at(2)});
+    return workspace.session.set_principal(n->at(0), n->at(1), n->at(2));
 }
 
-Reason go_to_step(Desk& desk, const ui::Argument& argument)
+Reason go_to_step(Workspace& workspace, const ui::Argument& argument)
 {
     const auto n = argument.number();
-    if (!n || *n < 1.0) return argument.wanted("a step from 1 to " + std::to_string(desk.session.n_steps()));
-    desk.session.show_construction(static_cast<std::size_t>(*n));
+    if (!n || *n < 1.0) return argument.wanted("a step from 1 to " + std::to_string(workspace.session.n_steps()));
+    workspace.session.show_construction(static_cast<std::size_t>(*n));
     return std::nullopt;
 }
 
-Reason answer(Desk& desk, const ui::Argument& argument)
+Reason answer(Workspace& workspace, const ui::Argument& argument)
 {
     const auto words = argument.words();
     const auto place = words.size() == 2 ? ui::number_typed(words.front()) : std::nullopt;
     if (!place || *place < 1.0) return argument.wanted("the question's number and an answer");
-    return desk.session.answer(static_cast<std::size_t>(*place) - 1, words.back());
+    return workspace.session.answer(static_cast<std::size_t>(*place) - 1, words.back());
 }
 
-Reason turn(Desk& desk, const ui::Argument& argument)
+Reason turn(Workspace& workspace, const ui::Argument& argument)
 {
     const auto angle = argument.number();
-    return angle ? desk.session.set_angle(*angle) : argument.wanted("an angle in degrees");
+    return angle ? workspace.session.set_angle(*angle) : argument.wanted("an angle in degrees");
 }
 
-Reason set_normal(Desk& desk, const ui::Argument& argument)
+Reason set_normal(Workspace& workspace, const ui::Argument& argument)
 {
     const auto n = argument.numbers(3);
-    return n ? desk.session.set_normal({n->at(0), n->at(1), n->at(2)}) : argument.wanted("three numbers");
+    return n ? workspace.session.set_normal({n->at(0), n->at(1), n->at(2)}) : argument.wanted("three numbers");
 }
 
 void add_arguments(CommandTable& table)
@@ -368,20 +375,21 @@ void add_arguments(CommandTable& table)
 
 } // namespace
 
-void Desk::leave_exercise(std::function<void(Desk&)> then)
+void Workspace::leave_exercise(std::function<void(Workspace&)> then)
 {
     if (session.is_concealing()) after_exercise = std::move(then);
     else then(*this);
 }
 
-void Desk::leave_document(std::function<void(Desk&)> then)
+void Workspace::leave_document(std::function<void(Workspace&)> then)
 {
-    leave_exercise([then = std::move(then)](Desk& desk) { desk.DocumentDesk::leave_document(then); });
+    leave_exercise(
+        [then = std::move(then)](Workspace& workspace) { workspace.DocumentWorkspace::leave_document(then); });
 }
 
-void Desk::open(const std::filesystem::path& path)
+void Workspace::open(const std::filesystem::path& path)
 {
-    leave_document([path](Desk& desk) { desk.session.open(path); });
+    leave_document([path](Workspace& workspace) { workspace.session.open(path); });
 }
 
 std::span<const TopicEntry> topics() { return topic_entries; }

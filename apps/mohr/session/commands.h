@@ -10,7 +10,7 @@
 
 #include "apps/mohr/session/session.h"
 #include "ui/command/menu_builder.h"
-#include "ui/desk/document_desk.h"
+#include "ui/workspace/document_workspace.h"
 
 namespace mohr {
 
@@ -18,13 +18,13 @@ namespace mohr {
 enum class Topic : std::uint8_t { State, Construction, Exercises };
 
 /// A session and the panels around its picture.
-struct Desk : ui::DocumentDesk<Desk, Session> {
-    using DocumentDesk::DocumentDesk;
+struct Workspace : ui::DocumentWorkspace<Workspace, Session> {
+    using DocumentWorkspace::DocumentWorkspace;
     void give_room_to_the_picture(bool all) { has_panels = !all; }
 
     /// Goes on with what would lose an exercise: at once where none is being done, else the window asks first.
-    void leave_exercise(std::function<void(Desk&)> then);
-    void leave_document(std::function<void(Desk&)> then); ///< as every app does, once the exercise is left
+    void leave_exercise(std::function<void(Workspace&)> then);
+    void leave_document(std::function<void(Workspace&)> then); ///< as every app does, once the exercise is left
     void open(const std::filesystem::path& path);
 
     Topic topic = Topic::State;
@@ -32,10 +32,10 @@ struct Desk : ui::DocumentDesk<Desk, Session> {
     std::uint32_t next_exercise = 1; ///< what the next one is drawn from
     bool is_asking_next = false;     ///< the next question's field gets the keyboard once it is shown
     /// What is to be done once the user has said that the exercise ends.
-    std::function<void(Desk&)> after_exercise{};
+    std::function<void(Workspace&)> after_exercise{};
 };
 
-using CommandTable = ui::CommandTable<Desk>;
+using CommandTable = ui::CommandTable<Workspace>;
 
 /// Everything that the app can do, by name.
 CommandTable command_table();

@@ -166,7 +166,7 @@ std::optional<Exported> export_results(const Session& session, const std::filesy
     else if (ui::has_ending(path, ".tex")) text = [&] { return latex(session); };
     else return std::nullopt;
     if (session.is_concealing())
-        return Exported{ui::Phrase(translatable("The results are shown when the exercise is done."))};
+        return Exported{ui::Message(translatable("The results are shown when the exercise is done."))};
     const std::error_code error = files::write_whole_file(path, text());
     if (!error) return Exported{};
     return Exported{ui::not_written(path, error.message())};

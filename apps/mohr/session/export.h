@@ -21,7 +21,7 @@ std::string markdown(const Session& session);
 /// Writes the results to a .csv, .json, .md or .tex. \returns why it cannot, or nothing; absent altogether for another
 /// ending
 struct Exported {
-    std::optional<ui::Phrase> reason{};
+    std::optional<ui::Message> reason{};
 };
 std::optional<Exported> export_results(const Session& session, const std::filesystem::path& path);
 

@@ -174,11 +174,11 @@ private:
         const bool is_energy = document_.criterion == fm::Criterion::VonMises ||
                                document_.criterion == fm::Criterion::DruckerPrager;
         for (const Eigen::Vector3d& normal : s_.safety->planes)
-            add(is_energy ? tr_("an octahedral plane") : tr_("failing plane"), plane_words(normal));
+            add(is_energy ? tr_("an octahedral plane") : tr_("failing plane"), plane_text(normal));
     }
 
     /// By its angle from x where it is square to the plane of the state.
-    std::string plane_words(const Eigen::Vector3d& normal) const
+    std::string plane_text(const Eigen::Vector3d& normal) const
     {
         const bool is_plane = !is_in_space(document_.subject) && std::abs(normal[2]) < 1e-9;
         return is_plane ? "θ = " + degrees(fm::as_direction(std::atan2(normal[1], normal[0]))) : vector(normal);
@@ -196,7 +196,7 @@ private:
 
 std::vector<tabular::Table> result_tables(const Session& session) { return Teller(session).tables(); }
 
-std::string in_words(const Session& session)
+std::string description(const Session& session)
 {
     const ui::Catalogue& tr = session.tr();
     std::string words;
@@ -213,7 +213,7 @@ std::string in_words(const Session& session)
         for (const auto& [cells, kind] : group.rows)
             words += "  " + cells[0].shown + (cells[0].shown.empty() ? "" : ": ") + cells[1].shown + "\n";
     }
-    for (const ui::Phrase& remark : remarks(session.document(), session.solution())) words += "\n" + tr(remark) + "\n";
+    for (const ui::Message& remark : remarks(session.document(), session.solution())) words += "\n" + tr(remark) + "\n";
     return words;
 }
 

@@ -13,7 +13,7 @@ namespace mohr {
 std::vector<tabular::Table> result_tables(const Session& session);
 
 /// The same as a text, with the remarks on a special state.
-std::string in_words(const Session& session);
+std::string description(const Session& session);
 /// The line at the window's foot.
 std::string status_text(const Session& session);
 

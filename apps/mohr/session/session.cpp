@@ -15,7 +15,7 @@
 namespace mohr {
 
 namespace fm = femoop::mohr;
-using ui::Phrase;
+using ui::Message;
 using ui::translatable;
 
 namespace {
@@ -36,11 +36,11 @@ std::optional<std::string> text_of(const std::filesystem::path& path)
 }
 
 /// Line by line. \pre there is one
-Phrase listed(const std::vector<Phrase>& sentences)
+Message listed(const std::vector<Message>& sentences)
 {
-    Phrase list = sentences.front();
+    Message list = sentences.front();
     for (std::size_t i = 1; i < sentences.size(); ++i)
-        list = Phrase("{list}\n{next}", {{"list", std::move(list)}, {"next", sentences[i]}});
+        list = Message("{list}\n{next}", {{"list", std::move(list)}, {"next", sentences[i]}});
     return list;
 }
 
@@ -49,10 +49,10 @@ Phrase listed(const std::vector<Phrase>& sentences)
 Session::Session() : OpenDocument(textbook_state(), files::write_whole_file), history_(textbook_state())
 {
     eye.look(0.6, 0.45);
-    solve_anew();
+    solve_again();
 }
 
-void Session::solve_anew() { solution_ = solve(document(), look.rule); }
+void Session::solve_again() { solution_ = solve(document(), look.rule); }
 
 bool Session::would_leave_exercise(const Document& next) const
 {
@@ -61,28 +61,28 @@ bool Session::would_leave_exercise(const Document& next) const
     return next.subject != given.subject || next.state() != given.state() || next.elasticity != given.elasticity;
 }
 
-std::optional<Phrase> Session::apply(Edit edit, const Phrase& label)
+std::optional<Message> Session::apply(Edit edit, const Message& label)
 {
     path_time_.reset(); // what is done by hand ends what moves by itself
-    if (would_leave_exercise(edit.document)) return Phrase(exercise_keeps_state);
+    if (would_leave_exercise(edit.document)) return Message(exercise_keeps_state);
     if (edit.fault) return edit.fault->reason;
     history_.apply(std::move(edit.document), label);
-    solve_anew();
+    solve_again();
     return std::nullopt;
 }
 
-void Session::drag(Edit edit, const Phrase& label)
+void Session::drag(Edit edit, const Message& label)
 {
     if (edit.fault || would_leave_exercise(edit.document)) return;
     history_.drag(std::move(edit.document), label);
-    solve_anew();
+    solve_again();
 }
 
 void Session::settle()
 {
     history_.settle();
     grip_.reset();
-    solve_anew();
+    solve_again();
 }
 
 void Session::grip(Handle handle, const Drawn& drawn)
@@ -101,9 +101,9 @@ void Session::undo()
     history_.undo();
     if (would_leave_exercise(document())) {
         history_.redo();
-        tell(exercise_keeps_state);
+        notify(exercise_keeps_state);
     }
-    solve_anew();
+    solve_again();
 }
 
 void Session::redo()
@@ -112,46 +112,46 @@ void Session::redo()
     history_.redo();
     if (would_leave_exercise(document())) {
         history_.undo();
-        tell(exercise_keeps_state);
+        notify(exercise_keeps_state);
     }
-    solve_anew();
+    solve_again();
 }
 
-std::optional<Phrase> Session::set_number(NumberId number, std::string_view text)
+std::optional<Message> Session::set_number(NumberId number, std::string_view text)
 {
     return apply(with_number(document(), number, text), translatable("Change a number"));
 }
 
-std::optional<Phrase> Session::set_angle(double degrees)
+std::optional<Message> Session::set_angle(double degrees)
 {
-    if (is_concealing()) return Phrase(translatable("an exercise keeps its plane until it is done"));
+    if (is_concealing()) return Message(translatable("an exercise keeps its plane until it is done"));
     return apply(with_angle(document(), degrees), translatable("Turn the plane"));
 }
 
-std::optional<Phrase> Session::set_normal(const std::array<double, 3>& normal)
+std::optional<Message> Session::set_normal(const std::array<double, 3>& normal)
 {
-    if (is_concealing()) return Phrase(translatable("an exercise keeps its plane until it is done"));
+    if (is_concealing()) return Message(translatable("an exercise keeps its plane until it is done"));
     return apply(with_normal(document(), normal), translatable("Turn the plane"));
 }
 
-std::optional<Phrase> Session::set_principal(double first, double second, double degrees)
+std::optional<Message> Session::set_principal(double first, double second, double degrees)
 {
     if (is_in_space(document().subject))
-        return Phrase(translatable("in space there are three principal values, and directions instead of an angle"));
+        return Message(translatable("in space there are three principal values, and directions instead of an angle"));
     return apply(with_principal(document(), first, second, degrees), translatable("Change the principal values"));
 }
 
-std::optional<Phrase> Session::set_principal(const std::array<double, 3>& values)
+std::optional<Message> Session::set_principal(const std::array<double, 3>& values)
 {
     fm::SpacePrincipal principal = solution_.space_principal;
     principal.values = values;
     return apply(with_space_principal(document(), principal), translatable("Change the principal values"));
 }
 
-std::optional<Phrase> Session::set_direction(int direction, const std::array<double, 3>& along)
+std::optional<Message> Session::set_direction(int direction, const std::array<double, 3>& along)
 {
     const Eigen::Vector3d v(along[0], along[1], along[2]);
-    if (!(v.stableNorm() > 0.0)) return Phrase(translatable("the direction is 0, 0, 0"));
+    if (!(v.stableNorm() > 0.0)) return Message(translatable("the direction is 0, 0, 0"));
     return apply(with_space_principal(document(), fm::with_direction(solution_.space_principal, direction, v)),
                  translatable("Turn the principal directions"));
 }
@@ -161,7 +161,7 @@ void Session::set_gauges(const std::array<double, 3>& degrees)
     Document next = document();
     for (std::size_t i = 0; i < 3; ++i) next.state()[i] = femoop::number_text(degrees[i]);
     Edit edit{next, why_not(next)};
-    if (const auto reason = apply(std::move(edit), translatable("Turn the gauges"))) tell(*reason);
+    if (const auto reason = apply(std::move(edit), translatable("Turn the gauges"))) notify(*reason);
 }
 
 void Session::set_subject(Subject subject)
@@ -169,7 +169,7 @@ void Session::set_subject(Subject subject)
     Document next = document();
     next.subject = subject;
     Edit edit{next, why_not(next)};
-    if (const auto reason = apply(std::move(edit), translatable("Change the kind of state"))) tell(*reason);
+    if (const auto reason = apply(std::move(edit), translatable("Change the kind of state"))) notify(*reason);
 }
 
 void Session::set_criterion(std::optional<fm::Criterion> criterion)
@@ -177,13 +177,13 @@ void Session::set_criterion(std::optional<fm::Criterion> criterion)
     Document next = document();
     next.criterion = criterion;
     Edit edit{next, why_not(next)};
-    if (const auto reason = apply(std::move(edit), translatable("Choose a criterion"))) tell(*reason);
+    if (const auto reason = apply(std::move(edit), translatable("Choose a criterion"))) notify(*reason);
 }
 
 void Session::set_rule(fm::ShearRule rule)
 {
     look.rule = rule;
-    solve_anew();
+    solve_again();
 }
 
 void Session::begin_exercise(ExerciseTopic topic, Difficulty difficulty, std::uint32_t seed)
@@ -195,11 +195,11 @@ void Session::begin_exercise(ExerciseTopic topic, Difficulty difficulty, std::ui
     practice_.emplace(next);
 }
 
-std::optional<Phrase> Session::answer(std::size_t place, std::string_view words)
+std::optional<Message> Session::answer(std::size_t place, std::string_view words)
 {
     const auto number = ui::number_typed(words);
-    if (!practice_ || place >= practice_->answers().size()) return Phrase(translatable("there is no such question"));
-    if (!number) return Phrase(translatable("this is no number"));
+    if (!practice_ || place >= practice_->answers().size()) return Message(translatable("there is no such question"));
+    if (!number) return Message(translatable("this is no number"));
     practice_->answer(place, *number);
     return std::nullopt;
 }
@@ -217,17 +217,17 @@ void Session::restart(Document document)
     path_time_.reset();
     practice_.reset();
     grip_.reset();
-    solve_anew();
+    solve_again();
 }
 
-void Session::begin_anew() { restart(textbook_state()); }
+void Session::new_document() { restart(textbook_state()); }
 
-std::optional<Phrase> Session::read(const std::filesystem::path& path)
+std::optional<Message> Session::read(const std::filesystem::path& path)
 {
     const auto text = text_of(path);
-    if (!text) return Phrase(translatable("it cannot be read"));
+    if (!text) return Message(translatable("it cannot be read"));
     auto read = read_file_text(*text);
-    if (const auto* faults = std::get_if<std::vector<Phrase>>(&read)) return listed(*faults);
+    if (const auto* faults = std::get_if<std::vector<Message>>(&read)) return listed(*faults);
     restart(std::get<Document>(std::move(read)));
     return std::nullopt;
 }
@@ -241,7 +241,7 @@ bool Session::is_news(const std::string& text) const
     return other != nullptr && file_text_of_section(with_section_of(document(), *other)) != linked_text();
 }
 
-void Session::take_over(const std::string& text)
+void Session::adopt(const std::string& text)
 {
     const auto read = read_file_text(text);
     const auto* const other = std::get_if<Document>(&read);
@@ -249,7 +249,7 @@ void Session::take_over(const std::string& text)
     Document next = with_section_of(document(), *other);
     auto fault = why_not(next);
     if (const auto reason = apply({std::move(next), std::move(fault)}, translatable("Take over from the frame")))
-        tell(*reason);
+        notify(*reason);
 }
 
 void Session::tick(double seconds)

@@ -7,7 +7,7 @@
 
 #include "apps/mohr/document/edit.h"
 #include "apps/mohr/document/file.h"
-#include "apps/mohr/session/hand.h"
+#include "apps/mohr/session/drag.h"
 #include "apps/mohr/session/practice.h"
 #include "ui/history/history.h"
 #include "ui/workbench/open_document.h"
@@ -30,9 +30,9 @@ public:
     const ui::History<Document>& history() const { return history_; }
 
     /// A step, unless the edit has a fault, or an exercise has the state. \returns why not
-    std::optional<ui::Phrase> apply(Edit edit, const ui::Phrase& label);
+    std::optional<ui::Message> apply(Edit edit, const ui::Message& label);
     /// Goes on with a gesture; an edit that `apply` would refuse is passed over.
-    void drag(Edit edit, const ui::Phrase& label);
+    void drag(Edit edit, const ui::Message& label);
     void settle() override; ///< ends it
     /// A hand takes hold of what is drawn; then it drags it about, until `settle`.
     void grip(Handle handle, const Drawn& drawn);
@@ -41,13 +41,13 @@ public:
     void undo();
     void redo();
 
-    std::optional<ui::Phrase> set_number(NumberId number, std::string_view text);
-    std::optional<ui::Phrase> set_angle(double degrees);
-    std::optional<ui::Phrase> set_normal(const std::array<double, 3>& normal);
-    std::optional<ui::Phrase> set_principal(double first, double second, double degrees);
+    std::optional<ui::Message> set_number(NumberId number, std::string_view text);
+    std::optional<ui::Message> set_angle(double degrees);
+    std::optional<ui::Message> set_normal(const std::array<double, 3>& normal);
+    std::optional<ui::Message> set_principal(double first, double second, double degrees);
     /// In space: the principal values, or one direction (0, 1, 2), the others turning along.
-    std::optional<ui::Phrase> set_principal(const std::array<double, 3>& values);
-    std::optional<ui::Phrase> set_direction(int direction, const std::array<double, 3>& along);
+    std::optional<ui::Message> set_principal(const std::array<double, 3>& values);
+    std::optional<ui::Message> set_direction(int direction, const std::array<double, 3>& along);
     void set_gauges(const std::array<double, 3>& degrees); ///< the directions of a rosette's
     void set_subject(Subject subject);
     void set_criterion(std::optional<femoop::mohr::Criterion> criterion);
@@ -60,17 +60,17 @@ public:
     void begin_exercise(ExerciseTopic topic, Difficulty difficulty, std::uint32_t seed);
     const std::optional<Practice>& practice() const { return practice_; }
     /// \returns why the words are no answer
-    std::optional<ui::Phrase> answer(std::size_t place, std::string_view words);
+    std::optional<ui::Message> answer(std::size_t place, std::string_view words);
     void give_up_exercise();
     void end_exercise() { practice_.reset(); }
     bool is_concealing() const { return practice_ && !practice_->is_finished(); }
 
-    void begin_anew();
+    void new_document();
     /// A frame that has handed over a section goes on with it in its own window (ui/files/linked_copy.h): it is told
     /// the section, and tells section, N, V, M and material.
     std::string linked_text() const { return file_text_of_section(document()); }
     bool is_news(const std::string& text) const; ///< taking it over would change the document
-    void take_over(const std::string& text);     ///< as a step; the notice tells why not
+    void adopt(const std::string& text);         ///< as a step; the notice tells why not
 
     /// Time goes by.
     void tick(double seconds);
@@ -94,13 +94,13 @@ public:
     Scene scene() const;
 
 private:
-    std::optional<ui::Phrase> read(const std::filesystem::path& path) override;
+    std::optional<ui::Message> read(const std::filesystem::path& path) override;
     const Document& current() const override { return document(); }
     std::string file_text() const override { return mohr::file_text(document()); }
     std::string about() const override;
     Frame frame() const; ///< of what is drawn now
     bool would_leave_exercise(const Document& next) const;
-    void solve_anew();
+    void solve_again();
     void follow_path(double seconds);
     void restart(Document document);
 

@@ -80,7 +80,7 @@ std::string_view sentence(fm::ConstructionStage stage)
     return "";
 }
 
-std::string rule_words(const Solution& s, const Look& look)
+std::string rule_text(const Solution& s, const Look& look)
 {
     return s.rule == fm::ShearRule::ClockwiseUp ? look.tr("shear is up where it turns the element clockwise")
                                                 : look.tr("the shear axis points down");
@@ -129,7 +129,7 @@ std::string caption(fm::ConstructionStage stage, const Document& document, const
                           y = fm::face_point(s.plane, 0.5 * std::numbers::pi, s.rule);
     const fm::CirclePoint n = fm::face_point(s.plane, s.angle, s.rule);
     const double per_degree = 180.0 / std::numbers::pi;
-    const std::string rule = rule_words(s, look);
+    const std::string rule = rule_text(s, look);
     const auto number = [&](double value) { return look.number(value); };
     const auto added = [&](double value) { return value < 0.0 ? "(" + number(value) + ")" : number(value); };
     return look.tr(sentence(stage), {{"normal", names.normal},

@@ -11,7 +11,7 @@
 #include "ui/widgets/wrapped_text.h"
 #include "ui/widgets/yes_or_no.h"
 
-template class ui::DocumentApp<mohr::Desk>;
+template class ui::DocumentApp<mohr::Workspace>;
 
 namespace mohr {
 
@@ -28,11 +28,11 @@ Application::Application(ui::Context& context, const ui::Fonts& fonts, Session s
 
 void Application::show_left()
 {
-    ui::show_topics(desk(), topics());
-    switch (desk().topic) {
-    case Topic::State: state_panel_.show(desk(), commands()); break;
-    case Topic::Construction: construction_panel(desk(), commands(), gui()); break;
-    case Topic::Exercises: exercises_panel_.show(desk(), commands()); break;
+    ui::show_topics(workspace(), topics());
+    switch (workspace().topic) {
+    case Topic::State: state_panel_.show(workspace(), commands()); break;
+    case Topic::Construction: construction_panel(workspace(), commands(), gui()); break;
+    case Topic::Exercises: exercises_panel_.show(workspace(), commands()); break;
     }
 }
 
@@ -45,7 +45,7 @@ void Application::show_right()
 void Application::show_body()
 {
     show_panels_and_canvas();
-    if (desk().after_exercise) ask_about_exercise();
+    if (workspace().after_exercise) ask_about_exercise();
 }
 
 void Application::ask_about_exercise()
@@ -56,13 +56,13 @@ void Application::ask_about_exercise()
                                             .no = tr("Go on with it"),
                                             .yes = tr("End the exercise")});
     if (!is_left) return;
-    const auto then = std::exchange(desk().after_exercise, {});
-    if (*is_left) then(desk());
+    const auto then = std::exchange(workspace().after_exercise, {});
+    if (*is_left) then(workspace());
 }
 
 void Application::show_canvas()
 {
-    ui::picture_area(0.0F, [this] { canvas_.show(desk().session, gui()); });
+    ui::picture_area(0.0F, [this] { canvas_.show(workspace().session, gui()); });
 }
 
 std::string Application::status() const
@@ -70,9 +70,9 @@ std::string Application::status() const
     return session().is_concealing() ? session().tr()("Exercise") : status_text(session());
 }
 
-std::string Application::words() const { return in_words(session()); }
+std::string Application::words() const { return description(session()); }
 
-std::optional<ui::Phrase> Application::write(const std::filesystem::path& path)
+std::optional<ui::Message> Application::write(const std::filesystem::path& path)
 {
     const auto results = export_results(session(), path);
     return results ? results->reason : DocumentApp::write(path);

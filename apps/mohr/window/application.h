@@ -10,12 +10,12 @@
 #include "apps/mohr/window/state_panel.h"
 #include "ui/app/document_app.h"
 
-extern template class ui::DocumentApp<mohr::Desk>;
+extern template class ui::DocumentApp<mohr::Workspace>;
 
 namespace mohr {
 
 /// Mohr's circle on a context, on the screen or off it.
-class Application final : public ui::DocumentApp<Desk> {
+class Application final : public ui::DocumentApp<Workspace> {
 public:
     /// \pre context and fonts outlive the application
     Application(ui::Context& context, const ui::Fonts& fonts, Session session);
@@ -25,7 +25,7 @@ public:
 private:
     ui::Picture picture() override { return canvas_.picture_of(session()); }
     /// The picture (.png, .svg or .pdf) or the results (.csv, .tex).
-    std::optional<ui::Phrase> write(const std::filesystem::path& path) override;
+    std::optional<ui::Message> write(const std::filesystem::path& path) override;
     bool is_typing() const override { return state_panel_.is_typing() || exercises_panel_.is_typing(); }
     void show_left() override;
     void show_right() override;

@@ -10,9 +10,10 @@ namespace mohr {
 
 /// A list of commands of which one is on; choosing another runs it.
 template <class Entries, class Chosen>
-void choice(Desk& desk, const CommandTable& commands, const char* id, const Entries& entries, const Chosen& is_chosen)
+void choice(Workspace& workspace, const CommandTable& commands, const char* id, const Entries& entries,
+            const Chosen& is_chosen)
 {
-    const ui::Catalogue tr = desk.tr();
+    const ui::Catalogue tr = workspace.tr();
     std::string chosen;
     for (const auto& entry : entries)
         if (is_chosen(entry)) chosen = tr(entry.label);
@@ -20,7 +21,7 @@ void choice(Desk& desk, const CommandTable& commands, const char* id, const Entr
     if (!ImGui::BeginCombo(id, chosen.c_str())) return;
     for (const auto& entry : entries)
         if (ImGui::Selectable((tr(entry.label) + "###" + std::string(entry.id)).c_str(), is_chosen(entry)))
-            run(*commands.find(entry.id), desk);
+            run(*commands.find(entry.id), workspace);
     ImGui::EndCombo();
 }
 

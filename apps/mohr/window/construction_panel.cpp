@@ -31,15 +31,15 @@ void step_row(Session& session, std::size_t number, const std::string& words, ui
 
 } // namespace
 
-void construction_panel(Desk& desk, const CommandTable& commands, ui::ImGuiSession& gui)
+void construction_panel(Workspace& workspace, const CommandTable& commands, ui::ImGuiSession& gui)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     for (const char* id : {"construction.back", "construction.next"}) {
-        ui::command_button(desk, commands, id);
+        ui::command_button(workspace, commands, id);
         ImGui::SameLine();
     }
     ImGui::NewLine();
-    ui::command_button(desk, commands, "construction.whole");
+    ui::command_button(workspace, commands, "construction.whole");
     ImGui::Separator();
     if (session.is_concealing()) return;
     const auto steps = construction_of(session.document(), session.solution());

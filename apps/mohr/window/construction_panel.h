@@ -6,6 +6,6 @@
 namespace mohr {
 
 /// The steps of the construction as sentences; a click on one goes there.
-void construction_panel(Desk& desk, const CommandTable& commands, ui::ImGuiSession& gui);
+void construction_panel(Workspace& workspace, const CommandTable& commands, ui::ImGuiSession& gui);
 
 } // namespace mohr

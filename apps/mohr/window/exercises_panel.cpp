@@ -29,7 +29,7 @@ ImVec4 color_of(Verdict verdict, ui::ThemeName name)
 }
 
 /// "σx = 50 MPa": the numbers that the exercise gives, a line each.
-std::string given_words(const Session& session)
+std::string given_text(const Session& session)
 {
     const Document& document = session.document();
     std::string words;
@@ -42,7 +42,7 @@ std::string given_words(const Session& session)
     return words;
 }
 
-std::string verdict_words(const Judgement& judgement, const ui::Catalogue& tr)
+std::string verdict_text(const Judgement& judgement, const ui::Catalogue& tr)
 {
     switch (judgement.verdict) {
     case Verdict::Open: return "";
@@ -55,49 +55,50 @@ std::string verdict_words(const Judgement& judgement, const ui::Catalogue& tr)
 
 } // namespace
 
-void ExercisesPanel::show(Desk& desk, const CommandTable& commands)
+void ExercisesPanel::show(Workspace& workspace, const CommandTable& commands)
 {
-    choice(desk, commands, "###exercise topic", exercise_topics(),
-           [&](const ExerciseTopicEntry& entry) { return entry.value == desk.exercise_topic; });
-    for (const char* id : {"exercise.easy", "exercise.medium", "exercise.hard"}) ui::command_button(desk, commands, id);
+    choice(workspace, commands, "###exercise topic", exercise_topics(),
+           [&](const ExerciseTopicEntry& entry) { return entry.value == workspace.exercise_topic; });
+    for (const char* id : {"exercise.easy", "exercise.medium", "exercise.hard"})
+        ui::command_button(workspace, commands, id);
     ImGui::Separator();
-    if (!desk.session.practice()) {
-        ui::wrapped_text(
-            desk.tr()("An exercise gives a state and asks for what follows from it. "
-                      "Answers are judged one by one; what follows from a number that was wrong counts as right."));
+    if (!workspace.session.practice()) {
+        ui::wrapped_text(workspace.tr()(
+            "An exercise gives a state and asks for what follows from it. "
+            "Answers are judged one by one; what follows from a number that was wrong counts as right."));
         return;
     }
-    ui::wrapped_text(given_words(desk.session));
+    ui::wrapped_text(given_text(workspace.session));
     ImGui::Separator();
-    for (std::size_t i = 0; i < desk.session.practice()->answers().size(); ++i) show_question(desk, i);
+    for (std::size_t i = 0; i < workspace.session.practice()->answers().size(); ++i) show_question(workspace, i);
     ImGui::Separator();
-    const Practice& practice = *desk.session.practice();
+    const Practice& practice = *workspace.session.practice();
     const std::string points = std::to_string(practice.points()), all = std::to_string(practice.answers().size());
-    ui::wrapped_text(desk.tr()("{points} of {all} right the first time", {{"points", points}, {"all", all}}));
-    ui::command_button(desk, commands, "exercise.give_up");
-    ui::command_button(desk, commands, "exercise.end");
+    ui::wrapped_text(workspace.tr()("{points} of {all} right the first time", {{"points", points}, {"all", all}}));
+    ui::command_button(workspace, commands, "exercise.give_up");
+    ui::command_button(workspace, commands, "exercise.end");
 }
 
-void ExercisesPanel::show_question(Desk& desk, std::size_t place)
+void ExercisesPanel::show_question(Workspace& workspace, std::size_t place)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     const Practice& practice = *session.practice();
     ui::wrapped_text(question(practice.exercise().asked[place], practice.exercise(), session.tr()));
     const auto& answer = practice.answers()[place];
     const std::string text = answer ? session.look.number(*answer) : "";
-    const bool begins = desk.is_asking_next && practice.first_open() == place;
-    if (begins) desk.is_asking_next = false;
+    const bool begins = workspace.is_asking_next && practice.first_open() == place;
+    if (begins) workspace.is_asking_next = false;
     const auto event = fields_.show(
         "###answer" + std::to_string(place),
         {.text = text, .exact_text = text, .value = std::nullopt, .begins = begins, .stays = true});
     if (event.kind == Kind::Typed) {
         const auto reason = session.answer(place, event.text);
         if (reason) fields_.reject(event, session.tr()(*reason));
-        else desk.is_asking_next = true;
+        else workspace.is_asking_next = true;
     }
     const Judgement& judgement = practice.judgements()[place];
     ImGui::PushStyleColor(ImGuiCol_Text, color_of(judgement.verdict, session.look.theme));
-    const std::string words = verdict_words(judgement, session.tr());
+    const std::string words = verdict_text(judgement, session.tr());
     if (!words.empty()) ui::wrapped_text(words);
     ImGui::PopStyleColor();
     ImGui::Spacing();

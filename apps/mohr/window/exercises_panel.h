@@ -8,11 +8,11 @@ namespace mohr {
 /// Questions with fields for the answers, and what became of them.
 class ExercisesPanel {
 public:
-    void show(Desk& desk, const CommandTable& commands);
+    void show(Workspace& workspace, const CommandTable& commands);
     bool is_typing() const { return fields_.is_typing(); }
 
 private:
-    void show_question(Desk& desk, std::size_t place);
+    void show_question(Workspace& workspace, std::size_t place);
 
     ui::NumberFields fields_;
 };

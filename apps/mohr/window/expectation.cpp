@@ -95,7 +95,7 @@ const ui::Facts<Session>& facts()
 
 std::optional<std::string> why_not(std::string_view expectation, const Application& application)
 {
-    return facts().complaint(expectation, application.session());
+    return facts().mismatch(expectation, application.session());
 }
 
 } // namespace mohr

@@ -70,7 +70,7 @@ void show_group(const tabular::Table& group, ui::ImGuiSession& gui)
 
 void results_panel(const Session& session, ui::ImGuiSession& gui)
 {
-    for (const ui::Phrase& remark : remarks(session.document(), session.solution())) {
+    for (const ui::Message& remark : remarks(session.document(), session.solution())) {
         ui::wrapped_text(session.tr()(remark));
         ImGui::Separator();
     }

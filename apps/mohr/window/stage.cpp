@@ -35,7 +35,7 @@ std::string names_of_places()
 
 } // namespace
 
-ui::Stage::Sought OffscreenStage::find(std::string_view place)
+ui::Stage::Located OffscreenStage::find(std::string_view place)
 {
     if (const auto pixel = ui::pixel_place(place)) return *pixel;
     const Canvas& canvas = application().canvas();

@@ -32,7 +32,7 @@ struct ValueRow {
     std::string label, id;
     double value = 0.0;
     std::function<Edit(double)> edit;
-    ui::Phrase step;
+    ui::Message step;
 };
 
 void heading(const std::string& words)
@@ -50,15 +50,15 @@ void begin_row(const std::string& label)
     ImGui::SameLine(6.5F * ImGui::GetFontSize());
 }
 
-std::string sentence(const ui::Phrase& reason, const ui::Catalogue& tr)
+std::string sentence(const ui::Message& reason, const ui::Catalogue& tr)
 {
     std::string text = tr(reason);
     return text.starts_with(": ") ? text.substr(2) : text; // the place, which the field itself shows
 }
 
-void value_row(Desk& desk, ui::NumberFields& fields, const ValueRow& row)
+void value_row(Workspace& workspace, ui::NumberFields& fields, const ValueRow& row)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     begin_row(row.label);
     const ui::NumberFormat exact{15, session.look.format().mark};
     const auto event = fields.show(row.id,
@@ -91,30 +91,31 @@ std::optional<std::array<double, 3>> vector_typed(std::string text)
 
 } // namespace
 
-void StatePanel::show(Desk& desk, const CommandTable& commands)
+void StatePanel::show(Workspace& workspace, const CommandTable& commands)
 {
-    show_kind(desk, commands);
-    show_numbers(desk);
-    if (desk.session.document().subject == Subject::Rosette)
-        for (const char* id : {"state.rosette_45", "state.rosette_60"}) ui::command_button(desk, commands, id);
-    const Subject subject = desk.session.document().subject;
-    if (is_in_space(subject) && !desk.session.is_concealing()) show_space_principal(desk);
-    else if (subject != Subject::Section && !desk.session.is_concealing()) show_principal(desk);
-    if (!desk.session.is_concealing()) show_plane(desk);
-    show_material(desk);
-    show_criterion(desk, commands);
+    show_kind(workspace, commands);
+    show_numbers(workspace);
+    if (workspace.session.document().subject == Subject::Rosette)
+        for (const char* id : {"state.rosette_45", "state.rosette_60"}) ui::command_button(workspace, commands, id);
+    const Subject subject = workspace.session.document().subject;
+    if (is_in_space(subject) && !workspace.session.is_concealing()) show_space_principal(workspace);
+    else if (subject != Subject::Section && !workspace.session.is_concealing()) show_principal(workspace);
+    if (!workspace.session.is_concealing()) show_plane(workspace);
+    show_material(workspace);
+    show_criterion(workspace, commands);
 }
 
-void StatePanel::show_kind(Desk& desk, const CommandTable& commands)
+void StatePanel::show_kind(Workspace& workspace, const CommandTable& commands)
 {
-    ImGui::TextUnformatted(desk.tr()("State").c_str());
-    const Subject now = desk.session.document().subject;
-    choice(desk, commands, "###subject", subjects(), [&](const SubjectEntry& entry) { return entry.value == now; });
+    ImGui::TextUnformatted(workspace.tr()("State").c_str());
+    const Subject now = workspace.session.document().subject;
+    choice(workspace, commands, "###subject", subjects(),
+           [&](const SubjectEntry& entry) { return entry.value == now; });
 }
 
-void StatePanel::number_row(Desk& desk, const std::string& label, NumberId number)
+void StatePanel::number_row(Workspace& workspace, const std::string& label, NumberId number)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     begin_row(label);
     const std::string& text = text_of(session.document(), number);
     const auto leading = number.group == Group::Section ? std::nullopt : ui::leading_number(text);
@@ -133,44 +134,44 @@ void StatePanel::number_row(Desk& desk, const std::string& label, NumberId numbe
         fields_.reject(event, sentence(*reason, session.tr()));
 }
 
-void StatePanel::show_numbers(Desk& desk)
+void StatePanel::show_numbers(Workspace& workspace)
 {
-    const Document& document = desk.session.document();
+    const Document& document = workspace.session.document();
     const auto parts = names(document.subject);
-    if (document.subject == Subject::Section) number_row(desk, desk.tr()("Section"), {Group::Section, 0});
+    if (document.subject == Subject::Section) number_row(workspace, workspace.tr()("Section"), {Group::Section, 0});
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const std::string unit(bare_unit(document.subject, i));
         const std::string label = std::string(parts[i]) + (unit.empty() ? "" : " [" + unit + "]");
-        number_row(desk, label, {Group::State, i});
+        number_row(workspace, label, {Group::State, i});
     }
 }
 
-void StatePanel::show_principal(Desk& desk)
+void StatePanel::show_principal(Workspace& workspace)
 {
-    const Solution& s = desk.session.solution();
-    const Document& document = desk.session.document();
+    const Solution& s = workspace.session.solution();
+    const Document& document = workspace.session.document();
     const Names names = names_of(document.subject);
-    heading(desk.tr()("By principal values"));
+    heading(workspace.tr()("By principal values"));
     const double angle = s.principal.angle.value_or(0.0) * 180.0 / std::numbers::pi;
-    const ui::Phrase step = translatable("Change the principal values");
-    value_row(desk, fields_,
+    const ui::Message step = translatable("Change the principal values");
+    value_row(workspace, fields_,
               {axis_title(names.first, s.unit), "###first", s.principal.first,
                [&](double v) { return with_principal(document, v, s.principal.second, angle); }, step});
-    value_row(desk, fields_,
+    value_row(workspace, fields_,
               {axis_title(names.second, s.unit), "###second", s.principal.second,
                [&](double v) { return with_principal(document, s.principal.first, v, angle); }, step});
-    value_row(desk, fields_,
+    value_row(workspace, fields_,
               {"θp [°]", "###direction", angle,
                [&](double v) { return with_principal(document, s.principal.first, s.principal.second, v); }, step});
 }
 
-void StatePanel::show_space_principal(Desk& desk)
+void StatePanel::show_space_principal(Workspace& workspace)
 {
-    const Solution& s = desk.session.solution();
-    const Document& document = desk.session.document();
-    heading(desk.tr()("By principal values"));
+    const Solution& s = workspace.session.solution();
+    const Document& document = workspace.session.document();
+    heading(workspace.tr()("By principal values"));
     for (std::size_t i = 0; i < 3; ++i)
-        value_row(desk, fields_,
+        value_row(workspace, fields_,
                   {axis_title("σ" + std::to_string(i + 1), s.unit), "###value" + std::to_string(i),
                    s.space_principal.values[i],
                    [&, i](double v) {
@@ -179,12 +180,12 @@ void StatePanel::show_space_principal(Desk& desk)
                        return with_space_principal(document, principal);
                    },
                    translatable("Change the principal values")});
-    for (int i = 0; i < 3; ++i) show_direction(desk, i);
+    for (int i = 0; i < 3; ++i) show_direction(workspace, i);
 }
 
-void StatePanel::show_direction(Desk& desk, int direction)
+void StatePanel::show_direction(Workspace& workspace, int direction)
 {
-    Session& session = desk.session;
+    Session& session = workspace.session;
     const std::string n = std::to_string(direction + 1);
     begin_row(session.tr()("direction {n}", {{"n", n}}));
     const Eigen::Vector3d d = session.solution().space_principal.directions.col(direction);
@@ -202,17 +203,17 @@ void StatePanel::show_direction(Desk& desk, int direction)
         fields_.reject(event, sentence(*reason, session.tr()));
 }
 
-void StatePanel::show_plane(Desk& desk)
+void StatePanel::show_plane(Workspace& workspace)
 {
-    const Document& document = desk.session.document();
-    heading(desk.tr()("Plane"));
-    const ui::Phrase step = translatable("Turn the plane");
+    const Document& document = workspace.session.document();
+    heading(workspace.tr()("Plane"));
+    const ui::Message step = translatable("Turn the plane");
     if (!is_in_space(document.subject))
         return value_row(
-            desk, fields_,
+            workspace, fields_,
             {"θ [°]", "###angle", document.angle, [&](double v) { return with_angle(document, v); }, step});
     for (std::size_t i = 0; i < 3; ++i)
-        value_row(desk, fields_,
+        value_row(workspace, fields_,
                   {std::string("n") + "xyz"[i], "###normal" + std::to_string(i), document.normal[i],
                    [&, i](double v) {
                        auto normal = document.normal;
@@ -222,25 +223,26 @@ void StatePanel::show_plane(Desk& desk)
                    step});
 }
 
-void StatePanel::show_material(Desk& desk)
+void StatePanel::show_material(Workspace& workspace)
 {
-    const fm::Kind kind = desk.session.solution().state.kind;
+    const fm::Kind kind = workspace.session.solution().state.kind;
     if (!fm::is_strain(kind) && kind != fm::Kind::PlaneStrain) return;
-    heading(desk.tr()("Material"));
-    if (fm::is_strain(kind)) number_row(desk, "E", {Group::Elasticity, 0});
-    number_row(desk, "ν", {Group::Elasticity, 1});
+    heading(workspace.tr()("Material"));
+    if (fm::is_strain(kind)) number_row(workspace, "E", {Group::Elasticity, 0});
+    number_row(workspace, "ν", {Group::Elasticity, 1});
 }
 
-void StatePanel::show_criterion(Desk& desk, const CommandTable& commands)
+void StatePanel::show_criterion(Workspace& workspace, const CommandTable& commands)
 {
-    if (desk.session.document().subject == Subject::Inertia) return;
-    heading(desk.tr()("Criterion"));
-    const auto now = desk.session.document().criterion;
-    choice(desk, commands, "###criterion", criteria(), [&](const CriterionEntry& entry) { return entry.value == now; });
+    if (workspace.session.document().subject == Subject::Inertia) return;
+    heading(workspace.tr()("Criterion"));
+    const auto now = workspace.session.document().criterion;
+    choice(workspace, commands, "###criterion", criteria(),
+           [&](const CriterionEntry& entry) { return entry.value == now; });
     if (!now) return;
     for (const StrengthPlace place : strengths_of(*now)) {
         const std::string unit = place == StrengthPlace::phi ? " [°]" : "";
-        number_row(desk, std::string(name(place)) + unit, {Group::Strength, static_cast<std::size_t>(place)});
+        number_row(workspace, std::string(name(place)) + unit, {Group::Strength, static_cast<std::size_t>(place)});
     }
 }
 

@@ -9,19 +9,19 @@ namespace mohr {
 /// criterion.
 class StatePanel {
 public:
-    void show(Desk& desk, const CommandTable& commands);
+    void show(Workspace& workspace, const CommandTable& commands);
     bool is_typing() const { return fields_.is_typing(); }
 
 private:
-    void show_kind(Desk& desk, const CommandTable& commands);
-    void show_numbers(Desk& desk);
-    void show_principal(Desk& desk);
-    void show_space_principal(Desk& desk);
-    void show_direction(Desk& desk, int direction);
-    void show_plane(Desk& desk);
-    void show_material(Desk& desk);
-    void show_criterion(Desk& desk, const CommandTable& commands);
-    void number_row(Desk& desk, const std::string& label, NumberId number);
+    void show_kind(Workspace& workspace, const CommandTable& commands);
+    void show_numbers(Workspace& workspace);
+    void show_principal(Workspace& workspace);
+    void show_space_principal(Workspace& workspace);
+    void show_direction(Workspace& workspace, int direction);
+    void show_plane(Workspace& workspace);
+    void show_material(Workspace& workspace);
+    void show_criterion(Workspace& workspace, const CommandTable& commands);
+    void number_row(Workspace& workspace, const std::string& label, NumberId number);
 
     ui::NumberFields fields_;
 };

@@ -28,7 +28,7 @@ public:
     {
         Block block;
         if (reader_.is_object(value, place_)) fill(block, value);
-        if (auto faults = reader_.take_faults(); !faults.empty()) throw ModelError(std::move(faults));
+        if (auto faults = reader_.collect_faults(); !faults.empty()) throw ModelError(std::move(faults));
         return block;
     }
 

@@ -24,7 +24,7 @@ public:
     ModelReader(JsonValue file, std::vector<Fault> faults);
 
     Model model;
-    std::vector<Fault> faults() { return reader_.take_faults(); }
+    std::vector<Fault> faults() { return reader_.collect_faults(); }
     const Unreadable& unreadable() const { return unreadable_; }
 
 private:

@@ -92,7 +92,7 @@ public:
     /// A value that cannot be understood because of a fault that is noted already.
     void excuse() { ++n_excused_; }
     std::size_t n_troubles() const { return faults_.size() + n_excused_; }
-    std::vector<Fault> take_faults() { return std::move(faults_); }
+    std::vector<Fault> collect_faults() { return std::move(faults_); }
 
 private:
     Units units_;

@@ -74,7 +74,7 @@ double size_of(MemberComponent component, const Magnitudes& most)
 
 std::string counts(const Model& model, const Translator& tr)
 {
-    std::string text = size_words(model, tr) + ", " +
+    std::string text = size_text(model, tr) + ", " +
                        counted(model.load_cases.size(), tr("{0} load case"), tr("{0} load cases"));
     if (!model.combinations.empty())
         text += ", " + counted(model.combinations.size(), tr("{0} combination"), tr("{0} combinations"));
@@ -350,7 +350,7 @@ std::string heading_text(const Model& model, const Results& results, const Trans
 {
     std::string text = model.title.empty() ? std::string() : printable(model.title) + "\n";
     text += fill(tr("Analysis: {0}, linear static; lengths in {1}, forces in {2}, rotations in rad"),
-                 {kind_words(model.analysis, tr), std::string(name(model.units.length)),
+                 {kind_text(model.analysis, tr), std::string(name(model.units.length)),
                   std::string(name(model.units.force))}) +
             "\n";
     text += counts(model, tr) + "\n";

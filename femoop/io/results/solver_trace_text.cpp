@@ -28,7 +28,7 @@ std::size_t whole(double number) { return static_cast<std::size_t>(number); }
 class WalkText {
 public:
     WalkText(const SolverTrace& trace, Ordering ordering, const Translator& tr)
-        : trace_(trace), walk_(trace.walk(ordering)), tr_(tr), words_(ordering_words(ordering, tr))
+        : trace_(trace), walk_(trace.walk(ordering)), tr_(tr), words_(ordering_text(ordering, tr))
     {}
 
     std::string fronts() const
@@ -176,7 +176,7 @@ std::string choice(const SolverTrace& trace, const Translator& tr)
     const EliminationCounts& counts = trace.walk(*trace.ordering).counts;
     const double taken = trace.solver == SolverKind::Skyline ? counts.n_profile_operations : counts.n_operations;
     std::string text = "\n" + fill(tr("Chosen: {0}, in {1} order: {2} operations."),
-                                   {solver, ordering_words(*trace.ordering, tr), std::to_string(whole(taken))});
+                                   {solver, ordering_text(*trace.ordering, tr), std::to_string(whole(taken))});
     if (trace.wanted != SolverKind::Automatic) return text + "\n";
     return text + "\n" +
            tr(trace.solver == SolverKind::Skyline
@@ -192,7 +192,7 @@ std::string comparison(const SolverTrace& trace, const Translator& tr)
                           tr("waiting"), tr("profile"), tr("its operations")});
     for (const Ordering ordering : all_orderings) {
         const EliminationCounts& counts = trace.walk(ordering).counts;
-        table.add_row({ordering_words(ordering, tr), counts.n_entries, counts.n_fill(), whole(counts.n_operations),
+        table.add_row({ordering_text(ordering, tr), counts.n_entries, counts.n_fill(), whole(counts.n_operations),
                        counts.largest_front, counts.n_levels, counts.most_waiting, counts.n_profile_entries,
                        whole(counts.n_profile_operations)});
     }
@@ -205,7 +205,7 @@ std::string comparison(const SolverTrace& trace, const Translator& tr)
 
 } // namespace
 
-std::string ordering_words(Ordering ordering, const Translator& tr)
+std::string ordering_text(Ordering ordering, const Translator& tr)
 {
     switch (ordering) {
     case Ordering::Natural: return tr(translatable("natural"));

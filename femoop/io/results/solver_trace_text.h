@@ -27,6 +27,6 @@ std::string solver_trace_json(const SolverTrace& trace);
 Ordering usual_ordering(const SolverTrace& trace);
 
 /// "reverse Cuthill-McKee", in the reader's language.
-std::string ordering_words(Ordering ordering, const Translator& tr);
+std::string ordering_text(Ordering ordering, const Translator& tr);
 
 } // namespace femoop

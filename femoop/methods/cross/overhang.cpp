@@ -99,7 +99,7 @@ Overhangs take_off_overhangs(const Discretisation& structure, std::vector<Loaded
     return Pruning(structure, members, forces).run();
 }
 
-void take_along(const Overhangs& overhangs, std::vector<Eigen::Vector2d>& displacement)
+void carry_over_load(const Overhangs& overhangs, std::vector<Eigen::Vector2d>& displacement)
 {
     constexpr double aslant = 1e-9;
     for (auto part = overhangs.parts.rbegin(); part != overhangs.parts.rend(); ++part)

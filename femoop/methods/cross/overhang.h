@@ -24,6 +24,6 @@ Overhangs take_off_overhangs(const Discretisation& structure, std::vector<Loaded
 
 /// Takes the overhangs along with displacements of the structure. Only where no rotation of the root would move the tip
 /// too: along members that lie along x or y.
-void take_along(const Overhangs& overhangs, std::vector<Eigen::Vector2d>& displacement);
+void carry_over_load(const Overhangs& overhangs, std::vector<Eigen::Vector2d>& displacement);
 
 } // namespace femoop::cross

@@ -77,8 +77,8 @@ public:
         const Overhangs overhangs = take_off_overhangs(structure_, members_, forces_);
         Motion motion = motion_of(structure_, taking_part(overhangs), ties(), forces_.settlement);
         if (motion.is_contradictory) refuse_contradiction();
-        take_along(overhangs, motion.imposed);
-        for (Motion::Mode& mode : motion.modes) take_along(overhangs, mode.displacement);
+        carry_over_load(overhangs, motion.imposed);
+        for (Motion::Mode& mode : motion.modes) carry_over_load(overhangs, mode.displacement);
         problem_.imposed = motion.imposed;
         add_imposed();
         add_springs();

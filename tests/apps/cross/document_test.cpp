@@ -85,10 +85,10 @@ TEST_CASE("Left to right by hand goes on from the joint that was clicked")
     document.plays.resize(1);
     document.plays[0].take(fc::JointId(0));
     work(solution, document);
-    CHECK(*next_turn(document, solution) == Play::Turn(fc::JointId(1)));
+    CHECK(*next_turn(document, solution) == TurnTree::Turn(fc::JointId(1)));
     document.plays[0].take(fc::JointId(1));
     work(solution, document);
-    CHECK(*next_turn(document, solution) == Play::Turn(fc::JointId(0)));
+    CHECK(*next_turn(document, solution) == TurnTree::Turn(fc::JointId(0)));
 }
 
 TEST_CASE("A joint on its way is a structure in equilibrium with half of its turn")
@@ -157,8 +157,8 @@ TEST_CASE("Every branch of every sheet is kept in the file, and where it stands"
     REQUIRE(problem.joints.size() == 2);
     const fc::JointId B(0), C(1);
     document.plays.resize(2);
-    Play& loads = document.plays[0];
-    for (const Play::Turn& turn : {Play::Turn(B), Play::Turn(C), Play::Turn(B)}) loads.take(turn);
+    TurnTree& loads = document.plays[0];
+    for (const TurnTree::Turn& turn : {TurnTree::Turn(B), TurnTree::Turn(C), TurnTree::Turn(B)}) loads.take(turn);
     loads.jump(1);
     loads.take(std::nullopt); // a branch: all at once
     loads.take(C);

@@ -33,23 +33,23 @@ void check_exercise(const std::string& name, Document document, const ExerciseSh
 {
     const Solution solution = solve(document);
     REQUIRE(solution.task);
-    std::optional<Paper> paper = paper_of(document);
-    REQUIRE(paper);
+    std::optional<Worksheet> worksheet = worksheet_of(document);
+    REQUIRE(worksheet);
     std::vector<std::string>& cells = document.pupil->written;
-    cells.resize(paper->form.blanks.size());
+    cells.resize(worksheet->form.blanks.size());
     for (const auto& [at, text] : shot.written) cells[at] = text;
-    judge_anew(*paper, document);
+    judge_again(*worksheet, document);
     const ui::DisplayUnits units = units_of(document.model, shot.look.tr);
     for (std::size_t i = 0; i < std::min(shot.n_filled, cells.size()); ++i) {
-        if (!cells[i].empty() || paper->form.blanks[i].may_stay_empty) continue;
-        cells[i] = text_for(*paper, fc::BlankId(i), units);
-        judge_anew(*paper, document);
+        if (!cells[i].empty() || worksheet->form.blanks[i].may_stay_empty) continue;
+        cells[i] = text_for(*worksheet, fc::BlankId(i), units);
+        judge_again(*worksheet, document);
     }
-    const femoop::Results* const state = paper->is_solved() && solution.task->balanced ? &*solution.task->balanced
-                                                                                       : nullptr;
+    const femoop::Results* const state = worksheet->is_solved() && solution.task->balanced ? &*solution.task->balanced
+                                                                                           : nullptr;
     const ui::Theme theme(shot.look.theme);
     golden::check_scene(name, {.size = shot.size, .background = theme.background()}, [&](ui::Painter& painter) {
-        draw(painter, {document, solution, state, 1.0, {}, shot.look, &*paper, shot.cell, shot.stage});
+        draw(painter, {document, solution, state, 1.0, {}, shot.look, &*worksheet, shot.cell, shot.stage});
     });
 }
 

@@ -93,10 +93,10 @@ TEST_CASE("Half of a frame is worked, undone, saved and opened again; a frame th
     CHECK(!session.step());
     CHECK(session.sheet()->is_balanced);
     CHECK(!session.balance(fc::JointId(1))); // a click on C turns B, its image
-    CHECK(session.play()->turns() == std::vector<Play::Turn>{fc::JointId(0), fc::JointId(0)});
+    CHECK(session.turn_tree()->turns() == std::vector<TurnTree::Turn>{fc::JointId(0), fc::JointId(0)});
     const Document again = read_document(write_document(session.document()));
     CHECK(again.method.extent == fc::Extent::Half);
-    CHECK(again.plays.front().turns() == session.play()->turns());
+    CHECK(again.plays.front().turns() == session.turn_tree()->turns());
 
     femoop::Model uneven = session.document().model;
     uneven.nodes[3].support = femoop::Support{.kind = femoop::SupportKind::Pin};

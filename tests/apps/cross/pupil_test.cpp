@@ -20,10 +20,10 @@ namespace {
 
 void fill(Session& session)
 {
-    for (std::size_t i = 0; i < session.paper()->form.blanks.size(); ++i) {
+    for (std::size_t i = 0; i < session.worksheet()->form.blanks.size(); ++i) {
         const fc::BlankId cell(i);
-        if (!session.paper()->form[cell].may_stay_empty)
-            session.write(cell, text_for(*session.paper(), cell, units_of(session.document().model, session.tr())));
+        if (!session.worksheet()->form[cell].may_stay_empty)
+            session.write(cell, text_for(*session.worksheet(), cell, units_of(session.document().model, session.tr())));
     }
 }
 
@@ -52,9 +52,9 @@ TEST_CASE("An exercise of every difficulty filled as it should be is solved and 
             CHECK(session.hides_results());
             CHECK(session.scene().state == nullptr);
             fill(session);
-            CHECK(session.paper()->is_solved());
+            CHECK(session.worksheet()->is_solved());
             CHECK(session.scene().state != nullptr);
-            CHECK(session.points() == session.paper()->n_needed());
+            CHECK(session.points() == session.worksheet()->n_needed());
         }
 }
 
@@ -64,7 +64,7 @@ TEST_CASE("Words and tables of an unsolved exercise tell nothing that was not wr
     session.begin_exercise({fc::Difficulty::PinnedEnd, 4});
     for (const Topic topic : {Topic::Sheet, Topic::Comparison, Topic::Kani, Topic::Equations})
         CHECK(table_of(session, topic).rows.empty());
-    CHECK(in_words(session) == exercise_in_words(session));
+    CHECK(description(session) == exercise_description(session));
     CHECK(session.why_no_turn().has_value());
     const Document before = session.document();
     session.set_method({.order = fc::Order::AllAtOnce}, "x");
@@ -75,12 +75,12 @@ TEST_CASE("Words and tables of an unsolved exercise tell nothing that was not wr
 TEST_CASE("What a pupil needs stands in words however small the picture")
 {
     const femoop::Model model = fc::seeded_model(fc::Difficulty::Frame, 9);
-    CHECK(given_words(model, femoop::CaseId(0), ui::Catalogue()) ==
+    CHECK(given_text(model, femoop::CaseId(0), ui::Catalogue()) ==
           "Lengths: AB 12 m, BC 5 m, DB 3 m. AB: 27 kN at 8 m from A. B: moment 10 kN·m clockwise.");
-    CHECK(given_words(model, femoop::CaseId(0), ui::Catalogue(ui::Language::Portuguese))
+    CHECK(given_text(model, femoop::CaseId(0), ui::Catalogue(ui::Language::Portuguese))
               .starts_with("Comprimentos: AB 12 m, BC 5 m, DB 3 m. AB: 27 kN a 8 m de A. B: "));
-    CHECK(given_words(model, femoop::CaseId(7), ui::Catalogue()) == "Lengths: AB 12 m, BC 5 m, DB 3 m.");
-    CHECK(given_words({}, femoop::CaseId(0), ui::Catalogue()).empty());
+    CHECK(given_text(model, femoop::CaseId(7), ui::Catalogue()) == "Lengths: AB 12 m, BC 5 m, DB 3 m.");
+    CHECK(given_text({}, femoop::CaseId(0), ui::Catalogue()).empty());
 }
 
 TEST_CASE("A mistake costs its point even where it is undone")
@@ -90,8 +90,8 @@ TEST_CASE("A mistake costs its point even where it is undone")
     session.write(fc::BlankId(0), "77");
     session.undo();
     fill(session);
-    CHECK(session.paper()->is_solved());
-    CHECK(session.points() + 1 == session.paper()->n_needed());
+    CHECK(session.worksheet()->is_solved());
+    CHECK(session.points() + 1 == session.worksheet()->n_needed());
     session.start_over();
     CHECK(session.document().pupil->written.empty());
     for (int i = 0; i < 200; ++i) session.undo();
@@ -105,16 +105,16 @@ TEST_CASE("Whoever looks at the solution by leaving the exercise gets no points 
         CAPTURE(by_undo);
         Session session;
         session.begin_own_exercise();
-        const std::size_t n = session.paper()->n_needed();
+        const std::size_t n = session.worksheet()->n_needed();
         if (by_undo) session.undo();
         else session.end_exercise();
-        REQUIRE(session.paper() == nullptr);
+        REQUIRE(session.worksheet() == nullptr);
         if (by_undo) session.redo();
         else session.undo();
-        REQUIRE(session.paper() != nullptr);
+        REQUIRE(session.worksheet() != nullptr);
         fill(session);
-        CHECK(session.paper()->is_solved());
-        CHECK(session.paper()->n_needed() == n);
+        CHECK(session.worksheet()->is_solved());
+        CHECK(session.worksheet()->n_needed() == n);
         CHECK(session.points() == 0);
     }
 }
@@ -124,29 +124,29 @@ TEST_CASE("Undo goes over two exercises on different structures, and each keeps 
     Session session;
     const femoop::Model three_spans = session.document().model;
     session.begin_own_exercise();
-    const std::size_t n_first = session.paper()->form.blanks.size();
+    const std::size_t n_first = session.worksheet()->form.blanks.size();
     session.write(fc::BlankId(0), "77");
-    session.write(fc::BlankId(0), text_for(*session.paper(), fc::BlankId(0), units_of(three_spans, session.tr())));
+    session.write(fc::BlankId(0), text_for(*session.worksheet(), fc::BlankId(0), units_of(three_spans, session.tr())));
     fill(session);
-    REQUIRE(session.paper()->is_solved());
+    REQUIRE(session.worksheet()->is_solved());
     const std::size_t score = session.points();
-    CHECK(score + 1 == session.paper()->n_needed());
+    CHECK(score + 1 == session.worksheet()->n_needed());
     session.end_exercise();
     session.change(*with_span_added(three_spans), "Add a span");
     session.begin_own_exercise();
-    REQUIRE(session.paper() != nullptr);
-    CHECK(session.paper()->form.blanks.size() > n_first);
+    REQUIRE(session.worksheet() != nullptr);
+    CHECK(session.worksheet()->form.blanks.size() > n_first);
     fill(session);
-    CHECK(session.points() == session.paper()->n_needed());
+    CHECK(session.points() == session.worksheet()->n_needed());
     while (session.document().model != three_spans) session.undo();
-    CHECK(session.paper() == nullptr); // after the first exercise's end
+    CHECK(session.worksheet() == nullptr); // after the first exercise's end
     session.undo();
-    REQUIRE(session.paper() != nullptr);
-    CHECK(session.paper()->form.blanks.size() == n_first);
+    REQUIRE(session.worksheet() != nullptr);
+    CHECK(session.worksheet()->form.blanks.size() == n_first);
     CHECK(session.points() == score);
     for (int i = 0; i < 500; ++i) session.redo();
-    REQUIRE(session.paper() != nullptr);
-    CHECK(session.paper()->is_solved());
+    REQUIRE(session.worksheet() != nullptr);
+    CHECK(session.worksheet()->is_solved());
     CHECK(session.points() == 0); // all was seen when its beginning was undone
 }
 
@@ -167,14 +167,14 @@ TEST_CASE("The table of a sheet that is right has every balance that was filled 
         Session session;
         session.begin_exercise({difficulty, 4});
         fill(session);
-        REQUIRE(session.paper()->is_solved());
-        const std::size_t n_turns = session.paper()->form.turns.front().size();
+        REQUIRE(session.worksheet()->is_solved());
+        const std::size_t n_turns = session.worksheet()->form.turns.front().size();
         REQUIRE(session.sheet() != nullptr);
         CHECK(session.sheet()->steps.size() == n_turns);
         CHECK(table_of(session, Topic::Sheet).rows.size() > n_turns);
-        const auto sum = session.paper()->form.find(fc::Asked::Sum, 0, 0, 1);
+        const auto sum = session.worksheet()->form.find(fc::Asked::Sum, 0, 0, 1);
         REQUIRE(sum.has_value());
-        CHECK(session.sheet()->end.moments[1] == doctest::Approx(session.paper()->form.right[sum->index]));
+        CHECK(session.sheet()->end.moments[1] == doctest::Approx(session.worksheet()->form.right[sum->index]));
     }
 }
 
@@ -203,7 +203,7 @@ TEST_CASE("A sheet that is judged at the end says nothing before")
     session.begin_exercise({fc::Difficulty::FixedEnds, 2});
     session.judge_at_once(false);
     fill(session);
-    CHECK_FALSE(session.paper()->is_told);
+    CHECK_FALSE(session.worksheet()->shows_judgement);
     CHECK(session.hides_results());
     session.judge_now();
     CHECK_FALSE(session.hides_results());
@@ -258,9 +258,9 @@ TEST_CASE("Cells of a file that hold no number are open")
 {
     Document document = starting_document();
     document.pupil = Pupil{.written = std::vector<std::string>(4000, "abc")};
-    const auto paper = paper_of(document);
-    REQUIRE(paper.has_value());
-    for (const fc::Judgement& judgement : paper->judgements) CHECK(judgement.verdict == fc::Verdict::Open);
+    const auto worksheet = worksheet_of(document);
+    REQUIRE(worksheet.has_value());
+    for (const fc::Judgement& judgement : worksheet->judgements) CHECK(judgement.verdict == fc::Verdict::Open);
 }
 
 TEST_CASE("Every mistake and every hint has words of its own")

@@ -13,22 +13,22 @@ using namespace cross;
 TEST_CASE("A beam that a crash has cost opens as it was drawn, as one that is not saved")
 {
     const Folder folder;
-    Desk desk{Session()};
-    CHECK(desk.unsaved().empty());
-    desk.session.change(*with_span_added(desk.session.document().model), "Add a span");
-    CHECK(recovered(desk, folder, ".json").session.document().model == desk.session.document().model);
+    Workspace workspace{Session()};
+    CHECK(workspace.unsaved().empty());
+    workspace.session.change(*with_span_added(workspace.session.document().model), "Add a span");
+    CHECK(recovered(workspace, folder, ".json").session.document().model == workspace.session.document().model);
 }
 
 TEST_CASE("A draft that cannot be read leaves the open beam alone")
 {
     const Folder folder;
     std::ofstream(folder.path() / "1-0.json") << "{";
-    Desk desk{Session()};
-    const femoop::Model before = desk.session.document().model;
-    CHECK(!desk.recover({folder.path() / "1-0.json", {}}));
-    CHECK(desk.session.document().model == before);
-    CHECK(!desk.session.is_dirty());
-    CHECK(desk.session.notice);
+    Workspace workspace{Session()};
+    const femoop::Model before = workspace.session.document().model;
+    CHECK(!workspace.recover({folder.path() / "1-0.json", {}}));
+    CHECK(workspace.session.document().model == before);
+    CHECK(!workspace.session.is_dirty());
+    CHECK(workspace.session.notice);
 }
 
 TEST_CASE("Kani's method waits while a hand drags and is there once it lets go")

@@ -54,7 +54,7 @@ view_test::Marks drawn(const LineFunction& function, double largest, const ui::F
     const StructureShape shape = shape_of(model);
     ui::Painter painter({600.0, 400.0}, fonts);
     const Projection projection(ui::PlaneCamera({50.0, 200.0}, 60.0));
-    const Crowding crowding(shape, projection);
+    const LevelOfDetail crowding(shape, projection);
     const DrawOptions options{.show = {Show::Values}};
     const ui::DisplayUnits units = display_units(model, options);
     const ui::Theme theme(ui::ThemeName::Light);

@@ -32,7 +32,7 @@ view_test::Marks written(const PanelHead& head, const ui::Theme& theme, double w
     return marks;
 }
 
-std::string all_words(const view_test::Marks& marks)
+std::string all_text(const view_test::Marks& marks)
 {
     std::string all;
     for (const auto& text : marks.texts) all += (all.empty() ? "" : " ") + text.words;
@@ -67,9 +67,9 @@ TEST_CASE("Where a heading's line is full, the scale bar and the note go below i
 {
     const ui::Fonts fonts;
     const ui::Theme light(ui::ThemeName::Light), projector(ui::ThemeName::Projector);
-    CHECK(all_words(written(shear, light, 225.0, fonts)) ==
+    CHECK(all_text(written(shear, light, 225.0, fonts)) ==
           "Shear force V [kN] 20 kN positive where it turns the piece clockwise");
-    CHECK(all_words(written(moment, projector, 1280.0 / 3.0, fonts)) ==
+    CHECK(all_text(written(moment, projector, 1280.0 / 3.0, fonts)) ==
           "Momento fletor My [kN·m] 200 kN·m desenhado do lado da fibra tracionada");
 }
 
@@ -80,7 +80,7 @@ TEST_CASE("At every width that holds its words a note is written whole, and a he
     for (double width = 225.0; width < 700.0; width += 5.0) {
         CAPTURE(width);
         const view_test::Marks marks = written(shear, theme, width, fonts);
-        CHECK(all_words(marks) == "Shear force V [kN] 20 kN positive where it turns the piece clockwise");
+        CHECK(all_text(marks) == "Shear force V [kN] 20 kN positive where it turns the piece clockwise");
         double lowest = 0.0;
         for (const auto& text : marks.texts) lowest = std::max(lowest, text.box.max.y);
         CHECK(head_height(shear, theme, fonts, width) < lowest + 8.0);
@@ -94,7 +94,7 @@ TEST_CASE("A scale bar without room is left out with its text, and a note goes w
     const ui::Theme theme(ui::ThemeName::Light);
     const view_test::Marks marks = written(shear, theme, 100.0, fonts);
     CHECK(marks.lines.empty());
-    CHECK(all_words(marks) == "Shear force V [kN]");
+    CHECK(all_text(marks) == "Shear force V [kN]");
 }
 
 TEST_SUITE_END();

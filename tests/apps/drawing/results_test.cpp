@@ -328,10 +328,10 @@ TEST_CASE("An envelope is of the cases that are not left out; of all where none 
     model.combinations.push_back({"U", {{femoop::CaseId(0), 1.35}, {femoop::CaseId(1), 1.5}}});
     DrawOptions options;
     CHECK(envelope_cases(model, options).size() == 3);
-    CHECK(envelope_words(model, options) == "Envelope of all cases");
+    CHECK(envelope_text(model, options) == "Envelope of all cases");
     options.left_out = {"Q", "a case that the model lacks"};
     CHECK(envelope_cases(model, options) == std::vector{femoop::CaseId(0), femoop::CaseId(2)});
-    CHECK(envelope_words(model, options) == "Envelope of " + model.load_cases.front().id + ", U");
+    CHECK(envelope_text(model, options) == "Envelope of " + model.load_cases.front().id + ", U");
     options.left_out = {model.load_cases.front().id, "Q", "U"};
     CHECK(envelope_cases(model, options).size() == 3);
 }

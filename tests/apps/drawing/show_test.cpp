@@ -35,7 +35,7 @@ TEST_CASE("An unknown word is refused with the list of those that there are")
     } catch (const ShowError& error) {
         const std::string words = error.what();
         CHECK(words.find("momnet") != std::string::npos);
-        for (const ShowWord& known : show_words()) {
+        for (const ShowWord& known : show_text()) {
             CAPTURE(known.word);
             CHECK(words.find(known.word) != std::string::npos);
         }

@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "apps/euler/document/challenge/broken_pointer.h"
+#include "apps/euler/document/challenge/corrupted_pointer.h"
 #include "apps/euler/document/challenge/reach.h"
 #include "apps/euler/document/challenge/score.h"
 #include "apps/euler/document/challenge/which_operator.h"
@@ -18,9 +18,9 @@ namespace {
 
 const ui::Catalogue english, portuguese(ui::Language::Portuguese);
 
-bool is_said(const ui::Phrase& phrase)
+bool is_said(const ui::Message& message)
 {
-    return portuguese.has(phrase.sentence) && portuguese(phrase).find('{') == std::string::npos;
+    return portuguese.has(message.sentence) && portuguese(message).find('{') == std::string::npos;
 }
 
 } // namespace
@@ -107,7 +107,7 @@ TEST_SUITE("challenges")
     {
         for (std::uint32_t seed = 1; seed <= 200; ++seed) {
             CAPTURE(seed);
-            const BrokenPointer broken = broken_pointer(seed);
+            const CorruptedPointer broken = broken_pointer(seed);
             CAPTURE(english(broken.message));
             CHECK(topology::why_not_valid(broken.broken));
             CHECK(is_said(broken.message));
@@ -115,9 +115,9 @@ TEST_SUITE("challenges")
             CHECK_FALSE(is_mended(broken, broken.bent));
             bool has_way_back = false;
             for (std::uint32_t to = 0; to < broken.sound.half_edges().n_rows(); ++to) {
-                const topology::BentLink set{.kind = broken.bent.kind, .row = broken.bent.row, .to = to};
-                has_way_back = has_way_back || topology::BrokenSolid(broken.broken, set).solid() == broken.sound;
-                if (topology::BrokenSolid(broken.broken, set).solid() == broken.sound) CHECK(is_mended(broken, set));
+                const topology::CorruptedLink set{.kind = broken.bent.kind, .row = broken.bent.row, .to = to};
+                has_way_back = has_way_back || topology::CorruptedSolid(broken.broken, set).solid() == broken.sound;
+                if (topology::CorruptedSolid(broken.broken, set).solid() == broken.sound) CHECK(is_mended(broken, set));
             }
             CHECK(has_way_back);
         }
@@ -127,7 +127,7 @@ TEST_SUITE("challenges")
     {
         for (std::uint32_t seed = 1; seed <= 100; ++seed) {
             CAPTURE(seed);
-            const BrokenPointer broken = broken_pointer(seed);
+            const CorruptedPointer broken = broken_pointer(seed);
             CHECK(table_text(broken.broken) != table_text(broken.sound));
         }
         CHECK(link_of(topology::TableKind::HalfEdges, "N") == topology::LinkKind::HalfEdgeNext);
@@ -138,17 +138,17 @@ TEST_SUITE("challenges")
     {
         for (std::uint32_t seed = 1; seed <= 50; ++seed) {
             CAPTURE(seed);
-            const BrokenPointer broken = broken_pointer(seed);
+            const CorruptedPointer broken = broken_pointer(seed);
             CAPTURE(way_back(broken));
             const auto set = link_typed(broken, way_back(broken));
-            REQUIRE(std::holds_alternative<topology::BentLink>(set));
-            CHECK(is_mended(broken, std::get<topology::BentLink>(set)));
+            REQUIRE(std::holds_alternative<topology::CorruptedLink>(set));
+            CHECK(is_mended(broken, std::get<topology::CorruptedLink>(set)));
         }
         for (const char* wrong : {"H 3 N", "F 1 LOUT 1", "V 1 N 2", "H 999 N 1", "H 1 N 999"}) {
             CAPTURE(wrong);
             const auto set = link_typed(broken_pointer(1), wrong);
-            REQUIRE(std::holds_alternative<ui::Phrase>(set));
-            CHECK(is_said(std::get<ui::Phrase>(set)));
+            REQUIRE(std::holds_alternative<ui::Message>(set));
+            CHECK(is_said(std::get<ui::Message>(set)));
         }
     }
 

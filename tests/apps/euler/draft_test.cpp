@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/euler/document/palette/draft.h"
+#include "apps/euler/document/palette/pending_operator.h"
 #include "topology/halfedge/check/validate.h"
 #include "ui/text/catalogue.h"
 
@@ -27,7 +27,7 @@ topology::HalfEdgeId corner(const Stepper& lesson, const char* face_name, const 
 {
     return find_corner(in(lesson).named(), face(lesson, face_name), word);
 }
-std::string in_english(const std::optional<ui::Phrase>& phrase) { return phrase ? ui::Catalogue()(*phrase) : ""; }
+std::string in_english(const std::optional<ui::Message>& message) { return message ? ui::Catalogue()(*message) : ""; }
 
 bool has(const std::vector<Entity>& list, Entity entity)
 {
@@ -42,7 +42,7 @@ TEST_SUITE("palette")
     {
         const Stepper lesson(plate);
         const topology::ScriptRunner& runner = lesson.runner();
-        Draft draft(Verb::Mef);
+        PendingOperator draft(Verb::Mef);
         CHECK(draft.next().kind == ArgumentKind::Solid);
         REQUIRE(draft.suggestion(runner));
         CHECK_FALSE(draft.choose(runner, *draft.suggestion(runner)));
@@ -62,7 +62,7 @@ TEST_SUITE("palette")
     TEST_CASE("The second corner of MEF lies in the loop of the first, and another one says why not")
     {
         const Stepper lesson(plate);
-        Draft draft(Verb::Mef);
+        PendingOperator draft(Verb::Mef);
         CHECK_FALSE(draft.choose(lesson.runner(), std::string("s1")));
         CHECK(draft.legal_picks(lesson.runner()).size() == 9);
         CHECK_FALSE(draft.choose(lesson.runner(), corner(lesson, "f1", "v2")));
@@ -79,7 +79,7 @@ TEST_SUITE("palette")
     TEST_CASE("MEKR is offered only where a face has two loops, and RINGMV rings alone")
     {
         const Stepper lesson(plate);
-        Draft mekr(Verb::Mekr), ringmv(Verb::Ringmv);
+        PendingOperator mekr(Verb::Mekr), ringmv(Verb::Ringmv);
         CHECK_FALSE(mekr.choose(lesson.runner(), std::string("s1")));
         CHECK_FALSE(ringmv.choose(lesson.runner(), std::string("s1")));
         CHECK(mekr.legal_picks(lesson.runner()).size() == 5);
@@ -96,7 +96,7 @@ TEST_SUITE("palette")
     TEST_CASE("A name in use is refused, and so is a solid that is not there")
     {
         const Stepper lesson(plate);
-        Draft draft(Verb::Mvr);
+        PendingOperator draft(Verb::Mvr);
         CHECK(in_english(draft.choose(lesson.runner(), std::string("s7"))) == "there is no solid s7");
         CHECK_FALSE(draft.choose(lesson.runner(), std::string("s1")));
         CHECK_FALSE(draft.choose(lesson.runner(), face(lesson, "f2")));
@@ -108,11 +108,11 @@ TEST_SUITE("palette")
     TEST_CASE("A place that is too short says which coordinate is missing")
     {
         const Stepper lesson("mvfs s1 f1 v1 0 0 0\n");
-        Draft move(Verb::Move);
+        PendingOperator move(Verb::Move);
         CHECK_FALSE(move.choose(lesson.runner(), std::get<Choice>(typed(lesson.runner(), move, "s1"))));
         CHECK_FALSE(move.choose(lesson.runner(), std::get<Choice>(typed(lesson.runner(), move, "v1"))));
         const auto said = [&](const char* text) {
-            return ui::Catalogue()(std::get<ui::Phrase>(typed(lesson.runner(), move, text)));
+            return ui::Catalogue()(std::get<ui::Message>(typed(lesson.runner(), move, text)));
         };
         CHECK(said("1 0") == "z is missing: write x y z");
         CHECK(said("") == "x is missing: write x y z");
@@ -122,23 +122,23 @@ TEST_SUITE("palette")
     TEST_CASE("What is typed is read as a script has it")
     {
         const Stepper lesson(plate);
-        Draft draft(Verb::Kev);
+        PendingOperator draft(Verb::Kev);
         CHECK_FALSE(draft.choose(lesson.runner(), std::string("s1")));
         const auto read = [&](const char* text) { return typed(lesson.runner(), draft, text); };
         CHECK(std::get<Choice>(read("v2>v3")) == Choice(Entity(topology::HalfEdgeId{2})));
         CHECK(std::get<Choice>(read("%5")) == Choice(Entity(topology::HalfEdgeId{4})));
         CHECK(std::get<Choice>(read("f1 v3")) == Choice(Entity(corner(lesson, "f1", "v3"))));
-        CHECK(ui::Catalogue()(std::get<ui::Phrase>(read("v2>w"))) == "there is no edge between v2 and w");
-        CHECK(ui::Catalogue()(std::get<ui::Phrase>(read("v2>"))) ==
+        CHECK(ui::Catalogue()(std::get<ui::Message>(read("v2>w"))) == "there is no edge between v2 and w");
+        CHECK(ui::Catalogue()(std::get<ui::Message>(read("v2>"))) ==
               "v2> is no corner: a name is missing beside >; write v1, v1>v2, v1>v2>v3 or a number %7");
-        CHECK(ui::Catalogue()(std::get<ui::Phrase>(read("v2>v3>v2"))) == "there is no half-edge v2>v3>v2 in s1");
-        CHECK(ui::Catalogue()(std::get<ui::Phrase>(read("v1"))).starts_with("v1 fits several half-edges: "));
-        CHECK(ui::Catalogue()(std::get<ui::Phrase>(read("%70"))) == "there is no half-edge %70 in s1");
-        Draft move(Verb::Move);
+        CHECK(ui::Catalogue()(std::get<ui::Message>(read("v2>v3>v2"))) == "there is no half-edge v2>v3>v2 in s1");
+        CHECK(ui::Catalogue()(std::get<ui::Message>(read("v1"))).starts_with("v1 fits several half-edges: "));
+        CHECK(ui::Catalogue()(std::get<ui::Message>(read("%70"))) == "there is no half-edge %70 in s1");
+        PendingOperator move(Verb::Move);
         CHECK_FALSE(move.choose(lesson.runner(), std::get<Choice>(typed(lesson.runner(), move, "s1"))));
         CHECK_FALSE(move.choose(lesson.runner(), std::get<Choice>(typed(lesson.runner(), move, "v2"))));
         CHECK(std::get<Choice>(typed(lesson.runner(), move, " 1 2.5 -3 ")) == Choice(topology::Point{1, 2.5, -3}));
-        CHECK(ui::Catalogue()(std::get<ui::Phrase>(typed(lesson.runner(), move, "1 2 x"))) ==
+        CHECK(ui::Catalogue()(std::get<ui::Message>(typed(lesson.runner(), move, "1 2 x"))) ==
               "\"x\" is no finite number");
     }
 
@@ -149,7 +149,7 @@ TEST_SUITE("palette")
         Stepper lesson("mvfs s1 f1 v1 0 0 0\nmev s1 f1 v1 v2 1 0 0\nmev s1 f1 v2 v3 1 1 0\nmef s1 f1 v1 v3 f2\n");
         int n_done = 0;
         for (int i = 0; i < 3000; ++i) {
-            Draft draft(static_cast<Verb>(1 + below(n_verbs - 2))); // all but mvfs and sweep
+            PendingOperator draft(static_cast<Verb>(1 + below(n_verbs - 2))); // all but mvfs and sweep
             const topology::ScriptRunner& runner = lesson.runner();
             CHECK_FALSE(draft.choose(runner, std::string("s1")));
             while (!draft.is_complete()) {

@@ -24,7 +24,7 @@ std::optional<std::size_t> place(const Stepper& lesson)
 std::string draw(Stepper& lesson, const Point& from, const Point& to)
 {
     const auto drawn = drawn_line(lesson, place(lesson), from, to);
-    if (const auto* reason = std::get_if<ui::Phrase>(&drawn)) return ui::Catalogue()(*reason);
+    if (const auto* reason = std::get_if<ui::Message>(&drawn)) return ui::Catalogue()(*reason);
     std::string words;
     for (const DrawnStep& step : std::get<std::vector<DrawnStep>>(drawn)) {
         words += (words.empty() ? "" : " ") + step.line.substr(0, step.line.find(' '));

@@ -33,10 +33,10 @@ TEST_SUITE("stepper")
         CHECK(lesson.script() == triangle);
         CHECK(lesson.n_steps() == 4);
         CHECK(lesson.place() == 4);
-        CHECK(lesson.heading() == ui::Phrase("A triangle of two sides."));
-        CHECK(lesson.report(1).explanation == ui::Phrase(""));
-        CHECK(lesson.report(2).explanation == ui::Phrase("Two struts, one after the other."));
-        CHECK(lesson.report(3).explanation == ui::Phrase("the second"));
+        CHECK(lesson.heading() == ui::Message("A triangle of two sides."));
+        CHECK(lesson.report(1).explanation == ui::Message(""));
+        CHECK(lesson.report(2).explanation == ui::Message("Two struts, one after the other."));
+        CHECK(lesson.report(3).explanation == ui::Message("the second"));
     }
 
     TEST_CASE("A step tells its operator, the change of the six counts, and the line that takes it back")
@@ -91,7 +91,7 @@ TEST_SUITE("stepper")
         lesson.go_to(2);
         CHECK_FALSE(lesson.apply("mev s1 f1 v2 v4 5 5 0  # elsewhere"));
         CHECK(lesson.n_steps() == 3);
-        CHECK(lesson.report(3).explanation == ui::Phrase("elsewhere"));
+        CHECK(lesson.report(3).explanation == ui::Message("elsewhere"));
         CHECK(lesson.script() == R"(# A triangle of two sides.
 
 mvfs s1 f1 v1 0 0 0

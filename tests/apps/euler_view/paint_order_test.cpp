@@ -22,9 +22,9 @@ constexpr ui::Size overlap_sheet{640.0, 480.0};
 /// Depth [px] of a face's plane at a place of the sheet.
 double depth(const topology::Solid& solid, topology::FaceId f, ui::Point at, const ui::OrbitCamera& camera)
 {
-    const Sight sight(camera);
+    const ViewTransform transform(camera);
     const topology::Point& corner = solid.point(solid.start(solid.half_edge(solid.outer(f))));
-    const auto plane = depth_plane(corner, topology::area_vector(solid, f), sight);
+    const auto plane = depth_plane(corner, topology::area_vector(solid, f), transform);
     return plane ? (*plane)(at) : std::numeric_limits<double>::quiet_NaN();
 }
 

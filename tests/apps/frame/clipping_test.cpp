@@ -26,17 +26,17 @@ femoop::Model model_of(const std::string& file)
 
 constexpr MemberId BC{1}; // of the portal: the beam, loaded in G and Q, from B (0, 4.5) to C (8, 4.5)
 
-std::optional<std::string> run(Desk& desk, std::string_view id)
+std::optional<std::string> run(Workspace& workspace, std::string_view id)
 {
-    const auto reason = ui::run(*command_table().find(id), desk);
+    const auto reason = ui::run(*command_table().find(id), workspace);
     return reason ? std::optional(ui::Catalogue()(*reason)) : std::nullopt;
 }
 
-Desk desk_with(const std::string& file)
+Workspace workspace_with(const std::string& file)
 {
-    Desk desk{Session{Document{}}};
-    REQUIRE(open_file(desk, source_folder() + "/examples/" + file));
-    return desk;
+    Workspace workspace{Session{Document{}}};
+    REQUIRE(open_file(workspace, source_folder() + "/examples/" + file));
+    return workspace;
 }
 
 } // namespace
@@ -91,23 +91,24 @@ TEST_SUITE("frame document: clipboard")
 
     TEST_CASE("A case with self-weight is not pasted over a material without density, and the remedy is told")
     {
-        Desk desk = desk_with("portal.json");
-        desk.session.change({"weigh", [](Document& document) {
-                                 document.model.load_cases[0].self_weight = 1.0;
-                                 for (femoop::Material& material : document.model.materials) material.density = 7850.0;
-                             }});
-        desk.session.selection = Part(BC);
-        CHECK(!run(desk, "edit.clip"));
-        CHECK(!run(desk, "file.new"));
-        desk.session.change({"draw", [](Document& document) {
-                                 draw_member(document, {0, 0}, {3, 0});
-                                 document.model.materials[0].density.reset();
-                             }});
-        desk.session.notice.reset();
-        CHECK(!run(desk, "edit.paste"));
-        CHECK(desk.hand.kind() == ToolKind::Select);
-        REQUIRE(desk.session.notice);
-        CHECK(desk.session.notice->faults.at(0).kind == femoop::FaultKind::MissingDensity);
+        Workspace workspace = workspace_with("portal.json");
+        workspace.session.change({"weigh", [](Document& document) {
+                                      document.model.load_cases[0].self_weight = 1.0;
+                                      for (femoop::Material& material : document.model.materials)
+                                          material.density = 7850.0;
+                                  }});
+        workspace.session.selection = Part(BC);
+        CHECK(!run(workspace, "edit.clip"));
+        CHECK(!run(workspace, "file.new"));
+        workspace.session.change({"draw", [](Document& document) {
+                                      draw_member(document, {0, 0}, {3, 0});
+                                      document.model.materials[0].density.reset();
+                                  }});
+        workspace.session.notice.reset();
+        CHECK(!run(workspace, "edit.paste"));
+        CHECK(workspace.tool_controller.kind() == ToolKind::Select);
+        REQUIRE(workspace.session.notice);
+        CHECK(workspace.session.notice->faults.at(0).kind == femoop::FaultKind::MissingDensity);
     }
 
     TEST_CASE("In an empty document what is pasted brings all that it needs, and is solved to the same results")
@@ -156,22 +157,22 @@ TEST_SUITE("frame document: clipboard")
 
     TEST_CASE("Cut and pasted at the old place a dimension line is there once, and undo brings each state back")
     {
-        Desk desk = desk_with("portal.json");
+        Workspace workspace = workspace_with("portal.json");
         const DimensionLine span{.nodes = {"B", "C"}, .direction = DimensionDirection::Horizontal, .offset = 1.5};
-        desk.session.change({"Draw", [&](Document& document) { document.companion.dimensions = {span}; }});
-        const auto lines = [&] { return desk.session.document().companion.dimensions; };
-        for (const Selection& what : {everything(desk.session.model()), Selection(Part(BC))}) {
-            desk.session.selection = what;
-            CHECK(!run(desk, "edit.cut"));
-            const std::size_t n_left = desk.session.model().nodes.empty() ? 0 : 1;
+        workspace.session.change({"Draw", [&](Document& document) { document.companion.dimensions = {span}; }});
+        const auto lines = [&] { return workspace.session.document().companion.dimensions; };
+        for (const Selection& what : {everything(workspace.session.model()), Selection(Part(BC))}) {
+            workspace.session.selection = what;
+            CHECK(!run(workspace, "edit.cut"));
+            const std::size_t n_left = workspace.session.model().nodes.empty() ? 0 : 1;
             CHECK(lines().size() == n_left);
-            CHECK(!run(desk, "edit.paste"));
-            desk.hand.type("@0,0");
-            desk.session.change(*desk.hand.enter(work_of(desk.session)));
+            CHECK(!run(workspace, "edit.paste"));
+            workspace.tool_controller.type("@0,0");
+            workspace.session.change(*workspace.tool_controller.enter(work_of(workspace.session)));
             CHECK(lines() == std::vector{span});
-            CHECK(!run(desk, "edit.undo"));
+            CHECK(!run(workspace, "edit.undo"));
             CHECK(lines().size() == n_left);
-            CHECK(!run(desk, "edit.undo"));
+            CHECK(!run(workspace, "edit.undo"));
             CHECK(lines() == std::vector{span});
         }
     }
@@ -195,35 +196,35 @@ TEST_SUITE("frame document: clipboard")
 
     TEST_CASE("Cut, then pasted at its old place, leaves the structure as it was, in two steps")
     {
-        Desk desk = desk_with("portal.json");
-        CHECK(run(desk, "edit.paste") == "nothing was copied yet");
-        CHECK(run(desk, "edit.clip") == "nothing is selected that can be copied");
-        desk.session.selection = Part(BC);
-        const std::size_t n_states = desk.session.history().n_states();
-        CHECK(!run(desk, "edit.cut"));
-        CHECK(desk.session.model().members.size() == 2);
-        CHECK(!run(desk, "edit.paste"));
-        REQUIRE(desk.hand.kind() == ToolKind::Paste);
-        desk.hand.type("0,4.5");
-        desk.session.change(*desk.hand.enter(work_of(desk.session)));
-        CHECK(desk.hand.kind() == ToolKind::Select);
-        CHECK(desk.session.model().members.size() == 3);
-        CHECK(desk.session.model().nodes.size() == 4); // joined
-        CHECK(desk.session.history().n_states() == n_states + 2);
-        CHECK(ui::Catalogue()(*desk.session.history().undo_label()) == "Paste");
-        REQUIRE(desk.session.selection.size() > 0);
-        const auto part = desk.session.selection.parts();
+        Workspace workspace = workspace_with("portal.json");
+        CHECK(run(workspace, "edit.paste") == "nothing was copied yet");
+        CHECK(run(workspace, "edit.clip") == "nothing is selected that can be copied");
+        workspace.session.selection = Part(BC);
+        const std::size_t n_states = workspace.session.history().n_states();
+        CHECK(!run(workspace, "edit.cut"));
+        CHECK(workspace.session.model().members.size() == 2);
+        CHECK(!run(workspace, "edit.paste"));
+        REQUIRE(workspace.tool_controller.kind() == ToolKind::Paste);
+        workspace.tool_controller.type("0,4.5");
+        workspace.session.change(*workspace.tool_controller.enter(work_of(workspace.session)));
+        CHECK(workspace.tool_controller.kind() == ToolKind::Select);
+        CHECK(workspace.session.model().members.size() == 3);
+        CHECK(workspace.session.model().nodes.size() == 4); // joined
+        CHECK(workspace.session.history().n_states() == n_states + 2);
+        CHECK(ui::Catalogue()(*workspace.session.history().undo_label()) == "Paste");
+        REQUIRE(workspace.session.selection.size() > 0);
+        const auto part = workspace.session.selection.parts();
         CHECK(std::ranges::any_of(part, [](const Part& p) { return std::holds_alternative<MemberId>(p); }));
     }
 
     TEST_CASE("What was copied of a truss does not go into a frame, and the reason is told")
     {
-        Desk desk = desk_with("truss.json");
-        desk.session.selection = everything(desk.session.model());
-        CHECK(!run(desk, "edit.clip"));
-        REQUIRE(open_file(desk, source_folder() + "/examples/portal.json"));
-        CHECK(run(desk, "edit.paste") == "what was copied is of another kind of structure");
-        new_document(desk);
-        CHECK(!run(desk, "edit.paste")); // an empty sheet becomes what comes into it
+        Workspace workspace = workspace_with("truss.json");
+        workspace.session.selection = everything(workspace.session.model());
+        CHECK(!run(workspace, "edit.clip"));
+        REQUIRE(open_file(workspace, source_folder() + "/examples/portal.json"));
+        CHECK(run(workspace, "edit.paste") == "what was copied is of another kind of structure");
+        new_document(workspace);
+        CHECK(!run(workspace, "edit.paste")); // an empty sheet becomes what comes into it
     }
 }

@@ -323,19 +323,19 @@ TEST_SUITE("frame session")
         const Folder folder;
         Document document = frame::starting_document();
         document.companion = example;
-        frame::Desk desk{Session{frame::starting_document()}};
-        desk.session.change({"Draw", [&](Document& to) { to = document; }});
+        frame::Workspace workspace{Session{frame::starting_document()}};
+        workspace.session.change({"Draw", [&](Document& to) { to = document; }});
         const ui::DraftFolder drafts{folder.path(), ".json", files::write_whole_file};
         {
             ui::Draft draft(drafts);
-            REQUIRE(!draft.keep(desk.unsaved().at(0).copy(), std::nullopt));
+            REQUIRE(!draft.keep(workspace.unsaved().at(0).copy(), std::nullopt));
         }
-        const auto leftovers = ui::leftovers(drafts);
-        REQUIRE(leftovers.size() == 1);
+        const auto recoverable_files = ui::recoverable_files(drafts);
+        REQUIRE(recoverable_files.size() == 1);
         Session session{Document{}};
-        REQUIRE(session.recover(leftovers[0].draft, std::nullopt));
+        REQUIRE(session.recover(recoverable_files[0].draft, std::nullopt));
         CHECK(session.document() == document);
-        ui::Draft::taken_over(drafts, leftovers[0])->forget();
+        ui::Draft::taken_over(drafts, recoverable_files[0])->forget();
         CHECK(fs::is_empty(folder.path()));
     }
 

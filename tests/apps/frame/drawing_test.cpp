@@ -109,7 +109,7 @@ TEST_SUITE("frame document: drawing")
         document.companion.dimensions = {{.nodes = {"B", "C"}}};
         frame::copy(document, all, femoop::moved_by({6, 0, 0}), 2);
         frame::join(document, before, {.n_copies = 2});
-        frame::name_anew(document, before);
+        frame::rename(document, before);
         std::vector<std::string> nodes, members;
         for (const femoop::Node& node : document.model.nodes) nodes.push_back(node.id);
         for (const femoop::Member& member : document.model.members) members.push_back(member.id);

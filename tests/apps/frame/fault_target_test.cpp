@@ -16,23 +16,24 @@ namespace {
 
 femoop::Model portal() { return femoop::read_model_file(source_folder() + "/examples/portal.json"); }
 
-Desk desk_of(femoop::Model model) { return Desk{Session{{.model = std::move(model), .companion = {}}}}; }
+Workspace workspace_of(femoop::Model model) { return Workspace{Session{{.model = std::move(model), .companion = {}}}}; }
 
 /// "Sections: column, Depth h"
-std::string cell(const Desk& desk)
+std::string cell(const Workspace& workspace)
 {
-    if (!desk.bottom.is_open || !desk.bottom.wanted) return "nothing";
+    if (!workspace.bottom.is_open || !workspace.bottom.wanted) return "nothing";
     const ui::Catalogue english;
-    const auto headings = columns(desk.session.model(), desk.bottom.table);
-    return english(title(desk.bottom.table)) + ": " + english(title(desk.session.model(), desk.bottom.wanted->row)) +
-           ", " + english(headings[desk.bottom.wanted->column].heading);
+    const auto headings = columns(workspace.session.model(), workspace.bottom.table);
+    return english(title(workspace.bottom.table)) + ": " +
+           english(title(workspace.session.model(), workspace.bottom.wanted->row)) + ", " +
+           english(headings[workspace.bottom.wanted->column].heading);
 }
 
-std::string selected(const Desk& desk)
+std::string selected(const Workspace& workspace)
 {
     std::string names;
-    for (const Part& part : desk.session.selection.parts())
-        names += (names.empty() ? "" : ", ") + ui::Catalogue()(title(desk.session.model(), part));
+    for (const Part& part : workspace.session.selection.parts())
+        names += (names.empty() ? "" : ", ") + ui::Catalogue()(title(workspace.session.model(), part));
     return names;
 }
 
@@ -42,18 +43,18 @@ TEST_SUITE("frame fault target")
 {
     TEST_CASE("A fault of an excerpt or of a model that was refused goes to what has its names, else nowhere")
     {
-        Desk desk = desk_of(portal());
+        Workspace workspace = workspace_of(portal());
         const auto about = [&](std::string place) {
-            desk.session.selection.clear();
-            go_to(desk, {femoop::FaultKind::PositionBeyondEnd, {std::move(place), "9 m", "CD", "4.5 m"}});
-            return selected(desk);
+            workspace.session.selection.clear();
+            go_to(workspace, {femoop::FaultKind::PositionBeyondEnd, {std::move(place), "9 m", "CD", "4.5 m"}});
+            return selected(workspace);
         };
         CHECK(about("members[0] \"CD\"") == "Member CD"); // of an excerpt, in which it is the first
         CHECK(about("members[1] \"BC\"") == "Member BC");
         CHECK(about("members[1] \"XY\"") == "");
-        desk.session.selection.clear();
-        go_to(desk, {femoop::FaultKind::CrossRigidMember, {"AB"}});
-        CHECK(selected(desk) == "Member AB");
+        workspace.session.selection.clear();
+        go_to(workspace, {femoop::FaultKind::CrossRigidMember, {"AB"}});
+        CHECK(selected(workspace) == "Member AB");
     }
 
     TEST_CASE("What a load lacks elsewhere selects the member, shows its case and opens the cell that lacks it")
@@ -64,14 +65,14 @@ TEST_SUITE("frame fault target")
             section = {.id = section.id, .A = Quantity(0.01), .Iz = Quantity(1e-4)};
         model.load_cases.push_back(
             {.id = "T", .members = {{femoop::MemberId(2), femoop::TemperatureLoad{Quantity(10.0), Quantity(30.0)}}}});
-        Desk desk = desk_of(std::move(model));
-        REQUIRE(desk.session.solution().faults.size() == 1);
-        desk.session.view.is_envelope = true;
-        go_to(desk, desk.session.solution().faults[0]);
-        CHECK(desk.session.view.load_case == CaseId(3));
-        CHECK(!desk.session.view.is_envelope);
-        CHECK(selected(desk) == "Member CD");
-        CHECK(cell(desk) == "Sections: Section column, Depth h");
+        Workspace workspace = workspace_of(std::move(model));
+        REQUIRE(workspace.session.solution().faults.size() == 1);
+        workspace.session.view.is_envelope = true;
+        go_to(workspace, workspace.session.solution().faults[0]);
+        CHECK(workspace.session.view.load_case == CaseId(3));
+        CHECK(!workspace.session.view.is_envelope);
+        CHECK(selected(workspace) == "Member CD");
+        CHECK(cell(workspace) == "Sections: Section column, Depth h");
     }
 
     TEST_CASE("A load's own fault selects the load and opens its cell")
@@ -79,41 +80,41 @@ TEST_SUITE("frame fault target")
         femoop::Model model = portal();
         model.load_cases[2].members.push_back(
             {femoop::MemberId(1), femoop::PointLoad{.at = Quantity(9.0), .components = {{femoop::Dof::uy, -4.0}}}});
-        Desk desk = desk_of(std::move(model));
-        go_to(desk, desk.session.solution().faults.at(0));
-        CHECK(desk.session.view.load_case == CaseId(2));
-        CHECK(selected(desk) == "Point load on member BC");
-        CHECK(cell(desk) == "Point loads: Point load on member BC, Distance from the start");
+        Workspace workspace = workspace_of(std::move(model));
+        go_to(workspace, workspace.session.solution().faults.at(0));
+        CHECK(workspace.session.view.load_case == CaseId(2));
+        CHECK(selected(workspace) == "Point load on member BC");
+        CHECK(cell(workspace) == "Point loads: Point load on member BC, Distance from the start");
     }
 
     TEST_CASE("A part's fault selects the part and opens its cell")
     {
         femoop::Model model = portal();
         model.materials[0].E = Quantity(-3.0);
-        Desk desk = desk_of(std::move(model));
-        go_to(desk, desk.session.solution().faults.at(0));
-        CHECK(selected(desk) == "Material steel");
-        CHECK(cell(desk) == "Materials: Material steel, E");
+        Workspace workspace = workspace_of(std::move(model));
+        go_to(workspace, workspace.session.solution().faults.at(0));
+        CHECK(selected(workspace) == "Material steel");
+        CHECK(cell(workspace) == "Materials: Material steel, E");
     }
 
     TEST_CASE("A spring at a member's end stands in the table of releases and springs")
     {
         femoop::Model model = portal();
         model.members[1].start.springs = {{femoop::Dof::rz, Quantity(-5.0)}};
-        Desk desk = desk_of(std::move(model));
-        go_to(desk, desk.session.solution().faults.at(0));
-        CHECK(selected(desk) == "Member BC");
-        CHECK(cell(desk) == "Releases and springs: Member BC, Spring rz, start");
+        Workspace workspace = workspace_of(std::move(model));
+        go_to(workspace, workspace.session.solution().faults.at(0));
+        CHECK(selected(workspace) == "Member BC");
+        CHECK(cell(workspace) == "Releases and springs: Member BC, Spring rz, start");
     }
 
     TEST_CASE("A fault that the analysis found selects the nodes that it names and opens nothing")
     {
         femoop::Model model = portal();
         for (femoop::Member& member : model.members) member.bar = true;
-        Desk desk = desk_of(std::move(model));
-        REQUIRE(!desk.session.solution().faults.empty());
-        go_to(desk, desk.session.solution().faults.back());
-        CHECK(!selected(desk).empty());
-        CHECK(cell(desk) == "nothing");
+        Workspace workspace = workspace_of(std::move(model));
+        REQUIRE(!workspace.session.solution().faults.empty());
+        go_to(workspace, workspace.session.solution().faults.back());
+        CHECK(!selected(workspace).empty());
+        CHECK(cell(workspace) == "nothing");
     }
 }

@@ -26,34 +26,34 @@ template <class Other> struct Taker {
         copy.tick(0.6, {[this] { return session.linked_text(); },
                         [this](const std::string& text) { return session.is_news(text); }});
     }
-    void take_over() { session.take_over(copy.take()); }
+    void adopt() { session.adopt(copy.take()); }
 
     Other session;
     ui::LinkedCopy copy;
 };
 
-template <class Other> Taker<Other> started(Desk& desk, LinkedPrograms& linked, const Offer& offer)
+template <class Other> Taker<Other> started(Workspace& workspace, LinkedPrograms& linked, const Offer& offer)
 {
-    const auto& handover = std::get<ui::Handover>(offer);
+    const auto& exported = std::get<ui::ExportToApp>(offer);
     const Folder folder;
     Other other;
-    REQUIRE(other.open_copy(folder.write("handed", handover.document)));
+    REQUIRE(other.open_copy(folder.write("handed", exported.document)));
     ui::Link link = *ui::Link::made(files::write_whole_file);
     ui::Link end(link.folder(), files::write_whole_file);
-    linked.add(std::move(link), desk.session, handover);
+    linked.add(std::move(link), workspace.session, exported);
     return Taker<Other>(std::move(other), std::move(end));
 }
 
-template <class Other> void exchange(Desk& desk, LinkedPrograms& linked, Taker<Other>& other)
+template <class Other> void exchange(Workspace& workspace, LinkedPrograms& linked, Taker<Other>& other)
 {
     for (int i = 0; i < 3; ++i) {
-        linked.tick(0.6, desk);
+        linked.tick(0.6, workspace);
         other.tick();
     }
 }
 
 /// Two spans of IPE 300, the first fixed and under 12 kN/m.
-Desk desk_with_beam()
+Workspace workspace_with_beam()
 {
     using enum femoop::SupportKind;
     femoop::Model model;
@@ -66,15 +66,15 @@ Desk desk_with_beam()
     model.add(femoop::Member{.id = "BC", .nodes = {B, C}, .material = steel, .section = of});
     const femoop::DistributedLoad down{.values = {{.dof = femoop::Dof::uy, .start = -12.0, .end = {}}}};
     model.add(femoop::LoadCase{.id = "first", .members = {{AB, down}}});
-    return Desk{Session(Document{.model = std::move(model), .companion = {}})};
+    return Workspace{Session(Document{.model = std::move(model), .companion = {}})};
 }
 
-void give_section(Desk& desk, const std::string& profile)
+void give_section(Workspace& workspace, const std::string& profile)
 {
-    desk.session.change({ui::Phrase("section"), [profile](Document& document) {
-                             document.model.sections.front().profile = profile;
-                             document.model.sections.front().shape.reset();
-                         }});
+    workspace.session.change({ui::Message("section"), [profile](Document& document) {
+                                  document.model.sections.front().profile = profile;
+                                  document.model.sections.front().shape.reset();
+                              }});
 }
 
 } // namespace
@@ -83,158 +83,158 @@ TEST_SUITE("frame session")
 {
     TEST_CASE("The circle of a section is offered what the frame changes, and the frame its section, back and forth")
     {
-        Desk desk = desk_with_beam();
-        desk.session.selection = Part(MemberId(1));
+        Workspace workspace = workspace_with_beam();
+        workspace.session.selection = Part(MemberId(1));
         LinkedPrograms linked;
-        auto other = started<mohr::Session>(desk, linked, circle_at_section(desk.session));
-        exchange(desk, linked, other);
+        auto other = started<mohr::Session>(workspace, linked, circle_at_section(workspace.session));
+        exchange(workspace, linked, other);
         CHECK_FALSE(other.copy.offered());
-        CHECK_FALSE(linked.offering(desk));
+        CHECK_FALSE(linked.offering(workspace));
 
         const std::string before = other.session.document().section;
-        give_section(desk, "IPE 450");
-        exchange(desk, linked, other);
+        give_section(workspace, "IPE 450");
+        exchange(workspace, linked, other);
         REQUIRE(other.copy.offered());
         CHECK(other.session.document().section == before); // nothing in silence
-        other.take_over();
+        other.adopt();
         CHECK(other.session.document().section == "IPE 450");
-        exchange(desk, linked, other);
-        CHECK_FALSE(linked.offering(desk)); // no echo
+        exchange(workspace, linked, other);
+        CHECK_FALSE(linked.offering(workspace)); // no echo
 
         CHECK_FALSE(other.session.set_number({mohr::Group::Section, 0}, "IPE 500"));
-        exchange(desk, linked, other);
-        REQUIRE(linked.offering(desk));
-        const std::size_t n_steps = desk.session.history().n_states();
-        linked.take_over(desk);
-        CHECK(desk.session.history().n_states() == n_steps + 1);
-        CHECK(*desk.session.model().sections.front().profile == "IPE 500");
-        exchange(desk, linked, other);
-        CHECK_FALSE(linked.offering(desk));
+        exchange(workspace, linked, other);
+        REQUIRE(linked.offering(workspace));
+        const std::size_t n_steps = workspace.session.history().n_states();
+        linked.adopt(workspace);
+        CHECK(workspace.session.history().n_states() == n_steps + 1);
+        CHECK(*workspace.session.model().sections.front().profile == "IPE 500");
+        exchange(workspace, linked, other);
+        CHECK_FALSE(linked.offering(workspace));
     }
 
     TEST_CASE("What the circle does with another state, or only with its fibre, is nothing that a frame is offered")
     {
-        Desk desk = desk_with_beam();
-        desk.session.selection = Part(MemberId(1));
+        Workspace workspace = workspace_with_beam();
+        workspace.session.selection = Part(MemberId(1));
         LinkedPrograms linked;
-        auto other = started<mohr::Session>(desk, linked, circle_at_section(desk.session));
+        auto other = started<mohr::Session>(workspace, linked, circle_at_section(workspace.session));
         other.session.set_number({mohr::Group::State, 3}, "0 mm");
         other.session.set_number({mohr::Group::State, 2}, "55 kN*m");
         other.session.set_subject(mohr::Subject::Rosette);
-        exchange(desk, linked, other);
-        CHECK_FALSE(linked.offering(desk));
+        exchange(workspace, linked, other);
+        CHECK_FALSE(linked.offering(workspace));
     }
 
     TEST_CASE("What one end keeps as it is it is not asked about again, and a shape comes over with its dimensions")
     {
-        Desk desk = desk_with_beam();
-        desk.session.selection = Part(MemberId(1));
+        Workspace workspace = workspace_with_beam();
+        workspace.session.selection = Part(MemberId(1));
         LinkedPrograms linked;
-        auto other = started<mohr::Session>(desk, linked, circle_at_section(desk.session));
+        auto other = started<mohr::Session>(workspace, linked, circle_at_section(workspace.session));
         other.session.set_number({mohr::Group::State, 3}, "0 mm"); // within every section
         other.session.set_number({mohr::Group::Section, 0}, "rectangle b=90 h=210mm");
-        exchange(desk, linked, other);
-        REQUIRE(linked.offering(desk));
-        linked.keep(desk);
-        exchange(desk, linked, other);
-        CHECK_FALSE(linked.offering(desk));
+        exchange(workspace, linked, other);
+        REQUIRE(linked.offering(workspace));
+        linked.keep(workspace);
+        exchange(workspace, linked, other);
+        CHECK_FALSE(linked.offering(workspace));
         other.session.set_number({mohr::Group::Section, 0}, "rectangle b=90 h=240mm");
-        exchange(desk, linked, other);
-        linked.take_over(desk);
-        const femoop::Section& section = desk.session.model().sections.front();
+        exchange(workspace, linked, other);
+        linked.adopt(workspace);
+        const femoop::Section& section = workspace.session.model().sections.front();
         REQUIRE(section.shape);
         CHECK(section.shape->h->value() == doctest::Approx(0.24));
         CHECK_FALSE(section.profile);
-        exchange(desk, linked, other);
-        CHECK_FALSE(linked.offering(desk));
+        exchange(workspace, linked, other);
+        CHECK_FALSE(linked.offering(workspace));
         CHECK(other.session.document().section ==
               "rectangle b=90 h=240mm"); // as it was typed, though b=90mm comes back
     }
 
     TEST_CASE("An exercise that has the circle's state is not disturbed")
     {
-        Desk desk = desk_with_beam();
-        desk.session.selection = Part(MemberId(1));
+        Workspace workspace = workspace_with_beam();
+        workspace.session.selection = Part(MemberId(1));
         LinkedPrograms linked;
-        auto other = started<mohr::Session>(desk, linked, circle_at_section(desk.session));
+        auto other = started<mohr::Session>(workspace, linked, circle_at_section(workspace.session));
         other.session.begin_exercise(mohr::ExerciseTopic::PlaneStress, mohr::Difficulty::Easy, 1);
-        give_section(desk, "IPE 450");
-        exchange(desk, linked, other);
+        give_section(workspace, "IPE 450");
+        exchange(workspace, linked, other);
         const mohr::Document before = other.session.document();
         REQUIRE(other.copy.offered());
-        other.take_over();
+        other.adopt();
         CHECK(other.session.document() == before);
         CHECK(other.session.notice);
     }
 
     TEST_CASE("Moment distribution is offered another structure and gives its own back as one step")
     {
-        Desk desk = desk_with_beam();
+        Workspace workspace = workspace_with_beam();
         LinkedPrograms linked;
-        auto other = started<cross::Session>(desk, linked, moment_distribution(desk.session));
-        exchange(desk, linked, other);
+        auto other = started<cross::Session>(workspace, linked, moment_distribution(workspace.session));
+        exchange(workspace, linked, other);
         CHECK_FALSE(other.copy.offered());
-        CHECK_FALSE(linked.offering(desk));
+        CHECK_FALSE(linked.offering(workspace));
 
-        give_section(desk, "IPE 450");
-        exchange(desk, linked, other);
+        give_section(workspace, "IPE 450");
+        exchange(workspace, linked, other);
         REQUIRE(other.copy.offered());
-        other.take_over();
+        other.adopt();
         CHECK(*other.session.document().model.sections.front().profile == "IPE 450");
-        exchange(desk, linked, other);
-        CHECK_FALSE(linked.offering(desk));
+        exchange(workspace, linked, other);
+        CHECK_FALSE(linked.offering(workspace));
 
         femoop::Model next = other.session.document().model;
         next.sections.front().profile = "HEB 200";
-        other.session.change(next, ui::Phrase("section"));
-        exchange(desk, linked, other);
-        REQUIRE(linked.offering(desk));
-        linked.take_over(desk);
-        CHECK(*desk.session.model().sections.front().profile == "HEB 200");
-        exchange(desk, linked, other);
-        CHECK_FALSE(linked.offering(desk));
+        other.session.change(next, ui::Message("section"));
+        exchange(workspace, linked, other);
+        REQUIRE(linked.offering(workspace));
+        linked.adopt(workspace);
+        CHECK(*workspace.session.model().sections.front().profile == "HEB 200");
+        exchange(workspace, linked, other);
+        CHECK_FALSE(linked.offering(workspace));
         CHECK_FALSE(other.copy.offered());
     }
 
     TEST_CASE("A faulty case keeps its loads when the structure of moment distribution is taken over")
     {
-        Desk desk = desk_with_beam();
-        desk.session.change(
-            {ui::Phrase("load"), [](Document& document) {
+        Workspace workspace = workspace_with_beam();
+        workspace.session.change(
+            {ui::Message("load"), [](Document& document) {
                  document.model.load_cases.push_back(
                      {.id = "gone",
                       .members = {{MemberId(1),
                                    femoop::PointLoad{.at = femoop::Quantity(80.0),
                                                      .components = {{femoop::Dof::uy, femoop::Quantity(-7.0)}}}}}});
              }});
-        const auto faulty = desk.session.model().load_cases.back();
-        REQUIRE(desk.session.solution().blank.size() == 1);
+        const auto faulty = workspace.session.model().load_cases.back();
+        REQUIRE(workspace.session.solution().blank.size() == 1);
         LinkedPrograms linked;
-        auto other = started<cross::Session>(desk, linked, moment_distribution(desk.session));
+        auto other = started<cross::Session>(workspace, linked, moment_distribution(workspace.session));
         femoop::Model next = other.session.document().model;
         next.sections.front().profile = "HEB 200";
-        other.session.change(next, ui::Phrase("section"));
-        exchange(desk, linked, other);
-        REQUIRE(linked.offering(desk));
-        linked.take_over(desk);
-        CHECK(*desk.session.model().sections.front().profile == "HEB 200");
-        CHECK(desk.session.model().load_cases.back() == faulty);
+        other.session.change(next, ui::Message("section"));
+        exchange(workspace, linked, other);
+        REQUIRE(linked.offering(workspace));
+        linked.adopt(workspace);
+        CHECK(*workspace.session.model().sections.front().profile == "HEB 200");
+        CHECK(workspace.session.model().load_cases.back() == faulty);
     }
 
     TEST_CASE("A part of the structure is told why it is not taken back")
     {
-        Desk desk = desk_with_beam();
-        desk.session.selection = Part(MemberId(1));
+        Workspace workspace = workspace_with_beam();
+        workspace.session.selection = Part(MemberId(1));
         LinkedPrograms linked;
-        auto other = started<cross::Session>(desk, linked, moment_distribution(desk.session));
+        auto other = started<cross::Session>(workspace, linked, moment_distribution(workspace.session));
         femoop::Model next = other.session.document().model;
         next.sections.front().profile = "HEB 200";
-        other.session.change(next, ui::Phrase("section"));
-        exchange(desk, linked, other);
-        REQUIRE(linked.offering(desk));
-        const Document before = desk.session.document();
-        linked.take_over(desk);
-        CHECK(desk.session.document() == before);
-        CHECK(desk.session.notice);
+        other.session.change(next, ui::Message("section"));
+        exchange(workspace, linked, other);
+        REQUIRE(linked.offering(workspace));
+        const Document before = workspace.session.document();
+        linked.adopt(workspace);
+        CHECK(workspace.session.document() == before);
+        CHECK(workspace.session.notice);
     }
 }

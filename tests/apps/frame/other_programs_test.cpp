@@ -64,10 +64,10 @@ femoop::Model beam(const femoop::Section& section)
 
 Session session_with(femoop::Model model) { return Session(Document{.model = std::move(model), .companion = {}}); }
 
-ui::Handover handed(Offer offer)
+ui::ExportToApp handed(Offer offer)
 {
-    REQUIRE(std::holds_alternative<ui::Handover>(offer));
-    return std::get<ui::Handover>(std::move(offer));
+    REQUIRE(std::holds_alternative<ui::ExportToApp>(offer));
+    return std::get<ui::ExportToApp>(std::move(offer));
 }
 
 std::string refused(Offer offer)
@@ -78,9 +78,9 @@ std::string refused(Offer offer)
 
 mohr::Solution circle_of(const Session& session)
 {
-    const ui::Handover handover = handed(circle_at_section(session));
-    CHECK(handover.program == "mohr");
-    auto read = mohr::read_file_text(handover.document);
+    const ui::ExportToApp exported = handed(circle_at_section(session));
+    CHECK(exported.program == "mohr");
+    auto read = mohr::read_file_text(exported.document);
     REQUIRE(std::holds_alternative<mohr::Document>(read));
     return mohr::solve(std::get<mohr::Document>(read));
 }
@@ -93,9 +93,9 @@ TEST_SUITE("frame session")
     {
         Session session = session_with(beam(rectangle()));
         session.view.load_case = femoop::CaseId(1);
-        const ui::Handover handover = handed(moment_distribution(session));
-        CHECK(handover.program == "cross");
-        const cross::Document document = cross::read_document(handover.document);
+        const ui::ExportToApp exported = handed(moment_distribution(session));
+        CHECK(exported.program == "cross");
+        const cross::Document document = cross::read_document(exported.document);
         CHECK(document.model.members.size() == 2);
         CHECK(document.model.case_name(document.method.load_case) == "second");
         CHECK(held_nodes(session).empty());
@@ -120,7 +120,7 @@ TEST_SUITE("frame session")
         session.view.load_case = femoop::CaseId(2);
         CHECK(std::holds_alternative<Notice>(moment_distribution(session)));
         CHECK(std::holds_alternative<Notice>(circle_at_section(session)));
-        CHECK(std::holds_alternative<ui::Handover>(circle_at(session, cut, femoop::CaseId(0)))); // a link goes on
+        CHECK(std::holds_alternative<ui::ExportToApp>(circle_at(session, cut, femoop::CaseId(0)))); // a link goes on
     }
 
     TEST_CASE("Selected members alone are handed over and fixed where they met others")
@@ -181,8 +181,8 @@ TEST_SUITE("frame session")
     {
         Session session = session_with(beam(tee()));
         session.selection = Part(MemberId(0));
-        const ui::Handover handover = handed(circle_at_section(session));
-        const auto read = mohr::read_file_text(handover.document);
+        const ui::ExportToApp exported = handed(circle_at_section(session));
+        const auto read = mohr::read_file_text(exported.document);
         REQUIRE(std::holds_alternative<mohr::Document>(read));
         CHECK(std::get<mohr::Document>(read).state()[3] == "-267.307 mm");
     }

@@ -24,7 +24,7 @@ const femoop::Model& portal()
 Aim at(double x, double y) { return {.pointer = {x, y}, .pixel = 0.01}; }
 
 /// A portal, a pencil and what it has drawn.
-struct Desk {
+struct Workspace {
     Document document = starting_document();
     Selection selection{};
     Prediction prediction{};
@@ -67,38 +67,38 @@ TEST_SUITE("frame model")
 
     TEST_CASE("The tool draws on the prediction and changes nothing of the document")
     {
-        Desk desk;
-        const Document before = desk.document;
-        desk.draw({{0.0, 5.0}, {3.0, 3.0}, {6.0, 5.0}});
-        REQUIRE(desk.prediction.on(beam) != nullptr);
-        CHECK(desk.prediction.on(beam)->largest() == doctest::Approx(1.0 / 6.0));
-        CHECK((*desk.prediction.on(beam))[120] == doctest::Approx(1.0 / 6.0));
-        CHECK((*desk.prediction.on(beam))[0] == doctest::Approx(-1.0 / 6.0));
-        CHECK(desk.prediction.on(column) == nullptr);
-        CHECK(desk.document == before);
+        Workspace workspace;
+        const Document before = workspace.document;
+        workspace.draw({{0.0, 5.0}, {3.0, 3.0}, {6.0, 5.0}});
+        REQUIRE(workspace.prediction.on(beam) != nullptr);
+        CHECK(workspace.prediction.on(beam)->largest() == doctest::Approx(1.0 / 6.0));
+        CHECK((*workspace.prediction.on(beam))[120] == doctest::Approx(1.0 / 6.0));
+        CHECK((*workspace.prediction.on(beam))[0] == doctest::Approx(-1.0 / 6.0));
+        CHECK(workspace.prediction.on(column) == nullptr);
+        CHECK(workspace.document == before);
     }
 
     TEST_CASE("Esc gives up the stroke that is being drawn, and a click alone draws nothing")
     {
-        Desk desk;
-        desk.tool.press(desk.work(), at(0.0, 5.0));
-        desk.tool.move(desk.work(), at(3.0, 5.0));
-        CHECK(!desk.tool.preview().stroke.empty());
-        CHECK(desk.tool.escape());
-        CHECK(!desk.tool.escape());
-        desk.tool.release(desk.work(), at(3.0, 5.0));
-        desk.draw({{3.0, 3.0}});
-        CHECK(desk.prediction.is_empty());
+        Workspace workspace;
+        workspace.tool.press(workspace.work(), at(0.0, 5.0));
+        workspace.tool.move(workspace.work(), at(3.0, 5.0));
+        CHECK(!workspace.tool.preview().stroke.empty());
+        CHECK(workspace.tool.escape());
+        CHECK(!workspace.tool.escape());
+        workspace.tool.release(workspace.work(), at(3.0, 5.0));
+        workspace.draw({{3.0, 3.0}});
+        CHECK(workspace.prediction.is_empty());
     }
 
     TEST_CASE("While the results are seen nothing can be drawn")
     {
-        Desk desk;
-        const Work seen{desk.document, desk.selection};
-        desk.tool.press(seen, at(0.0, 5.0));
-        desk.tool.move(seen, at(6.0, 5.0));
-        desk.tool.release(seen, at(6.0, 5.0));
-        CHECK(desk.prediction.is_empty());
-        CHECK(!desk.tool.preview().member);
+        Workspace workspace;
+        const Work seen{workspace.document, workspace.selection};
+        workspace.tool.press(seen, at(0.0, 5.0));
+        workspace.tool.move(seen, at(6.0, 5.0));
+        workspace.tool.release(seen, at(6.0, 5.0));
+        CHECK(workspace.prediction.is_empty());
+        CHECK(!workspace.tool.preview().member);
     }
 }

@@ -47,8 +47,8 @@ TEST_SUITE("frame: property sets")
     {
         Document document = starting_document();
         CHECK(why_not_rename(document.model, SectionId(0), "beam") ==
-              ui::Phrase("there is another one named {name}", {{"name", "beam"}}));
-        CHECK(why_not_rename(document.model, SectionId(0), "  ") == ui::Phrase("a name is wanted"));
+              ui::Message("there is another one named {name}", {{"name", "beam"}}));
+        CHECK(why_not_rename(document.model, SectionId(0), "  ") == ui::Message("a name is wanted"));
         CHECK_FALSE(why_not_rename(document.model, SectionId(0), "column")); // its own
         rename(document, SectionId(0), "HEB 200");
         CHECK(document.model[*document.model.members[0].section].id == "HEB 200");

@@ -17,9 +17,9 @@ struct Making {
         session.selection = selection;
         draft.open(session);
     }
-    void obey(std::string_view verb, std::string_view argument = "")
+    void run_command(std::string_view verb, std::string_view argument = "")
     {
-        CHECK_FALSE(draft.obey(session, verb, argument));
+        CHECK_FALSE(draft.run_command(session, verb, argument));
     }
     double moment() const { return (*session.solution().results)[CaseId(0)].curve(MemberId(1)).forces(3.0).Mz; }
 };
@@ -34,10 +34,10 @@ TEST_SUITE("frame: making a section")
     {
         Making making(beam);
         const double before = making.moment();
-        making.obey("shape", "i");
-        making.obey("set", "h 800 mm");
+        making.run_command("shape", "i");
+        making.run_command("set", "h 800 mm");
         CHECK(making.moment() > before); // a stiffer beam
-        making.obey("accept");
+        making.run_command("accept");
         CHECK(making.session.history().n_states() == 2);
         CHECK(ui::Catalogue()(*making.session.history().undo_label()) == "Change section beam");
         CHECK(making.session.model().sections[1].shape->h->text() == "800 mm");
@@ -48,10 +48,10 @@ TEST_SUITE("frame: making a section")
     TEST_CASE("A new section is for the selected members alone")
     {
         Making making(column);
-        making.obey("new");
-        making.obey("profile", "HEB 200");
-        making.obey("name", "strong");
-        making.obey("accept");
+        making.run_command("new");
+        making.run_command("profile", "HEB 200");
+        making.run_command("name", "strong");
+        making.run_command("accept");
         const Model& model = making.session.model();
         CHECK(model.sections.size() == 3);
         CHECK(model[*model.members[0].section].id == "strong");
@@ -61,10 +61,10 @@ TEST_SUITE("frame: making a section")
     TEST_CASE("Going back from a new section to the old one leaves no section behind")
     {
         Making making(column);
-        making.obey("profile", "HEB 200");
-        making.obey("new");
+        making.run_command("profile", "HEB 200");
+        making.run_command("new");
         making.draft.set_target(making.session, SectionTarget::This);
-        making.obey("accept");
+        making.run_command("accept");
         CHECK(making.session.model().sections.size() == 2);
         CHECK(making.session.model().sections[0].profile == "HEB 200");
     }
@@ -72,7 +72,7 @@ TEST_SUITE("frame: making a section")
     TEST_CASE("Without a selection a section is made that no member has yet")
     {
         Making making(Selection{});
-        making.obey("accept");
+        making.run_command("accept");
         REQUIRE(making.session.model().sections.size() == 3);
         CHECK(making.session.model().sections[2].id == "s1");
     }
@@ -80,22 +80,22 @@ TEST_SUITE("frame: making a section")
     TEST_CASE("What cannot be is answered, and leaves the section as it was")
     {
         Making making(beam);
-        making.obey("shape", "i");
+        making.run_command("shape", "i");
         const Section before = making.draft.section();
-        CHECK(making.draft.obey(making.session, "set", "tf 40 cm") == "tf must be less than h/2 = 15 cm");
-        CHECK(making.draft.obey(making.session, "set", "d 40 cm") == "no dimension \"d\"");
-        CHECK(making.draft.obey(making.session, "profile", "IPE 301") == "no profile \"IPE 301\"");
-        CHECK(making.draft.obey(making.session, "name", "column") == "there is another one named column");
+        CHECK(making.draft.run_command(making.session, "set", "tf 40 cm") == "tf must be less than h/2 = 15 cm");
+        CHECK(making.draft.run_command(making.session, "set", "d 40 cm") == "no dimension \"d\"");
+        CHECK(making.draft.run_command(making.session, "profile", "IPE 301") == "no profile \"IPE 301\"");
+        CHECK(making.draft.run_command(making.session, "name", "column") == "there is another one named column");
         CHECK(making.draft.section() == before);
     }
 
     TEST_CASE("Cancel leaves document, history and selection as they were")
     {
         Making making(Part(SectionId(1)));
-        making.obey("profile", "IPE 300");
-        making.obey("name", "IPE");
+        making.run_command("profile", "IPE 300");
+        making.run_command("name", "IPE");
         CHECK(making.session.selection == Selection(Part(SectionId(1)))); // though it has another name
-        making.obey("cancel");
+        making.run_command("cancel");
         CHECK(making.session.document() == starting_document());
         CHECK(making.session.history().n_states() == 1);
         CHECK(making.session.selection == Selection(Part(SectionId(1))));

@@ -23,26 +23,27 @@ namespace {
 
 const std::string examples = source_folder() + "/examples/";
 
-Desk desk_with(const char* file)
+Workspace workspace_with(const char* file)
 {
-    Desk desk{Session{Document{}}};
-    REQUIRE(open_file(desk, examples + file));
-    return desk;
+    Workspace workspace{Session{Document{}}};
+    REQUIRE(open_file(workspace, examples + file));
+    return workspace;
 }
 
-void touch(Desk& desk)
+void touch(Workspace& workspace)
 {
-    desk.session.change({ui::translatable("Change"), [](Document& document) { set_title(document, "Changed"); }});
+    workspace.session.change({ui::translatable("Change"), [](Document& document) { set_title(document, "Changed"); }});
 }
 
-std::string names(const Desk& desk)
+std::string names(const Workspace& workspace)
 {
     std::string all;
-    for (std::size_t i = 0; i < n_tabs(desk); ++i) all += (i == desk.tab ? "*" : "") + tab(desk, i).file_name() + " ";
+    for (std::size_t i = 0; i < n_tabs(workspace); ++i)
+        all += (i == workspace.tab ? "*" : "") + tab(workspace, i).file_name() + " ";
     return all;
 }
 
-void run(Desk& desk, std::string_view id) { CHECK(!ui::run(*command_table().find(id), desk)); }
+void run(Workspace& workspace, std::string_view id) { CHECK(!ui::run(*command_table().find(id), workspace)); }
 
 } // namespace
 
@@ -50,17 +51,17 @@ TEST_SUITE("frame session")
 {
     TEST_CASE("A file opens in a tab of its own, but in the place of a sheet that nobody has touched")
     {
-        Desk desk = desk_with("portal.json");
-        CHECK(names(desk) == "*portal.json ");
-        REQUIRE(open_file(desk, examples + "truss.json"));
-        CHECK(names(desk) == "portal.json *truss.json ");
-        REQUIRE(open_file(desk, examples + "portal.json"));
-        CHECK(names(desk) == "*portal.json truss.json ");
-        new_document(desk);
-        CHECK(names(desk) == "portal.json *Untitled truss.json ");
-        CHECK(desk.session.model().nodes.empty());
-        REQUIRE(open_file(desk, examples + "gerber_beam.json"));
-        CHECK(names(desk) == "portal.json *gerber_beam.json truss.json ");
+        Workspace workspace = workspace_with("portal.json");
+        CHECK(names(workspace) == "*portal.json ");
+        REQUIRE(open_file(workspace, examples + "truss.json"));
+        CHECK(names(workspace) == "portal.json *truss.json ");
+        REQUIRE(open_file(workspace, examples + "portal.json"));
+        CHECK(names(workspace) == "*portal.json truss.json ");
+        new_document(workspace);
+        CHECK(names(workspace) == "portal.json *Untitled truss.json ");
+        CHECK(workspace.session.model().nodes.empty());
+        REQUIRE(open_file(workspace, examples + "gerber_beam.json"));
+        CHECK(names(workspace) == "portal.json *gerber_beam.json truss.json ");
     }
 
     TEST_CASE("A document is saved over its own file and not over that of another tab")
@@ -68,64 +69,64 @@ TEST_SUITE("frame session")
         const Folder folder;
         const std::filesystem::path path = folder.path() / "portal.json";
         std::filesystem::copy_file(examples + "portal.json", path);
-        Desk desk{Session{Document{}}};
-        REQUIRE(open_file(desk, path));
-        touch(desk);
-        CHECK(save_as(desk, path));
-        new_document(desk);
-        touch(desk);
-        CHECK(!save_as(desk, path));
-        REQUIRE(desk.session.notice);
-        CHECK(ui::Catalogue()(desk.session.notice->sentence) ==
+        Workspace workspace{Session{Document{}}};
+        REQUIRE(open_file(workspace, path));
+        touch(workspace);
+        CHECK(save_as(workspace, path));
+        new_document(workspace);
+        touch(workspace);
+        CHECK(!save_as(workspace, path));
+        REQUIRE(workspace.session.notice);
+        CHECK(ui::Catalogue()(workspace.session.notice->sentence) ==
               "portal.json is open in another tab; close it or choose another name");
         CHECK(femoop::read_model_file(path).nodes.size() == 4);
-        CHECK(save_as(desk, folder.path() / "other.json"));
+        CHECK(save_as(workspace, folder.path() / "other.json"));
     }
 
     TEST_CASE("Every order of showing and closing tabs keeps their order and their documents")
     {
-        Desk desk = desk_with("portal.json");
+        Workspace workspace = workspace_with("portal.json");
         for (const char* file : {"truss.json", "gerber_beam.json", "mechanism.json"})
-            REQUIRE(open_file(desk, examples + file));
+            REQUIRE(open_file(workspace, examples + file));
         for (const std::size_t place : {0U, 3U, 1U, 2U, 0U, 2U, 1U}) {
-            show_tab(desk, place);
-            CHECK(desk.tab == place);
-            CHECK(tab(desk, 0).file_name() == "portal.json");
-            CHECK(tab(desk, 3).file_name() == "mechanism.json");
+            show_tab(workspace, place);
+            CHECK(workspace.tab == place);
+            CHECK(tab(workspace, 0).file_name() == "portal.json");
+            CHECK(tab(workspace, 3).file_name() == "mechanism.json");
         }
-        close_tab(desk); // the second
-        CHECK(names(desk) == "portal.json *gerber_beam.json mechanism.json ");
-        show_tab(desk, 2);
-        close_tab(desk);
-        CHECK(names(desk) == "portal.json *gerber_beam.json ");
-        close_tab(desk);
-        close_tab(desk);
-        CHECK(names(desk) == "*Untitled ");
+        close_tab(workspace); // the second
+        CHECK(names(workspace) == "portal.json *gerber_beam.json mechanism.json ");
+        show_tab(workspace, 2);
+        close_tab(workspace);
+        CHECK(names(workspace) == "portal.json *gerber_beam.json ");
+        close_tab(workspace);
+        close_tab(workspace);
+        CHECK(names(workspace) == "*Untitled ");
     }
 
     TEST_CASE("A file that cannot be read leaves every tab as it is and says why")
     {
-        Desk desk = desk_with("portal.json");
-        touch(desk);
-        CHECK(!open_file(desk, examples + "no such file.json"));
-        CHECK(names(desk) == "*portal.json ");
-        CHECK(desk.session.model().title == "Changed");
-        REQUIRE(desk.session.notice);
-        CHECK(!desk.session.notice->faults.empty());
+        Workspace workspace = workspace_with("portal.json");
+        touch(workspace);
+        CHECK(!open_file(workspace, examples + "no such file.json"));
+        CHECK(names(workspace) == "*portal.json ");
+        CHECK(workspace.session.model().title == "Changed");
+        REQUIRE(workspace.session.notice);
+        CHECK(!workspace.session.notice->faults.empty());
     }
 
     TEST_CASE("What was saved while it was drawn opens again to be mended, though it cannot be solved")
     {
         const Folder folder;
-        Desk desk{Session{Document{}}};
-        desk.session.change({ui::translatable("Add a node"), [](Document& document) {
-                                 add_node(document, {1.0, 2.0});
-                                 add_node_load(document, load_case_for(document, femoop::CaseId(0)), NodeId(0),
-                                               {femoop::Dof::uy, femoop::Quantity(-5.0)});
-                             }});
-        const Document drawn = desk.session.document();
-        REQUIRE(desk.session.save(folder.path() / "begun.json"));
-        Desk later = desk_with("portal.json");
+        Workspace workspace{Session{Document{}}};
+        workspace.session.change({ui::translatable("Add a node"), [](Document& document) {
+                                      add_node(document, {1.0, 2.0});
+                                      add_node_load(document, load_case_for(document, femoop::CaseId(0)), NodeId(0),
+                                                    {femoop::Dof::uy, femoop::Quantity(-5.0)});
+                                  }});
+        const Document drawn = workspace.session.document();
+        REQUIRE(workspace.session.save(folder.path() / "begun.json"));
+        Workspace later = workspace_with("portal.json");
         CHECK(!open_file(later, folder.path() / "begun.json"));
         REQUIRE(later.session.notice);
         CHECK(later.session.notice->to_mend);
@@ -135,60 +136,60 @@ TEST_SUITE("frame session")
 
     TEST_CASE("Language, theme and units go along from tab to tab, the load case and the camera stay")
     {
-        Desk desk = desk_with("portal.json");
-        desk.session.view.load_case = femoop::CaseId(2);
-        new_document(desk);
-        desk.session.set_language(ui::Language::Portuguese);
-        desk.session.view.theme = ui::ThemeName::Dark;
-        desk.session.view.units = ui::UnitSystem::KnCm;
-        show_tab(desk, 0);
-        CHECK(desk.session.view.tr.language() == ui::Language::Portuguese);
-        CHECK(desk.session.view.theme == ui::ThemeName::Dark);
-        CHECK(desk.session.view.load_case == femoop::CaseId(2));
-        CHECK(desk.session.view.units == ui::UnitSystem::KnCm);
-        REQUIRE(open_file(desk, examples + "truss.json"));
-        CHECK(desk.session.view.units == ui::UnitSystem::KnCm);
-        close_tab(desk);
-        close_tab(desk);
-        CHECK(desk.session.view.units == ui::UnitSystem::KnCm);
+        Workspace workspace = workspace_with("portal.json");
+        workspace.session.view.load_case = femoop::CaseId(2);
+        new_document(workspace);
+        workspace.session.set_language(ui::Language::Portuguese);
+        workspace.session.view.theme = ui::ThemeName::Dark;
+        workspace.session.view.units = ui::UnitSystem::KnCm;
+        show_tab(workspace, 0);
+        CHECK(workspace.session.view.tr.language() == ui::Language::Portuguese);
+        CHECK(workspace.session.view.theme == ui::ThemeName::Dark);
+        CHECK(workspace.session.view.load_case == femoop::CaseId(2));
+        CHECK(workspace.session.view.units == ui::UnitSystem::KnCm);
+        REQUIRE(open_file(workspace, examples + "truss.json"));
+        CHECK(workspace.session.view.units == ui::UnitSystem::KnCm);
+        close_tab(workspace);
+        close_tab(workspace);
+        CHECK(workspace.session.view.units == ui::UnitSystem::KnCm);
     }
 
     TEST_CASE("Of a truss the normal forces are shown where moments were shown of a frame, and the other way")
     {
-        Desk desk = desk_with("portal.json");
-        desk.session.view.show = {Show::Loads, Show::M};
-        REQUIRE(open_file(desk, examples + "truss.json"));
-        CHECK(desk.session.view.show == ShowSet{Show::Loads, Show::N});
-        show_tab(desk, 0);
-        CHECK(desk.session.view.show == ShowSet{Show::Loads, Show::M});
-        desk.session.view.show = {Show::N, Show::M};
-        show_tab(desk, 1);
-        CHECK(desk.session.view.show == ShowSet{Show::N, Show::M});
+        Workspace workspace = workspace_with("portal.json");
+        workspace.session.view.show = {Show::Loads, Show::M};
+        REQUIRE(open_file(workspace, examples + "truss.json"));
+        CHECK(workspace.session.view.show == ShowSet{Show::Loads, Show::N});
+        show_tab(workspace, 0);
+        CHECK(workspace.session.view.show == ShowSet{Show::Loads, Show::M});
+        workspace.session.view.show = {Show::N, Show::M};
+        show_tab(workspace, 1);
+        CHECK(workspace.session.view.show == ShowSet{Show::N, Show::M});
     }
 
     TEST_CASE("Results that are hidden are hidden in every tab, and revealed in every tab")
     {
-        Desk desk = desk_with("portal.json");
-        desk.session.view.show = {Show::Loads, Show::M};
-        run(desk, "view.hide_results");
-        REQUIRE(open_file(desk, examples + "truss.json"));
-        CHECK(desk.session.view.show == ShowSet{Show::Loads});
-        run(desk, "view.hide_results");
-        CHECK(desk.session.view.show == ShowSet{Show::Loads, Show::N});
-        show_tab(desk, 0);
-        CHECK(desk.session.view.show == ShowSet{Show::Loads, Show::M});
-        CHECK(!desk.session.hidden);
+        Workspace workspace = workspace_with("portal.json");
+        workspace.session.view.show = {Show::Loads, Show::M};
+        run(workspace, "view.hide_results");
+        REQUIRE(open_file(workspace, examples + "truss.json"));
+        CHECK(workspace.session.view.show == ShowSet{Show::Loads});
+        run(workspace, "view.hide_results");
+        CHECK(workspace.session.view.show == ShowSet{Show::Loads, Show::N});
+        show_tab(workspace, 0);
+        CHECK(workspace.session.view.show == ShowSet{Show::Loads, Show::M});
+        CHECK(!workspace.session.hidden);
     }
 
     TEST_CASE("A few seconds after a change there is a draft, which goes when the document is saved or closed")
     {
         const Folder folder;
-        Desk desk = desk_with("portal.json");
+        Workspace workspace = workspace_with("portal.json");
         ui::Autosave autosave({folder.path() / "state", ".json", files::write_whole_file});
         const auto n_drafts = [&] {
-            autosave.tick([&] { return desk.unsaved(); }, ui::Autosave::interval);
+            autosave.tick([&] { return workspace.unsaved(); }, ui::Autosave::interval);
             autosave.wait();
-            autosave.tick([&] { return desk.unsaved(); }, ui::Autosave::interval);
+            autosave.tick([&] { return workspace.unsaved(); }, ui::Autosave::interval);
             std::size_t n = 0;
             std::error_code none;
             for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "state", none))
@@ -196,12 +197,12 @@ TEST_SUITE("frame session")
             return n;
         };
         CHECK(n_drafts() == 0);
-        touch(desk);
+        touch(workspace);
         CHECK(n_drafts() == 1);
-        REQUIRE(desk.session.save(folder.path() / "saved.json"));
+        REQUIRE(workspace.session.save(folder.path() / "saved.json"));
         CHECK(n_drafts() == 0);
-        desk.session.undo();
-        new_document(desk);
+        workspace.session.undo();
+        new_document(workspace);
         CHECK(n_drafts() == 1); // of the tab on the shelf
     }
 
@@ -212,73 +213,73 @@ TEST_SUITE("frame session")
         set_title(document, "Left behind");
         const std::filesystem::path draft = folder.path() / "1-0.json";
         femoop::write_model_file(document.model, draft);
-        Desk desk{Session{Document{}}};
-        const auto number = desk.recover({draft, folder.path() / "lesson.json"});
-        REQUIRE(number == desk.session.number());
-        CHECK(desk.session.file_name() == "lesson.json");
-        CHECK(desk.session.is_dirty());
-        CHECK(desk.session.document() == document);
+        Workspace workspace{Session{Document{}}};
+        const auto number = workspace.recover({draft, folder.path() / "lesson.json"});
+        REQUIRE(number == workspace.session.number());
+        CHECK(workspace.session.file_name() == "lesson.json");
+        CHECK(workspace.session.is_dirty());
+        CHECK(workspace.session.document() == document);
     }
 
     TEST_CASE("Work that was kept survives, and is the same bit for bit")
     {
         const Folder folder;
         const ui::DraftFolder drafts{folder.path() / "state", ".json", files::write_whole_file};
-        Desk desk = desk_with("portal.json");
-        desk.session.change({"Move", [](Document& document) { document.model.nodes[1].at[0] = 0.1 + 0.2; }});
+        Workspace workspace = workspace_with("portal.json");
+        workspace.session.change({"Move", [](Document& document) { document.model.nodes[1].at[0] = 0.1 + 0.2; }});
         {
             ui::Draft draft(drafts);
-            REQUIRE_FALSE(draft.keep(desk.unsaved().at(0).copy(), desk.session.path()));
+            REQUIRE_FALSE(draft.keep(workspace.unsaved().at(0).copy(), workspace.session.path()));
         }
-        const auto found = ui::leftovers(drafts);
+        const auto found = ui::recoverable_files(drafts);
         REQUIRE(found.size() == 1);
-        Desk next{Session{Document{}}};
+        Workspace next{Session{Document{}}};
         REQUIRE(next.recover(found[0]));
-        CHECK(next.session.document() == desk.session.document());
-        CHECK(next.session.path() == desk.session.path());
+        CHECK(next.session.document() == workspace.session.document());
+        CHECK(next.session.path() == workspace.session.path());
     }
 
     TEST_CASE("A transformation shows at once what it does, and is one step when it is accepted, none when it is not")
     {
-        Desk desk = desk_with("portal.json");
-        const Document before = desk.session.document();
-        run(desk, "edit.select_all");
-        const Selection selected = desk.session.selection;
-        run(desk, "edit.mirror");
-        CHECK(desk.session.model().members.size() == 5); // the columns at the mirror are one
-        CHECK(desk.session.model().members.back().id == "FC");
-        run(desk, "edit.deselect");
-        CHECK(desk.session.document() == before);
-        CHECK(desk.session.selection == selected);
-        CHECK(!desk.session.history().can_undo());
-        CHECK(!desk.transform);
-        run(desk, "edit.copy");
-        desk.transform->times = 3;
-        change_transform(desk);
-        run(desk, "edit.accept");
-        CHECK(desk.session.model().members.size() == 9);
-        CHECK(desk.session.model().nodes.size() == 10); // neighbours share a column
-        CHECK(desk.session.history().n_states() == 2);
-        run(desk, "edit.undo");
-        CHECK(desk.session.document() == before);
+        Workspace workspace = workspace_with("portal.json");
+        const Document before = workspace.session.document();
+        run(workspace, "edit.select_all");
+        const Selection selected = workspace.session.selection;
+        run(workspace, "edit.mirror");
+        CHECK(workspace.session.model().members.size() == 5); // the columns at the mirror are one
+        CHECK(workspace.session.model().members.back().id == "FC");
+        run(workspace, "edit.deselect");
+        CHECK(workspace.session.document() == before);
+        CHECK(workspace.session.selection == selected);
+        CHECK(!workspace.session.history().can_undo());
+        CHECK(!workspace.transform);
+        run(workspace, "edit.copy");
+        workspace.transform->times = 3;
+        change_transform(workspace);
+        run(workspace, "edit.accept");
+        CHECK(workspace.session.model().members.size() == 9);
+        CHECK(workspace.session.model().nodes.size() == 10); // neighbours share a column
+        CHECK(workspace.session.history().n_states() == 2);
+        run(workspace, "edit.undo");
+        CHECK(workspace.session.document() == before);
     }
 
     TEST_CASE("A node is not taken so far off that others could not be told apart, by whatever numbers")
     {
-        Desk desk = desk_with("portal.json"); // its shortest member is 4.5 m long
-        const Document before = desk.session.document();
+        Workspace workspace = workspace_with("portal.json"); // its shortest member is 4.5 m long
+        const Document before = workspace.session.document();
         const auto moved_to = [&](double x) {
-            return desk.session.change({"Move", [x](Document& document) { document.model.nodes[2].at[0] = x; }});
+            return workspace.session.change({"Move", [x](Document& document) { document.model.nodes[2].at[0] = x; }});
         };
         REQUIRE(moved_to(-1e100));
         CHECK(ui::Catalogue()(*moved_to(-1e100)) ==
               "nothing was changed: node C would lie 1e100 m off, where nodes beside each other are one; "
               "stay within 100000 m, and check the unit");
         CHECK(moved_to(-100001.0));
-        CHECK(desk.session.document() == before);
-        CHECK(!desk.session.history().can_undo());
+        CHECK(workspace.session.document() == before);
+        CHECK(!workspace.session.history().can_undo());
         CHECK(!moved_to(-99999.0));
-        CHECK(desk.session.model().members.size() == before.model.members.size());
+        CHECK(workspace.session.model().members.size() == before.model.members.size());
     }
 
     TEST_CASE("Where a file has a node very far off it may stay and come nearer, while others move")
@@ -296,105 +297,106 @@ TEST_SUITE("frame session")
 
     TEST_CASE("A transformation with numbers that lead too far keeps what was shown before")
     {
-        Desk desk = desk_with("portal.json");
-        run(desk, "edit.select_all");
-        run(desk, "edit.move");
-        const Document shown = desk.session.document();
+        Workspace workspace = workspace_with("portal.json");
+        run(workspace, "edit.select_all");
+        run(workspace, "edit.move");
+        const Document shown = workspace.session.document();
         for (const double far : {1e7, 1e100, 1e300}) {
-            desk.transform->x = far;
-            CHECK(change_transform(desk));
-            CHECK(desk.session.document() == shown);
+            workspace.transform->x = far;
+            CHECK(change_transform(workspace));
+            CHECK(workspace.session.document() == shown);
         }
-        run(desk, "edit.deselect");
-        run(desk, "edit.scale");
-        desk.transform->factor = 1e9;
-        CHECK(change_transform(desk));
+        run(workspace, "edit.deselect");
+        run(workspace, "edit.scale");
+        workspace.transform->factor = 1e9;
+        CHECK(change_transform(workspace));
     }
 
     TEST_CASE("What was mirrored and joined is selected, and its members have the names of their nodes")
     {
-        Desk desk = desk_with("portal.json");
-        run(desk, "edit.select_all");
-        run(desk, "edit.mirror"); // about the right column
-        run(desk, "edit.accept");
-        const femoop::Model& model = desk.session.model();
+        Workspace workspace = workspace_with("portal.json");
+        run(workspace, "edit.select_all");
+        run(workspace, "edit.mirror"); // about the right column
+        run(workspace, "edit.accept");
+        const femoop::Model& model = workspace.session.model();
         REQUIRE(model.members.size() == 5);
         for (const femoop::Member& member : model.members) CHECK(femoop::is_named_after_nodes(model, member));
         CHECK(model.nodes.back().id == "F");
-        CHECK(desk.session.selection.contains(NodeId(5)));
-        CHECK(desk.session.selection.contains(MemberId(4)));
-        CHECK(!desk.session.selection.contains(MemberId(0)));
+        CHECK(workspace.session.selection.contains(NodeId(5)));
+        CHECK(workspace.session.selection.contains(MemberId(4)));
+        CHECK(!workspace.session.selection.contains(MemberId(0)));
     }
 
     TEST_CASE("A load case that goes out of combinations with its deletion is told, by drag or by click")
     {
-        Desk desk = desk_with("portal.json");
-        const std::string name = desk.session.model().load_cases[0].id;
-        desk.session.selection = Part(LoadCasePlace{0});
-        run(desk, "edit.delete");
-        REQUIRE(desk.session.notice);
-        const std::string words = ui::Catalogue()(desk.session.notice->sentence);
+        Workspace workspace = workspace_with("portal.json");
+        const std::string name = workspace.session.model().load_cases[0].id;
+        workspace.session.selection = Part(LoadCasePlace{0});
+        run(workspace, "edit.delete");
+        REQUIRE(workspace.session.notice);
+        const std::string words = ui::Catalogue()(workspace.session.notice->sentence);
         CAPTURE(words);
         CHECK(words.starts_with(name + " went out of the combinations "));
-        run(desk, "edit.undo");
-        CHECK(!desk.session.notice); // it is back
-        desk.session.selection = Part(NodeId(0));
-        run(desk, "edit.nudge_up");
-        CHECK(!desk.session.notice);
+        run(workspace, "edit.undo");
+        CHECK(!workspace.session.notice); // it is back
+        workspace.session.selection = Part(NodeId(0));
+        run(workspace, "edit.nudge_up");
+        CHECK(!workspace.session.notice);
     }
 
     TEST_CASE("Expected results that go with the part that they are about are told")
     {
-        Desk desk = desk_with("portal.json");
-        desk.session.change({"check", [](Document& document) {
-                                 document.model.expected = {{.member = MemberId(1)}, {.member = MemberId(1)}};
-                             }});
-        desk.session.selection = Part(MemberId(1));
-        run(desk, "edit.delete");
-        REQUIRE(desk.session.notice);
-        CHECK(ui::Catalogue()(desk.session.notice->sentence).find("with it: 2.") != std::string::npos);
+        Workspace workspace = workspace_with("portal.json");
+        workspace.session.change({"check", [](Document& document) {
+                                      document.model.expected = {{.member = MemberId(1)}, {.member = MemberId(1)}};
+                                  }});
+        workspace.session.selection = Part(MemberId(1));
+        run(workspace, "edit.delete");
+        REQUIRE(workspace.session.notice);
+        CHECK(ui::Catalogue()(workspace.session.notice->sentence).find("with it: 2.") != std::string::npos);
     }
 
     TEST_CASE("A change that must be sound runs its command once")
     {
-        Desk desk = desk_with("portal.json");
+        Workspace workspace = workspace_with("portal.json");
         int n_runs = 0;
-        CHECK(desk.session.change_soundly(
+        CHECK(workspace.session.change_soundly(
             {"title", [&](Document& document) { document.model.title = std::to_string(++n_runs); }}));
         CHECK(n_runs == 1);
-        CHECK(desk.session.model().title == "1");
+        CHECK(workspace.session.model().title == "1");
     }
 
     TEST_CASE("A quarter turn is exact: what stood upright lies level")
     {
-        Desk desk = desk_with("portal.json");
-        desk.session.selection = Part(MemberId(0));
-        desk.session.selection.add(NodeId(0));
-        Transform transform = transform_of(Transform::Kind::Rotate, desk.session.model(), desk.session.selection);
+        Workspace workspace = workspace_with("portal.json");
+        workspace.session.selection = Part(MemberId(0));
+        workspace.session.selection.add(NodeId(0));
+        Transform transform = transform_of(Transform::Kind::Rotate, workspace.session.model(),
+                                           workspace.session.selection);
         transform.x = transform.y = 0.0;
-        desk.session.change(transform.change(desk.session.model()));
-        const auto& at = desk.session.model().nodes[1].at;
+        workspace.session.change(transform.change(workspace.session.model()));
+        const auto& at = workspace.session.model().nodes[1].at;
         CHECK(at[0] == -4.5);
         CHECK(at[1] == 0.0);
     }
 
     TEST_CASE("Arrow keys move the selection by the grid, and what it meets is joined")
     {
-        Desk desk = desk_with("portal.json");
-        desk.session.selection = Part(NodeId(1));
-        desk.hand.settings().grid = 0.5;
-        const double before = desk.session.model().nodes[1].at[0];
-        run(desk, "edit.nudge_right");
-        CHECK(desk.session.model().nodes[1].at[0] == before + 0.5);
+        Workspace workspace = workspace_with("portal.json");
+        workspace.session.selection = Part(NodeId(1));
+        workspace.tool_controller.settings().grid = 0.5;
+        const double before = workspace.session.model().nodes[1].at[0];
+        run(workspace, "edit.nudge_right");
+        CHECK(workspace.session.model().nodes[1].at[0] == before + 0.5);
     }
 
     TEST_CASE("Deleting is one step, and nothing is selected then")
     {
-        Desk desk = desk_with("portal.json");
-        desk.session.selection = Part(MemberId(1));
-        run(desk, "edit.delete");
-        CHECK(desk.session.model().members.size() == 2);
-        CHECK(desk.session.selection.is_empty());
-        CHECK(ui::why_not(*command_table().find("edit.delete"), desk));
+        Workspace workspace = workspace_with("portal.json");
+        workspace.session.selection = Part(MemberId(1));
+        run(workspace, "edit.delete");
+        CHECK(workspace.session.model().members.size() == 2);
+        CHECK(workspace.session.selection.is_empty());
+        CHECK(ui::why_not(*command_table().find("edit.delete"), workspace));
     }
 }

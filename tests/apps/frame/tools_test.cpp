@@ -13,13 +13,13 @@
 #include "apps/frame/document/number.h"
 #include "apps/frame/tools/dimension_tool.h"
 #include "apps/frame/tools/grid.h"
-#include "apps/frame/tools/hand.h"
 #include "apps/frame/tools/kept_settings.h"
 #include "apps/frame/tools/load_tool.h"
 #include "apps/frame/tools/member_tool.h"
 #include "apps/frame/tools/node_tool.h"
 #include "apps/frame/tools/part_tools.h"
 #include "apps/frame/tools/select_tool.h"
+#include "apps/frame/tools/tool_controller.h"
 #include "apps/frame/tools/typed_place.h"
 #include "ui/history/history.h"
 
@@ -184,8 +184,8 @@ TEST_SUITE("frame tools")
 
     TEST_CASE("A place is typed as coordinates, as a step, as length and angle, or as a length")
     {
-        const frame::DrawingHand hand{.from = Vector2d(1, 2), .pointer = Vector2d(4, 6)};
-        const auto typed = [&](const char* text) { return frame::place_typed(text, hand); };
+        const frame::DrawingHand tool_controller{.from = Vector2d(1, 2), .pointer = Vector2d(4, 6)};
+        const auto typed = [&](const char* text) { return frame::place_typed(text, tool_controller); };
         CHECK(typed("6,4") == Vector2d(6, 4));
         CHECK(typed("@3,2") == Vector2d(4, 4));
         CHECK(typed("4<90") == Vector2d(1, 6));
@@ -198,8 +198,8 @@ TEST_SUITE("frame tools")
 
     TEST_CASE("The angle of a typed place may have a unit")
     {
-        const frame::DrawingHand hand{.from = Vector2d(1, 2), .pointer = Vector2d(4, 6)};
-        const auto typed = [&](const char* text) { return frame::place_typed(text, hand); };
+        const frame::DrawingHand tool_controller{.from = Vector2d(1, 2), .pointer = Vector2d(4, 6)};
+        const auto typed = [&](const char* text) { return frame::place_typed(text, tool_controller); };
         const Vector2d up(1, 6), slanting(1 + 4 * std::sqrt(0.75), 4);
         for (const char* text : {"4<90 deg", "4<90°", "400 cm < 90 deg", "4<-270 deg", "4<180/2 °"}) {
             CAPTURE(std::string(text));
@@ -219,10 +219,10 @@ TEST_SUITE("frame tools")
 
     TEST_CASE("What is no place is none, and a step needs a beginning")
     {
-        const frame::DrawingHand hand{.from = Vector2d(1, 2), .pointer = Vector2d(4, 6)};
+        const frame::DrawingHand tool_controller{.from = Vector2d(1, 2), .pointer = Vector2d(4, 6)};
         for (const char* text : {"", "x", "3,", ",", "@", "4<", "<30", "1,2,3", "@4", "nan,1", "1e999,0", "4<x"}) {
             CAPTURE(std::string(text));
-            CHECK(!frame::place_typed(text, hand));
+            CHECK(!frame::place_typed(text, tool_controller));
         }
         for (const char* text : {"@3,2", "4<30", "4"}) CHECK(!frame::place_typed(text, {}));
     }
@@ -231,19 +231,19 @@ TEST_SUITE("frame tools")
     {
         const femoop::Units feet{.length = femoop::LengthUnit::ft, .force = femoop::ForceUnit::kip};
         const ui::DisplayUnits metres(ui::UnitSystem::KnM, frame::base_units(feet), {});
-        const frame::DrawingHand hand{.from = Vector2d(0, 0), .file = feet, .shown = metres};
-        CHECK(frame::place_typed("0,3.048", hand)->isApprox(Vector2d(0, 10)));
-        CHECK(frame::place_typed("120 in,2*1.524", hand)->isApprox(Vector2d(10, 10)));
-        CHECK(frame::place_typed("10 ft<90", hand)->isApprox(Vector2d(0, 10)));
-        CHECK(!frame::place_typed("3 kN,2", hand));
+        const frame::DrawingHand tool_controller{.from = Vector2d(0, 0), .file = feet, .shown = metres};
+        CHECK(frame::place_typed("0,3.048", tool_controller)->isApprox(Vector2d(0, 10)));
+        CHECK(frame::place_typed("120 in,2*1.524", tool_controller)->isApprox(Vector2d(10, 10)));
+        CHECK(frame::place_typed("10 ft<90", tool_controller)->isApprox(Vector2d(0, 10)));
+        CHECK(!frame::place_typed("3 kN,2", tool_controller));
     }
 
     TEST_CASE("In space a place is typed as three coordinates, or in the working plane")
     {
         const Eigen::Vector3d from(1.0, 2.0, 3.0), pointer(1.0, 2.0, 8.0);
         const frame::WorkingPlane upright{.normal = frame::WorkingPlane::Normal::Y, .level = 7.0};
-        const frame::SpaceHand hand{.from = from, .pointer = pointer, .plane = upright};
-        const auto typed = [&](const char* text) { return frame::place_typed_in_space(text, hand); };
+        const frame::SpaceHand tool_controller{.from = from, .pointer = pointer, .plane = upright};
+        const auto typed = [&](const char* text) { return frame::place_typed_in_space(text, tool_controller); };
         CHECK(typed("6,4,-5")->isApprox(Eigen::Vector3d(6, 4, -5)));
         CHECK(typed("6,5;4;2*1.5")->isApprox(Eigen::Vector3d(6.5, 4, 3)));
         CHECK(typed("@0,0,3")->isApprox(Eigen::Vector3d(1, 2, 6)));
@@ -307,39 +307,39 @@ TEST_SUITE("frame tools")
 
     TEST_CASE("Esc gives up the line, and then the tool")
     {
-        frame::Hand hand;
-        hand.take(frame::ToolKind::Member);
+        frame::ToolController tool_controller;
+        tool_controller.take(frame::ToolKind::Member);
         Bench bench;
-        bench.press(hand.tool(), at(1, 1));
-        CHECK(hand.escape());
-        CHECK(hand.kind() == frame::ToolKind::Member);
-        CHECK(hand.escape());
-        CHECK(hand.kind() == frame::ToolKind::Select);
-        CHECK(!hand.escape());
+        bench.press(tool_controller.tool(), at(1, 1));
+        CHECK(tool_controller.escape());
+        CHECK(tool_controller.kind() == frame::ToolKind::Member);
+        CHECK(tool_controller.escape());
+        CHECK(tool_controller.kind() == frame::ToolKind::Select);
+        CHECK(!tool_controller.escape());
     }
 
     TEST_CASE("Members are drawn by typing alone, and what is no place stays to be mended")
     {
-        frame::Hand hand;
-        CHECK(!hand.type("4"));
-        hand.take(frame::ToolKind::Member);
+        frame::ToolController tool_controller;
+        CHECK(!tool_controller.type("4"));
+        tool_controller.take(frame::ToolKind::Member);
         Bench bench;
         for (const char* place : {"0,0", "4<90", "@6,0"}) {
-            CHECK(hand.type(place));
-            bench.carry_out(hand.enter(bench.work()));
-            CHECK(hand.typed().empty());
+            CHECK(tool_controller.type(place));
+            bench.carry_out(tool_controller.enter(bench.work()));
+            CHECK(tool_controller.typed().empty());
         }
         REQUIRE(bench.model().members.size() == 2);
         CHECK(bench.model().nodes[2].at[0] == 6.0);
         CHECK(bench.model().nodes[2].at[1] == 4.0);
-        hand.type("4<");
-        CHECK(!hand.enter(bench.work()));
-        CHECK(hand.typed() == "4<");
-        hand.rub_out();
-        CHECK(hand.typed() == "4");
-        hand.type("<30°");
-        hand.rub_out();
-        CHECK(hand.typed() == "4<30");
+        tool_controller.type("4<");
+        CHECK(!tool_controller.enter(bench.work()));
+        CHECK(tool_controller.typed() == "4<");
+        tool_controller.backspace();
+        CHECK(tool_controller.typed() == "4");
+        tool_controller.type("<30°");
+        tool_controller.backspace();
+        CHECK(tool_controller.typed() == "4<30");
     }
 
     TEST_CASE("A dimension line is drawn from node to node, then to where it runs; more nodes go on along it")
@@ -377,24 +377,24 @@ TEST_SUITE("frame tools")
     TEST_CASE("After an undo the next node begins another dimension line")
     {
         Bench bench(frame::starting_document());
-        frame::Hand hand;
-        hand.take(frame::ToolKind::Dimension);
+        frame::ToolController tool_controller;
+        tool_controller.take(frame::ToolKind::Dimension);
         for (const char* place : {"0,0", "6,0", "3,-0.8"}) {
-            hand.type(place);
-            bench.carry_out(hand.enter(bench.work()));
+            tool_controller.type(place);
+            bench.carry_out(tool_controller.enter(bench.work()));
         }
         REQUIRE(bench.history.current().companion.dimensions.size() == 1);
         CHECK(bench.history.current().companion.dimensions[0].offset == doctest::Approx(-0.8));
         bench.history.undo();
-        hand.type("0,4");
-        bench.carry_out(hand.enter(bench.work()));
+        tool_controller.type("0,4");
+        bench.carry_out(tool_controller.enter(bench.work()));
         CHECK(bench.history.current().companion.is_empty());
-        hand.type("6,4");
-        hand.enter(bench.work());
-        hand.tool().move(bench.work(), at(2, 5));
-        hand.point_at(at(2, 5));
-        hand.type("0.75"); // so far off, on the side of the pointer
-        bench.carry_out(hand.enter(bench.work()));
+        tool_controller.type("6,4");
+        tool_controller.enter(bench.work());
+        tool_controller.tool().move(bench.work(), at(2, 5));
+        tool_controller.point_at(at(2, 5));
+        tool_controller.type("0.75"); // so far off, on the side of the pointer
+        bench.carry_out(tool_controller.enter(bench.work()));
         REQUIRE(bench.history.current().companion.dimensions.size() == 1);
         CHECK(bench.history.current().companion.dimensions[0].nodes == std::vector<std::string>{"B", "C"});
         CHECK(bench.history.current().companion.dimensions[0].offset == doctest::Approx(0.75));
@@ -543,23 +543,23 @@ TEST_SUITE("frame tools")
     TEST_CASE("The support tool sets and takes away, the hinge tool opens and closes")
     {
         Bench bench(frame::starting_document());
-        frame::Hand hand;
-        hand.take(frame::ToolKind::Support);
+        frame::ToolController tool_controller;
+        tool_controller.take(frame::ToolKind::Support);
         frame::Aim corner = at(0, 4);
         corner.node = femoop::NodeId(1);
-        bench.click(hand.tool(), corner);
+        bench.click(tool_controller.tool(), corner);
         REQUIRE(bench.model().nodes[1].support);
         CHECK(bench.model().nodes[1].support->kind == femoop::SupportKind::Pin);
-        bench.click(hand.tool(), corner);
+        bench.click(tool_controller.tool(), corner);
         CHECK(!bench.model().nodes[1].support);
-        hand.take(frame::ToolKind::Hinge);
+        tool_controller.take(frame::ToolKind::Hinge);
         frame::Aim near_end = at(5, 4);
         near_end.cut = frame::Cut{femoop::MemberId(1), 5.0};
-        bench.click(hand.tool(), near_end);
+        bench.click(tool_controller.tool(), near_end);
         CHECK(bench.model().members[1].end.release.contains(femoop::Dof::rz));
-        bench.click(hand.tool(), near_end);
+        bench.click(tool_controller.tool(), near_end);
         CHECK(bench.model().members[1].end.release.is_empty());
-        bench.click(hand.tool(), corner);
+        bench.click(tool_controller.tool(), corner);
         CHECK(bench.model().nodes[1].hinge);
     }
 
@@ -569,18 +569,18 @@ TEST_SUITE("frame tools")
         document.model.load_cases.clear();
         document.model.combinations.clear();
         Bench bench(document);
-        frame::Hand hand;
-        hand.take(frame::ToolKind::Load);
+        frame::ToolController tool_controller;
+        tool_controller.take(frame::ToolKind::Load);
         frame::Aim beam = at(2, 4);
         beam.cut = frame::Cut{femoop::MemberId(1), 2.0};
-        bench.click(hand.tool(), beam);
-        hand.settings().load = frame::LoadKind::ForceRight;
-        hand.settings().force = femoop::Quantity(7.0);
+        bench.click(tool_controller.tool(), beam);
+        tool_controller.settings().load = frame::LoadKind::ForceRight;
+        tool_controller.settings().force = femoop::Quantity(7.0);
         frame::Aim corner = at(0, 4);
         corner.node = femoop::NodeId(1);
-        bench.click(hand.tool(), corner);
-        bench.click(hand.tool(), corner);
-        bench.click(hand.tool(), beam);
+        bench.click(tool_controller.tool(), corner);
+        bench.click(tool_controller.tool(), corner);
+        bench.click(tool_controller.tool(), beam);
         REQUIRE(bench.model().load_cases.size() == 1);
         const femoop::LoadCase& loads = bench.model().load_cases[0];
         CHECK(loads.members.size() == 2);

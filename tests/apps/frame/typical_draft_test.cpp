@@ -12,9 +12,9 @@ struct Choosing {
     TypicalDraft draft;
 
     Choosing() { draft.open(session); }
-    void obey(std::string_view verb, std::string_view argument = "")
+    void run_command(std::string_view verb, std::string_view argument = "")
     {
-        CHECK_FALSE(draft.obey(session, verb, argument));
+        CHECK_FALSE(draft.run_command(session, verb, argument));
     }
 };
 
@@ -25,11 +25,11 @@ TEST_SUITE("frame: choosing a typical structure")
     TEST_CASE("Whatever was tried, inserting is one step, named after the structure")
     {
         Choosing choice;
-        choice.obey("choose", "gable");
-        choice.obey("set", "rise 4");
-        choice.obey("choose", "storeys");
-        choice.obey("set", "bays 3");
-        choice.obey("insert");
+        choice.run_command("choose", "gable");
+        choice.run_command("set", "rise 4");
+        choice.run_command("choose", "storeys");
+        choice.run_command("set", "bays 3");
+        choice.run_command("insert");
         CHECK_FALSE(choice.draft.is_open());
         CHECK(choice.session.history().n_states() == 2);
         CHECK(ui::Catalogue()(*choice.session.history().undo_label()) == "Insert: Multi-storey frame");
@@ -41,9 +41,9 @@ TEST_SUITE("frame: choosing a typical structure")
     TEST_CASE("The document shows the structure while its numbers change")
     {
         Choosing choice;
-        choice.obey("choose", "beam");
+        choice.run_command("choose", "beam");
         for (const int n : {2, 5, 3}) {
-            choice.obey("set", "spans " + std::to_string(n));
+            choice.run_command("set", "spans " + std::to_string(n));
             CHECK(choice.session.model().members.size() == static_cast<std::size_t>(3 + n));
             CHECK(choice.session.solution().results);
         }
@@ -53,9 +53,9 @@ TEST_SUITE("frame: choosing a typical structure")
     {
         Choosing choice;
         const ShowSet shown = choice.session.view.show;
-        choice.obey("choose", "warren");
+        choice.run_command("choose", "warren");
         CHECK(choice.session.view.show.contains(Show::N));
-        choice.obey("cancel");
+        choice.run_command("cancel");
         CHECK(choice.session.document() == starting_document());
         CHECK(choice.session.history().n_states() == 1);
         CHECK(choice.session.view.show == shown);
@@ -64,9 +64,9 @@ TEST_SUITE("frame: choosing a typical structure")
     TEST_CASE("A structure of another analysis takes the place of what is there, and Undo brings that back")
     {
         Choosing choice;
-        choice.obey("choose", "space_truss");
+        choice.run_command("choose", "space_truss");
         CHECK(choice.draft.setting() == Setting::InPlace);
-        choice.obey("insert");
+        choice.run_command("insert");
         CHECK(choice.session.model().analysis == femoop::AnalysisKind::Truss3d);
         choice.session.undo();
         CHECK(choice.session.document() == starting_document());
@@ -75,20 +75,20 @@ TEST_SUITE("frame: choosing a typical structure")
     TEST_CASE("The numbers of a structure are kept while another one is tried")
     {
         Choosing choice;
-        choice.obey("choose", "arch");
-        choice.obey("set", "rise 7");
-        choice.obey("choose", "howe");
-        choice.obey("choose", "arch");
+        choice.run_command("choose", "arch");
+        choice.run_command("set", "rise 7");
+        choice.run_command("choose", "howe");
+        choice.run_command("choose", "arch");
         CHECK(choice.draft.numbers()[2] == 7.0);
     }
 
     TEST_CASE("An order that makes no sense is answered")
     {
         Choosing choice;
-        CHECK(choice.draft.obey(choice.session, "choose", "pyramid") == "no typical structure \"pyramid\"");
-        CHECK(choice.draft.obey(choice.session, "set", "towers 3") == "no number \"towers\"");
-        CHECK(choice.draft.obey(choice.session, "set", "spans 21") == "wanted a whole number from 1 to 20");
-        choice.obey("cancel");
-        CHECK(choice.draft.obey(choice.session, "insert", ""));
+        CHECK(choice.draft.run_command(choice.session, "choose", "pyramid") == "no typical structure \"pyramid\"");
+        CHECK(choice.draft.run_command(choice.session, "set", "towers 3") == "no number \"towers\"");
+        CHECK(choice.draft.run_command(choice.session, "set", "spans 21") == "wanted a whole number from 1 to 20");
+        choice.run_command("cancel");
+        CHECK(choice.draft.run_command(choice.session, "insert", ""));
     }
 }

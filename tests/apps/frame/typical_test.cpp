@@ -66,7 +66,7 @@ TEST_SUITE("frame: typical structures")
     {
         const auto& panels = named("pratt").numbers[0];
         CHECK(why_not(panels, 7.0) ==
-              ui::Phrase("wanted an even number from {least} to {most}", {{"least", "4"}, {"most", "40"}}));
+              ui::Message("wanted an even number from {least} to {most}", {{"least", "4"}, {"most", "40"}}));
         CHECK(why_not(named("warren").numbers[0], 2.5));
         CHECK(why_not(named("warren").numbers[1], -3.0));
         CHECK(why_not(named("warren").numbers[1], 0.0));

@@ -37,14 +37,14 @@ TEST_SUITE("frame window: interruptions")
     TEST_CASE("A file that is dropped while a typical structure is chosen waits until that is done")
     {
         with_application([](ui::Offscreen&, Application& application) {
-            Desk& desk = application.desk();
-            desk.typical.open(desk.session);
+            Workspace& workspace = application.workspace();
+            workspace.typical.open(workspace.session);
             application.frame({.dropped_files = {folder + "examples/truss.json"}});
-            CHECK(n_tabs(desk) == 1);
-            CHECK(desk.session.notice);
-            desk.typical.cancel(desk.session);
+            CHECK(n_tabs(workspace) == 1);
+            CHECK(workspace.session.notice);
+            workspace.typical.cancel(workspace.session);
             application.frame({.dropped_files = {folder + "examples/truss.json"}});
-            CHECK(n_tabs(desk) == 2);
+            CHECK(n_tabs(workspace) == 2);
         });
     }
 
@@ -66,7 +66,7 @@ TEST_SUITE("frame window: interruptions")
         with_application([](ui::Offscreen&, Application& application) {
             const Folder files;
             CHECK(!application.export_as(files.path() / "all.csv"));
-            REQUIRE(!ui::run(*application.commands().find("view.hide_results"), application.desk()));
+            REQUIRE(!ui::run(*application.commands().find("view.hide_results"), application.workspace()));
             const auto reason = application.export_as(files.path() / "hidden.csv");
             REQUIRE(reason);
             CHECK(ui::Catalogue()(*reason) == "The results are hidden; H reveals them.");

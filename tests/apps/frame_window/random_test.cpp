@@ -126,12 +126,12 @@ TEST_SUITE("frame window")
             [&] {
                 ui::Offscreen context({.size = {static_cast<int>(window.width), static_cast<int>(window.height)}});
                 Application application(context, fonts, Session(starting_document()));
-                RandomHand hand(20250621U);
+                RandomHand tool_controller(20250621U);
                 Session& session = application.session();
                 std::uint64_t generation = 0;
                 for (int i = 0; i < n_events(); ++i) {
                     CAPTURE(i);
-                    application.frame(hand.next());
+                    application.frame(tool_controller.next());
                     if (std::exchange(generation, session.generation()) == session.generation()) continue;
                     const std::string text = femoop::write_model(session.model());
                     const femoop::ModelReading read = femoop::examine_model(text);

@@ -30,14 +30,14 @@ TEST_CASE("Files that are dropped on the window open in tabs of their own, and n
         [&] {
             ui::Offscreen context({.size = {320, 200}});
             Application application(context, fonts, opened("examples/portal.json"));
-            Desk& desk = application.desk();
-            desk.session.change(
+            Workspace& workspace = application.workspace();
+            workspace.session.change(
                 {ui::translatable("Change"), [](Document& document) { set_title(document, "Changed"); }});
             application.frame(
                 {.dropped_files = {top_folder + "examples/truss.json", top_folder + "examples/gerber_beam.json"}});
-            REQUIRE(n_tabs(desk) == 3);
-            CHECK(desk.session.file_name() == "gerber_beam.json");
-            CHECK(tab(desk, 0).model().title == "Changed");
+            REQUIRE(n_tabs(workspace) == 3);
+            CHECK(workspace.session.file_name() == "gerber_beam.json");
+            CHECK(tab(workspace, 0).model().title == "Changed");
             return context.pixels();
         },
         golden::this_machine());

@@ -187,9 +187,9 @@ TEST_CASE("Special states are told in words")
     const auto words = [](const std::vector<std::string>& numbers) {
         Document d = of(Subject::PlaneStress);
         d.state() = numbers;
-        std::string all_words;
-        for (const ui::Phrase& phrase : remarks(d, solve(d))) all_words += ui::Catalogue()(phrase) + "\n";
-        return all_words;
+        std::string all_text;
+        for (const ui::Message& message : remarks(d, solve(d))) all_text += ui::Catalogue()(message) + "\n";
+        return all_text;
     };
     CHECK(words({"0", "0", "0"}).find("Everything is 0") == 0);
     CHECK(words({"5 MPa", "5 MPa", "0"}).find("The circle is a point") == 0);
@@ -218,7 +218,7 @@ TEST_CASE("A file that is none of Mohr's circle is refused with the place")
 {
     const auto refusal = [](std::string_view text) {
         const auto read = read_file_text(text);
-        const auto* reasons = std::get_if<std::vector<ui::Phrase>>(&read);
+        const auto* reasons = std::get_if<std::vector<ui::Message>>(&read);
         return reasons != nullptr ? ui::Catalogue()(reasons->front()) : "";
     };
     CHECK(refusal("{").find("line 1") != std::string::npos);
@@ -240,10 +240,10 @@ TEST_CASE("Everything that is wrong with a file is told at once, each thing once
 {
     const auto refusals = [](std::string_view text) {
         const auto read = read_file_text(text);
-        const auto* reasons = std::get_if<std::vector<ui::Phrase>>(&read);
+        const auto* reasons = std::get_if<std::vector<ui::Message>>(&read);
         std::vector<std::string> told;
         if (reasons != nullptr)
-            for (const ui::Phrase& reason : *reasons) told.push_back(ui::Catalogue()(reason));
+            for (const ui::Message& reason : *reasons) told.push_back(ui::Catalogue()(reason));
         return told;
     };
     const auto many = refusals(

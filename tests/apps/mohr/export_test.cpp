@@ -86,7 +86,7 @@ TEST_CASE("An exercise tells its answers neither in words nor in a sheet nor by 
     Session session;
     session.begin_exercise(ExerciseTopic::PlaneStress, Difficulty::Medium, 5);
     CHECK(session.is_concealing());
-    CHECK_FALSE(has(in_words(session), "\n  "));
+    CHECK_FALSE(has(description(session), "\n  "));
     const auto exported = export_results(session, "answers.csv");
     REQUIRE(exported);
     CHECK(exported->reason);
@@ -94,7 +94,7 @@ TEST_CASE("An exercise tells its answers neither in words nor in a sheet nor by 
     CHECK(session.document().angle == 0.0);
     session.give_up_exercise();
     CHECK_FALSE(session.set_angle(30.0));
-    CHECK(has(in_words(session), "\n  "));
+    CHECK(has(description(session), "\n  "));
 }
 
 TEST_SUITE_END();

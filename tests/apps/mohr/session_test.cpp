@@ -8,8 +8,8 @@ using namespace mohr;
 TEST_CASE("A state that a crash has cost opens as it was typed, as one that is not saved")
 {
     const Folder folder;
-    Desk desk{Session()};
-    CHECK(desk.unsaved().empty());
-    desk.session.set_number({Group::State, 2}, "33,3 MPa");
-    CHECK(recovered(desk, folder, ".mohr").session.document() == desk.session.document());
+    Workspace workspace{Session()};
+    CHECK(workspace.unsaved().empty());
+    workspace.session.set_number({Group::State, 2}, "33,3 MPa");
+    CHECK(recovered(workspace, folder, ".mohr").session.document() == workspace.session.document());
 }

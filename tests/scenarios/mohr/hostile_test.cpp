@@ -35,7 +35,7 @@ public:
     void act()
     {
         const int what = static_cast<int>(dice_.roll(0, 9));
-        Session& session = application_.desk().session;
+        Session& session = application_.workspace().session;
         if (what <= 2) drag();
         else if (what <= 5) run_any_command();
         else if (what <= 7) type_number();
@@ -76,14 +76,14 @@ private:
         const bool leaves = command.id.starts_with("file.") || command.id.starts_with("help.");
         if (leaves) return;
         last_ = command.id;
-        Desk& desk = application_.desk();
-        run(command, desk);
-        if (const auto then = std::exchange(desk.after_exercise, {})) then(desk); // the question is answered
+        Workspace& workspace = application_.workspace();
+        run(command, workspace);
+        if (const auto then = std::exchange(workspace.after_exercise, {})) then(workspace); // the question is answered
     }
 
     void type_number()
     {
-        Session& session = application_.desk().session;
+        Session& session = application_.workspace().session;
         const auto group = static_cast<Group>(static_cast<int>(dice_.roll(0, 2)));
         const std::size_t n = group == Group::State        ? session.document().state().size()
                               : group == Group::Elasticity ? 2
@@ -142,7 +142,7 @@ void play(std::uint32_t seed, int n_acts, ui::PixelSize size)
                 CAPTURE(text);
                 CHECK_FALSE(has_no_number(text));
             }
-            Session& session = application.desk().session;
+            Session& session = application.workspace().session;
             session.settle();
             session.end_exercise(); // else it keeps its state
             while (session.history().can_undo()) session.undo();

@@ -69,7 +69,8 @@ TEST_CASE("The projector makes no circle smaller, nor one that is being construc
                 for (const char* const steps : {"construction.whole", "construction.last"}) {
                     Application application(context, fonts, Session());
                     const auto do_all = [&](std::initializer_list<std::string_view> ids) {
-                        for (const std::string_view id : ids) run(*application.commands().find(id), application.desk());
+                        for (const std::string_view id : ids)
+                            run(*application.commands().find(id), application.workspace());
                         application.frame({});
                         application.frame({});
                         return application.canvas().drawn().circle.scale();

@@ -50,11 +50,11 @@ void check_told(const Solid& before, const Solid& after, const Change& told)
         REQUIRE_FALSE(lists[0].contains(entity));
         REQUIRE_FALSE(lists[1].contains(entity));
     }
-    for (const Parting& parting : told.split) REQUIRE(lists[0].contains(parting.other));
-    for (const Parting& parting : told.joined) REQUIRE(lists[1].contains(parting.other));
+    for (const SplitOrJoin& split_or_join : told.split) REQUIRE(lists[0].contains(split_or_join.other));
+    for (const SplitOrJoin& split_or_join : told.joined) REQUIRE(lists[1].contains(split_or_join.other));
     for (const auto* list : {&told.split, &told.joined})
-        for (const Parting& parting : *list)
-            REQUIRE_FALSE((lists[0].contains(parting.stays) || lists[1].contains(parting.stays)));
+        for (const SplitOrJoin& split_or_join : *list)
+            REQUIRE_FALSE((lists[0].contains(split_or_join.stays) || lists[1].contains(split_or_join.stays)));
 }
 
 } // namespace
@@ -94,12 +94,14 @@ TEST_SUITE("observers")
         const NewEdge strut = op.mev(first.half_edge, {1, 0, 0});
         CHECK(notebook.changes.back().split.empty()); // a strut divides no vertex
         const NewEdge part = op.semv(strut.plus, {2, 0, 0});
-        CHECK(notebook.changes.back().split == std::vector<Parting>{{strut.edge, part.edge}});
+        CHECK(notebook.changes.back().split == std::vector<SplitOrJoin>{{strut.edge, part.edge}});
         const NewFace lid = op.mef(strut.minus, part.plus);
-        CHECK(notebook.changes.back().split == std::vector<Parting>{{first.face, lid.face}, {first.loop, lid.loop}});
+        CHECK(notebook.changes.back().split ==
+              std::vector<SplitOrJoin>{{first.face, lid.face}, {first.loop, lid.loop}});
         op.undo();
         CHECK(notebook.changes.back().kind == OperatorKind::KEF);
-        CHECK(notebook.changes.back().joined == std::vector<Parting>{{first.face, lid.face}, {first.loop, lid.loop}});
+        CHECK(notebook.changes.back().joined ==
+              std::vector<SplitOrJoin>{{first.face, lid.face}, {first.loop, lid.loop}});
     }
 
     TEST_CASE("Refused operators are not told")

@@ -205,7 +205,7 @@ TEST_SUITE("operator contract")
             }();
             EulerOperator& op = walk.op();
             const std::string before = links(walk.solid);
-            op.kev(op.mev(h, walk.solid.turn(h), {1, 2, 3}).plus);
+            op.kev(op.mev(h, walk.solid.next_around_vertex(h), {1, 2, 3}).plus);
             REQUIRE(links(walk.solid) == before);
             op.kev(op.mev(h, {1, 2, 3}).plus);
             REQUIRE(links(walk.solid) == before);

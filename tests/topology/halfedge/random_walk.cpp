@@ -29,7 +29,7 @@ LoopId RandomWalk::any_loop() { return any_of(solid.loops(), *this); }
 
 HalfEdgeId RandomWalk::some_in_fan(HalfEdgeId h)
 {
-    for (std::uint32_t n = below(4); n != 0; --n) h = solid.turn(h);
+    for (std::uint32_t n = below(4); n != 0; --n) h = solid.next_around_vertex(h);
     return h;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "tests/topology/halfedge/random_walk.h"
-#include "topology/halfedge/check/broken_solid.h"
+#include "topology/halfedge/check/corrupted_solid.h"
 #include "topology/halfedge/check/validate.h"
 
 using namespace topology;
@@ -28,7 +28,7 @@ bool lives(const Solid& solid, LinkKind kind, std::uint32_t row)
 }
 
 /// A vertex may name any of its half-edges, and a loop any of its chain: such a change is no fault.
-bool is_harmless(const Solid& solid, const BentLink& link)
+bool is_harmless(const Solid& solid, const CorruptedLink& link)
 {
     const HalfEdgeId to{link.to};
     if (link.kind == LinkKind::VertexHalfEdge) return solid.has(to) && solid.start(to) == VertexId{link.row};
@@ -51,10 +51,10 @@ TEST_SUITE("validate")
             const Solid& solid = walk.solid;
             for (int k = 0; k < n_link_kinds; ++k) {
                 const auto kind = static_cast<LinkKind>(k);
-                BentLink link{.kind = kind, .row = walk.below(n_rows_of(solid, kind) + 1), .to = walk.below(60)};
+                CorruptedLink link{.kind = kind, .row = walk.below(n_rows_of(solid, kind) + 1), .to = walk.below(60)};
                 if (walk.below(20) == 0) link.to = nothing<VertexId>.index;
                 if (!lives(solid, kind, link.row) || is_harmless(solid, link)) continue;
-                const BrokenSolid broken(solid, link);
+                const CorruptedSolid broken(solid, link);
                 if (broken.solid() == solid) continue;
                 CAPTURE(seed);
                 CAPTURE(k);
@@ -79,9 +79,9 @@ TEST_SUITE("validate")
         EulerOperator op(solid);
         const VertexId a = op.mvfs({0, 0, 0}).vertex, b = op.mvfs({1, 0, 0}).vertex;
         // The half-edge of b says that it starts at a: no link contradicts it, but turning about a does not meet it.
-        const BrokenSolid pinched(solid,
-                                  {.kind = LinkKind::HalfEdgeStart, .row = solid.half_edge(b).index, .to = a.index});
-        const BrokenSolid both(pinched.solid(), {.kind = LinkKind::VertexHalfEdge, .row = b.index, .to = a.index});
+        const CorruptedSolid pinched(solid,
+                                     {.kind = LinkKind::HalfEdgeStart, .row = solid.half_edge(b).index, .to = a.index});
+        const CorruptedSolid both(pinched.solid(), {.kind = LinkKind::VertexHalfEdge, .row = b.index, .to = a.index});
         CHECK(why_not_valid(pinched.solid())->invariant == Invariant::HalfOfVertex);
         CHECK(why_not_valid(both.solid())->invariant == Invariant::HalfOfVertex);
     }
@@ -91,7 +91,7 @@ TEST_SUITE("validate")
         Solid solid;
         EulerOperator op(solid);
         op.mev(op.mvfs({0, 0, 0}).half_edge, {1, 0, 0});
-        const BrokenSolid broken(solid, {.kind = LinkKind::HalfEdgeNext, .row = 0, .to = 0});
+        const CorruptedSolid broken(solid, {.kind = LinkKind::HalfEdgeNext, .row = 0, .to = 0});
         CHECK(sentence(*why_not_valid(broken.solid())) ==
               "he1 and he1 are neighbours for one of them alone: next and prev disagree");
         CHECK_FALSE(why_not_valid(solid));

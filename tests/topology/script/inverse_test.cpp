@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tests/topology/halfedge/random_walk.h"
-#include "topology/halfedge/check/likeness.h"
+#include "topology/halfedge/check/isomorphism.h"
 #include "topology/halfedge/check/shells.h"
 #include "topology/halfedge/check/validate.h"
 #include "topology/script/inverse.h"
@@ -93,7 +93,7 @@ TEST_SUITE("inverse lines")
                 const NamedSolid& after = runner.solids().back();
                 CHECK(euler_counts(after.solid) == euler_counts(before.solid));
                 CHECK_FALSE(why_not_valid(after.solid));
-                CHECK(are_alike(after.solid, before.solid, Likeness::Places));
+                CHECK(are_alike(after.solid, before.solid, Isomorphism::Places));
                 CHECK(named_faces(after) == named_faces(before));
                 CHECK(named_places(after) == named_places(before));
             }

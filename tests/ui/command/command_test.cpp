@@ -22,7 +22,7 @@ ui::CommandTable<Lamp> lamp_commands()
                .label = "Switch",
                .shortcuts = {{ui::Key::L, ui::ctrl}},
                .run = [](Lamp& lamp) { lamp.is_lit = !lamp.is_lit; },
-               .why_not = [](const Lamp& lamp) -> std::optional<ui::Phrase> {
+               .why_not = [](const Lamp& lamp) -> std::optional<ui::Message> {
                    if (lamp.has_bulb) return std::nullopt;
                    return "the lamp has no bulb";
                },
@@ -33,9 +33,9 @@ ui::CommandTable<Lamp> lamp_commands()
     return table;
 }
 
-std::optional<ui::Phrase> why_dark(const Lamp& lamp)
+std::optional<ui::Message> why_dark(const Lamp& lamp)
 {
-    return lamp.has_bulb ? std::nullopt : std::optional<ui::Phrase>("the lamp has no bulb");
+    return lamp.has_bulb ? std::nullopt : std::optional<ui::Message>("the lamp has no bulb");
 }
 
 ui::CommandTable<Lamp> built_commands()
@@ -48,7 +48,7 @@ ui::CommandTable<Lamp> built_commands()
     constexpr std::array levels{ui::Choice<int>{1, "lamp.dim", "Dim"}, ui::Choice<int>{5, "lamp.bright", "Bright"}};
     menu.choices(
         levels, [](auto& lamp) -> auto& { return lamp.brightness; }, why_dark);
-    const auto set = [](Lamp& lamp, const ui::Argument& argument) -> std::optional<ui::Phrase> {
+    const auto set = [](Lamp& lamp, const ui::Argument& argument) -> std::optional<ui::Message> {
         if (!argument.number()) return argument.wanted("a brightness");
         lamp.brightness = static_cast<int>(*argument.number());
         return std::nullopt;
@@ -94,7 +94,7 @@ TEST_SUITE("ui command")
         CHECK(table.find("lamp.bright")->is_on(lamp));
         CHECK_FALSE(table.find("lamp.dim")->is_on(lamp));
         lamp.has_bulb = false;
-        CHECK(run(*table.find("lamp.dim"), lamp) == ui::Phrase("the lamp has no bulb"));
+        CHECK(run(*table.find("lamp.dim"), lamp) == ui::Message("the lamp has no bulb"));
         CHECK(lamp.brightness == 5);
     }
 
@@ -116,7 +116,7 @@ TEST_SUITE("ui command")
     {
         const auto table = lamp_commands();
         Lamp lamp{.is_lit = false, .has_bulb = false, .brightness = 1};
-        CHECK(run(*table.find("lamp.switch"), lamp) == ui::Phrase("the lamp has no bulb"));
+        CHECK(run(*table.find("lamp.switch"), lamp) == ui::Message("the lamp has no bulb"));
         CHECK_FALSE(lamp.is_lit);
     }
 
@@ -152,13 +152,14 @@ TEST_SUITE("ui command")
     {
         ui::CommandTable<Lamp> table;
         const auto add = [&](std::string_view id, std::string_view label, bool can_run) {
-            table.add(
-                {.id = id,
-                 .menu = "Lamp",
-                 .label = label,
-                 .run = [](Lamp&) {},
-                 .why_not =
-                     [can_run](const Lamp&) { return can_run ? std::nullopt : std::optional<ui::Phrase>("not now"); }});
+            table.add({.id = id,
+                       .menu = "Lamp",
+                       .label = label,
+                       .run = [](Lamp&) {},
+                       .why_not =
+                           [can_run](const Lamp&) {
+                               return can_run ? std::nullopt : std::optional<ui::Message>("not now");
+                           }});
         };
         add("refused", "Light", false);
         add("long", "Light of the hall", true);

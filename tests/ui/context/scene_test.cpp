@@ -110,7 +110,7 @@ void draw_arcs_and_clip(Painter& painter, const Theme& theme)
     painter.text({590.0, 400.0}, "q = 4.2", plated);
 }
 
-void draw_words(Painter& painter, const Theme& theme)
+void draw_text(Painter& painter, const Theme& theme)
 {
     ui::TextStyle style = theme.text(Role::Label, Anchor::TopLeft);
     style.size = theme.type().small;
@@ -133,7 +133,7 @@ void draw_everything(Painter& painter, const Theme& theme)
     draw_anchors(painter, theme);
     draw_turned_text(painter, theme);
     draw_arcs_and_clip(painter, theme);
-    draw_words(painter, theme);
+    draw_text(painter, theme);
 }
 
 void check_sheet(ui::ThemeName name, double scale, const std::string& file)

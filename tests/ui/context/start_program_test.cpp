@@ -29,8 +29,8 @@ TEST_CASE("A started program reads the document as a file from its standard inpu
                               folder.path("part") + "'\nmv '" + folder.path("part") + "' '" + folder.path("order") +
                               "'\n");
     std::filesystem::permissions(folder.path("cross"), std::filesystem::perms::owner_all);
-    const ui::Handover handover{.program = "cross", .document = "{\"cremona\": 1}\n", .options = {"--lang", "pt"}};
-    CHECK(!ui::start_program(handover, folder.path()));
+    const ui::ExportToApp exported{.program = "cross", .document = "{\"cremona\": 1}\n", .options = {"--lang", "pt"}};
+    CHECK(!ui::start_program(exported, folder.path()));
     CHECK(awaited(folder, "order") == "- --lang pt\n");
     CHECK(folder.read("got") == "{\"cremona\": 1}\n");
 }

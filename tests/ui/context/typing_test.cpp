@@ -33,7 +33,7 @@ struct Typist {
         std::vector<std::string> all;
         while (!typing.is_empty()) {
             ui::Input input;
-            typing.give_next(input, reader);
+            typing.deliver_next(input, reader);
             for (const ui::KeyEvent& event : input.keys)
                 if (event.is_down && event.key == Key::Tab) input.text += " Tab";
                 else if (event.is_down && event.key == Key::Enter) input.text += " Enter";
@@ -76,11 +76,11 @@ TEST_CASE("While more waits the modifiers are those of the stroke, not those of 
     typist.press(Key::A, ui::ctrl);
     typist.write(Key::X, "x");
     ui::Input input;
-    typist.typing.give_next(input, Reader::Field);
+    typist.typing.deliver_next(input, Reader::Field);
     CHECK(input.modifiers.ctrl);
     CHECK(input.text.empty());
     ui::Input next;
-    typist.typing.give_next(next, Reader::Field);
+    typist.typing.deliver_next(next, Reader::Field);
     CHECK(!next.modifiers.ctrl);
     CHECK(next.text == "x");
 }
@@ -91,7 +91,7 @@ TEST_CASE("Text that is put back comes before what was typed later")
     typing.add("emp");
     typing.put_back("t");
     ui::Input input;
-    typing.give_next(input, Reader::Field);
+    typing.deliver_next(input, Reader::Field);
     CHECK(input.text == "temp");
 }
 

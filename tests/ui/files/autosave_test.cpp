@@ -19,13 +19,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-ui::Unsaved text(const std::string& words) { return ui::unsaved_text(words, std::nullopt, files::write_whole_file); }
+ui::UnsavedDocument text(const std::string& words)
+{
+    return ui::unsaved_text(words, std::nullopt, files::write_whole_file);
+}
 
 /// A program that keeps drafts.
 struct Program {
     explicit Program(const fs::path& folder) : autosave(drafts_in(folder)) {}
     /// \returns whether something was told
-    bool keeps(const std::vector<ui::Unsaved>& documents)
+    bool keeps(const std::vector<ui::UnsavedDocument>& documents)
     {
         const auto unsaved = [&] { return documents; };
         const auto first = autosave.tick(unsaved, ui::Autosave::interval);
@@ -65,7 +68,7 @@ TEST_SUITE("ui files")
         CHECK(drafts(folder.path()) == Texts{"one"});
         program.keeps({text("two")});
         CHECK(drafts(folder.path()) == Texts{"two"});
-        CHECK(program.autosave.new_leftovers().empty()); // it is in use
+        CHECK(program.autosave.new_recoverable_files().empty()); // it is in use
         program.keeps({});
         CHECK(fs::is_empty(folder.path()));
     }
@@ -75,7 +78,7 @@ TEST_SUITE("ui files")
         const Folder folder;
         Program program(folder.path());
         int n_copies = 0;
-        ui::Unsaved document = text("one");
+        ui::UnsavedDocument document = text("one");
         document.copy = [&n_copies, copy = document.copy] {
             ++n_copies;
             return copy();
@@ -90,7 +93,7 @@ TEST_SUITE("ui files")
         const Folder folder;
         Program program(folder.path());
         std::atomic<bool> has_disk = false;
-        ui::Unsaved slow = text("one");
+        ui::UnsavedDocument slow = text("one");
         slow.copy = [&has_disk, copy = slow.copy] {
             return [&has_disk, write = copy()](const fs::path& draft) {
                 while (!has_disk) std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -98,7 +101,8 @@ TEST_SUITE("ui files")
             };
         };
         for (int i = 0; i < 3; ++i) program.autosave.tick([&] { return std::vector{slow}; }, ui::Autosave::interval);
-        program.autosave.tick([] { return std::vector<ui::Unsaved>{}; }, ui::Autosave::interval); // saved meanwhile
+        program.autosave.tick([] { return std::vector<ui::UnsavedDocument>{}; },
+                              ui::Autosave::interval); // saved meanwhile
         CHECK(drafts(folder.path()).empty());
         has_disk = true;
         program.autosave.wait();
@@ -129,12 +133,12 @@ TEST_SUITE("ui files")
         auto dying = std::make_optional<ui::Draft>(drafts_in(folder.path()));
         REQUIRE_FALSE(dying->keep(text("one").copy(), "/tmp/lesson.txt"));
         ui::Autosave next(drafts_in(folder.path()));
-        CHECK(next.new_leftovers().empty());
+        CHECK(next.new_recoverable_files().empty());
         dying.reset(); // the lock goes with its program, the draft stays
-        const std::vector<ui::Leftover> found = next.new_leftovers();
+        const std::vector<ui::RecoverableFile> found = next.new_recoverable_files();
         REQUIRE(found.size() == 1);
         CHECK(found.front().original == fs::path("/tmp/lesson.txt"));
-        CHECK(next.new_leftovers().empty());
+        CHECK(next.new_recoverable_files().empty());
     }
 
     TEST_CASE("A leftover that is opened stays the draft of its document, whatever becomes of the program")
@@ -142,7 +146,7 @@ TEST_SUITE("ui files")
         const Folder folder;
         Program(folder.path()).keeps({text("one")}); // killed
         Program next(folder.path());
-        const auto found = next.autosave.new_leftovers();
+        const auto found = next.autosave.new_recoverable_files();
         REQUIRE(found.size() == 1);
         next.autosave.adopt(0, ui::Draft::taken_over(drafts_in(folder.path()), found[0]));
         CHECK(drafts(folder.path()) == Texts{"one"});

@@ -47,7 +47,7 @@ TEST_SUITE("ui files")
     {
         const Folder folder;
         keep_and_be_killed(folder.path(), "seven steps");
-        const auto found = ui::leftovers(drafts_in(folder.path()));
+        const auto found = ui::recoverable_files(drafts_in(folder.path()));
         REQUIRE(found.size() == 1);
         CHECK(found[0].original == fs::path("/tmp/lesson.txt"));
         CHECK(text_of(found[0].draft) == "seven steps");
@@ -62,7 +62,7 @@ TEST_SUITE("ui files")
             ui::Draft draft(drafts_in(folder.path()));
             REQUIRE_FALSE(draft.keep(document("a bridge"), std::nullopt, "7 nodes, 11 members"));
         }
-        const auto found = ui::leftovers(drafts_in(folder.path()));
+        const auto found = ui::recoverable_files(drafts_in(folder.path()));
         REQUIRE(found.size() == 1);
         CHECK(found[0].about == "7 nodes, 11 members");
         const std::string time = ui::time_of(found[0]);
@@ -75,10 +75,10 @@ TEST_SUITE("ui files")
     {
         const Folder folder;
         keep_and_be_killed(folder.path(), "seven steps");
-        const auto found = ui::leftovers(drafts_in(folder.path()));
+        const auto found = ui::recoverable_files(drafts_in(folder.path()));
         REQUIRE(found.size() == 1);
         std::ofstream(folder.path() / ("." + found[0].draft.filename().string() + ".aBcDeF")) << "seven st";
-        CHECK(ui::leftovers(drafts_in(folder.path())).size() == 1);
+        CHECK(ui::recoverable_files(drafts_in(folder.path())).size() == 1);
         ui::Draft::taken_over(drafts_in(folder.path()), found[0])->forget();
         CHECK(fs::is_empty(folder.path()));
     }
@@ -89,7 +89,7 @@ TEST_SUITE("ui files")
         const ui::DraftFolder in = drafts_in(folder.path());
         ui::Draft mine(in), other(in);
         REQUIRE_FALSE(mine.keep(document("mine"), std::nullopt));
-        CHECK(ui::leftovers(in).empty());
+        CHECK(ui::recoverable_files(in).empty());
         REQUIRE_FALSE(other.keep(document("other"), std::nullopt));
         mine.forget();
         other.forget();
@@ -101,7 +101,7 @@ TEST_SUITE("ui files")
         const Folder folder;
         const ui::DraftFolder in = drafts_in(folder.path());
         keep_and_be_killed(folder.path(), "seven steps");
-        const auto found = ui::leftovers(in);
+        const auto found = ui::recoverable_files(in);
         REQUIRE(found.size() == 1);
         auto mine = ui::Draft::taken_over(in, found[0]);
         REQUIRE(mine);
@@ -109,8 +109,8 @@ TEST_SUITE("ui files")
         REQUIRE_FALSE(mine->keep(document("eight steps"), std::nullopt));
         CHECK(text_of(found[0].draft) == "eight steps");
         mine.reset(); // killed again
-        REQUIRE(ui::leftovers(in).size() == 1);
-        CHECK(!ui::leftovers(in)[0].original);
+        REQUIRE(ui::recoverable_files(in).size() == 1);
+        CHECK(!ui::recoverable_files(in)[0].original);
         ui::Draft::taken_over(in, found[0])->forget();
         CHECK(!ui::Draft::taken_over(in, found[0])); // there is nothing any more
         CHECK(fs::is_empty(folder.path()));
@@ -120,7 +120,7 @@ TEST_SUITE("ui files")
     {
         ui::Draft draft(drafts_in("/dev/null/cremona"));
         CHECK(draft.keep(document("mine"), std::nullopt));
-        CHECK(ui::leftovers(drafts_in("/dev/null/cremona")).empty());
+        CHECK(ui::recoverable_files(drafts_in("/dev/null/cremona")).empty());
     }
 
     TEST_CASE("The file opened last is the first of the recent ones, each once, ten at most")

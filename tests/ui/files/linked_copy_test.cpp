@@ -120,7 +120,7 @@ TEST_SUITE("ui files")
         ui::Link giver = *ui::Link::made(files::write_whole_file);
         ui::Link taker(giver.folder(), files::write_whole_file);
         for (int i = 1000; i < 1200; ++i) {
-            CHECK_FALSE(giver.tell(std::to_string(i)));
+            CHECK_FALSE(giver.notify(std::to_string(i)));
             CHECK(taker.heard() == std::to_string(i));
             CHECK_FALSE(taker.heard());
         }
@@ -132,13 +132,13 @@ TEST_SUITE("ui files")
         ui::Link taker(giver->folder(), files::write_whole_file);
         CHECK((fs::status(giver->folder()).permissions() & (fs::perms::group_all | fs::perms::others_all)) ==
               fs::perms::none);
-        CHECK_FALSE(taker.tell("7 kN"));
+        CHECK_FALSE(taker.notify("7 kN"));
         CHECK(giver->heard() == "7 kN");
         const fs::path folder = giver->folder();
         giver.reset();
         CHECK_FALSE(fs::exists(folder));
         CHECK(taker.is_cut());
-        CHECK(taker.tell("8 kN"));
+        CHECK(taker.notify("8 kN"));
         CHECK_FALSE(taker.heard());
     }
 

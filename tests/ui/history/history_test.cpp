@@ -27,10 +27,10 @@ TEST_SUITE("ui history")
         Numbers history(10);
         history.apply(20, "Twenty");
         history.apply(30, "Thirty");
-        CHECK(history.undo_label() == ui::Phrase("Thirty"));
+        CHECK(history.undo_label() == ui::Message("Thirty"));
         history.undo();
         CHECK(history.current() == 20);
-        CHECK(history.redo_label() == ui::Phrase("Thirty"));
+        CHECK(history.redo_label() == ui::Message("Thirty"));
         history.undo();
         history.undo();
         CHECK(history.current() == 10);
@@ -81,7 +81,7 @@ TEST_SUITE("ui history")
         history.drag(25, "Drag");
         history.cancel();
         CHECK(history.current() == 20);
-        CHECK(history.undo_label() == ui::Phrase("Twenty"));
+        CHECK(history.undo_label() == ui::Message("Twenty"));
     }
 
     TEST_CASE("Undo in the middle of a gesture takes back the whole gesture and nothing before it")

@@ -9,7 +9,7 @@ namespace {
 struct Recorder final : ui::Stage {
     std::vector<std::string> asked;
 
-    Sought find(std::string_view place) override
+    Located find(std::string_view place) override
     {
         if (place == "node A") return ui::PointerPlace{100.0, 40.0};
         if (place == "node B") return ui::PointerPlace{340.0, 88.0};
@@ -39,7 +39,7 @@ std::vector<ui::InputFrame> played(const char* script, Recorder& stage)
     return frames;
 }
 
-std::string complaint(const char* script)
+std::string mismatch(const char* script)
 {
     Recorder stage;
     try {
@@ -142,24 +142,24 @@ TEST_SUITE("ui scenario")
 
     TEST_CASE("What is wrong is told with its line, what was found and what is wanted")
     {
-        CHECK(complaint("click node A\nclick node K") == "line 2: found \"node K\", wanted a node: A, B");
-        CHECK(complaint("expect redo") == "line 1: found something else");
-        CHECK(complaint("\nkey Hyper+Q") ==
+        CHECK(mismatch("click node A\nclick node K") == "line 2: found \"node K\", wanted a node: A, B");
+        CHECK(mismatch("expect redo") == "line 1: found something else");
+        CHECK(mismatch("\nkey Hyper+Q") ==
               "line 2: key: found \"Hyper+Q\", wanted a key, such as M, Ctrl+Shift+Z, F5 or Esc");
-        CHECK(complaint("click") ==
+        CHECK(mismatch("click") ==
               "line 1: click: found nothing, wanted a place, such as node B, member AB 50%, (2, 0) or pixel 400 300");
-        CHECK(complaint("drag node A") ==
+        CHECK(mismatch("drag node A") ==
               "line 1: drag: found \"node A\", wanted a place, \"to\" and a place: node B to (2, 1)");
-        CHECK(complaint("wheel node A fast") == "line 1: wheel: found \"fast\", wanted a number of turns");
-        CHECK(complaint("release node A") ==
+        CHECK(mismatch("wheel node A fast") == "line 1: wheel: found \"fast\", wanted a number of turns");
+        CHECK(mismatch("release node A") ==
               "line 1: release: found \"node A\", wanted no place; hover moves the pointer");
-        CHECK(complaint("wait -1") == "line 1: wait: found \"-1\", wanted between 0 and 600 seconds");
-        CHECK(complaint("type 4") == "line 1: type: found \"4\", wanted a text in quotes: \"4<30\"");
-        CHECK(complaint("Hyper+click node A") ==
+        CHECK(mismatch("wait -1") == "line 1: wait: found \"-1\", wanted between 0 and 600 seconds");
+        CHECK(mismatch("type 4") == "line 1: type: found \"4\", wanted a text in quotes: \"4<30\"");
+        CHECK(mismatch("Hyper+click node A") ==
               "line 1: click: found \"Hyper\", wanted Ctrl, Shift or Alt before a step of the mouse");
-        CHECK(complaint("Shift+key A") ==
+        CHECK(mismatch("Shift+key A") ==
               "line 1: key: found \"Shift+key\", wanted a step of the mouse after a key that is held");
-        CHECK(complaint("jump") ==
+        CHECK(mismatch("jump") ==
               "line 1: found \"jump\", wanted a step: click, "
               "rightclick, hover, drag, press, release, wheel, key, type, command, wait, picture or expect");
     }

@@ -37,29 +37,29 @@ TEST_SUITE("ui text")
 
     TEST_CASE("A phrase is said in the language of the catalogue that it is given to")
     {
-        const ui::Phrase phrase("Move node {node}", {{"node", "B"}});
-        CHECK(ui::Catalogue()(phrase) == "Move node B");
-        CHECK(ui::Catalogue(ui::Language::Portuguese, {{"Move node {node}", "Mover o nó {node}", 1}})(phrase) ==
+        const ui::Message message("Move node {node}", {{"node", "B"}});
+        CHECK(ui::Catalogue()(message) == "Move node B");
+        CHECK(ui::Catalogue(ui::Language::Portuguese, {{"Move node {node}", "Mover o nó {node}", 1}})(message) ==
               "Mover o nó B");
     }
 
     TEST_CASE("Numbers of a sentence have true minus signs; a text that was typed, and a name, stay as they are")
     {
         const ui::Catalogue tr;
-        const auto said = [&](const char* value) { return tr(ui::Phrase("from {a}", {{"a", value}})); };
+        const auto said = [&](const char* value) { return tr(ui::Message("from {a}", {{"a", value}})); };
         CHECK(said("-180 mm") == "from −180 mm");
         CHECK(said("-1.2e-5") == "from −1.2e−5");
         CHECK(said("0,5") == "from 0,5");
         CHECK(said("A-1") == "from A-1");
         CHECK(said("2026-11-24") == "from 2026-11-24");
-        CHECK(tr(ui::Phrase("found \"{a}\"", {{"a", "-180"}})) == "found \"-180\"");
+        CHECK(tr(ui::Message("found \"{a}\"", {{"a", "-180"}})) == "found \"-180\"");
     }
 
     TEST_CASE("A phrase within a phrase is translated, a name within it is not")
     {
         const ui::Catalogue tr(ui::Language::Portuguese,
                                {{"Move {part}", "Mover {part}", 1}, {"node {id}", "nó {id}", 3}, {"node", "nó", 5}});
-        const ui::Phrase part("node {id}", {{"id", "node"}});
-        CHECK(tr(ui::Phrase("Move {part}", {{"part", part}})) == "Mover nó node");
+        const ui::Message part("node {id}", {{"id", "node"}});
+        CHECK(tr(ui::Message("Move {part}", {{"part", part}})) == "Mover nó node");
     }
 }

@@ -1,6 +1,6 @@
 // Windows that everything else waits for, when two of them are wanted at once.
 #include "tests/ui/widget_stage.h"
-#include "ui/app/kept_files.h"
+#include "ui/app/session_store.h"
 #include "ui/text/catalogue.h"
 #include "ui/widgets/side_window.h"
 #include "ui/widgets/unsaved_question.h"
@@ -43,8 +43,8 @@ struct Asked {
 struct NoDesk {
     ui::Catalogue tr() const { return {}; }
     void open(const std::filesystem::path& /*path*/) {}
-    void tell(const ui::Phrase& /*sentence*/) {}
-    std::optional<std::uint64_t> recover(const ui::Leftover& /*leftover*/) { return std::nullopt; }
+    void notify(const ui::Message& /*sentence*/) {}
+    std::optional<std::uint64_t> recover(const ui::RecoverableFile& /*recoverable*/) { return std::nullopt; }
 };
 
 } // namespace
@@ -70,10 +70,10 @@ TEST_CASE("Escape answers the question about unsaved changes first and then puts
 {
     if (!ui_test::has_renderer()) return;
     Asked asked;
-    NoDesk desk;
-    ui::KeptFiles kept(std::nullopt);
+    NoDesk workspace;
+    ui::SessionStore kept(std::nullopt);
     kept.take(ui::Request::RecentList);
-    const auto show = [&] { kept.show(desk); };
+    const auto show = [&] { kept.show(workspace); };
     asked.rest(show);
     asked.escape(show);
     CHECK(asked.answer == ui::UnsavedAnswer::Cancel);

@@ -96,7 +96,7 @@ TEST_CASE("What cannot be written is asked for again, with the name that was typ
     stage.key(ui::Key::Enter);
     REQUIRE(stage.chosen);
     stage.chosen.reset();
-    stage.dialog.refuse(ui::Phrase("the disk is full"));
+    stage.dialog.refuse(ui::Message("the disk is full"));
     stage.rest();
     CHECK(stage.dialog.is_open());
     stage.key(ui::Key::Enter);

@@ -34,7 +34,7 @@ struct Sheet {
 /// An app with one changed document whose end was asked for.
 struct Ending : ui_test::Hand {
     ui_test::WidgetStage stage{1.0};
-    ui::Overlays overlays{{.extension = ".eul", .exports = {".png"}}};
+    ui::Dialogs dialogs{{.extension = ".eul", .exports = {".png"}}};
     ui::UnsavedChanges changes;
     Sheet sheet;
     std::optional<ui::UnsavedChanges::Fate> fate;
@@ -43,8 +43,8 @@ struct Ending : ui_test::Hand {
     {
         stage.frame(input, [&] {
             const ui::Catalogue english;
-            if (const auto file = overlays.show_dialog(english)) sheet.save(file->path);
-            if (!fate) fate = changes.ask(sheet, overlays, english);
+            if (const auto file = dialogs.show_dialog(english)) sheet.save(file->path);
+            if (!fate) fate = changes.ask(sheet, dialogs, english);
         });
     }
     /// An arrow shows which button has the keyboard: the first one.
@@ -65,7 +65,7 @@ TEST_CASE("Changes of a document without a file are saved once the dialog has gi
     Ending ending;
     ending.choose_save();
     CHECK(!ending.fate);
-    CHECK(ending.overlays.shows_dialog());
+    CHECK(ending.dialogs.shows_dialog());
     ending.type((folder.path() / "cube").string());
     ending.key(ui::Key::Enter);
     CHECK(ending.fate == Saved);
@@ -77,7 +77,7 @@ TEST_CASE("Who gives up the dialog keeps the document and its changes")
     if (!ui_test::has_renderer()) return;
     Ending ending;
     ending.choose_save();
-    REQUIRE(ending.overlays.shows_dialog());
+    REQUIRE(ending.dialogs.shows_dialog());
     ending.key(ui::Key::Escape);
     CHECK(ending.fate == Kept);
     CHECK(ending.sheet.has_changes);
@@ -104,7 +104,7 @@ TEST_CASE("Changes of a file are saved to it without a dialog, and kept where th
         ending.sheet.can_save = can_save;
         ending.choose_save();
         CHECK(ending.fate == (can_save ? Saved : Kept));
-        CHECK(!ending.overlays.shows_dialog());
+        CHECK(!ending.dialogs.shows_dialog());
     }
 }
 

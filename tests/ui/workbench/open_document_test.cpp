@@ -21,11 +21,11 @@ public:
     std::string told() const { return notice ? tr_(notice->sentence) : ""; }
 
 private:
-    std::optional<ui::Phrase> read(const std::filesystem::path& path) override
+    std::optional<ui::Message> read(const std::filesystem::path& path) override
     {
         std::ifstream file(path);
         const std::string found{std::istreambuf_iterator<char>(file), {}};
-        if (!file || found.starts_with("bad")) return ui::Phrase(ui::translatable("it cannot be read"));
+        if (!file || found.starts_with("bad")) return ui::Message(ui::translatable("it cannot be read"));
         text = found;
         begin(text);
         set_partial(found.starts_with("part"));
@@ -120,8 +120,8 @@ TEST_SUITE("ui workbench")
 
     TEST_CASE("A notice goes when it has been read, unless it waits to be closed")
     {
-        std::optional<ui::Notice> passing = ui::Notice{ui::Phrase("a")};
-        std::optional<ui::Notice> lasting = ui::Notice{ui::Phrase("b"), std::nullopt};
+        std::optional<ui::Notice> passing = ui::Notice{ui::Message("a")};
+        std::optional<ui::Notice> lasting = ui::Notice{ui::Message("b"), std::nullopt};
         for (auto* const notice : {&passing, &lasting}) ui::tick(*notice, 5.0);
         CHECK(passing);
         for (auto* const notice : {&passing, &lasting}) ui::tick(*notice, 1.5);

@@ -72,7 +72,7 @@ public:
             HalfEdgeId h = first;
             do {
                 ++n_met;
-                h = t_.turn(h);
+                h = t_.next_around_vertex(h);
             } while (h != first);
         }
         return n_met == t_.half_edges.n_living() ? std::nullopt : stray_of_fan();
@@ -157,7 +157,8 @@ private:
     {
         std::vector<bool> is_met(t_.half_edges.n_rows());
         for (const VertexId v : t_.vertices)
-            for (HalfEdgeId h = t_.vertices[v].half_edge; !is_met[h.index]; h = t_.turn(h)) is_met[h.index] = true;
+            for (HalfEdgeId h = t_.vertices[v].half_edge; !is_met[h.index]; h = t_.next_around_vertex(h))
+                is_met[h.index] = true;
         for (const HalfEdgeId h : t_.half_edges)
             if (!is_met[h.index]) return breach(Invariant::OneFan, h, t_.start(h));
         return std::nullopt;

@@ -197,7 +197,7 @@ private:
     {
         const HalfEdgeId first = t_.vertices[v].half_edge;
         touch(first);
-        for (HalfEdgeId h = t_.turn(first); h != first; h = t_.turn(h)) touch(h);
+        for (HalfEdgeId h = t_.next_around_vertex(first); h != first; h = t_.next_around_vertex(h)) touch(h);
     }
     void touch_chain(LoopId l)
     {

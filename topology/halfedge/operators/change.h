@@ -10,11 +10,11 @@ namespace topology {
 
 /// One entity became two, or two became one: of MEF the face and its loop, of SEMV the edge, of MEV the vertex whose
 /// edges were divided, and the other way round for their inverses.
-struct Parting {
+struct SplitOrJoin {
     Entity stays;
     Entity other; ///< made by a split, killed by a join
 
-    friend bool operator==(const Parting&, const Parting&) = default;
+    friend bool operator==(const SplitOrJoin&, const SplitOrJoin&) = default;
 };
 
 /// What one operator did, told when it is done. An operator that is undone is told as its inverse.
@@ -24,7 +24,7 @@ struct Change {
     std::vector<Entity> killed;
     /// Entities that lived before and live on: all whose links became others, among some that only stand beside these.
     std::vector<Entity> changed;
-    std::vector<Parting> split, joined;
+    std::vector<SplitOrJoin> split, joined;
 };
 
 /// What the step did to the tables, which are as it left them.

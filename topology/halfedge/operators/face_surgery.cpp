@@ -83,13 +83,13 @@ void undo_mef(Tables& t, const Step& step)
         const HalfEdgeId last = t.prev(e.minus);
         link(t, t.prev(e.plus), from == to ? to : from);
         if (from != to) link(t, last, to);
-        t.half_edges.take_back_last();
+        t.half_edges.undo_last();
     }
-    t.half_edges.take_back_last();
+    t.half_edges.undo_last();
     t.loops[l].half_edge = HalfEdgeId{step.old[0]};
-    t.edges.take_back_last();
-    t.loops.take_back_last();
-    t.faces.take_back_last();
+    t.edges.undo_last();
+    t.loops.undo_last();
+    t.faces.undo_last();
 }
 
 namespace {

@@ -88,7 +88,7 @@ void undo_kemr(Tables& t, const Step& step)
     relabel(t, t.next(h), t.next(mate), l);
     t.edges.revive(e);
     take_out(t, ring);
-    t.loops.take_back_last();
+    t.loops.undo_last();
     t.vertices[t.start(h)].half_edge = HalfEdgeId{step.old[0]};
     t.vertices[t.start(mate)].half_edge = HalfEdgeId{step.old[1]};
     t.loops[l].half_edge = HalfEdgeId{step.old[2]};
@@ -138,7 +138,7 @@ void close_or_lone(Tables& t, HalfEdgeId before, HalfEdgeId h, bool was_lone)
         make_lone(t, h);
     } else {
         link(t, before, h);
-        t.half_edges.take_back_last();
+        t.half_edges.undo_last();
     }
 }
 
@@ -154,7 +154,7 @@ void undo_mekr(Tables& t, const Step& step)
     t.half_edges[e.minus].loop = revived;
     close_or_lone(t, before_from, from, (step.was_lone & 1U) != 0);
     close_or_lone(t, before_to, to, (step.was_lone & 2U) != 0);
-    t.edges.take_back_last();
+    t.edges.undo_last();
     t.loops.revive(revived);
     put_back(t, revived);
     if (step.was_outer != 0) t.faces[t.loops[revived].face].outer = revived;
@@ -192,7 +192,7 @@ Step mfkrh(Tables& t, LoopId ring)
 void undo_mfkrh(Tables& t, const Step& step)
 {
     const LoopId ring{step.a};
-    t.faces.take_back_last();
+    t.faces.undo_last();
     insert_after(t, LoopId{step.old[1]}, ring);
     t.loops[ring].face = FaceId{step.old[0]};
 }

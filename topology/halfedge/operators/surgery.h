@@ -95,15 +95,15 @@ inline void relabel(Tables& t, HalfEdgeId from, HalfEdgeId to, LoopId loop)
 /// Half-edges that start at one vertex, from `from` turning up to, not including, `to`, get another start.
 inline void restart(Tables& t, HalfEdgeId from, HalfEdgeId to, VertexId start)
 {
-    for (HalfEdgeId h = from; h != to; h = t.turn(h)) t.half_edges[h].start = start;
+    for (HalfEdgeId h = from; h != to; h = t.next_around_vertex(h)) t.half_edges[h].start = start;
 }
 
 /// Where a vertex must not point at a half-edge whose edge is about to go: the next one of its half-edges that stays.
 inline HalfEdgeId staying(const Tables& t, HalfEdgeId h)
 {
     const EdgeId dying = t.half_edges[h].edge;
-    HalfEdgeId other = t.turn(h);
-    while (other != h && t.half_edges[other].edge == dying) other = t.turn(other);
+    HalfEdgeId other = t.next_around_vertex(h);
+    while (other != h && t.half_edges[other].edge == dying) other = t.next_around_vertex(other);
     return other;
 }
 

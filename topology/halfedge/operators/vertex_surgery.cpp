@@ -16,10 +16,10 @@ Step mvfs(Tables& t, const Point& point)
 
 void undo_mvfs(Tables& t, const Step& /*step*/)
 {
-    t.vertices.take_back_last();
-    t.half_edges.take_back_last();
-    t.loops.take_back_last();
-    t.faces.take_back_last();
+    t.vertices.undo_last();
+    t.half_edges.undo_last();
+    t.loops.undo_last();
+    t.faces.undo_last();
 }
 
 Step kvfs(Tables& t, FaceId f)
@@ -57,9 +57,9 @@ Step mvr(Tables& t, FaceId f, const Point& point)
 void undo_mvr(Tables& t, const Step& /*step*/)
 {
     take_out(t, t.loops.last());
-    t.loops.take_back_last();
-    t.half_edges.take_back_last();
-    t.vertices.take_back_last();
+    t.loops.undo_last();
+    t.half_edges.undo_last();
+    t.vertices.undo_last();
 }
 
 Step kvr(Tables& t, LoopId l)
@@ -116,8 +116,8 @@ void shrink(Tables& t)
     const Edge e = t.edges[t.edges.last()];
     take_out(t, e.plus);
     take_out(t, e.minus);
-    t.half_edges.take_back_last();
-    t.half_edges.take_back_last();
+    t.half_edges.undo_last();
+    t.half_edges.undo_last();
 }
 
 } // namespace
@@ -143,14 +143,14 @@ void undo_mev(Tables& t, const Step& step)
     if (step.was_lone != 0) {
         make_lone(t, minus);
         t.loops[t.loop(minus)].half_edge = minus;
-        t.half_edges.take_back_last();
+        t.half_edges.undo_last();
     } else {
         shrink(t);
         restart(t, step.first(), step.second(), v);
     }
     t.vertices[v].half_edge = HalfEdgeId{step.old[0]};
-    t.edges.take_back_last();
-    t.vertices.take_back_last();
+    t.edges.undo_last();
+    t.vertices.undo_last();
 }
 
 Step semv(Tables& t, HalfEdgeId h, const Point& point)
@@ -181,8 +181,8 @@ void undo_semv(Tables& t, const Step& step)
     shrink(t);
     t.half_edges[step.first()].start = v;
     t.vertices[v].half_edge = HalfEdgeId{step.old[0]};
-    t.edges.take_back_last();
-    t.vertices.take_back_last();
+    t.edges.undo_last();
+    t.vertices.undo_last();
 }
 
 namespace {

@@ -62,8 +62,9 @@ std::optional<Refusal> EulerOperator::why_not_semv(HalfEdgeId h) const { return 
 std::optional<Refusal> EulerOperator::why_not_jekv(HalfEdgeId h) const
 {
     if (auto reason = why_not_kev(h)) return reason;
-    const HalfEdgeId other = solid_->turn(h);
-    if (other == h || solid_->turn(other) != h) return refusal(RefusalKind::NotBetweenTwoEdges, solid_->start(h));
+    const HalfEdgeId other = solid_->next_around_vertex(h);
+    if (other == h || solid_->next_around_vertex(other) != h)
+        return refusal(RefusalKind::NotBetweenTwoEdges, solid_->start(h));
     return std::nullopt;
 }
 

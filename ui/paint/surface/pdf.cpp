@@ -55,8 +55,8 @@ CairoFont cairo_font(std::span<const unsigned char> file)
     auto source = std::make_unique<FontSource>(file);
     CairoFont font(cairo_ft_font_face_create_for_ft_face(source->face, FT_LOAD_NO_HINTING));
     const auto close = [](void* data) { delete static_cast<FontSource*>(data); };
-    if (cairo_font_face_set_user_data(font.get(), &key, source.get(), close) == CAIRO_STATUS_SUCCESS)
-        [[maybe_unused]] const FontSource* kept_by_cairo = source.release();
+    if (cairo_font_face_set_user_data(font.get(), &key, source.get(), close) == CAIRO_STATUS_SUCCESS) [[maybe_unused]]
+        const FontSource* kept_by_cairo = source.release();
     return font;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <random>
 
-#include "topology/halfedge/check/likeness.h"
+#include "topology/halfedge/check/isomorphism.h"
 #include "topology/modeling/construction.h"
 #include "topology/modeling/lamina.h"
 #include "topology/modeling/primitives.h"
@@ -18,16 +18,16 @@ namespace {
 using topology::EulerCounts;
 using topology::EulerOperator;
 using topology::Solid;
-using ui::Phrase;
+using ui::Message;
 using ui::translatable;
 
 struct Target {
-    Phrase name;
+    Message name;
     Solid solid;
     topology::Journal journal; ///< of how it was made
 };
 
-template <class Make> Target target(const Phrase& name, const Make& make)
+template <class Make> Target target(const Message& name, const Make& make)
 {
     Target made{name, {}, {}};
     EulerOperator op(made.solid, made.journal);
@@ -37,7 +37,7 @@ template <class Make> Target target(const Phrase& name, const Make& make)
 
 Target easy(std::uint32_t kind, int n)
 {
-    const Phrase::Argument corners("n", std::to_string(n));
+    const Message::Argument corners("n", std::to_string(n));
     if (kind % 2 == 0)
         return target({translatable("a lamina of {n} corners"), {corners}},
                       [&](EulerOperator& op) { lamina(op, topology::regular_polygon(n, 2.0)); });
@@ -50,7 +50,7 @@ Target easy(std::uint32_t kind, int n)
 
 Target middle(std::uint32_t kind, int n)
 {
-    const Phrase::Argument corners("n", std::to_string(n));
+    const Message::Argument corners("n", std::to_string(n));
     if (kind % 2 == 0)
         return target({translatable("a pyramid over {n} corners"), {corners}},
                       [&](EulerOperator& op) { add_cone(op, n, 2.0, 3.0); });
@@ -60,7 +60,7 @@ Target middle(std::uint32_t kind, int n)
 
 Target hard(std::uint32_t kind, int n)
 {
-    const Phrase::Argument corners("n", std::to_string(n));
+    const Message::Argument corners("n", std::to_string(n));
     if (kind % 3 == 0)
         return target(translatable("a torus of one vertex, two edges and one face"), [](EulerOperator& op) {
             const topology::LoneVertex first = op.mvfs({});
@@ -84,7 +84,7 @@ Target hard(std::uint32_t kind, int n)
 }
 
 /// The first count that is not the target's, and the operator that changes it.
-Phrase difference(const EulerCounts& now, const EulerCounts& wanted)
+Message difference(const EulerCounts& now, const EulerCounts& wanted)
 {
     if (now.S < wanted.S) return translatable("a shell is missing: MVFS opens one");
     if (now.G < wanted.G) return translatable("a handle is missing: KFMRH of two faces of one shell makes one");
@@ -99,13 +99,13 @@ Phrase difference(const EulerCounts& now, const EulerCounts& wanted)
     return translatable("the counts agree, but not the structure: compare how many edges each face has");
 }
 
-struct Way {
+struct Path {
     std::string script;
     std::size_t n_operators;
 };
 
 /// As it was made, or by inversion: the one knows MVR, the other needs no detour.
-Way shortest_way(const Target& made)
+Path shortest_way(const Target& made)
 {
     const std::size_t n_made = made.journal.n_done(), n_inverted = construction(made.solid).journal.n_done();
     const topology::NamedSolid solid{.name = "s1", .solid = made.solid, .journal = made.journal, .names = {}};
@@ -121,9 +121,9 @@ ReachChallenge reach_challenge(std::uint32_t seed, Level level)
     const auto kind = static_cast<std::uint32_t>(random());
     const int n = 3 + static_cast<int>(random() % 4);
     Target made = level == Level::Easy ? easy(kind, n) : level == Level::Middle ? middle(kind, n) : hard(kind, n);
-    Way way = shortest_way(made);
-    Phrase task(translatable("Make {what} with at most {n} operators."),
-                {{"what", std::move(made.name)}, {"n", std::to_string(way.n_operators)}});
+    Path way = shortest_way(made);
+    Message task(translatable("Make {what} with at most {n} operators."),
+                 {{"what", std::move(made.name)}, {"n", std::to_string(way.n_operators)}});
     return {.task = std::move(task),
             .target = std::move(made.solid),
             .way = std::move(way.script),

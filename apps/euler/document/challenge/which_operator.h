@@ -16,7 +16,7 @@ struct WhichOperator {
     std::size_t before = 0, after = 0; ///< places
     std::vector<std::string> choices;  ///< "MEV"
     std::size_t answer = 0;            ///< among the choices
-    ui::Phrase hint;                   ///< how the counts change
+    ui::Message hint;                  ///< how the counts change
 };
 WhichOperator which_operator(std::uint32_t seed);
 

@@ -21,7 +21,7 @@ using topology::PlanarFigure;
 using topology::Point;
 using topology::Solid;
 using topology::VertexId;
-using ui::Phrase;
+using ui::Message;
 using ui::translatable;
 
 /// Draws on a copy of the lesson, since each operator finds what the one before left.
@@ -31,7 +31,7 @@ public:
         : trial_(lesson), place_(solid), frame_(frame), from_(from), to_(to)
     {}
 
-    std::variant<std::vector<DrawnStep>, Phrase> take()
+    std::variant<std::vector<DrawnStep>, Message> take()
     {
         for (auto met = line().crossing(); met && !refused_; met = line().crossing())
             split(in().minus(met->edge), met->point);
@@ -41,7 +41,7 @@ public:
         else
             for (std::size_t i = 0; i + 1 < all.size(); ++i) piece(all[i], all[i + 1]);
         if (refused_) return *refused_;
-        if (steps_.empty()) return Phrase(translatable("an edge is there already"));
+        if (steps_.empty()) return Message(translatable("an edge is there already"));
         return std::move(steps_);
     }
 
@@ -54,7 +54,7 @@ private:
     LineOnFigure line() const { return {in(), frame_, from_, to_}; }
     FlatPoint flat(const Point& p) const { return frame_.flat(p); }
 
-    void draw(std::string_view word, const std::string& words, Phrase why)
+    void draw(std::string_view word, const std::string& words, Message why)
     {
         if (refused_) return;
         const std::string line = std::string(word) + " " + named().name + words;
@@ -142,7 +142,7 @@ private:
         const LoopId first = in().outer(f);
         if (in().loop(from) == first || !is_enclosed(first, from, to)) return;
         const HalfEdgeId leading = in().half_edge(first);
-        const Phrase why(
+        const Message why(
             translatable("The loop at {a}, which leads those of the outside face {f}, will lie inside the new face: "
                          "joined to the loop at {b} by MEKR and parted again by KEMR, it follows as a ring."),
             {{"a", name(in().start(leading))}, {"f", name(f)}, {"b", name(in().start(from))}});
@@ -171,7 +171,7 @@ private:
     topology::Frame frame_;
     Point from_, to_;
     std::vector<DrawnStep> steps_;
-    std::optional<Phrase> refused_;
+    std::optional<Message> refused_;
 };
 
 std::vector<DrawnStep> first_line(const Stepper& lesson, const Point& from, const Point& to)
@@ -182,12 +182,13 @@ std::vector<DrawnStep> first_line(const Stepper& lesson, const Point& from, cons
         const topology::Names no_names;
         return topology::Wording({none, no_names, ""}).point(p);
     };
-    return {{"mvfs " + s + " f1 v1" + spaced(from),
-             Phrase(translatable("Nothing is there yet: MVFS makes the vertex {v} and the face {f} around it."),
-                    {{"v", "v1"}, {"f", "f1"}})},
-            {"mev " + s + " f1 v1 v2" + spaced(to),
-             Phrase(translatable("One end of the line is new: MEV grows an edge from {a} into face {f} and makes {v}."),
-                    {{"a", "v1"}, {"f", "f1"}, {"v", "v2"}})}};
+    return {
+        {"mvfs " + s + " f1 v1" + spaced(from),
+         Message(translatable("Nothing is there yet: MVFS makes the vertex {v} and the face {f} around it."),
+                 {{"v", "v1"}, {"f", "f1"}})},
+        {"mev " + s + " f1 v1 v2" + spaced(to),
+         Message(translatable("One end of the line is new: MEV grows an edge from {a} into face {f} and makes {v}."),
+                 {{"a", "v1"}, {"f", "f1"}, {"v", "v2"}})}};
 }
 
 bool is_in_plane(const topology::Frame& frame, const Point& p, double extent)
@@ -197,16 +198,16 @@ bool is_in_plane(const topology::Frame& frame, const Point& p, double extent)
 
 } // namespace
 
-std::variant<std::vector<DrawnStep>, Phrase> drawn_line(const Stepper& lesson, std::optional<std::size_t> solid,
-                                                        const Point& from, const Point& to)
+std::variant<std::vector<DrawnStep>, Message> drawn_line(const Stepper& lesson, std::optional<std::size_t> solid,
+                                                         const Point& from, const Point& to)
 {
-    if (from == to) return Phrase(translatable("the line has no length"));
+    if (from == to) return Message(translatable("the line has no length"));
     if (!solid) return first_line(lesson, from, to);
     const auto frame = plane_of(lesson.runner().solids()[*solid].solid);
-    if (!frame) return Phrase(translatable("the solid does not lie in a plane"));
+    if (!frame) return Message(translatable("the solid does not lie in a plane"));
     const double extent = length(from - frame->origin) + length(to - frame->origin);
     if (!is_in_plane(*frame, from, extent) || !is_in_plane(*frame, to, extent))
-        return Phrase(translatable("the line leaves the plane of the figure"));
+        return Message(translatable("the line leaves the plane of the figure"));
     return Drawing(lesson, *solid, *frame, from, to).take();
 }
 

@@ -14,7 +14,7 @@ namespace euler {
 /// One operator that a drawn line takes, and the sentence that says why it is this one.
 struct DrawnStep {
     std::string line;
-    ui::Phrase why;
+    ui::Message why;
 };
 
 /// The operators that draw a straight line into a planar figure.
@@ -32,7 +32,7 @@ struct DrawnStep {
 /// Accuracy an end or a vertex lies on a line up to 1e-9 of the figure's extent; snap before
 /// `solid` is the place of the figure among the runner's solids; none draws the first line of a new one.
 /// \returns why it cannot be drawn: too short, on edges that are there, a figure in no plane, an end beside the plane
-std::variant<std::vector<DrawnStep>, ui::Phrase> drawn_line(const Stepper& lesson, std::optional<std::size_t> solid,
-                                                            const topology::Point& from, const topology::Point& to);
+std::variant<std::vector<DrawnStep>, ui::Message> drawn_line(const Stepper& lesson, std::optional<std::size_t> solid,
+                                                             const topology::Point& from, const topology::Point& to);
 
 } // namespace euler

@@ -20,7 +20,7 @@ using topology::Refusal;
 using topology::RefusalKind;
 using topology::Solid;
 using topology::VertexId;
-using ui::Phrase;
+using ui::Message;
 using ui::translatable;
 
 std::string_view wrong_kind(ArgumentKind wanted)
@@ -106,41 +106,41 @@ std::optional<Refusal> refusal_of_two(const topology::EulerOperator& op, Verb ve
     }
 }
 
-Phrase phrase(const Refusal& refusal, const NamedSolid& in)
+Message message(const Refusal& refusal, const NamedSolid& in)
 {
-    Phrase said(topology::pattern(refusal.kind));
+    Message said(topology::pattern(refusal.kind));
     for (std::size_t i = 0; i < refusal.entities.size(); ++i)
         said.arguments.emplace_back(std::to_string(i), in.names.of(refusal.entities[i], in.solid));
     return said;
 }
 
 /// What the script language refuses though the operator would not, and what can be seen before the second pick.
-std::optional<Phrase> refused_early(const NamedSolid& in, Verb verb, const Picks& picks)
+std::optional<Message> refused_early(const NamedSolid& in, Verb verb, const Picks& picks)
 {
     if (verb == Verb::Split && picks.size() == 2 && picks.half(0) == picks.half(1))
         return reason(topology::error(topology::ScriptFault::SameHalfEdge, {in.names.of(picks.all[0], in.solid)}));
     if (verb != Verb::Mekr || picks.size() != 1) return std::nullopt;
     const LoopId l = in.solid.loop(picks.half(0));
     if (in.solid.loops()[l].next != l) return std::nullopt;
-    return Phrase(translatable("face {face} has one loop; MEKR needs two"),
-                  {{"face", in.names.faces.of(in.solid.face(l))}});
+    return Message(translatable("face {face} has one loop; MEKR needs two"),
+                   {{"face", in.names.faces.of(in.solid.face(l))}});
 }
 
 } // namespace
 
-std::optional<Phrase> Legality::why_not(Verb verb, ArgumentKind wanted, const std::vector<Entity>& picked)
+std::optional<Message> Legality::why_not(Verb verb, ArgumentKind wanted, const std::vector<Entity>& picked)
 {
     const Entity last = picked.back();
-    if (!is_wanted(last.kind, wanted)) return Phrase(wrong_kind(wanted), {{"what", in_.names.of(last, in_.solid)}});
-    if (!lives(in_.solid, last)) return phrase({.kind = RefusalKind::NoSuchEntity, .entities = {last}}, in_);
+    if (!is_wanted(last.kind, wanted)) return Message(wrong_kind(wanted), {{"what", in_.names.of(last, in_.solid)}});
+    if (!lives(in_.solid, last)) return message({.kind = RefusalKind::NoSuchEntity, .entities = {last}}, in_);
     const Picks picks{in_.solid, picked};
     if (auto early = refused_early(in_, verb, picks)) return early;
     const topology::EulerOperator op(copy_);
     const auto refusal = picked.size() == 1 ? refusal_of_one(op, verb, picks) : refusal_of_two(op, verb, picks);
-    return refusal ? std::optional(phrase(*refusal, in_)) : std::nullopt;
+    return refusal ? std::optional(message(*refusal, in_)) : std::nullopt;
 }
 
-std::string pointed_words(const NamedSolid& in, Verb verb, const std::vector<Entity>& picked)
+std::string pointed_text(const NamedSolid& in, Verb verb, const std::vector<Entity>& picked)
 {
     const topology::Wording say(in.named());
     const Picks picks{in.solid, picked};

@@ -6,7 +6,7 @@
 
 #include "apps/euler/document/palette/operator_form.h"
 #include "topology/script/script_runner.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace euler {
 
@@ -17,7 +17,7 @@ public:
 
     /// Why the last of the picked entities cannot stand after the others: it is of another kind than `wanted`, dead, or
     /// the operator would refuse it. None if it can.   \pre the others were legal, there is at least one
-    std::optional<ui::Phrase> why_not(Verb verb, ArgumentKind wanted, const std::vector<topology::Entity>& picked);
+    std::optional<ui::Message> why_not(Verb verb, ArgumentKind wanted, const std::vector<topology::Entity>& picked);
 
 private:
     const topology::NamedSolid& in_;
@@ -25,6 +25,6 @@ private:
 };
 
 /// The operator's words after the solid's name, as far as they are said by pointing: " f1 v1 v4" of MEF.
-std::string pointed_words(const topology::NamedSolid& in, Verb verb, const std::vector<topology::Entity>& picked);
+std::string pointed_text(const topology::NamedSolid& in, Verb verb, const std::vector<topology::Entity>& picked);
 
 } // namespace euler

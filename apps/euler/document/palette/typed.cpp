@@ -1,6 +1,6 @@
 #include <vector>
 
-#include "apps/euler/document/palette/draft.h"
+#include "apps/euler/document/palette/pending_operator.h"
 #include "topology/script/corner.h"
 #include "topology/script/script_fault.h"
 #include "topology/text/words.h"
@@ -41,7 +41,7 @@ HalfEdgeId half_edge(const Named& in, const Words& words)
     return find_half_edge(in, words.front());
 }
 
-Choice read(const topology::ScriptRunner& runner, const Draft& draft, const Words& words)
+Choice read(const topology::ScriptRunner& runner, const PendingOperator& draft, const Words& words)
 {
     const ArgumentKind kind = draft.next().kind;
     if (kind == ArgumentKind::Point || kind == ArgumentKind::Vector) return point(words);
@@ -61,7 +61,8 @@ Choice read(const topology::ScriptRunner& runner, const Draft& draft, const Word
 
 } // namespace
 
-std::variant<Choice, ui::Phrase> typed(const topology::ScriptRunner& runner, const Draft& draft, std::string_view text)
+std::variant<Choice, ui::Message> typed(const topology::ScriptRunner& runner, const PendingOperator& draft,
+                                        std::string_view text)
 {
     try {
         return read(runner, draft, topology::words(text));

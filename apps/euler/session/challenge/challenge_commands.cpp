@@ -34,32 +34,32 @@ constexpr std::array<std::string_view, entries.size()> ids = [] {
     return names;
 }();
 
-Reason needs_challenge(const Desk& desk)
+Reason needs_challenge(const Workspace& workspace)
 {
-    if (!desk.session.game()) return translatable("no challenge is on");
-    if (desk.session.game()->is_over()) return translatable("the challenge is over");
+    if (!workspace.session.game()) return translatable("no challenge is on");
+    if (workspace.session.game()->is_over()) return translatable("the challenge is over");
     return std::nullopt;
 }
 
-void begin(Desk& desk, const Entry& entry)
+void begin(Workspace& workspace, const Entry& entry)
 {
-    desk.session.play(entry.make(desk.next_challenge++));
-    desk.topic = Topic::Challenges;
-    desk.structure = Structure::HalfEdges;
+    workspace.session.play(entry.make(workspace.next_challenge++));
+    workspace.topic = Topic::Challenges;
+    workspace.structure = Structure::HalfEdges;
 }
 
 // The way to a solid takes the place of what was tried.
-void give_up(Desk& desk)
+void give_up(Workspace& workspace)
 {
-    if (std::holds_alternative<ReachChallenge>(desk.session.game()->task()))
-        desk.leave_document([](Desk& left) { left.session.give_up_challenge(); });
-    else desk.session.give_up_challenge();
+    if (std::holds_alternative<ReachChallenge>(workspace.session.game()->task()))
+        workspace.leave_document([](Workspace& left) { left.session.give_up_challenge(); });
+    else workspace.session.give_up_challenge();
 }
 
-Reason why_no_hint(const Desk& desk)
+Reason why_no_hint(const Workspace& workspace)
 {
-    if (auto reason = needs_challenge(desk)) return reason;
-    return desk.session.game()->why_no_hint();
+    if (auto reason = needs_challenge(workspace)) return reason;
+    return workspace.session.game()->why_no_hint();
 }
 
 } // namespace
@@ -68,15 +68,18 @@ std::span<const std::string_view> challenge_command_ids() { return ids; }
 
 void add_challenge_commands(CommandTable& table)
 {
-    ui::MenuBuilder<Desk> menu(table, translatable("Challenge"));
+    ui::MenuBuilder<Workspace> menu(table, translatable("Challenge"));
     for (const Entry& entry : entries)
-        menu.step({entry.id, entry.label},
-                  [&entry](Desk& desk) { desk.leave_document([&entry](Desk& left) { begin(left, entry); }); });
+        menu.step({entry.id, entry.label}, [&entry](Workspace& workspace) {
+            workspace.leave_document([&entry](Workspace& left) { begin(left, entry); });
+        });
     menu.step(
-        {"challenge.hint", translatable("Give a hint")}, [](Desk& desk) { desk.session.give_hint(); }, why_no_hint);
+        {"challenge.hint", translatable("Give a hint")}, [](Workspace& workspace) { workspace.session.give_hint(); },
+        why_no_hint);
     menu.step({"challenge.give_up", translatable("Give up the challenge")}, give_up, needs_challenge);
-    table.with_argument("challenge.answer",
-                        [](Desk& desk, const ui::Argument& argument) { return desk.session.answer(argument.text); });
+    table.with_argument("challenge.answer", [](Workspace& workspace, const ui::Argument& argument) {
+        return workspace.session.answer(argument.text);
+    });
 }
 
 } // namespace euler

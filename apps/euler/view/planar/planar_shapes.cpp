@@ -137,15 +137,15 @@ FaceId outside_of(const Solid& solid, const topology::Shell& shell, std::optiona
                              [&](FaceId a, FaceId b) { return n_half_edges(solid, a) < n_half_edges(solid, b); });
 }
 
-std::optional<ui::Phrase> why_not_planar(const topology::Shell& shell)
+std::optional<ui::Message> why_not_planar(const topology::Shell& shell)
 {
     if (shell.genus > 0)
-        return ui::Phrase(translatable("A shell has genus {genus}: it cannot be drawn in the plane without crossings. "
-                                       "Its plane model shows it."),
-                          {{"genus", std::to_string(shell.genus)}});
+        return ui::Message(translatable("A shell has genus {genus}: it cannot be drawn in the plane without crossings. "
+                                        "Its plane model shows it."),
+                           {{"genus", std::to_string(shell.genus)}});
     if (shell.counts.edges > most_edges)
-        return ui::Phrase(translatable("A shell has {count} edges: too many to be drawn in the plane."),
-                          {{"count", std::to_string(shell.counts.edges)}});
+        return ui::Message(translatable("A shell has {count} edges: too many to be drawn in the plane."),
+                           {{"count", std::to_string(shell.counts.edges)}});
     return std::nullopt;
 }
 
@@ -194,14 +194,14 @@ Shapes PlanarMap::shapes(std::span<const Subject> subjects, const ui::OrbitCamer
 {
     ui::OrbitCamera from_above = camera;
     from_above.look(ui::StandardView::Top);
-    const Sight sight(from_above);
+    const ViewTransform transform(from_above);
     PlacedSolids placed;
     for (std::size_t i = 0; i < subjects.size(); ++i)
-        placed.push_back(std::make_unique<PlacedSolid>(i, subjects[i], sight, layouts_[i]));
+        placed.push_back(std::make_unique<PlacedSolid>(i, subjects[i], transform, layouts_[i]));
     Look flat = look;
     flat.explosion = 0.0;
-    Shapes shapes = shapes_of(placed, sight, flat);
-    for (const ui::Phrase& sentence : sentences_) shapes.sentences.push_back(look.tr(sentence));
+    Shapes shapes = shapes_of(placed, transform, flat);
+    for (const ui::Message& sentence : sentences_) shapes.sentences.push_back(look.tr(sentence));
     return shapes;
 }
 

@@ -4,7 +4,7 @@
 #include "apps/euler/view/shapes/shapes.h"
 #include "apps/euler/view/solid/placed_solid.h"
 #include "ui/canvas/orbit_camera.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 #include <optional>
 #include <span>
@@ -36,7 +36,7 @@ public:
 
 private:
     std::vector<PlacedSolid::Layout> layouts_; ///< by subject
-    std::vector<ui::Phrase> sentences_;        ///< why some are not drawn
+    std::vector<ui::Message> sentences_;       ///< why some are not drawn
 };
 
 } // namespace euler

@@ -33,11 +33,11 @@ Vector unit(const Vector& v)
 } // namespace
 
 ArrowLines::ArrowLines(const topology::Solid& solid, const HalfEdgePaths& paths, const FaceBodies& bodies,
-                       const Sight& sight, double symbol_scale)
+                       const ViewTransform& transform, double symbol_scale)
     : solid_(solid),
       paths_(paths),
       bodies_(bodies),
-      sight_(sight),
+      transform_(transform),
       symbol_scale_(symbol_scale),
       shortest_(std::lerp(shortest, shortest_of_many, thinning(solid.edges().n_living())))
 {}
@@ -45,8 +45,8 @@ ArrowLines::ArrowLines(const topology::Solid& solid, const HalfEdgePaths& paths,
 double ArrowLines::offset(FaceId f) const
 {
     constexpr double most_of_room = 0.4;
-    const bool is_back = dot(bodies_[f].normal, sight_.toward_eye()) < 0.0;
-    const double wanted = sight_.px(beside_edge * symbol_scale_ * (is_back ? inside_factor : 1.0));
+    const bool is_back = dot(bodies_[f].normal, transform_.toward_eye()) < 0.0;
+    const double wanted = transform_.px(beside_edge * symbol_scale_ * (is_back ? inside_factor : 1.0));
     const double radius = bodies_[f].inner_radius;
     return radius > 0.0 ? std::min(wanted, most_of_room * radius) : wanted;
 }
@@ -54,7 +54,7 @@ double ArrowLines::offset(FaceId f) const
 Vector ArrowLines::plane_normal(FaceId f, const Vector& along) const
 {
     const Vector& normal = bodies_[f].normal;
-    return length(cross(normal, along)) > least_slant ? normal : sight_.toward_eye();
+    return length(cross(normal, along)) > least_slant ? normal : transform_.toward_eye();
 }
 
 Vector ArrowLines::direction(HalfEdgeId h) const { return unit(paths_.end(h) - paths_.start(h)); }
@@ -71,7 +71,7 @@ std::vector<Point> ArrowLines::straight(HalfEdgeId h) const
     const FaceId f = solid_.face(h);
     const Vector whole = paths_.end(h) - paths_.start(h), along = unit(whole);
     const Vector normal = plane_normal(f, along);
-    const double aside = offset(f), room = length(whole), least_gap = sight_.px(gap);
+    const double aside = offset(f), room = length(whole), least_gap = transform_.px(gap);
     double before = taken(direction(solid_.prev(h)), along, normal, aside) + least_gap;
     double after = taken(along, direction(solid_.next(h)), normal, aside) + least_gap;
     const double shrink = std::min(1.0, 0.7 * room / (before + after));
@@ -84,12 +84,12 @@ std::vector<Point> ArrowLines::straight(HalfEdgeId h) const
 /// Beside a curve in the sheet's plane, on its left.
 std::vector<Point> ArrowLines::curved(std::vector<Point> path) const
 {
-    const double aside = sight_.px(beside_edge * symbol_scale_);
+    const double aside = transform_.px(beside_edge * symbol_scale_);
     std::vector<Point> line;
     const std::size_t ends = path.size() / 6; // where both its ends meet at the vertex
     for (std::size_t i = ends; i + ends < path.size(); ++i) {
         const Vector along = path[i + 1] - path[i - 1];
-        line.push_back(path[i] + aside * unit(cross(sight_.toward_eye(), along)));
+        line.push_back(path[i] + aside * unit(cross(transform_.toward_eye(), along)));
     }
     return line;
 }
@@ -99,7 +99,8 @@ std::vector<Point> ArrowLines::circle(const Point& middle) const
     constexpr int n = 20;
     std::vector<Point> line;
     for (int i = 0; i <= n; ++i)
-        line.push_back(middle + sight_.px(around_lone * symbol_scale_) * sight_.across(pi * (0.6 + 1.7 * i / n)));
+        line.push_back(middle +
+                       transform_.px(around_lone * symbol_scale_) * transform_.across(pi * (0.6 + 1.7 * i / n)));
     return line;
 }
 
@@ -107,7 +108,7 @@ std::vector<Point> ArrowLines::operator()(HalfEdgeId h) const
 {
     if (!solid_.edge(h)) return circle(paths_.start(h));
     if (paths_.is_curved(h)) return curved(paths_(h));
-    const double on_sheet = ui::distance(sight_.to_sheet(paths_.start(h)), sight_.to_sheet(paths_.end(h)));
+    const double on_sheet = ui::distance(transform_.to_sheet(paths_.start(h)), transform_.to_sheet(paths_.end(h)));
     return on_sheet < shortest_ * symbol_scale_ ? std::vector<Point>{} : straight(h);
 }
 

@@ -14,8 +14,8 @@ namespace euler {
 ///        | v        | |         A lone vertex's half-edge is a circle around it.
 class ArrowLines {
 public:
-    ArrowLines(const topology::Solid& solid, const HalfEdgePaths& paths, const FaceBodies& bodies, const Sight& sight,
-               double symbol_scale);
+    ArrowLines(const topology::Solid& solid, const HalfEdgePaths& paths, const FaceBodies& bodies,
+               const ViewTransform& transform, double symbol_scale);
 
     /// From tail to head; empty where there is no room for an arrow, less soon in a solid of thousands.
     std::vector<topology::Point> operator()(topology::HalfEdgeId h) const;
@@ -34,7 +34,7 @@ private:
     const topology::Solid& solid_;
     const HalfEdgePaths& paths_;
     const FaceBodies& bodies_;
-    const Sight& sight_;
+    const ViewTransform& transform_;
     double symbol_scale_;
     double shortest_; ///< [px] of an edge that has arrows
 };

@@ -51,8 +51,9 @@ Point bezier(const Point& p, const topology::Vector& a, const topology::Vector& 
 
 } // namespace
 
-HalfEdgePaths::HalfEdgePaths(const topology::Solid& solid, const Stations& stations, const Sight& sight)
-    : solid_(solid), stations_(stations), sight_(sight)
+HalfEdgePaths::HalfEdgePaths(const topology::Solid& solid, const AnimatedPositions& positions,
+                             const ViewTransform& transform)
+    : solid_(solid), positions_(positions), transform_(transform)
 {
     for (const EdgeId e : solid.edges()) {
         const VertexId v = solid.start(solid.plus(e));
@@ -68,7 +69,7 @@ void HalfEdgePaths::bend(VertexId v)
         places[h] = known.size();
         const bool is_closed = solid_.end(h) == v;
         known.push_back(is_closed ? std::nullopt
-                                  : std::optional(sight_.angle(stations_[solid_.end(h)] - stations_[v])));
+                                  : std::optional(transform_.angle(positions_[solid_.end(h)] - positions_[v])));
     }
     const std::vector<double> angles = angles_of(known);
     for (const auto& [h, place] : places)
@@ -82,10 +83,10 @@ Curve HalfEdgePaths::curve(VertexId v, double leaves_at, double returns_at) cons
     const double middle = leaves_at + 0.5 * apart;
     const double half = std::copysign(std::clamp(0.5 * std::abs(apart), least_half, most_half), apart);
     const double size = least_reach + more_reach * std::abs(apart) / turn;
-    const double reach = stations_.extent() > 0.0 ? sight_.px(size) : size / alone;
-    const topology::Vector a = reach * sight_.across(middle - half), b = reach * sight_.across(middle + half);
+    const double reach = positions_.extent() > 0.0 ? transform_.px(size) : size / alone;
+    const topology::Vector a = reach * transform_.across(middle - half), b = reach * transform_.across(middle + half);
     Curve points;
-    for (int i = 0; i <= n_of_curve; ++i) points.push_back(bezier(stations_[v], a, b, double{1.0} * i / n_of_curve));
+    for (int i = 0; i <= n_of_curve; ++i) points.push_back(bezier(positions_[v], a, b, double{1.0} * i / n_of_curve));
     return points;
 }
 
@@ -99,9 +100,9 @@ bool HalfEdgePaths::is_curved(HalfEdgeId h) const
 std::vector<Point> HalfEdgePaths::operator()(HalfEdgeId h) const
 {
     const auto e = solid_.edge(h);
-    if (!e) return {stations_[solid_.start(h)]};
+    if (!e) return {positions_[solid_.start(h)]};
     const auto found = curves_.find(*e);
-    if (found == curves_.end()) return {stations_[solid_.start(h)], stations_[solid_.end(h)]};
+    if (found == curves_.end()) return {positions_[solid_.start(h)], positions_[solid_.end(h)]};
     std::vector<Point> path = found->second;
     if (solid_.plus(*e) != h) std::reverse(path.begin(), path.end());
     return path;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/euler/view/solid/stations.h"
+#include "apps/euler/view/solid/animated_positions.h"
 
 #include <optional>
 #include <unordered_map>
@@ -22,24 +22,25 @@ using Curves = std::unordered_map<topology::EdgeId, Curve>; ///< each as its plu
 ///            v
 class HalfEdgePaths {
 public:
-    HalfEdgePaths(const topology::Solid& solid, const Stations& stations, const Sight& sight);
-    HalfEdgePaths(const topology::Solid& solid, const Stations& stations, const Sight& sight, Curves curves)
-        : solid_(solid), stations_(stations), sight_(sight), curves_(std::move(curves))
+    HalfEdgePaths(const topology::Solid& solid, const AnimatedPositions& positions, const ViewTransform& transform);
+    HalfEdgePaths(const topology::Solid& solid, const AnimatedPositions& positions, const ViewTransform& transform,
+                  Curves curves)
+        : solid_(solid), positions_(positions), transform_(transform), curves_(std::move(curves))
     {}
 
     /// From its start to its end, both included; one point of a lone vertex.
     std::vector<topology::Point> operator()(topology::HalfEdgeId h) const;
     bool is_curved(topology::HalfEdgeId h) const;
-    const topology::Point& start(topology::HalfEdgeId h) const { return stations_[solid_.start(h)]; }
-    const topology::Point& end(topology::HalfEdgeId h) const { return stations_[solid_.end(h)]; }
+    const topology::Point& start(topology::HalfEdgeId h) const { return positions_[solid_.start(h)]; }
+    const topology::Point& end(topology::HalfEdgeId h) const { return positions_[solid_.end(h)]; }
 
 private:
     void bend(topology::VertexId v);
     Curve curve(topology::VertexId v, double leaves_at, double returns_at) const;
 
     const topology::Solid& solid_;
-    const Stations& stations_;
-    const Sight& sight_;
+    const AnimatedPositions& positions_;
+    const ViewTransform& transform_;
     Curves curves_;
 };
 

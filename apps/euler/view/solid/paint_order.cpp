@@ -99,13 +99,14 @@ std::vector<std::size_t> by_mean_depth(std::span<const SeenPiece> pieces)
 
 } // namespace
 
-std::optional<DepthPlane> depth_plane(const topology::Point& at, const topology::Vector& normal, const Sight& sight)
+std::optional<DepthPlane> depth_plane(const topology::Point& at, const topology::Vector& normal,
+                                      const ViewTransform& transform)
 {
-    const double toward = dot(normal, sight.toward_eye());
+    const double toward = dot(normal, transform.toward_eye());
     if (!(std::abs(toward) > edge_on * length(normal))) return std::nullopt;
-    return DepthPlane{sight.to_sheet(at),
-                      sight.scale() * sight.nearness(at),
-                      {-dot(normal, sight.right()) / toward, dot(normal, sight.up()) / toward}};
+    return DepthPlane{transform.to_sheet(at),
+                      transform.scale() * transform.nearness(at),
+                      {-dot(normal, transform.right()) / toward, dot(normal, transform.up()) / toward}};
 }
 
 /// Of those with nothing unpainted behind them the one seen from inside, and then the farthest, goes first.

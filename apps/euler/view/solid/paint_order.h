@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/euler/view/shapes/outline.h"
-#include "apps/euler/view/solid/sight.h"
+#include "apps/euler/view/solid/view_transform.h"
 #include "ui/paint/geometry.h"
 
 #include <optional>
@@ -19,7 +19,8 @@ struct DepthPlane {
     double operator()(ui::Point p) const { return nearness + ui::dot(slope, p - at); }
 };
 /// Nothing where the plane is seen edge on.
-std::optional<DepthPlane> depth_plane(const topology::Point& at, const topology::Vector& normal, const Sight& sight);
+std::optional<DepthPlane> depth_plane(const topology::Point& at, const topology::Vector& normal,
+                                      const ViewTransform& transform);
 
 /// A flat piece of a face as it is seen.
 struct SeenPiece {

@@ -14,7 +14,7 @@ namespace euler {
 class PlacedSolid {
 public:
     /// In space, where its vertices say.
-    PlacedSolid(std::size_t place, const Subject& subject, const Sight& sight, double explosion);
+    PlacedSolid(std::size_t place, const Subject& subject, const ViewTransform& transform, double explosion);
 
     /// Drawn in the plane of x and y, seen from above, with every face left of its half-edges.
     struct Layout {
@@ -23,7 +23,7 @@ public:
         Rims outside;                          ///< of the faces that are all around: how far they are filled
         std::set<topology::FaceId> left_out;   ///< which are not drawn at all
     };
-    PlacedSolid(std::size_t place, const Subject& subject, const Sight& sight, Layout layout);
+    PlacedSolid(std::size_t place, const Subject& subject, const ViewTransform& transform, Layout layout);
 
     PlacedSolid(const PlacedSolid&) = delete;
     PlacedSolid& operator=(const PlacedSolid&) = delete;
@@ -33,7 +33,7 @@ public:
     std::size_t place; ///< among the subjects
     const topology::Solid& solid;
     MarkTable marks;
-    Stations stations;
+    AnimatedPositions positions;
     HalfEdgePaths paths;
     FaceBodies bodies;
 
@@ -42,6 +42,6 @@ private:
 };
 using PlacedSolids = std::vector<std::unique_ptr<PlacedSolid>>; ///< whose parts refer to one another
 
-PlacedSolids placed_in_space(std::span<const Subject> subjects, const Sight& sight, double explosion);
+PlacedSolids placed_in_space(std::span<const Subject> subjects, const ViewTransform& transform, double explosion);
 
 } // namespace euler

@@ -21,18 +21,18 @@ using topology::VertexId;
 
 namespace {
 
-std::vector<ui::Point> on_sheet(const std::vector<Point>& line, const Vector& shift, const Sight& sight)
+std::vector<ui::Point> on_sheet(const std::vector<Point>& line, const Vector& shift, const ViewTransform& transform)
 {
     std::vector<ui::Point> points;
     points.reserve(line.size());
-    for (const Point& p : line) points.push_back(sight.to_sheet(p + shift));
+    for (const Point& p : line) points.push_back(transform.to_sheet(p + shift));
     return points;
 }
 
 class SolidShapes {
 public:
-    SolidShapes(const PlacedSolids& solids, const Sight& sight, const Look& look)
-        : solids_(solids), sight_(sight), look_(look), symbol_(look.full_theme().symbol_scale())
+    SolidShapes(const PlacedSolids& solids, const ViewTransform& transform, const Look& look)
+        : solids_(solids), transform_(transform), look_(look), symbol_(look.full_theme().symbol_scale())
     {
         for (const auto& solid : solids_) last_piece_.emplace_back(solid->solid.faces().n_rows(), 0);
     }
@@ -64,14 +64,14 @@ private:
     void add_piece(std::size_t face, const std::vector<std::vector<Point>>& rims, const Vector& shift)
     {
         SeenPiece seen;
-        for (const std::vector<Point>& rim : rims) seen.area.push_back(on_sheet(rim, shift, sight_));
+        for (const std::vector<Point>& rim : rims) seen.area.push_back(on_sheet(rim, shift, transform_));
         if (shapes_.faces[face].is_bent) set_aslant(seen.area);
         const std::vector<Point>& outline = rims.front();
         const Vector normal = area_of(outline);
-        seen.plane = depth_plane(outline.front() + shift, normal, sight_);
-        seen.is_back = dot(normal, sight_.toward_eye()) < 0.0;
+        seen.plane = depth_plane(outline.front() + shift, normal, transform_);
+        seen.is_back = dot(normal, transform_.toward_eye()) < 0.0;
         seen.bounds = bounds_of(seen.area);
-        for (const Point& p : outline) seen.nearness += sight_.scale() * sight_.nearness(p + shift);
+        for (const Point& p : outline) seen.nearness += transform_.scale() * transform_.nearness(p + shift);
         seen.nearness /= static_cast<double>(outline.size());
         seen_.push_back(std::move(seen));
         face_of_.push_back(face);
@@ -113,10 +113,13 @@ private:
     {
         if (!look_.faces) return false;
         if (!cover_) return are_faces_back;
-        return cover_->is_covered(sight_.to_sheet(p), sight_.scale() * sight_.nearness(p));
+        return cover_->is_covered(transform_.to_sheet(p), transform_.scale() * transform_.nearness(p));
     }
 
-    bool is_back(const PlacedSolid& of, FaceId f) const { return dot(of.bodies[f].normal, sight_.toward_eye()) < 0.0; }
+    bool is_back(const PlacedSolid& of, FaceId f) const
+    {
+        return dot(of.bodies[f].normal, transform_.toward_eye()) < 0.0;
+    }
 
     /// Of very many parts that are too small to be told apart only some are there.
     bool is_dropped(const PlacedSolid& of, topology::Entity part, VertexId a, VertexId b) const
@@ -125,7 +128,7 @@ private:
         constexpr double smallest = 2.0; // [px]
         const std::size_t one_in = 1 + of.solid.edges().n_living() / most;
         return one_in > 1 && part.index % one_in != 0 && !of.marks.is_marked(part) &&
-               ui::distance(sight_.to_sheet(of.stations[a]), sight_.to_sheet(of.stations[b])) < smallest;
+               ui::distance(transform_.to_sheet(of.positions[a]), transform_.to_sheet(of.positions[b])) < smallest;
     }
 
     void add_edges(const PlacedSolid& of)
@@ -149,7 +152,7 @@ private:
         keep_share(line, grown(of, e));
         shapes_.edges.push_back({.subject = of.place,
                                  .edge = e,
-                                 .line = on_sheet(line, shift, sight_),
+                                 .line = on_sheet(line, shift, transform_),
                                  .is_hidden = is_behind(middle + shift, is_back(of, f) && is_back(of, g)),
                                  .after = turn(of, f, g)});
     }
@@ -172,7 +175,7 @@ private:
 
     void add_arrows(const PlacedSolid& of)
     {
-        const ArrowLines lines(of.solid, of.paths, of.bodies, sight_, symbol_);
+        const ArrowLines lines(of.solid, of.paths, of.bodies, transform_, symbol_);
         for (const HalfEdgeId h : of.solid.half_edges()) {
             const FaceId f = of.solid.face(h);
             if (of.is_left_out(f)) continue;
@@ -182,7 +185,7 @@ private:
             const Point middle = line[line.size() / 2];
             shapes_.arrows.push_back({.subject = of.place,
                                       .half_edge = h,
-                                      .line = on_sheet(line, of.bodies[f].shift, sight_),
+                                      .line = on_sheet(line, of.bodies[f].shift, transform_),
                                       .is_hidden = is_behind(middle + of.bodies[f].shift, is_back(of, f)),
                                       .after = turn(of, f, f)});
         }
@@ -208,19 +211,19 @@ private:
 
     void add_vertex(const PlacedSolid& of, VertexId v, const std::vector<FaceId>& faces)
     {
-        const Point at = of.stations[v] + of.bodies[faces.front()].shift;
+        const Point at = of.positions[v] + of.bodies[faces.front()].shift;
         std::size_t after = 0;
         for (const FaceId f : faces) after = std::max(after, turn(of, f, f));
         const bool are_back = std::all_of(faces.begin(), faces.end(), [&](FaceId f) { return is_back(of, f); });
         shapes_.vertices.push_back({.subject = of.place,
                                     .vertex = v,
-                                    .at = sight_.to_sheet(at),
+                                    .at = transform_.to_sheet(at),
                                     .is_hidden = is_behind(at, are_back),
                                     .after = after});
     }
 
     const PlacedSolids& solids_;
-    const Sight& sight_;
+    const ViewTransform& transform_;
     const Look& look_;
     double symbol_;
     /// By solid and face: how many pieces are painted when it is done; 0 without area.
@@ -233,15 +236,15 @@ private:
 
 } // namespace
 
-Shapes shapes_of(const PlacedSolids& solids, const Sight& sight, const Look& look)
+Shapes shapes_of(const PlacedSolids& solids, const ViewTransform& transform, const Look& look)
 {
-    return SolidShapes(solids, sight, look).take();
+    return SolidShapes(solids, transform, look).take();
 }
 
 Shapes solid_shapes(std::span<const Subject> subjects, const ui::OrbitCamera& camera, const Look& look)
 {
-    const Sight sight(camera);
-    return shapes_of(placed_in_space(subjects, sight, look.explosion), sight, look);
+    const ViewTransform transform(camera);
+    return shapes_of(placed_in_space(subjects, transform, look.explosion), transform, look);
 }
 
 namespace {
@@ -256,7 +259,7 @@ std::vector<ui::World3> places_of(std::span<const Subject> subjects, const ui::O
             for (const VertexId v : subject.solid->vertices()) add(subject.solid->point(v));
         return places;
     }
-    for (const auto& placed : placed_in_space(subjects, Sight(camera), look.explosion))
+    for (const auto& placed : placed_in_space(subjects, ViewTransform(camera), look.explosion))
         for (const VertexId v : placed->solid.vertices())
             for (const HalfEdgeId h : placed->solid.fan(v))
                 add(placed->solid.point(v) + placed->bodies[placed->solid.face(h)].shift);

@@ -21,6 +21,6 @@ Shapes solid_shapes(std::span<const Subject> subjects, const ui::OrbitCamera& ca
 ui::OrbitCamera fitted(ui::OrbitCamera camera, std::span<const Subject> subjects, const Look& look, ui::Size sheet);
 
 /// What stands where of solids that were put into their places before.
-Shapes shapes_of(const PlacedSolids& solids, const Sight& sight, const Look& look);
+Shapes shapes_of(const PlacedSolids& solids, const ViewTransform& transform, const Look& look);
 
 } // namespace euler

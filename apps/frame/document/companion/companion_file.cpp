@@ -45,7 +45,7 @@ public:
         if (json.document) read(json.document->root());
     }
 
-    CompanionReading take() { return {std::move(companion_), reader_.take_faults()}; }
+    CompanionReading take() { return {std::move(companion_), reader_.collect_faults()}; }
 
 private:
     void read(JsonValue file)
@@ -102,7 +102,7 @@ private:
             return parse_show(reader_.text(value, place).value_or(""));
         } catch (const ShowError& error) {
             std::vector<std::string_view> words;
-            for (const ShowWord& known : show_words()) words.push_back(known.word);
+            for (const ShowWord& known : show_text()) words.push_back(known.word);
             reader_.unknown_choice(place.text("show"), error.word(), words);
             return {};
         }

@@ -10,7 +10,7 @@ namespace frame {
 
 using femoop::Fault;
 using femoop::FaultKind;
-using ui::Phrase;
+using ui::Message;
 using ui::translatable;
 
 namespace {
@@ -89,7 +89,7 @@ std::optional<Field> family_field(const Remedy& remedy)
     for (const Family& family : families) {
         if (remedy.list != family.list || !remedy.key.starts_with(family.beginning)) continue;
         const std::string which = family.place == "q" ? remedy.key : remedy.key.substr(family.beginning.size());
-        const Phrase::Argument argument(std::string(family.place), which);
+        const Message::Argument argument(std::string(family.place), which);
         return Field{{family.label, {argument}}, {family.heading, {argument}}};
     }
     return std::nullopt;
@@ -190,13 +190,13 @@ std::optional<Field> field_of(const Remedy& remedy)
         return Field{{translatable("Factor of {case}"), {{"case", remedy.key}}}, {"{case} ×", {{"case", remedy.key}}}};
     if (const auto field = family_field(remedy)) return field;
     const bool is_component = remedy.list == "loads" && remedy.key.size() == 2; // fx, mz, and ux of a settlement
-    return is_component ? std::optional(Field{Phrase(remedy.key, {}), Phrase(remedy.key, {})}) : std::nullopt;
+    return is_component ? std::optional(Field{Message(remedy.key, {}), Message(remedy.key, {})}) : std::nullopt;
 }
 
-Phrase label_of(const Remedy& remedy)
+Message label_of(const Remedy& remedy)
 {
     const std::optional<Field> field = field_of(remedy);
-    return field ? field->label : Phrase(remedy.key, {});
+    return field ? field->label : Message(remedy.key, {});
 }
 
 std::string_view title_of_list(std::string_view list)

@@ -5,14 +5,14 @@
 #include <string_view>
 
 #include "femoop/model/fault/fault.h"
-#include "ui/text/phrase.h"
+#include "ui/text/message.h"
 
 namespace frame {
 
 /// A field of the panels and tables that stands for a word of the file.
 struct Field {
-    ui::Phrase label;   ///< in the panel of properties: "Depth h"
-    ui::Phrase heading; ///< of the column in its table, without its unit
+    ui::Message label;   ///< in the panel of properties: "Depth h"
+    ui::Message heading; ///< of the column in its table, without its unit
 };
 
 /// What is to be filled in or changed so that a fault goes.
@@ -28,7 +28,7 @@ Remedy remedy_of(const femoop::Fault& fault);
 std::optional<Field> field_of(const Remedy& remedy);
 
 /// The label of the field; what the file calls it, where there is none.
-ui::Phrase label_of(const Remedy& remedy);
+ui::Message label_of(const Remedy& remedy);
 
 /// What the app calls a list of the file: "Sections".
 std::string_view title_of_list(std::string_view list);

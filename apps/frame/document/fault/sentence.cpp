@@ -24,7 +24,7 @@ std::string name_in(const FaultPlace::Step& step)
     return "#" + std::to_string(*step.index + 1);
 }
 
-std::string load_words(const FaultPlace& place, const Catalogue& tr)
+std::string load_text(const FaultPlace& place, const Catalogue& tr)
 {
     const std::string load_case = name_in(place.steps[0]), bearer = name_in(place.steps[1]);
     const std::initializer_list<Catalogue::Argument> names{{"case", load_case}, {"id", bearer}};
@@ -33,7 +33,7 @@ std::string load_words(const FaultPlace& place, const Catalogue& tr)
     return tr("Case {case}, load on member {id}", names);
 }
 
-std::string entry_words(const FaultPlace::Step& step, const Catalogue& tr)
+std::string entry_text(const FaultPlace::Step& step, const Catalogue& tr)
 {
     const std::string name = name_in(step);
     if (step.key == "materials") return tr("Material {id}", {{"id", name}});
@@ -47,7 +47,7 @@ std::string entry_words(const FaultPlace::Step& step, const Catalogue& tr)
 }
 
 /// A key within an entry: "Depth h"; what the file calls it, where no field has it.
-std::string key_words(const FaultPlace::Step& step, const std::string& list, const Catalogue& tr)
+std::string key_text(const FaultPlace::Step& step, const std::string& list, const Catalogue& tr)
 {
     static constexpr std::string_view axes[] = {"x", "y", "z"};
     if (list == "nodes" && step.key == "at" && step.index && *step.index < 3) return std::string(axes[*step.index]);
@@ -55,13 +55,13 @@ std::string key_words(const FaultPlace::Step& step, const std::string& list, con
     return step.index ? label + " " + std::to_string(*step.index + 1) : label;
 }
 
-std::string place_words(const FaultPlace& place, const Catalogue& tr)
+std::string place_text(const FaultPlace& place, const Catalogue& tr)
 {
     const bool is_load = place.is_load();
-    std::string words = is_load ? load_words(place, tr) : entry_words(place.steps.front(), tr);
+    std::string words = is_load ? load_text(place, tr) : entry_text(place.steps.front(), tr);
     const std::string list = is_load ? "loads" : place.steps.front().key;
     for (std::size_t i = is_load ? 2 : 1; i < place.steps.size(); ++i)
-        words += ", " + key_words(place.steps[i], list, tr);
+        words += ", " + key_text(place.steps[i], list, tr);
     return words;
 }
 
@@ -70,7 +70,7 @@ std::optional<std::string> kind_named(const std::string& text, const Catalogue& 
 {
     using enum femoop::AnalysisKind;
     for (const femoop::AnalysisKind kind : {Truss2d, Frame2d, Grillage, Truss3d, Frame3d})
-        if (text == name(kind)) return femoop::kind_words(kind, [&](std::string_view words) { return tr(words); });
+        if (text == name(kind)) return femoop::kind_text(kind, [&](std::string_view words) { return tr(words); });
     return std::nullopt;
 }
 
@@ -113,7 +113,7 @@ constexpr std::size_t label_place = 8, table_place = 9; // in the patterns
 Fault spoken(const Fault& fault, const Catalogue& tr)
 {
     Fault told = fault;
-    if (const std::optional<FaultPlace> place = place_of(fault)) told.arguments.front() = place_words(*place, tr);
+    if (const std::optional<FaultPlace> place = place_of(fault)) told.arguments.front() = place_text(*place, tr);
     for (std::size_t i = 0; i < told.arguments.size(); ++i) {
         std::string& argument = told.arguments[i];
         if (names_an_end(fault.kind, i)) argument = tr(argument);

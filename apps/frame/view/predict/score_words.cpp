@@ -33,7 +33,7 @@ std::string_view words_of(Outcome outcome)
     return {};
 }
 
-std::string_view straight_words(const Truth::Piece& piece)
+std::string_view straight_text(const Truth::Piece& piece)
 {
     if (piece.degree == 2 && !piece.is_series) return translatable("straight where it is a parabola");
     if (piece.degree == 3 && !piece.is_series) return translatable("straight where it is a cubic parabola");
@@ -45,7 +45,7 @@ std::string_view words_of(const PieceMark& mark)
     switch (mark.flaw) {
     case Flaw::None: break;
     case Flaw::NotDrawn: return translatable("not drawn");
-    case Flaw::Straight: return straight_words(mark.piece);
+    case Flaw::Straight: return straight_text(mark.piece);
     case Flaw::Curved: return translatable("curved where it is straight");
     case Flaw::Sloping: return translatable("sloping where it is constant");
     case Flaw::Level: return translatable("level where it slopes");

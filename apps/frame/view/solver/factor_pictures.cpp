@@ -34,7 +34,7 @@ public:
 
     void draw() const
     {
-        draw_words();
+        draw_text();
         if (is_shown()) draw_progress();
         const ui::LayerScope layer(painter_, ui::Layer::Areas);
         for (std::size_t column = 0; column < walk_.columns.size(); ++column) {
@@ -48,13 +48,13 @@ private:
     bool is_shown() const { return ordering_ == scene_.look().ordering; }
     Point at(double column, double row) const { return corner_ + cell_ * Point{column, row}; }
 
-    void draw_words() const
+    void draw_text() const
     {
         const ui::LayerScope layer(painter_, ui::Layer::Labels);
         ui::TextStyle title = scene_.small(Role::Label, Anchor::TopLeft);
         if (is_shown()) title.weight = ui::Weight::Bold;
         const std::string chosen = !scene_.trace().has_constraints && scene_.trace().ordering == ordering_ ? " ✓" : "";
-        const std::string name = femoop::ordering_words(ordering_, scene_.tr()) + chosen;
+        const std::string name = femoop::ordering_text(ordering_, scene_.tr()) + chosen;
         painter_.text(box_.min, name, scene_.fitted(name, title, 0.97 * box_.width()));
         const femoop::EliminationCounts& counts = walk_.counts;
         write_count(0, ui::translatable("{n} entries"), counts.n_entries);

@@ -52,7 +52,7 @@ double draw_head(const SolverScene& scene)
     const std::string words = tr("Front {n} of {total}, {order}",
                                  {{"n", std::to_string(scene.step() + 1)},
                                   {"total", std::to_string(scene.walk().fronts.size())},
-                                  {"order", femoop::ordering_words(scene.look().ordering, tr)}});
+                                  {"order", femoop::ordering_text(scene.look().ordering, tr)}});
     painter.text({margin, margin}, words, title);
     const auto left = scene.walk().left(scene.front());
     const std::string eliminated = scene.names(scene.front().first, scene.front().end);

@@ -1,0 +1,219 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "ui/command/menu_builder.h"
+#include "ui/paint/theme.h"
+#include "ui/text/catalogue.h"
+#include "ui/workspace/workspace.h"
+
+/// The commands that every app has, with the same names and keys everywhere. `Workspace` is an app's own (workspace.h).
+namespace ui::standard {
+
+inline constexpr std::string_view file_menu = translatable("File");
+inline constexpr std::string_view edit_menu = translatable("Edit");
+inline constexpr std::string_view view_menu = translatable("View");
+inline constexpr std::string_view help_menu = translatable("Help");
+
+/// What the session's notice says where something was not done.
+template <class Workspace> Reason notice_unless(bool is_done, const Workspace& workspace)
+{
+    return is_done ? std::nullopt : Reason(workspace.session.notice->sentence);
+}
+
+template <class Workspace> void add_new(CommandTable<Workspace>& table, std::function<void(Workspace&)> new_document)
+{
+    MenuBuilder<Workspace>(table, file_menu)
+        .step({"file.new", translatable("New"), {{Key::N, ctrl}}}, std::move(new_document));
+}
+
+/// \param ask  opens the dialog \param open  a path that a scenario gives; false, with a notice, where it cannot
+template <class Workspace, class Open>
+void add_open(CommandTable<Workspace>& table, std::function<void(Workspace&)> ask, Open open)
+{
+    MenuBuilder<Workspace> menu(table, file_menu);
+    menu.step({"file.open", translatable("Open…"), {{Key::O, ctrl}}}, std::move(ask));
+    menu.step({"file.recent", translatable("Open one of the last files…"), {{Key::O, ctrl_shift}}},
+              asks(Request::RecentList));
+    table.with_argument("file.open", [open](Workspace& workspace, const Argument& path) {
+        return notice_unless(open(workspace, path.text), workspace);
+    });
+}
+
+/// \param save_as  under a path; false, with a notice, where it cannot
+template <class Workspace, class SaveAs> void add_save(CommandTable<Workspace>& table, SaveAs save_as)
+{
+    MenuBuilder<Workspace> menu(table, file_menu);
+    menu.step({"file.save", translatable("Save"), {{Key::S, ctrl}}}, [](Workspace& workspace) {
+        if (workspace.session.path()) workspace.session.save(*workspace.session.path());
+        else workspace.asked.push_back(Request::SaveDialog);
+    });
+    menu.step({"file.save_as", translatable("Save as…"), {{Key::S, ctrl_shift}}}, asks(Request::SaveDialog));
+    table.with_argument("file.save", [save_as](Workspace& workspace, const Argument& path) {
+        return notice_unless(save_as(workspace, path.text), workspace);
+    });
+}
+
+/// `label`: what can be exported, "Export picture…".
+template <class Workspace> void add_export(CommandTable<Workspace>& table, std::string_view label)
+{
+    MenuBuilder<Workspace>(table, file_menu)
+        .step({"file.export", label, {{Key::E, ctrl_shift}}}, asks(Request::ExportDialog));
+}
+
+/// `description`: what is told in words, "Model and results in words".
+template <class Workspace> void add_copy_and_describe(CommandTable<Workspace>& table, std::string_view description)
+{
+    MenuBuilder<Workspace> menu(table, file_menu);
+    menu.step({"file.copy_picture", translatable("Copy picture"), {{Key::C, ctrl_shift}}}, asks(Request::CopyPicture));
+    menu.step({"file.describe", description, {{Key::D, ctrl_shift}}}, asks(Request::Description));
+}
+
+template <class Workspace> void add_quit(CommandTable<Workspace>& table, std::function<void(Workspace&)> quit)
+{
+    MenuBuilder<Workspace>(table, file_menu)
+        .step({"file.quit", translatable("Quit"), {{Key::Q, ctrl}}}, std::move(quit));
+}
+
+inline Message named_step(std::string_view verb, std::string_view plain, const std::optional<Message>& step)
+{
+    return step ? Message(verb, {{"step", *step}}) : Message(plain);
+}
+
+/// Of apps whose session keeps a history: `undo()`, `redo()`, `history()`.
+template <class Workspace> void add_undo_and_redo(CommandTable<Workspace>& table)
+{
+    MenuBuilder<Workspace> menu(table, edit_menu);
+    const auto why_not_undo = [](const Workspace& workspace) -> Reason {
+        if (workspace.session.history().can_undo()) return std::nullopt;
+        return translatable("nothing was changed yet");
+    };
+    const auto why_not_redo = [](const Workspace& workspace) -> Reason {
+        if (workspace.session.history().can_redo()) return std::nullopt;
+        return translatable("nothing was undone");
+    };
+    menu.step(
+            {"edit.undo", translatable("Undo"), {{Key::Z, ctrl}}},
+            [](Workspace& workspace) { workspace.session.undo(); }, why_not_undo)
+        .live_label = [](const Workspace& workspace) {
+        return named_step(translatable("Undo: {step}"), translatable("Undo"), workspace.session.history().undo_label());
+    };
+    menu.step(
+            {"edit.redo", translatable("Redo"), {{Key::Z, ctrl_shift}, {Key::Y, ctrl}}},
+            [](Workspace& workspace) { workspace.session.redo(); }, why_not_redo)
+        .live_label = [](const Workspace& workspace) {
+        return named_step(translatable("Redo: {step}"), translatable("Redo"), workspace.session.history().redo_label());
+    };
+}
+
+/// `fit`: what is shown whole, "Show the whole model", and the keys for it.
+template <class Workspace>
+void add_zoom(CommandTable<Workspace>& table, std::string_view fit, const std::vector<Chord>& keys)
+{
+    MenuBuilder<Workspace> menu(table, view_menu);
+    menu.step({"view.fit", fit, std::move(keys)}, asks(Request::Fit));
+    menu.step({"view.zoom_in", translatable("Zoom in"), {{Key::Plus, {}}, {Key::Plus, shift}, {Key::Plus, ctrl}}},
+              asks(Request::ZoomIn));
+    menu.step({"view.zoom_out", translatable("Zoom out"), {{Key::Minus, {}}, {Key::Minus, ctrl}}},
+              asks(Request::ZoomOut));
+}
+
+/// Large type and the whole window for the picture, and back.
+template <class Workspace> void project(Workspace& workspace, bool is_projecting)
+{
+    workspace.theme() = is_projecting ? ThemeName::Projector : ThemeName::Light;
+    workspace.give_room_to_the_picture(is_projecting);
+}
+
+template <class Workspace> void add_projector(CommandTable<Workspace>& table)
+{
+    MenuBuilder<Workspace>(table, view_menu)
+        .toggle(
+            {"view.project", translatable("For the projector"), {{Key::F5, {}}}},
+            [](const Workspace& workspace) { return workspace.theme() == ThemeName::Projector; }, project<Workspace>);
+}
+
+template <class Workspace> void add_panels(CommandTable<Workspace>& table)
+{
+    MenuBuilder<Workspace>(table, view_menu)
+        .toggle(
+            {"view.panels", translatable("Panels"), {{Key::P, {}}}},
+            [](auto& workspace) -> auto& { return workspace.has_panels; });
+}
+
+/// What a panel can show, each a choice; it is opened where the panels are hidden.
+template <class Workspace, class Entries> void add_topics(CommandTable<Workspace>& table, const Entries& entries)
+{
+    MenuBuilder<Workspace>(table, view_menu)
+        .choices(
+            entries, [](const Workspace& workspace) { return workspace.topic; },
+            [](Workspace& workspace, auto topic) {
+                workspace.topic = topic;
+                workspace.has_panels = true;
+            });
+}
+
+/// What of the picture is shown or not, each a choice of a switch in the session's `look`.
+template <class Workspace, class Entries>
+void add_look_switches(CommandTable<Workspace>& table, std::string_view menu, const Entries& entries)
+{
+    MenuBuilder<Workspace>(table, menu)
+        .toggles(
+            entries, [](auto& workspace, auto item) -> auto& { return workspace.session.look.*item; });
+}
+
+inline constexpr std::array themes{
+    Choice<ThemeName>{ThemeName::Light, "view.theme.light", translatable("Light theme")},
+    Choice<ThemeName>{ThemeName::Dark, "view.theme.dark", translatable("Dark theme")},
+    Choice<ThemeName>{ThemeName::Print, "view.theme.print", translatable("Print theme")},
+    Choice<ThemeName>{ThemeName::Projector, "view.theme.projector", translatable("Projector theme")},
+};
+
+template <class Workspace> void add_themes(CommandTable<Workspace>& table)
+{
+    MenuBuilder<Workspace>(table, view_menu)
+        .choices(
+            themes, [](const Workspace& workspace) { return workspace.theme(); },
+            [](Workspace& workspace, ThemeName theme) { workspace.theme() = theme; });
+}
+
+inline constexpr std::array export_scales{
+    Choice<double>{1.0, "file.export_scale.1", translatable("Export PNG at 1×")},
+    Choice<double>{2.0, "file.export_scale.2", translatable("Export PNG at 2×")},
+    Choice<double>{3.0, "file.export_scale.3", translatable("Export PNG at 3×")},
+    Choice<double>{4.0, "file.export_scale.4", translatable("Export PNG at 4×")},
+};
+
+template <class Workspace> void add_export_scales(CommandTable<Workspace>& table)
+{
+    MenuBuilder<Workspace>(table, view_menu)
+        .choices(
+            export_scales, [](auto& workspace) -> auto& { return workspace.export_scale; });
+}
+
+template <class Workspace> void add_languages(CommandTable<Workspace>& table)
+{
+    MenuBuilder<Workspace> menu(table, translatable("Language"));
+    for (const Language language : all_languages) {
+        const std::string_view id = language == Language::English ? "view.language.en" : "view.language.pt";
+        menu.choice(
+            Choice<Language>{language, id, native_name(language)},
+            [](const Workspace& workspace) { return workspace.tr().language(); },
+            [](Workspace& workspace, Language chosen) { workspace.set_language(chosen); });
+    }
+}
+
+template <class Workspace> void add_help(CommandTable<Workspace>& table)
+{
+    MenuBuilder<Workspace> menu(table, help_menu);
+    menu.step({"help.palette", translatable("Find a command…"), {{Key::K, ctrl}, {Key::F3, {}}}},
+              asks(Request::Palette));
+    menu.step({"help.shortcuts", translatable("Keys"), {{Key::F1, {}}}}, asks(Request::ShortcutList));
+}
+
+} // namespace ui::standard

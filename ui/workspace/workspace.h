@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "ui/text/display_units.h"
+
+namespace ui {
+
+/// What the user asks the window of every app for, since a session has none: a dialog, a list, the end.
+enum class Request : std::uint8_t {
+    OpenDialog,
+    RecentList,
+    SaveDialog,
+    ExportDialog,
+    CopyPicture,
+    Description,
+    Palette,
+    ShortcutList,
+    Fit,
+    ZoomIn,
+    ZoomOut,
+    Quit
+};
+
+/// What the workspace of every app has beside its session. An app's own workspace is derived from it; its `session` knows
+/// `path()` and `save(path)`, and the workspace itself
+///
+///     ui::ThemeName& theme();                   const ui::Catalogue& tr() const;
+///     ui::ThemeName theme() const;              void set_language(ui::Language);
+///     void give_room_to_the_picture(bool);      hides all panels, or shows them
+///     void open(path);                          a file, once nothing is lost by it
+///     void tell(const ui::Message&);             shows a sentence
+///     std::vector<ui::UnsavedDocument> unsaved() const;                         what a crash would cost
+///     bool can_recover() const;                                         nothing is in the way of
+///     std::optional<std::uint64_t> recover(const ui::RecoverableFile&);        opening what a crash has left; its document
+struct Workspace {
+    std::vector<Request> asked{}; ///< the window takes them once a frame
+    bool has_panels = true;
+    double export_scale = 2.0; ///< pixels of a PNG for a logical one
+
+    /// What numbers are shown in, of an app that has a choice.
+    static std::optional<UnitSystem> units() { return std::nullopt; }
+};
+
+/// A command that asks the window for something.
+inline std::function<void(Workspace&)> asks(Request request)
+{
+    return [request](Workspace& workspace) { workspace.asked.push_back(request); };
+}
+
+} // namespace ui
