@@ -48,6 +48,7 @@ void show_tensor(const Session& session, ui::ImGuiSession& gui)
     show_matrix(session, "###turned", tr("in x′, y′"), femoop::mohr::tensor(s.turned));
 }
 
+/// \pre it has rows
 void show_group(const tabular::Table& group, ui::ImGuiSession& gui)
 {
     ImGui::Spacing();
@@ -55,7 +56,8 @@ void show_group(const tabular::Table& group, ui::ImGuiSession& gui)
     ImGui::PushFont(gui.bold());
     ui::wrapped_text(group.title);
     ImGui::PopFont();
-    if (!ImGui::BeginTable(("###" + group.title).c_str(), 2, ImGuiTableFlags_SizingStretchProp)) return;
+    const std::string id = "###" + group.rows.front().cells[0].shown; // the title turns with the axes, columns do not
+    if (!ImGui::BeginTable(id.c_str(), 2, ImGuiTableFlags_SizingStretchProp)) return;
     for (const auto& [cells, kind] : group.rows) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
