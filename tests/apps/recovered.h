@@ -12,8 +12,8 @@
 #include "tests/folder.h"
 #include "ui/files/autosave.h"
 
-/// What a killed program with this workspace leaves behind, as the same app opens it again. The file that was being edited
-/// is "lesson" in the folder. \pre the workspace's document has changes
+/// What a killed program with this workspace leaves behind, as the same app opens it again. The file that was being
+/// edited is "lesson" in the folder. \pre the workspace's document has changes
 template <class Workspace>
 Workspace recovered(const Workspace& workspace, const Folder& folder, const std::string& extension)
 {

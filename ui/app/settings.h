@@ -36,14 +36,15 @@ Settings settings_of(std::string_view text);
 /// Those that are kept in a file; none where there is no file.
 Settings read_settings(const std::filesystem::path& file);
 
-/// An app's workspace begins as it was left: with its panels, or with the whole window for the picture, as on the projector.
+/// An app's workspace begins as it was left: with its panels, or with the whole window for the picture, as on the
+/// projector.
 /// \pre theme and panels are there
 template <class Workspace> void begin_as_left(Workspace& workspace, const Settings& settings)
 {
     workspace.has_panels = *settings.has_panels;
     if constexpr (requires { workspace.take_up_tools(""); })
         if (settings.tools) workspace.take_up_tools(*settings.tools);
-    if (!workspace.has_panels && *settings.theme == ThemeName::Projector) workspace.give_room_to_the_picture(true);
+    if (!workspace.has_panels && *settings.theme == ThemeName::Projector) workspace.set_panels_visible(false);
 }
 
 } // namespace ui

@@ -23,8 +23,9 @@ struct NumberFieldEvent {
 };
 
 /// Number fields: drag left or right to change the value (Shift: finer), click to type, Enter or a click elsewhere to
-/// confirm, Tab and Shift+Tab to go on to the next and the one before, Esc to leave the value as it was. What cannot be understood stays in the field with the reason beneath it,
-/// in a window of its own where the field stands in a row with others.
+/// confirm, Tab and Shift+Tab to go on to the next and the one before, Esc to leave the value as it was. What cannot be
+/// understood stays in the field with the reason beneath it, in a window of its own where the field stands in a row with
+/// others.
 ///
 /// One object serves all fields of a window: only one can be edited at a time.
 class NumberFields {

@@ -14,12 +14,12 @@
 
 namespace ui {
 
-/// The workspace of an app that has one document open at a time; an app's own, `Own`, is derived from it. Its session knows
-/// `path()`, `open(path)`, `save(path)`, `is_dirty()`, `tr()`, `look`, and
+/// The workspace of an app that has one document open at a time; an app's own, `Own`, is derived from it. Its session
+/// knows `path()`, `open(path)`, `save(path)`, `is_dirty()`, `tr()`, `look`, and
 ///
-///     ui::UnsavedDocument unsaved() const;                  the document, for a draft of it
+///     ui::UnsavedDocument unsaved() const;          the document, for a draft of it
 ///     bool recover(draft, original);                opens a draft, as a document that is not saved
-///     void tell(const ui::Message&);                 shows a sentence
+///     void notify(const ui::Message&);              shows a sentence
 template <class Own, class Session> struct DocumentWorkspace : Workspace {
     explicit DocumentWorkspace(Session first) : session(std::move(first)) {}
     ThemeName& theme() { return session.look.theme; }

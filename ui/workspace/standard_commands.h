@@ -127,7 +127,7 @@ void add_zoom(CommandTable<Workspace>& table, std::string_view fit, const std::v
 template <class Workspace> void project(Workspace& workspace, bool is_projecting)
 {
     workspace.theme() = is_projecting ? ThemeName::Projector : ThemeName::Light;
-    workspace.give_room_to_the_picture(is_projecting);
+    workspace.set_panels_visible(!is_projecting);
 }
 
 template <class Workspace> void add_projector(CommandTable<Workspace>& table)

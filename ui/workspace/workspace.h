@@ -25,17 +25,17 @@ enum class Request : std::uint8_t {
     Quit
 };
 
-/// What the workspace of every app has beside its session. An app's own workspace is derived from it; its `session` knows
-/// `path()` and `save(path)`, and the workspace itself
+/// What the workspace of every app has beside its session. An app's own workspace is derived from it; its `session`
+/// knows `path()` and `save(path)`, and the workspace itself
 ///
 ///     ui::ThemeName& theme();                   const ui::Catalogue& tr() const;
 ///     ui::ThemeName theme() const;              void set_language(ui::Language);
-///     void give_room_to_the_picture(bool);      hides all panels, or shows them
+///     void set_panels_visible(bool);            all of them; without them the picture has the whole window
 ///     void open(path);                          a file, once nothing is lost by it
-///     void tell(const ui::Message&);             shows a sentence
-///     std::vector<ui::UnsavedDocument> unsaved() const;                         what a crash would cost
-///     bool can_recover() const;                                         nothing is in the way of
-///     std::optional<std::uint64_t> recover(const ui::RecoverableFile&);        opening what a crash has left; its document
+///     void notify(const ui::Message&);          shows a sentence
+///     std::vector<ui::UnsavedDocument> unsaved() const;                    what a crash would cost
+///     bool can_recover() const;                                            nothing is in the way of
+///     std::optional<std::uint64_t> recover(const ui::RecoverableFile&);    opening what a crash has left; its document
 struct Workspace {
     std::vector<Request> asked{}; ///< the window takes them once a frame
     bool has_panels = true;

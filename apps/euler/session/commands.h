@@ -33,7 +33,7 @@ struct Workspace : ui::DocumentWorkspace<Workspace, Session> {
         table = wanted_table = kind;
         structure = Structure::HalfEdges;
     }
-    void give_room_to_the_picture(bool all) { has_panels = has_tables = !all; }
+    void set_panels_visible(bool are_visible) { has_panels = has_tables = are_visible; }
 
     std::vector<Request> requests{};
     Topic topic = Topic::Script;

@@ -166,7 +166,7 @@ void add_nudges(CommandTable& table)
 void begin_transform(Workspace& workspace, Transform::Kind kind)
 {
     cancel_transform(workspace);
-    workspace.tool_controller.take(ToolKind::Select);
+    workspace.tool_controller.select(ToolKind::Select);
     workspace.transform = transform_of(kind, workspace.session.model(), workspace.session.selection);
     change_transform(workspace);
 }
@@ -203,7 +203,7 @@ constexpr std::array snap_switches{
 void take(Workspace& workspace, ToolKind tool)
 {
     if (tool == ToolKind::Predict) begin_to_predict(workspace);
-    else workspace.tool_controller.take(tool);
+    else workspace.tool_controller.select(tool);
 }
 
 // What a scenario sets of a typical structure and of a section that are being made.

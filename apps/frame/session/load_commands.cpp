@@ -290,7 +290,7 @@ void load(Workspace& workspace, const ToolLoad& entry)
     const AnalysisKind analysis = workspace.session.model().analysis;
     if (targets.is_empty()) {
         workspace.tool_controller.settings().load = entry.kind;
-        return workspace.tool_controller.take(ToolKind::Load);
+        return workspace.tool_controller.select(ToolKind::Load);
     }
     const auto force = force_of(settings, analysis);
     const MemberLoadValue on_member = member_load_of(settings, analysis, {}).value();

@@ -23,7 +23,7 @@ void reveal(Workspace& workspace)
     session.view.show = session.view.show | *session.hidden;
     session.hidden.reset();
     if (!session.prediction.is_empty()) session.view.show.insert(Show::M);
-    if (workspace.tool_controller.kind() == ToolKind::Predict) workspace.tool_controller.take(ToolKind::Select);
+    if (workspace.tool_controller.kind() == ToolKind::Predict) workspace.tool_controller.select(ToolKind::Select);
 }
 
 } // namespace
@@ -47,7 +47,7 @@ Reason why_not_predict(const Workspace& workspace)
 void begin_to_predict(Workspace& workspace)
 {
     if (!workspace.session.hidden) hide(workspace.session);
-    workspace.tool_controller.take(ToolKind::Predict);
+    workspace.tool_controller.select(ToolKind::Predict);
 }
 
 bool is_predicting(const Workspace& workspace)

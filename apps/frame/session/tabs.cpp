@@ -72,14 +72,14 @@ void show_tab(Workspace& workspace, std::size_t place)
     workspace.other_tabs.insert(workspace.other_tabs.begin() + static_cast<std::ptrdiff_t>(home),
                                 std::exchange(workspace.session, std::move(next)));
     workspace.tab = place;
-    workspace.tool_controller.take(ToolKind::Select);
+    workspace.tool_controller.select(ToolKind::Select);
 }
 
 void add_tab(Workspace& workspace, Session session)
 {
     cancel_transform(workspace);
     adopt_look(session, workspace.session);
-    workspace.tool_controller.take(ToolKind::Select);
+    workspace.tool_controller.select(ToolKind::Select);
     if (workspace.session.is_untouched()) {
         workspace.session = std::move(session);
         return;
@@ -93,7 +93,7 @@ void add_tab(Workspace& workspace, Session session)
 void close_tab(Workspace& workspace)
 {
     cancel_transform(workspace);
-    workspace.tool_controller.take(ToolKind::Select);
+    workspace.tool_controller.select(ToolKind::Select);
     if (workspace.other_tabs.empty()) {
         Session empty{Document{}};
         adopt_look(empty, workspace.session);

@@ -41,7 +41,7 @@ bool is_printed(char letter) { return static_cast<unsigned char>(letter) >= ' ' 
 
 ToolController::ToolController() : settings_(std::make_unique<ToolSettings>()), tool_(tool_of(kind_, *settings_)) {}
 
-void ToolController::take(ToolKind kind)
+void ToolController::select(ToolKind kind)
 {
     kind_ = kind;
     tool_ = tool_of(kind, *settings_);
@@ -57,14 +57,14 @@ void ToolController::carry(std::shared_ptr<const Clipping> clipping, const femoo
 
 void ToolController::settle()
 {
-    if (tool_->is_done()) take(ToolKind::Select);
+    if (tool_->is_done()) select(ToolKind::Select);
 }
 
 bool ToolController::escape()
 {
     if (!std::exchange(typed_, {}).empty() || tool_->escape()) return true;
     if (kind_ == ToolKind::Select) return false;
-    take(ToolKind::Select);
+    select(ToolKind::Select);
     return true;
 }
 

@@ -20,11 +20,11 @@ public:
     ToolKind kind() const { return kind_; }
     Tool& tool() { return *tool_; }
     const Tool& tool() const { return *tool_; }
-    /// Takes up a tool, anew if it is the same: what was begun with the last one is given up.
-    void take(ToolKind kind);
+    /// Selects a tool, anew if it is the same: what was begun with the last one is given up.
+    void select(ToolKind kind);
     /// Takes up what was copied, to put it down once. \pre the clipping holds structure
     void carry(std::shared_ptr<const Clipping> clipping, const femoop::Units& units);
-    /// Lays down a tool that is done.
+    /// Goes back to the selecting tool from one that is done.
     void settle();
     /// Gives up what is typed, else what is begun, else the tool. \returns false where there was none of these
     bool escape();

@@ -308,7 +308,7 @@ TEST_SUITE("frame tools")
     TEST_CASE("Esc gives up the line, and then the tool")
     {
         frame::ToolController tool_controller;
-        tool_controller.take(frame::ToolKind::Member);
+        tool_controller.select(frame::ToolKind::Member);
         Bench bench;
         bench.press(tool_controller.tool(), at(1, 1));
         CHECK(tool_controller.escape());
@@ -322,7 +322,7 @@ TEST_SUITE("frame tools")
     {
         frame::ToolController tool_controller;
         CHECK(!tool_controller.type("4"));
-        tool_controller.take(frame::ToolKind::Member);
+        tool_controller.select(frame::ToolKind::Member);
         Bench bench;
         for (const char* place : {"0,0", "4<90", "@6,0"}) {
             CHECK(tool_controller.type(place));
@@ -378,7 +378,7 @@ TEST_SUITE("frame tools")
     {
         Bench bench(frame::starting_document());
         frame::ToolController tool_controller;
-        tool_controller.take(frame::ToolKind::Dimension);
+        tool_controller.select(frame::ToolKind::Dimension);
         for (const char* place : {"0,0", "6,0", "3,-0.8"}) {
             tool_controller.type(place);
             bench.carry_out(tool_controller.enter(bench.work()));
@@ -544,7 +544,7 @@ TEST_SUITE("frame tools")
     {
         Bench bench(frame::starting_document());
         frame::ToolController tool_controller;
-        tool_controller.take(frame::ToolKind::Support);
+        tool_controller.select(frame::ToolKind::Support);
         frame::Aim corner = at(0, 4);
         corner.node = femoop::NodeId(1);
         bench.click(tool_controller.tool(), corner);
@@ -552,7 +552,7 @@ TEST_SUITE("frame tools")
         CHECK(bench.model().nodes[1].support->kind == femoop::SupportKind::Pin);
         bench.click(tool_controller.tool(), corner);
         CHECK(!bench.model().nodes[1].support);
-        tool_controller.take(frame::ToolKind::Hinge);
+        tool_controller.select(frame::ToolKind::Hinge);
         frame::Aim near_end = at(5, 4);
         near_end.cut = frame::Cut{femoop::MemberId(1), 5.0};
         bench.click(tool_controller.tool(), near_end);
@@ -570,7 +570,7 @@ TEST_SUITE("frame tools")
         document.model.combinations.clear();
         Bench bench(document);
         frame::ToolController tool_controller;
-        tool_controller.take(frame::ToolKind::Load);
+        tool_controller.select(frame::ToolKind::Load);
         frame::Aim beam = at(2, 4);
         beam.cut = frame::Cut{femoop::MemberId(1), 2.0};
         bench.click(tool_controller.tool(), beam);
