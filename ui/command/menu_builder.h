@@ -75,10 +75,12 @@ public:
     /// A command for each switch. \param place  the switch of a choice's value: (workspace, value)
     template <class Choices, class Place> void toggles(const Choices& entries, Place place, WhyNot why_not = {})
     {
-        for (const auto& entry : entries)
-            toggle(
-                name_of(entry), [place, value = entry.value](auto& workspace) -> auto& { return place(workspace, value); },
-                why_not);
+        for (const auto& entry : entries) {
+            const auto own_place = [place, value = entry.value](auto& workspace) -> auto& {
+                return place(workspace, value);
+            };
+            toggle(name_of(entry), own_place, why_not);
+        }
     }
 
     /// The same where more than a switch changes. \param turn  gets a choice's value and whether it is to be on
