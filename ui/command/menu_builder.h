@@ -63,7 +63,8 @@ public:
 
     /// The same where more than a switch changes. \param turn  gets whether it is to be on
     template <class IsOn, class Turn>
-    requires std::invocable<Turn, Workspace&, bool> Row& toggle(CommandName name, IsOn is_on, Turn turn, WhyNot why_not = {})
+    requires std::invocable<Turn, Workspace&, bool> Row& toggle(CommandName name, IsOn is_on, Turn turn,
+                                                                WhyNot why_not = {})
     {
         Row& row = step(
             std::move(name), [is_on, turn](Workspace& workspace) { turn(workspace, !is_on(std::as_const(workspace))); },
@@ -76,7 +77,7 @@ public:
     template <class Choices, class Place> void toggles(const Choices& entries, Place place, WhyNot why_not = {})
     {
         for (const auto& entry : entries) {
-            const auto own_place = [place, value = entry.value](auto& workspace) -> auto& {
+            const auto own_place = [place, value = entry.value](auto& workspace) -> decltype(auto) {
                 return place(workspace, value);
             };
             toggle(name_of(entry), own_place, why_not);
@@ -90,7 +91,8 @@ public:
     {
         for (const auto& entry : entries)
             toggle(
-                name_of(entry), [is_on, value = entry.value](const Workspace& workspace) { return is_on(workspace, value); },
+                name_of(entry),
+                [is_on, value = entry.value](const Workspace& workspace) { return is_on(workspace, value); },
                 [turn, value = entry.value](Workspace& workspace, bool on) { turn(workspace, value, on); }, why_not);
     }
 

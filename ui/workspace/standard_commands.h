@@ -116,7 +116,7 @@ template <class Workspace>
 void add_zoom(CommandTable<Workspace>& table, std::string_view fit, const std::vector<Chord>& keys)
 {
     MenuBuilder<Workspace> menu(table, view_menu);
-    menu.step({"view.fit", fit, std::move(keys)}, asks(Request::Fit));
+    menu.step({"view.fit", fit, keys}, asks(Request::Fit));
     menu.step({"view.zoom_in", translatable("Zoom in"), {{Key::Plus, {}}, {Key::Plus, shift}, {Key::Plus, ctrl}}},
               asks(Request::ZoomIn));
     menu.step({"view.zoom_out", translatable("Zoom out"), {{Key::Minus, {}}, {Key::Minus, ctrl}}},

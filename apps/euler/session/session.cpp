@@ -352,7 +352,7 @@ void Session::pick(const Part& part)
         return;
     }
     if (auto reason = why_not_pick(part)) {
-        notify(std::move(*reason));
+        notify(*reason);
         return;
     }
     choose(as_argument(*after_[part.subject].solid, pending_operator_->next().kind, part.entity, legal_));

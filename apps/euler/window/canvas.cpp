@@ -437,7 +437,8 @@ ui::Point place_in(const Region& area)
     constexpr int n = 8;
     if (is_inside(area, box.center())) return box.center();
     for (int i = 1; i < n * n; ++i) {
-        const ui::Point p{box.min.x + (i % n + 0.5) / n * box.width(), box.min.y + (i / n + 0.5) / n * box.height()};
+        const int row = i / n, column = i % n;
+        const ui::Point p{box.min.x + (column + 0.5) / n * box.width(), box.min.y + (row + 0.5) / n * box.height()};
         if (is_inside(area, p)) return p;
     }
     return box.center();

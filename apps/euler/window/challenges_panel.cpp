@@ -15,7 +15,7 @@ namespace {
 
 void take(Session& session, std::string_view words)
 {
-    if (auto reason = session.answer(words)) session.notify(std::move(*reason));
+    if (auto reason = session.answer(words)) session.notify(*reason);
 }
 
 void side_button(Session& session, Side side, const std::string& title)
