@@ -49,4 +49,13 @@ Excerpt excerpt_of(const Model& model, const std::vector<MemberId>& members)
     return excerpt;
 }
 
+Model structure_alone(Model model)
+{
+    model.title.clear();
+    model.notes.clear();
+    model.expected.clear();
+    model.extra.clear();
+    return model;
+}
+
 } // namespace femoop

@@ -22,4 +22,7 @@ struct Excerpt {
 /// \pre the members are of the model
 Excerpt excerpt_of(const Model& model, const std::vector<MemberId>& members);
 
+/// Without what a file says beside its structure: title, notes, expected results, blocks of other programs.
+Model structure_alone(Model model);
+
 } // namespace femoop

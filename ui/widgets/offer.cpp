@@ -10,7 +10,7 @@ namespace ui {
 
 namespace {
 
-float width_of_button(const std::string& label)
+float room_of_button(const std::string& label)
 {
     const ImGuiStyle& style = ImGui::GetStyle();
     return ImGui::CalcTextSize(label.c_str(), nullptr, true).x + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
@@ -33,7 +33,7 @@ std::optional<OfferAnswer> show_offer(const std::string& sentence, const Catalog
     std::optional<OfferAnswer> answer;
     ImGui::Separator();
     const std::string whole = sentence + ":";
-    const float room = ImGui::GetContentRegionAvail().x - width_of_button(take_over) - width_of_button(keep);
+    const float room = ImGui::GetContentRegionAvail().x - room_of_button(take_over) - room_of_button(keep);
     const std::string shown = cut_to(whole, room - ImGui::GetStyle().ItemSpacing.x);
     ImGui::TextUnformatted(shown.c_str());
     if (shown != whole && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", whole.c_str());

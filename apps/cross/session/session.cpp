@@ -6,6 +6,7 @@
 #include "apps/cross/document/file.h"
 #include "apps/frame/document/fault/place.h"
 #include "apps/frame/document/fault/sentence.h"
+#include "femoop/edit/excerpt.h"
 #include "femoop/files/whole_file.h"
 #include "femoop/io/model_file.h"
 #include "femoop/result/structure_words.h"
@@ -305,7 +306,8 @@ std::optional<femoop::Model> model_of(const std::string& text)
 bool Session::is_news(const std::string& text) const
 {
     const auto model = model_of(text);
-    return model && femoop::write_model(*model) != linked_text();
+    return model && femoop::write_model(femoop::structure_alone(*model)) !=
+                        femoop::write_model(femoop::structure_alone(document().model));
 }
 
 void Session::adopt(const std::string& text)

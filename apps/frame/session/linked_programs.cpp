@@ -7,6 +7,7 @@
 #include "apps/cross/document/file.h"
 #include "apps/frame/session/other_programs.h"
 #include "apps/mohr/document/file.h"
+#include "femoop/edit/excerpt.h"
 #include "femoop/io/model_file.h"
 
 namespace frame {
@@ -65,6 +66,29 @@ femoop::Combination carried(femoop::Combination combination, const femoop::Model
     return combination;
 }
 
+/// The expected results of what the other model has too, by its names.
+std::vector<femoop::Expected> carried(const std::vector<femoop::Expected>& expected, const femoop::Model& from,
+                                      const femoop::Model& to)
+{
+    std::vector<femoop::Expected> found;
+    for (femoop::Expected result : expected) {
+        if (result.load_case && !(result.load_case = to.find_case(from.case_name(*result.load_case)))) continue;
+        if (result.node && !(result.node = to.find_node(from[*result.node].id))) continue;
+        if (result.member && !(result.member = to.find_member(from[*result.member].id))) continue;
+        found.push_back(std::move(result));
+    }
+    return found;
+}
+
+/// What was not handed over stays as it is here.
+void keep_what_is_beside(femoop::Model& next, const femoop::Model& now)
+{
+    next.title = now.title;
+    next.notes = now.notes;
+    next.expected = carried(now.expected, now, next);
+    next.extra = now.extra;
+}
+
 /// Faulty cases were handed over empty, so they keep what they have.
 void keep_blank_cases(femoop::Model& next, const Session& session)
 {
@@ -114,7 +138,8 @@ bool LinkedPrograms::is_news(const Linked& linked, const Session& session, const
 {
     if (linked.handed.program == circle) return section_from(session, linked.handed, other).has_value();
     const auto theirs = model_of(other), ours = model_of(linked.text);
-    return theirs && ours && femoop::write_model(*theirs) != femoop::write_model(*ours);
+    return theirs && ours &&
+           femoop::write_model(femoop::structure_alone(*theirs)) != femoop::write_model(femoop::structure_alone(*ours));
 }
 
 void LinkedPrograms::tick(double seconds, const Workspace& workspace)
@@ -202,6 +227,7 @@ void LinkedPrograms::adopt_structure(Session& session, const Handed& handed, con
         return;
     }
     keep_blank_cases(*model, session);
+    keep_what_is_beside(*model, session.model());
     session.change_soundly({translatable("Structure from moment distribution"),
                             [next = *std::move(model)](Document& document) { document.model = next; }});
 }

@@ -196,6 +196,38 @@ TEST_SUITE("frame session")
         CHECK_FALSE(other.copy.offered());
     }
 
+    TEST_CASE("A structure that is taken over leaves title, notes, expected results and other programs' blocks")
+    {
+        Workspace workspace = workspace_with_beam();
+        workspace.session.change({ui::Message("words"), [](Document& document) {
+                                      document.model.title = "Bridge";
+                                      document.model.notes = "of the second year";
+                                      document.model.extra = {{"cross", "{}"}};
+                                      document.model.expected = {{.load_case = femoop::CaseId(0),
+                                                                  .node = femoop::NodeId(0),
+                                                                  .dof = femoop::Dof::uy,
+                                                                  .value = femoop::Quantity(0.0)}};
+                                  }});
+        const femoop::Model before = workspace.session.model();
+        LinkedPrograms linked;
+        auto other = started<cross::Session>(workspace, linked, moment_distribution(workspace.session));
+        femoop::Model next = other.session.document().model;
+        next.title.clear();
+        next.sections.front().profile = "HEB 200";
+        other.session.change(next, ui::Message("section"));
+        exchange(workspace, linked, other);
+        REQUIRE(linked.offering(workspace));
+        linked.adopt(workspace);
+        const femoop::Model& now = workspace.session.model();
+        CHECK(*now.sections.front().profile == "HEB 200");
+        CHECK(now.title == before.title);
+        CHECK(now.notes == before.notes);
+        CHECK(now.expected == before.expected);
+        CHECK(now.extra == before.extra);
+        exchange(workspace, linked, other);
+        CHECK_FALSE(other.copy.offered());
+    }
+
     TEST_CASE("A faulty case keeps its loads when the structure of moment distribution is taken over")
     {
         Workspace workspace = workspace_with_beam();
