@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include <limits>
 #include <vector>
 
@@ -17,7 +19,7 @@ Guess drawn(const std::vector<StrokePoint>& stroke)
     return guess;
 }
 
-constexpr std::size_t place(double x) { return static_cast<std::size_t>(x * (Guess::n_places - 1) + 0.5); }
+std::size_t place(double x) { return static_cast<std::size_t>(std::lround(x * (Guess::n_places - 1))); }
 
 } // namespace
 

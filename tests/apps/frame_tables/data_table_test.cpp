@@ -270,7 +270,7 @@ TEST_SUITE("frame tables")
             const Table table = data_table(document.model, TableKind::Nodes, manner);
             const std::string copied = separated(values(table, whole(table)), tabular::tabs);
             CAPTURE(copied);
-            CHECK(std::string("=-+@").find(copied[copied.find("\n", copied.find("\n") + 1) + 1]) == std::string::npos);
+            CHECK(std::string("=-+@").find(copied[copied.find('\n', copied.find('\n') + 1) + 1]) == std::string::npos);
             document.model.nodes[1].id = "other";
             const Filled result = filled(document, TableKind::Nodes, {0, 0}, read_block(copied, table, 0), manner);
             CHECK(result.faults.empty());

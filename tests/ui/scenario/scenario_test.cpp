@@ -83,7 +83,7 @@ TEST_SUITE("ui scenario")
         CHECK(frames.front().pointer == ui::PointerPlace{100.0, 40.0});
         CHECK(frames.back().pointer == ui::PointerPlace{340.0, 88.0});
         CHECK_FALSE(frames.back().is_left_down);
-        const auto middle = frames[4 + 5]; // half way through the twelve moves
+        const auto& middle = frames[4 + 5]; // half way through the twelve moves
         CHECK(middle.is_left_down);
         CHECK(middle.pointer.x == doctest::Approx(220.0));
         CHECK(middle.pointer.y == doctest::Approx(64.0));

@@ -138,8 +138,9 @@ void draw_factors(const SolverScene& scene, const ui::Box& box)
     const std::size_t n_columns = side_of(size_of(4)) > side_of(size_of(2)) ? 4 : 2;
     const ui::Size size = size_of(n_columns);
     for (std::size_t i = 0; i < femoop::all_orderings.size(); ++i) {
-        const Point corner = room.min + Point{static_cast<double>(i % n_columns) * (size.width + gap),
-                                              static_cast<double>(i / n_columns) * (size.height + gap)};
+        const std::size_t row = i / n_columns, column = i % n_columns;
+        const Point corner = room.min + Point{static_cast<double>(column) * (size.width + gap),
+                                              static_cast<double>(row) * (size.height + gap)};
         FactorPicture(scene, femoop::all_orderings[i], ui::box_at(corner, size)).draw();
     }
 }
