@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drawing/draw_options.h"
+#include "femoop/model/model.h"
 
 #include <string>
 #include <vector>

@@ -5,6 +5,7 @@
 
 #include "apps/drawing/draw_input.h"
 #include "apps/frame/document/drawing_names.h"
+#include "ui/text/catalogue.h"
 
 namespace frame {
 
