@@ -10,6 +10,7 @@
 #include "apps/frame/document/fault/place.h"
 #include "femoop/edit/condense.h"
 #include "femoop/edit/erase.h"
+#include "femoop/edit/excerpt.h"
 #include "femoop/edit/insert.h"
 #include "femoop/edit/naming.h"
 #include "femoop/edit/place.h"
@@ -78,15 +79,6 @@ void keep_loaded_cases(Model& model)
     });
 }
 
-Model without_words(Model model)
-{
-    model.title.clear();
-    model.notes.clear();
-    model.expected.clear();
-    model.extra.clear();
-    return model;
-}
-
 /// The bearers of loads, as if they were selected.
 std::vector<Part> bearers_of(const Model& model, const std::vector<Part>& loads)
 {
@@ -124,7 +116,7 @@ std::optional<Clipping> clipping_of(const Document& document, std::span<const Pa
     std::ranges::copy_if(parts, std::back_inserter(structure), is_structural);
     std::ranges::copy_if(parts, std::back_inserter(loads), is_load);
     if (structure.empty() && loads.empty()) return std::nullopt;
-    Clipping clipping{.model = without_words(model)};
+    Clipping clipping{.model = femoop::structure_alone(model)};
     if (structure.empty()) {
         clipping.holds = Clipping::Holds::Loads;
         structure = bearers_of(model, loads);
