@@ -32,30 +32,27 @@ std::optional<double> inside(const MemberLine& line, const Eigen::Vector3d& plac
     return (line.at(x) - place).norm() <= nearness ? std::optional(x) : std::nullopt;
 }
 
-/// Cuts every member that passes the node, as far as it may be cut.
-template <class MayCut> void cut_members_at(Model& model, NodeId node, double nearness, MayCut&& may_cut)
+void cut_if_it_passes(Model& model, MemberId member, NodeId node, double nearness)
 {
-    const Eigen::Vector3d place = position_of(model, node);
-    const std::size_t n_members = model.members.size();
-    for (std::size_t i = 0; i < n_members; ++i) {
-        const auto& nodes = model.members[i].nodes;
-        if (nodes[0] == node || nodes[1] == node || !may_cut(MemberId(i))) continue;
-        const std::optional<double> x = inside(line_of(model, model.members[i]), place, nearness);
-        if (x) split_member(model, MemberId(i), *x, node);
-    }
+    const auto& nodes = model[member].nodes;
+    if (nodes[0] == node || nodes[1] == node) return;
+    const std::optional<double> x = inside(line_of(model, model[member]), position_of(model, node), nearness);
+    if (x) split_member(model, member, *x, node);
 }
 
+/// Cuts every member that passes the node.
 void cut_members_at(Model& model, NodeId node, double nearness)
 {
-    cut_members_at(model, node, nearness, [](MemberId) { return true; });
+    const std::size_t n_members = model.members.size();
+    for (std::size_t i = 0; i < n_members; ++i) cut_if_it_passes(model, MemberId(i), node, nearness);
 }
 
-std::vector<bool> moved_members(const Model& model, const MovedParts& moved)
+std::vector<MemberId> moved_members(const Model& model, const MovedParts& moved)
 {
-    std::vector<bool> is_moved;
-    is_moved.reserve(model.members.size());
-    for (std::size_t i = 0; i < model.members.size(); ++i) is_moved.push_back(moved.is_moved(model, MemberId(i)));
-    return is_moved;
+    std::vector<MemberId> members;
+    for (std::size_t i = 0; i < model.members.size(); ++i)
+        if (moved.is_moved(model, MemberId(i))) members.emplace_back(i);
+    return members;
 }
 
 NodeId place_node(Model& model, const Eigen::Vector3d& place, double nearness)
@@ -120,12 +117,14 @@ NodeId place_node(Model& model, const Eigen::Vector3d& place) { return place_nod
 void cut_members_at_nodes(Model& model, const MovedParts& moved)
 {
     const double nearness = nearness_of(model);
-    std::vector<bool> is_moved;
+    std::vector<MemberId> moved_now = moved_members(model, moved);
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-        if (is_moved.size() != model.members.size()) is_moved = moved_members(model, moved);
         const NodeId node(i);
+        const std::size_t n_members = model.members.size();
         if (moved.is_moved(model, node)) cut_members_at(model, node, nearness);
-        else cut_members_at(model, node, nearness, [&](MemberId member) { return is_moved[member.index]; });
+        else
+            for (const MemberId member : moved_now) cut_if_it_passes(model, member, node, nearness);
+        if (model.members.size() != n_members) moved_now = moved_members(model, moved);
     }
 }
 

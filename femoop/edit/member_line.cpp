@@ -10,9 +10,9 @@ namespace femoop {
 
 MemberLine line_of(const Model& model, const Member& member)
 {
-    const MemberGeometry geometry = geometry_of(model, member);
-    const Eigen::Vector3d chord = geometry.end - geometry.start;
-    return {geometry.start, chord.stableNormalized(), chord.stableNorm()};
+    const auto [start, end] = ends_of(model, member);
+    const Eigen::Vector3d chord = end - start;
+    return {start, chord.stableNormalized(), chord.stableNorm()};
 }
 
 double nearness_of(const Model& model)

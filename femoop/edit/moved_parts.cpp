@@ -12,6 +12,12 @@ template <class Id> std::optional<Id> found(const std::unordered_map<std::string
     return entry != ids.end() ? std::optional(entry->second) : std::nullopt;
 }
 
+/// A hint: most parts keep their number, and a look there is cheaper than a look-up.
+template <class Part> bool is_at(const std::vector<Part>& parts, std::size_t number, std::string_view name)
+{
+    return number < parts.size() && parts[number].id == name;
+}
+
 } // namespace
 
 MovedParts::MovedParts(const Model& before) : before_(before)
@@ -26,16 +32,15 @@ std::optional<MemberId> MovedParts::former(const Member& member) const { return 
 
 bool MovedParts::is_moved(const Model& model, NodeId node) const
 {
-    const std::optional<NodeId> was = former(model[node]);
+    const std::optional<NodeId> was = is_at(before_.nodes, node.index, model[node].id) ? node : former(model[node]);
     return !was || position_of(before_, *was) != position_of(model, node);
 }
 
 bool MovedParts::is_moved(const Model& model, MemberId member) const
 {
-    const std::optional<MemberId> was = former(model[member]);
-    if (!was) return true;
-    const MemberGeometry then = geometry_of(before_, before_[*was]), now = geometry_of(model, model[member]);
-    return then.start != now.start || then.end != now.end;
+    const bool is_at_its_number = is_at(before_.members, member.index, model[member].id);
+    const std::optional<MemberId> was = is_at_its_number ? member : former(model[member]);
+    return !was || ends_of(before_, before_[*was]) != ends_of(model, model[member]);
 }
 
 } // namespace femoop

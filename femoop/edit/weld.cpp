@@ -27,21 +27,22 @@ bool have_met(const MovedParts& moved, const Node& a, const Node& b)
     return former_a && former_b && are_at_one_place(before, *former_a, *former_b, nearness_of(before));
 }
 
-/// Of each node the earliest one at its place, where they have come to meet there.
+/// Of each node the earliest one at its place, where they have come to meet there. Two that both stayed have not, so
+/// the little that moved is compared with all, and what stayed with that alone.
 std::vector<NodeId> earliest_at_place(const Model& model, const MovedParts& moved)
 {
     const double nearness = nearness_of(model);
-    std::vector<NodeId> earliest;
-    std::vector<bool> is_moved;
+    std::vector<NodeId> earliest, earliest_moved;
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
         const NodeId late(i);
-        is_moved.push_back(moved.is_moved(model, late));
+        const bool is_moved = moved.is_moved(model, late);
         const auto is_met = [&](NodeId other) {
-            return (is_moved[i] || is_moved[other.index]) && are_at_one_place(model, other, late, nearness) &&
-                   !have_met(moved, model[other], model[late]);
+            return are_at_one_place(model, other, late, nearness) && !have_met(moved, model[other], model[late]);
         };
-        const auto found = std::ranges::find_if(earliest, is_met);
-        earliest.push_back(found == earliest.end() ? late : *found);
+        const std::vector<NodeId>& others = is_moved ? earliest : earliest_moved;
+        const auto found = std::ranges::find_if(others, is_met);
+        earliest.push_back(found == others.end() ? late : *found);
+        if (is_moved && earliest.back() == late) earliest_moved.push_back(late);
     }
     return earliest;
 }

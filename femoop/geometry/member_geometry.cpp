@@ -16,10 +16,16 @@ MemberGeometry member_geometry(AnalysisKind kind, const Eigen::Vector3d& start, 
     return geometry;
 }
 
+std::array<Eigen::Vector3d, 2> ends_of(const Model& model, const Member& member)
+{
+    return {position_of(model, member.nodes[0]) + vector_of(member.start.offset),
+            position_of(model, member.nodes[1]) + vector_of(member.end.offset)};
+}
+
 MemberGeometry geometry_of(const Model& model, const Member& member)
 {
-    return member_geometry(model.analysis, position_of(model, member.nodes[0]) + vector_of(member.start.offset),
-                           position_of(model, member.nodes[1]) + vector_of(member.end.offset), vector_of(member.up));
+    const auto [start, end] = ends_of(model, member);
+    return member_geometry(model.analysis, start, end, vector_of(member.up));
 }
 
 } // namespace femoop

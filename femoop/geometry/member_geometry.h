@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 #include "femoop/geometry/node_position.h"
 #include "femoop/model/model.h"
@@ -26,5 +27,7 @@ MemberGeometry member_geometry(AnalysisKind kind, const Eigen::Vector3d& start, 
                                const Eigen::Vector3d& up);
 
 MemberGeometry geometry_of(const Model& model, const Member& member);
+/// The ends of its flexible part alone.
+std::array<Eigen::Vector3d, 2> ends_of(const Model& model, const Member& member);
 
 } // namespace femoop
