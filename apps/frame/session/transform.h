@@ -22,10 +22,10 @@ struct Transform {
     bool is_in_space = false;
     /// In space Rotate: along the axis. Mirror: square to the plane.
     WorkingPlane::Normal normal = WorkingPlane::Normal::Z;
-    double factor = 2.0;             ///< Scale; > 0
-    int times = 1;                   ///< Copy; 1 to 100
-    bool keeps_original = false;     ///< Mirror, Rotate: what is turned is a copy
-    std::vector<Part> parts{};       ///< that are transformed
+    double factor = 2.0;         ///< Scale; > 0
+    int times = 1;               ///< Copy; 1 to 100
+    bool keeps_original = false; ///< Mirror, Rotate: what is turned is a copy
+    std::vector<Part> parts{};   ///< that are transformed
 
     femoop::Placement placement() const;
     bool copies() const { return kind == Kind::Copy || keeps_original; }

@@ -50,7 +50,10 @@ Snap snapped(double x, double y, SnapOptions options = {.reach = 0.3})
 
 frame::Aim at(double x, double y)
 {
-    return {.pointer = {x, y}, .on_sheet = {100.0 * x, -100.0 * y}, .snap = {.place = {x, y}, .kind = SnapKind::Grid}, .pixel = 0.01};
+    return {.pointer = {x, y},
+            .on_sheet = {100.0 * x, -100.0 * y},
+            .snap = {.place = {x, y}, .kind = SnapKind::Grid},
+            .pixel = 0.01};
 }
 
 /// A document that tools work on, as the app's session holds it.
@@ -490,7 +493,8 @@ TEST_SUITE("frame tools")
         CHECK(bench.selection.is_empty());
     }
 
-    TEST_CASE("On a member in space a place is drawn to its middle, the foot of a square line, a crossing, or a round length")
+    TEST_CASE(
+        "On a member in space a place is drawn to its middle, the foot of a square line, a crossing, or a round length")
     {
         femoop::Model model = crossing();
         model.analysis = femoop::AnalysisKind::Frame3d;
@@ -506,7 +510,8 @@ TEST_SUITE("frame tools")
         CHECK(foot.kind == SnapKind::Perpendicular);
         CHECK(foot.place.isApprox(Eigen::Vector3d(5.12, 2, 3.84)));
         CHECK(meant(7.04, {.reach = 0.2, .fine = 0.1}).place.isApprox(Eigen::Vector3d(5.6, 2, 4.2)));
-        CHECK(meant(7.04, {.reach = 0.2, .fine = 0.1, .is_off = true}).place.norm() == doctest::Approx(std::hypot(7.04, 2)));
+        CHECK(meant(7.04, {.reach = 0.2, .fine = 0.1, .is_off = true}).place.norm() ==
+              doctest::Approx(std::hypot(7.04, 2)));
     }
 
     TEST_CASE("A drag moves the selection to where it is drawn, as one step, and joins what meets")

@@ -58,8 +58,8 @@ Model space_frame()
     const NodeId a = model.add(Node{.id = "A", .at = {1, 2, 0}, .support = Support{.kind = SupportKind::Fixed}});
     const NodeId b = model.add(Node{.id = "B", .at = {1, 2, 4}});
     const NodeId c = model.add(Node{.id = "C", .at = {6, 2, 4}});
-    const NodeId d = model.add(
-        Node{.id = "D", .at = {6, 5, 4}, .support = Support{.fixed = {Dof::uy, Dof::rx}, .springs = {{Dof::uz, 900.0}}}});
+    const NodeId d = model.add(Node{
+        .id = "D", .at = {6, 5, 4}, .support = Support{.fixed = {Dof::uy, Dof::rx}, .springs = {{Dof::uz, 900.0}}}});
     const auto beam = [&](const char* id, NodeId from, NodeId to) {
         return model.add(Member{.id = id, .nodes = {from, to}, .material = MaterialId(0), .section = SectionId(0)});
     };
@@ -158,8 +158,8 @@ TEST_SUITE("edit: placing")
         };
         for (const Eigen::Index i : {0, 1, 2}) {
             const Eigen::Vector3d axis = Eigen::Vector3d::Unit(i);
-            for (const Placement& placement : {turned({1, 2, 3}, quarter, axis), turned({1, 2, 3}, -quarter, axis),
-                                               mirrored_at({1, 2, 3}, axis)}) {
+            for (const Placement& placement :
+                 {turned({1, 2, 3}, quarter, axis), turned({1, 2, 3}, -quarter, axis), mirrored_at({1, 2, 3}, axis)}) {
                 CAPTURE(placement.linear());
                 Model model = before;
                 place_nodes(model, all, placement);
@@ -169,9 +169,7 @@ TEST_SUITE("edit: placing")
                     CHECK((moved(now, node) - placement.linear() * moved(was, node)).norm() < 1e-12);
                 }
                 for (std::size_t k = 0; k < model.members.size(); ++k) {
-                    const auto forces = [&](const CaseResult& result) {
-                        return result.curve(MemberId(k)).forces(2.0);
-                    };
+                    const auto forces = [&](const CaseResult& result) { return result.curve(MemberId(k)).forces(2.0); };
                     CHECK(forces(now).N == doctest::Approx(forces(was).N));
                     CHECK(forces(now).Mz == doctest::Approx(forces(was).Mz));
                     CHECK(std::abs(forces(now).My) == doctest::Approx(std::abs(forces(was).My)));
