@@ -7,6 +7,7 @@
 #include "apps/frame/document/command.h"
 #include "apps/frame/document/drawing.h"
 #include "apps/frame/document/loading.h"
+#include "apps/frame/session/case_commands.h"
 #include "apps/frame/session/edit_commands.h"
 #include "apps/frame/session/tabs.h"
 #include "femoop/edit/naming.h"
@@ -378,6 +379,28 @@ TEST_SUITE("frame session")
         const auto& at = workspace.session.model().nodes[1].at;
         CHECK(at[0] == -4.5);
         CHECK(at[1] == 0.0);
+    }
+
+    TEST_CASE("Undoing a new, copied or deleted case shows again what was shown, and redoing shows the new one")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        const auto shown = [&] { return workspace.session.model().case_name(workspace.session.view.load_case); };
+        for (const char* const command : {"case.new", "case.combination", "case.copy", "case.delete"}) {
+            CAPTURE(command);
+            show_case(workspace.session, *workspace.session.model().find_case("Q"));
+            run(workspace, command);
+            const std::string after = shown();
+            CHECK(after != "Q");
+            workspace.session.undo();
+            CHECK(shown() == "Q");
+            workspace.session.redo();
+            CHECK(shown() == after);
+            workspace.session.undo();
+        }
+        workspace.session.view.is_envelope = true;
+        run(workspace, "case.combination");
+        workspace.session.undo();
+        CHECK(workspace.session.view.is_envelope);
     }
 
     TEST_CASE("In space a selection is copied, mirrored at a plane, turned about an axis and moved by the arrow keys")
