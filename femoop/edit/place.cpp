@@ -3,8 +3,10 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "femoop/edit/member_line.h"
 #include "femoop/edit/naming.h"
 #include "femoop/edit/short_number.h"
+#include "femoop/geometry/member_geometry.h"
 
 namespace femoop {
 
@@ -45,12 +48,12 @@ void place_node(const Model& model, Node& node, const Eigen::Vector3d& was, cons
         if (node.at[i].value() != now[static_cast<Eigen::Index>(i)]) node.at[i] = numbers[i];
 }
 
-void place_offset(std::vector<Quantity>& offset, const Placement& placement)
+void place_vector(std::vector<Quantity>& vector, const Placement& placement)
 {
-    const Eigen::Vector3d placed = placement.linear() * vector_of(offset);
+    const Eigen::Vector3d placed = placement.linear() * vector_of(vector);
     const double extent = placed.cwiseAbs().maxCoeff();
-    for (std::size_t i = 0; i < offset.size(); ++i)
-        offset[i] = short_number(placed[static_cast<Eigen::Index>(i)], extent);
+    for (std::size_t i = 0; i < vector.size(); ++i)
+        vector[i] = short_number(placed[static_cast<Eigen::Index>(i)], extent);
 }
 
 /// The support's axes turn: angle 0 is +x, so a turn adds to it, a mirror takes it from the image of +x.
@@ -68,26 +71,34 @@ void place_support(Support& support, const Placement& placement)
     }
 }
 
-Dof with_axes_swapped(Dof dof)
+/// Of each global axis the one that it comes to lie on; nothing where one lies between them.
+std::optional<std::array<Eigen::Index, 3>> images_of_axes(const Placement& placement)
 {
-    switch (dof) {
-    case Dof::ux: return Dof::uy;
-    case Dof::uy: return Dof::ux;
-    case Dof::rx: return Dof::ry;
-    case Dof::ry: return Dof::rx;
-    default: return dof;
+    std::array<Eigen::Index, 3> images{};
+    const Eigen::Matrix3d shares = placement.linear().cwiseAbs() / scale_of(placement);
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        Eigen::Index& image = images.at(static_cast<std::size_t>(axis));
+        if (shares.col(axis).maxCoeff(&image) < 1.0 - 1e-9) return std::nullopt;
     }
+    return images;
 }
 
-/// One that holds along the global axes alone can turn by quarters only; else it stays as it is.
+Dof along_image(Dof dof, const std::array<Eigen::Index, 3>& images)
+{
+    const auto place = index(dof);
+    return all_dofs.at(place - place % 3 + static_cast<std::size_t>(images.at(place % 3)));
+}
+
+/// One that holds along the global axes alone stays as it is where these come to lie between them.
 void place_support_along_axes(Support& support, const Placement& placement)
 {
-    if (std::abs(std::abs(std::remainder(turn_of(placement), 180.0)) - 90.0) > 1e-9) return;
+    const auto images = images_of_axes(placement);
+    if (!images) return;
     DofSet fixed;
     for (const Dof dof : all_dofs)
-        if (support.fixed.contains(dof)) fixed.insert(with_axes_swapped(dof));
+        if (support.fixed.contains(dof)) fixed.insert(along_image(dof, *images));
     support.fixed = fixed;
-    for (Spring& spring : support.springs) spring.dof = with_axes_swapped(spring.dof);
+    for (Spring& spring : support.springs) spring.dof = along_image(spring.dof, *images);
 }
 
 /// Keeps a place on a member that has been stretched to a length.
@@ -99,11 +110,12 @@ void keep_on(Position& place, double stretch, double length)
     if (x != at->value()) *at = x;
 }
 
-/// In a plane model the mirror turns the member's y' and z' over; in a grillage, whose y' points up, it turns torques.
+/// In a plane model the mirror turns the member's y' and z' over; else it keeps x' and y' and turns z', and with it
+/// moments about the other two.
 void mirror(MemberLoad& load, AnalysisKind analysis)
 {
     const bool is_turned_over = is_plane(analysis);
-    const DofSet turned = is_turned_over ? DofSet{Dof::uy, Dof::rz} : DofSet{Dof::rx};
+    const DofSet turned = is_turned_over ? DofSet{Dof::uy, Dof::rz} : DofSet{Dof::uz, Dof::rx, Dof::ry};
     change_values(load, [&](Dof dof, Quantity& value, LoadAxes axes) {
         if (turned.contains(dof) && axes == LoadAxes::Local) value = -value.value();
     });
@@ -121,18 +133,20 @@ public:
 
     void run()
     {
-        std::vector<double> lengths;
-        for (const Member& member : model_.members) lengths.push_back(line_of(model_, member).length);
+        std::vector<MemberGeometry> before;
+        for (const Member& member : model_.members) before.push_back(geometry_of(model_, member));
         place_supports();
         for (std::size_t i = 0; i < model_.nodes.size(); ++i)
             if (is_placed_[i]) place_node(model_, model_.nodes[i], position_of(model_, NodeId(i)), placement_);
         for (Member& member : model_.members) {
             if (!goes_along(member)) continue;
-            place_offset(member.start.offset, placement_);
-            place_offset(member.end.offset, placement_);
+            place_vector(member.start.offset, placement_);
+            place_vector(member.end.offset, placement_);
         }
+        if (is_3d(model_.analysis))
+            for (std::size_t i = 0; i < before.size(); ++i) place_up(model_.members[i], before[i]);
         for (LoadCase& load_case : model_.load_cases)
-            for (MemberLoad& load : load_case.members) fit(load, lengths[load.member.index]);
+            for (MemberLoad& load : load_case.members) fit(load, before[load.member.index].length);
     }
 
 private:
@@ -152,6 +166,17 @@ private:
                 place(*model_.nodes[i].support, placement_);
     }
 
+    /// Its y' goes along, where it does not do so by itself.
+    void place_up(Member& member, const MemberGeometry& before) const
+    {
+        if (!goes_along(member)) return;
+        const Eigen::Vector3d wanted = (placement_.linear() * before.axes.row(1).transpose()).normalized();
+        const auto now = [&] { return Eigen::Vector3d(geometry_of(model_, member).axes.row(1).transpose()); };
+        if (now().isApprox(wanted, 1e-9)) return;
+        if (member.up.empty()) member.up = {wanted.x(), wanted.y(), wanted.z()};
+        else place_vector(member.up, placement_);
+    }
+
     void fit(MemberLoad& load, double old_length) const
     {
         const Member& member = model_[load.member];
@@ -160,8 +185,7 @@ private:
         const bool is_scaled = goes_along(member) && std::abs(scale_of(placement_) - 1.0) > 1e-12;
         const double stretch = is_scaled && old_length > 0.0 ? length / old_length : 1.0;
         change_places(load, [&](Position& place) { keep_on(place, stretch, length); });
-        const bool is_mirrored = mirrors(placement_) && !is_3d(model_.analysis);
-        if (goes_along(member) && is_mirrored) mirror(load, model_.analysis);
+        if (goes_along(member) && mirrors(placement_)) mirror(load, model_.analysis);
     }
 
     Model& model_;
@@ -233,12 +257,12 @@ private:
 
 Placement moved_by(const Eigen::Vector3d& shift) { return Placement(Eigen::Translation3d(shift)); }
 
-Placement turned(const Eigen::Vector3d& about, double angle)
+Placement turned(const Eigen::Vector3d& about, double angle, const Eigen::Vector3d& axis)
 {
     // Quarters are exact: what stood upright lies level.
     const double quarters = angle / (0.5 * std::numbers::pi);
     const bool is_quarter = std::abs(quarters - std::round(quarters)) < 1e-12;
-    Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
     if (is_quarter) turn = turn.array().round();
     return Eigen::Translation3d(about) * Eigen::Affine3d(turn) * Eigen::Translation3d(-about);
 }
@@ -247,10 +271,14 @@ Placement mirrored(const Eigen::Vector3d& on_line, const Eigen::Vector3d& and_on
 {
     const Eigen::Vector3d along = and_on_line - on_line;
     if (along.norm() == 0.0) throw std::invalid_argument("mirrored: the two points of the line are one");
-    const Eigen::Vector3d normal = Eigen::Vector3d(-along.y(), along.x(), 0.0).normalized();
+    return mirrored_at(on_line, Eigen::Vector3d(-along.y(), along.x(), 0.0).normalized());
+}
+
+Placement mirrored_at(const Eigen::Vector3d& place, const Eigen::Vector3d& normal)
+{
     Placement mirror = Placement::Identity();
     mirror.linear() = Eigen::Matrix3d::Identity() - 2.0 * normal * normal.transpose();
-    return Eigen::Translation3d(on_line) * mirror * Eigen::Translation3d(-on_line);
+    return Eigen::Translation3d(place) * mirror * Eigen::Translation3d(-place);
 }
 
 Placement scaled(const Eigen::Vector3d& about, double factor)

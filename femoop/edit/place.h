@@ -12,16 +12,19 @@ namespace femoop {
 using Placement = Eigen::Affine3d;
 
 Placement moved_by(const Eigen::Vector3d& shift);
-Placement turned(const Eigen::Vector3d& about, double angle); ///< [rad], counter-clockwise about z
+/// [rad], counter-clockwise as seen against the axis, a unit vector.
+Placement turned(const Eigen::Vector3d& about, double angle, const Eigen::Vector3d& axis = Eigen::Vector3d::UnitZ());
 /// About a line in the xy plane. \pre the two points differ
 Placement mirrored(const Eigen::Vector3d& on_line, const Eigen::Vector3d& and_on_line);
+/// At the plane through a place that is square to the normal, a unit vector.
+Placement mirrored_at(const Eigen::Vector3d& place, const Eigen::Vector3d& normal);
 Placement scaled(const Eigen::Vector3d& about, double factor); ///< \pre factor > 0
 
 /// Moves nodes of a structure, and what goes with them:
 ///   - a support turns with the structure where all members of its node do; in grillages and in space, where it can
-///     hold along the global axes alone, by quarter turns, and stays as it is where they are others;
-///   - where both ends of a member move alike, its offsets turn along; a mirrored one keeps its loads' side, so local
-///     components across it change sign;
+///     hold along the global axes alone, where each of these comes to lie on another, and stays as it is elsewhere;
+///   - where both ends of a member move alike, its offsets turn along, and in space its y' too; a mirrored one keeps
+///     its loads' side, so local components across it change sign;
 ///   - a load at a length along a member stays at its share of a member that a scaling made longer, else at its
 ///     length, or at the member's end where it no longer fits.
 /// Loads in global axes keep their direction. A coordinate that does not change keeps its text.

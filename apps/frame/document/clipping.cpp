@@ -22,7 +22,7 @@
 
 namespace frame {
 
-using Eigen::Vector2d;
+using Eigen::Vector3d;
 using femoop::CaseId;
 using femoop::LoadCase;
 using femoop::MemberId;
@@ -137,7 +137,7 @@ std::optional<Clipping> clipping_of(const Document& document, std::span<const Pa
 std::vector<femoop::Fault> weightless(const Model& model, const Clipping& clipping)
 {
     Document trial{.model = model, .companion = {}};
-    if (clipping.holds == Clipping::Holds::Structure) paste(trial, clipping, Vector2d::Zero());
+    if (clipping.holds == Clipping::Holds::Structure) paste(trial, clipping, Vector3d::Zero());
     std::vector<femoop::Fault> faults = named(femoop::check(trial.model), trial.model);
     const std::vector<femoop::Fault> known = named(femoop::check(model), model);
     std::erase_if(faults, [&](const femoop::Fault& fault) {
@@ -157,21 +157,19 @@ std::optional<ui::Message> why_not_paste(const Model& model, std::span<const Par
 
 namespace {
 
-Vector2d place_in_plane(const Model& model, NodeId node) { return femoop::position_of(model, node).head<2>(); }
-
-Vector2d grip_in(const Model& model)
+Vector3d grip_in(const Model& model)
 {
-    Vector2d grip = place_in_plane(model, NodeId(0));
+    Vector3d grip = femoop::position_of(model, NodeId(0));
     for (std::size_t i = 1; i < model.nodes.size(); ++i) {
-        const Vector2d place = place_in_plane(model, NodeId(i));
-        if (std::pair(place.x(), place.y()) < std::pair(grip.x(), grip.y())) grip = place;
+        const Vector3d place = femoop::position_of(model, NodeId(i));
+        if (std::ranges::lexicographical_compare(place, grip)) grip = place;
     }
     return grip;
 }
 
 } // namespace
 
-Vector2d grip_of(const Clipping& clipping, const femoop::Units& units)
+Vector3d grip_of(const Clipping& clipping, const femoop::Units& units)
 {
     return grip_in(femoop::in_units(clipping.model, units));
 }
@@ -190,7 +188,7 @@ void paste_dimensions(Document& document, const Clipping& clipping, const std::v
 
 } // namespace
 
-void paste(Document& document, const Clipping& clipping, const Vector2d& place)
+void paste(Document& document, const Clipping& clipping, const Vector3d& place)
 {
     Model& model = document.model;
     if (model.nodes.empty()) model.analysis = clipping.model.analysis;
@@ -199,8 +197,8 @@ void paste(Document& document, const Clipping& clipping, const Vector2d& place)
         const auto there = std::ranges::find(model.load_cases, load_case.id, &LoadCase::id);
         if (there != model.load_cases.end()) load_case.self_weight = there->self_weight;
     }
-    const Vector2d shift = place - grip_of(clipping, model.units);
-    const femoop::Parts added = femoop::insert(model, copied, femoop::moved_by({shift.x(), shift.y(), 0.0}));
+    const Vector3d shift = place - grip_of(clipping, model.units);
+    const femoop::Parts added = femoop::insert(model, copied, femoop::moved_by(shift));
     paste_dimensions(document, clipping, added.nodes);
 }
 

@@ -38,12 +38,13 @@ std::optional<ui::Message> why_not_paste(const femoop::Model& model, std::span<c
 /// come along, and those of one name are one.
 std::vector<femoop::Fault> weightless(const femoop::Model& model, const Clipping& clipping);
 
-/// The node by which a hand holds it: the lowest of those farthest to the left [the model's unit of length].
-Eigen::Vector2d grip_of(const Clipping& clipping, const femoop::Units& units);
+/// The node by which a hand holds it: the one of least x, of several the one of least y, then z [the model's unit of
+/// length].
+Eigen::Vector3d grip_of(const Clipping& clipping, const femoop::Units& units);
 
 /// Puts the structure so that its grip comes to the place. What meets is not joined yet. Equal materials and sections
 /// become one, and load cases of one name.
-void paste(Document& document, const Clipping& clipping, const Eigen::Vector2d& place);
+void paste(Document& document, const Clipping& clipping, const Eigen::Vector3d& place);
 
 /// Puts the loads on every one of the parts that can bear them: those of nodes on nodes, those of members on members.
 void paste_loads(Document& document, const Clipping& clipping, std::span<const Part> bearers);

@@ -7,7 +7,6 @@
 
 #include "apps/frame/document/drawing.h"
 #include "apps/frame/session/edit_commands.h"
-#include "apps/frame/session/in_plane.h"
 
 namespace frame {
 
@@ -19,8 +18,6 @@ namespace {
 
 Reason why_not_copy(const Workspace& workspace)
 {
-    if (!is_in_plane(workspace))
-        return translatable("a structure in space is not moved with the mouse; change its numbers instead");
     if (std::ranges::none_of(workspace.session.selection.parts(), can_be_clipped))
         return translatable("nothing is selected that can be copied");
     return std::nullopt;

@@ -46,13 +46,6 @@ Reason needs_selection(const Workspace& workspace)
     return translatable("nothing is selected");
 }
 
-Reason needs_plane_selection(const Workspace& workspace)
-{
-    if (const Reason reason = needs_selection(workspace)) return reason;
-    if (is_in_plane(workspace)) return std::nullopt;
-    return translatable("a structure in space is not moved with the mouse; change its numbers instead");
-}
-
 std::vector<Part> selected(const Workspace& workspace)
 {
     const auto parts = workspace.session.selection.parts();
@@ -78,14 +71,17 @@ void delete_selection(Workspace& workspace)
          [parts = selected(workspace)](Document& document) { remove(document, parts); }});
 }
 
+// In space along the axes of the working plane.
 void nudge(Workspace& workspace, double x, double y)
 {
-    const double step = workspace.tool_controller.settings().grid;
+    const ToolSettings& settings = workspace.tool_controller.settings();
+    const WorkingPlane plane = is_in_plane(workspace) ? WorkingPlane{} : settings.plane;
+    const Eigen::Vector3d shift = settings.grid * plane.in_space({x, y}, 0.0);
     workspace.session.change(
         {about_selection(workspace, translatable("Move: {part}"), translatable("Move the selection")),
          [=, parts = selected(workspace)](Document& document) {
              const femoop::Model before = document.model;
-             place(document, parts, femoop::moved_by({x * step, y * step, 0.0}));
+             place(document, parts, femoop::moved_by(shift));
              join(document, before);
          }});
 }
@@ -125,7 +121,7 @@ void add_selection_commands(CommandTable& table)
 void add_transform(Menu& menu, ui::CommandName name, Transform::Kind kind)
 {
     menu.step(
-        std::move(name), [kind](Workspace& workspace) { begin_transform(workspace, kind); }, needs_plane_selection);
+        std::move(name), [kind](Workspace& workspace) { begin_transform(workspace, kind); }, needs_selection);
 }
 
 Reason why_not_accept(const Workspace& workspace)
@@ -149,7 +145,7 @@ void add_transform_commands(CommandTable& table)
 void add_nudge(Menu& menu, ui::CommandName name, double x, double y)
 {
     menu.step(
-        std::move(name), [x, y](Workspace& workspace) { nudge(workspace, x, y); }, needs_plane_selection);
+        std::move(name), [x, y](Workspace& workspace) { nudge(workspace, x, y); }, needs_selection);
 }
 
 void add_nudges(CommandTable& table)

@@ -57,6 +57,7 @@ void Session::restart(Document document)
 {
     saved_ = document;
     history_ = ui::History<Document>(std::move(document), translatable("Begin"));
+    shown_at_.clear();
     selection.clear();
     prediction.clear();
     view.load_case = femoop::CaseId(0);
@@ -143,6 +144,7 @@ void Session::take(const Change& change, Outcome outcome)
     if (is_new || change.after_selecting) selection = std::move(outcome.companions.selection);
     if (is_new) prediction = std::move(outcome.companions.prediction);
     hold_scales(change.step);
+    if (is_new && (begins || change.step == Step::Click)) remember_shown();
     follow_case(model(), outcome.document.model);
     if (change.step == Step::Click) {
         notify_dropped(model(), outcome.document.model);
@@ -158,17 +160,43 @@ void Session::follow(const Document& before)
     selection.follow(before, document());
     prediction.follow(before.model, model());
     follow_case(before.model, model());
+    show_as_remembered(before.model);
     const std::optional<ui::Message> brought_back = dropped_references(model(), before.model);
     if (notice && brought_back && notice->sentence == *brought_back) notice.reset();
     refresh();
+}
+
+namespace {
+
+bool has_as_many_cases(const femoop::Model& a, const femoop::Model& b)
+{
+    return a.load_cases.size() == b.load_cases.size() && a.n_cases() == b.n_cases();
+}
+
+} // namespace
+
+void Session::remember_shown()
+{
+    if (view.load_case.index < model().n_cases())
+        shown_at_[history_.place()] = {model().case_name(view.load_case), view.is_envelope};
+    else shown_at_.erase(history_.place());
+}
+
+void Session::show_as_remembered(const femoop::Model& before)
+{
+    const auto remembered = shown_at_.find(history_.place());
+    if (has_as_many_cases(before, model()) || remembered == shown_at_.end()) return;
+    const std::optional<femoop::CaseId> there = model().find_case(remembered->second.load_case);
+    if (!there) return;
+    view.load_case = *there;
+    view.is_envelope = remembered->second.is_envelope;
 }
 
 // Where it is gone the one that takes its place is shown, a load case for a load case.
 void Session::follow_case(const femoop::Model& before, const femoop::Model& after)
 {
     const std::size_t shown = view.load_case.index, n = after.load_cases.size(), n_before = before.load_cases.size();
-    const bool is_as_before = n == n_before && after.n_cases() == before.n_cases();
-    if (is_as_before || shown >= before.n_cases()) return;
+    if (has_as_many_cases(before, after) || shown >= before.n_cases()) return;
     const auto last_of = [](std::size_t count) { return std::max<std::size_t>(count, 1) - 1; };
     if (const auto there = after.find_case(before.case_name(view.load_case))) view.load_case = *there;
     else if (shown < n_before) view.load_case = femoop::CaseId(std::min(shown, last_of(n)));
@@ -209,6 +237,7 @@ void Session::undo()
 {
     const Document before = document();
     settle();
+    remember_shown();
     history_.undo();
     follow(before);
 }
@@ -217,6 +246,7 @@ void Session::redo()
 {
     const Document before = document();
     settle();
+    remember_shown();
     history_.redo();
     follow(before);
 }
@@ -225,6 +255,7 @@ void Session::jump(std::size_t place)
 {
     const Document before = document();
     settle();
+    remember_shown();
     history_.jump(place);
     follow(before);
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -144,13 +145,23 @@ private:
     void follow(const Document& before);
     /// The case that is shown is known by its name.
     void follow_case(const femoop::Model& before, const femoop::Model& after);
+    /// What is shown as the present state of the history is left, to be shown again where going back or forth to it
+    /// makes or takes away a case.
+    void remember_shown();
+    void show_as_remembered(const femoop::Model& before);
     /// While a number is dragged, diagrams keep the scale that they had before: one sees them grow.
     void hold_scales(Step step);
     void restart(Document document);
     bool save_companion();
     void notify_of_companion(std::string_view sentence, std::vector<femoop::Fault> faults);
 
+    struct Shown {
+        std::string load_case;
+        bool is_envelope;
+    };
+
     ui::History<Document> history_;
+    std::map<std::size_t, Shown> shown_at_; ///< by the places of the history
     Companions before_gesture_;
     Document saved_;
     std::optional<std::filesystem::path> path_;

@@ -35,12 +35,14 @@ double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 
 femoop::Placement Transform::placement() const
 {
-    const Vector3d place(x, y, 0.0);
+    const Vector3d place(at[0], at[1], at[2]);
+    const Vector3d axis = WorkingPlane{.normal = normal}.normal_axis();
     switch (kind) {
     case Kind::Move:
     case Kind::Copy: break;
-    case Kind::Rotate: return femoop::turned(place, radians(angle));
+    case Kind::Rotate: return femoop::turned(place, radians(angle), axis);
     case Kind::Mirror:
+        if (is_in_space) return femoop::mirrored_at(place, axis);
         return femoop::mirrored(place, femoop::turned(place, radians(angle)) * (place + Vector3d::UnitX()));
     case Kind::Scale: return femoop::scaled(place, factor);
     }
@@ -79,13 +81,15 @@ Transform transform_of(Transform::Kind kind, const femoop::Model& model, const S
         most = most.cwiseMax(femoop::position_of(model, node));
     }
     const Vector3d middle = 0.5 * (least + most), size = most - least;
+    const auto begin_at = [&](const Vector3d& place) { transform.at = {place.x(), place.y(), place.z()}; };
+    transform.is_in_space = femoop::is_3d(model.analysis);
     transform.keeps_original = kind == Transform::Kind::Mirror;
-    if (kind == Transform::Kind::Copy) transform.x = size.x() > 0.0 ? size.x() : 1.0;
-    if (kind == Transform::Kind::Rotate || kind == Transform::Kind::Scale) {
-        transform.x = middle.x();
-        transform.y = middle.y();
-    }
-    if (kind == Transform::Kind::Mirror) transform.x = most.x(); // a copy at the right hand
+    if (kind == Transform::Kind::Copy) transform.at[0] = size.x() > 0.0 ? size.x() : 1.0;
+    if (kind == Transform::Kind::Rotate || kind == Transform::Kind::Scale) begin_at(middle);
+    if (kind != Transform::Kind::Mirror) return transform;
+    if (transform.is_in_space) begin_at(most);
+    transform.at[0] = most.x(); // a copy at the right hand
+    if (transform.is_in_space) transform.normal = WorkingPlane::Normal::X;
     return transform;
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "apps/frame/document/change.h"
 #include "apps/frame/document/selection.h"
+#include "apps/frame/tools/working_plane.h"
 #include "femoop/edit/place.h"
 
 namespace frame {
@@ -14,12 +16,16 @@ struct Transform {
     enum class Kind : std::uint8_t { Move, Copy, Rotate, Mirror, Scale };
 
     Kind kind = Kind::Move;
-    femoop::Quantity x{1.0}, y{0.0}; ///< Move, Copy: the shift. Others: the centre, or a place of the mirror's line
-    femoop::Quantity angle{90.0};    ///< [degrees] Rotate: counter-clockwise. Mirror: of the line, from +x
-    double factor = 2.0;             ///< Scale; > 0
-    int times = 1;                   ///< Copy; 1 to 100
-    bool keeps_original = false;     ///< Mirror, Rotate: what is turned is a copy
-    std::vector<Part> parts{};       ///< that are transformed
+    /// Move, Copy: the shift. Others: the centre, or a place of the mirror. z stays 0 in a plane.
+    std::array<femoop::Quantity, 3> at{1.0, 0.0, 0.0};
+    femoop::Quantity angle{90.0}; ///< [degrees] Rotate: counter-clockwise. Mirror in a plane: of its line, from +x
+    bool is_in_space = false;
+    /// In space Rotate: along the axis. Mirror: square to the plane.
+    WorkingPlane::Normal normal = WorkingPlane::Normal::Z;
+    double factor = 2.0;         ///< Scale; > 0
+    int times = 1;               ///< Copy; 1 to 100
+    bool keeps_original = false; ///< Mirror, Rotate: what is turned is a copy
+    std::vector<Part> parts{};   ///< that are transformed
 
     femoop::Placement placement() const;
     bool copies() const { return kind == Kind::Copy || keeps_original; }

@@ -8,6 +8,7 @@
 namespace frame {
 
 using Eigen::Vector2d;
+using Eigen::Vector3d;
 using femoop::Model;
 
 namespace {
@@ -16,12 +17,12 @@ namespace {
 std::vector<Preview::Carried> made_since(const Model& before, const Model& model)
 {
     const femoop::MovedParts moved(before);
-    const auto place_of = [&](femoop::NodeId node) { return Vector2d(femoop::position_of(model, node).head<2>()); };
+    const auto place_of = [&](femoop::NodeId node) { return femoop::position_of(model, node); };
     std::vector<Preview::Carried> made;
     for (const femoop::Member& member : model.members)
         if (!moved.former(member)) made.push_back({place_of(member.nodes[0]), place_of(member.nodes[1]), member.id});
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-        const Vector2d place = place_of(femoop::NodeId(i));
+        const Vector3d place = place_of(femoop::NodeId(i));
         if (!moved.former(model.nodes[i])) made.push_back({place, place, model.nodes[i].id});
     }
     return made;
@@ -35,8 +36,8 @@ PasteTool::PasteTool(std::shared_ptr<const Clipping> clipping, const femoop::Uni
 
 std::optional<Change> PasteTool::move(const Work& work, const Aim& to)
 {
-    const Hold hold{to.snap.place, to.crossings()};
-    if (!is_done_ && foreseen_for_ != hold) foresee(work, hold);
+    const Hold hold{to.place(), to.crossings()};
+    if (!to.is_lost && !is_done_ && foreseen_for_ != hold) foresee(work, hold);
     return std::nullopt;
 }
 
@@ -53,11 +54,17 @@ void PasteTool::foresee(const Work& work, const Hold& hold)
 
 std::optional<Change> PasteTool::press(const Work& work, const Aim& at)
 {
+    if (at.is_lost) return std::nullopt;
     is_done_ = true;
-    return put(work, {at.snap.place, at.crossings()});
+    return put(work, {at.place(), at.crossings()});
 }
 
 std::optional<Change> PasteTool::type(const Work& work, const Vector2d& place)
+{
+    return type_in_space(work, {place.x(), place.y(), 0.0});
+}
+
+std::optional<Change> PasteTool::type_in_space(const Work& work, const Vector3d& place)
 {
     is_done_ = true;
     return put(work, {place, femoop::Crossings::Cut});

@@ -10,20 +10,25 @@
 #include "apps/frame/document/loading.h"
 #include "apps/frame/tools/dimension_tool.h"
 #include "apps/frame/tools/snap.h"
+#include "femoop/geometry/node_position.h"
 #include "ui/text/catalogue.h"
 
 namespace frame {
 
 using Eigen::Vector2d;
 using femoop::Model;
+using ui::Point;
 using ui::translatable;
 
 namespace {
 
-/// A rectangle along the axes.
+/// A rectangle on the sheet.
 struct Window {
     Vector2d least, most;
 
+    Window(Point a, Point b)
+        : least(std::min(a.x, b.x), std::min(a.y, b.y)), most(std::max(a.x, b.x), std::max(a.y, b.y))
+    {}
     bool contains(const Vector2d& p) const
     {
         return (p.array() >= least.array()).all() && (p.array() <= most.array()).all();
@@ -61,8 +66,8 @@ std::optional<Change> SelectTool::press(const Work& work, const Aim& at)
     is_dragging_ = false;
     const std::optional<Part> part = at.part();
     gesture_ = gesture_at(at);
-    if (!part) return std::nullopt;
-    was_selected_ = work.selection.contains(*part);
+    was_selected_ = part && work.selection.contains(*part);
+    if (!part || gesture_ == Gesture::Window) return std::nullopt;
     if (at.adds) work.selection.add(*part);
     else if (!was_selected_) work.selection = *part;
     grabbed_ = work.selection;
@@ -85,6 +90,7 @@ std::optional<Change> SelectTool::move(const Work& work, const Aim& to)
 
 SelectTool::Gesture SelectTool::gesture_at(const Aim& at) const
 {
+    if (!at.may_drag()) return Gesture::Window;
     if (at.node || at.cut) return Gesture::Move;
     if (at.points_at_support()) return Gesture::Turn;
     if (at.dimension) return Gesture::Slide;
@@ -144,15 +150,15 @@ std::optional<Change> SelectTool::release(const Work& work, const Aim& at)
     const bool was_dragged = std::exchange(is_dragging_, false);
     now_ = at;
     moving_.clear();
-    if (gesture == Gesture::Window) {
+    const std::optional<Part> part = start_.part();
+    if (gesture == Gesture::Window && (was_dragged || !part)) {
         if (!at.adds) work.selection.clear();
         if (was_dragged) select_window(work);
         return std::nullopt;
     }
-    const std::optional<Part> part = start_.part();
     if (!part || gesture == Gesture::None) return std::nullopt;
     if (!was_dragged) {
-        if (at.adds && was_selected_) work.selection.toggle(*part);
+        if (at.adds && (was_selected_ || gesture == Gesture::Window)) work.selection.toggle(*part);
         if (!at.adds) work.selection = *part;
         return std::nullopt;
     }
@@ -165,12 +171,16 @@ std::optional<Change> SelectTool::release(const Work& work, const Aim& at)
 void SelectTool::select_window(const Work& work) const
 {
     const Model& model = work.document.model;
-    const Window window{start_.pointer.cwiseMin(now_.pointer), start_.pointer.cwiseMax(now_.pointer)};
-    const bool must_lie_inside = now_.pointer.x() >= start_.pointer.x();
+    const Window window(start_.on_sheet, now_.on_sheet);
+    const bool must_lie_inside = now_.on_sheet.x >= start_.on_sheet.x;
+    const auto seen = [&](femoop::NodeId node) {
+        const Point at = now_.projection(femoop::position_of(model, node));
+        return Vector2d(at.x, at.y);
+    };
     for (std::size_t i = 0; i < model.nodes.size(); ++i)
-        if (window.contains(place_of(model, femoop::NodeId(i)))) work.selection.add(femoop::NodeId(i));
+        if (window.contains(seen(femoop::NodeId(i)))) work.selection.add(femoop::NodeId(i));
     for (std::size_t i = 0; i < model.members.size(); ++i) {
-        const Vector2d a = place_of(model, model.members[i].nodes[0]), b = place_of(model, model.members[i].nodes[1]);
+        const Vector2d a = seen(model.members[i].nodes[0]), b = seen(model.members[i].nodes[1]);
         const bool is_in = must_lie_inside ? window.contains(a) && window.contains(b) : window.meets(a, b);
         if (is_in) work.selection.add(femoop::MemberId(i));
     }
@@ -186,7 +196,7 @@ bool SelectTool::escape()
 Preview SelectTool::preview() const
 {
     if (gesture_ != Gesture::Window || !is_dragging_) return {};
-    return {.lines = {}, .window = std::pair(start_.pointer, now_.pointer)};
+    return {.lines = {}, .window = std::pair(start_.on_sheet, now_.on_sheet)};
 }
 
 } // namespace frame

@@ -5,6 +5,9 @@
 #include <numbers>
 #include <vector>
 
+#include "femoop/edit/crossing.h"
+#include "femoop/edit/member_line.h"
+
 namespace frame {
 
 using Eigen::Vector2d;
@@ -141,6 +144,36 @@ void offer_parts(Magnet& magnet, const Model& model, const Vector2d& pointer, co
 }
 
 } // namespace
+
+namespace {
+
+/// Where others cross the line, as distances along it.
+std::vector<double> crossings_of(const Model& model, const femoop::MemberLine& line)
+{
+    std::vector<double> places;
+    const double nearness = femoop::nearness_of(model);
+    for (const femoop::Member& member : model.members)
+        if (const auto place = femoop::crossing(line, femoop::line_of(model, member), nearness))
+            places.push_back((*place - line.start).dot(line.direction));
+    return places;
+}
+
+} // namespace
+
+SnapInSpace snap_on_member(const Model& model, const Cut& pointed, const SnapInSpaceOptions& options)
+{
+    const femoop::MemberLine line = femoop::line_of(model, model[pointed.member]);
+    const auto is_near = [&](double x) { return std::abs(x - pointed.x) <= options.reach; };
+    if (options.is_off) return {line.at(pointed.x), SnapKind::Free};
+    for (const double x : crossings_of(model, line))
+        if (is_near(x)) return {line.at(x), SnapKind::Intersection};
+    if (is_near(0.5 * line.length)) return {line.at(0.5 * line.length), SnapKind::Midpoint};
+    const double foot = options.from ? (*options.from - line.start).dot(line.direction) : 0.0;
+    const bool begins_beside = options.from && (line.at(foot) - *options.from).norm() > femoop::nearness_of(model);
+    if (begins_beside && is_inside(foot / line.length) && is_near(foot))
+        return {line.at(foot), SnapKind::Perpendicular};
+    return {line.at(std::clamp(rounded(pointed.x, options.fine), 0.0, line.length)), SnapKind::OnMember};
+}
 
 Vector2d place_of(const Model& model, femoop::NodeId node) { return {model[node].at[0], model[node].at[1]}; }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "apps/drawing/cut.h"
 #include "femoop/model/model.h"
 
 namespace frame {
@@ -44,6 +45,22 @@ struct SnapOptions {
 /// nearest.
 /// \pre a plane model (truss2d, frame2d, grillage)
 Snap snap(const femoop::Model& model, const Eigen::Vector2d& pointer, const SnapOptions& options);
+
+/// The same in a model in space.
+struct SnapInSpace {
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();
+    SnapKind kind = SnapKind::Free;
+};
+
+struct SnapInSpaceOptions {
+    double reach = 0.1; ///< along the member [length]
+    double fine = 0.1;  ///< to which its round distances are rounded [length]
+    std::optional<Eigen::Vector3d> from{};
+    bool is_off = false; ///< the place is where the pointer is
+};
+
+/// The place on a member that is meant by the one at which the pointer is seen on it.
+SnapInSpace snap_on_member(const femoop::Model& model, const Cut& pointed, const SnapInSpaceOptions& options);
 
 /// Where a node of a plane model is.
 Eigen::Vector2d place_of(const femoop::Model& model, femoop::NodeId node);

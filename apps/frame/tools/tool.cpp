@@ -19,6 +19,6 @@ std::optional<Part> Aim::part() const
     return std::nullopt;
 }
 
-bool Aim::is_dragged_from(const Aim& press) const { return (pointer - press.pointer).norm() > ui::click_reach * pixel; }
+bool Aim::is_dragged_from(const Aim& press) const { return distance(on_sheet, press.on_sheet) > ui::click_reach; }
 
 } // namespace frame

@@ -9,6 +9,7 @@
 
 #include "apps/drawing/cut.h"
 #include "apps/drawing/dimension.h"
+#include "apps/drawing/geometry/projection.h"
 #include "apps/frame/document/change.h"
 #include "apps/frame/document/drawing_names.h"
 #include "apps/frame/document/selection.h"
@@ -40,6 +41,8 @@ struct SupportGrip {
 /// What the pointer points at.
 struct Aim {
     Eigen::Vector2d pointer = Eigen::Vector2d::Zero(); ///< its own place in the plane of the model [length]
+    ui::Point on_sheet;                                ///< where it is seen
+    Projection projection{Camera(ui::PlaneCamera())};  ///< by which the model is seen there
     Snap snap;                                         ///< the place that is meant
     std::optional<femoop::NodeId> node;                ///< under it
     std::optional<Cut> cut;                            ///< of the member under it, where there is no node
@@ -57,6 +60,8 @@ struct Aim {
     bool points_at_support() const { return support && !node && !cut; } ///< at its symbol, not at its node
     /// The place that is meant, in space: that of the snap in a plane model.
     Eigen::Vector3d place() const { return in_space.value_or(Eigen::Vector3d(snap.place.x(), snap.place.y(), 0.0)); }
+    /// A model that lies before the eye is dragged; any other is turned, and its parts stay.
+    bool may_drag() const { return projection.is_plane(); }
     /// The part under the pointer.
     std::optional<Part> part() const;
     /// The hand has gone farther from a press to here than it trembles, whatever the places were drawn to.
@@ -71,18 +76,18 @@ struct Work {
     ui::DisplayUnits units{};         ///< of what is typed
 };
 
-/// What a tool shows before it changes anything, in the plane of the model but for the lines.
+/// What a tool shows before it changes anything.
 struct Preview {
     std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> lines;
     /// What will have come when the hand lets go of what it carries: members, and nodes as lines of no length, each
     /// with its name.
     struct Carried {
-        Eigen::Vector2d start, end;
+        Eigen::Vector3d start, end;
         std::string name;
     };
     std::vector<Carried> carried{};
-    /// The rectangle of a selection, from where the hand began to where it is.
-    std::optional<std::pair<Eigen::Vector2d, Eigen::Vector2d>> window{};
+    /// The rectangle of a selection on the sheet, from where the hand began to where it is.
+    std::optional<std::pair<ui::Point, ui::Point>> window{};
     std::span<const Eigen::Vector2d> stroke{}; ///< that is being sketched
     std::optional<femoop::MemberId> member{};  ///< that it is sketched on
     std::optional<DimensionLine> dimension{};

@@ -119,7 +119,9 @@ std::optional<Change> ToolController::enter(const Work& work)
         const auto place = typed_place_in_space(work);
         if (!place) return std::nullopt;
         typed_.clear();
-        return tool_->type_in_space(work, *place);
+        std::optional<Change> change = tool_->type_in_space(work, *place);
+        settle();
+        return change;
     }
     const auto place = typed_place(work);
     if (!place || tool_->why_not_type(work, *place)) return std::nullopt;

@@ -96,20 +96,43 @@ std::optional<Eigen::Vector3d> place_in_working_plane(const Projection& projecti
 
 namespace {
 
+/// To which places are rounded that nothing draws: the hand hardly feels it.
+double fine_step(const ToolSettings& settings, const Projection& projection)
+{
+    return 0.1 * std::min(settings.grid, grid_of(projection));
+}
+
+/// The place that is meant on the member under the pointer.
+SnapInSpace on_member(const Aim& aim, const femoop::Model& model, const ToolController& tool_controller)
+{
+    const femoop::MemberLine line = femoop::line_of(model, model[aim.cut->member]);
+    const double seen = distance(aim.projection(line.start), aim.projection(line.at(line.length))); // [px]
+    return snap_on_member(model, *aim.cut,
+                          {.reach = seen > 0.0 ? snap_reach * line.length / seen : 0.0,
+                           .fine = fine_step(tool_controller.settings(), aim.projection),
+                           .from = tool_controller.tool().from_in_space(),
+                           .is_off = aim.is_exact});
+}
+
 /// In space a hand means the node under the pointer, else a place of the member there, else one of the working plane.
-void aim_in_space(Aim& aim, const femoop::Model& model, const ToolController& tool_controller,
-                  const Projection& projection, ui::Point at)
+void aim_in_space(Aim& aim, const femoop::Model& model, const ToolController& tool_controller)
 {
     const ToolSettings& settings = tool_controller.settings();
     const WorkingPlane& plane = settings.plane;
-    const bool is_on_part = settings.draws_to_parts && (aim.node || aim.cut);
-    if (is_on_part && aim.node) aim.in_space = femoop::position_of(model, *aim.node);
-    else if (is_on_part) aim.in_space = femoop::line_of(model, model[aim.cut->member]).at(aim.cut->x);
-    else aim.in_space = place_in_working_plane(projection, plane, at);
+    aim.snap.kind = SnapKind::Grid;
+    if (settings.draws_to_parts && aim.node) {
+        aim.in_space = femoop::position_of(model, *aim.node);
+        aim.snap.kind = SnapKind::Node;
+    } else if (settings.draws_to_parts && aim.cut) {
+        const SnapInSpace meant = on_member(aim, model, tool_controller);
+        aim.in_space = meant.place;
+        aim.snap.kind = meant.kind;
+    } else {
+        aim.in_space = place_in_working_plane(aim.projection, plane, aim.on_sheet);
+    }
     aim.is_lost = !aim.in_space;
-    aim.snap.kind = !is_on_part ? SnapKind::Grid : aim.node ? SnapKind::Node : SnapKind::OnMember;
-    if (is_on_part || aim.is_lost || aim.is_exact) return;
-    const double step = settings.draws_to_grid ? settings.grid : 0.1 * std::min(settings.grid, grid_of(projection));
+    if (aim.snap.kind != SnapKind::Grid || aim.is_lost || aim.is_exact) return;
+    const double step = settings.draws_to_grid ? settings.grid : fine_step(settings, aim.projection);
     const Vector2d steps = (plane.in_plane(*aim.in_space) / step).array().round();
     aim.in_space = plane.in_space(step * steps);
 }
@@ -126,6 +149,8 @@ Aim aim_at(const Session& session, const ToolController& tool_controller, const 
     aim.cut = under.cut;
     aim.adds = pointer.adds;
     aim.is_exact = pointer.is_exact;
+    aim.on_sheet = pointer.at;
+    aim.projection = projection;
     aim.pixel = 1.0 / projection.scale();
     const bool is_near = under.node || under.is_on_member;
     if (!is_near) {
@@ -137,14 +162,14 @@ Aim aim_at(const Session& session, const ToolController& tool_controller, const 
     const Document& document = session.history().settled();
     aim.pointer = place_in_plane(projection, pointer.at).value_or(Vector2d::Zero());
     if (femoop::is_3d(document.model.analysis)) {
-        aim_in_space(aim, document.model, tool_controller, projection, pointer.at);
+        aim_in_space(aim, document.model, tool_controller);
         return aim;
     }
     const ToolSettings& settings = tool_controller.settings();
     aim.snap = snap(document.model, aim.pointer,
                     {.reach = snap_reach * aim.pixel,
                      .grid = settings.draws_to_grid ? settings.grid : 0.0,
-                     .fine = 0.1 * std::min(settings.grid, grid_of(projection)), // the hand hardly feels it
+                     .fine = fine_step(settings, projection),
                      .from = tool_controller.tool().from(),
                      .moving = tool_controller.tool().moving(),
                      .to_parts = settings.draws_to_parts,

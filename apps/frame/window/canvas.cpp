@@ -317,11 +317,14 @@ std::optional<ui::Message> why_not_press(const Workspace& workspace, const Aim& 
 
 } // namespace
 
-// The left button: the tool's in the hand.
+// The left button: the tool's in the hand. In space it turns the model but for a window, which begins with Shift.
 void Canvas::work(Workspace& workspace, const Aim& aim, const Pick& under)
 {
-    if (is_seen_in_space(workspace.session.model().analysis)) return click_in_space(workspace, aim, under);
-    if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) press(workspace, aim);
+    const bool begins = ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    const bool is_window = begins && aim.adds && workspace.tool_controller.kind() == ToolKind::Select;
+    const bool turns = is_seen_in_space(workspace.session.model().analysis) && !is_window && !is_working_;
+    if (turns) return click_in_space(workspace, aim, under);
+    if (begins) press(workspace, aim);
     carry_out(workspace.session, workspace.tool_controller.tool().move(work_of(workspace.session), aim));
     if (is_working_ && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) release(workspace, aim, under);
 }
@@ -381,7 +384,7 @@ void Canvas::move_camera(Session& session)
     const ui::Point drag{pixel * static_cast<double>(io.MouseDelta.x), pixel * static_cast<double>(io.MouseDelta.y)};
     Camera changed = plan_.camera;
     auto* const orbit = std::get_if<ui::OrbitCamera>(&changed);
-    if (orbit != nullptr && is_left && !io.KeyShift && !holds_space) {
+    if (orbit != nullptr && is_left && !holds_space) {
         orbit->orbit(drag, middle_of(shape_));
     } else {
         std::visit([&](auto& camera) { camera.pan(drag); }, changed);

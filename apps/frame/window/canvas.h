@@ -20,6 +20,7 @@ namespace frame {
 ///
 ///     wheel: zoom to the cursor      middle or right button, or the space bar held: pan
 ///     left button in space: orbit    double click on nothing: show the whole model
+///     with Shift in space: a window that selects
 ///     right click: the menu of what lies there
 class Canvas {
 public:

@@ -117,8 +117,8 @@ public:
     void carried(const Preview::Carried& part)
     {
         const ui::Color ink = theme_.stroke(Role::Selection).color;
-        if (part.start == part.end) painter_.disc(at(part.start), 3.5 * theme_.symbol_scale(), ink);
-        else painter_.line(at(part.start), at(part.end), {.color = ink, .width = 2.5});
+        if (part.start == part.end) painter_.disc(projection_(part.start), 3.5 * theme_.symbol_scale(), ink);
+        else painter_.line(projection_(part.start), projection_(part.end), {.color = ink, .width = 2.5});
     }
 
     /// Its name, where names are shown: of a node at its upper right, of a member upon its middle.
@@ -129,15 +129,14 @@ public:
         ui::TextStyle style = theme_.text(Role::Label, is_node ? ui::Anchor::BottomLeft : ui::Anchor::Center);
         style.plate = theme_.background();
         constexpr double away = 6.0; // [px]
-        const Point middle = at(0.5 * (part.start + part.end));
+        const Point middle = projection_(0.5 * (part.start + part.end));
         painter_.text(is_node ? middle + Point{away, -away} : middle, part.name, style);
     }
 
-    void window(const Vector2d& start, const Vector2d& end)
+    void window(Point a, Point b)
     {
-        const Point a = at(start), b = at(end);
         const ui::Color color = theme_.stroke(Role::Selection).color;
-        const bool touches = end.x() < start.x();
+        const bool touches = b.x < a.x;
         const ui::Stroke stroke{
             .color = color, .width = 1.5, .dash = touches ? ui::DashPattern{6.0, 4.0} : ui::DashPattern{}};
         const std::initializer_list<Point> corners{a, {b.x, a.y}, b, {a.x, b.y}};

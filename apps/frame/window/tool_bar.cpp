@@ -205,6 +205,7 @@ std::string_view hint(ToolKind tool, bool is_in_space)
     if (is_in_space && tool == ToolKind::Member)
         return translatable("Click nodes or places of the plane, or type: 6,4,3  @0,0,3");
     if (is_in_space && tool == ToolKind::Node) return translatable("Click a place of the plane, or type it: 6,4,3");
+    if (is_in_space && tool == ToolKind::Select) return translatable("Click; Shift adds, Shift and drag: a window.");
     switch (tool) {
     case ToolKind::Select: return translatable("Click, drag, or draw a window; Shift adds.");
     case ToolKind::Member: return translatable("Click from place to place, or type: 4  4<30  @3,2  6,4");

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "apps/frame/session/edit_commands.h"
@@ -24,11 +25,13 @@ public:
     // True where a number was changed.
     bool show()
     {
-        const bool shifts = transform_.kind == TransformKind::Move || transform_.kind == TransformKind::Copy;
-        number(shifts ? "Δx" : "x", "x", Measure::Length, transform_.x);
-        number(shifts ? "Δy" : "y", "y", Measure::Length, transform_.y);
-        if (transform_.kind == TransformKind::Rotate || transform_.kind == TransformKind::Mirror)
-            number(tr_("angle"), "angle", Measure::Angle, transform_.angle);
+        const bool is_mirror = transform_.kind == TransformKind::Mirror && transform_.is_in_space;
+        if (is_mirror) normal(tr_("plane"), {"yz", "xz", "xy"});
+        for (std::size_t i = 0; i < (transform_.is_in_space ? 3 : 2); ++i)
+            if (!is_mirror || i == static_cast<std::size_t>(transform_.normal)) coordinate(i);
+        if (transform_.kind == TransformKind::Rotate && transform_.is_in_space) normal(tr_("axis"), axes);
+        const bool turns = transform_.kind == TransformKind::Rotate || transform_.kind == TransformKind::Mirror;
+        if (turns && !is_mirror) number(tr_("angle"), "angle", Measure::Angle, transform_.angle);
         if (transform_.kind == TransformKind::Scale) factor();
         if (transform_.kind == TransformKind::Copy) times();
         if (transform_.kind == TransformKind::Rotate || transform_.kind == TransformKind::Mirror) {
@@ -39,6 +42,23 @@ public:
     }
 
 private:
+    static constexpr std::array<const char*, 3> axes{"x", "y", "z"};
+
+    void coordinate(std::size_t i)
+    {
+        const bool shifts = transform_.kind == TransformKind::Move || transform_.kind == TransformKind::Copy;
+        number(std::string(shifts ? "Δ" : "") + axes.at(i), axes.at(i), Measure::Length, transform_.at.at(i));
+    }
+    // By the names of what is square to each axis, or of the axes.
+    void normal(const std::string& label, const std::array<const char*, 3>& names)
+    {
+        name(label);
+        int chosen = static_cast<int>(transform_.normal);
+        ImGui::SetNextItemWidth(3.3F * ImGui::GetFontSize());
+        is_changed_ |= ImGui::Combo("###normal", &chosen, names.data(), static_cast<int>(names.size()));
+        transform_.normal = static_cast<WorkingPlane::Normal>(chosen);
+        ImGui::SameLine();
+    }
     void name(const std::string& text)
     {
         ImGui::AlignTextToFramePadding();

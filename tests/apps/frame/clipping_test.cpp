@@ -43,6 +43,21 @@ Workspace workspace_with(const std::string& file)
 
 TEST_SUITE("frame document: clipboard")
 {
+    TEST_CASE("A structure in space is pasted at a place of three coordinates, its grip the node of least x, y and z")
+    {
+        Workspace workspace = workspace_with("bent_cantilever.json");
+        const femoop::Model before = workspace.session.model();
+        workspace.session.selection = Part(MemberId(0));
+        CHECK(!run(workspace, "edit.clip"));
+        CHECK(!run(workspace, "edit.paste"));
+        workspace.tool_controller.type("1,2,9");
+        workspace.session.change(*workspace.tool_controller.enter(work_of(workspace.session)));
+        REQUIRE(workspace.session.model().members.size() == before.members.size() + 1);
+        const femoop::NodeId first(before.nodes.size());
+        CHECK(position_of(workspace.session.model(), first).isApprox(Eigen::Vector3d(1, 2, 9)));
+        CHECK(workspace.tool_controller.kind() == ToolKind::Select);
+    }
+
     TEST_CASE("A member is copied with its nodes, loads, material and section, and nothing else")
     {
         const femoop::Model model = model_of("portal.json");
@@ -61,7 +76,7 @@ TEST_SUITE("frame document: clipboard")
     {
         Document document{model_of("portal.json")};
         const femoop::Model before = document.model;
-        paste(document, *clipping_of(Document{before}, std::vector<Part>{BC}), {20.0, 1.0});
+        paste(document, *clipping_of(Document{before}, std::vector<Part>{BC}), {20.0, 1.0, 0.0});
         CHECK(document.model.members.size() == before.members.size() + 1);
         CHECK(document.model.materials == before.materials);
         CHECK(document.model.sections == before.sections);
@@ -84,7 +99,7 @@ TEST_SUITE("frame document: clipboard")
         const Selection whole = everything(model);
         Document document;
         document.model.units = model.units;
-        paste(document, *clipping_of(Document{model}, whole.parts()), {0.0, 0.0});
+        paste(document, *clipping_of(Document{model}, whole.parts()), {0.0, 0.0, 0.0});
         CHECK(document.model.load_cases == model.load_cases);
         CHECK(document.model.combinations == model.combinations);
     }
@@ -116,7 +131,7 @@ TEST_SUITE("frame document: clipboard")
         const femoop::Model model = model_of("portal.json");
         const Selection all = everything(model);
         Document empty;
-        paste(empty, *clipping_of(Document{model}, all.parts()), {0.0, 0.0});
+        paste(empty, *clipping_of(Document{model}, all.parts()), {0.0, 0.0, 0.0});
         CHECK(empty.model.nodes.size() == model.nodes.size());
         const Solution solution = solve(empty), original = solve(Document{model});
         REQUIRE(solution.results);
@@ -131,7 +146,7 @@ TEST_SUITE("frame document: clipboard")
         Document inches;
         inches.model.units.length = femoop::LengthUnit::in;
         inches.model.units.force = femoop::ForceUnit::lbf;
-        paste(inches, *clipping_of(Document{model_of("portal.json")}, std::vector<Part>{BC}), {100.0, 0.0});
+        paste(inches, *clipping_of(Document{model_of("portal.json")}, std::vector<Part>{BC}), {100.0, 0.0, 0.0});
         CHECK(inches.model.nodes[0].at[0] == doctest::Approx(100.0));
         CHECK(inches.model.nodes[1].at[0] == doctest::Approx(100.0 + 8.0 / 0.0254));
     }
@@ -146,8 +161,8 @@ TEST_SUITE("frame document: clipboard")
         REQUIRE(beam.dimensions.size() == 1);
         Document inches;
         inches.model.units.length = femoop::LengthUnit::in;
-        paste(inches, beam, {100.0, 0.0});
-        paste(inches, beam, {100.0, 900.0});
+        paste(inches, beam, {100.0, 0.0, 0.0});
+        paste(inches, beam, {100.0, 900.0, 0.0});
         REQUIRE(inches.companion.dimensions.size() == 2);
         const DimensionLine& second = inches.companion.dimensions[1];
         CHECK(second.nodes == std::vector{inches.model.nodes[2].id, inches.model.nodes[3].id});

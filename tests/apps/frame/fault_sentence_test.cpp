@@ -83,7 +83,21 @@ TEST_SUITE("frame fault sentence")
     {
         CHECK(sentence(temperature, ui::Catalogue()).starts_with("Case #4, load on member #1: "));
         CHECK(sentence({FaultKind::NotPositive, {"sections[1]", "Iz", "-3"}}, ui::Catalogue()) ==
-              "Section #2: Iz is -3; give a value greater than 0");
+              "Section #2: Iz is −3; give a value greater than 0");
+    }
+
+    TEST_CASE("Numbers have true minus signs and the language's decimal mark, and what was typed stays")
+    {
+        const Fault crossing{FaultKind::MembersCross, {"AB", "CD-2", "(-0.6667, 1) m"}};
+        const Fault negative{FaultKind::NotPositive, {"sections[1]", "Iz", "-3.5e-5 m^4"}};
+        const Fault typed{FaultKind::QuantityWithComma, {"Load", "-3,5"}};
+        const ui::Catalogue english, portuguese(ui::Language::Portuguese);
+        CHECK(sentence(crossing, english).find("(−0.6667, 1) m") != std::string::npos);
+        CHECK(sentence(crossing, portuguese).find("(−0,6667; 1) m") != std::string::npos);
+        CHECK(sentence(crossing, english).find("CD-2") != std::string::npos);
+        CHECK(sentence(negative, english).find("−3.5e−5 m^4") != std::string::npos);
+        CHECK(sentence(negative, portuguese).find("−3,5e−5 m^4") != std::string::npos);
+        CHECK(sentence(typed, portuguese).find("\"-3,5\"") != std::string::npos);
     }
 
     TEST_CASE("A calculation without a value is told as such, not as a unit that cannot be read")

@@ -21,7 +21,7 @@ const femoop::Model& portal()
     return model;
 }
 
-Aim at(double x, double y) { return {.pointer = {x, y}, .pixel = 0.01}; }
+Aim at(double x, double y) { return {.pointer = {x, y}, .on_sheet = {100.0 * x, -100.0 * y}, .pixel = 0.01}; }
 
 /// A portal, a pencil and what it has drawn.
 struct Workspace {

@@ -7,6 +7,7 @@
 #include "apps/frame/document/command.h"
 #include "apps/frame/document/drawing.h"
 #include "apps/frame/document/loading.h"
+#include "apps/frame/session/case_commands.h"
 #include "apps/frame/session/edit_commands.h"
 #include "apps/frame/session/tabs.h"
 #include "femoop/edit/naming.h"
@@ -302,7 +303,7 @@ TEST_SUITE("frame session")
         run(workspace, "edit.move");
         const Document shown = workspace.session.document();
         for (const double far : {1e7, 1e100, 1e300}) {
-            workspace.transform->x = far;
+            workspace.transform->at[0] = far;
             CHECK(change_transform(workspace));
             CHECK(workspace.session.document() == shown);
         }
@@ -373,11 +374,70 @@ TEST_SUITE("frame session")
         workspace.session.selection.add(NodeId(0));
         Transform transform = transform_of(Transform::Kind::Rotate, workspace.session.model(),
                                            workspace.session.selection);
-        transform.x = transform.y = 0.0;
+        transform.at = {0.0, 0.0, 0.0};
         workspace.session.change(transform.change(workspace.session.model()));
         const auto& at = workspace.session.model().nodes[1].at;
         CHECK(at[0] == -4.5);
         CHECK(at[1] == 0.0);
+    }
+
+    TEST_CASE("Undoing a new, copied or deleted case shows again what was shown, and redoing shows the new one")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        const auto shown = [&] { return workspace.session.model().case_name(workspace.session.view.load_case); };
+        for (const char* const command : {"case.new", "case.combination", "case.copy", "case.delete"}) {
+            CAPTURE(command);
+            show_case(workspace.session, *workspace.session.model().find_case("Q"));
+            run(workspace, command);
+            const std::string after = shown();
+            CHECK(after != "Q");
+            workspace.session.undo();
+            CHECK(shown() == "Q");
+            workspace.session.redo();
+            CHECK(shown() == after);
+            workspace.session.undo();
+        }
+        workspace.session.view.is_envelope = true;
+        run(workspace, "case.combination");
+        workspace.session.undo();
+        CHECK(workspace.session.view.is_envelope);
+    }
+
+    TEST_CASE("In space a selection is copied, mirrored at a plane, turned about an axis and moved by the arrow keys")
+    {
+        Workspace workspace = workspace_with("bent_cantilever.json");
+        const femoop::Model before = workspace.session.model();
+        const auto place = [&](std::size_t node) { return position_of(workspace.session.model(), NodeId(node)); };
+        const auto transformed = [&](Transform::Kind kind, const auto& set) {
+            workspace.session.selection = Part(MemberId(0));
+            Transform transform = transform_of(kind, before, workspace.session.selection);
+            set(transform);
+            workspace.session.change(transform.change(before));
+        };
+        const Eigen::Vector3d a = position_of(before, NodeId(0)), b = position_of(before, NodeId(1));
+        const std::size_t n = before.nodes.size();
+        transformed(Transform::Kind::Copy, [](Transform& transform) { transform.at = {0.0, 0.0, 7.0}; });
+        REQUIRE(workspace.session.model().nodes.size() == n + 2);
+        CHECK(place(n).isApprox(a + Eigen::Vector3d(0, 0, 7)));
+        workspace.session.cancel();
+        transformed(Transform::Kind::Mirror, [](Transform& transform) {
+            transform.normal = WorkingPlane::Normal::Y;
+            transform.at[1] = 11.0;
+        });
+        REQUIRE(workspace.session.model().nodes.size() == n + 2);
+        CHECK(place(n + 1).isApprox(Eigen::Vector3d(b.x(), 22.0 - b.y(), b.z())));
+        workspace.session.cancel();
+        transformed(Transform::Kind::Rotate, [](Transform& transform) {
+            transform.normal = WorkingPlane::Normal::X;
+            transform.at = {0.0, 0.0, 0.0};
+        });
+        CHECK(place(1).isApprox(Eigen::Vector3d(b.x(), -b.z(), b.y())));
+        workspace.session.cancel();
+        workspace.session.selection = Part(NodeId(1));
+        workspace.tool_controller.settings().grid = 0.5;
+        workspace.tool_controller.settings().plane.normal = WorkingPlane::Normal::Y;
+        run(workspace, "edit.nudge_up");
+        CHECK(place(1).isApprox(b + Eigen::Vector3d(0, 0, 0.5)));
     }
 
     TEST_CASE("Arrow keys move the selection by the grid, and what it meets is joined")

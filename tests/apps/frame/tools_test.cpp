@@ -50,7 +50,10 @@ Snap snapped(double x, double y, SnapOptions options = {.reach = 0.3})
 
 frame::Aim at(double x, double y)
 {
-    return {.pointer = {x, y}, .snap = {.place = {x, y}, .kind = SnapKind::Grid}, .pixel = 0.01};
+    return {.pointer = {x, y},
+            .on_sheet = {100.0 * x, -100.0 * y},
+            .snap = {.place = {x, y}, .kind = SnapKind::Grid},
+            .pixel = 0.01};
 }
 
 /// A document that tools work on, as the app's session holds it.
@@ -456,6 +459,59 @@ TEST_SUITE("frame tools")
         CHECK(bench.selection.size() == 4); // and BC, which it crosses
         bench.drag(tool, at(3, 3), at(2, 2));
         CHECK(bench.selection.is_empty());
+    }
+
+    TEST_CASE("In space a window takes what is seen in it, and a drag that began on a part moves none")
+    {
+        frame::Document start = frame::starting_document();
+        start.model.analysis = femoop::AnalysisKind::Frame3d;
+        for (femoop::Node& node : start.model.nodes) node.at = {node.at[0], 3.0, node.at[1]}; // upright
+        Bench bench(start);
+        ui::OrbitCamera camera;
+        const frame::Projection projection{drawing::Camera(camera)};
+        const auto aim_on = [&](ui::Point place) {
+            frame::Aim aim = at(0, 0);
+            aim.on_sheet = place;
+            aim.projection = projection;
+            return aim;
+        };
+        const auto seen = [&](std::size_t node) {
+            return projection(femoop::position_of(bench.model(), femoop::NodeId(node)));
+        };
+        frame::SelectTool tool;
+        frame::Aim corner = aim_on(seen(1) - ui::Point{5.0, 5.0});
+        corner.node = femoop::NodeId(1);
+        bench.drag(tool, corner, aim_on(seen(1) + ui::Point{5.0, 5.0}));
+        CHECK(bench.selection.only() == frame::Part(femoop::NodeId(1)));
+        CHECK(!bench.history.can_undo());
+        bench.drag(tool, aim_on(seen(1) + ui::Point{5.0, 5.0}), aim_on(seen(1) - ui::Point{5.0, 5.0}));
+        CHECK(bench.selection.size() == 3); // and AB and BC, which it touches
+        bench.click(tool, corner);
+        CHECK(bench.selection.only() == frame::Part(femoop::NodeId(1)));
+        corner.adds = true;
+        bench.click(tool, corner);
+        CHECK(bench.selection.is_empty());
+    }
+
+    TEST_CASE(
+        "On a member in space a place is drawn to its middle, the foot of a square line, a crossing, or a round length")
+    {
+        femoop::Model model = crossing();
+        model.analysis = femoop::AnalysisKind::Frame3d;
+        for (femoop::Node& node : model.nodes) node.at = {node.at[0], 2.0, node.at[1]};
+        const auto meant = [&](double x, frame::SnapInSpaceOptions options) {
+            return frame::snap_on_member(model, {femoop::MemberId(0), x}, options);
+        };
+        CHECK(meant(5.1, {.reach = 0.2}).kind == SnapKind::Intersection);
+        CHECK(meant(5.1, {.reach = 0.2}).place.isApprox(Eigen::Vector3d(4, 2, 3)));
+        model.members.pop_back();
+        CHECK(meant(5.1, {.reach = 0.2}).kind == SnapKind::Midpoint);
+        const auto foot = meant(6.5, {.reach = 0.2, .from = Eigen::Vector3d(8, 5, 0)});
+        CHECK(foot.kind == SnapKind::Perpendicular);
+        CHECK(foot.place.isApprox(Eigen::Vector3d(5.12, 2, 3.84)));
+        CHECK(meant(7.04, {.reach = 0.2, .fine = 0.1}).place.isApprox(Eigen::Vector3d(5.6, 2, 4.2)));
+        CHECK(meant(7.04, {.reach = 0.2, .fine = 0.1, .is_off = true}).place.norm() ==
+              doctest::Approx(std::hypot(7.04, 2)));
     }
 
     TEST_CASE("A drag moves the selection to where it is drawn, as one step, and joins what meets")

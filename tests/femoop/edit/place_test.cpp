@@ -48,6 +48,35 @@ Model grillage()
     return model;
 }
 
+/// A column and two beams at right angles, held at the tip along y alone, with loads in members' own axes.
+Model space_frame()
+{
+    Model model;
+    model.analysis = AnalysisKind::Frame3d;
+    model.add(Material{.id = "steel", .E = 210e6, .G = 81e6});
+    model.add(Section{.id = "s", .A = 0.01, .Iz = 1e-4, .Iy = 3e-5, .J = 2e-5});
+    const NodeId a = model.add(Node{.id = "A", .at = {1, 2, 0}, .support = Support{.kind = SupportKind::Fixed}});
+    const NodeId b = model.add(Node{.id = "B", .at = {1, 2, 4}});
+    const NodeId c = model.add(Node{.id = "C", .at = {6, 2, 4}});
+    const NodeId d = model.add(Node{
+        .id = "D", .at = {6, 5, 4}, .support = Support{.fixed = {Dof::uy, Dof::rx}, .springs = {{Dof::uz, 900.0}}}});
+    const auto beam = [&](const char* id, NodeId from, NodeId to) {
+        return model.add(Member{.id = id, .nodes = {from, to}, .material = MaterialId(0), .section = SectionId(0)});
+    };
+    const MemberId ab = beam("AB", a, b), bc = beam("BC", b, c);
+    const MemberId cd = beam("CD", c, d);
+    model.members[cd.index].up = {1, 0, 2};
+    const auto load = [&](MemberId member, std::vector<Component> components) {
+        const PointLoad point{.at = Quantity(1.5), .components = std::move(components), .axes = LoadAxes::Local};
+        model.load_cases.front().members.push_back({member, point});
+    };
+    model.add(LoadCase{.id = "P"});
+    load(ab, {{Dof::uy, -20}, {Dof::uz, 7}});
+    load(bc, {{Dof::ux, 3}, {Dof::uz, 11}, {Dof::rx, 5}, {Dof::rz, -4}});
+    load(cd, {{Dof::uy, 9}, {Dof::ry, 6}});
+    return model;
+}
+
 const std::vector<NodeId> both{NodeId(0), NodeId(1)};
 
 double moment_at_wall(const Model& model) { return analyse(model).at("P").curve(MemberId(0)).forces(0.0).Mz; }
@@ -115,6 +144,51 @@ TEST_SUITE("edit: placing")
         const double clamped = deflection(model);
         place_nodes(model, all, turned({1, 2, 0}, 0.3));
         CHECK(deflection(model) == doctest::Approx(clamped));
+    }
+
+    TEST_CASE("A structure in space that is turned by quarters or mirrored moves and is stressed as before")
+    {
+        const Model before = space_frame();
+        const CaseResult was = analyse(before).at("P");
+        const std::vector<NodeId> all{NodeId(0), NodeId(1), NodeId(2), NodeId(3)};
+        constexpr double quarter = 0.5 * std::numbers::pi;
+        const auto moved = [](const CaseResult& result, NodeId node) {
+            const NodeVector u = result.displacement(node);
+            return Eigen::Vector3d(u[0], u[1], u[2]);
+        };
+        for (const Eigen::Index i : {0, 1, 2}) {
+            const Eigen::Vector3d axis = Eigen::Vector3d::Unit(i);
+            for (const Placement& placement :
+                 {turned({1, 2, 3}, quarter, axis), turned({1, 2, 3}, -quarter, axis), mirrored_at({1, 2, 3}, axis)}) {
+                CAPTURE(placement.linear());
+                Model model = before;
+                place_nodes(model, all, placement);
+                const CaseResult now = analyse(model).at("P");
+                for (const NodeId node : all) {
+                    CAPTURE(node.index);
+                    CHECK((moved(now, node) - placement.linear() * moved(was, node)).norm() < 1e-12);
+                }
+                for (std::size_t k = 0; k < model.members.size(); ++k) {
+                    const auto forces = [&](const CaseResult& result) { return result.curve(MemberId(k)).forces(2.0); };
+                    CHECK(forces(now).N == doctest::Approx(forces(was).N));
+                    CHECK(forces(now).Mz == doctest::Approx(forces(was).Mz));
+                    CHECK(std::abs(forces(now).My) == doctest::Approx(std::abs(forces(was).My)));
+                }
+            }
+        }
+    }
+
+    TEST_CASE("A member of a space frame turns its y' along, and says so only where that is not the rule's")
+    {
+        Model model = space_frame();
+        const std::vector<NodeId> all{NodeId(0), NodeId(1), NodeId(2), NodeId(3)};
+        place_nodes(model, all, moved_by({2, 3, 5}));
+        CHECK(model.members[0].up.empty());
+        CHECK(model.members[2].up == space_frame().members[2].up);
+        place_nodes(model, all, turned({0, 0, 0}, 0.5 * std::numbers::pi));
+        CHECK(model.members[0].up == std::vector<Quantity>{-1, 0, 0}); // of a column y' is along y by itself
+        CHECK(model.members[1].up.empty());
+        CHECK(model.members[2].up == std::vector<Quantity>{0, 1, 2});
     }
 
     TEST_CASE("Scaling keeps a load at its share of the member")

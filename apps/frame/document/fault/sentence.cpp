@@ -8,6 +8,8 @@
 #include "femoop/model/dof.h"
 #include "femoop/result/structure_words.h"
 #include "ui/text/arithmetic.h"
+#include "ui/text/language_manner.h"
+#include "ui/text/number_format.h"
 
 namespace frame {
 
@@ -108,6 +110,47 @@ bool names_a_kind(FaultKind kind, std::size_t argument)
     }
 }
 
+/// A value as the file or a field has it, which stands in the sentence without quotation marks.
+bool is_value(FaultKind kind, std::size_t argument)
+{
+    switch (kind) {
+    case FaultKind::NotFinite:
+    case FaultKind::NotPositive:
+    case FaultKind::Negative:
+    case FaultKind::ZeroStiffness:
+    case FaultKind::ZeroEndSpring: return argument == 2;
+    case FaultKind::OutOfReach: return argument == 2 || argument == 3;
+    case FaultKind::PoissonOutOfRange: return argument == 1;
+    case FaultKind::CentroidOutside:
+    case FaultKind::LoadEndsBeforeStart: return argument == 1 || argument == 2;
+    case FaultKind::FoundationTooStiff: return argument >= 1 && argument <= 3;
+    case FaultKind::PositionBeforeStart:
+    case FaultKind::PositionBeyondEnd: return argument == 2 || argument == 4;
+    case FaultKind::TrussOffsetAcross: return argument >= 2 && argument <= 4;
+    default: return false;
+    }
+}
+
+/// A hyphen before a digit is a minus.
+std::string with_minus_before_digits(std::string_view text)
+{
+    std::string words;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool is_minus = text[i] == '-' && i + 1 < text.size() && text[i + 1] >= '0' && text[i + 1] <= '9';
+        words += is_minus ? ui::with_minus_signs("-") : std::string(1, text[i]);
+    }
+    return words;
+}
+
+/// Where the decimal mark is a comma, semicolons part numbers.
+std::string with_mark(std::string text, ui::DecimalMark mark)
+{
+    if (mark == ui::DecimalMark::Point) return text;
+    std::ranges::replace(text, ',', ';');
+    std::ranges::replace(text, '.', ',');
+    return text;
+}
+
 constexpr std::size_t label_place = 8, table_place = 9; // in the patterns
 
 Fault spoken(const Fault& fault, const Catalogue& tr)
@@ -116,6 +159,9 @@ Fault spoken(const Fault& fault, const Catalogue& tr)
     if (const std::optional<FaultPlace> place = place_of(fault)) told.arguments.front() = place_text(*place, tr);
     for (std::size_t i = 0; i < told.arguments.size(); ++i) {
         std::string& argument = told.arguments[i];
+        if (is_computed(fault.kind, i)) argument = with_minus_before_digits(argument); // femoop sets the mark
+        if (is_value(fault.kind, i))
+            argument = with_mark(with_minus_before_digits(argument), ui::decimal_mark(tr.language()));
         if (names_an_end(fault.kind, i)) argument = tr(argument);
         if (names_a_kind(fault.kind, i)) argument = kind_named(argument, tr).value_or(argument);
     }

@@ -56,7 +56,7 @@ std::string_view spoken_pattern(FaultKind kind)
     case FaultKind::PoissonOutOfRange:
         return translatable("{0}: {8} is {1}; give a value greater than −1 and at most 0.5");
     case FaultKind::CentroidOutside:
-        return translatable("{0}: {8} is {1}, more than the depth {2}; measure it from the -y' fibre");
+        return translatable("{0}: {8} is {1}, more than the depth {2}; measure it from the −y' fibre");
     case FaultKind::ShapeSizeMissing: return translatable("{0}: the shape needs {2}; give {3}");
     case FaultKind::ShapeSizeUnwanted:
         return translatable("{0}: the shape has no {2}; take it away: its sizes are {3}");
