@@ -1,19 +1,23 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "ui/text/message.h"
 
 namespace ui {
 
-/// Something that an app tells its user: one sentence.
+/// Something that an app tells its user: one sentence. An app that tells more of it has a type of its own, derived from
+/// this one.
 struct Notice {
     Message sentence;
     std::optional<double> seconds_left = 6.0; ///< to read it; absent: it stays until it is closed
 };
 
+inline Notice lasting(Message sentence) { return {std::move(sentence), std::nullopt}; }
+
 /// Time goes by.
-inline void tick(std::optional<Notice>& notice, double seconds)
+template <class AnyNotice> void tick(std::optional<AnyNotice>& notice, double seconds)
 {
     if (notice && notice->seconds_left && (*notice->seconds_left -= seconds) <= 0.0) notice.reset();
 }

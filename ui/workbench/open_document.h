@@ -13,21 +13,13 @@
 namespace ui {
 
 /// The document that a session has open: its file, what of it is saved, and what is told of that. A session says how
-/// its documents are read and written.
-template <class Document> class OpenDocument {
+/// its documents are read and written. `AnyNotice`: Notice, or what the app has in its place.
+template <class Document, class AnyNotice = Notice> class OpenDocument {
 public:
     virtual ~OpenDocument() = default;
 
-    bool open(
-        const std::filesystem::path& path) ///< false, with a notice, where it cannot be read; then nothing changes
-    {
-        if (const std::optional<Message> reason = read(path)) {
-            notice = Notice{not_opened(path, *reason), until_closed};
-            return false;
-        }
-        path_ = path;
-        return true;
-    }
+    /// False, with a notice, where it cannot be read; then nothing changes.
+    bool open(const std::filesystem::path& path) { return is_opened(path, read(path)); }
     bool open_copy(const std::filesystem::path& path) ///< the same as a document without a file
     {
         if (!open(path)) return false;
@@ -37,21 +29,19 @@ public:
     bool save(const std::filesystem::path& path) ///< whole or not at all; false, with a notice, if that fails
     {
         settle();
-        if (const std::error_code hindrance = write_(path, file_text())) {
-            notice = Notice{not_saved(path, hindrance), until_closed};
-            return false;
-        }
+        Written written = write_file(path);
+        notice = std::move(written.notice);
+        if (!written.is_whole) return false;
         path_ = path;
         is_partial_ = false;
         saved_ = current();
         note_saved();
-        notify(ui::saved(path));
         return true;
     }
     /// Opens a draft of a file's document, or of one that has no file yet, as one that is not saved.
     bool recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original)
     {
-        if (!open(draft)) return false;
+        if (!is_opened(draft, read_draft(draft))) return false;
         path_ = original;
         forget_saved();
         return true;
@@ -63,8 +53,8 @@ public:
     virtual bool is_dirty() const { return differs_from_saved(); } ///< has what is not saved; asked in every frame
     virtual UnsavedDocument unsaved() const { return unsaved_text(file_text(), path(), write_, about()); }
 
-    std::optional<Notice> notice;
-    void notify(const Message& sentence) { notice = Notice{sentence}; }
+    std::optional<AnyNotice> notice;
+    void notify(const Message& sentence) { notice = AnyNotice{Notice{sentence}}; }
 
     virtual const Catalogue& tr() const = 0;
 
@@ -75,8 +65,27 @@ protected:
     OpenDocument& operator=(const OpenDocument&) = default;
     OpenDocument& operator=(OpenDocument&&) noexcept = default;
 
-    /// Puts the file's document in the place of this one, by `begin`. \returns why it cannot
-    virtual std::optional<Message> read(const std::filesystem::path& path) = 0;
+    /// Puts the file's document in the place of this one, by `begin`. \returns what to tell where it cannot
+    virtual std::optional<AnyNotice> read(const std::filesystem::path& path) = 0;
+    /// The same of a draft, of which more may be wrong than of a file.
+    virtual std::optional<AnyNotice> read_draft(const std::filesystem::path& path) { return read(path); }
+    /// \param refusal  what `read` told of it
+    bool is_opened(const std::filesystem::path& path, const std::optional<AnyNotice>& refusal)
+    {
+        if (refusal) notice = refusal;
+        else path_ = path;
+        return !refusal;
+    }
+    struct Written {
+        bool is_whole;
+        AnyNotice notice; ///< that it is, or why not
+    };
+    virtual Written write_file(const std::filesystem::path& path)
+    {
+        const std::error_code hindrance = write_(path, file_text());
+        if (hindrance) return {false, AnyNotice{lasting(not_saved(path, hindrance))}};
+        return {true, AnyNotice{Notice{ui::saved(path)}}};
+    }
     virtual const Document& current() const = 0;
     virtual std::string file_text() const = 0;
     virtual std::string about() const = 0; ///< what a draft holds, in a few words
@@ -103,8 +112,6 @@ protected:
     virtual void note_saved() {} ///< what is saved is another one, for sessions that keep whether they are dirty
 
 private:
-    static constexpr std::nullopt_t until_closed = std::nullopt;
-
     std::optional<std::filesystem::path> path_;
     bool is_partial_ = false;
     std::optional<Document> saved_; ///< none of what a crash has left

@@ -267,14 +267,14 @@ void Session::restart_with(Document document)
 
 void Session::new_document() { restart_with(starting_document()); }
 
-std::optional<Message> Session::read(const std::filesystem::path& path)
+std::optional<Notice> Session::read(const std::filesystem::path& path)
 {
     try {
         restart_with(read_document_file(path));
         leave_unfit_exercise();
         return std::nullopt;
     } catch (const femoop::ModelError& error) {
-        return Message(frame::sentence(error.faults().front(), tr()));
+        return ui::lasting(ui::not_opened(path, Message(frame::sentence(error.faults().front(), tr()))));
     }
 }
 

@@ -101,7 +101,7 @@ public:
     Scene scene() const;
 
 private:
-    std::optional<ui::Message> read(const std::filesystem::path& path) override;
+    std::optional<Notice> read(const std::filesystem::path& path) override;
     const Document& current() const override { return document(); }
     std::string file_text() const override; ///< the score goes with it
     std::string about() const override;

@@ -92,17 +92,18 @@ void Session::show(Stepper lesson)
     go_to(std::min<std::size_t>(1, n_steps()));
 }
 
-std::optional<ui::Message> Session::read(const std::filesystem::path& path)
+std::optional<Notice> Session::read(const std::filesystem::path& path)
 {
+    const auto refusal = [&](const ui::Message& reason) { return ui::lasting(ui::not_opened(path, reason)); };
     std::error_code none;
-    if (std::filesystem::is_directory(path, none)) return translatable("it is a folder");
+    if (std::filesystem::is_directory(path, none)) return refusal(translatable("it is a folder"));
     const bool has_end = std::filesystem::is_regular_file(path, none) || !std::filesystem::exists(path, none);
-    if (!has_end) return translatable("it is no regular file");
+    if (!has_end) return refusal(translatable("it is no regular file"));
     std::ifstream file(path, std::ios::binary);
-    if (!file) return translatable("it cannot be read");
+    if (!file) return refusal(translatable("it cannot be read"));
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     auto [lesson, fault] = Stepper::as_far_as_it_goes(text);
-    if (fault && lesson.n_steps() == 0 && !can_be_edited(text)) return sentence(*fault, tr());
+    if (fault && lesson.n_steps() == 0 && !can_be_edited(text)) return refusal(sentence(*fault, tr()));
     restart(std::move(lesson));
     if (fault) show_fault(path, text, *fault);
     return std::nullopt;

@@ -148,7 +148,7 @@ public:
     const ui::Catalogue& tr() const override { return look.tr; }
 
 private:
-    std::optional<ui::Message> read(const std::filesystem::path& path) override;
+    std::optional<Notice> read(const std::filesystem::path& path) override;
     const Stepper::Script& current() const override { return whole_; }
     std::string file_text() const override { return whole_.text(); }
     std::string about() const override;

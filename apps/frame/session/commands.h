@@ -52,7 +52,7 @@ struct Workspace : ui::Workspace {
     void take_up_tools(std::string_view words) { take_up(tool_controller.settings(), words); }
     void set_panels_visible(bool are_visible) { has_panels = are_visible; }
     void open(const std::filesystem::path& path);
-    void notify(const ui::Message& sentence) { session.notice = Notice{sentence, {}}; }
+    void notify(const ui::Message& sentence) { session.notify(sentence); }
     std::vector<ui::UnsavedDocument> unsaved() const;
     bool can_recover() const { return !session.history().is_dragging(); }
     std::optional<std::uint64_t> recover(const ui::RecoverableFile& recoverable); ///< in a tab of its own

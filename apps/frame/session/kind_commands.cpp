@@ -41,8 +41,8 @@ std::optional<Notice> why_not_into(const Model& now, const Model& next)
     std::erase_if(after.faults, [&](const Fault& fault) { return std::ranges::find(before, fault) != before.end(); });
     if (!after.faults.empty()) return refusal_of(named(std::move(after.faults), next));
     if (!was_sound || after.is_whole) return std::nullopt;
-    return passing_notice({translatable("nothing was changed: {kind} has no place for a part of the model"),
-                           {{"kind", ui::Message(label_of(next.analysis))}}});
+    return Notice{{{translatable("nothing was changed: {kind} has no place for a part of the model"),
+                    {{"kind", ui::Message(label_of(next.analysis))}}}}};
 }
 
 } // namespace

@@ -221,9 +221,8 @@ void LinkedPrograms::adopt_structure(Session& session, const Handed& handed, con
     auto model = model_of(text);
     if (!model) return;
     if (!handed.members.empty()) {
-        session.notice = passing_notice(
-            translatable("moment distribution has a part of the structure alone, which is not taken back; "
-                         "hand over the whole structure instead"));
+        session.notify(translatable("moment distribution has a part of the structure alone, which is not taken back; "
+                                    "hand over the whole structure instead"));
         return;
     }
     keep_blank_cases(*model, session);

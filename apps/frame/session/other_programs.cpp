@@ -63,9 +63,8 @@ Offer moment_distribution(const Session& session, const std::vector<MemberId>& m
     cross::Document document{.model = model};
     document.method.load_case = load_case;
     if (auto solution = cross::solve(document); !solution.faults.empty())
-        return Notice{.sentence = translatable("moment distribution cannot do this"),
-                      .faults = named(std::move(solution.faults), model),
-                      .is_about_model = true};
+        return about_model(translatable("moment distribution cannot do this"),
+                           named(std::move(solution.faults), model));
     document = cross::read_document(femoop::write_model(model)); // with the method that the file asks for
     document.method.load_case = load_case;
     return ui::ExportToApp{.program = "cross", .document = cross::write_document(document)};
@@ -247,18 +246,18 @@ std::optional<Message> why_no_circle(const Session& session)
 
 Offer circle_at_section(const Session& session)
 {
-    if (const auto reason = why_no_circle(session)) return passing_notice(*reason);
+    if (const auto reason = why_no_circle(session)) return Notice{{*reason}};
     return circle_at(session, *cut_for_circle(session), session.view.load_case);
 }
 
 Offer circle_at(const Session& session, const Cut& cut, femoop::CaseId load_case)
 {
-    if (const auto reason = why_no_forces(session)) return passing_notice(*reason);
+    if (const auto reason = why_no_forces(session)) return Notice{{*reason}};
     if (session.solution().blank_case(load_case) != nullptr)
-        return passing_notice({translatable("Case {case} has no results: see the problems."),
-                               {{"case", session.model().case_name(load_case)}}});
+        return Notice{{{translatable("Case {case} has no results: see the problems."),
+                        {{"case", session.model().case_name(load_case)}}}}};
     const auto found = figure_of(session.model(), cut.member);
-    if (const auto* const reason = std::get_if<Message>(&found)) return passing_notice(*reason);
+    if (const auto* const reason = std::get_if<Message>(&found)) return Notice{{*reason}};
     const auto& [words, figure] = std::get<NamedFigure>(found);
     mohr::Document document = mohr::textbook_state();
     document.section = words;
@@ -295,23 +294,23 @@ std::optional<femoop::Section> section_named(const std::string& words, const fem
 
 namespace {
 
-void hand_over(Workspace& workspace, Offer offer, Notice told)
+void hand_over(Workspace& workspace, Offer offer, const Message& told)
 {
     if (auto* const refusal = std::get_if<Notice>(&offer)) {
         workspace.session.notice = std::move(*refusal);
         return;
     }
     workspace.handed.push_back(std::get<ui::ExportToApp>(std::move(offer)));
-    workspace.session.notice = std::move(told);
+    workspace.notify(told);
 }
 
-Notice told_of_distribution(const Session& session)
+Message told_of_distribution(const Session& session)
 {
     const std::string held = held_nodes(session);
-    if (held.empty()) return passing_notice(translatable("the moments are distributed in a window of their own"));
-    return passing_notice({translatable("the moments are distributed in a window of their own; "
-                                        "where members were left out the nodes are held fixed: {nodes}"),
-                           {{"nodes", held}}});
+    if (held.empty()) return translatable("the moments are distributed in a window of their own");
+    return {translatable("the moments are distributed in a window of their own; "
+                         "where members were left out the nodes are held fixed: {nodes}"),
+            {{"nodes", held}}};
 }
 
 } // namespace
@@ -326,7 +325,7 @@ void hand_over_distribution(Workspace& workspace)
 void hand_over_circle(Workspace& workspace)
 {
     hand_over(workspace, circle_at_section(workspace.session),
-              passing_notice(translatable("the circle is drawn in a window of its own")));
+              translatable("the circle is drawn in a window of its own"));
 }
 
 ui::Reason why_no_distribution(const Workspace& workspace)

@@ -76,8 +76,8 @@ void condense_properties(Session& session)
                         condensed.n_equal += sets.n_equal;
                         condensed.n_unused += sets.n_unused;
                     }});
-    session.notice = passing_notice({translatable("Property sets: {equal} were like others, {unused} nobody used"),
-                                     {{"equal", text_of(condensed.n_equal)}, {"unused", text_of(condensed.n_unused)}}});
+    session.notify({translatable("Property sets: {equal} were like others, {unused} nobody used"),
+                    {{"equal", text_of(condensed.n_equal)}, {"unused", text_of(condensed.n_unused)}}});
 }
 
 bool import_properties(Session& session, const std::filesystem::path& path)
@@ -87,7 +87,7 @@ bool import_properties(Session& session, const std::filesystem::path& path)
     if (!reading.is_sound()) {
         std::erase_if(reading.faults,
                       [](const auto& fault) { return femoop::severity(fault.kind) != femoop::Severity::Error; });
-        session.notice = Notice{{translatable("nothing was imported from {file}"), {file}},
+        session.notice = Notice{ui::lasting({translatable("nothing was imported from {file}"), {file}}),
                                 named(std::move(reading.faults), reading.model)};
         return false;
     }
@@ -97,8 +97,7 @@ bool import_properties(Session& session, const std::filesystem::path& path)
     session.change({{translatable("Import from {file}"), {file}}, [&](Document& document) {
                         n = import_properties(document, other.model) + import_sets(document, other);
                     }});
-    session.notice = passing_notice(
-        {translatable("Property sets that came from {file}: {count}"), {{"count", text_of(n)}, file}});
+    session.notify({translatable("Property sets that came from {file}: {count}"), {{"count", text_of(n)}, file}});
     return true;
 }
 

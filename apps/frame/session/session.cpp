@@ -13,10 +13,12 @@
 #include "apps/frame/document/fault/sentence.h"
 #include "apps/frame/document/number.h"
 #include "apps/frame/session/transform.h"
+#include "femoop/files/whole_file.h"
 #include "femoop/io/model_file.h"
 #include "femoop/io/results/results_table.h"
 #include "femoop/model/check/check.h"
 #include "femoop/result/describe.h"
+#include "femoop/result/structure_words.h"
 #include "ui/text/catalogue.h"
 #include "ui/text/language_manner.h"
 #include "ui/workbench/file_sentences.h"
@@ -37,25 +39,23 @@ std::uint64_t next_number()
 
 Notice refusal_of(std::vector<femoop::Fault> faults)
 {
-    return {.sentence = translatable("nothing was changed, since the model would have an error"),
-            .faults = std::move(faults),
-            .is_about_model = true};
+    return about_model(translatable("nothing was changed, since the model would have an error"), std::move(faults));
 }
 
-Notice passing_notice(ui::Message sentence)
+Notice about_model(ui::Message sentence, std::vector<femoop::Fault> faults)
 {
-    constexpr double seconds_to_read = 6.0;
-    return {.sentence = std::move(sentence), .faults = {}, .seconds_left = seconds_to_read};
+    return {ui::lasting(std::move(sentence)), std::move(faults), std::nullopt, true};
 }
 
-Session::Session(Document document) : history_(document), saved_(std::move(document)), number_(next_number())
+Session::Session(Document document)
+    : OpenDocument(document, files::write_whole_file), history_(std::move(document)), number_(next_number())
 {
     restart(history_.current());
 }
 
 void Session::restart(Document document)
 {
-    saved_ = document;
+    begin(document);
     history_ = ui::History<Document>(std::move(document), translatable("Begin"));
     shown_at_.clear();
     selection.clear();
@@ -75,7 +75,7 @@ void Session::restart(Document document)
 void Session::refresh()
 {
     solution_ = solve(document());
-    is_dirty_ = document() != saved_;
+    is_dirty_ = differs_from_saved();
     ++generation_;
     const auto is_lost = [this](const Cut& cut) {
         return cut.member.index >= model().members.size() || !solution_.results ||
@@ -112,7 +112,7 @@ std::optional<ui::Message> Session::change(const Change& change)
 
 bool Session::refuse(const Outcome& outcome)
 {
-    if (outcome.objection) notice = passing_notice(*outcome.objection);
+    if (outcome.objection) notify(*outcome.objection);
     return outcome.objection.has_value();
 }
 
@@ -212,7 +212,7 @@ void Session::hold_scales(Step step)
 
 void Session::notify_dropped(const femoop::Model& before, const femoop::Model& after)
 {
-    if (const std::optional<ui::Message> loss = dropped_references(before, after)) notice = passing_notice(*loss);
+    if (const std::optional<ui::Message> loss = dropped_references(before, after)) notify(*loss);
 }
 
 void Session::settle()
@@ -262,6 +262,16 @@ void Session::jump(std::size_t place)
 
 namespace {
 
+ui::Message of_file(std::string_view sentence, const std::filesystem::path& path)
+{
+    return {sentence, {{"file", path.filename().string()}}};
+}
+
+Notice not_opened(const std::filesystem::path& path, std::vector<femoop::Fault> faults)
+{
+    return {ui::lasting(of_file(translatable("{file} was not opened"), path)), std::move(faults)};
+}
+
 // Everything in the file was understood: what is wrong is wrong with the structure alone.
 bool is_understood(const femoop::ModelReading& reading)
 {
@@ -273,50 +283,33 @@ bool is_understood(const femoop::ModelReading& reading)
 
 } // namespace
 
-bool Session::open(const std::filesystem::path& path, Purpose purpose)
+std::optional<Notice> Session::read(const std::filesystem::path& path, Purpose purpose)
 {
     femoop::ModelReading reading = femoop::examine_model_file(path);
     std::erase_if(reading.faults,
                   [](const auto& fault) { return femoop::severity(fault.kind) != femoop::Severity::Error; });
     const bool can_be_mended = is_understood(reading);
     if (!reading.faults.empty() && !(purpose == Purpose::Mend && can_be_mended)) {
-        refuse(
-            path,
-            {{}, named(std::move(reading.faults), reading.model), can_be_mended ? std::optional(path) : std::nullopt});
-        return false;
+        Notice refusal = not_opened(path, named(std::move(reading.faults), reading.model));
+        if (can_be_mended) refusal.to_mend = path;
+        return refusal;
     }
     notice.reset();
     pin.reset();
     hover.reset();
-    path_ = path;
     CompanionReading beside = read_companion_of(path, reading.model);
     restart({.model = std::move(reading.model), .companion = std::move(beside.companion)});
-    if (!beside.faults.empty()) notify_of_companion(translatable("{file} was not understood in full"), beside.faults);
-    return true;
-}
-
-// The model is open all the same. What is kept beside it has faults, so it is not overwritten: see `save`.
-void Session::notify_of_companion(std::string_view sentence, std::vector<femoop::Fault> faults)
-{
-    notice = Notice{{sentence, {{"file", companion_path(*path_).filename().string()}}}, std::move(faults)};
-}
-
-bool Session::recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original)
-{
-    if (!open(draft, Purpose::Mend)) return false;
-    path_ = original;
-    saved_ = Document{};
-    is_dirty_ = true;
-    return true;
+    if (!beside.faults.empty()) // the model is open all the same; what has faults is not written over: see `write_file`
+        notice = {ui::lasting(of_file(translatable("{file} was not understood in full"), companion_path(path))),
+                  std::move(beside.faults)};
+    return std::nullopt;
 }
 
 void Session::refuse(const std::filesystem::path& path, const Notice& reason)
 {
-    const std::string_view sentence = is_untouched()
-                                          ? translatable("{file} was not opened")
-                                          : translatable("{file} was not opened; the model you had is unchanged");
     notice = reason;
-    notice->sentence = {sentence, {{"file", path.filename().string()}}};
+    if (!is_untouched())
+        notice->sentence = of_file(translatable("{file} was not opened; the model you had is unchanged"), path);
 }
 
 namespace {
@@ -329,52 +322,60 @@ bool is_companion_sound(const std::filesystem::path& model_file)
     return read_companion_of(model_file, femoop::examine_model_file(model_file).model).faults.empty();
 }
 
-femoop::Fault unwritable(const std::filesystem::path& path, const std::error_code& error)
+Notice not_saved(const std::filesystem::path& path, std::vector<femoop::Fault> faults)
 {
-    return {femoop::FaultKind::FileUnwritable, {path.string(), error.message()}};
+    return {ui::lasting(of_file(translatable("{file} was not saved"), path)), std::move(faults)};
+}
+
+Notice not_saved(const std::filesystem::path& path, const std::filesystem::path& written, const std::error_code& error)
+{
+    return not_saved(path, {{femoop::FaultKind::FileUnwritable, {written.string(), error.message()}}});
 }
 
 } // namespace
 
-bool Session::save(const std::filesystem::path& path)
+Session::Written Session::write_file(const std::filesystem::path& path)
 {
-    settle();
-    const ui::Message::Argument file{"file", path.filename().string()};
     if (model_of_companion(path)) {
-        notice = Notice{{translatable("{file} is the name of a view file; choose another for the model"), {file}}, {}};
-        return false;
+        const auto sentence = translatable("{file} is the name of a view file; choose another for the model");
+        return {false, {ui::lasting(of_file(sentence, path))}};
     }
     const bool was_sound = is_companion_sound(path);
     try {
         femoop::write_model_file(model(), path);
     } catch (const femoop::ModelError& error) {
-        notice = Notice{{translatable("{file} was not saved"), {file}}, error.faults()};
-        return false;
+        return {false, not_saved(path, error.faults())};
     }
-    path_ = path;
-    notice.reset();
     const std::filesystem::path beside = companion_path(path), aside = free_old_path(beside);
     std::error_code error;
     if (!was_sound) std::filesystem::rename(beside, aside, error); // before another takes its place
-    if (error) notify_of_companion(translatable("{file} was not saved"), {unwritable(aside, error)});
-    if (error || !save_companion()) return false;
-    if (!was_sound)
-        notice = Notice{{translatable("{file} was not understood; it is kept as {old}"),
-                         {{"file", beside.filename().string()}, {"old", aside.filename().string()}}},
-                        {}};
-    saved_ = document();
-    is_dirty_ = false;
-    return true;
+    if (error) return {false, not_saved(beside, aside, error)};
+    error = save_companion_of(path, document());
+    if (error) return {false, not_saved(beside, beside, error)};
+    if (was_sound) return {true, {ui::Notice{ui::saved(path)}}};
+    return {true,
+            {ui::lasting({translatable("{file} was not understood; it is kept as {old}"),
+                          {{"file", beside.filename().string()}, {"old", aside.filename().string()}}})}};
 }
 
-bool Session::save_companion()
+std::string Session::file_text() const { return femoop::write_model(model()); }
+
+std::string Session::about() const { return femoop::size_text(model(), tr()); }
+
+ui::UnsavedDocument Session::unsaved() const
 {
-    const std::error_code error = save_companion_of(*path_, document());
-    if (error) notify_of_companion(translatable("{file} was not saved"), {unwritable(companion_path(*path_), error)});
-    return !error;
+    return {.document = number(),
+            .state = generation(),
+            .original = path(),
+            .copy =
+                [this] {
+                    return [document = document()](const std::filesystem::path& draft) {
+                        if (const std::error_code error = save_companion_of(draft, document)) return error;
+                        return files::write_whole_file(draft, femoop::write_model(document.model));
+                    };
+                },
+            .about = about()};
 }
-
-std::string Session::file_name() const { return ui::file_name(path_, view.tr); }
 
 std::optional<ui::Message> Session::why_no_results() const
 {

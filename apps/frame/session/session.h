@@ -25,27 +25,27 @@
 #include "ui/history/history.h"
 #include "ui/text/display_units.h"
 #include "ui/text/message.h"
+#include "ui/text/notice.h"
+#include "ui/workbench/open_document.h"
 
 namespace frame {
 
 /// Something that the app tells its user: one sentence, and the faults that it is about.
-struct Notice {
-    ui::Message sentence;
-    std::vector<femoop::Fault> faults;
+struct Notice : ui::Notice {
+    std::vector<femoop::Fault> faults{};
     /// A file that was understood, but whose structure has errors: it can be opened to be mended.
     std::optional<std::filesystem::path> to_mend{};
-    std::optional<double> seconds_left{}; ///< then it goes by itself; until it is closed when absent
-    bool is_about_model = false;          ///< the faults lie in the model that is open: a click on one goes there
+    bool is_about_model = false; ///< the faults lie in the model that is open: a click on one goes there
 };
 
-/// A notice that needs no answer: it goes when it has been read.
-Notice passing_notice(ui::Message sentence);
+/// What stays until it is closed, about the model that is open.
+Notice about_model(ui::Message sentence, std::vector<femoop::Fault> faults);
 /// A change was not made, since the model that is open would get these faults.
 Notice refusal_of(std::vector<femoop::Fault> faults);
 
 /// What is open and how it is looked at: the app without its window. The document changes through `change` alone; its
 /// solution follows.
-class Session {
+class Session : public ui::OpenDocument<Document, Notice> {
 public:
     explicit Session(Document document);
 
@@ -64,31 +64,26 @@ public:
     /// Carries it out where the model gets no error by it that it had not and no node goes too far off; else nothing,
     /// and `notice` says why.
     bool change_soundly(const Change& change);
-    void settle();
+    void settle() override;
     void cancel();
     void undo();
     void redo();
     void jump(std::size_t place);
 
-    /// Opens a file. If it has an error, the open document stays as it is and `notice` says why; false then. `Mend`
-    /// opens a file too that is understood but whose structure has errors, as one that was saved while it was drawn.
-    /// What stands beside the model comes from its companion file; what is wrong with that hinders nothing, and
-    /// `notice` tells it.
+    /// `Mend` opens a file too that is understood but whose structure has errors, as one that was saved while it was
+    /// drawn. What stands beside the model comes from its companion file; what is wrong with that hinders nothing, and
+    /// `notice` tells it. Saving writes both; a companion file with faults is kept under another name, with a notice.
     enum class Purpose : std::uint8_t { Work, Mend };
-    bool open(const std::filesystem::path& path, Purpose purpose = Purpose::Work);
-    /// Opens a draft of a file's document, or of one that has no file yet, as one that is not saved.
-    bool recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original);
+    bool open(const std::filesystem::path& path, Purpose purpose = Purpose::Work)
+    {
+        return is_opened(path, read(path, purpose));
+    }
     /// Tells that a file was not opened.
     void refuse(const std::filesystem::path& path, const Notice& reason);
-    /// Writes to the path, whole or not at all, and the companion file beside it; false, with a notice, if that fails.
-    /// A companion file with faults is kept under another name, with a notice.
-    bool save(const std::filesystem::path& path);
-    const std::optional<std::filesystem::path>& path() const { return path_; }
-    bool is_dirty() const { return is_dirty_; } ///< has changes that are not saved
+    bool is_dirty() const override { return is_dirty_; }
+    ui::UnsavedDocument unsaved() const override; ///< which writes nothing yet
     /// A document without a file in which nothing was done: none would miss it.
-    bool is_untouched() const { return !path_ && history_.n_states() == 1; }
-    /// "portal.json", or the word for a document without a file.
-    std::string file_name() const;
+    bool is_untouched() const { return !path() && history_.n_states() == 1; }
 
     /// Why no results are to be read: there are none, or they are kept from the class; nothing where they can be.
     std::optional<ui::Message> why_no_results() const;
@@ -108,6 +103,7 @@ public:
 
     ui::DisplayUnits units() const;
     Manner manner() const { return {units(), view.tr}; } ///< of tables
+    const ui::Catalogue& tr() const override { return view.tr; }
     void set_language(ui::Language language);
 
     DrawOptions view;
@@ -116,7 +112,6 @@ public:
     Selection selection;
     std::optional<Cut> hover;
     std::optional<Cut> pin;
-    std::optional<Notice> notice;
     bool is_animated = false;
     Prediction prediction;         ///< of moments that the class has not seen yet: part of the tab, not of the document
     std::optional<ShowSet> hidden; ///< results that are kept from the class until they are revealed
@@ -152,8 +147,15 @@ private:
     /// While a number is dragged, diagrams keep the scale that they had before: one sees them grow.
     void hold_scales(Step step);
     void restart(Document document);
-    bool save_companion();
-    void notify_of_companion(std::string_view sentence, std::vector<femoop::Fault> faults);
+
+    std::optional<Notice> read(const std::filesystem::path& path) override { return read(path, Purpose::Work); }
+    std::optional<Notice> read_draft(const std::filesystem::path& path) override { return read(path, Purpose::Mend); }
+    std::optional<Notice> read(const std::filesystem::path& path, Purpose purpose);
+    Written write_file(const std::filesystem::path& path) override;
+    const Document& current() const override { return document(); }
+    std::string file_text() const override;
+    std::string about() const override;
+    void note_saved() override { is_dirty_ = differs_from_saved(); }
 
     struct Shown {
         std::string load_case;
@@ -163,8 +165,6 @@ private:
     ui::History<Document> history_;
     std::map<std::size_t, Shown> shown_at_; ///< by the places of the history
     Companions before_gesture_;
-    Document saved_;
-    std::optional<std::filesystem::path> path_;
     bool is_dirty_ = false;
     Solution solution_;
     std::uint64_t generation_ = 0;

@@ -157,9 +157,8 @@ bool save_as(Workspace& workspace, const std::filesystem::path& path)
     const auto place = tab_of(workspace, path);
     if (!place || *place == workspace.tab) return workspace.session.save(path);
     workspace.session.notice = Notice{
-        {ui::translatable("{file} is open in another tab; close it or choose another name"),
-         {{"file", path.filename().string()}}},
-        {}};
+        ui::lasting({ui::translatable("{file} is open in another tab; close it or choose another name"),
+                     {{"file", path.filename().string()}}})};
     return false;
 }
 

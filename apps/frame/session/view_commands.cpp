@@ -91,8 +91,7 @@ void keep_view(Session& session, const std::optional<Region>& region)
     const std::string name = view.name;
     change(session, translatable("Keep view: {name}"), name, [&](auto& list) { list.push_back(std::move(view)); });
     session.shown_view = views(session).size() - 1;
-    session.notice = passing_notice(
-        {translatable("Kept as {name}; PageDown and PageUp walk through the views"), {{"name", name}}});
+    session.notify({translatable("Kept as {name}; PageDown and PageUp walk through the views"), {{"name", name}}});
 }
 
 namespace {
@@ -101,7 +100,7 @@ void notify_lost_case(Session& session, const NamedView& view)
 {
     const auto is_lost = [&](const std::string& id) { return !session.model().find_case(id); };
     const auto notify = [&](std::string_view sentence, const std::string& id) {
-        session.notice = passing_notice({sentence, {{"name", view.name}, {"case", id}}});
+        session.notify({sentence, {{"name", view.name}, {"case", id}}});
     };
     const auto lost = std::ranges::find_if(view.envelope, is_lost);
     if (lost != view.envelope.end())

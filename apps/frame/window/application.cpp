@@ -78,14 +78,6 @@ void Application::animate(double seconds)
     workspace_.session.draw_state.phase = std::sin(2.0 * std::numbers::pi * time_ / seconds_per_swing);
 }
 
-void Application::pass_notice(double seconds)
-{
-    std::optional<Notice>& notice = workspace_.session.notice;
-    if (!notice || !notice->seconds_left) return;
-    *notice->seconds_left -= seconds;
-    if (*notice->seconds_left < 0.0) notice.reset();
-}
-
 void Application::frame(const ui::Input& input)
 {
     if (theme_ != workspace_.session.view.theme) {
@@ -98,7 +90,7 @@ void Application::frame(const ui::Input& input)
     linked_.tick(input.seconds, workspace_);
     animate(input.seconds);
     if (workspace_.bottom.shows(BottomContent::Solver)) workspace_.solver.advance(input.seconds);
-    pass_notice(input.seconds);
+    ui::tick(workspace_.session.notice, input.seconds);
     show_menu_bar();
     show_body();
     show_dialogs();
@@ -118,7 +110,7 @@ void Application::handle_files(const std::vector<std::string>& files)
     for (const std::string& file : files) open_file(workspace_, file);
 }
 
-void Application::explain(const ui::Message& reason) { workspace_.session.notice = passing_notice(reason); }
+void Application::explain(const ui::Message& reason) { workspace_.session.notify(reason); }
 
 // What Escape is for first: to put away what lies over the picture.
 bool Application::close_topmost_window() { return dialogs_.close_topmost() || view_list_.close(); }
@@ -244,7 +236,7 @@ void Application::hand_over(ui::ExportToApp exported)
     ui::ExportToApp linked = *handed_;
     if (link) linked.options.insert(linked.options.end(), {"--link", link->folder().string()});
     const auto reason = start_program_(linked);
-    if (reason) workspace_.session.notice = Notice{*reason, {}};
+    if (reason) workspace_.session.notice = Notice{ui::lasting(*reason)};
     else if (link) linked_.add(*std::move(link), workspace_.session, *handed_);
 }
 

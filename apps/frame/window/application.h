@@ -87,7 +87,6 @@ private:
     void show_dialogs();
     bool is_swinging() const; ///< the deformed shape or a mechanism
     void animate(double seconds);
-    void pass_notice(double seconds);
 
     Workspace workspace_;
     CommandTable commands_;

@@ -333,7 +333,7 @@ void Canvas::press(Workspace& workspace, const Aim& aim)
 {
     is_working_ = true;
     workspace.session.settle();
-    if (const auto reason = why_not_press(workspace, aim)) workspace.session.notice = passing_notice(*reason);
+    if (const auto reason = why_not_press(workspace, aim)) workspace.session.notify(*reason);
     else carry_out(workspace.session, workspace.tool_controller.tool().press(work_of(workspace.session), aim));
 }
 

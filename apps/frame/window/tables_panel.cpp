@@ -273,7 +273,7 @@ void TablesPanel::show_dialog(Workspace& workspace)
 {
     const auto path = path_dialog_.show(workspace.session.view.tr);
     if (!path) return;
-    if (const auto reason = export_to(workspace, *path)) workspace.session.notice = Notice{*reason, {}};
+    if (const auto reason = export_to(workspace, *path)) workspace.session.notice = Notice{ui::lasting(*reason)};
 }
 
 std::optional<ui::Message> TablesPanel::export_to(const Workspace& workspace, const std::filesystem::path& path)

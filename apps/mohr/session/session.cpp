@@ -222,12 +222,13 @@ void Session::restart(Document document)
 
 void Session::new_document() { restart(textbook_state()); }
 
-std::optional<Message> Session::read(const std::filesystem::path& path)
+std::optional<Notice> Session::read(const std::filesystem::path& path)
 {
     const auto text = text_of(path);
-    if (!text) return Message(translatable("it cannot be read"));
+    if (!text) return ui::lasting(ui::not_opened(path, translatable("it cannot be read")));
     auto read = read_file_text(*text);
-    if (const auto* faults = std::get_if<std::vector<Message>>(&read)) return listed(*faults);
+    if (const auto* faults = std::get_if<std::vector<Message>>(&read))
+        return ui::lasting(ui::not_opened(path, listed(*faults)));
     restart(std::get<Document>(std::move(read)));
     return std::nullopt;
 }

@@ -94,7 +94,7 @@ public:
     Scene scene() const;
 
 private:
-    std::optional<ui::Message> read(const std::filesystem::path& path) override;
+    std::optional<Notice> read(const std::filesystem::path& path) override;
     const Document& current() const override { return document(); }
     std::string file_text() const override { return mohr::file_text(document()); }
     std::string about() const override;

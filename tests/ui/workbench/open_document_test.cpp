@@ -21,11 +21,12 @@ public:
     std::string told() const { return notice ? tr_(notice->sentence) : ""; }
 
 private:
-    std::optional<ui::Message> read(const std::filesystem::path& path) override
+    std::optional<ui::Notice> read(const std::filesystem::path& path) override
     {
         std::ifstream file(path);
         const std::string found{std::istreambuf_iterator<char>(file), {}};
-        if (!file || found.starts_with("bad")) return ui::Message(ui::translatable("it cannot be read"));
+        if (!file || found.starts_with("bad"))
+            return ui::lasting(ui::not_opened(path, ui::translatable("it cannot be read")));
         text = found;
         begin(text);
         set_partial(found.starts_with("part"));
