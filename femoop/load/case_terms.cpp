@@ -13,6 +13,7 @@ public:
 
     CaseTerms terms(CaseId id)
     {
+        if (id.index >= model_.n_cases()) return {};
         if (id.index < model_.load_cases.size())
             return {.name = model_.load_cases[id.index].id, .terms = {{.load_case = id.index, .factor = 1.0}}};
         const std::size_t combination = id.index - model_.load_cases.size();
@@ -30,11 +31,13 @@ private:
         if (!factors_[combination].empty()) return factors_[combination];
         const std::size_t n = model_.load_cases.size();
         std::vector<double> sum(n + 1, 0.0); // one more, so that an expanded one is never empty
+        factors_[combination] = sum;         // what leads back to it in a circle adds nothing
         for (const Combination::Term& term : model_.combinations[combination].terms) {
             if (term.of.index < n) {
                 sum[term.of.index] += term.factor;
                 continue;
             }
+            if (term.of.index >= model_.n_cases()) continue;
             const std::vector<double>& other = expanded(term.of.index - n);
             for (std::size_t i = 0; i < n; ++i) sum[i] += term.factor * other[i];
         }

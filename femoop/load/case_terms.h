@@ -18,8 +18,8 @@ struct CaseTerms {
     std::vector<Term> terms;
 };
 
-/// A combination multiplied out: each load case once, in the model's order, those with the factor 0 left out.
-/// \pre combinations name no circle (femoop/model/check/check.h)
+/// A combination multiplied out: each load case once, in the model's order, those with the factor 0 left out. Of a case
+/// that the model lacks, and of what combinations name in a circle, there is nothing (femoop/model/check/check.h tells).
 CaseTerms terms_of(const Model& model, CaseId id);
 std::vector<CaseTerms> cases_of(const Model& model); ///< of load cases, then of combinations
 

@@ -1,10 +1,13 @@
 #include "femoop/load/span_loads.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <utility>
+#include <variant>
 
-#include "femoop/load/place_along.h"
+#include "femoop/load/load_components.h"
 
 namespace femoop {
 
@@ -43,28 +46,18 @@ public:
 
     std::vector<SpanLoad> loads() { return std::move(loads_); }
 
-    void add(const DistributedLoad& load)
+    /// Those that act at the same places are turned into the member's axes as one vector.
+    void add(std::span<const LoadComponent> components)
     {
-        LoadVector start, end;
-        for (const DistributedLoad::Value& value : load.values) {
-            const double share = load.projected ? projection(value.dof) : 1.0;
-            start.set(value.dof, share * value.start);
-            end.set(value.dof, share * (value.end ? *value.end : value.start));
+        while (!components.empty()) {
+            const auto acts_elsewhere = [&first = components.front()](const LoadComponent& other) {
+                return other.from != first.from || other.to != first.to;
+            };
+            const auto next = std::ranges::find_if(components, acts_elsewhere);
+            const auto n = static_cast<std::size_t>(next - components.begin());
+            add_together(components.first(n));
+            components = components.subspan(n);
         }
-        if (load.axes == LoadAxes::Global) {
-            start.turn(geometry_.axes);
-            end.turn(geometry_.axes);
-        }
-        const double L = geometry_.length;
-        add_distributed(start, end, load.from ? along(*load.from, L) : 0.0, load.to ? along(*load.to, L) : L);
-    }
-
-    void add(const PointLoad& load) { add_point(load.components, load.axes, along(load.at, geometry_.length)); }
-
-    void add(const EndLoads& load)
-    {
-        add_point(load.start, load.axes, 0.0);
-        add_point(load.end, load.axes, geometry_.length);
     }
 
     void add(const TemperatureLoad& load)
@@ -81,10 +74,8 @@ public:
 
     void add_weight(Dof up, double q)
     {
-        LoadVector weight;
-        weight.set(up, -q);
-        weight.turn(geometry_.axes);
-        add_distributed(weight, weight, 0.0, geometry_.length);
+        const double L = geometry_.length;
+        add_together(std::array{LoadComponent{.dof = up, .from = 0.0, .to = L, .start = -q, .end = -q}});
     }
 
 private:
@@ -95,31 +86,29 @@ private:
         return std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
     }
 
-    void add_distributed(const LoadVector& start, const LoadVector& end, double from, double to)
+    /// \pre not empty, all of one kind, at the same places and along the same axes
+    void add_together(std::span<const LoadComponent> components)
     {
+        LoadVector start, end;
+        for (const LoadComponent& component : components) {
+            const double share = component.is_projected ? projection(component.dof) : 1.0;
+            start.set(component.dof, share * component.start);
+            end.set(component.dof, share * component.end);
+        }
+        const LoadComponent& first = components.front();
+        if (first.axes == LoadAxes::Global) {
+            start.turn(geometry_.axes);
+            end.turn(geometry_.axes);
+        }
+        const bool is_line = first.kind == LoadComponent::Kind::Line;
         for (std::size_t axis = 0; axis < n_local_axes; ++axis)
             if (start[axis] != 0.0 || end[axis] != 0.0)
-                loads_.push_back({.kind = SpanLoad::Kind::Distributed,
+                loads_.push_back({.kind = is_line ? SpanLoad::Kind::Distributed : SpanLoad::Kind::Point,
                                   .axis = static_cast<LocalAxis>(axis),
-                                  .from = from,
-                                  .to = to,
+                                  .from = first.from,
+                                  .to = first.to,
                                   .start = start[axis],
                                   .end = end[axis]});
-    }
-
-    void add_point(const std::vector<Component>& components, LoadAxes axes, double at)
-    {
-        LoadVector load;
-        for (const Component& component : components) load.set(component.dof, component.value);
-        if (axes == LoadAxes::Global) load.turn(geometry_.axes);
-        for (std::size_t axis = 0; axis < n_local_axes; ++axis)
-            if (load[axis] != 0.0)
-                loads_.push_back({.kind = SpanLoad::Kind::Point,
-                                  .axis = static_cast<LocalAxis>(axis),
-                                  .from = at,
-                                  .to = at,
-                                  .start = load[axis],
-                                  .end = 0.0});
     }
 
     void add_strain(double strain, double curvature)
@@ -138,7 +127,9 @@ std::vector<SpanLoad> span_loads(const MemberLoad& load, const MemberGeometry& g
                                  const MemberProperties& properties)
 {
     SpanLoadReader reader(geometry, properties);
-    std::visit([&](const auto& each) { reader.add(each); }, load.load);
+    reader.add(components_of(load, geometry.length));
+    if (const auto* const heat = std::get_if<TemperatureLoad>(&load.load)) reader.add(*heat);
+    if (const auto* const misfit = std::get_if<Misfit>(&load.load)) reader.add(*misfit);
     return reader.loads();
 }
 

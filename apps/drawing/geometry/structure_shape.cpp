@@ -1,7 +1,5 @@
 #include "apps/drawing/geometry/structure_shape.h"
 
-#include "femoop/geometry/member_geometry.h"
-
 namespace drawing {
 
 namespace {
@@ -10,15 +8,7 @@ using Eigen::Vector3d;
 
 MemberShape shape_of(const femoop::Model& model, const femoop::Member& member, const std::vector<Vector3d>& nodes)
 {
-    MemberShape shape;
-    shape.start_node = nodes[member.nodes[0].index];
-    shape.end_node = nodes[member.nodes[1].index];
-    const femoop::MemberGeometry geometry = femoop::geometry_of(model, member);
-    shape.start = geometry.start;
-    shape.end = geometry.end;
-    shape.length = geometry.length;
-    shape.axes = geometry.axes;
-    return shape;
+    return {femoop::geometry_of(model, member), nodes[member.nodes[0].index], nodes[member.nodes[1].index]};
 }
 
 double diagonal(const std::vector<Vector3d>& nodes)

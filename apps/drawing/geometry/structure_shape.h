@@ -1,5 +1,6 @@
 #pragma once
 
+#include "femoop/geometry/member_geometry.h"
 #include "femoop/model/model.h"
 
 #include <Eigen/Core>
@@ -7,17 +8,14 @@
 
 namespace drawing {
 
-/// Where a member lies, in the model's unit of length. Known of any model, solved or not.
-struct MemberShape {
+/// Where a member lies, in the model's unit of length. Known of any model, solved or not; of a faulty one the length
+/// may be 0.
+struct MemberShape : femoop::MemberGeometry {
     Eigen::Vector3d start_node, end_node; ///< the nodes that it joins
-    Eigen::Vector3d start, end;           ///< ends of its flexible part, inside the rigid offsets
-    Eigen::Matrix3d axes;                 ///< rows x' y' z' in global axes (femoop/model/member.h)
-    double length = 0.0;                  ///< of the flexible part; may be 0 in a faulty model
 
     Eigen::Vector3d x() const { return axes.row(0); }
     Eigen::Vector3d y() const { return axes.row(1); }
     Eigen::Vector3d z() const { return axes.row(2); }
-    Eigen::Vector3d at(double along) const { return start + along * x(); }
 };
 
 /// Places of all nodes and members: what a view needs before anything is solved.

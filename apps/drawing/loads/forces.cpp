@@ -2,7 +2,6 @@
 
 #include "apps/drawing/loads/loads.h"
 #include "apps/drawing/structure/supports.h"
-#include "femoop/load/place_along.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -13,12 +12,6 @@ namespace drawing {
 namespace {
 
 using Eigen::Vector3d;
-
-Vector3d axis_in(const MemberShape& member, femoop::Dof dof, femoop::LoadAxes axes)
-{
-    const auto i = static_cast<int>(femoop::index(dof) % 3);
-    return axes == femoop::LoadAxes::Local ? Vector3d(member.axes.row(i)) : Vector3d::Unit(i);
-}
 
 double force_length(const Scene& scene, double value, double largest)
 {
@@ -137,59 +130,40 @@ void draw_node_load(const Scene& scene, const femoop::NodeLoad& load, const Load
     }
 }
 
-void draw_point_load(const Scene& scene, femoop::MemberId id, const femoop::PointLoad& load, const LoadScale& scale,
-                     const LoadStack& stack)
+namespace {
+
+/// Loads on a member's end are drawn just inside it, since they act inside its releases.
+double place_of(const Scene& scene, const MemberShape& member, const femoop::LoadComponent& load)
 {
-    const MemberShape& member = scene.shape[id];
-    const double x = femoop::along(load.at, member.length);
-    const Vector3d at = member.at(x);
-    for (const femoop::Component& component : load.components) {
-        const double value = scale.factor * component.value;
-        if (value == 0.0) continue;
-        const Vector3d direction = (value < 0.0 ? -1.0 : 1.0) * axis_in(member, component.dof, load.axes);
-        if (femoop::is_rotation(component.dof)) {
-            draw_moment(scene, {.at = at,
-                                .axis = direction,
-                                .text = scene.text(std::abs(value), ui::Measure::Moment),
-                                .grip = GripOf{scale.load, component.dof}});
-            continue;
-        }
-        const double over = stack.height(-direction, {x, x});
-        const double least = over > 0.0 ? over + scene.sketch.px(20.0) : 0.0;
-        draw_force(scene, {.at = at,
-                           .direction = direction,
-                           .length = std::max(force_length(scene, value, scale.largest.force), least),
-                           .text = scene.text(std::abs(value), ui::Measure::Force),
-                           .grip = GripOf{scale.load, component.dof}});
-    }
+    if (load.kind != femoop::LoadComponent::Kind::End) return load.from;
+    const double inside = std::min(0.25 * member.length, scene.sketch.px(20.0) / scene.projection.scale());
+    return std::clamp(load.from, inside, member.length - inside);
 }
 
-void draw_end_loads(const Scene& scene, femoop::MemberId id, const femoop::EndLoads& load, const LoadScale& scale)
+} // namespace
+
+void draw_point_load(const Scene& scene, const ShownLoad& shown, const LargestLoads& largest, const LoadStack& stack)
 {
-    const MemberShape& member = scene.shape[id];
-    // Just inside the member's end, since they act inside its releases.
-    const double inside = std::min(0.25 * member.length, scene.sketch.px(20.0) / scene.projection.scale());
-    const auto draw_end = [&](const std::vector<femoop::Component>& components, double along) {
-        for (const femoop::Component& component : components) {
-            const double value = scale.factor * component.value;
-            if (value == 0.0) continue;
-            const Vector3d direction = (value < 0.0 ? -1.0 : 1.0) * axis_in(member, component.dof, load.axes);
-            if (femoop::is_rotation(component.dof))
-                draw_moment(scene, {.at = member.at(along),
-                                    .axis = direction,
-                                    .text = scene.text(std::abs(value), ui::Measure::Moment),
-                                    .radius = 14.0,
-                                    .grip = GripOf{scale.load, component.dof}});
-            else
-                draw_force(scene, {.at = member.at(along),
-                                   .direction = direction,
-                                   .length = force_length(scene, value, scale.largest.force),
-                                   .text = scene.text(std::abs(value), ui::Measure::Force),
-                                   .grip = GripOf{scale.load, component.dof}});
-        }
-    };
-    draw_end(load.start, inside);
-    draw_end(load.end, member.length - inside);
+    const femoop::LoadComponent& load = shown.component;
+    if (load.start == 0.0) return;
+    const MemberShape& member = scene.shape[shown.member];
+    const bool is_on_end = load.kind == femoop::LoadComponent::Kind::End;
+    const double x = place_of(scene, member, load);
+    const Vector3d direction = (load.start < 0.0 ? -1.0 : 1.0) * femoop::direction_of(load, member);
+    const GripOf grip{shown.part, load.dof};
+    if (femoop::is_rotation(load.dof))
+        return draw_moment(scene, {.at = member.at(x),
+                                   .axis = direction,
+                                   .text = scene.text(std::abs(load.start), ui::Measure::Moment),
+                                   .radius = is_on_end ? 14.0 : 16.0,
+                                   .grip = grip});
+    const double over = is_on_end ? 0.0 : stack.height(-direction, {x, x});
+    const double least = over > 0.0 ? over + scene.sketch.px(20.0) : 0.0;
+    draw_force(scene, {.at = member.at(x),
+                       .direction = direction,
+                       .length = std::max(force_length(scene, load.start, largest.force), least),
+                       .text = scene.text(std::abs(load.start), ui::Measure::Force),
+                       .grip = grip});
 }
 
 } // namespace drawing

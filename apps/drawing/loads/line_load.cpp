@@ -1,6 +1,5 @@
 #include "apps/drawing/loads/loads.h"
 #include "apps/drawing/sketch/symbols.h"
-#include "femoop/load/place_along.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -116,12 +115,6 @@ private:
     Stretch load_;
     Placing placing_;
 };
-
-Vector3d direction_of(const MemberShape& member, femoop::Dof dof, femoop::LoadAxes axes)
-{
-    const auto i = static_cast<int>(femoop::index(dof) % 3);
-    return axes == femoop::LoadAxes::Local ? Vector3d(member.axes.row(i)) : Vector3d::Unit(i);
-}
 
 void write_values(const Scene& scene, const Stretch& load, const LineLoadPicture& picture, ui::Point away)
 {
@@ -247,25 +240,20 @@ void draw_moments(const Scene& scene, const StretchLoad& stretch, LoadStack& sta
 
 } // namespace
 
-void draw_line_load(const Scene& scene, femoop::MemberId id, const femoop::DistributedLoad& load,
-                    const LoadScale& scale, LoadStack& stack)
+void draw_line_load(const Scene& scene, const ShownLoad& shown, const LargestLoads& largest, LoadStack& stack)
 {
-    const MemberShape& member = scene.shape[id];
-    const double from = load.from ? femoop::along(*load.from, member.length) : 0.0;
-    const double to = load.to ? femoop::along(*load.to, member.length) : member.length;
-    for (const auto& value : load.values) {
-        const Stretch whole{from, to, scale.factor * value.start,
-                            scale.factor * (value.end ? value.end->value() : value.start.value())};
-        if (!(whole.largest() > 0.0) || !(to > from)) continue;
-        const Vector3d direction = direction_of(member, value.dof, load.axes);
-        for (const Stretch& part : of_one_sign(whole)) {
-            if (!(part.largest() > 0.0)) continue;
-            const StretchLoad stretch{member,     part,     direction, load.projected, scale.largest.per_length,
-                                      scale.load, value.dof};
-            if (femoop::is_rotation(value.dof)) draw_moments(scene, stretch, stack);
-            else if (std::abs(stretch.along()) > 0.95) draw_along(scene, stretch, stack);
-            else draw_across(scene, stretch, stack);
-        }
+    const MemberShape& member = scene.shape[shown.member];
+    const femoop::LoadComponent& load = shown.component;
+    const Stretch whole{load.from, load.to, load.start, load.end};
+    if (!(whole.largest() > 0.0) || !(load.to > load.from)) return;
+    const Vector3d direction = femoop::direction_of(load, member);
+    for (const Stretch& part : of_one_sign(whole)) {
+        if (!(part.largest() > 0.0)) continue;
+        const StretchLoad stretch{member,     part,    direction, load.is_projected, largest.per_length,
+                                  shown.part, load.dof};
+        if (femoop::is_rotation(load.dof)) draw_moments(scene, stretch, stack);
+        else if (std::abs(stretch.along()) > 0.95) draw_along(scene, stretch, stack);
+        else draw_across(scene, stretch, stack);
     }
 }
 

@@ -1,45 +1,88 @@
 #include "apps/drawing/loads/loads.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
+#include <variant>
+#include <vector>
+
+#include "femoop/load/case_terms.h"
 
 namespace drawing {
 
 namespace {
 
-using Stacks = std::map<femoop::MemberId, LoadStack>;
+using femoop::LoadComponent;
+using Term = femoop::CaseTerms::Term;
 
-/// Calls `draw` for every load of one kind, with its member and what it is measured by.
-template <class Load, class Draw>
-void for_each(const std::vector<CaseTerm>& terms, const LargestLoads& largest, Draw&& draw)
+/// Calls `act` for every load on a member, with its case's factor and its place in the model.
+template <class Act> void for_each_member_load(const femoop::Model& model, const std::vector<Term>& terms, Act&& act)
 {
-    for (const CaseTerm& term : terms) {
-        const std::vector<femoop::MemberLoad>& loads = term.load_case->members;
-        for (std::size_t i = 0; i < loads.size(); ++i)
-            if (const auto* wanted = std::get_if<Load>(&loads[i].load))
-                draw(loads[i].member, *wanted, LoadScale{largest, term.factor, MemberLoadPlace{term.place, i}});
+    for (const Term& term : terms) {
+        const std::vector<femoop::MemberLoad>& loads = model.load_cases[term.load_case].members;
+        for (std::size_t i = 0; i < loads.size(); ++i) act(loads[i], term.factor, MemberLoadPlace{term.load_case, i});
     }
 }
 
-void draw_member_loads(const Scene& scene, const std::vector<CaseTerm>& terms, const LargestLoads& largest)
+std::vector<ShownLoad> shown_loads(const Scene& scene, const std::vector<Term>& terms)
 {
-    Stacks stacks;
-    for_each<femoop::TemperatureLoad>(terms, largest, [&](auto member, const auto& load, const LoadScale& scale) {
-        draw_temperature(scene, member, load, scale.factor, stacks[member]);
+    std::vector<ShownLoad> shown;
+    for_each_member_load(scene.model, terms, [&](const auto& load, double factor, const MemberLoadPlace& place) {
+        for (LoadComponent component : femoop::components_of(load, scene.shape[load.member].length)) {
+            component.start *= factor;
+            component.end *= factor;
+            shown.push_back({load.member, component, place});
+        }
     });
-    for_each<femoop::Misfit>(terms, largest, [&](auto member, const auto& load, const LoadScale& scale) {
-        draw_misfit(scene, member, load, scale.factor);
+    return shown;
+}
+
+void raise(double& largest, double value)
+{
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+}
+
+LargestLoads largest_of(const femoop::Model& model, const std::vector<Term>& terms, const std::vector<ShownLoad>& shown)
+{
+    LargestLoads largest;
+    for (const Term& term : terms)
+        for (const femoop::NodeLoad& load : model.load_cases[term.load_case].nodes)
+            for (const femoop::Component& c : load.components)
+                if (!femoop::is_rotation(c.dof)) raise(largest.force, term.factor * c.value);
+    for (const ShownLoad& load : shown) {
+        if (femoop::is_rotation(load.component.dof)) continue;
+        double& of_kind = load.component.kind == LoadComponent::Kind::Line ? largest.per_length : largest.force;
+        raise(of_kind, load.component.start);
+        raise(of_kind, load.component.end);
+    }
+    return largest;
+}
+
+/// The order in which they are drawn. Loads per projected length stand off the member, above those that lie on it.
+int turn_of(const LoadComponent& component)
+{
+    if (component.kind == LoadComponent::Kind::Line) return component.is_projected ? 1 : 0;
+    return component.kind == LoadComponent::Kind::Point ? 2 : 3;
+}
+
+void draw_member_loads(const Scene& scene, const std::vector<Term>& terms, std::vector<ShownLoad> shown,
+                       const LargestLoads& largest)
+{
+    std::map<femoop::MemberId, LoadStack> stacks;
+    for_each_member_load(scene.model, terms, [&](const auto& load, double factor, const MemberLoadPlace& /*place*/) {
+        if (const auto* const heat = std::get_if<femoop::TemperatureLoad>(&load.load))
+            draw_temperature(scene, load.member, *heat, factor, stacks[load.member]);
     });
-    // Loads per projected length stand off the member, above those that lie on it.
-    for (const bool projected : {false, true})
-        for_each<femoop::DistributedLoad>(terms, largest, [&](auto member, const auto& load, const LoadScale& scale) {
-            if (load.projected == projected) draw_line_load(scene, member, load, scale, stacks[member]);
-        });
-    for_each<femoop::PointLoad>(terms, largest, [&](auto member, const auto& load, const LoadScale& scale) {
-        draw_point_load(scene, member, load, scale, stacks[member]);
+    for_each_member_load(scene.model, terms, [&](const auto& load, double factor, const MemberLoadPlace& /*place*/) {
+        if (const auto* const misfit = std::get_if<femoop::Misfit>(&load.load))
+            draw_misfit(scene, load.member, *misfit, factor);
     });
-    for_each<femoop::EndLoads>(terms, largest, [&](auto member, const auto& load, const LoadScale& scale) {
-        draw_end_loads(scene, member, load, scale);
-    });
+    std::ranges::stable_sort(shown, {}, [](const ShownLoad& load) { return turn_of(load.component); });
+    for (const ShownLoad& load : shown) {
+        if (load.component.kind == LoadComponent::Kind::Line)
+            draw_line_load(scene, load, largest, stacks[load.member]);
+        else draw_point_load(scene, load, largest, stacks[load.member]);
+    }
 }
 
 } // namespace
@@ -47,14 +90,15 @@ void draw_member_loads(const Scene& scene, const std::vector<CaseTerm>& terms, c
 void draw_loads(const Scene& scene)
 {
     const ui::LayerScope layer(scene.sketch.painter(), ui::Layer::Symbols);
-    const std::vector<CaseTerm> terms = terms_of(scene.model, scene.options.load_case);
-    const LargestLoads largest = largest_loads(terms);
-    draw_member_loads(scene, terms, largest);
-    for (const CaseTerm& term : terms) {
-        const std::vector<femoop::NodeLoad>& loads = term.load_case->nodes;
-        for (std::size_t i = 0; i < loads.size(); ++i)
-            draw_node_load(scene, loads[i], {largest, term.factor, NodeLoadPlace{term.place, i}});
-        for (const auto& settlement : term.load_case->settlements) draw_settlement(scene, settlement, term.factor);
+    const std::vector<Term> terms = femoop::terms_of(scene.model, scene.options.load_case).terms;
+    std::vector<ShownLoad> shown = shown_loads(scene, terms);
+    const LargestLoads largest = largest_of(scene.model, terms, shown);
+    draw_member_loads(scene, terms, std::move(shown), largest);
+    for (const Term& term : terms) {
+        const femoop::LoadCase& load_case = scene.model.load_cases[term.load_case];
+        for (std::size_t i = 0; i < load_case.nodes.size(); ++i)
+            draw_node_load(scene, load_case.nodes[i], {largest, term.factor, NodeLoadPlace{term.load_case, i}});
+        for (const auto& settlement : load_case.settlements) draw_settlement(scene, settlement, term.factor);
     }
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "apps/drawing/loads/case_terms.h"
 #include "apps/drawing/loads/load_stack.h"
 #include "apps/drawing/sketch/scene.h"
+#include "femoop/load/load_components.h"
 
 namespace drawing {
 
@@ -10,17 +10,29 @@ namespace drawing {
 /// temperatures and misfits. Self-weight is a line of the legend.
 void draw_loads(const Scene& scene);
 
+/// What the arrows of a case are measured by: the largest of each kind.
+struct LargestLoads {
+    double per_length = 0.0;
+    double force = 0.0;
+};
+
 /// The parts of the above. Values are those of the file times the case's factor.
+
+/// A component of a load on a member, with that factor in it.
+struct ShownLoad {
+    femoop::MemberId member;
+    femoop::LoadComponent component;
+    Part part; ///< whose arrows are drawn, for the hand that pulls them
+};
+void draw_line_load(const Scene& scene, const ShownLoad& load, const LargestLoads& largest, LoadStack& stack);
+/// Of a point or an end of the member.
+void draw_point_load(const Scene& scene, const ShownLoad& load, const LargestLoads& largest, const LoadStack& stack);
+
 struct LoadScale {
     LargestLoads largest;
     double factor = 1.0; ///< of the case in the combination
-    Part load;           ///< whose arrows are drawn, for the hand that pulls them
+    Part load;           ///< as above
 };
-void draw_line_load(const Scene& scene, femoop::MemberId member, const femoop::DistributedLoad& load,
-                    const LoadScale& scale, LoadStack& stack);
-void draw_point_load(const Scene& scene, femoop::MemberId member, const femoop::PointLoad& load, const LoadScale& scale,
-                     const LoadStack& stack);
-void draw_end_loads(const Scene& scene, femoop::MemberId member, const femoop::EndLoads& load, const LoadScale& scale);
 void draw_node_load(const Scene& scene, const femoop::NodeLoad& load, const LoadScale& scale);
 void draw_settlement(const Scene& scene, const femoop::Settlement& settlement, double factor);
 void draw_temperature(const Scene& scene, femoop::MemberId member, const femoop::TemperatureLoad& load, double factor,

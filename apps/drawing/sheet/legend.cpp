@@ -1,7 +1,7 @@
 #include "apps/drawing/sheet/legend.h"
 
-#include "apps/drawing/loads/case_terms.h"
 #include "apps/drawing/results/envelope_cases.h"
+#include "femoop/load/case_terms.h"
 #include "ui/paint/wrapped_lines.h"
 #include "ui/text/shortened.h"
 
@@ -47,7 +47,8 @@ std::string self_weight_text(const femoop::Model& model, const DrawOptions& opti
 {
     if (options.is_envelope) return {};
     double factor = 0.0;
-    for (const CaseTerm& term : terms_of(model, options.load_case)) factor += term.factor * term.load_case->self_weight;
+    for (const auto& [load_case, share] : femoop::terms_of(model, options.load_case).terms)
+        factor += share * model.load_cases[load_case].self_weight;
     if (factor == 0.0) return {};
     if (factor == 1.0) return options.tr("with self-weight");
     return options.tr("with {factor} × self-weight", {{"factor", ui::number_text(factor, options.numbers)}});

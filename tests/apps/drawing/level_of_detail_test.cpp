@@ -10,7 +10,13 @@ TEST_SUITE_BEGIN("frame");
 
 namespace {
 
-MemberShape member(double from, double to) { return {.start = {from, 0.0, 0.0}, .end = {to, 0.0, 0.0}}; }
+MemberShape member(double from, double to)
+{
+    MemberShape shape;
+    shape.start = {from, 0.0, 0.0};
+    shape.end = {to, 0.0, 0.0};
+    return shape;
+}
 
 /// Members of 2, 3 and 7 m.
 StructureShape three_members()

@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include "apps/drawing/draw.h"
-#include "apps/drawing/loads/case_terms.h"
 #include "apps/drawing/results/envelope_cases.h"
 #include "apps/drawing/results/locked_scale.h"
 #include "apps/drawing/results/marked_values.h"
@@ -149,19 +148,6 @@ TEST_CASE("Round scales are 1, 2 or 5 times a power of ten")
     CHECK(round_below(0.0399) == doctest::Approx(0.02));
     CHECK(round_below(1.0) == doctest::Approx(1.0));
     CHECK(round_below(4.9999) == doctest::Approx(2.0));
-}
-
-TEST_CASE("The terms of a combination of combinations are multiplied out")
-{
-    femoop::Model model = view_test::simple_beam(L, q);
-    model.add(femoop::LoadCase{.id = "w"});
-    model.combinations.push_back({.id = "sum", .terms = {{femoop::CaseId{0}, 1.35}, {femoop::CaseId{1}, -0.5}}});
-    model.combinations.push_back({.id = "twice", .terms = {{femoop::CaseId{2}, 2.0}}});
-    const auto terms = terms_of(model, femoop::CaseId{3});
-    REQUIRE(terms.size() == 2);
-    CHECK(terms[0].load_case->id == "q");
-    CHECK(terms[0].factor == doctest::Approx(2.7));
-    CHECK(terms[1].factor == doctest::Approx(-1.0));
 }
 
 TEST_CASE("A model without nodes, with members of no length or with a faulty case draws without fault")

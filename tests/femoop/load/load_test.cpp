@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "femoop/load/case_terms.h"
+#include "femoop/load/load_components.h"
 #include "femoop/load/place_along.h"
 #include "femoop/load/span_loads.h"
 
@@ -99,4 +100,33 @@ TEST_CASE("A combination of combinations is multiplied out, and a load case that
     CHECK(terms.terms[1].load_case == Q.index);
     CHECK(terms.terms[1].factor == 1.4);
     CHECK(cases_of(model).size() == 5);
+}
+
+TEST_CASE("Of a case that the model lacks there is nothing, and what goes round in combinations adds nothing")
+{
+    Model model;
+    model.load_cases.push_back({.id = "G"});
+    const CaseId G(0), first(1), second(2), missing(9);
+    model.combinations.push_back({.id = "first", .terms = {{G, 1.0}, {second, 1.0}, {missing, 1.0}}});
+    model.combinations.push_back({.id = "second", .terms = {{G, 0.5}, {first, 1.0}}});
+    CHECK(terms_of(model, missing).terms.empty());
+    REQUIRE(terms_of(model, first).terms.size() == 1);
+    CHECK(terms_of(model, first).terms[0].factor == 1.5);
+}
+
+TEST_CASE("A load's components say where they act and which way, whatever the axes")
+{
+    const MemberLoad ends{.member = {}, .load = EndLoads{.start = {{Dof::ux, 2.0}}, .end = {{Dof::rz, -3.0}},
+                                                         .axes = LoadAxes::Local}};
+    const auto components = components_of(ends, L);
+    REQUIRE(components.size() == 2);
+    CHECK(components[0].kind == LoadComponent::Kind::End);
+    CHECK(components[0].from == 0.0);
+    CHECK(components[1].from == L);
+    CHECK(components[1].start == -3.0);
+    CHECK((direction_of(components[0], slope()) - slope().axes.row(0).transpose()).norm() == 0.0);
+    const MemberLoad wind{.member = {}, .load = PointLoad{.at = Percent{50.0}, .components = {{Dof::uy, 4.0}}}};
+    CHECK(components_of(wind, L).at(0).from == 0.5 * L);
+    CHECK(direction_of(components_of(wind, L).at(0), slope()) == Eigen::Vector3d::UnitY());
+    CHECK(components_of({.member = {}, .load = Misfit{0.01}}, L).empty());
 }
