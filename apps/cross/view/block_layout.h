@@ -24,7 +24,7 @@ struct BlockLayout {
                                                ///< place lies beyond it
     double type = 13.0;                        ///< size of the numbers
     std::size_t n_lines = 0;                   ///< between the box of the factor and the sum
-    double clarity = 0.6; ///< 1 where every column stands beside its member end: worth larger type elsewhere
+    double clarity = 0.5; ///< 1 where every column stands beside its member end: worth larger type elsewhere
 };
 
 struct BlockRequest {
@@ -49,7 +49,7 @@ inline constexpr double total_height = 1.55; ///< the sum
 /// As large and as long as they all find room beside their member ends; where even the smallest do not, the first ones
 /// get it.
 BlockLayout laid_out(const BlockRequest& request);
-/// More columns find room, each where it belongs, or in larger type. \pre both are of the same places
+/// More columns find room, each where it belongs, or in clearly larger type. \pre both are of the same places
 bool is_better(const BlockLayout& a, const BlockLayout& b);
 
 } // namespace cross

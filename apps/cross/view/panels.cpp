@@ -36,7 +36,7 @@ Extent extent_of(const drawing::StructureShape& shape)
 
 ui::PlaneCamera camera_over(const Extent& extent, ui::Size panel, ui::Margins margins)
 {
-    constexpr double most = 0.24, most_left = 0.36, most_above = 0.3; // of a small panel
+    constexpr double most = 0.24, most_left = 0.36, most_above = 0.42; // of a small panel
     ui::PlaneCamera camera;
     margins.left = std::min(margins.left, most_left * panel.width);
     margins.right = std::min(margins.right, most * panel.width);
@@ -105,7 +105,8 @@ double share_of_type(const Panel& panel, const ui::Theme& theme)
 
 Panels beside(const Extent& extent, ui::Size sheet, const ui::Theme& theme, const Arrangement& arrangement)
 {
-    constexpr double least = 10.0; // ems
+    constexpr double least = 10.0;                           // ems of a small picture
+    constexpr double usual_above = 5.2, moments_above = 6.6; // ems: fixed-end moments are the largest of all
     const double em = theme.type().normal, left = std::max(arrangement.small_share * sheet.width, least * em),
                  height = sheet.height / 3.0;
     Panels panels;
@@ -114,7 +115,8 @@ Panels beside(const Extent& extent, ui::Size sheet, const ui::Theme& theme, cons
         panel->box = ui::box_at({0.0, top}, {left, height});
         panel->ems_high = 13.0;
         const double own = share_of_type(*panel, theme) * em;
-        panel->camera = camera_over(extent, panel->box.size(), {5.0 * own, 5.2 * own, 5.0 * own, 3.6 * own});
+        const double above = panel == &panels.moments ? moments_above : usual_above;
+        panel->camera = camera_over(extent, panel->box.size(), {5.0 * own, above * own, 5.0 * own, 3.4 * own});
         top += height;
     }
     panels.sheet.box = {{left, 0.0}, {sheet.width, sheet.height}};
@@ -246,19 +248,37 @@ Panels panels_for(const drawing::StructureShape& shape, ui::Size sheet, const ui
     return panels;
 }
 
+namespace {
+
+/// A beam's columns hang down from it and grow with the zoom, so its sheet moves up and down, as far as they reach.
+void look_closer_at_columns(Panel& sheet, const Eigen::Vector2d& own, Zoom zoom)
+{
+    const double height = sheet.box.height(), growth = std::max(1.0, zoom.factor);
+    const double scale = zoom.factor * sheet.camera.scale(), lowest = (growth - 1.0) * height / scale;
+    if (zoom.middle) zoom.middle->y() = std::clamp(zoom.middle->y(), own.y() - lowest, own.y());
+    look_closer(sheet, own, zoom);
+    sheet.whole.min.y = sheet.box.min.y + (zoom.middle ? scale * (zoom.middle->y() - own.y()) : 0.0);
+    sheet.whole.max.y = sheet.whole.min.y + growth * height;
+}
+
+} // namespace
+
 void look_closer(Panels& panels, const drawing::StructureShape& shape, Zoom zoom)
 {
     const std::array all{&panels.structure, &panels.deformed, &panels.moments, &panels.sheet};
     for (Panel* const panel : all) panel->whole = panel->box;
+    if (zoom.factor == 1.0 && !zoom.middle) return;
     const Eigen::Vector2d own = middle_of(shape);
-    const bool lies_flat = is_beam(shape);
-    if (zoom.middle && lies_flat) zoom.middle->y() = own.y();
-    for (Panel* const panel : all)
-        if (zoom.factor != 1.0 || zoom.middle) look_closer(*panel, own, zoom);
-    if (!lies_flat) return;
-    panels.sheet.whole.min.y = panels.sheet.box.min.y; // a beam's columns hang down, however long it is
-    panels.sheet.whole.max.y = panels.sheet.box.max.y;
-    for (Panel* const panel : {&panels.structure, &panels.deformed, &panels.moments}) panel->zoom = 1.0;
+    if (!is_beam(shape)) {
+        for (Panel* const panel : all) look_closer(*panel, own, zoom);
+        return;
+    }
+    look_closer_at_columns(panels.sheet, own, zoom);
+    if (zoom.middle) zoom.middle->y() = own.y();
+    for (Panel* const panel : {&panels.structure, &panels.deformed, &panels.moments}) {
+        look_closer(*panel, own, zoom);
+        panel->zoom = 1.0;
+    }
 }
 
 void make_room_for_reactions(Panels& panels, const drawing::StructureShape& shape, const ui::Theme& theme)

@@ -61,6 +61,7 @@ public:
     /// Of short columns: the frame stays where it is while they grow.
     const BlockLayout& short_columns()
     {
+        widest_ = widest_foreseen();
         lay_out(least_lines);
         return layout_;
     }
@@ -172,6 +173,16 @@ private:
                 for (const Cell& cell : column.cells)
                     consider(numbers_.moment(problem_[column.end], -std::abs(cell.value)));
         return widest;
+    }
+
+    /// What hardly a number of the sheet will exceed, so that no turn changes it.
+    double widest_foreseen() const
+    {
+        constexpr double em = 16.0, growth = 1.5;
+        double largest = 0.0;
+        for (const double moment : problem_.loading.fixed_end) largest = std::max(largest, std::abs(moment));
+        const ui::TextStyle style{.size = em, .weight = ui::Weight::Bold};
+        return painter_.measure(numbers_.moment(-growth * largest), style).width / em;
     }
 
     // ---- what stands there

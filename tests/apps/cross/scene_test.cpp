@@ -2,10 +2,13 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <sstream>
+#include <string>
 
 #include "apps/cross/document/file.h"
 #include "apps/cross/view/scene.h"
 #include "tests/golden/scene.h"
+#include "ui/paint/surface/golden_text.h"
 
 using namespace cross;
 namespace fc = femoop::cross;
@@ -161,6 +164,29 @@ TEST_CASE("A portal's load is written below the heading in every window, and its
                 CHECK(drawn.views.front().box.contains(box_of(length, drawn)->max));
             }
         }
+}
+
+TEST_CASE("The numbers of a beam's sheet grow with the wheel, on the projector too")
+{
+    const auto size_of_factor = [](const Zoom& zoom) {
+        const Document document = starting_document();
+        const Solution solution = solve(document);
+        const Look look{.theme = ui::ThemeName::Projector, .zoom = zoom};
+        const ui::Fonts fonts;
+        ui::Painter painter({1280.0, 690.0}, fonts);
+        draw(painter, {document, solution, nullptr, 1.0, {}, look});
+        std::istringstream lines(ui::golden_text(painter.picture())); // (120.0, 46.5) center 13 "0.360"
+        for (std::string line, word; std::getline(lines, line);) {
+            if (!line.ends_with("\"0.360\"")) continue;
+            std::istringstream words(line);
+            double size = 0.0;
+            words >> word >> word >> word >> size;
+            return size;
+        }
+        return 0.0;
+    };
+    REQUIRE(size_of_factor({}) > 0.0);
+    CHECK(size_of_factor({.factor = 2.0}) > 1.7 * size_of_factor({}));
 }
 
 TEST_CASE("In fractions factors and moments are exact")
