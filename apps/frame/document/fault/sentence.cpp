@@ -8,6 +8,7 @@
 #include "femoop/model/dof.h"
 #include "femoop/result/structure_words.h"
 #include "ui/text/arithmetic.h"
+#include "ui/text/language_manner.h"
 
 namespace frame {
 
@@ -108,6 +109,14 @@ bool names_a_kind(FaultKind kind, std::size_t argument)
     }
 }
 
+/// "12.5 m" is in every file, and what is typed has the mark of the language.
+bool is_example_to_type(const Fault& fault, std::size_t argument)
+{
+    const bool has_example = fault.kind == FaultKind::QuantityWithoutNumber ||
+                             fault.kind == FaultKind::QuantityWithoutUnit;
+    return has_example && argument == 2 && fault.arguments.front().empty();
+}
+
 constexpr std::size_t label_place = 8, table_place = 9; // in the patterns
 
 Fault spoken(const Fault& fault, const Catalogue& tr)
@@ -117,6 +126,8 @@ Fault spoken(const Fault& fault, const Catalogue& tr)
     for (std::size_t i = 0; i < told.arguments.size(); ++i) {
         std::string& argument = told.arguments[i];
         if (names_an_end(fault.kind, i)) argument = tr(argument);
+        if (is_example_to_type(fault, i) && ui::decimal_mark(tr.language()) == ui::DecimalMark::Comma)
+            std::ranges::replace(argument, '.', ',');
         if (names_a_kind(fault.kind, i)) argument = kind_named(argument, tr).value_or(argument);
     }
     const Remedy remedy = remedy_of(fault);
