@@ -98,6 +98,7 @@ private:
     std::optional<FootMessage> notice() const;
     void follow_link(double seconds);
     void show_link();
+    void answer(OfferAnswer given);
     void show_dialogs();
     void ask_about_unsaved();
     void copy_picture();
@@ -192,6 +193,8 @@ template <class Workspace> void DocumentApp<Workspace>::handle_common_request(Re
 {
     if (dialogs_.take(request, session().path()) || session_store_.take(request)) return;
     if (request == Request::CopyPicture) copy_picture();
+    else if (request == Request::TakeOver) answer(OfferAnswer::TakeOver);
+    else if (request == Request::KeepAsItIs) answer(OfferAnswer::Keep);
     else if (request == Request::Quit) quit();
     else take(request);
 }
@@ -236,15 +239,24 @@ template <class Workspace> void DocumentApp<Workspace>::follow_link(double secon
         if (linked_)
             linked_->tick(seconds, {[this] { return session().linked_text(); },
                                     [this](const std::string& other) { return session().is_news(other); }});
+    workspace_.has_offer = linked_ && linked_->offered();
 }
 
 template <class Workspace> void DocumentApp<Workspace>::show_link()
 {
     if constexpr (Linkable<Session>) {
         if (!linked_ || !linked_->offered()) return;
-        const auto answer = show_offer(session().tr()("the frame has changed"), session().tr());
-        if (answer == OfferAnswer::TakeOver) workspace_.session.adopt(linked_->take());
-        if (answer == OfferAnswer::Keep) linked_->keep();
+        const auto given = show_offer({translatable("the frame has changed"), translatable("frame")}, session().tr());
+        if (given) answer(*given);
+    }
+}
+
+template <class Workspace> void DocumentApp<Workspace>::answer(OfferAnswer given)
+{
+    if constexpr (Linkable<Session>) {
+        if (!linked_ || !linked_->offered()) return;
+        if (given == OfferAnswer::TakeOver) workspace_.session.adopt(linked_->take());
+        else linked_->keep();
     }
 }
 

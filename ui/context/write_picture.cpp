@@ -2,6 +2,8 @@
 
 #include <array>
 #include <exception>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <unistd.h>
 
@@ -38,6 +40,13 @@ private:
 
 } // namespace
 
+Message not_written(const std::filesystem::path& path, const std::exception& error)
+{
+    const bool is_known = dynamic_cast<const NotWritten*>(&error) != nullptr;
+    constexpr std::string_view remedy = translatable("check that its folder exists, may be written to and has room");
+    return not_written(path, is_known ? std::string(remedy) : std::string(error.what()));
+}
+
 std::optional<Message> write_picture(const std::filesystem::path& path, const Picture& picture, const Fonts& fonts,
                                      const PictureLook& look)
 {
@@ -48,7 +57,7 @@ std::optional<Message> write_picture(const std::filesystem::path& path, const Pi
         else if (has_ending(path, ".svg")) write_file(path, svg_document(picture, fonts, look.background));
         else write_png(path, rasterized(picture, fonts, {.scale = look.png_scale, .background = look.background}));
     } catch (const std::exception& error) {
-        return not_written(path, error.what());
+        return not_written(path, error);
     }
     return std::nullopt;
 }

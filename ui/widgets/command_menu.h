@@ -73,7 +73,8 @@ public:
             for (std::size_t i = 0; i < found.size(); ++i) {
                 const bool can_run = !why_not(*found[i], session);
                 const std::string keys = found[i]->shortcuts.empty() ? "" : text(found[i]->shortcuts.front());
-                const std::string name = tr(found[i]->menu) + "  ›  " + label(*found[i], session, tr);
+                const std::string menu = found[i]->menu.empty() ? "" : tr(found[i]->menu) + "  ›  ";
+                const std::string name = menu + label(*found[i], session, tr);
                 if (show_line(i, {name, keys, can_run})) chosen = found[i];
             }
         }

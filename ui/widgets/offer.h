@@ -2,8 +2,8 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 
+#include "ui/files/linked_copy.h"
 #include "ui/text/catalogue.h"
 
 namespace ui {
@@ -11,7 +11,7 @@ namespace ui {
 enum class OfferAnswer : std::uint8_t { TakeOver, Keep };
 
 /// What a linked program offers, with both answers, in a line of the menu bar, where it covers nothing.
-/// \pre within a menu bar   \param sentence  "the frame has changed"
-std::optional<OfferAnswer> show_offer(const std::string& sentence, const Catalogue& tr);
+/// \pre within a menu bar
+std::optional<OfferAnswer> show_offer(const OfferWords& words, const Catalogue& tr);
 
 } // namespace ui

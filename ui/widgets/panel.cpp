@@ -97,13 +97,16 @@ void menu_bar_title(const std::string& name)
     ImGui::TextDisabled("%s", name.c_str());
 }
 
+float width_of_button(const std::string& label)
+{
+    return ImGui::CalcTextSize(label.c_str(), nullptr, true).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+}
+
 bool TabRow::show(const std::string& title, bool is_chosen)
 {
     const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
     const float gap = 0.3F * ImGui::GetFontSize();
-    const float words = ImGui::CalcTextSize(title.c_str(), nullptr, true).x;
-    const float width = words + 2.0F * ImGui::GetStyle().FramePadding.x;
-    if (!is_first_ && ImGui::GetItemRectMax().x + gap + width <= end) ImGui::SameLine(0.0F, gap);
+    if (!is_first_ && ImGui::GetItemRectMax().x + gap + width_of_button(title) <= end) ImGui::SameLine(0.0F, gap);
     is_first_ = false;
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(is_chosen ? ImGuiCol_TabActive : ImGuiCol_Tab));
     const bool is_clicked = ImGui::Button(title.c_str());
@@ -133,11 +136,6 @@ void end_foot()
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(3);
-}
-
-float width_of_button(const std::string& label)
-{
-    return ImGui::CalcTextSize(label.c_str(), nullptr, true).x + 2.0F * ImGui::GetStyle().FramePadding.x;
 }
 
 float width_of_buttons(const FootMessage& message)

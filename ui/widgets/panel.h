@@ -47,6 +47,8 @@ private:
 /// What lies below the picture, `height` pixels high; laid out before the picture, which shows what it changed.
 void show_below(float height, const std::function<void()>& content);
 
+float width_of_button(const std::string& label); ///< [px]
+
 /// One tab beside the other, in a further row where there is no room: a word is never cut.
 class TabRow {
 public:

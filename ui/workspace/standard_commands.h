@@ -138,6 +138,19 @@ template <class Workspace> void add_projector(CommandTable<Workspace>& table)
             [](const Workspace& workspace) { return workspace.theme() == ThemeName::Projector; }, project<Workspace>);
 }
 
+/// Of apps that are linked with another one: what its window offers is answered as by its buttons (ui/widgets/offer.h).
+template <class Workspace> void add_offer(CommandTable<Workspace>& table)
+{
+    MenuBuilder<Workspace> menu(table, edit_menu);
+    const auto why_not = [](const Workspace& workspace) -> Reason {
+        if (workspace.has_offer) return std::nullopt;
+        return translatable("no linked window offers a change");
+    };
+    menu.step({"edit.take_over", translatable("Take over what the linked window has changed")}, asks(Request::TakeOver),
+              why_not);
+    menu.step({"edit.keep", translatable("Keep this as it is")}, asks(Request::KeepAsItIs), why_not);
+}
+
 template <class Workspace> void add_panels(CommandTable<Workspace>& table)
 {
     MenuBuilder<Workspace>(table, view_menu)

@@ -22,6 +22,8 @@ enum class Request : std::uint8_t {
     Fit,
     ZoomIn,
     ZoomOut,
+    TakeOver,
+    KeepAsItIs,
     Quit
 };
 
@@ -39,6 +41,7 @@ enum class Request : std::uint8_t {
 struct Workspace {
     std::vector<Request> asked{}; ///< the window takes them once a frame
     bool has_panels = true;
+    bool has_offer = false;    ///< a linked program has changed something (ui/files/linked_copy.h)
     double export_scale = 2.0; ///< pixels of a PNG for a logical one
 
     /// What numbers are shown in, of an app that has a choice.

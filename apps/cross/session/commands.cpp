@@ -356,6 +356,7 @@ void add_view_commands(CommandTable& table)
     ui::standard::add_panels(table);
     ui::standard::add_zoom(table, translatable("Show the whole structure"), {{Key::Digit0, {}}});
     ui::standard::add_projector(table);
+    ui::standard::add_offer(table);
     ui::standard::add_themes(table);
     ui::standard::add_export_scales(table);
     ui::standard::add_languages(table);

@@ -29,8 +29,7 @@ public:
         : request_(request), type_(type), down_(side == Side::Below ? 1.0 : -1.0), rows_(rows)
     {
         layout_ = {.boxes = {}, .type = type, .n_lines = n_lines};
-        const double lines = line_height * static_cast<double>(n_lines);
-        size_ = {request.width_of(type), type * (head_height + lines + total_height)};
+        width_ = request.width_of(type);
     }
 
     /// Nothing as soon as one finds no room.
@@ -61,11 +60,12 @@ private:
     std::optional<ui::Box> found_in(std::size_t row, double apart, const EndPlace& place) const
     {
         const double share = rows_.n > 1 ? past_middle : 0.5; // of the member: how far from its joint
-        const double most = std::max(0.0, share * place.length - 0.5 * extent(place.along));
+        const ui::Size size = size_of(place);
+        const double most = std::max(0.0, share * place.length - 0.5 * extent(place.along, size));
         for (const double shift : {0.0, 0.5, 1.0, 1.6, 2.4, 3.5, 5.0, 7.0}) {
             if (shift > 0.0 && shift * type_ > most) break;
             for (const ui::Point side : sides(place, row)) {
-                const double drop = static_cast<double>(row) * (extent(side) + apart * type_);
+                const double drop = static_cast<double>(row) * (extent(side, size) + apart * type_);
                 const ui::Box box = at(place, side, shift * type_, drop);
                 if (is_free(box) && (row == 0 || is_in_sight(at(place, side, shift * type_, 0.0), box))) return box;
             }
@@ -84,14 +84,25 @@ private:
         return {first, -first};
     }
 
-    double extent(ui::Point d) const { return std::abs(d.x) * size_.width + std::abs(d.y) * size_.height; }
+    ui::Size size_of(const EndPlace& place) const
+    {
+        constexpr double least = -1.0; // a head and one line
+        const double lines = std::max(least, static_cast<double>(layout_.n_lines) - static_cast<double>(place.n_spare));
+        return {width_, type_ * (head_height + line_height * lines + total_height)};
+    }
+
+    static double extent(ui::Point d, ui::Size size)
+    {
+        return std::abs(d.x) * size.width + std::abs(d.y) * size.height;
+    }
 
     ui::Box at(const EndPlace& place, ui::Point side, double shift, double drop) const
     {
         const double gap = 0.55 * type_;
-        const ui::Point middle = place.joint + (gap + shift + 0.5 * extent(place.along)) * place.along +
-                                 (gap + drop + 0.5 * extent(side)) * side;
-        return ui::box_at({middle.x - 0.5 * size_.width, middle.y - 0.5 * size_.height}, size_);
+        const ui::Size size = size_of(place);
+        const ui::Point middle = place.joint + (gap + shift + 0.5 * extent(place.along, size)) * place.along +
+                                 (gap + drop + 0.5 * extent(side, size)) * side;
+        return ui::box_at({middle.x - 0.5 * size.width, middle.y - 0.5 * size.height}, size);
     }
 
     /// No member stands between the place beside the own one and this.
@@ -112,7 +123,7 @@ private:
     const BlockRequest& request_;
     double type_, down_;
     Rows rows_;
-    ui::Size size_;
+    double width_ = 0.0;
     BlockLayout layout_;
 };
 
@@ -125,13 +136,22 @@ auto n_left_out(const BlockLayout& layout)
 
 namespace {
 
+double clarity(Rows rows)
+{
+    if (rows.n == 1) return 1.0;
+    return rows.inside == Rows::Inside::Avoided ? still_legible : BlockLayout().clarity;
+}
+
 /// As large as they are whole, down to a size of type.
 std::optional<BlockLayout> whole(const BlockRequest& request, double least_type, Rows rows)
 {
     for (double type = request.largest_type; type > least_type; type *= 0.9)
         for (std::size_t n = request.most_lines + 1; n-- > request.fewest_lines;)
             for (const Trial::Side side : {Trial::Side::Below, Trial::Side::Above})
-                if (auto layout = Trial(request, type, n, side, rows).run_whole()) return layout;
+                if (auto layout = Trial(request, type, n, side, rows).run_whole()) {
+                    layout->clarity = clarity(rows);
+                    return layout;
+                }
     return std::nullopt;
 }
 
@@ -168,6 +188,13 @@ BlockRequest inside(const BlockRequest& request, std::vector<std::size_t>& kept)
 }
 
 } // namespace
+
+bool is_better(const BlockLayout& a, const BlockLayout& b)
+{
+    const double clearly = a.clarity > b.clarity ? 1.0 : 1.15;
+    if (n_left_out(a) != n_left_out(b)) return n_left_out(a) < n_left_out(b);
+    return a.clarity * a.type > clearly * b.clarity * b.type;
+}
 
 BlockLayout laid_out(const BlockRequest& request)
 {

@@ -13,8 +13,9 @@ namespace cross {
 struct EndPlace {
     femoop::cross::EndId end;
     ui::Point joint;
-    ui::Point along;     ///< unit vector from the joint into the member
-    double length = 0.0; ///< of the member on the sheet
+    ui::Point along;         ///< unit vector from the joint into the member
+    double length = 0.0;     ///< of the member on the sheet
+    std::size_t n_spare = 0; ///< lines that its column has less than the longest
 };
 
 /// Where the columns stand.
@@ -23,6 +24,7 @@ struct BlockLayout {
                                                ///< place lies beyond it
     double type = 13.0;                        ///< size of the numbers
     std::size_t n_lines = 0;                   ///< between the box of the factor and the sum
+    double clarity = 0.5; ///< 1 where every column stands beside its member end: worth larger type elsewhere
 };
 
 struct BlockRequest {
@@ -47,5 +49,7 @@ inline constexpr double total_height = 1.55; ///< the sum
 /// As large and as long as they all find room beside their member ends; where even the smallest do not, the first ones
 /// get it.
 BlockLayout laid_out(const BlockRequest& request);
+/// More columns find room, each where it belongs, or in clearly larger type. \pre both are of the same places
+bool is_better(const BlockLayout& a, const BlockLayout& b);
 
 } // namespace cross

@@ -70,9 +70,15 @@ Drawn draw(ui::Painter& painter, const Scene& scene)
     if (scene.worksheet != nullptr) return draw_exercise(painter, scene);
     const ui::Theme theme = scene.look.full_theme();
     const drawing::StructureShape shape = drawing::shape_of(scene.document.model);
-    const double share = share_of_small_pictures(shape);
-    const Panel whole = panels_for(shape, painter.size(), theme, {}, share).sheet;
-    Panels panels = panels_for(shape, painter.size(), theme, scene.look.zoom, share, sheet_bays(painter, whole, scene));
+    Arrangement arrangement{.small_share = share_of_small_pictures(shape)};
+    const Panels whole = panels_for(shape, painter.size(), theme, arrangement);
+    arrangement.zoom = scene.look.zoom;
+    if (whole.is_stacked) arrangement.bays = sheet_bays(painter, whole.sheet, scene);
+    else {
+        arrangement.room = sheet_room(painter, whole.sheet, scene);
+        arrangement.loaded = camera_around_loads(whole.structure, scene, painter.fonts());
+    }
+    Panels panels = panels_for(shape, painter.size(), theme, arrangement);
     if (scene.look.shears) make_room_for_reactions(panels, shape, theme);
     draw_borders(painter, panels, theme);
     drawn.loads = draw_loaded(painter, panels.structure, scene).loads;
@@ -92,7 +98,7 @@ Drawn draw(ui::Painter& painter, const Scene& scene)
                 drawn.joints.push_back({femoop::cross::JointId(j), part, at});
     drawn.middle = middle_of(shape);
     for (const Part part : {Part::Structure, Part::Deformed, Part::Moments, Part::Sheet})
-        drawn.views.push_back({panels[part].box, panels[part].camera, panels[part].stretch, panels[part].bays});
+        drawn.views.push_back(view_of(panels[part]));
     return drawn;
 }
 

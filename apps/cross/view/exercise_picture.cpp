@@ -31,6 +31,7 @@ constexpr double cell_height = 1.2;
 constexpr double label_size = 0.8;
 constexpr double usual_cells = 1.1;              // size of type, of the usual one
 constexpr double largest_cells = 1.7;            // likewise, where all find room beside their member ends
+constexpr double most_magnified_cells = 3.0;     // of cells that a zoom enlarges
 constexpr double least_cells = 7.0;              // [px]
 constexpr std::size_t lines_of_head_and_sum = 2; // that a block has besides those that it is asked for
 
@@ -45,6 +46,7 @@ public:
           problem_(worksheet_.form.problem),
           drawn_(drawn),
           theme_(theme_in(panel, scene.look)),
+          marks_(theme_of_marks(panel, scene.look)),
           shape_(drawing::shape_of(scene.document.model)),
           columns_(blank_columns(worksheet_, scene.worksheet_stage))
     {}
@@ -62,11 +64,10 @@ public:
         draw_sways();
     }
 
-    /// Of two layouts the greater one is better: how many columns find room, and their size of type.
-    std::pair<std::ptrdiff_t, double> fit()
+    const BlockLayout& layout()
     {
         lay_out();
-        return {std::ranges::count_if(layout_.boxes, [](const auto& box) { return box.has_value(); }), layout_.type};
+        return found_;
     }
 
     /// How the spans of a beam are drawn so that its columns find room.
@@ -85,6 +86,7 @@ public:
 
     bool has_room() const
     {
+        if (panel_.is_zoomed) return true; // some are out of sight
         std::size_t n = 0;
         for (const BlankColumn& column : columns_) n += column.cells.size();
         if (scene_.worksheet_stage == worksheet_.n_sheets()) n += superposition_cells(worksheet_).size();
@@ -98,32 +100,40 @@ private:
         std::vector<std::size_t> with_cells;
         for (std::size_t e = 0; e < columns_.size(); ++e) {
             if (columns_[e].cells.empty()) continue;
-            request.places.push_back(place_of_end(panel_, shape_, problem_, fc::EndId(e), theme_));
+            request.places.push_back(place_of_end(panel_, shape_, problem_, fc::EndId(e), marks_));
+            request.places.back().n_spare = n_lines() - std::min(n_lines(), columns_[e].n_lines);
             with_cells.push_back(e);
         }
-        request.room = panel_.box.grown(-0.3 * theme_.type().normal);
+        request.room = panel_.whole.grown(-0.3 * theme_.type().normal);
         request.room.min.y += 1.8 * theme_.type().normal;
         request.room.max.y -= legend_height();
         if (scene_.worksheet_stage == worksheet_.n_sheets()) request.room.max.y -= 2.4 * theme_.type().normal;
-        request.obstacles = obstacles_in(panel_, shape_, scene_.document.model, theme_);
-        request.largest_type = usual_cells * theme_.type().normal;
+        request.obstacles = obstacles_in(panel_, shape_, scene_.document.model, marks_);
+        request.largest_type = usual_cells * magnified();
         request.most_lines = n_lines() - std::min(n_lines(), lines_of_head_and_sum);
         request.fewest_lines = request.most_lines;
         request.least_type = least_cells;
         request.n_rows = 3;
         request.width_of = [this](double type) { return column_width(type); };
         request.middle = middle_of(panel_, shape_);
-        BlockLayout found = best_layout(request);
-        layout_ = {.boxes = {}, .type = found.type, .n_lines = found.n_lines};
+        found_ = best_layout(request);
+        layout_ = {.boxes = {}, .type = found_.type, .n_lines = found_.n_lines};
         layout_.boxes.resize(columns_.size());
-        for (std::size_t i = 0; i < with_cells.size(); ++i) layout_.boxes[with_cells[i]] = found.boxes[i];
+        for (std::size_t i = 0; i < with_cells.size(); ++i) layout_.boxes[with_cells[i]] = found_.boxes[i];
     }
+
+    /// The size of type, which a zoom enlarges.
+    double magnified() const { return theme_.type().normal * std::clamp(panel_.zoom, 1.0, most_magnified_cells); }
 
     /// On the last sheet the cells of the superposition stand in one row.
     double largest_type() const
     {
-        const double most = largest_cells * theme_.type().normal;
-        if (scene_.worksheet_stage != worksheet_.n_sheets()) return most;
+        if (scene_.worksheet_stage != worksheet_.n_sheets()) return largest_cells * magnified();
+        return size_in_row(largest_cells * theme_.type().normal);
+    }
+
+    double size_in_row(double most) const
+    {
         const double row = static_cast<double>(superposition_cells(worksheet_).size()) *
                            (column_width(most) + 2.6 * most);
         return most * std::min(1.0, (panel_.box.width() - most) / row);
@@ -137,7 +147,7 @@ private:
         for (const bool is_narrow : {false, true}) {
             is_narrow_ = is_narrow;
             beside.largest_type = std::max(request.largest_type, largest_type());
-            beside.least_type = (is_narrow ? 0.65 : 0.85) * request.largest_type;
+            beside.least_type = (is_narrow ? 0.6 : 0.85) * request.largest_type;
             BlockLayout found = laid_out(beside);
             const bool is_whole = std::ranges::all_of(found.boxes, [](const auto& box) { return box.has_value(); });
             if (is_whole && found.n_lines == request.most_lines) return found;
@@ -176,7 +186,7 @@ private:
         const ui::Point a = panel_.at(member.start_node), b = panel_.at(member.end_node);
         const ui::Point d = ui::direction(b - a);
         const bool is_upright = std::abs(d.y) > 0.7;
-        const double em = theme_.type().normal;
+        const double em = marks_.type().normal;
         return a + t * (b - a) + side * (is_upright ? ui::Point{1.6 * em, 0.0} : ui::Point{0.0, -0.9 * em});
     }
 
@@ -193,11 +203,11 @@ private:
         return beside(ratio.member, 0.5, 1.0);
     }
 
-    ui::TextStyle ratio_style() const { return theme_.text(ui::Role::Label, ui::Anchor::Center); }
+    ui::TextStyle ratio_style() const { return marks_.text(ui::Role::Label, ui::Anchor::Center); }
 
     ui::Box box_of(const Ratio& ratio, ui::Point at) const
     {
-        const double em = theme_.type().normal;
+        const double em = marks_.type().normal;
         const double half = 0.5 * painter_.measure(ratio.text, ratio_style()).width;
         return {at - ui::Point{half, 0.6 * em}, at + ui::Point{half, 0.6 * em}};
     }
@@ -208,6 +218,7 @@ private:
     {
         ui::TextStyle text = theme_.text(ui::Role::FaintLabel, ui::Anchor::TopLeft);
         text.size = theme_.type().small;
+        if (panel_.is_zoomed) text.plate = theme_.background(); // the structure may lie there
         return text;
     }
 
@@ -243,6 +254,7 @@ private:
 
     void draw_legend()
     {
+        const ui::LayerScope layer(painter_, panel_.is_zoomed ? ui::Layer::Overlay : ui::Layer::Labels);
         const ui::TextStyle text = legend_style();
         const double warning = has_room() ? 0.0 : 1.5 * text.size; // a line below
         ui::Point at{panel_.box.min.x + text.size, panel_.box.max.y - legend_height() + 0.2 * text.size - warning};
@@ -277,17 +289,17 @@ private:
         return widest + (is_narrow_ ? 1.6 : 2.1) * type + label_width(type);
     }
 
-    ui::TextStyle style(ui::Role role, ui::Anchor anchor) const
+    ui::TextStyle style(ui::Role role, ui::Anchor anchor, double size) const
     {
         ui::TextStyle text = theme_.text(role, anchor);
-        text.size = layout_.type;
+        text.size = size;
         return text;
     }
 
     void draw_column(const BlankColumn& column, const ui::Box& box)
     {
         const double em = layout_.type;
-        ui::TextStyle name = style(ui::Role::Label, ui::Anchor::Center);
+        ui::TextStyle name = style(ui::Role::Label, ui::Anchor::Center, em);
         name.weight = ui::Weight::Bold;
         painter_.text({0.5 * (box.min.x + box.max.x), box.min.y + 0.55 * em}, problem_[column.end].label, name);
         for (const BlankCell& cell : column.cells) {
@@ -300,8 +312,9 @@ private:
     /// A frame round it, its label at the left, the number, and at the right what is said of it.
     void draw_cell(const BlankCell& cell, const ui::Box& box)
     {
+        if (!panel_.box.contains(box.center())) return;
         drawn_.cells.push_back({cell.blank, box});
-        const double em = layout_.type;
+        const double em = box.height() / cell_height;
         const fc::Blank& blank = worksheet_.form[cell.blank];
         const bool is_active = scene_.cell == cell.blank;
         const auto verdict = worksheet_.shows_judgement ? worksheet_.judgements[cell.blank.index].verdict
@@ -314,10 +327,9 @@ private:
         painter_.polyline(outline, stroke, ui::PathEnds::Closed);
         underline(blank.asked, box);
         const double middle = 0.5 * (box.min.y + box.max.y);
-        ui::TextStyle label = style(ui::Role::FaintLabel, ui::Anchor::Left);
-        label.size *= label_size;
+        ui::TextStyle label = style(ui::Role::FaintLabel, ui::Anchor::Left, label_size * em);
         painter_.text({box.min.x + 0.2 * em, middle}, cell.label, label);
-        ui::TextStyle number = style(role_of(verdict), ui::Anchor::Right);
+        const ui::TextStyle number = style(role_of(verdict), ui::Anchor::Right, em);
         painter_.text({box.max.x - 1.1 * em, middle}, shown(cell.blank), number);
         draw_verdict(painter_, theme_, verdict, {box.max.x - 0.55 * em, middle}, em);
     }
@@ -326,12 +338,13 @@ private:
     void underline(Asked asked, const ui::Box& box)
     {
         ui::Stroke stroke = theme_.stroke(ui::Role::Label);
-        stroke.width = std::max(1.0, 0.08 * layout_.type);
+        const double em = box.height() / cell_height;
+        stroke.width = std::max(1.0, 0.08 * em);
         stroke.dash = {};
         const auto line = [&](double y) { painter_.line({box.min.x, y}, {box.max.x, y}, stroke); };
         if (asked == Asked::Balance) line(box.max.y);
         if (asked == Asked::Sum)
-            for (const double lift : {0.0, 0.16}) line(box.min.y - lift * layout_.type);
+            for (const double lift : {0.0, 0.16}) line(box.min.y - lift * em);
         if (asked == Asked::Factor)
             painter_.polyline({box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}, stroke,
                               ui::PathEnds::Closed);
@@ -386,7 +399,8 @@ private:
     /// Forces of the props and how often the sways are added, in rows below.
     void draw_superposition()
     {
-        const double em = layout_.type, width = column_width(em) + 2.0 * em;
+        const double em = std::min(layout_.type, size_in_row(largest_cells * theme_.type().normal));
+        const double width = column_width(em) + 2.0 * em;
         const std::string force = units_of(scene_.document.model, scene_.look.tr).unit(ui::Measure::Force).name;
         const auto in_row = static_cast<std::size_t>(std::max(1.0, (panel_.box.width() - em) / (width + 0.6 * em)));
         const double bottom = panel_.box.max.y - legend_height() - 1.6 * em;
@@ -407,10 +421,10 @@ private:
     const Worksheet& worksheet_;
     const fc::Problem& problem_;
     Drawn& drawn_;
-    ui::Theme theme_;
+    ui::Theme theme_, marks_;
     drawing::StructureShape shape_;
     std::vector<BlankColumn> columns_;
-    BlockLayout layout_;
+    BlockLayout found_, layout_; // of the columns with cells; of all
     bool is_narrow_ = false;
 };
 
@@ -452,20 +466,21 @@ void draw_cells(ui::Painter& painter, const Panel& panel, const Scene& scene, Dr
 Panels best_panels(ui::Painter& painter, const Scene& scene)
 {
     const drawing::StructureShape shape = drawing::shape_of(scene.document.model);
-    const ui::Theme theme = scene.look.full_theme();
-    const auto with = [&](Room room) { return exercise_panels(shape, painter.size(), theme, *scene.worksheet, room); };
-    const auto fit = [&](const Panels& panels) {
-        Drawn nothing;
-        return WorksheetWriter(painter, panels.sheet, scene, nothing).fit();
-    };
-    Panels usual = with(Room::Usual);
+    Drawn nothing;
+    Panels best = exercise_panels(shape, painter.size(), scene, {});
     if (is_beam(shape)) {
-        Drawn nothing;
-        usual.sheet.bays = WorksheetWriter(painter, usual.sheet, scene, nothing).bays();
+        best.sheet.bays = WorksheetWriter(painter, best.sheet, scene, nothing).bays();
+        return best;
     }
-    if (usual.is_stacked) return usual;
-    const Panels roomy = with(Room::Beside);
-    return fit(roomy) > fit(usual) ? roomy : usual;
+    BlockLayout layout = WorksheetWriter(painter, best.sheet, scene, nothing).layout();
+    for (const SheetRoom& room : sheet_rooms) {
+        Panels other = exercise_panels(shape, painter.size(), scene, room);
+        const BlockLayout tried = WorksheetWriter(painter, other.sheet, scene, nothing).layout();
+        if (!is_better(tried, layout)) continue;
+        best = std::move(other);
+        layout = tried;
+    }
+    return best;
 }
 
 } // namespace
@@ -475,7 +490,10 @@ Drawn draw_exercise(ui::Painter& painter, const Scene& scene)
     Drawn drawn;
     const bool is_solved = scene.worksheet->is_solved() && scene.state != nullptr;
     const ui::Theme theme = scene.look.full_theme();
-    const Panels panels = best_panels(painter, scene);
+    const drawing::StructureShape shape = drawing::shape_of(scene.document.model);
+    Panels panels = best_panels(painter, scene);
+    if (!is_beam(shape)) panels.structure.camera = camera_around_loads(panels.structure, scene, painter.fonts());
+    look_closer(panels, shape, scene.look.zoom);
     const ui::Box& first = panels.structure.box;
     {
         const ui::LayerScope layer(painter, ui::Layer::Grid);
@@ -488,6 +506,10 @@ Drawn draw_exercise(ui::Painter& painter, const Scene& scene)
     draw_loaded(painter, panels.structure, scene);
     if (is_solved) draw_moment_state(painter, panels.moments, scene);
     draw_cells(painter, panels.sheet, scene, drawn);
+    drawn.middle = middle_of(shape);
+    drawn.views.push_back(view_of(panels.structure));
+    if (is_solved) drawn.views.push_back(view_of(panels.moments));
+    drawn.views.push_back(view_of(panels.sheet));
     return drawn;
 }
 

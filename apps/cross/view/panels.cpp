@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "apps/cross/view/numbers.h"
@@ -11,7 +12,10 @@ namespace cross {
 
 namespace {
 
-constexpr double slender = 0.12; // height of a beam's picture, of its length
+constexpr double slender = 0.12;     // height of a beam's picture, of its length
+constexpr double title_ems = 1.7;    // height of a title, of the size of type
+constexpr double usual_arrow = 34.0; // [px] of the largest load, in the theme's symbols
+constexpr double edge = 3.0;         // [px] that labels keep from the border of their panel
 
 struct Extent {
     ui::World2 low, high;
@@ -32,7 +36,7 @@ Extent extent_of(const drawing::StructureShape& shape)
 
 ui::PlaneCamera camera_over(const Extent& extent, ui::Size panel, ui::Margins margins)
 {
-    constexpr double most = 0.24, most_left = 0.36, most_above = 0.3; // of a small panel
+    constexpr double most = 0.24, most_left = 0.36, most_above = 0.42; // of a small panel
     ui::PlaneCamera camera;
     margins.left = std::min(margins.left, most_left * panel.width);
     margins.right = std::min(margins.right, most * panel.width);
@@ -51,11 +55,10 @@ ui::PlaneCamera beam_camera(const Extent& extent, ui::Size panel, double margin,
 }
 
 /// The sheet needs room for its columns, so a low frame is drawn higher and a slender one broader.
-/// \param beside, above  ems left and right of the frame, and over it
-void draw_out(Panel& panel, Extent extent, double em, double beside = 6.5, double above = 9.0)
+void draw_out(Panel& panel, Extent extent, double em, const SheetRoom& room = {})
 {
     constexpr double least = 0.6, most = 1.7;
-    const ui::Margins margins{beside * em, above * em, beside * em, 4.0 * em};
+    const ui::Margins margins{room.beside * em, room.above * em, room.beside * em, room.below * em};
     const double width = panel.box.width() - margins.left - margins.right;
     const double height = panel.box.height() - margins.top - margins.bottom;
     const double natural = width / std::max(extent.width(), 1e-9) * extent.height();
@@ -90,24 +93,34 @@ Panels stacked(const Extent& extent, ui::Size sheet, const ui::Theme& theme)
     return panels;
 }
 
-Panels beside(const Extent& extent, ui::Size sheet, const ui::Theme& theme, double small_share)
+/// Of the theme's type, where there is little room; on the projector the last row reads it.
+double share_of_type(const Panel& panel, const ui::Theme& theme)
 {
-    const bool is_large = small_share < 0.3;
-    const double em = theme.type().normal, left = small_share * sheet.width, height = sheet.height / 3.0;
+    constexpr double enough = 24.0, least_type = 11.0, least_afar = 14.0; // of the panel's width in ems
+    const double em = theme.type().normal;
+    const double least = theme.name() == ui::ThemeName::Projector ? least_afar : least_type;
+    const double room = std::min(panel.box.width() / enough, panel.box.height() / panel.ems_high);
+    return std::clamp(room / em, std::min(1.0, least / em), 1.0);
+}
+
+Panels beside(const Extent& extent, ui::Size sheet, const ui::Theme& theme, const Arrangement& arrangement)
+{
+    constexpr double least = 10.0;                           // ems of a small picture
+    constexpr double usual_above = 5.2, moments_above = 6.6; // ems: fixed-end moments are the largest of all
+    const double em = theme.type().normal, left = std::max(arrangement.small_share * sheet.width, least * em),
+                 height = sheet.height / 3.0;
     Panels panels;
-    const ui::Margins tight{5.0 * em, 5.2 * em, 5.0 * em, 3.6 * em};
-    ui::Margins dimensioned = tight;
-    dimensioned.left = 9.0 * em; // of the loads, then of the heights
     double top = 0.0;
     for (Panel* const panel : {&panels.structure, &panels.deformed, &panels.moments}) {
         panel->box = ui::box_at({0.0, top}, {left, height});
-        panel->camera = camera_over(extent, panel->box.size(), panel == &panels.structure ? dimensioned : tight);
+        panel->ems_high = 13.0;
+        const double own = share_of_type(*panel, theme) * em;
+        const double above = panel == &panels.moments ? moments_above : usual_above;
+        panel->camera = camera_over(extent, panel->box.size(), {5.0 * own, above * own, 5.0 * own, 3.4 * own});
         top += height;
     }
     panels.sheet.box = {{left, 0.0}, {sheet.width, sheet.height}};
-    panels.structure.ems_high = panels.deformed.ems_high = panels.moments.ems_high = 13.0;
-    if (is_large) draw_out(panels.sheet, extent, em, 10.5, 11.0);
-    else draw_out(panels.sheet, extent, em);
+    draw_out(panels.sheet, extent, em, arrangement.room);
     return panels;
 }
 
@@ -162,9 +175,9 @@ Panel stretch_of_sheet(const drawing::StructureShape& shape, ui::Size page, doub
     return panel;
 }
 
-void make_room_beside(Panel& sheet, const drawing::StructureShape& shape, const ui::Theme& theme, double ems)
+void make_room(Panel& sheet, const drawing::StructureShape& shape, const ui::Theme& theme, const SheetRoom& room)
 {
-    draw_out(sheet, extent_of(shape), theme.type().normal, ems);
+    draw_out(sheet, extent_of(shape), theme.type().normal, room);
 }
 
 double height_alone(Part part, const drawing::StructureShape& shape, double width, std::size_t n_lines,
@@ -224,25 +237,48 @@ double share_of_small_pictures(const drawing::StructureShape& shape)
     return shape.members.size() <= of_a_portal ? 0.34 : 0.26;
 }
 
-Panels panels_for(const drawing::StructureShape& shape, ui::Size sheet, const ui::Theme& theme, const Zoom& zoom,
-                  double small_share, const BayScale& bays)
+Panels panels_for(const drawing::StructureShape& shape, ui::Size sheet, const ui::Theme& theme,
+                  const Arrangement& arrangement)
 {
     const Extent extent = extent_of(shape);
-    Panels panels = is_flat(extent) ? stacked(extent, sheet, theme) : beside(extent, sheet, theme, small_share);
-    for (Panel* const panel : {&panels.structure, &panels.deformed, &panels.moments, &panels.sheet})
-        panel->whole = panel->box;
-    panels.sheet.bays = bays;
-    Zoom look = zoom;
-    const Eigen::Vector2d own = middle_of(shape);
-    if (look.middle && panels.is_stacked) look.middle->y() = own.y();
-    for (Panel* const panel : {&panels.structure, &panels.deformed, &panels.moments, &panels.sheet})
-        if (look.factor != 1.0 || look.middle) look_closer(*panel, own, look);
-    if (panels.is_stacked) { // a beam's columns hang down, however long it is
-        panels.sheet.whole.min.y = panels.sheet.box.min.y;
-        panels.sheet.whole.max.y = panels.sheet.box.max.y;
-        for (Panel* const panel : {&panels.structure, &panels.deformed, &panels.moments}) panel->zoom = 1.0;
-    }
+    Panels panels = is_flat(extent) ? stacked(extent, sheet, theme) : beside(extent, sheet, theme, arrangement);
+    if (arrangement.loaded) panels.structure.camera = *arrangement.loaded;
+    panels.sheet.bays = arrangement.bays;
+    look_closer(panels, shape, arrangement.zoom);
     return panels;
+}
+
+namespace {
+
+/// A beam's columns hang down from it and grow with the zoom, so its sheet moves up and down, as far as they reach.
+void look_closer_at_columns(Panel& sheet, const Eigen::Vector2d& own, Zoom zoom)
+{
+    const double height = sheet.box.height(), growth = std::max(1.0, zoom.factor);
+    const double scale = zoom.factor * sheet.camera.scale(), lowest = (growth - 1.0) * height / scale;
+    if (zoom.middle) zoom.middle->y() = std::clamp(zoom.middle->y(), own.y() - lowest, own.y());
+    look_closer(sheet, own, zoom);
+    sheet.whole.min.y = sheet.box.min.y + (zoom.middle ? scale * (zoom.middle->y() - own.y()) : 0.0);
+    sheet.whole.max.y = sheet.whole.min.y + growth * height;
+}
+
+} // namespace
+
+void look_closer(Panels& panels, const drawing::StructureShape& shape, Zoom zoom)
+{
+    const std::array all{&panels.structure, &panels.deformed, &panels.moments, &panels.sheet};
+    for (Panel* const panel : all) panel->whole = panel->box;
+    if (zoom.factor == 1.0 && !zoom.middle) return;
+    const Eigen::Vector2d own = middle_of(shape);
+    if (!is_beam(shape)) {
+        for (Panel* const panel : all) look_closer(*panel, own, zoom);
+        return;
+    }
+    look_closer_at_columns(panels.sheet, own, zoom);
+    if (zoom.middle) zoom.middle->y() = own.y();
+    for (Panel* const panel : {&panels.structure, &panels.deformed, &panels.moments}) {
+        look_closer(*panel, own, zoom);
+        panel->zoom = 1.0;
+    }
 }
 
 void make_room_for_reactions(Panels& panels, const drawing::StructureShape& shape, const ui::Theme& theme)
@@ -267,11 +303,8 @@ void make_room_for_reactions(Panels& panels, const drawing::StructureShape& shap
 
 ui::Theme theme_in(const Panel& panel, const Look& look)
 {
-    constexpr double enough = 24.0, least_type = 11.0; // of the panel's width in ems
     const ui::Theme theme = look.full_theme();
-    const double em = theme.type().normal, least = std::min(1.0, least_type / em);
-    const double room = std::min(panel.box.width() / enough, panel.box.height() / panel.ems_high);
-    return theme.scaled(std::clamp(room / em, least, 1.0));
+    return theme.scaled(share_of_type(panel, theme));
 }
 
 ui::Theme theme_of_marks(const Panel& panel, const Look& look)
@@ -279,6 +312,8 @@ ui::Theme theme_of_marks(const Panel& panel, const Look& look)
     constexpr double most = 2.0;
     return theme_in(panel, look).scaled(std::clamp(panel.zoom, 1.0, most));
 }
+
+Drawn::View view_of(const Panel& panel) { return {panel.box, panel.camera, panel.stretch, panel.bays}; }
 
 void draw_borders(ui::Painter& painter, const Panels& panels, const ui::Theme& theme)
 {
@@ -312,8 +347,29 @@ double draw_title(ui::Painter& painter, const Panel& panel, const std::string& t
     return at.y - panel.box.min.y + 0.35 * style.size;
 }
 
-drawing::Grips draw_structure_in(ui::Painter& painter, const Panel& panel, const Scene& scene,
-                                 const StructureLook& look, const std::function<void(const drawing::Scene&)>& marks)
+namespace {
+
+enum class Pass : std::uint8_t { Measure, Write };
+
+struct Sketched {
+    drawing::Grips grips;
+    std::optional<ui::Box> bounds; ///< of all marks
+};
+
+/// Arrows over a storey's beam end below the next beam.
+double load_factor(const drawing::StructureShape& shape, const drawing::Projection& projection, double usual)
+{
+    constexpr double share = 0.5, least = 0.45; // of the storey, of the usual height
+    double factor = 1.0;
+    for (const drawing::MemberShape& member : shape.members) {
+        const double height = std::abs(projection(member.end_node).y - projection(member.start_node).y);
+        if (height > edge) factor = std::min(factor, share * height / usual);
+    }
+    return std::max(factor, least);
+}
+
+Sketched sketched(ui::Painter& painter, const Panel& panel, const Scene& scene, const StructureLook& look,
+                  const Marks& marks, Pass pass)
 {
     const ui::ClipScope clip(painter, panel.box);
     const ui::Theme theme = theme_of_marks(panel, scene.look);
@@ -331,17 +387,65 @@ drawing::Grips draw_structure_in(ui::Painter& painter, const Panel& panel, const
     const drawing::DrawState state{.locked_scale = look.locked_scale};
     const drawing::Projection projection(panel.camera, panel.box.min);
     const drawing::LevelOfDetail detail(shape, projection);
-    ui::Box room = panel.box.grown(-3.0);
-    room.min.y += 1.7 * theme_in(panel, scene.look).type().normal; // of the title
+    ui::Box room = panel.box.grown(-edge);
+    room.min.y += title_ems * theme_in(panel, scene.look).type().normal;
     drawing::Sketch sketch({.painter = &painter,
                             .theme = &theme,
                             .room = room,
                             .symbol_factor = detail.symbol_share(),
-                            .is_reduced = detail.is_reduced()});
+                            .is_reduced = detail.is_reduced(),
+                            .is_measured = pass == Pass::Measure});
+    options.load_factor = load_factor(shape, projection, sketch.px(usual_arrow));
     const ui::DisplayUnits units = units_of(scene.document.model, scene.look.tr);
     marks({model, shape, projection, options, state, units, sketch, detail, look.show});
-    sketch.write_captions();
-    return sketch.grips();
+    if (pass == Pass::Write) sketch.write_captions();
+    return {sketch.grips(), sketch.bounds()};
+}
+
+/// What marks take beyond the structure, and at least the border of the panel; the structure keeps a share of the room.
+ui::Margins margins_of(const ui::Box& marks, const ui::Box& structure, ui::Size size, double title)
+{
+    constexpr double most = 0.8; // of the panel
+    const auto beyond = [](double reach) { return 2.0 * edge + std::max(0.0, reach); };
+    ui::Margins margins{.left = beyond(structure.min.x - marks.min.x),
+                        .top = title + beyond(structure.min.y - marks.min.y),
+                        .right = beyond(marks.max.x - structure.max.x),
+                        .bottom = beyond(marks.max.y - structure.max.y)};
+    const auto limit = [](double& a, double& b, double room) {
+        const double factor = std::min(1.0, most * room / (a + b));
+        a *= factor;
+        b *= factor;
+    };
+    limit(margins.left, margins.right, size.width);
+    limit(margins.top, margins.bottom, size.height);
+    return margins;
+}
+
+} // namespace
+
+ui::PlaneCamera camera_around(const Marks& marks, const Panel& panel, const Scene& scene, const StructureLook& look,
+                              const ui::Fonts& fonts)
+{
+    const Extent extent = extent_of(drawing::shape_of(scene.document.model));
+    const double title = title_ems * theme_in(panel, scene.look).type().normal;
+    Panel fitted = panel;
+    constexpr int trials = 4; // the room that marks take changes little from one scale to the next
+    for (int i = 0; i < trials; ++i) {
+        ui::Painter scratch(panel.box.size(), fonts);
+        const auto bounds = sketched(scratch, fitted, scene, look, marks, Pass::Measure).bounds;
+        if (!bounds) break;
+        const ui::Box structure{fitted.at({extent.low.x, extent.high.y, 0.0}),
+                                fitted.at({extent.high.x, extent.low.y, 0.0})};
+        fitted.camera.fit(std::array{extent.low, extent.high}, panel.box.size(),
+                          margins_of(*bounds, structure, panel.box.size(), title));
+    }
+    return fitted.camera;
+}
+
+drawing::Grips draw_structure_in(ui::Painter& painter, const Panel& panel, const Scene& scene,
+                                 const StructureLook& look, const Marks& marks)
+{
+    return sketched(painter, panel, scene, look, marks, Pass::Write).grips;
 }
 
 } // namespace cross

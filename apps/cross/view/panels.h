@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -37,14 +38,34 @@ struct Panels {
 /// The left share of the width that the small pictures of a frame take: less where the sheet has many columns.
 double share_of_small_pictures(const drawing::StructureShape& shape);
 
+/// Ems left and right of the frame of a sheet, over and below it, for its columns.
+struct SheetRoom {
+    double beside = 6.5, above = 9.0, below = 4.0;
+};
+/// Those that are tried: where one lets more columns stand, or in larger type, it is taken.
+inline constexpr std::array sheet_rooms{SheetRoom{},
+                                        SheetRoom{11.0, 9.0, 4.0},
+                                        SheetRoom{6.5, 4.0, 3.0},
+                                        SheetRoom{8.5, 4.0, 3.0},
+                                        SheetRoom{11.0, 4.0, 3.0},
+                                        SheetRoom{2.5, 9.0, 4.0}};
+
+/// What the pictures' arrangement depends on but for the structure and the room.
+struct Arrangement {
+    Zoom zoom{};
+    double small_share = 0.34;
+    BayScale bays{};                         ///< of a beam's sheet
+    SheetRoom room{};                        ///< of a frame's sheet
+    std::optional<ui::PlaneCamera> loaded{}; ///< of the structure's picture, where its marks are known
+};
 /// A structure so much longer than high is drawn as a beam, each picture below the other, which zooms along its axis.
-/// \param bays  of its sheet
-Panels panels_for(const drawing::StructureShape& shape, ui::Size sheet, const ui::Theme& theme, const Zoom& zoom = {},
-                  double small_share = 0.34, const BayScale& bays = {});
+Panels panels_for(const drawing::StructureShape& shape, ui::Size sheet, const ui::Theme& theme,
+                  const Arrangement& arrangement = {});
+/// All of them about one place; a beam's stay at their heights.
+void look_closer(Panels& panels, const drawing::StructureShape& shape, Zoom zoom);
 /// The picture of the moments drawn smaller or higher, so that arrows of reactions find room; a zoomed one stays.
 void make_room_for_reactions(Panels& panels, const drawing::StructureShape& shape, const ui::Theme& theme);
-/// The sheet of a frame with so many ems left and right of it for columns.
-void make_room_beside(Panel& sheet, const drawing::StructureShape& shape, const ui::Theme& theme, double ems);
+void make_room(Panel& sheet, const drawing::StructureShape& shape, const ui::Theme& theme, const SheetRoom& room);
 /// The middle of the structure's extent.
 Eigen::Vector2d middle_of(const drawing::StructureShape& shape);
 
@@ -64,6 +85,8 @@ ui::Theme theme_in(const Panel& panel, const Look& look);
 /// Of the structure's marks, which a zoomed frame has larger.
 ui::Theme theme_of_marks(const Panel& panel, const Look& look);
 
+Drawn::View view_of(const Panel& panel);
+
 /// The lines between the pictures.
 void draw_borders(ui::Painter& painter, const Panels& panels, const ui::Theme& theme);
 /// What a picture shows, at its top left. \returns its height
@@ -75,8 +98,13 @@ struct StructureLook {
     std::optional<drawing::LockedScale> locked_scale{};
 };
 
+using Marks = std::function<void(const drawing::Scene&)>;
+/// The structure as large as its marks leave room for, below a title.
+ui::PlaneCamera camera_around(const Marks& marks, const Panel& panel, const Scene& scene, const StructureLook& look,
+                              const ui::Fonts& fonts);
+
 /// Draws marks of a structure in one panel through the drawing library's symbols. \returns what a hand can take hold of
 drawing::Grips draw_structure_in(ui::Painter& painter, const Panel& panel, const Scene& scene,
-                                 const StructureLook& look, const std::function<void(const drawing::Scene&)>& marks);
+                                 const StructureLook& look, const Marks& marks);
 
 } // namespace cross

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "apps/cross/view/block_layout.h"
 #include "apps/cross/view/columns.h"
@@ -22,6 +23,7 @@ using fc::RowKind;
 namespace {
 
 constexpr std::size_t most_ends_at_once = 80;
+constexpr std::size_t least_lines = 4; // of a column, which grows by so many at once
 constexpr double most_magnified = 4.0; // of numbers that a zoom enlarges
 constexpr double balances_until = 0.6; // of a turn's phase; then the carry-overs fly
 
@@ -46,7 +48,7 @@ public:
 
     void draw()
     {
-        lay_out();
+        lay_out(wanted_lines());
         const ui::LayerScope layer(painter_, ui::Layer::Labels);
         if (problem_.mirror) draw_axis(*problem_.mirror);
         mark_joints();
@@ -54,6 +56,14 @@ public:
             if (layout_.boxes[e] && layout_.boxes[e]->overlaps(panel_.box)) draw_column(fc::EndId(e));
         if (sheet_ != nullptr && !sheet_->steps.empty()) draw_flights();
         draw_left_out();
+    }
+
+    /// Of short columns: the frame stays where it is while they grow.
+    const BlockLayout& short_columns()
+    {
+        widest_ = widest_foreseen();
+        lay_out(least_lines);
+        return layout_;
     }
 
     ColumnNeeds column_needs() const
@@ -94,7 +104,7 @@ private:
 
     ui::Point joint_place(femoop::NodeId node) const { return panel_.at(shape_[node]); }
 
-    void lay_out()
+    void lay_out(std::size_t n_lines)
     {
         BlockRequest request;
         for (std::size_t e = 0; e < problem_.ends.size(); ++e)
@@ -110,7 +120,8 @@ private:
         request.largest_type = largest_type();
         request.n_rows = 3;
         if (is_beam(shape_)) request.hardly_smaller = 0.65; // columns of a beam are read along it
-        request.most_lines = wanted_lines();
+        request.most_lines = n_lines;
+        request.fewest_lines = std::min(n_lines, least_lines);
         request.width_of = [this](double type) { return column_width(type); };
         request.middle = middle_of(panel_, shape_);
         layout_ = laid_out(request);
@@ -135,8 +146,9 @@ private:
     /// So many that columns grow, and move, only now and then.
     std::size_t wanted_lines() const
     {
-        constexpr std::size_t at_once = 4, most = 16;
-        return std::clamp((n_levels() + at_once - 1) / at_once * at_once, at_once, most);
+        constexpr std::size_t most = 16;
+        if (sheet_ == nullptr) return std::clamp<std::size_t>(n_levels(), 1, most); // it does not grow
+        return std::clamp((n_levels() + least_lines - 1) / least_lines * least_lines, least_lines, most);
     }
 
     double column_width(double type) const { return type * (widest_ + 0.9); }
@@ -161,6 +173,16 @@ private:
                 for (const Cell& cell : column.cells)
                     consider(numbers_.moment(problem_[column.end], -std::abs(cell.value)));
         return widest;
+    }
+
+    /// What hardly a number of the sheet will exceed, so that no turn changes it.
+    double widest_foreseen() const
+    {
+        constexpr double em = 16.0, growth = 1.5;
+        double largest = 0.0;
+        for (const double moment : problem_.loading.fixed_end) largest = std::max(largest, std::abs(moment));
+        const ui::TextStyle style{.size = em, .weight = ui::Weight::Bold};
+        return painter_.measure(numbers_.moment(-growth * largest), style).width / em;
     }
 
     // ---- what stands there
@@ -486,6 +508,23 @@ std::size_t draw_sheet(ui::Painter& painter, const Panel& panel, const Scene& sc
     SheetWriter writer(painter, panel, scene);
     writer.draw();
     return writer.n_left_out();
+}
+
+SheetRoom sheet_room(ui::Painter& painter, const Panel& whole, const Scene& scene)
+{
+    const drawing::StructureShape shape = drawing::shape_of(scene.document.model);
+    SheetRoom best;
+    if (2 * shape.members.size() > most_ends_at_once) return best;
+    BlockLayout layout = SheetWriter(painter, whole, scene).short_columns();
+    for (const SheetRoom& room : sheet_rooms) {
+        Panel tried = whole;
+        make_room(tried, shape, scene.look.full_theme(), room);
+        const BlockLayout other = SheetWriter(painter, tried, scene).short_columns();
+        if (!is_better(other, layout)) continue;
+        best = room;
+        layout = other;
+    }
+    return best;
 }
 
 ColumnNeeds column_needs(ui::Painter& painter, const Panel& whole, const Scene& scene)

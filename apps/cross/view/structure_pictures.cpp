@@ -185,21 +185,35 @@ void write_stiffnesses(const Scene& scene, const drawing::Scene& in)
 
 } // namespace
 
-drawing::Grips draw_loaded(ui::Painter& painter, const Panel& panel, const Scene& scene)
+namespace {
+
+const StructureLook with_loads{{Show::Loads, Show::Values, Show::NodeNames, Show::Dimensions}};
+
+Marks marks_of_loads(const Scene& scene)
 {
-    const ui::Theme theme = theme_in(panel, scene.look);
-    const ui::Catalogue& tr = scene.look.tr;
-    const std::string& name = scene.document.model.case_name(scene.document.method.load_case);
-    draw_title(painter, panel, tr("Structure and loads: {case}", {{"case", name}}), theme);
-    const drawing::ShowSet show{Show::Loads, Show::Values, Show::NodeNames, Show::Dimensions};
-    return draw_structure_in(painter, panel, scene, {show}, [&](const drawing::Scene& in) {
+    return [&scene](const drawing::Scene& in) {
         drawing::draw_members(in, drawing::Presence::Subject);
         draw_supports_and_joints(in);
         drawing::draw_loads(in);
         drawing::draw_names(in);
         write_stiffnesses(scene, in);
         drawing::draw_dimensions(in);
-    });
+    };
+}
+
+} // namespace
+
+ui::PlaneCamera camera_around_loads(const Panel& panel, const Scene& scene, const ui::Fonts& fonts)
+{
+    return camera_around(marks_of_loads(scene), panel, scene, with_loads, fonts);
+}
+
+drawing::Grips draw_loaded(ui::Painter& painter, const Panel& panel, const Scene& scene)
+{
+    const std::string& name = scene.document.model.case_name(scene.document.method.load_case);
+    draw_title(painter, panel, scene.look.tr("Structure and loads: {case}", {{"case", name}}),
+               theme_in(panel, scene.look));
+    return draw_structure_in(painter, panel, scene, with_loads, marks_of_loads(scene));
 }
 
 void draw_deformed_state(ui::Painter& painter, const Panel& panel, const Scene& scene)

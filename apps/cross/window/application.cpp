@@ -12,6 +12,7 @@
 #include "femoop/files/whole_file.h"
 #include "femoop/tabular/latex.h"
 #include "femoop/tabular/markdown.h"
+#include "ui/context/write_picture.h"
 #include "ui/files/ending.h"
 #include "ui/report/html.h"
 #include "ui/report/pages.h"
@@ -108,7 +109,7 @@ std::optional<ui::Message> Application::write_report(const std::filesystem::path
                       {.background = ui::rgb(0xFFFFFF), .title = report.title});
         return std::nullopt;
     } catch (const std::exception& error) {
-        return ui::not_written(path, error.what());
+        return ui::not_written(path, error);
     }
 }
 

@@ -122,9 +122,9 @@ void Canvas::move_about(Session& session, ui::Point at)
 void Canvas::follow_pupil(Session& session, ui::Point at)
 {
     session.hover.reset();
-    pointer_.reset();
-    dragged_.reset();
+    pointer_ = ImGui::IsItemHovered() ? std::optional(at) : std::nullopt;
     if (drag_.is_holding()) drag_.release(session);
+    move_about(session, at);
     const auto cell = ImGui::IsItemHovered() ? pick_cell(drawn_, at) : std::nullopt;
     if (cell) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (ImGui::IsItemActivated() && (cell || !cell_field_.is_half_typed())) session.go_to_cell(cell);
@@ -155,7 +155,8 @@ bool Canvas::is_over_structure(ui::Point beam) const
 
 void Canvas::draw_hint(ui::Painter& painter, const Session& session) const
 {
-    if (!pointer_ || drag_.is_holding() || value_field_.is_open() || written_at(session, drawn_, *pointer_)) return;
+    if (session.worksheet() != nullptr || !pointer_) return;
+    if (drag_.is_holding() || value_field_.is_open() || written_at(session, drawn_, *pointer_)) return;
     const femoop::Model& model = session.document().model;
     if (session.tool != Tool::None) return draw_load_hint(painter, session);
     const double scale = ui::Theme(session.look.theme).symbol_scale();

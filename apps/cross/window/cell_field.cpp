@@ -102,6 +102,7 @@ void CellField::edit(Session& session)
     const bool is_tab = (ImGui::IsItemActive() || is_left) && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab));
     if (!is_entered && !is_tab && !is_left) return;
     if (is_left && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+        drop_reason(session);
         cell_.reset();
         session.go_to_cell({});
         return;
@@ -112,9 +113,16 @@ void CellField::edit(Session& session)
     session.go_to_cell(session.neighbour(is_tab && ImGui::GetIO().KeyShift ? -1 : 1, false));
 }
 
+/// What was told of a text that has gone goes with it.
+void CellField::drop_reason(Session& session)
+{
+    if (!std::exchange(reason_, {}).empty()) session.notice.reset();
+}
+
 /// False, with a notice, where it is no number: the field stays.
 bool CellField::take(Session& session, femoop::cross::BlankId cell)
 {
+    drop_reason(session);
     if (text_ == written_) return true;
     const auto reason = session.write(cell, text_);
     if (!reason) return true;

@@ -22,6 +22,7 @@ public:
 private:
     void follow(Session& session);
     void edit(Session& session);
+    void drop_reason(Session& session);
     bool take(Session& session, femoop::cross::BlankId cell);
 
     std::optional<femoop::cross::BlankId> cell_;

@@ -34,7 +34,7 @@ std::optional<ui::Message> lost_checks(const Model& before, const Model& after)
 {
     if (after.expected.size() >= before.expected.size()) return std::nullopt;
     return ui::Message(
-        translatable("The model has known answers to be checked by, and those of what was deleted went with it: "
+        translatable("Results that the file has to check the model by were deleted with the parts they belong to: "
                      "{count}. Undo brings them back."),
         {{"count", std::to_string(before.expected.size() - after.expected.size())}});
 }

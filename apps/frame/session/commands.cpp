@@ -142,6 +142,7 @@ void add_camera_commands(CommandTable& table)
         [](const Workspace& workspace) { return workspace.session.reference != nullptr; }, keep_reference,
         why_not_compare);
     ui::standard::add_projector(table);
+    ui::standard::add_offer(table);
     menu.toggle(
         {"view.moment_side", translatable("Moments on the tension side")},
         [](const Workspace& workspace) { return workspace.session.view.moment_side == MomentSide::Tension; },

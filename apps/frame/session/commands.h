@@ -66,6 +66,7 @@ struct Workspace : ui::Workspace {
     TypicalDraft typical{};
     SectionDraft section{};
     std::vector<Request> requests{};
+    std::optional<Cut> menu_cut{};         ///< where the context menu was asked for, on a member
     std::vector<ui::ExportToApp> handed{}; ///< documents for other programs; the window takes them once a frame
     Topic topic = Topic::Properties;
     BottomView bottom{};

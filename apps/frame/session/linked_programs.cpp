@@ -165,12 +165,13 @@ const LinkedPrograms::Linked* LinkedPrograms::offering_one(const Workspace& work
     return found == all_.end() ? nullptr : &*found;
 }
 
-std::optional<std::string_view> LinkedPrograms::offering(const Workspace& workspace) const
+std::optional<ui::OfferWords> LinkedPrograms::offering(const Workspace& workspace) const
 {
     const Linked* const linked = offering_one(workspace);
     if (linked == nullptr) return std::nullopt;
-    return linked->handed.program == circle ? translatable("Mohr's circle has changed the section")
-                                            : translatable("moment distribution has changed the structure");
+    if (linked->handed.program == circle)
+        return ui::OfferWords{translatable("Mohr's circle has changed the section"), "Mohr"};
+    return ui::OfferWords{translatable("moment distribution has changed the structure"), "Cross"};
 }
 
 void LinkedPrograms::keep(const Workspace& workspace)

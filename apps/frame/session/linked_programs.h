@@ -18,8 +18,8 @@ public:
     /// \param handed  to a program of the present session, by the selection, the pin and the pointer that it has now
     void add(ui::Link link, const Session& session, const ui::ExportToApp& handed);
     void tick(double seconds, const Workspace& workspace); ///< time goes by
-    /// What the first program that offers something is called: "Mohr's circle"; nothing where none does.
-    std::optional<std::string_view> offering(const Workspace& workspace) const;
+    /// What the first program offers that offers something; nothing where none does.
+    std::optional<ui::OfferWords> offering(const Workspace& workspace) const;
     void adopt(Workspace& workspace); ///< as a step, or a notice says why not. \pre something is offered
     void keep(const Workspace& workspace);
 

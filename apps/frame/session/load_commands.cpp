@@ -283,6 +283,14 @@ Reason why_not_load(const Workspace& workspace, LoadKind kind)
     return std::nullopt;
 }
 
+/// Where the menu was asked for on this member; else wherever it usually lies.
+LoadReach reach_on(const Workspace& workspace, MemberId member)
+{
+    const auto& cut = workspace.menu_cut;
+    if (!cut || cut->member != member) return {};
+    return {.at = Quantity(cut->x)};
+}
+
 void load(Workspace& workspace, const ToolLoad& entry)
 {
     const Targets targets(workspace.session);
@@ -293,12 +301,13 @@ void load(Workspace& workspace, const ToolLoad& entry)
         return workspace.tool_controller.select(ToolKind::Load);
     }
     const auto force = force_of(settings, analysis);
-    const MemberLoadValue on_member = member_load_of(settings, analysis, {}).value();
     std::vector<Part> parts(targets.members.begin(), targets.members.end());
     if (force) parts.insert(parts.end(), targets.nodes.begin(), targets.nodes.end());
     add_loads(workspace, entry.label, parts, [&](Document& document, LoadCasePlace place, const Part& part) {
         if (const auto* const node = std::get_if<NodeId>(&part)) return add_node_load(document, place, *node, *force);
-        return add_member_load(document, place, std::get<MemberId>(part), on_member);
+        const auto member = std::get<MemberId>(part);
+        return add_member_load(document, place, member,
+                               member_load_of(settings, analysis, reach_on(workspace, member)).value());
     });
 }
 

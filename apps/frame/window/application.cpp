@@ -22,7 +22,6 @@
 #include "apps/frame/window/transform_bar.h"
 #include "femoop/files/whole_file.h"
 #include "ui/files/link.h"
-#include "ui/widgets/offer.h"
 #include "ui/widgets/panel.h"
 
 namespace frame {
@@ -88,6 +87,7 @@ void Application::frame(const ui::Input& input)
     gui_.begin_frame(input);
     handle_keys(input);
     linked_.tick(input.seconds, workspace_);
+    workspace_.has_offer = linked_.offering(workspace_).has_value();
     animate(input.seconds);
     if (workspace_.bottom.shows(BottomContent::Solver)) workspace_.solver.advance(input.seconds);
     ui::tick(workspace_.session.notice, input.seconds);
@@ -185,6 +185,8 @@ void Application::take(ui::Request request)
     if (request == ZoomIn) canvas_.zoom(session, 1.25);
     if (request == ZoomOut) canvas_.zoom(session, 0.8);
     if (request == Quit) ask_to_quit();
+    if (request == TakeOver) answer(ui::OfferAnswer::TakeOver);
+    if (request == KeepAsItIs) answer(ui::OfferAnswer::Keep);
 }
 
 void Application::take(Request request)
@@ -252,12 +254,16 @@ void Application::show_menu_bar()
 
 void Application::show_offer_of_program()
 {
-    const auto sentence = linked_.offering(workspace_);
-    if (!sentence) return;
-    const ui::Catalogue& tr = workspace_.session.view.tr;
-    const auto answer = ui::show_offer(tr(*sentence), tr);
-    if (answer == ui::OfferAnswer::TakeOver) linked_.adopt(workspace_);
-    if (answer == ui::OfferAnswer::Keep) linked_.keep(workspace_);
+    const auto words = linked_.offering(workspace_);
+    if (!words) return;
+    if (const auto given = ui::show_offer(*words, workspace_.session.view.tr)) answer(*given);
+}
+
+void Application::answer(ui::OfferAnswer given)
+{
+    if (!linked_.offering(workspace_)) return;
+    if (given == ui::OfferAnswer::TakeOver) linked_.adopt(workspace_);
+    else linked_.keep(workspace_);
 }
 
 void Application::show_body()

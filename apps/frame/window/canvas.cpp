@@ -285,6 +285,7 @@ void Canvas::ask_for_menu(Workspace& workspace, const Aim& aim)
     const std::optional<Part> part = aim.part();
     if (!part) selection.clear();
     else if (!selection.contains(*part)) selection = *part;
+    workspace.menu_cut = aim.cut;
     workspace.requests.push_back(Request::ContextMenu);
 }
 

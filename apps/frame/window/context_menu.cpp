@@ -50,7 +50,7 @@ Ids loads_for(const Selection& selection)
 void ContextMenu::show(Workspace& workspace, const CommandTable& commands)
 {
     if (std::exchange(opens_, false)) ImGui::OpenPopup("###context");
-    if (!ImGui::BeginPopup("###context")) return;
+    if (!ImGui::BeginPopup("###context")) return workspace.menu_cut.reset();
     const Selection selection = workspace.session.selection; // a command may change it
     if (selection.is_empty()) {
         frame::show(workspace, commands, beginnings);

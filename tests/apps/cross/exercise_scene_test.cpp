@@ -55,6 +55,58 @@ void check_exercise(const std::string& name, Document document, const ExerciseSh
 
 } // namespace
 
+namespace {
+
+/// What a swaying portal's empty sheet shows on the projector.
+Drawn drawn_exercise(ui::Size size, const Zoom& zoom)
+{
+    Document document = exercise(fc::Difficulty::SwayFrame, 1);
+    const Solution solution = solve(document);
+    const std::optional<Worksheet> worksheet = worksheet_of(document);
+    REQUIRE(worksheet);
+    Look look{.theme = ui::ThemeName::Projector, .zoom = zoom};
+    const ui::Fonts fonts;
+    ui::Painter painter(size, fonts);
+    return draw(painter, {document, solution, nullptr, 1.0, {}, look, &*worksheet});
+}
+
+} // namespace
+
+TEST_CASE("Cells of a portal's feet stand beside them, as high as the projector's type")
+{
+    for (const ui::Size size : {ui::Size{1280.0, 740.0}, ui::Size{1920.0, 1010.0}}) {
+        CAPTURE(size.width);
+        const Drawn drawn = drawn_exercise(size, {});
+        const Document document = exercise(fc::Difficulty::SwayFrame, 1);
+        const Worksheet worksheet = *worksheet_of(document);
+        const auto cells_of = [&](const std::string& end) {
+            std::optional<ui::Box> all;
+            for (const CellMark& mark : drawn.cells) {
+                const fc::Blank& blank = worksheet.form[mark.cell];
+                if (worksheet.form.problem[blank.end].label != end) continue;
+                CHECK(mark.box.height() > 20.0);
+                all = all ? ui::united(*all, mark.box) : mark.box;
+            }
+            REQUIRE(all);
+            return *all;
+        };
+        const Drawn::View& sheet = drawn.views.back();
+        for (const char* const end : {"AB", "DC"}) {
+            CAPTURE(end);
+            const double foot = sheet.box.min.y + sheet.camera.to_sheet({0.0, 0.0}).y;
+            CHECK(foot - cells_of(end).max.y < 60.0);
+        }
+    }
+}
+
+TEST_CASE("A zoom makes the cells of a sheet larger")
+{
+    const auto height = [](const Zoom& zoom) {
+        return drawn_exercise({1280.0, 740.0}, zoom).cells.front().box.height();
+    };
+    CHECK(height({.factor = 2.0}) > 1.5 * height({}));
+}
+
 TEST_CASE("An empty sheet shows cells and loads and no number that answers")
 {
     check_exercise("cross_exercise_empty", exercise(fc::Difficulty::PinnedEnd, 4), {.cell = fc::BlankId(0)});

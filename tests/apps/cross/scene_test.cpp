@@ -1,9 +1,14 @@
 // Golden pictures of moment distribution: beams and frames, locked, on the way and balanced, themes and languages.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <sstream>
+#include <string>
+
 #include "apps/cross/document/file.h"
 #include "apps/cross/view/scene.h"
 #include "tests/golden/scene.h"
+#include "ui/paint/surface/golden_text.h"
 
 using namespace cross;
 namespace fc = femoop::cross;
@@ -121,6 +126,67 @@ TEST_CASE("Printed the sheet needs no colour")
     Look look;
     look.theme = ui::ThemeName::Print;
     check("cross_print", example("continuous_beam"), {.n_turns = 3, .look = look});
+}
+
+namespace {
+
+/// Where a word stands in the structure's picture of a portal; nothing where it does not.
+std::optional<ui::Box> box_of(const std::string& text, const Drawn& drawn)
+{
+    const auto found = std::ranges::find(drawn.texts, text, &WrittenText::text);
+    return found == drawn.texts.end() ? std::nullopt : std::optional(found->box);
+}
+
+} // namespace
+
+TEST_CASE("A portal's load is written below the heading in every window, and its lengths whole")
+{
+    const Document document = portal("G");
+    const Solution solution = solve(document);
+    const ui::Fonts fonts;
+    for (const ui::ThemeName theme : {ui::ThemeName::Light, ui::ThemeName::Projector})
+        for (const ui::Size size : {ui::Size{630.0, 720.0}, ui::Size{1280.0, 720.0}, ui::Size{1920.0, 1000.0}}) {
+            CAPTURE(size.width);
+            Look look;
+            look.theme = theme;
+            ui::Painter painter(size, fonts);
+            const Drawn drawn = draw(painter, {document, solution, nullptr, 1.0, {}, look});
+            const auto heading = box_of("Structure and loads: G", drawn), load = box_of("12 kN/m", drawn);
+            REQUIRE(heading);
+            REQUIRE(load);
+            CHECK(load->min.y > heading->center().y);
+            for (const drawing::LoadMark& mark : drawn.loads)
+                for (const ui::Point& at : mark.area) CHECK(at.y > heading->max.y);
+            for (const char* const length : {"4.5 m", "8 m"}) {
+                CAPTURE(length);
+                REQUIRE(box_of(length, drawn));
+                CHECK(drawn.views.front().box.contains(box_of(length, drawn)->min));
+                CHECK(drawn.views.front().box.contains(box_of(length, drawn)->max));
+            }
+        }
+}
+
+TEST_CASE("The numbers of a beam's sheet grow with the wheel, on the projector too")
+{
+    const auto size_of_factor = [](const Zoom& zoom) {
+        const Document document = starting_document();
+        const Solution solution = solve(document);
+        const Look look{.theme = ui::ThemeName::Projector, .zoom = zoom};
+        const ui::Fonts fonts;
+        ui::Painter painter({1280.0, 690.0}, fonts);
+        draw(painter, {document, solution, nullptr, 1.0, {}, look});
+        std::istringstream lines(ui::golden_text(painter.picture())); // (120.0, 46.5) center 13 "0.360"
+        for (std::string line, word; std::getline(lines, line);) {
+            if (!line.ends_with("\"0.360\"")) continue;
+            std::istringstream words(line);
+            double size = 0.0;
+            words >> word >> word >> word >> size;
+            return size;
+        }
+        return 0.0;
+    };
+    REQUIRE(size_of_factor({}) > 0.0);
+    CHECK(size_of_factor({.factor = 2.0}) > 1.7 * size_of_factor({}));
 }
 
 TEST_CASE("In fractions factors and moments are exact")

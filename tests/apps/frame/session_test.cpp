@@ -460,3 +460,30 @@ TEST_SUITE("frame session")
         CHECK(ui::why_not(*command_table().find("edit.delete"), workspace));
     }
 }
+
+TEST_CASE("A moment stands where its menu was asked for, and from the palette at the middle")
+{
+    const auto place = [](std::optional<Cut> menu_cut) {
+        Workspace workspace = workspace_with("portal.json");
+        workspace.session.selection = Part(MemberId(1));
+        workspace.menu_cut = menu_cut;
+        run(workspace, "load.moment");
+        const auto& loads = workspace.session.model().load_cases.front().members;
+        return femoop::along(std::get<femoop::PointLoad>(loads.back().load).at, 8.0);
+    };
+    CHECK(place(Cut{MemberId(1), 2.24}) == doctest::Approx(2.24));
+    CHECK(place(Cut{MemberId(0), 2.24}) == doctest::Approx(4.0));
+    CHECK(place(std::nullopt) == doctest::Approx(4.0));
+}
+
+TEST_CASE("Nothing can be taken over where no linked window offers a change")
+{
+    Workspace workspace = workspace_with("portal.json");
+    for (const char* const id : {"edit.take_over", "edit.keep"}) {
+        CAPTURE(id);
+        CHECK(ui::why_not(*command_table().find(id), workspace));
+    }
+    workspace.has_offer = true;
+    run(workspace, "edit.take_over");
+    CHECK(workspace.asked == std::vector{ui::Request::TakeOver});
+}

@@ -151,6 +151,14 @@ std::string with_mark(std::string text, ui::DecimalMark mark)
     return text;
 }
 
+/// "12.5 m" is in every file, and what is typed has the mark of the language.
+bool is_example_to_type(const Fault& fault, std::size_t argument)
+{
+    const bool has_example = fault.kind == FaultKind::QuantityWithoutNumber ||
+                             fault.kind == FaultKind::QuantityWithoutUnit;
+    return has_example && argument == 2 && fault.arguments.front().empty();
+}
+
 constexpr std::size_t label_place = 8, table_place = 9; // in the patterns
 
 Fault spoken(const Fault& fault, const Catalogue& tr)
@@ -160,7 +168,7 @@ Fault spoken(const Fault& fault, const Catalogue& tr)
     for (std::size_t i = 0; i < told.arguments.size(); ++i) {
         std::string& argument = told.arguments[i];
         if (is_computed(fault.kind, i)) argument = with_minus_before_digits(argument); // femoop sets the mark
-        if (is_value(fault.kind, i))
+        if (is_value(fault.kind, i) || is_example_to_type(fault, i))
             argument = with_mark(with_minus_before_digits(argument), ui::decimal_mark(tr.language()));
         if (names_an_end(fault.kind, i)) argument = tr(argument);
         if (names_a_kind(fault.kind, i)) argument = kind_named(argument, tr).value_or(argument);
