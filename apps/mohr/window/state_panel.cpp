@@ -114,7 +114,7 @@ void StatePanel::number_row(Workspace& workspace, const std::string& label, Numb
     const std::string& text = text_of(session.document(), number);
     const auto leading = number.group == Group::Section ? std::nullopt : ui::leading_number(text);
     const std::string id = "###" + std::to_string(static_cast<int>(number.group)) + "." + std::to_string(number.place);
-    std::string shown = text;
+    std::string shown = number.group == Group::Section ? text : printed_unit(text);
     if (ui::decimal_mark(session.tr().language()) == ui::DecimalMark::Comma && number.group != Group::Section)
         for (char& c : shown) c = c == '.' ? ',' : c;
     const auto event = fields_.show(
