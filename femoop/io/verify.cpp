@@ -118,7 +118,8 @@ public:
     const Magnitudes& operator[](CaseId id)
     {
         const auto found = known_.find(id.index);
-        return found != known_.end() ? found->second : known_.emplace(id.index, results_[id].magnitudes()).first->second;
+        return found != known_.end() ? found->second
+                                     : known_.emplace(id.index, results_[id].magnitudes()).first->second;
     }
     const Results& results() const { return results_; }
 

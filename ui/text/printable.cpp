@@ -44,8 +44,7 @@ std::optional<Acting> acting_at(std::string_view text)
     if (n == 0 || text.size() < n) return std::nullopt;
     char32_t character = lead & (n == 2 ? 0x1FU : 0x0FU);
     for (std::size_t i = 1; i < n; ++i) character = character << 6U | (code(text[i]) & last_six);
-    const bool acts = std::ranges::any_of(acting,
-                                          [&](Range r) { return character >= r.first && character <= r.last; });
+    const bool acts = std::ranges::any_of(acting, [&](Range r) { return character >= r.first && character <= r.last; });
     return acts ? std::optional(Acting{character, n}) : std::nullopt;
 }
 

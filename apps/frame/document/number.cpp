@@ -317,7 +317,8 @@ std::variant<Quantity, Fault> typed(std::string_view text, Dimension dimension, 
 {
     const std::optional<double> bare = ui::number_typed(text);
     if (bare && unit.factor == 1.0) return Quantity(*bare);
-    const std::string full = bare ? femoop::number_text(*bare) + ' ' + femoop::with_file_signs(unit.name) : as_in_file(text);
+    const std::string full = bare ? femoop::number_text(*bare) + ' ' + femoop::with_file_signs(unit.name)
+                                  : as_in_file(text);
     auto parsed = parse_quantity(full, dimension, file, angle);
     if (auto* const fault = std::get_if<Fault>(&parsed)) return std::move(*fault);
     const double value = std::get<double>(parsed);

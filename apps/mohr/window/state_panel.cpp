@@ -124,8 +124,7 @@ void StatePanel::number_row(Workspace& workspace, const std::string& label, Numb
                      translatable("Change a number"));
     if (event.kind == Kind::Settled) session.settle();
     if (event.kind != Kind::Typed) return;
-    if (const auto reason = session.set_number(number, event.text))
-        fields_.reject(event, session.tr()(*reason));
+    if (const auto reason = session.set_number(number, event.text)) fields_.reject(event, session.tr()(*reason));
 }
 
 void StatePanel::show_numbers(Workspace& workspace)
@@ -193,8 +192,7 @@ void StatePanel::show_direction(Workspace& workspace, int direction)
     if (event.kind != Kind::Typed) return;
     const auto along = vector_typed(event.text);
     if (!along) fields_.reject(event, session.tr()("write three numbers, such as 1; 0; 0"));
-    else if (const auto reason = session.set_direction(direction, *along))
-        fields_.reject(event, session.tr()(*reason));
+    else if (const auto reason = session.set_direction(direction, *along)) fields_.reject(event, session.tr()(*reason));
 }
 
 void StatePanel::show_plane(Workspace& workspace)

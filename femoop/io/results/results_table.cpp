@@ -172,8 +172,8 @@ tabular::Table extremes_table(const Model& model, const CaseResult& result,
             const Extremes extremes = curve.extremes(component);
             const double size = most.of(component);
             table.add_row({component == components.front() ? model.members[i].id : std::string(),
-                           component_header(component, model).label(), without_rounding(extremes.max.value, size), extremes.max.x,
-                           without_rounding(extremes.min.value, size), extremes.min.x},
+                           component_header(component, model).label(), without_rounding(extremes.max.value, size),
+                           extremes.max.x, without_rounding(extremes.min.value, size), extremes.min.x},
                           static_cast<std::size_t>(component));
         }
     }
@@ -235,8 +235,9 @@ public:
     /// \param size  of the numbers that these may be round-off of
     void add(const std::string& of, Dof dof, const tabular::Column& of_what, const GoverningRange& range, double size)
     {
-        table_.add_row({of, of_what.label(), without_rounding(range.max.value, size), model_.case_name(range.max.load_case),
-                        without_rounding(range.min.value, size), model_.case_name(range.min.load_case)},
+        table_.add_row({of, of_what.label(), without_rounding(range.max.value, size),
+                        model_.case_name(range.max.load_case), without_rounding(range.min.value, size),
+                        model_.case_name(range.min.load_case)},
                        index(dof));
     }
     const tabular::Table& table() const { return table_; }
@@ -270,8 +271,9 @@ tabular::Table member_envelope(const Model& model, const Envelope& envelope,
             const GoverningExtremes extremes = envelope.extremes(MemberId(i), component);
             const double size = most.of(component);
             table.add_row({component == components.front() ? model.members[i].id : std::string(),
-                           component_header(component, model).label(), without_rounding(extremes.max.value, size), extremes.max.x,
-                           model.case_name(extremes.max.load_case), without_rounding(extremes.min.value, size), extremes.min.x,
+                           component_header(component, model).label(), without_rounding(extremes.max.value, size),
+                           extremes.max.x, model.case_name(extremes.max.load_case),
+                           without_rounding(extremes.min.value, size), extremes.min.x,
                            model.case_name(extremes.min.load_case)},
                           static_cast<std::size_t>(component));
         }

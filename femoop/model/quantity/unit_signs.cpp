@@ -28,8 +28,8 @@ std::string with_file_signs(std::string_view printed)
 {
     std::string text;
     for (std::size_t i = 0; i < printed.size();) {
-        const auto sign = std::ranges::find_if(
-            signs, [&](const Sign& s) { return printed.substr(i).starts_with(s.printed); });
+        const auto sign = std::ranges::find_if(signs,
+                                               [&](const Sign& s) { return printed.substr(i).starts_with(s.printed); });
         if (sign == signs.end()) {
             text += printed[i++];
             continue;

@@ -140,7 +140,8 @@ TEST_CASE("A fibre of a section has the stresses of Navier and Jourawski and oth
     CHECK(refusal("rectangle b=100mm") == "the shape cannot be: h is missing");
     CHECK(refusal("tube d=100mm t=60mm") == "the shape cannot be: t must be less than d/2 = 50 mm");
     CHECK(ui::Catalogue(ui::Language::Portuguese)(
-              with_number(d, {Group::Section, 0}, "rectangle b=100mm").fault->reason) == "a forma não pode ser: falta h");
+              with_number(d, {Group::Section, 0}, "rectangle b=100mm").fault->reason) ==
+          "a forma não pode ser: falta h");
     CHECK(refusal("rectangle b=100kN h=3") == "\"b=100kN\" is no dimension; write it like h=210mm");
     CHECK(refusal("l h=100 b=80 t=9").find("a single angle bends out of its plane") == 0);
     CHECK(reason(with_number(d, state(3), "101 mm")) ==

@@ -8,7 +8,8 @@ namespace ui {
 
 void write_file(const std::filesystem::path& path, std::string_view bytes)
 {
-    if (const std::error_code error = files::write_whole_file(path, bytes)) throw std::system_error(error, path.string());
+    if (const std::error_code error = files::write_whole_file(path, bytes))
+        throw std::system_error(error, path.string());
 }
 
 } // namespace ui
