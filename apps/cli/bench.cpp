@@ -160,6 +160,7 @@ ExitStatus Bench::run(Console& console)
 {
     const ui::Catalogue& tr = console.tr();
     if (what_ == "frame") return frame(console);
+    if (what_.empty()) throw UsageError(tr("nothing to build is given; add frame or halfedge"));
     if (what_ != "halfedge") throw unknown_choice("WHAT", what_, {"frame", "halfedge"}, tr);
     console.print(halfedge(tr));
     return ExitStatus::Done;

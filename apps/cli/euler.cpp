@@ -36,6 +36,7 @@ public:
 
 private:
     void require_sensible(const ui::Catalogue& tr) const;
+    bool prints_tables() const { return has_tables_ && !is_json_; }
     std::string run_on(ScriptRunner& runner, const Console& console) const;
     void save(const std::vector<NamedSolid>& solids, const Console& console) const;
 
@@ -172,7 +173,7 @@ void tell_rings_off_plane(const ScriptRunner& now, std::string_view line, const 
     console.message(std::string(line) + ": " + sentence);
 }
 
-/// \returns what `--tables` prints
+/// \returns what `--tables` prints; JSON has no tables
 std::string Euler::run_on(ScriptRunner& runner, const Console& console) const
 {
     const ui::Catalogue& tr = console.tr();
@@ -183,7 +184,7 @@ std::string Euler::run_on(ScriptRunner& runner, const Console& console) const
     std::string printed;
     options.after = [&](const ScriptRunner& now, std::string_view line) {
         tell_rings_off_plane(now, line, console);
-        if (!has_tables_) return;
+        if (!prints_tables()) return;
         printed.append(printed.empty() ? "" : "\n").append(line).append("\n");
         append_tables(printed, now);
     };
@@ -192,7 +193,7 @@ std::string Euler::run_on(ScriptRunner& runner, const Console& console) const
     } catch (const topology::LineError& fault) {
         throw UsageError(display_name(script_, tr) + ": " + fault.sentence(tr));
     }
-    if (has_tables_ && printed.empty()) append_tables(printed, runner); // no step was run: what it began with
+    if (prints_tables() && printed.empty()) append_tables(printed, runner); // no step was run: what it began with
     return printed;
 }
 
@@ -216,7 +217,7 @@ ExitStatus Euler::run(Console& console)
     const std::vector<NamedSolid> solids = living(runner);
     save(solids, console);
     if (is_json_) console.print(json(solids, runner.n_steps()));
-    else console.print(has_tables_ ? std::move(printed) : counts_table(solids, runner.n_steps(), tr));
+    else console.print(prints_tables() ? std::move(printed) : counts_table(solids, runner.n_steps(), tr));
     return ExitStatus::Done;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <stdexcept>
+#include <system_error>
 
 #include "apps/cli/argument.h"
 #include "apps/cli/output_file.h"
@@ -86,6 +87,9 @@ void write_picture(const PictureFile& file, const Backdrop& backdrop, const ui::
         if (kind == ".png") ui::paint_to_png(file.path, sheet, drawing);
         if (kind == ".svg") ui::paint_to_svg(file.path, sheet, drawing);
         if (kind == ".pdf") ui::paint_to_pdf(file.path, sheet, drawing);
+    } catch (const std::system_error& error) {
+        throw UsageError(tr("cannot write {file}: {reason}",
+                            {{"file", file.path.string()}, {"reason", tr(error.code().message())}}));
     } catch (const std::exception& error) {
         throw UsageError(tr("cannot draw {file}: {reason}", {{"file", file.path.string()}, {"reason", error.what()}}));
     }

@@ -24,6 +24,9 @@ std::string reason_text(std::errc reason)
     case std::errc::file_too_large: return std::string(translatable("File too large"));
     case std::errc::no_space_on_device: return std::string(translatable("No space left on device"));
     case std::errc::io_error: return std::string(translatable("Input/output error"));
+    case std::errc::not_a_directory: return std::string(translatable("Not a directory"));
+    case std::errc::filename_too_long: return std::string(translatable("File name too long"));
+    case std::errc::operation_not_permitted: return std::string(translatable("Operation not permitted"));
     case std::errc::read_only_file_system: return std::string(translatable("Read-only file system"));
     default: return std::make_error_code(reason).message();
     }

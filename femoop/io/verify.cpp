@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <map>
 #include <stdexcept>
 #include <string_view>
 #include <variant>
@@ -10,7 +12,7 @@
 #include "femoop/io/cross/cross_check.h"
 #include "femoop/load/place_along.h"
 #include "femoop/model/quantity/number_text.h"
-#include "femoop/result/components.h"
+#include "femoop/result/magnitudes.h"
 
 namespace femoop {
 
@@ -87,6 +89,13 @@ double extreme(const Expected& check, const Curve& curve)
     return check.extreme.value() == ExtremeKind::Max ? extremes.max.value : extremes.min.value;
 }
 
+/// What the result comes from.
+double magnitude_of(const Expected& check, const Magnitudes& most)
+{
+    if (check.quantity == ExpectedQuantity::Reaction) return most.force_of(check.dof.value());
+    return check.component ? most.of(*check.component) : most.displacement_of(check.dof.value());
+}
+
 double result_of(const Expected& check, const CaseResult& result)
 {
     switch (check.quantity) {
@@ -101,7 +110,25 @@ double result_of(const Expected& check, const CaseResult& result)
     throw std::logic_error("verify: not a result of the linear analysis");
 }
 
-CheckOutcome verify_one(const Model& model, const Results* results, const Expected& check, const Translator& tr)
+/// The results of a model, and how large those of each case are that is asked for.
+class Sizes {
+public:
+    explicit Sizes(const Results& results) : results_(results) {}
+
+    const Magnitudes& operator[](CaseId id)
+    {
+        const auto found = known_.find(id.index);
+        return found != known_.end() ? found->second
+                                     : known_.emplace(id.index, results_[id].magnitudes()).first->second;
+    }
+    const Results& results() const { return results_; }
+
+private:
+    const Results& results_;
+    std::map<std::size_t, Magnitudes> known_;
+};
+
+CheckOutcome verify_one(const Model& model, Sizes* sizes, const Expected& check, const Translator& tr)
 {
     CheckOutcome outcome;
     outcome.what = describe_check(model, check, tr);
@@ -112,8 +139,10 @@ CheckOutcome verify_one(const Model& model, const Results* results, const Expect
         outcome.skipped = SkipReason::AnalysisNotBuilt;
         return outcome;
     }
-    if (results == nullptr) throw std::invalid_argument("verify: the model has checks of results, and none were given");
-    outcome.result = result_of(check, (*results)[check.load_case.value_or(CaseId(0))]);
+    if (sizes == nullptr) throw std::invalid_argument("verify: the model has checks of results, and none were given");
+    const CaseId id = check.load_case.value_or(CaseId(0));
+    outcome.result = result_of(check, sizes->results()[id]);
+    outcome.magnitude = magnitude_of(check, (*sizes)[id]);
     const bool is_near = std::abs(*outcome.result - outcome.expected) <= outcome.tolerance;
     outcome.verdict = is_near ? Verdict::Passed : Verdict::Failed;
     return outcome;
@@ -148,9 +177,13 @@ bool needs_linear_analysis(const Model& model)
 std::vector<CheckOutcome> verify(const Model& model, const std::optional<Results>& results, const Translator& tr)
 {
     std::vector<CheckOutcome> outcomes;
+    std::optional<Sizes> sizes;
+    if (results) sizes.emplace(*results);
     for (const Expected& check : model.expected)
-        outcomes.push_back(verify_one(model, results ? &*results : nullptr, check, tr));
+        outcomes.push_back(verify_one(model, sizes ? &*sizes : nullptr, check, tr));
     for (CheckOutcome& outcome : cross::check_block(model, tr)) outcomes.push_back(std::move(outcome));
+    for (CheckOutcome& outcome : outcomes)
+        if (outcome.result) outcome.result = without_rounding(*outcome.result, outcome.magnitude);
     for (const ExtraBlock& block : model.extra) {
         if (block.key == "cross") continue;
         CheckOutcome outcome;

@@ -26,6 +26,7 @@ struct CheckOutcome {
     double expected = 0.0;
     std::optional<double> result; ///< nothing when skipped
     double tolerance = 0.0;       ///< max(atol, rtol |expected|)
+    double magnitude = 0.0;       ///< of the numbers that the result comes from: beside them rounding is 0
     std::optional<SkipReason> skipped;
 };
 

@@ -1,3 +1,5 @@
+#include "femoop/result/magnitudes.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -47,6 +49,18 @@ void see_nodes(Magnitudes& most, const CaseLoads& loads, double factor)
 }
 
 } // namespace
+
+double Magnitudes::of(MemberComponent component) const
+{
+    if (is_displacement(component)) return displacement;
+    return is_moment(component) ? moment : force;
+}
+
+double without_rounding(double value, double magnitude)
+{
+    constexpr double round_off = 1.0e-12;
+    return std::abs(value) < round_off * magnitude ? 0.0 : value;
+}
 
 Magnitudes CaseResult::magnitudes() const
 {

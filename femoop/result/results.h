@@ -13,17 +13,9 @@
 #include "femoop/model/fault/fault.h"
 #include "femoop/model/model.h"
 #include "femoop/result/curve.h"
+#include "femoop/result/magnitudes.h"
 
 namespace femoop {
-
-/// How large the numbers of a case are, those that cancel included (what heat would do to members that cannot give
-/// way), and what the structure's size makes of one kind out of the other. A number far below is nothing but rounding.
-struct Magnitudes {
-    double force = 0.0;
-    double moment = 0.0;
-    double displacement = 0.0;
-    double rotation = 0.0;
-};
 
 namespace detail {
 struct Solution;

@@ -40,13 +40,6 @@ private:
 
 } // namespace
 
-Message not_written(const std::filesystem::path& path, const std::exception& error)
-{
-    const bool is_known = dynamic_cast<const NotWritten*>(&error) != nullptr;
-    constexpr std::string_view remedy = translatable("check that its folder exists, may be written to and has room");
-    return not_written(path, is_known ? std::string(remedy) : std::string(error.what()));
-}
-
 std::optional<Message> write_picture(const std::filesystem::path& path, const Picture& picture, const Fonts& fonts,
                                      const PictureLook& look)
 {

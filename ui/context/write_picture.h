@@ -1,6 +1,5 @@
 #pragma once
 
-#include <exception>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -25,8 +24,5 @@ std::optional<Message> write_picture(const std::filesystem::path& path, const Pi
 
 /// Puts it on the clipboard, as a PNG. \returns why it could not
 std::optional<Message> copy_picture(const Picture& picture, const Fonts& fonts, const PictureLook& look);
-
-/// Why a picture or report was not written, for a sentence that names the file.
-Message not_written(const std::filesystem::path& path, const std::exception& error);
 
 } // namespace ui

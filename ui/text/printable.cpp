@@ -1,40 +1,74 @@
 #include "ui/text/printable.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <optional>
+#include <string_view>
 
 namespace ui {
 
 namespace {
 
-constexpr unsigned char delete_sign = 0x7F, first_beyond = 0xC2; // of the two bytes of U+0080 to U+009F
+/// Characters that are not seen but act on what is, beyond those of one byte.
+struct Range {
+    char32_t first, last;
+};
+constexpr std::array<Range, 8> acting{{{0x80, 0x9F},       // controls
+                                       {0xAD, 0xAD},       // a hyphen that may hide
+                                       {0x61C, 0x61C},     // mark of Arabic direction
+                                       {0x180E, 0x180E},   // separator of Mongolian vowels
+                                       {0x200B, 0x200F},   // without width, marks of direction
+                                       {0x2028, 0x202E},   // ends of lines and paragraphs, embeddings of direction
+                                       {0x2060, 0x206F},   // joiners, isolates of direction
+                                       {0xFEFF, 0xFEFF}}}; // byte-order mark
 
 unsigned char code(char c) { return static_cast<unsigned char>(c); }
 
-bool is_control(char c) { return (code(c) < 0x20U && c != '\n' && c != '\t' && c != '\r') || code(c) == delete_sign; }
-
-bool is_control_beyond(const std::string& text, std::size_t i)
+bool is_control(char c)
 {
-    return code(text[i]) == first_beyond && i + 1 < text.size() && code(text[i + 1]) >= 0x80U &&
-           code(text[i + 1]) < 0xA0U;
+    constexpr unsigned char delete_sign = 0x7F;
+    return (code(c) < 0x20U && c != '\n' && c != '\t' && c != '\r') || code(c) == delete_sign;
 }
 
-std::string escaped(char control)
+/// A character of two or three bytes that acts: its bytes at the beginning of the text are gone through.
+struct Acting {
+    char32_t character;
+    std::size_t n_bytes;
+};
+std::optional<Acting> acting_at(std::string_view text)
+{
+    constexpr unsigned two_bytes = 0xC0, three_bytes = 0xE0, four_bytes = 0xF0, last_six = 0x3F;
+    const unsigned lead = code(text.front());
+    const std::size_t n = lead >= four_bytes || lead < two_bytes ? 0 : lead >= three_bytes ? 3 : 2;
+    if (n == 0 || text.size() < n) return std::nullopt;
+    char32_t character = lead & (n == 2 ? 0x1FU : 0x0FU);
+    for (std::size_t i = 1; i < n; ++i) character = character << 6U | (code(text[i]) & last_six);
+    const bool acts = std::ranges::any_of(acting, [&](Range r) { return character >= r.first && character <= r.last; });
+    return acts ? std::optional(Acting{character, n}) : std::nullopt;
+}
+
+std::string escaped(char32_t character)
 {
     constexpr const char* digits = "0123456789abcdef";
-    return {'\\', 'u', '0', '0', digits[code(control) / 16U], digits[code(control) % 16U]};
+    std::string text = "\\u";
+    for (const unsigned shift : {12U, 8U, 4U, 0U}) text += digits[character >> shift & 0xFU];
+    return text;
 }
 
 } // namespace
 
 std::string printable(std::string text)
 {
-    const auto may_be_control = [](char c) { return is_control(c) || code(c) == first_beyond; };
-    if (std::none_of(text.begin(), text.end(), may_be_control)) return text;
+    constexpr unsigned char beyond_ascii = 0x80;
+    const auto may_act = [](char c) { return is_control(c) || code(c) >= beyond_ascii; };
+    if (std::ranges::none_of(text, may_act)) return text;
     std::string shown;
     for (std::size_t i = 0; i < text.size(); ++i) {
-        if (is_control_beyond(text, i)) shown += escaped(text[++i]);
-        else if (is_control(text[i])) shown += escaped(text[i]);
+        if (const auto acts = acting_at(std::string_view(text).substr(i))) {
+            shown += escaped(acts->character);
+            i += acts->n_bytes - 1;
+        } else if (is_control(text[i])) shown += escaped(code(text[i]));
         else shown += text[i];
     }
     return shown;

@@ -4,6 +4,7 @@
 #include <imgui_stdlib.h>
 
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "ui/widgets/wrapped_text.h"
@@ -14,6 +15,20 @@ namespace {
 
 constexpr double pixels_per_step = 3.0;
 constexpr float click_distance = 3.0F; ///< the mouse moved farther: a drag
+
+float width_of(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x; }
+
+/// The text, or as much of its beginning as there is room for with the mark of what is missing.
+std::string fitting(const std::string& text, float room)
+{
+    if (width_of(text) <= room) return text;
+    const float left = room - width_of("…");
+    std::size_t n = text.size();
+    const auto is_inside_character = [&] { return (static_cast<unsigned char>(text[n]) & 0xC0U) == 0x80U; };
+    do --n;
+    while (n > 0 && (is_inside_character() || width_of(std::string_view(text).substr(0, n)) > left));
+    return text.substr(0, n) + "…";
+}
 
 unsigned key_of(std::string_view id) { return ImGui::GetID(id.data(), id.data() + id.size()); }
 
@@ -56,9 +71,11 @@ NumberFieldEvent NumberFields::show_value(unsigned id, const Look& look, float w
     list.AddRectFilled(corner, end, ImGui::GetColorU32(is_hot ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg),
                        style.FrameRounding);
     const ImVec2 text_at(corner.x + style.FramePadding.x, corner.y + style.FramePadding.y);
+    const std::string text = fitting(look.text, width - 2.0F * style.FramePadding.x);
     list.PushClipRect(corner, end, true);
-    list.AddText(text_at, ImGui::GetColorU32(look.value ? ImGuiCol_Text : ImGuiCol_TextDisabled), look.text.c_str());
+    list.AddText(text_at, ImGui::GetColorU32(look.value ? ImGuiCol_Text : ImGuiCol_TextDisabled), text.c_str());
     list.PopClipRect();
+    if (is_hot && text != look.text) ImGui::SetTooltip("%s", look.text.c_str());
 
     if (dragging_ == id) {
         const NumberFieldEvent event = drag(drag_start_);

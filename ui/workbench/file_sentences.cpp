@@ -31,6 +31,12 @@ Message not_written(const std::filesystem::path& path, const std::string& reason
     return of_file(translatable("{file} was not written: {reason}"), path, Message(reason));
 }
 
+Message not_written(const std::filesystem::path& path, const std::exception& error)
+{
+    const auto* const hindrance = dynamic_cast<const std::system_error*>(&error); // what() names the file again
+    return not_written(path, hindrance != nullptr ? hindrance->code().message() : error.what());
+}
+
 std::string file_name(const std::optional<std::filesystem::path>& path, const Catalogue& tr)
 {
     return path ? path->filename().string() : tr("Untitled");

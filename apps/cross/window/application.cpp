@@ -12,7 +12,6 @@
 #include "femoop/files/whole_file.h"
 #include "femoop/tabular/latex.h"
 #include "femoop/tabular/markdown.h"
-#include "ui/context/write_picture.h"
 #include "ui/files/ending.h"
 #include "ui/report/html.h"
 #include "ui/report/pages.h"

@@ -8,6 +8,7 @@
 #include "femoop/model/quantity/dimension.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/quantity_parser.h"
+#include "femoop/model/quantity/unit_signs.h"
 #include "ui/text/arithmetic.h"
 #include "ui/text/catalogue.h"
 
@@ -234,26 +235,13 @@ Dimension dimension_of(Measure measure)
     return dimension::none;
 }
 
-// A unit as files write it: "kN*m" for "kN·m", "cm^4" for "cm⁴".
-std::string unit_in_file(std::string_view shown)
-{
-    static constexpr std::pair<std::string_view, std::string_view> signs[] = {{"·", "*"},  {"²", "^2"}, {"³", "^3"},
-                                                                              {"⁴", "^4"}, {"°C", "K"}, {"°", "deg"}};
-    std::string unit(shown);
-    for (const auto& [sign, text] : signs) {
-        for (std::size_t at = unit.find(sign); at != std::string::npos; at = unit.find(sign, at + text.size()))
-            unit.replace(at, sign.size(), text);
-    }
-    return unit;
-}
-
 /// A number with a unit as files have it: calculated, with a decimal point, the unit as it is shown or as files have
 /// it.
 std::string as_in_file(std::string_view text)
 {
     const std::optional<ui::LeadingNumber> number = ui::leading_number(text);
     if (!number) return std::string(text);
-    const std::string rest = unit_in_file(text.substr(number->length));
+    const std::string rest = femoop::with_file_signs(text.substr(number->length));
     if (number->is_computed) return femoop::number_text(number->value) + rest;
     std::string plain(text.substr(0, number->length));
     std::ranges::replace(plain, ',', '.');
@@ -329,7 +317,8 @@ std::variant<Quantity, Fault> typed(std::string_view text, Dimension dimension, 
 {
     const std::optional<double> bare = ui::number_typed(text);
     if (bare && unit.factor == 1.0) return Quantity(*bare);
-    const std::string full = bare ? femoop::number_text(*bare) + ' ' + unit_in_file(unit.name) : as_in_file(text);
+    const std::string full = bare ? femoop::number_text(*bare) + ' ' + femoop::with_file_signs(unit.name)
+                                  : as_in_file(text);
     auto parsed = parse_quantity(full, dimension, file, angle);
     if (auto* const fault = std::get_if<Fault>(&parsed)) return std::move(*fault);
     const double value = std::get<double>(parsed);

@@ -95,6 +95,17 @@ std::span<const StrengthPlace> strengths_of(Criterion criterion)
 
 std::string_view name(StrengthPlace strength) { return strength_names[static_cast<std::size_t>(strength)]; }
 
+std::string_view name(Subject subject, NumberId number)
+{
+    switch (number.group) {
+    case Group::Elasticity: return number.place == 0 ? "E" : "ν";
+    case Group::Strength: return strength_names.at(number.place);
+    case Group::Section: return "section";
+    case Group::State: break;
+    }
+    return names(subject)[number.place];
+}
+
 namespace {
 
 /// Of a document, constant or not.

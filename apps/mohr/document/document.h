@@ -70,7 +70,8 @@ std::string_view bare_unit(Subject subject, std::size_t place);
 
 /// The strengths that a criterion reads.
 std::span<const StrengthPlace> strengths_of(femoop::mohr::Criterion criterion);
-std::string_view name(StrengthPlace strength); ///< "fy", "φ", "σci"
+std::string_view name(StrengthPlace strength);           ///< "fy", "φ", "σci"
+std::string_view name(Subject subject, NumberId number); ///< "τxy", "E", "φ"; "section" of what is a section's text
 
 /// The text of one number; by reference where it is set.
 const std::string& text_of(const Document& document, NumberId number);

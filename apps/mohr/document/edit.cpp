@@ -8,6 +8,7 @@
 #include "apps/mohr/document/section_text.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/quantity_parser.h"
+#include "femoop/model/quantity/unit_signs.h"
 #include "ui/text/arithmetic.h"
 #include "ui/text/catalogue.h"
 
@@ -24,7 +25,7 @@ Edit judged(Document document)
     return {std::move(document), std::move(fault)};
 }
 
-/// What stands behind the number of a text.
+/// What stands behind the number of a text, as files write it.
 std::string unit_behind(std::string_view text)
 {
     const auto number = ui::leading_number(text);
@@ -32,7 +33,7 @@ std::string unit_behind(std::string_view text)
     std::string_view rest = text.substr(number->length);
     while (rest.starts_with(' ')) rest.remove_prefix(1);
     while (rest.ends_with(' ')) rest.remove_suffix(1);
-    return std::string(rest);
+    return femoop::with_file_signs(rest);
 }
 
 std::string with_unit(double value, const std::string& unit)

@@ -8,6 +8,7 @@
 #include "femoop/section/profile.h"
 #include "femoop/section/shape.h"
 #include "ui/text/catalogue.h"
+#include "ui/text/number_format.h"
 
 namespace mohr {
 
@@ -42,13 +43,26 @@ std::optional<Message> take_dimension(SectionShape& shape, const std::string& wo
     return Message(translatable("\"{word}\" is no dimension; write it like h=210mm"), {{"word", word}});
 }
 
+Message shape_sentence(const femoop::ShapeFault& fault)
+{
+    const Message::Argument key{"key", std::string(fault.key)};
+    switch (fault.flaw) {
+    case femoop::ShapeFlaw::Missing: return {translatable("{key} is missing"), {key}};
+    case femoop::ShapeFlaw::Unneeded: return {translatable("{key} is no dimension of this shape"), {key}};
+    case femoop::ShapeFlaw::NotPositive: return {translatable("{key} must be a positive length"), {key}};
+    case femoop::ShapeFlaw::TooLarge: break;
+    }
+    return {translatable("{key} must be less than {limit} = {value}"),
+            {key, {"limit", std::string(fault.limit_key)}, {"value", ui::number_text(fault.limit) + " mm"}}};
+}
+
 std::variant<femoop::mohr::SectionFigure, Message> figure_of(const SectionShape& shape)
 {
     if (shape.kind == femoop::SectionShapeKind::L)
         return Message(
             translatable("a single angle bends out of its plane; choose a section that is symmetric about y′ or z′"));
     if (const auto fault = femoop::why_not(shape))
-        return Message(translatable("the shape cannot be: {reason}"), {{"reason", femoop::message(*fault)}});
+        return Message(translatable("the shape cannot be: {reason}"), {{"reason", shape_sentence(*fault)}});
     return femoop::mohr::SectionFigure(shape);
 }
 

@@ -65,7 +65,11 @@ public:
         return both.values.back();
     }
 
-    void refuse(const femoop::Fault& bad, NumberId number) { refuse(sentence(bad), number); }
+    void refuse(femoop::Fault bad, NumberId number)
+    {
+        if (bad.arguments.front().empty()) bad.arguments.front() = name(document_.subject, number);
+        refuse(sentence(bad), number);
+    }
     void refuse(const Message& reason, NumberId number)
     {
         if (std::ranges::find(faults, number, &Fault::number) == faults.end()) faults.push_back({reason, number});
@@ -93,7 +97,8 @@ fm::Kind kind_of(Subject subject)
 void read_path(const Document& document, Reader& reader, Solution& solution)
 {
     if (!has_path(document.subject)) return;
-    constexpr std::array<std::string_view, 4> parts{"", "", "", ""};
+    std::vector<std::string_view> parts{""};
+    parts.insert(parts.end(), names(document.subject).begin(), names(document.subject).end());
     for (const std::vector<std::string>& state : document.path()) {
         std::vector<std::string> texts{solution.unit.empty() ? "0" : "1 " + solution.unit};
         texts.insert(texts.end(), state.begin(), state.end());
@@ -101,7 +106,9 @@ void read_path(const Document& document, Reader& reader, Solution& solution)
             return reader.refuse(translatable("a number of the state is missing"), {Group::State, 0});
         Reader one(document); // its numbers have no fields
         const auto v = one.read(texts, parts, dimension_of(document.subject, 0), {Group::State, 0}).values;
-        for (Fault& fault : one.faults) reader.faults.push_back({std::move(fault.reason)});
+        for (Fault& fault : one.faults)
+            reader.faults.push_back(
+                {Message(translatable("loading path: {reason}"), {{"reason", std::move(fault.reason)}})});
         solution.path.push_back(fm::plane(fm::plane_state(kind_of(document.subject), v[1], v[2], v[3])));
     }
 }
@@ -161,10 +168,9 @@ void read_state(const Document& document, Reader& reader, Solution& solution)
     else solution.state = fm::plane_state(kind_of(document.subject), v[0], v[1], v[2]);
 }
 
+/// Also where it is not needed: another subject may need it.
 void read_elasticity(const Document& document, Reader& reader, Solution& solution)
 {
-    const fm::Kind kind = solution.state.kind;
-    if (!fm::is_strain(kind) && kind != fm::Kind::PlaneStrain) return;
     constexpr std::array<std::string_view, 1> E_name{"E"}, nu_name{"ν"};
     const double nu = reader
                           .read(std::span(document.elasticity).subspan(1, 1), nu_name, femoop::dimension::none,
@@ -172,12 +178,13 @@ void read_elasticity(const Document& document, Reader& reader, Solution& solutio
                           .values.front();
     if (!(nu > -1.0 && nu <= 0.5))
         reader.refuse(translatable("Poisson's ratio must be greater than −1 and at most 0.5"), {Group::Elasticity, 1});
-    solution.state.nu = nu;
-    if (!fm::is_strain(kind)) return;
     const Components E = reader.read(std::span(document.elasticity).subspan(0, 1), E_name, femoop::dimension::stress,
                                      {Group::Elasticity, 0});
     if (!(E.values.front() > 0.0))
         reader.refuse(translatable("Young's modulus must be greater than 0"), {Group::Elasticity, 0});
+    const fm::Kind kind = solution.state.kind;
+    if (fm::is_strain(kind) || kind == fm::Kind::PlaneStrain) solution.state.nu = nu;
+    if (!fm::is_strain(kind)) return;
     // Stresses of a material are told in MPa where its modulus is in GPa.
     const bool is_GPa = E.unit == "GPa";
     solution.stress_unit = is_GPa ? "MPa" : E.unit;
@@ -203,27 +210,25 @@ double fm::Strength::*member_at(StrengthPlace place)
     return members[static_cast<std::size_t>(place)];
 }
 
-/// In the unit of the stresses.
+/// What the criterion reads is counted in the unit of the stresses; the others are judged alone.
 void read_strength(const Document& document, Reader& reader, Solution& solution)
 {
     const bool has_stress = fm::is_stress(solution.state.kind) || solution.state.E;
-    if (!document.criterion || !has_stress) return;
     const std::string unit = fm::is_stress(solution.state.kind) ? solution.unit : solution.stress_unit;
+    const bool is_judging = document.criterion && has_stress;
     fm::Strength strength;
-    for (const StrengthPlace place : ::mohr::strengths_of(*document.criterion)) {
+    for (std::size_t i = 0; i < n_strengths; ++i) {
+        const auto place = static_cast<StrengthPlace>(i);
         const bool is_plain = place == StrengthPlace::phi || place == StrengthPlace::m || place == StrengthPlace::s;
-        const std::string& text = document.strengths[static_cast<std::size_t>(place)];
-        const NumberId number{Group::Strength, static_cast<std::size_t>(place)};
-        const double value = reader.read_in(text, is_plain ? "" : unit,
+        const bool is_read = is_judging && std::ranges::count(::mohr::strengths_of(*document.criterion), place) > 0;
+        const NumberId number{Group::Strength, i};
+        const double value = reader.read_in(document.strengths[i], is_plain || !is_read ? "" : unit,
                                             is_plain ? femoop::dimension::none : femoop::dimension::stress, number);
         strength.*member_at(place) = place == StrengthPlace::phi ? value * degree : value;
+        if (const auto flaw = fm::why_not(member_at(place), strength.*member_at(place)))
+            reader.refuse(flaw_sentence(*flaw, name(place)), number);
     }
-    if (const auto bad = why_not(*document.criterion, strength))
-        for (const StrengthPlace place : ::mohr::strengths_of(*document.criterion))
-            if (member_at(place) == bad->value)
-                reader.refuse(flaw_sentence(bad->flaw, name(place)),
-                              {Group::Strength, static_cast<std::size_t>(place)});
-    solution.strength = strength;
+    if (is_judging) solution.strength = strength;
 }
 
 Solution read(const Document& document, Reader& reader)
@@ -262,6 +267,8 @@ std::vector<Fault> faults(const Document& document)
     }
     Reader reader(document);
     read(document, reader);
+    const auto section = section_figure(document.section);
+    if (const auto* const reason = std::get_if<Message>(&section)) reader.refuse(*reason, {Group::Section, 0});
     all.insert(all.end(), reader.faults.begin(), reader.faults.end());
     return all;
 }

@@ -40,43 +40,45 @@ void draw_outline(const Depth& d, double middle)
     for (const auto& loop : loops) d.painter.polyline(loop, d.theme.stroke(Role::Edge), ui::PathEnds::Closed);
 }
 
-/// One component over the depth, its value at the fibre written beside it.
+/// Below the picture that it belongs to: a text on the picture would cover what lies behind.
+void draw_caption(const Depth& d, const ui::Box& column, const std::string& words, Role role)
+{
+    const ui::TextStyle style = d.theme.text(role, ui::Anchor::BottomLeft);
+    const ui::LayerScope layer(d.painter, ui::Layer::Labels);
+    const double room = column.width() - d.painter.measure(words, style).width;
+    d.painter.text({column.min.x + std::max(0.5 * room, 0.0), column.max.y}, words, style);
+}
+
+/// One component over the depth, its value at the fibre written below.
 struct ForceDiagram {
-    double zero, reach; ///< where 0 lies, and pixels of the largest value
-    double right;       ///< its room ends there
     double fm::FibreStress::*component;
     Role role;
     std::string name;
 };
 
-void draw_diagram(const Depth& d, const ForceDiagram& diagram)
+void draw_diagram(const Depth& d, const ui::Box& column, const ForceDiagram& diagram)
 {
     double largest = 0.0;
     for (const fm::FibreStress& s : d.section().distribution)
         largest = std::max(largest, std::abs(s.*diagram.component));
-    const double scale = largest > 0.0 ? diagram.reach / largest : 0.0;
+    const double zero = column.center().x, reach = 0.3 * column.width();
+    const double scale = largest > 0.0 ? reach / largest : 0.0;
     std::vector<ui::Point> line;
     for (const fm::FibreStress& s : d.section().distribution)
-        line.push_back({diagram.zero + scale * s.*diagram.component, d.height(s.cut.y)});
+        line.push_back({zero + scale * s.*diagram.component, d.height(s.cut.y)});
     std::vector<ui::Point> area = line;
-    area.push_back({diagram.zero, line.back().y});
-    area.insert(area.begin(), {diagram.zero, line.front().y});
+    area.push_back({zero, line.back().y});
+    area.insert(area.begin(), {zero, line.front().y});
     d.painter.polygon(area, d.theme.fill(diagram.role));
     d.painter.polyline(line, d.theme.stroke(diagram.role));
-    d.painter.line({diagram.zero, line.front().y}, {diagram.zero, line.back().y}, d.theme.stroke(Role::Label));
+    d.painter.line({zero, line.front().y}, {zero, line.back().y}, d.theme.stroke(Role::Label));
     const double value = d.section().fibre.*diagram.component;
-    const ui::Point at{diagram.zero + scale * value, d.height(d.section().fibre.cut.y)};
-    draw_mark(d.painter, d.scene, at, std::nullopt, diagram.role);
-    ui::TextStyle style = d.theme.text(diagram.role, ui::Anchor::BottomLeft);
-    style.plate = d.theme.background();
-    const ui::LayerScope layer(d.painter, ui::Layer::Labels);
-    const std::string words = diagram.name + " = " + d.scene.look.number(value) + " MPa";
-    const double left = std::min(diagram.zero + diagram.reach + 14.0,
-                                 diagram.right - d.painter.measure(words, style).width);
-    d.painter.text({left, at.y - 4.0}, words, style);
+    draw_mark(d.painter, d.scene, {zero + scale * value, d.height(d.section().fibre.cut.y)}, std::nullopt,
+              diagram.role);
+    draw_caption(d, column, diagram.name + " = " + d.scene.look.number(value) + " MPa", diagram.role);
 }
 
-/// Across everything, at the height of the fibre.
+/// Across everything, at its height.
 void draw_fibre(const Depth& d, const ui::Box& box, Drawn& drawn)
 {
     const double y = d.height(d.section().fibre.cut.y);
@@ -84,11 +86,6 @@ void draw_fibre(const Depth& d, const ui::Box& box, Drawn& drawn)
     const ui::Point at{box.min.x + 8.0 * d.theme.symbol_scale(), y};
     draw_mark(d.painter, d.scene, at, Handle::Fibre, Role::LocalAxes);
     drawn.places.push_back({Handle::Fibre, at});
-    ui::TextStyle style = d.theme.text(Role::LocalAxes, ui::Anchor::BottomLeft);
-    style.plate = d.theme.background();
-    const ui::LayerScope layer(d.painter, ui::Layer::Labels);
-    d.painter.text(at + ui::Point{0.7 * style.size, -4.0},
-                   "y′ = " + d.scene.look.number(d.section().fibre.cut.y) + " mm", style);
 }
 
 } // namespace
@@ -96,15 +93,22 @@ void draw_fibre(const Depth& d, const ui::Box& box, Drawn& drawn)
 void draw_section(ui::Painter& painter, const Scene& scene, const ui::Box& box, Drawn& drawn)
 {
     const fm::SectionFigure& figure = scene.solution.section->figure;
+    const ui::Theme theme = scene.look.full_theme();
+    const double caption = 1.5 * theme.text(Role::Label, ui::Anchor::BottomLeft).size;
     const double depth = figure.top() - figure.bottom(), third = box.width() / 3.0;
-    const double scale = std::min(0.9 * box.height() / depth, 0.5 * third / std::max(figure.outline().width(), 1e-9));
-    drawn.section = {box.center().y + 0.5 * scale * (figure.top() + figure.bottom()), scale};
-    const Depth d{painter, scene, scene.look.full_theme(), drawn.section};
-    draw_outline(d, box.min.x + 0.7 * third); // the fibre's height is written at its left
-    const double middle = box.min.x + 2.0 * third - 4.0;
-    draw_diagram(d,
-                 {box.min.x + 1.36 * third, 0.24 * third, middle, &fm::FibreStress::sigma, Role::BendingMoment, "σ"});
-    draw_diagram(d, {box.min.x + 2.24 * third, 0.24 * third, box.max.x, &fm::FibreStress::tau, Role::ShearForce, "τ"});
+    const double height = 0.95 * (box.height() - caption);
+    const double scale = std::min(height / depth, 0.5 * third / std::max(figure.outline().width(), 1e-9));
+    const double middle = box.center().y - 0.5 * caption;
+    drawn.section = {middle + 0.5 * scale * (figure.top() + figure.bottom()), scale};
+    const Depth d{painter, scene, theme, drawn.section};
+    const auto column = [&](double i) {
+        return ui::Box{{box.min.x + i * third, box.min.y}, {box.min.x + (i + 1.0) * third, box.max.y}};
+    };
+    draw_outline(d, column(0.0).center().x);
+    draw_caption(d, column(0.0), "y′ = " + scene.look.number(scene.solution.section->fibre.cut.y) + " mm",
+                 Role::LocalAxes);
+    draw_diagram(d, column(1.0), {&fm::FibreStress::sigma, Role::BendingMoment, "σ"});
+    draw_diagram(d, column(2.0), {&fm::FibreStress::tau, Role::ShearForce, "τ"});
     draw_fibre(d, box, drawn);
 }
 

@@ -36,7 +36,7 @@ std::string given_text(const Session& session)
     for (std::size_t i = 0; i < document.state().size(); ++i) {
         const std::string unit(bare_unit(document.subject, i));
         words += (i == 0 ? "" : "\n") + std::string(names(document.subject)[i]) + " = " +
-                 with_unit(ui::with_minus_signs(document.state()[i]), unit);
+                 with_unit(ui::with_minus_signs(printed_unit(document.state()[i])), unit);
     }
     if (ui::decimal_mark(session.tr().language()) == ui::DecimalMark::Comma) std::ranges::replace(words, '.', ',');
     return words;

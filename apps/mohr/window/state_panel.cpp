@@ -50,12 +50,6 @@ void begin_row(const std::string& label)
     ImGui::SameLine(6.5F * ImGui::GetFontSize());
 }
 
-std::string sentence(const ui::Message& reason, const ui::Catalogue& tr)
-{
-    std::string text = tr(reason);
-    return text.starts_with(": ") ? text.substr(2) : text; // the place, which the field itself shows
-}
-
 void value_row(Workspace& workspace, ui::NumberFields& fields, const ValueRow& row)
 {
     Session& session = workspace.session;
@@ -69,7 +63,7 @@ void value_row(Workspace& workspace, ui::NumberFields& fields, const ValueRow& r
     const auto number = ui::number_typed(event.text);
     if (!number) fields.reject(event, session.tr()("this is no number"));
     else if (const auto reason = session.apply(row.edit(*number), row.step))
-        fields.reject(event, sentence(*reason, session.tr()));
+        fields.reject(event, session.tr()(*reason));
 }
 
 /// "(0.8; 0.6; 0)", "0.8 0.6 0"; nothing for what are no three numbers.
@@ -120,7 +114,7 @@ void StatePanel::number_row(Workspace& workspace, const std::string& label, Numb
     const std::string& text = text_of(session.document(), number);
     const auto leading = number.group == Group::Section ? std::nullopt : ui::leading_number(text);
     const std::string id = "###" + std::to_string(static_cast<int>(number.group)) + "." + std::to_string(number.place);
-    std::string shown = text;
+    std::string shown = number.group == Group::Section ? text : printed_unit(text);
     if (ui::decimal_mark(session.tr().language()) == ui::DecimalMark::Comma && number.group != Group::Section)
         for (char& c : shown) c = c == '.' ? ',' : c;
     const auto event = fields_.show(
@@ -130,8 +124,7 @@ void StatePanel::number_row(Workspace& workspace, const std::string& label, Numb
                      translatable("Change a number"));
     if (event.kind == Kind::Settled) session.settle();
     if (event.kind != Kind::Typed) return;
-    if (const auto reason = session.set_number(number, event.text))
-        fields_.reject(event, sentence(*reason, session.tr()));
+    if (const auto reason = session.set_number(number, event.text)) fields_.reject(event, session.tr()(*reason));
 }
 
 void StatePanel::show_numbers(Workspace& workspace)
@@ -199,8 +192,7 @@ void StatePanel::show_direction(Workspace& workspace, int direction)
     if (event.kind != Kind::Typed) return;
     const auto along = vector_typed(event.text);
     if (!along) fields_.reject(event, session.tr()("write three numbers, such as 1; 0; 0"));
-    else if (const auto reason = session.set_direction(direction, *along))
-        fields_.reject(event, sentence(*reason, session.tr()));
+    else if (const auto reason = session.set_direction(direction, *along)) fields_.reject(event, session.tr()(*reason));
 }
 
 void StatePanel::show_plane(Workspace& workspace)

@@ -10,6 +10,13 @@ namespace femoop::cross {
 namespace {
 
 constexpr double round_off = 1e-9; // of the largest of several numbers
+double largest_of(const std::vector<double>& values)
+{
+    double largest = 0.0;
+    for (const double value : values) largest = std::max(largest, std::abs(value));
+    return largest;
+}
+
 constexpr std::string_view step_names[] = {"FEM", "BAL", "CO", "TOTAL"};
 
 } // namespace
@@ -44,9 +51,10 @@ CheckOutcome SheetCheck::compared(const std::string& what, double wanted, double
     return one;
 }
 
-void SheetCheck::number(const std::string& what, double wanted, double found, Tolerance within)
+void SheetCheck::number(const std::string& what, double wanted, double found, double largest)
 {
-    outcomes_.push_back(compared(what, wanted, found, within));
+    outcomes_.push_back(compared(what, wanted, found, of_exact(largest)));
+    outcomes_.back().magnitude = largest;
 }
 
 void SheetCheck::row(const std::string& what, const Labelled& wanted, const std::vector<double>& values,
@@ -65,17 +73,16 @@ void SheetCheck::row(const std::string& what, const Labelled& wanted, const std:
         worst_excess = excess;
         worst = std::move(one);
     }
+    worst.magnitude = largest_of(values);
     outcomes_.push_back(std::move(worst));
 }
 
 void SheetCheck::row(const std::string& what, const Labelled& wanted, const Exact& values)
 {
     std::vector<double> nearer = values.strained;
-    double largest = 0.0;
-    for (const double moment : nearer) largest = std::max(largest, std::abs(moment));
     for (const auto& [end, value] : by_end(problem_, wanted, what))
         nearer[end.index] = nearer_to(value, values.strained[end.index], values.unstrained[end.index]);
-    row(what, wanted, nearer, of_exact(largest));
+    row(what, wanted, nearer, of_exact(largest_of(values.strained)));
 }
 
 Sheet SheetCheck::worked(const Problem& half, const Loading& loading, const std::vector<Block::Row>& wanted) const

@@ -37,7 +37,8 @@ public:
         std::vector<double> strained, unstrained;
     };
     void row(const std::string& what, const Labelled& wanted, const Exact& values);
-    void number(const std::string& what, double wanted, double found, Tolerance within);
+    /// An exact value, \param largest  of its kind
+    void number(const std::string& what, double wanted, double found, double largest);
     /// Every row of a sheet. \throws ModelError (CrossSheetTooLong)
     void sheet(const std::vector<Block::Row>& wanted, const Problem& half, const Sheet& sheet,
                const std::string& whose);

@@ -53,25 +53,6 @@ std::string section(const std::string& title, const tabular::Table& table, const
                             : "\n" + title + "\n" + tabular::plain_text(table, {indent, decimal_mark(tr)});
 }
 
-/// 0 for what is nothing but round-off beside numbers of this size.
-double tidy(double value, double magnitude)
-{
-    constexpr double round_off = 1.0e-12;
-    return std::abs(value) < round_off * magnitude ? 0.0 : value;
-}
-
-double displacement_size(Dof dof, const Magnitudes& most)
-{
-    return is_rotation(dof) ? most.rotation : most.displacement;
-}
-double force_size(Dof dof, const Magnitudes& most) { return is_rotation(dof) ? most.moment : most.force; }
-
-double size_of(MemberComponent component, const Magnitudes& most)
-{
-    if (is_displacement(component)) return most.displacement;
-    return is_moment(component) ? most.moment : most.force;
-}
-
 std::string counts(const Model& model, const Translator& tr)
 {
     std::string text = size_text(model, tr) + ", " +
@@ -132,7 +113,7 @@ tabular::Table displacement_table(const Model& model, const CaseResult& result, 
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
         const NodeVector u = result.displacement(NodeId(i));
         std::vector<tabular::Cell> row{model.nodes[i].id};
-        for (const Dof dof : dofs) row.emplace_back(tidy(u[index(dof)], displacement_size(dof, most)));
+        for (const Dof dof : dofs) row.emplace_back(without_rounding(u[index(dof)], most.displacement_of(dof)));
         table.add_row(std::move(row));
     }
     return table;
@@ -150,7 +131,7 @@ tabular::Table reaction_table(const Model& model, const CaseResult& result, cons
         if (!result.is_supported(NodeId(i))) continue;
         const NodeVector reaction = result.reaction(NodeId(i));
         std::vector<tabular::Cell> row{model.nodes[i].id};
-        for (const Dof dof : dofs) row.emplace_back(tidy(reaction[index(dof)], force_size(dof, most)));
+        for (const Dof dof : dofs) row.emplace_back(without_rounding(reaction[index(dof)], most.force_of(dof)));
         table.add_row(std::move(row));
     }
     return table;
@@ -172,7 +153,7 @@ tabular::Table end_force_table(const Model& model, const CaseResult& result, con
             const double x = end == 0 ? 0.0 : curve.length();
             const Side side = end == 0 ? Side::After : Side::Before;
             for (const MemberComponent component : components)
-                row.emplace_back(tidy(curve.value(component, x, side), size_of(component, most)));
+                row.emplace_back(without_rounding(curve.value(component, x, side), most.of(component)));
             table.add_row(std::move(row));
         }
     }
@@ -189,10 +170,10 @@ tabular::Table extremes_table(const Model& model, const CaseResult& result,
         const Curve curve = result.curve(MemberId(i));
         for (const MemberComponent component : components) {
             const Extremes extremes = curve.extremes(component);
-            const double size = size_of(component, most);
+            const double size = most.of(component);
             table.add_row({component == components.front() ? model.members[i].id : std::string(),
-                           component_header(component, model).label(), tidy(extremes.max.value, size), extremes.max.x,
-                           tidy(extremes.min.value, size), extremes.min.x},
+                           component_header(component, model).label(), without_rounding(extremes.max.value, size),
+                           extremes.max.x, without_rounding(extremes.min.value, size), extremes.min.x},
                           static_cast<std::size_t>(component));
         }
     }
@@ -230,9 +211,9 @@ std::string equilibrium_text(const Model& model, const Equilibrium& equilibrium,
     for (const Dof dof : dofs) {
         const double size = is_rotation(dof) ? moment : most.force;
         const double load = equilibrium.sum_loads[index(dof)], reaction = equilibrium.sum_reactions[index(dof)];
-        loads.emplace_back(tidy(load, size));
-        reactions.emplace_back(tidy(reaction, size));
-        sums.emplace_back(tidy(load + reaction, size));
+        loads.emplace_back(without_rounding(load, size));
+        reactions.emplace_back(without_rounding(reaction, size));
+        sums.emplace_back(without_rounding(load + reaction, size));
     }
     table.add_row(std::move(loads));
     table.add_row(std::move(reactions));
@@ -254,8 +235,9 @@ public:
     /// \param size  of the numbers that these may be round-off of
     void add(const std::string& of, Dof dof, const tabular::Column& of_what, const GoverningRange& range, double size)
     {
-        table_.add_row({of, of_what.label(), tidy(range.max.value, size), model_.case_name(range.max.load_case),
-                        tidy(range.min.value, size), model_.case_name(range.min.load_case)},
+        table_.add_row({of, of_what.label(), without_rounding(range.max.value, size),
+                        model_.case_name(range.max.load_case), without_rounding(range.min.value, size),
+                        model_.case_name(range.min.load_case)},
                        index(dof));
     }
     const tabular::Table& table() const { return table_; }
@@ -287,10 +269,11 @@ tabular::Table member_envelope(const Model& model, const Envelope& envelope,
     for (std::size_t i = 0; i < model.members.size(); ++i)
         for (const MemberComponent component : components) {
             const GoverningExtremes extremes = envelope.extremes(MemberId(i), component);
-            const double size = size_of(component, most);
+            const double size = most.of(component);
             table.add_row({component == components.front() ? model.members[i].id : std::string(),
-                           component_header(component, model).label(), tidy(extremes.max.value, size), extremes.max.x,
-                           model.case_name(extremes.max.load_case), tidy(extremes.min.value, size), extremes.min.x,
+                           component_header(component, model).label(), without_rounding(extremes.max.value, size),
+                           extremes.max.x, model.case_name(extremes.max.load_case),
+                           without_rounding(extremes.min.value, size), extremes.min.x,
                            model.case_name(extremes.min.load_case)},
                           static_cast<std::size_t>(component));
         }
@@ -386,10 +369,10 @@ std::string envelope_text(const Model& model, const Results& results, const std:
         std::string id = model.nodes[i].id;
         for (const Dof dof : dof_list(model.analysis)) {
             displacements.add(id, dof, displacement_header(dof, model.units), envelope.displacement(NodeId(i), dof),
-                              displacement_size(dof, most));
+                              most.displacement_of(dof));
             if (results[cases.front()].is_supported(NodeId(i)))
                 reactions.add(id, dof, force_header(dof, model.units), envelope.reaction(NodeId(i), dof),
-                              force_size(dof, most));
+                              most.force_of(dof));
             id.clear();
         }
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "femoop/methods/mohr/criterion_names.h"
 #include "femoop/methods/mohr/rounding.h"
 
 namespace femoop::mohr {
@@ -182,26 +183,21 @@ Curve mohr_coulomb_line(const Strength& strength, double from, double to)
 
 } // namespace
 
+std::optional<StrengthFlaw> why_not(double Strength::*which, double value)
+{
+    if (which == &Strength::phi) {
+        const bool is_sharp = value >= 0.0 && value < 0.5 * pi;
+        return is_sharp ? std::nullopt : std::optional(StrengthFlaw::AngleOutOfRange);
+    }
+    if (which == &Strength::s && value > 1.0) return StrengthFlaw::AboveOne;
+    return is_positive(value) ? std::nullopt : std::optional(StrengthFlaw::NotPositive);
+}
+
 std::optional<StrengthFault> why_not(Criterion criterion, const Strength& strength)
 {
-    const auto positive = [&](std::initializer_list<double Strength::*> values) -> std::optional<StrengthFault> {
-        for (const auto value : values)
-            if (!is_positive(strength.*value)) return StrengthFault{StrengthFlaw::NotPositive, value};
-        return std::nullopt;
-    };
-    switch (criterion) {
-    case Criterion::Tresca:
-    case Criterion::VonMises: return positive({&Strength::fy});
-    case Criterion::Rankine: return positive({&Strength::ft, &Strength::fc});
-    case Criterion::HoekBrown:
-        if (strength.s > 1.0) return StrengthFault{StrengthFlaw::AboveOne, &Strength::s};
-        return positive({&Strength::sci, &Strength::m, &Strength::s});
-    case Criterion::MohrCoulomb:
-    case Criterion::DruckerPrager: break;
-    }
-    if (!(strength.phi >= 0.0 && strength.phi < 0.5 * pi))
-        return StrengthFault{StrengthFlaw::AngleOutOfRange, &Strength::phi};
-    return positive({&Strength::c});
+    for (const StrengthName& name : strengths_of(criterion))
+        if (const auto flaw = why_not(name.value, strength.*name.value)) return StrengthFault{*flaw, name.value};
+    return std::nullopt;
 }
 
 Safety safety(Criterion criterion, const Strength& strength, const SpacePrincipal& stress)

@@ -38,6 +38,7 @@ struct StrengthFault {
     double Strength::*value; ///< which
 };
 std::optional<StrengthFault> why_not(Criterion criterion, const Strength& strength);
+std::optional<StrengthFlaw> why_not(double Strength::*which, double value); ///< of one alone
 
 /// How far a stress is from failure if all of it grows in proportion.
 struct Safety {

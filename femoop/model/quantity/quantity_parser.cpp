@@ -1,5 +1,6 @@
 #include "femoop/model/quantity/quantity_parser.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include "femoop/model/check/suggestion.h"
 #include "femoop/model/quantity/double_double.h"
 #include "femoop/model/quantity/number_text.h"
+#include "femoop/model/quantity/unit_signs.h"
 
 namespace femoop {
 
@@ -45,9 +47,9 @@ struct Unit {
 constexpr double lbf_e13 = 44482216152605.0; // 1 lbf = 0.45359237 kg x 9.80665 m/s^2
 const DoubleDouble pi{3.141592653589793, 1.2246467991473532e-16};
 
-const std::array<Unit, 33>& unit_table()
+const std::array<Unit, 31>& unit_table()
 {
-    static const std::array<Unit, 33> units{{
+    static const std::array<Unit, 31> units{{
         {"m", dimension::length, {1.0, 1.0, 0}},
         {"mm", dimension::length, {1.0, 1.0, -3}},
         {"cm", dimension::length, {1.0, 1.0, -2}},
@@ -78,9 +80,7 @@ const std::array<Unit, 33>& unit_table()
         {"rad", dimension::angle, {1.0, 1.0, 0}},
         {"K", dimension::temperature, {1.0, 1.0, 0}},
         {"degC", dimension::temperature, {1.0, 1.0, 0}},
-        {"\u00b0C", dimension::temperature, {1.0, 1.0, 0}},
         {"degF", dimension::temperature, {5.0, 9.0, 0}},
-        {"\u00b0F", dimension::temperature, {5.0, 9.0, 0}},
     }};
     return units;
 }
@@ -125,8 +125,9 @@ bool ends_name(char c)
 
 class Parser {
 public:
-    Parser(std::string_view text, Dimension wanted, const Units& units, AngleUnit angle)
-        : text_(text), wanted_(wanted), units_(units), angle_(angle)
+    /// \pre `text` is `typed` with the signs of files
+    Parser(std::string_view text, std::string_view typed, Dimension wanted, const Units& units, AngleUnit angle)
+        : text_(text), typed_(typed), wanted_(wanted), units_(units), angle_(angle)
     {}
 
     std::variant<double, Fault> run()
@@ -143,7 +144,7 @@ public:
 private:
     Fault refuse(FaultKind kind, std::vector<std::string> details)
     {
-        fault_ = {kind, {"", std::string(text_)}};
+        fault_ = {kind, {"", std::string(typed_)}};
         fault_.arguments.insert(fault_.arguments.end(), details.begin(), details.end());
         return fault_;
     }
@@ -348,7 +349,7 @@ private:
         return number.is_negative ? -value : value;
     }
 
-    std::string_view text_;
+    std::string_view text_, typed_;
     Dimension wanted_;
     Units units_;
     AngleUnit angle_;
@@ -366,7 +367,9 @@ Scale base_scale(Dimension dimension, const Units& units)
 
 std::variant<double, Fault> parse_quantity(std::string_view text, Dimension wanted, const Units& units, AngleUnit angle)
 {
-    return Parser(text, wanted, units, angle).run();
+    const bool is_plain = std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80U; });
+    const std::string in_file = is_plain ? std::string() : with_file_signs(text);
+    return Parser(is_plain ? text : in_file, text, wanted, units, angle).run();
 }
 
 double converted(double value, Dimension dimension, const Units& from, const Units& to)

@@ -20,6 +20,7 @@ enum class AngleUnit : std::uint8_t { Radians, Degrees };
 ///   name     = m mm cm km in ft | N kN MN lbf kip tf kgf | Pa kPa MPa GPa psi ksi | kg g t lb | s ms Hz
 ///              | deg rad | K degC degF (differences)
 ///
+/// Also as print has it: "kN·m", "cm⁴", "°C" (femoop/model/quantity/unit_signs.h).
 /// A number without a unit is accepted for a dimensionless quantity only. The angle in a rotational stiffness may be
 /// left out (kN*m for kN*m/rad). The first argument of the fault is the place: empty here, the caller knows it.
 ///

@@ -53,6 +53,15 @@ TEST_CASE("Every check has a line with result, value and tolerance, and the coun
     CHECK(run.out.ends_with("\n3 passed, 0 failed, 0 skipped\n"));
 }
 
+TEST_CASE("What is 0 but for rounding is printed as 0")
+{
+    const Run lines = cremona({"verify", "tests/cases/cross/MD-002.json"});
+    CHECK(has(lines.out, "section_force M of member AB at 0 = 0, expected 0 within 1e-09: passed\n"));
+    CHECK(has(lines.out, "cross: final: AB = 0, expected 0 within"));
+    CHECK(!has(lines.out, "e-1"));
+    CHECK(has(cremona({"verify", "--json", "tests/cases/cross/MD-002.json"}).out, "\"result\": 0,"));
+}
+
 TEST_CASE("A failed check gives status 1 and is named")
 {
     const Run run = cremona({"verify", "-"}, wrong());

@@ -53,6 +53,8 @@ TEST_CASE("A number keeps its text and a bare one takes the unit of its place")
     CHECK(d.state()[0] == "17.5 MPa");
     CHECK(with_number(d, state(1), "2 ksi").document.state()[1] == "2 ksi");
     CHECK(with_number(d, state(1), "2*3").document.state()[1] == "6 MPa");
+    CHECK(with_number(of(Subject::Section), state(2), "120,5 kN·m").document.state()[2] == "120.5 kN*m");
+    CHECK(with_number(of(Subject::Inertia), state(0), "1140 cm⁴").document.state()[0] == "1140 cm^4");
     CHECK(solve(with_number(d, state(1), "2 ksi").document).unit == "MPa");
     CHECK(with_number(of(Subject::Strain), state(1), "250").document.state()[1] == "250");
 }
@@ -69,7 +71,7 @@ TEST_CASE("What is no number or no stress is refused and the number is named")
     Document friction = of(Subject::PlaneStress);
     friction.criterion = fm::Criterion::MohrCoulomb;
     CHECK(reason(with_number(friction, {Group::Strength, 4}, "95")) == "φ must be at least 0 and less than 90 degrees");
-    CHECK_FALSE(with_number(of(Subject::PlaneStress), {Group::Strength, 4}, "95").fault); // it is not read
+    CHECK(with_number(of(Subject::PlaneStress), {Group::Strength, 4}, "95").fault); // no criterion reads it yet
 }
 
 TEST_CASE("Principal values and an angle make the state that has them")
@@ -135,7 +137,11 @@ TEST_CASE("A fibre of a section has the stresses of Navier and Jourawski and oth
         return reason(with_number(d, {Group::Section, 0}, section));
     };
     CHECK(refusal("IPE 3000").find("there is no section \"IPE 3000\"; write a profile") == 0);
-    CHECK(refusal("rectangle b=100mm").find("the shape cannot be: ") == 0);
+    CHECK(refusal("rectangle b=100mm") == "the shape cannot be: h is missing");
+    CHECK(refusal("tube d=100mm t=60mm") == "the shape cannot be: t must be less than d/2 = 50 mm");
+    CHECK(ui::Catalogue(ui::Language::Portuguese)(
+              with_number(d, {Group::Section, 0}, "rectangle b=100mm").fault->reason) ==
+          "a forma não pode ser: falta h");
     CHECK(refusal("rectangle b=100kN h=3") == "\"b=100kN\" is no dimension; write it like h=210mm");
     CHECK(refusal("l h=100 b=80 t=9").find("a single angle bends out of its plane") == 0);
     CHECK(reason(with_number(d, state(3), "101 mm")) ==
@@ -264,7 +270,20 @@ TEST_CASE("Everything that is wrong with a file is told at once, each thing once
         R"({"cremona": 1, "mohr": "plane_stress", "state": ["1 MPa", "x", "y"], "path": [["1", "2", "z"]]})");
     REQUIRE(parts.size() == 3);
     CHECK(parts[0].starts_with("σy: \"x\" does not begin with a number"));
+    CHECK(parts[2].starts_with("loading path: τxy: \"z\" does not begin with a number"));
+    const auto section = refusals(
+        R"({"cremona": 1, "mohr": "section", "state": ["1 kN", "2 kN", "3 kN", "4 mm"], "criterion": "tresca",
+        "strength": {"fy": "250 kN"}})");
+    REQUIRE(section.size() == 2);
+    CHECK(section[0].starts_with("M: \"3 kN\" measures force"));
+    CHECK(section[1].starts_with("fy: \"250 kN\" measures force"));
     CHECK(refusals(R"({"cremona": 1, "mohr": "what", "nu": true})").size() == 2);
+    const auto unused = refusals(
+        R"({"cremona": 1, "mohr": "inertia", "nu": 0.9, "E": "-1 GPa", "section": "IPE 301",
+        "strength": {"fy": "-250 MPa", "ft": "0", "phi": 90, "s": 2, "m": "x"}})");
+    REQUIRE(unused.size() == 8);
+    CHECK(unused[2] == "fy must be greater than 0");
+    CHECK(unused[7].starts_with("there is no section \"IPE 301\""));
 }
 
 TEST_SUITE_END();

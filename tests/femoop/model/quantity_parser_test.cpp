@@ -100,8 +100,21 @@ TEST_CASE("Blanks, signs and quotients are read as people write them")
     CHECK(value("0.3", dimension::none) == 0.3);
 }
 
+TEST_CASE("Units are read as print has them, with dots and raised powers")
+{
+    CHECK(value("120.5 kN·m", dimension::moment) == 120.5);
+    CHECK(value("120.5 kN ⋅ m", dimension::moment) == 120.5); // the dot operator
+    CHECK(value("1140 cm⁴", dimension::second_moment) == 1140e-8);
+    CHECK(value("12 N/mm²", dimension::stress) == 12e3);
+    CHECK(value("7850 kg/m³", dimension::density) == 7.85);
+    CHECK(value("90°", dimension::angle) == 1.5707963267948966);
+    CHECK(value("18 °F", dimension::temperature) == 10.0);
+    CHECK(value("1.2e-5 1/°C", dimension::expansion) == 1.2e-5);
+}
+
 TEST_CASE("A unit of the wrong dimension is refused with both dimensions")
 {
+    CHECK(refusal("5 kN·m", dimension::length) == "here: \"5 kN·m\" measures moment, wanted length, in m for example");
     CHECK(refusal("5 kN", dimension::stress) ==
           "here: \"5 kN\" measures force, wanted stress or force per area, in kN/m^2 for example");
     CHECK(refusal("5 kN*m", dimension::length) == "here: \"5 kN*m\" measures moment, wanted length, in m for example");

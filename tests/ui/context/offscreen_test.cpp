@@ -6,7 +6,9 @@
 #include "ui/context/paint_to_png.h"
 #include "ui/context/rasterize.h"
 #include "ui/context/window.h"
+#include "ui/context/write_picture.h"
 #include "ui/paint/painter.h"
+#include "ui/text/catalogue.h"
 
 #include <doctest/doctest.h>
 
@@ -187,6 +189,18 @@ TEST_CASE("A picture without pixels is refused with the sizes that are possible"
     } catch (const ui::ContextError& error) {
         CHECK(std::string(error.what()).find("picture of 0 x 100 pixels") != std::string::npos);
     }
+}
+
+TEST_CASE("A picture that cannot be written is told with the file and the reason, in the reader's language")
+{
+    const ui::Fonts fonts;
+    const ui::Painter painter({100.0, 100.0}, fonts);
+    const auto reason = ui::write_picture("tests/no-such-folder/a.svg", painter.picture(), fonts,
+                                          {.background = ui::rgb(0xFFFFFF)});
+    REQUIRE(reason);
+    CHECK(ui::Catalogue()(*reason) == "a.svg was not written: No such file or directory");
+    CHECK(ui::Catalogue(ui::Language::Portuguese)(*reason) ==
+          "a.svg não foi gravado: o arquivo ou diretório não existe");
 }
 
 TEST_CASE("A PNG that cannot be written is an error that names the file")

@@ -11,5 +11,13 @@ TEST_SUITE("ui text")
         CHECK(ui::printable("A\xC2\x9B") == "A\\u009b");
         CHECK(ui::printable("line\n\tnó °\r\n") == "line\n\tnó °\r\n");
         CHECK(ui::printable("") == "");
+        CHECK(ui::printable("M − 3 ≤ 4 σ′ 日本 😀") == "M − 3 ≤ 4 σ′ 日本 😀");
+    }
+
+    TEST_CASE("A name cannot turn what is read: characters of direction and without width are written out")
+    {
+        CHECK(ui::printable("A\u202e\u2066B\u2069") == "A\\u202e\\u2066B\\u2069");
+        CHECK(ui::printable("A\u200bB\u00ad\ufeff") == "A\\u200bB\\u00ad\\ufeff");
+        CHECK(ui::printable("cut \xE2\x80") == "cut \xE2\x80");
     }
 }

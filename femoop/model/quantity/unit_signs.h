@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace femoop {
+
+/// A quantity or unit as print has it, written as files write it: "kN·m" is "kN*m", "cm⁴" is "cm^4", "30°" is "30 deg".
+/// Both the middle dot (U+00B7) and the dot operator (U+22C5) are products.
+std::string with_file_signs(std::string_view printed);
+
+} // namespace femoop
