@@ -48,7 +48,7 @@ std::optional<Message> write_picture(const std::filesystem::path& path, const Pi
         else if (has_ending(path, ".svg")) write_file(path, svg_document(picture, fonts, look.background));
         else write_png(path, rasterized(picture, fonts, {.scale = look.png_scale, .background = look.background}));
     } catch (const std::exception& error) {
-        return not_written(path, error.what());
+        return not_written(path, error);
     }
     return std::nullopt;
 }

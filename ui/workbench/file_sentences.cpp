@@ -31,6 +31,12 @@ Message not_written(const std::filesystem::path& path, const std::string& reason
     return of_file(translatable("{file} was not written: {reason}"), path, Message(reason));
 }
 
+Message not_written(const std::filesystem::path& path, const std::exception& error)
+{
+    const auto* const of_system = dynamic_cast<const std::system_error*>(&error);
+    return not_written(path, of_system != nullptr ? of_system->code().message() : std::string(error.what()));
+}
+
 std::string file_name(const std::optional<std::filesystem::path>& path, const Catalogue& tr)
 {
     return path ? path->filename().string() : tr("Untitled");

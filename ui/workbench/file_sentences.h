@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -15,6 +16,8 @@ Message not_opened(const std::filesystem::path& path, const Message& reason);
 Message not_saved(const std::filesystem::path& path, const std::error_code& hindrance);
 Message saved(const std::filesystem::path& path);
 Message not_written(const std::filesystem::path& path, const std::string& reason); ///< an export
+/// By the system's reason where it is one, which the catalogue knows.
+Message not_written(const std::filesystem::path& path, const std::exception& error);
 
 /// "beam.json", or the word for a document without a file.
 std::string file_name(const std::optional<std::filesystem::path>& path, const Catalogue& tr);

@@ -108,7 +108,7 @@ std::optional<ui::Message> Application::write_report(const std::filesystem::path
                       {.background = ui::rgb(0xFFFFFF), .title = report.title});
         return std::nullopt;
     } catch (const std::exception& error) {
-        return ui::not_written(path, error.what());
+        return ui::not_written(path, error);
     }
 }
 

@@ -26,7 +26,7 @@ ui::UnsavedDocument unsaved_of(const Session& session)
                         return write_draft(document, draft);
                     };
                 },
-            .about = femoop::size_text(session.model(), session.view.tr)};
+            .about = [&session](const ui::Catalogue& tr) { return femoop::size_text(session.model(), tr); }};
 }
 
 } // namespace

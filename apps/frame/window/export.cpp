@@ -96,7 +96,7 @@ std::optional<ui::Message> export_to(const std::filesystem::path& path, const Se
     try {
         return Exporter(path, session, fonts).write(picture, png_scale);
     } catch (const std::exception& error) {
-        return ui::not_written(path, error.what());
+        return ui::not_written(path, error);
     }
 }
 

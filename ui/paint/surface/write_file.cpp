@@ -1,6 +1,6 @@
 #include "ui/paint/surface/write_file.h"
 
-#include <stdexcept>
+#include <system_error>
 
 #include "femoop/files/whole_file.h"
 
@@ -8,9 +8,8 @@ namespace ui {
 
 void write_file(const std::filesystem::path& path, std::string_view bytes)
 {
-    if (!files::write_whole_file(path, bytes)) return;
-    throw std::runtime_error("file " + path.string() +
-                             ": cannot be written; check that its folder exists, may be written to and has room");
+    const std::error_code error = files::write_whole_file(path, bytes);
+    if (error) throw std::system_error(error, "file " + path.string() + ": cannot be written");
 }
 
 } // namespace ui
