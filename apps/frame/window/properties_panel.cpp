@@ -92,7 +92,7 @@ void show_one(Workspace& workspace, const CommandTable& commands, const Property
 {
     Session& session = workspace.session;
     const ui::Catalogue& tr = session.view.tr;
-    ImGui::TextUnformatted(tr(title(session.document(), part)).c_str());
+    ui::wrapped_text(tr(title(session.document(), part)));
     ImGui::Separator();
     fields.sets.show(workspace, part);
     if (session.selection.only() != part || !has(session.document(), part))
@@ -145,7 +145,9 @@ void properties_panel(Workspace& workspace, const CommandTable& commands, const 
         selection.clear();
         return;
     }
-    ImGui::SameLine();
+    const std::optional<Part> chosen = selection.only();
+    const std::string heading = chosen ? workspace.session.view.tr(title(workspace.session.document(), *chosen)) : "";
+    ui::beside_if_room(ImGui::CalcTextSize(heading.c_str()).x, ImGui::GetStyle().ItemSpacing.x);
     if (const std::optional<Part> only = selection.only()) show_one(workspace, commands, fields, *only);
     else show_many(workspace, commands, fields.numbers);
 }
