@@ -99,7 +99,9 @@ std::string name_of(const RecoverableFile& recoverable, const Catalogue& tr)
 {
     std::string name = time_of(recoverable) + "   ";
     name += recoverable.original ? name_and_folder(*recoverable.original) : tr("Untitled");
-    return recoverable.about.empty() ? name : name + "   –   " + recoverable.about;
+    const auto language = static_cast<std::size_t>(tr.language());
+    const bool is_told = language < recoverable.about.size() && !recoverable.about[language].empty();
+    return is_told ? name + "   –   " + recoverable.about[language] : name;
 }
 
 bool is_escaped() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)); }

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <chrono>
 
-#include "ui/text/catalogue.h"
-
 namespace ui {
 
 UnsavedDocument unsaved_text(std::string text, const std::optional<std::filesystem::path>& original, WriteWhole write,
-                             std::string about)
+                             std::function<std::string(const Catalogue&)> about)
 {
     return {
         .state = std::hash<std::string>()(text),
@@ -30,6 +28,18 @@ std::optional<Message> Autosave::tick(const std::function<std::vector<UnsavedDoc
     return told;
 }
 
+namespace {
+
+std::vector<std::string> in_all_languages(const std::function<std::string(const Catalogue&)>& text)
+{
+    std::vector<std::string> texts;
+    if (text)
+        for (const Language language : all_languages) texts.push_back(text(Catalogue(language)));
+    return texts;
+}
+
+} // namespace
+
 void Autosave::keep(const UnsavedDocument& document)
 {
     Kept& kept = kept_[document.document];
@@ -37,7 +47,7 @@ void Autosave::keep(const UnsavedDocument& document)
     if (!kept.draft) kept.draft = std::make_unique<Draft>(folder_);
     kept.state = document.state;
     const auto write = [draft = kept.draft.get(), copy = document.copy(), original = document.original,
-                        about = document.about] { return draft->keep(copy, original, about); };
+                        about = in_all_languages(document.about)] { return draft->keep(copy, original, about); };
     kept.writing = std::async(std::launch::async, write);
 }
 
@@ -61,7 +71,7 @@ std::optional<Message> Autosave::told(Kept& kept, const std::error_code& hindran
     if (!hindrance || was_told) return std::nullopt;
     return Message(
         translatable("what is not saved cannot be kept for the case of a crash: {folder}: {reason}; save often"),
-        {{"folder", folder_.path.string()}, {"reason", hindrance.message()}});
+        {{"folder", folder_.path.string()}, {"reason", Message(hindrance.message())}});
 }
 
 void Autosave::forget_all_but(const std::vector<UnsavedDocument>& documents)

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "ui/files/draft.h"
+#include "ui/text/catalogue.h"
 #include "ui/text/message.h"
 
 namespace ui {
@@ -24,12 +25,12 @@ struct UnsavedDocument {
     std::uint64_t state = 0;    ///< another one when there is something new to keep
     std::optional<std::filesystem::path> original{};
     std::function<WriteDocument()> copy{}; ///< takes a copy, which is written while the document goes on changing
-    std::string about{};                   ///< what it holds, in a few words: "4 nodes, 3 members"
+    std::function<std::string(const Catalogue&)> about{}; ///< what it holds, in a few words: "4 nodes, 3 members"
 };
 
 /// The one document of a program, which is small enough to be written as a text whenever it may have changed.
 UnsavedDocument unsaved_text(std::string text, const std::optional<std::filesystem::path>& original, WriteWhole write,
-                             std::string about = {});
+                             std::function<std::string(const Catalogue&)> about = {});
 
 /// Keeps drafts of all documents of a program that are not saved, a few seconds after each change, and finds those that
 /// a program left behind when it was killed. They are written beside the program's work, which waits for no disk.

@@ -13,12 +13,28 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <sstream>
 
 namespace ui {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+std::string in_lines(const std::vector<std::string>& texts)
+{
+    std::string lines;
+    for (const std::string& text : texts) lines += text + "\n";
+    return lines;
+}
+
+std::vector<std::string> lines_of(const std::string& text)
+{
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
@@ -99,7 +115,7 @@ std::vector<RecoverableFile> recoverable_files(const DraftFolder& folder)
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder.path, error))
         if (is_draft(entry.path(), folder.extension) && !is_in_use(entry.path()))
-            found.push_back({entry.path(), original_of(entry.path()), text_beside(entry.path(), ".about")});
+            found.push_back({entry.path(), original_of(entry.path()), lines_of(text_beside(entry.path(), ".about"))});
     std::ranges::sort(found, std::ranges::greater(), age);
     return found;
 }
@@ -153,12 +169,12 @@ std::error_code Draft::lock()
 }
 
 std::error_code Draft::keep(const WriteDocument& write, const std::optional<fs::path>& original,
-                            const std::string& about)
+                            const std::vector<std::string>& about)
 {
     if (path_.empty())
         if (const std::error_code error = lock()) return error;
     if (const std::error_code error = keep_path(original)) return error;
-    if (const std::error_code error = keep_beside(".about", about)) return error;
+    if (const std::error_code error = keep_beside(".about", in_lines(about))) return error;
     return write(path_);
 }
 

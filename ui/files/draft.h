@@ -29,7 +29,7 @@ std::optional<DraftFolder> draft_folder(std::string_view app, std::string extens
 struct RecoverableFile {
     std::filesystem::path draft;                   ///< a file of the app's kind
     std::optional<std::filesystem::path> original; ///< the file that was being edited
-    std::string about{};                           ///< what it holds, in a few words
+    std::vector<std::string> about{};              ///< what it holds, in a few words, in each of `all_languages`
 };
 std::vector<RecoverableFile> recoverable_files(const DraftFolder& folder); ///< the newest first
 /// When it was kept last, as people here write it: "2026-11-23 14:05"; empty where it is gone.
@@ -52,9 +52,10 @@ public:
     Draft& operator=(const Draft&) = delete;
     ~Draft(); ///< the lock goes, the draft stays
 
-    /// Writes it, whole or not at all. \param about  what it holds, in a few words. \returns what hindered it
+    /// Writes it, whole or not at all. \param about  what it holds, in a few words in each of
+    /// `all_languages`. \returns what hindered it
     std::error_code keep(const WriteDocument& write, const std::optional<std::filesystem::path>& original,
-                         const std::string& about = {});
+                         const std::vector<std::string>& about = {});
     /// The document is saved or given up: no draft is needed.
     void forget();
 

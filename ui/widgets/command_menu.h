@@ -12,6 +12,7 @@
 #include "ui/command/command_table.h"
 #include "ui/text/catalogue.h"
 #include "ui/widgets/item_label.h"
+#include "ui/widgets/wrapped_text.h"
 
 namespace ui {
 
@@ -35,7 +36,7 @@ void command_button(Workspace& workspace, const CommandTable<Workspace>& command
     const Catalogue tr = workspace.tr(); // a command may change the language
     const auto reason = why_not(command, workspace);
     ImGui::BeginDisabled(reason.has_value());
-    const bool is_clicked = ImGui::Button(item_label(label(command, workspace, tr), id).c_str());
+    const bool is_clicked = wrapped_button(label(command, workspace, tr), id);
     ImGui::EndDisabled();
     if (reason && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip("%s", tr(*reason).c_str());

@@ -16,6 +16,7 @@ Message not_opened(const std::filesystem::path& path, const Message& reason);
 Message not_saved(const std::filesystem::path& path, const std::error_code& hindrance);
 Message saved(const std::filesystem::path& path);
 Message not_written(const std::filesystem::path& path, const std::string& reason); ///< an export
+/// By the system's reason where it is one, which the catalogue knows.
 Message not_written(const std::filesystem::path& path, const std::exception& error);
 
 /// "beam.json", or the word for a document without a file.

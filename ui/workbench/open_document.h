@@ -51,7 +51,10 @@ public:
     std::optional<std::filesystem::path> path() const { return is_partial_ ? std::nullopt : path_; }
     std::string file_name() const { return ui::file_name(path_, tr()); }
     virtual bool is_dirty() const { return differs_from_saved(); } ///< has what is not saved; asked in every frame
-    virtual UnsavedDocument unsaved() const { return unsaved_text(file_text(), path(), write_, about()); }
+    virtual UnsavedDocument unsaved() const
+    {
+        return unsaved_text(file_text(), path(), write_, [this](const Catalogue& tr) { return about(tr); });
+    }
 
     std::optional<AnyNotice> notice;
     void notify(const Message& sentence) { notice = AnyNotice{Notice{sentence}}; }
@@ -88,8 +91,8 @@ protected:
     }
     virtual const Document& current() const = 0;
     virtual std::string file_text() const = 0;
-    virtual std::string about() const = 0; ///< what a draft holds, in a few words
-    virtual void settle() {}               ///< ends a gesture
+    virtual std::string about(const Catalogue& tr) const = 0; ///< what a draft holds, in a few words
+    virtual void settle() {}                                  ///< ends a gesture
     virtual bool is_same(const Document& a, const Document& b) const { return a == b; }
 
     /// Another document takes this one's place, without a file.

@@ -285,7 +285,7 @@ std::string Session::file_text() const
     return write_document(whole);
 }
 
-std::string Session::about() const { return femoop::size_text(document().model, tr()); }
+std::string Session::about(const ui::Catalogue& tr) const { return femoop::size_text(document().model, tr); }
 
 std::string Session::linked_text() const { return femoop::write_model(document().model); }
 

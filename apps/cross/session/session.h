@@ -104,7 +104,7 @@ private:
     std::optional<Notice> read(const std::filesystem::path& path) override;
     const Document& current() const override { return document(); }
     std::string file_text() const override; ///< the score goes with it
-    std::string about() const override;
+    std::string about(const ui::Catalogue& tr) const override;
     bool is_same(const Document& a, const Document& b) const override { return is_same_task(a, b); }
     void solve_again(SolveMode mode = SolveMode::Full);
     void work_again(); ///< the sheets alone

@@ -15,6 +15,7 @@
 #include "ui/files/ending.h"
 #include "ui/report/html.h"
 #include "ui/report/pages.h"
+#include "ui/workbench/file_sentences.h"
 
 template class ui::DocumentApp<cross::Workspace>;
 

@@ -1,6 +1,7 @@
 #include "apps/drawing/sheet/legend.h"
 
 #include "apps/drawing/results/envelope_cases.h"
+#include "apps/drawing/sketch/scene.h"
 #include "femoop/load/case_terms.h"
 #include "ui/paint/wrapped_lines.h"
 #include "ui/text/shortened.h"
@@ -67,9 +68,9 @@ std::string indeterminacy_text(const femoop::Results& results, const ui::Catalog
     if (degree.has_foundation) return tr("on an elastic foundation");
     if (degree.total() == 0) return tr("statically determinate");
     return tr("statically indeterminate, degree {total} (external {external}, internal {internal})",
-              {{"total", std::to_string(degree.total())},
-               {"external", std::to_string(degree.external)},
-               {"internal", std::to_string(degree.internal)}});
+              {{"total", with_minus(std::to_string(degree.total()))},
+               {"external", with_minus(std::to_string(degree.external))},
+               {"internal", with_minus(std::to_string(degree.internal))}});
 }
 
 void join(std::string& line, const std::string& part)

@@ -119,10 +119,13 @@ ui::UnsavedDocument Session::unsaved() const
                         return files::write_whole_file(draft, script.text());
                     };
                 },
-            .about = about()};
+            .about = [this](const ui::Catalogue& tr) { return about(tr); }};
 }
 
-std::string Session::about() const { return tr()("steps: {count}", {{"count", std::to_string(n_steps())}}); }
+std::string Session::about(const ui::Catalogue& tr) const
+{
+    return tr("steps: {count}", {{"count", std::to_string(n_steps())}});
+}
 
 // Takes the last step back and does it again, to see what was before it.
 void Session::look_at_place()

@@ -151,7 +151,7 @@ private:
     std::optional<Notice> read(const std::filesystem::path& path) override;
     const Stepper::Script& current() const override { return whole_; }
     std::string file_text() const override { return whole_.text(); }
-    std::string about() const override;
+    std::string about(const ui::Catalogue& tr) const override;
     void note_saved() override { is_dirty_ = differs_from_saved(); }
 
     struct Motion {

@@ -99,8 +99,10 @@ public:
 
     void operator()(SettlementPlace p)
     {
-        for (auto& component : model_.load_cases[p.load_case].settlements[p.settlement].components)
-            visit_(name(component.dof), displacement_measures.of(component.dof), component.value);
+        auto& settlement = model_.load_cases[p.load_case].settlements[p.settlement];
+        for (const Dof dof : all_dofs)
+            if (can_settle(settlement.node, dof) || has(settlement.components, dof))
+                imposed(settlement.components, dof);
     }
 
     void operator()(DimensionPlace) {} // is no part of the model
@@ -112,6 +114,32 @@ public:
     }
 
 private:
+    static bool has(const std::vector<Component>& list, Dof dof)
+    {
+        return std::ranges::find(list, dof, &Component::dof) != list.end();
+    }
+
+    /// The support holds it or is sprung there.
+    bool can_settle(NodeId node, Dof dof) const
+    {
+        const std::optional<Support>& support = model_.nodes[node.index].support;
+        return support && (support->blocked(model_.analysis).contains(dof) ||
+                           std::ranges::find(support->springs, dof, &Spring::dof) != support->springs.end());
+    }
+
+    /// What is imposed in one direction: given where a number is written, and no more where it is taken away.
+    template <class Components> void imposed(Components& list, Dof dof)
+    {
+        const auto there = std::ranges::find(list, dof, &Component::dof);
+        std::optional<Quantity> value = there != list.end() ? std::optional(there->value) : std::nullopt;
+        visit_(name(dof), displacement_measures.of(dof), value);
+        if constexpr (!std::is_const_v<Components>) {
+            if (value && there != list.end()) there->value = *value;
+            else if (value) list.push_back({dof, *value});
+            else if (there != list.end() && list.size() > 1) list.erase(there);
+        }
+    }
+
     template <class Springs> void springs(Springs& list, std::string_view sentence)
     {
         for (auto& spring : list)

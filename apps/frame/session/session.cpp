@@ -360,7 +360,7 @@ Session::Written Session::write_file(const std::filesystem::path& path)
 
 std::string Session::file_text() const { return femoop::write_model(model()); }
 
-std::string Session::about() const { return femoop::size_text(model(), tr()); }
+std::string Session::about(const ui::Catalogue& in) const { return femoop::size_text(model(), in); }
 
 ui::UnsavedDocument Session::unsaved() const
 {
@@ -374,7 +374,7 @@ ui::UnsavedDocument Session::unsaved() const
                         return files::write_whole_file(draft, femoop::write_model(document.model));
                     };
                 },
-            .about = about()};
+            .about = [this](const ui::Catalogue& in) { return about(in); }};
 }
 
 std::optional<ui::Message> Session::why_no_results() const

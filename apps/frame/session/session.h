@@ -154,7 +154,7 @@ private:
     Written write_file(const std::filesystem::path& path) override;
     const Document& current() const override { return document(); }
     std::string file_text() const override;
-    std::string about() const override;
+    std::string about(const ui::Catalogue& in) const override;
     void note_saved() override { is_dirty_ = differs_from_saved(); }
 
     struct Shown {

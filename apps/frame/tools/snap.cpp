@@ -57,12 +57,15 @@ class Magnet {
 public:
     Magnet(const Vector2d& pointer, double reach) : pointer_(pointer), reach_(reach) {}
 
-    void offer(const Vector2d& place, SnapKind kind)
+    void offer(const Vector2d& place, SnapKind kind) { offer(place, kind, kind); }
+    /// As strong as another kind, of which the nearest wins.
+    void offer(const Vector2d& place, SnapKind kind, SnapKind strength)
     {
         const double distance = (place - pointer_).norm();
         if (distance > reach_) return;
-        if (best_ && (best_->kind < kind || (best_->kind == kind && distance_ <= distance))) return;
+        if (best_ && (strength_ < strength || (strength_ == strength && distance_ <= distance))) return;
         best_ = Snap{place, kind};
+        strength_ = strength;
         distance_ = distance;
     }
     const std::optional<Snap>& best() const { return best_; }
@@ -71,6 +74,7 @@ private:
     Vector2d pointer_;
     double reach_;
     std::optional<Snap> best_;
+    SnapKind strength_ = SnapKind::Free;
     double distance_ = 0.0;
 };
 
@@ -125,7 +129,9 @@ void offer_ray(Magnet& magnet, const Vector2d& pointer, const Vector2d& from, co
     const Ray ray(from, pointer);
     const Vector2d on_grid = ray.round_place(options.grid);
     const bool is_near = options.grid > 0.0 && (on_grid - pointer).norm() <= options.reach;
-    magnet.offer(is_near ? on_grid : ray.round_place(options.fine), SnapKind::Ray);
+    const bool is_level_or_upright = ray.direction.cwiseAbs().maxCoeff() == 1.0;
+    magnet.offer(is_near ? on_grid : ray.round_place(options.fine), SnapKind::Ray,
+                 is_level_or_upright ? SnapKind::Grid : SnapKind::Ray);
 }
 
 void offer_parts(Magnet& magnet, const Model& model, const Vector2d& pointer, const SnapOptions& options)

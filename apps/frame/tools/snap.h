@@ -18,8 +18,8 @@ enum class SnapKind : std::uint8_t {
     Perpendicular, ///< the foot on a member of a line from the place where drawing began
     OnMember,      ///< at a round distance from its start
     Grid,
-    Ray, ///< a multiple of 15 degrees from the place where drawing began; level and upright at a round coordinate, else
-         ///< at a round length
+    Ray, ///< a multiple of 15 degrees from the place where drawing began; level and upright at a round coordinate, and
+         ///< as strong as the grid, else at a round length
     Free ///< nothing: the place is rounded, so that its numbers are short
 };
 

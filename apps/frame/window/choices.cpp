@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "apps/frame/document/dimensioning.h"
 #include "apps/frame/window/number_row.h"
 #include "ui/widgets/item_label.h"
+#include "ui/widgets/wrapped_text.h"
 
 namespace frame {
 
@@ -59,7 +61,10 @@ std::optional<std::size_t> choose(const Choices& choices, const ui::Catalogue& t
 {
     std::optional<std::size_t> chosen;
     const std::string shown = choices.current ? choices.names.at(*choices.current) : tr("mixed");
-    if (!ImGui::BeginCombo(choices.id, ui::shown_whole(shown).c_str())) return chosen;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float needed = ImGui::CalcTextSize(shown.c_str()).x + 2.0F * style.FramePadding.x + ImGui::GetFrameHeight();
+    const ImGuiComboFlags flags = needed > ImGui::GetContentRegionAvail().x ? ImGuiComboFlags_NoArrowButton : 0;
+    if (!ImGui::BeginCombo(choices.id, ui::shown_whole(shown).c_str(), flags)) return chosen;
     for (std::size_t i = 0; i < choices.names.size(); ++i) {
         const std::string label = ui::item_label(choices.names[i], std::to_string(i));
         if (ImGui::Selectable(label.c_str(), choices.current == i)) chosen = i;
@@ -69,11 +74,13 @@ std::optional<std::size_t> choose(const Choices& choices, const ui::Catalogue& t
 }
 
 // A check box, with a bar for a tick where the parts differ; the state that it was switched to in this frame.
-std::optional<Switch> tick(const std::string& label, std::optional<bool> is_on)
+std::optional<Switch> tick(const std::string& label, std::string_view id, std::optional<bool> is_on)
 {
     bool state = is_on.value_or(false);
     ImGui::PushItemFlag(ImGuiItemFlags_MixedValue, !is_on);
-    const bool is_clicked = ImGui::Checkbox(label.c_str(), &state);
+    const float box = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+    const std::string lines = ui::in_lines(label, ImGui::GetContentRegionAvail().x - box);
+    const bool is_clicked = ImGui::Checkbox(ui::item_label(lines, id).c_str(), &state);
     ImGui::PopItemFlag();
     if (!is_clicked) return std::nullopt;
     return state ? Switch::On : Switch::Off;
@@ -86,18 +93,12 @@ public:
     {
         const ImGuiStyle& style = ImGui::GetStyle();
         const float width = ImGui::GetFrameHeight() + style.ItemInnerSpacing.x + ImGui::CalcTextSize(label.c_str()).x;
-        const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-        if (!is_first_ && last_end_ + style.ItemSpacing.x + width <= std::min(end, column_end_)) ImGui::SameLine();
-        if (is_first_) column_end_ = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-        is_first_ = false;
-        const std::optional<Switch> state = frame::tick(label, is_on);
-        last_end_ = ImGui::GetItemRectMax().x;
-        return state;
+        if (!std::exchange(is_first_, false)) ui::beside_if_room(width, style.ItemSpacing.x);
+        return frame::tick(label, label, is_on);
     }
 
 private:
     bool is_first_ = true;
-    float last_end_ = 0.0F, column_end_ = 0.0F;
 };
 
 // ---- nodes ----
@@ -165,7 +166,7 @@ void show(const Rows& rows, const Group<NodeId>& nodes)
     show_holds(nodes);
     rows.name(tr("Hinge"));
     const auto is_hinge = nodes.common([&](NodeId id) { return nodes.model()[id].hinge; });
-    if (const auto state = tick(tr("of all members") + "###hinge", is_hinge)) {
+    if (const auto state = tick(tr("of all members"), "hinge", is_hinge)) {
         const Joint joint = *state == Switch::On ? Joint::Hinged : Joint::Rigid;
         nodes.change(translatable("hinge"), [=](Document& document, NodeId id) { set_joint(document, id, joint); });
     }
@@ -188,7 +189,7 @@ void show_traits(const Group<MemberId>& members)
 {
     for (const TraitLabel& entry : traits) {
         const auto is_on = members.common([&](MemberId id) { return has_trait(members.model()[id], entry.trait); });
-        const auto state = tick(members.tr()(entry.label), is_on);
+        const auto state = tick(members.tr()(entry.label), entry.label, is_on);
         if (!state) continue;
         members.change(entry.label,
                        [&](Document& document, MemberId id) { set_trait(document, id, entry.trait, *state); });
@@ -307,7 +308,7 @@ void show(const Rows& rows, const Group<MemberLoadPlace>& loads)
     if (!std::ranges::all_of(loads.ids, [&](const auto& place) { return distributed(place) != nullptr; })) return;
     const auto is_projected = loads.common([&](const auto& place) { return distributed(place)->projected; });
     rows.name(tr("Per unit of projected length"));
-    if (const auto state = tick("###projected", is_projected))
+    if (const auto state = tick("", "projected", is_projected))
         loads.change(translatable("Axes"),
                      [&](Document& document, const MemberLoadPlace& place) { set_projected(document, place, *state); });
 }

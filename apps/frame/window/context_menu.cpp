@@ -10,6 +10,7 @@
 
 #include "apps/frame/session/load_commands.h"
 #include "ui/widgets/command_menu.h"
+#include "ui/widgets/wrapped_text.h"
 
 namespace frame {
 
@@ -79,7 +80,7 @@ void add_load_button(Workspace& workspace, const CommandTable& commands)
     const std::string_view label = loads.data() == loads_for_members().data()
                                        ? translatable("Add a load or temperature…")
                                        : translatable("Add a load, settlement or spring…");
-    if (ImGui::Button((workspace.session.view.tr(label) + "###add load").c_str())) ImGui::OpenPopup("###loads");
+    if (ui::wrapped_button(workspace.session.view.tr(label), "add load")) ImGui::OpenPopup("###loads");
     if (!ImGui::BeginPopup("###loads")) return;
     show(workspace, commands, loads);
     ImGui::EndPopup();

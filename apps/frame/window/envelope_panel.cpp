@@ -13,6 +13,7 @@
 #include "femoop/result/components.h"
 #include "femoop/result/envelope.h"
 #include "ui/widgets/item_label.h"
+#include "ui/widgets/wrapped_text.h"
 
 namespace frame {
 
@@ -106,8 +107,7 @@ void envelope_panel(Workspace& workspace)
     const ui::Catalogue& tr = session.view.tr;
     ImGui::TextDisabled("%s", tr("Envelope of").c_str());
     choose_cases(session);
-    if (ImGui::Button((tr("Tables with places (F4)") + "###tables").c_str()))
-        workspace.bottom = {true, TableKind::Envelope};
+    if (ui::wrapped_button(tr("Tables with places (F4)"), "tables")) workspace.bottom = {true, TableKind::Envelope};
     EnvelopeTables tables(session);
     for (const MemberComponent component : section_force_components(session.model().analysis))
         tables.member_forces(component);

@@ -170,9 +170,11 @@ void NamedSetLists::show_chosen(Workspace& workspace)
     if (is_confirmed || ImGui::IsItemDeactivatedAfterEdit()) reason_ = rename(session, set, name_);
     if (!ImGui::IsItemActive() && !is_confirmed) name_ = name_of(session, set);
     if (reason_) ui::wrapped_text(tr(*reason_));
-    const bool selects = ImGui::Button((tr("Select who has it") + "###select users").c_str());
-    ImGui::SameLine();
-    const bool deletes = ImGui::Button((tr("Delete the name") + "###delete name").c_str());
+    const bool selects = ui::wrapped_button(tr("Select who has it"), "select users");
+    const std::string words = tr("Delete the name");
+    ui::beside_if_room(ImGui::CalcTextSize(words.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x,
+                       ImGui::GetStyle().ItemSpacing.x);
+    const bool deletes = ui::wrapped_button(words, "delete name");
     ImGui::Unindent();
     if (selects) select_users(session, set);
     if (!deletes) return;

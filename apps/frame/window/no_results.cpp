@@ -20,7 +20,7 @@ void offer_to_reveal(Workspace& workspace)
 {
     if (!workspace.session.hidden) return;
     const std::string label = workspace.session.view.tr("Reveal the results");
-    if (ImGui::Button((label + "###reveal").c_str())) hide_or_reveal(workspace);
+    if (ui::wrapped_button(label, "reveal")) hide_or_reveal(workspace);
 }
 
 } // namespace frame

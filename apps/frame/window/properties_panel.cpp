@@ -16,6 +16,7 @@
 #include "apps/frame/window/parts_list.h"
 #include "ui/widgets/command_menu.h"
 #include "ui/widgets/item_label.h"
+#include "ui/widgets/wrapped_text.h"
 
 namespace frame {
 
@@ -58,7 +59,9 @@ void show_loads_on(Workspace& workspace, ui::NumberFields& fields, const Part& p
         ImGui::PushID(++i);
         const std::string heading = workspace.session.view.tr(title(workspace.session.model(), load)) + " · " +
                                     case_of(workspace.session.model(), load);
-        if (ImGui::CollapsingHeader(ui::item_label(heading, "load").c_str(), ImGuiTreeNodeFlags_DefaultOpen))
+        const float arrow = ImGui::GetFontSize() + 4.0F * ImGui::GetStyle().FramePadding.x;
+        const std::string lines = ui::in_lines(heading, ImGui::GetContentRegionAvail().x - arrow);
+        if (ImGui::CollapsingHeader(ui::item_label(lines, "load").c_str(), ImGuiTreeNodeFlags_DefaultOpen))
             show_parts(workspace, fields, std::array{load});
         ImGui::PopID();
     }
@@ -70,26 +73,26 @@ void show_ways_on(Session& session, const Part& part)
     if (has(session.model(), part) && is_load(part)) {
         const Part bearer = bearer_of(session.model(), part);
         ImGui::Spacing();
-        if (ImGui::Button(ui::item_label(session.view.tr(title(session.model(), bearer)), "bearer").c_str()))
-            session.selection = bearer;
+        if (ui::wrapped_button(session.view.tr(title(session.model(), bearer)), "bearer")) session.selection = bearer;
     }
     const auto* const id = std::get_if<MemberId>(&part);
     if (id == nullptr) return;
     const Member member = session.model()[*id];
     const ui::Catalogue& tr = session.view.tr;
     ImGui::Spacing();
-    if (member.section && ImGui::Button((tr("Edit the section") + "###edit section").c_str()))
+    if (member.section && ui::wrapped_button(tr("Edit the section"), "edit section"))
         session.selection = Part(*member.section);
-    ImGui::SameLine();
-    if (member.material && ImGui::Button((tr("Edit the material") + "###edit material").c_str()))
-        session.selection = Part(*member.material);
+    const std::string material = tr("Edit the material");
+    ui::beside_if_room(ImGui::CalcTextSize(material.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x,
+                       ImGui::GetStyle().ItemSpacing.x);
+    if (member.material && ui::wrapped_button(material, "edit material")) session.selection = Part(*member.material);
 }
 
 void show_one(Workspace& workspace, const CommandTable& commands, const PropertyFields& fields, const Part& part)
 {
     Session& session = workspace.session;
     const ui::Catalogue& tr = session.view.tr;
-    ImGui::TextUnformatted(tr(title(session.document(), part)).c_str());
+    ui::wrapped_text(tr(title(session.document(), part)));
     ImGui::Separator();
     fields.sets.show(workspace, part);
     if (session.selection.only() != part || !has(session.document(), part))
@@ -142,7 +145,9 @@ void properties_panel(Workspace& workspace, const CommandTable& commands, const 
         selection.clear();
         return;
     }
-    ImGui::SameLine();
+    const std::optional<Part> chosen = selection.only();
+    const std::string heading = chosen ? workspace.session.view.tr(title(workspace.session.document(), *chosen)) : "";
+    ui::beside_if_room(ImGui::CalcTextSize(heading.c_str()).x, ImGui::GetStyle().ItemSpacing.x);
     if (const std::optional<Part> only = selection.only()) show_one(workspace, commands, fields, *only);
     else show_many(workspace, commands, fields.numbers);
 }

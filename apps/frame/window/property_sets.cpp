@@ -38,9 +38,7 @@ bool button(const Workspace& workspace, std::string_view words, bool is_first = 
 {
     const std::string label = workspace.session.view.tr(words);
     const float width = ImGui::CalcTextSize(label.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
-    const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-    const float gap = 0.4F * ImGui::GetFontSize();
-    if (!is_first && ImGui::GetItemRectMax().x + gap + width <= end) ImGui::SameLine(0.0F, gap);
+    if (!is_first) ui::beside_if_room(width, 0.4F * ImGui::GetFontSize());
     return ImGui::Button((label + "###" + std::string(words)).c_str());
 }
 

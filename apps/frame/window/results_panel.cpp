@@ -153,8 +153,7 @@ void results_panel(Workspace& workspace)
     const ui::DisplayUnits units = session.units();
     const ShownCase shown{session, result, units, CaseNumbers(result, units)};
     ImGui::TextDisabled("%s", tr("Case {case}", {{"case", result.name()}}).c_str());
-    if (ImGui::Button((tr("Tables with places (F4)") + "###tables").c_str()))
-        workspace.bottom = {true, TableKind::Extremes};
+    if (ui::wrapped_button(tr("Tables with places (F4)"), "tables")) workspace.bottom = {true, TableKind::Extremes};
     for (const MemberComponent component : section_force_components(session.model().analysis)) {
         const std::string id(name(component, session.model().analysis));
         if (result_section(tr("Members: {value}", {{"value", units.label(id, measure_of(component))}}), id.c_str()))

@@ -34,17 +34,13 @@ void TitleRows::show_title(Workspace& workspace)
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", words.c_str());
 }
 
-// Two lines of them are seen.
 void TitleRows::show_notes(Workspace& workspace)
 {
     const std::string words = workspace.session.view.tr(translatable("Notes"));
-    const float line = ImGui::GetTextLineHeight(), pad = 2.0F * ImGui::GetStyle().FramePadding.y;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::InputTextMultiline("###notes", &notes_, {-1.0F, 2.0F * line + pad});
-    if (ImGui::IsItemDeactivatedAfterEdit()) set_notes(workspace.session, notes_);
-    if (ImGui::IsItemActive()) return;
-    notes_ = workspace.session.model().notes;
-    if (!notes_.empty()) return;
+    std::string notes = workspace.session.model().notes;
+    if (notes_.show("###notes", notes)) set_notes(workspace.session, notes);
+    if (ImGui::IsItemActive() || !notes.empty()) return;
     const ImVec2 at{corner.x + ImGui::GetStyle().FramePadding.x, corner.y + ImGui::GetStyle().FramePadding.y};
     ImGui::GetWindowDrawList()->AddText(at, ImGui::GetColorU32(ImGuiCol_TextDisabled), words.c_str());
 }

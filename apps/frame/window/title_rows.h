@@ -3,6 +3,7 @@
 #include <string>
 
 #include "apps/frame/session/commands.h"
+#include "ui/widgets/wrapped_field.h"
 
 namespace frame {
 
@@ -17,7 +18,8 @@ private:
     void show_title(Workspace& workspace);
     void show_notes(Workspace& workspace);
 
-    std::string title_, notes_; ///< as they are typed
+    std::string title_; ///< as it is typed
+    ui::WrappedField notes_{{.least = 2, .most = 4}};
     bool begins_ = false;
 };
 

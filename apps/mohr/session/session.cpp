@@ -233,7 +233,8 @@ std::optional<Notice> Session::read(const std::filesystem::path& path)
     return std::nullopt;
 }
 
-std::string Session::about() const { return is_concealing() ? std::string() : status_text(*this); }
+// Letters and numbers, which no language changes.
+std::string Session::about(const ui::Catalogue&) const { return is_concealing() ? std::string() : status_text(*this); }
 
 bool Session::is_news(const std::string& text) const
 {

@@ -97,7 +97,7 @@ private:
     std::optional<Notice> read(const std::filesystem::path& path) override;
     const Document& current() const override { return document(); }
     std::string file_text() const override { return mohr::file_text(document()); }
-    std::string about() const override;
+    std::string about(const ui::Catalogue& tr) const override;
     Frame frame() const; ///< of what is drawn now
     bool would_leave_exercise(const Document& next) const;
     void solve_again();

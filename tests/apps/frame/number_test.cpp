@@ -36,6 +36,22 @@ frame::Document full_document() { return {femoop::read_model(everything)}; }
 
 TEST_SUITE("frame document")
 {
+    TEST_CASE("A settlement has a number for each direction that the support holds; the last one given stays")
+    {
+        frame::Document document = full_document();
+        const frame::SettlementPlace place{0, 0};
+        const std::vector<frame::Number> all = frame::numbers(document.model, place); // ux uy rz of the fixed node C
+        REQUIRE(all.size() == 3);
+        CHECK(!all[0].value);
+        frame::set_number(document, all[0].id, femoop::Quantity(0.004));
+        frame::clear_number(document, all[1].id);
+        frame::clear_number(document, all[0].id);
+        const auto& components = document.model.load_cases[0].settlements[0].components;
+        REQUIRE(components.size() == 1);
+        CHECK(components[0].dof == femoop::Dof::ux);
+        CHECK(components[0].value == 0.004);
+    }
+
     TEST_CASE("Every number of every part can be set alone: it reads back, and all others stay")
     {
         const frame::Document document = full_document();
@@ -55,7 +71,7 @@ TEST_SUITE("frame document")
                 ++n_numbers;
             }
         }
-        CHECK(n_numbers == 54); // counted by hand in the file above
+        CHECK(n_numbers == 56); // counted by hand in the file above
     }
 
     TEST_CASE("The numbers of a trapezoidal load are its two values and its two ends")
@@ -127,6 +143,7 @@ TEST_SUITE("frame document")
                 if (!tr.has(number.label.sentence)) same.insert(ui::Catalogue()(number.label));
             }
         }
-        CHECK(same == std::set<std::string>{"A", "Iy", "Iz", "J", "b", "fx", "fy", "h", "mz", "uy", "x", "y"});
+        CHECK(same ==
+              std::set<std::string>{"A", "Iy", "Iz", "J", "b", "fx", "fy", "h", "mz", "rz", "ux", "uy", "x", "y"});
     }
 }

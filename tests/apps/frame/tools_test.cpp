@@ -117,6 +117,18 @@ TEST_SUITE("frame tools")
         CHECK(along == doctest::Approx(6.5));
     }
 
+    TEST_CASE("What began beside the grid goes on upright or level, unless the pointer is nearer to a line of the grid")
+    {
+        const femoop::Model empty;
+        const SnapOptions options{.reach = 0.5, .grid = 1.0, .fine = 0.1, .from = Vector2d(0.55, 0.2)};
+        CHECK(frame::snap(empty, {0.56, 7.9}, options) == Snap{{0.55, 8.0}, SnapKind::Ray});
+        CHECK(frame::snap(empty, {8.1, 0.21}, options) == Snap{{8.0, 0.2}, SnapKind::Ray});
+        CHECK(frame::snap(empty, {0.95, 7.9}, options) == Snap{{1.0, 8.0}, SnapKind::Grid});
+        SnapOptions on_grid = options;
+        on_grid.from = Vector2d(1.0, 0.0);
+        CHECK(frame::snap(empty, {1.05, 7.9}, on_grid).place == Vector2d(1.0, 8.0));
+    }
+
     TEST_CASE("The middle of a member is found, and the foot of a line square to it")
     {
         femoop::Model model = crossing();

@@ -156,6 +156,20 @@ TEST_SUITE("ui files")
         CHECK(fs::is_empty(folder.path()));
     }
 
+    TEST_CASE("A leftover says what it holds in every language, whichever the program spoke that was killed")
+    {
+        const Folder folder;
+        ui::UnsavedDocument document = text("one");
+        document.about = [](const ui::Catalogue& tr) { return std::string(code(tr.language())); };
+        {
+            Program killed(folder.path());
+            killed.keeps({document});
+        }
+        const auto found = Program(folder.path()).autosave.new_recoverable_files();
+        REQUIRE(found.size() == 1);
+        CHECK(found[0].about == Texts{"en", "pt"});
+    }
+
     TEST_CASE("A program that ends in good order leaves no draft")
     {
         const Folder folder;

@@ -60,11 +60,11 @@ TEST_SUITE("ui files")
         const Folder folder;
         {
             ui::Draft draft(drafts_in(folder.path()));
-            REQUIRE_FALSE(draft.keep(document("a bridge"), std::nullopt, "7 nodes, 11 members"));
+            REQUIRE_FALSE(draft.keep(document("a bridge"), std::nullopt, {"7 nodes", "7 nós"}));
         }
         const auto found = ui::recoverable_files(drafts_in(folder.path()));
         REQUIRE(found.size() == 1);
-        CHECK(found[0].about == "7 nodes, 11 members");
+        CHECK(found[0].about == std::vector<std::string>{"7 nodes", "7 nós"});
         const std::string time = ui::time_of(found[0]);
         REQUIRE(time.size() == std::string("2026-11-23 14:05").size());
         CHECK(time[4] == '-');

@@ -1,9 +1,13 @@
+#include "ui/widgets/wrapped_field.h"
 #include "ui/widgets/wrapped_text.h"
 
 #include "tests/ui/widget_stage.h"
 
 #include <doctest/doctest.h>
 
+#include <imgui_stdlib.h>
+
+#include <algorithm>
 #include <string>
 
 TEST_SUITE_BEGIN("wrapped text");
@@ -41,6 +45,53 @@ TEST_CASE("Lines lie one under the other as in one piece, and what follows at th
     });
     CHECK(in_pieces > 0.0F);
     CHECK(in_pieces == in_one);
+}
+
+TEST_CASE("A label is broken after blanks where it is full, and is one line again when that is undone")
+{
+    if (!ui_test::has_renderer()) return;
+    ui_test::WidgetStage stage{1.0};
+    stage.frame({}, [&] {
+        const std::string text = "Moment distribution of the selection\nand of overlongwordswithoutanyblankatall";
+        const std::string lines = ui::in_lines(text, 120.0F);
+        CHECK(std::ranges::count(lines, '\n') > 3);
+        CHECK(ui::in_one_line(lines) == text);
+        CHECK(ImGui::CalcTextSize(lines.substr(0, lines.find('\n')).c_str()).x <= 120.0F);
+        CHECK(ui::in_lines("no need", 1000.0F) == "no need");
+        CHECK(ui::in_lines("", 10.0F).empty());
+    });
+}
+
+TEST_CASE("Notes are wrapped as they are typed, and are what was typed; Enter ends a line")
+{
+    if (!ui_test::has_renderer()) return;
+    ui_test::WidgetStage stage{1.0};
+    ui::WrappedField field({.least = 2, .most = 4});
+    std::string text = "";
+    bool is_done = false, is_left = false;
+    const auto show = [&] {
+        ImGui::InputText("###other", &text, ImGuiInputTextFlags_ReadOnly);
+        if (is_left) ImGui::SetKeyboardFocusHere(-1);
+        else if (!ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
+        std::string notes = text;
+        if (field.show("###notes", notes)) {
+            text = notes;
+            is_done = true;
+        }
+    };
+    const auto type = [&](const std::string& letters) {
+        for (const char letter : letters) stage.frame({.text = std::string(1, letter)}, show);
+    };
+    for (int i = 0; i < 3; ++i) stage.frame({}, show);
+    const std::string first = "A long line that goes on far beyond the right hand end of the field ", second = "second";
+    type(first);
+    stage.frame({.keys = {{ui::Key::Enter, true}}}, show);
+    stage.frame({.keys = {{ui::Key::Enter, false}}}, show);
+    type(second);
+    is_left = true;
+    for (int i = 0; i < 3; ++i) stage.frame({}, show);
+    CHECK(is_done);
+    CHECK(text == first.substr(0, first.size() - 1) + "\n" + second);
 }
 
 TEST_SUITE_END();

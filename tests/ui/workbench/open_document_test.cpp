@@ -5,9 +5,11 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <system_error>
 
 #include "femoop/files/whole_file.h"
 #include "tests/folder.h"
+#include "ui/workbench/file_sentences.h"
 
 namespace {
 
@@ -34,7 +36,7 @@ private:
     }
     const std::string& current() const override { return text; }
     std::string file_text() const override { return text; }
-    std::string about() const override { return std::to_string(text.size()); }
+    std::string about(const ui::Catalogue&) const override { return std::to_string(text.size()); }
 
     ui::Catalogue tr_;
 };
@@ -115,8 +117,17 @@ TEST_SUITE("ui workbench")
         REQUIRE(note.recover(folder.write("draft", "work"), folder.path("mine.txt")));
         CHECK(note.file_name() == "mine.txt");
         CHECK(note.is_dirty());
-        CHECK(note.unsaved().about == "4");
+        CHECK(note.unsaved().about(ui::Catalogue()) == "4");
         CHECK(note.unsaved().original == folder.path("mine.txt"));
+    }
+
+    TEST_CASE("Why a picture was not written is told in the user's language")
+    {
+        const std::error_code denied = std::make_error_code(std::errc::permission_denied);
+        const ui::Message told = ui::not_written("/a/b.svg",
+                                                 std::system_error(denied, "file b.svg: cannot be written"));
+        CHECK(ui::Catalogue()(told) == "b.svg was not written: Permission denied");
+        CHECK(ui::Catalogue(ui::Language::Portuguese)(told) == "b.svg não foi gravado: permissão negada");
     }
 
     TEST_CASE("A notice goes when it has been read, unless it waits to be closed")
