@@ -79,8 +79,7 @@ void draw_member_loads(const Scene& scene, const std::vector<Term>& terms, std::
     });
     std::ranges::stable_sort(shown, {}, [](const ShownLoad& load) { return turn_of(load.component); });
     for (const ShownLoad& load : shown) {
-        if (load.component.kind == LoadComponent::Kind::Line)
-            draw_line_load(scene, load, largest, stacks[load.member]);
+        if (load.component.kind == LoadComponent::Kind::Line) draw_line_load(scene, load, largest, stacks[load.member]);
         else draw_point_load(scene, load, largest, stacks[load.member]);
     }
 }

@@ -116,8 +116,8 @@ TEST_CASE("Of a case that the model lacks there is nothing, and what goes round 
 
 TEST_CASE("A load's components say where they act and which way, whatever the axes")
 {
-    const MemberLoad ends{.member = {}, .load = EndLoads{.start = {{Dof::ux, 2.0}}, .end = {{Dof::rz, -3.0}},
-                                                         .axes = LoadAxes::Local}};
+    const MemberLoad ends{
+        .member = {}, .load = EndLoads{.start = {{Dof::ux, 2.0}}, .end = {{Dof::rz, -3.0}}, .axes = LoadAxes::Local}};
     const auto components = components_of(ends, L);
     REQUIRE(components.size() == 2);
     CHECK(components[0].kind == LoadComponent::Kind::End);
