@@ -14,33 +14,22 @@ namespace cross {
 
 void Canvas::show(Session& session, ui::ImGuiSession& gui)
 {
-    const auto scale = static_cast<float>(gui.scale());
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const ImVec2 room = ImGui::GetContentRegionAvail();
-    if (room.x < 8.0F || room.y < 8.0F) return;
-    corner_ = {static_cast<double>(corner.x / scale), static_cast<double>(corner.y / scale)};
-    sheet_ = {static_cast<double>(room.x / scale), static_cast<double>(room.y / scale)};
-    ImGui::InvisibleButton("canvas", room);
+    if (!area_.begin(gui)) return;
     // The field of a cell or of a value lies on it.
     if (session.worksheet() != nullptr || value_field_.is_open()) ImGui::SetItemAllowOverlap();
-    const ImGuiIO& io = ImGui::GetIO();
     if (session.n_solved() != drawn_of_) {
         drawn_ = {}; // what was drawn is not there any more
         drag_ = {};
     }
-    follow(session, {static_cast<double>((io.MousePos.x - corner.x) / scale),
-                     static_cast<double>((io.MousePos.y - corner.y) / scale)});
-    ui::Painter painter(sheet_, fonts_);
+    follow(session, area_.pointer());
+    ui::Painter painter(area_.sheet(), fonts_);
     drawn_ = draw(painter, session.scene());
     drawn_of_ = session.n_solved();
     draw_hint(painter, session);
     picture_ = painter.picture();
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.PushClipRect(corner, {corner.x + room.x, corner.y + room.y}, true);
-    gui.show(*picture_, list, {static_cast<double>(corner.x), static_cast<double>(corner.y)});
-    list.PopClipRect();
-    cell_field_.show(session, drawn_, corner_, scale);
-    value_field_.show(session, corner_, scale);
+    area_.show(*picture_, gui);
+    cell_field_.show(session, drawn_, area_.corner(), static_cast<float>(gui.scale()));
+    value_field_.show(session, area_.corner(), static_cast<float>(gui.scale()));
 }
 
 void Canvas::follow(Session& session, ui::Point at)
@@ -188,7 +177,7 @@ void Canvas::draw_load_hint(ui::Painter& painter, const Session& session) const
 
 ui::Picture Canvas::picture_of(const Session& session) const
 {
-    ui::Painter painter(sheet_, fonts_);
+    ui::Painter painter(area_.sheet(), fonts_);
     Scene scene = session.scene();
     scene.hover.reset();
     scene.cell.reset();
@@ -199,7 +188,7 @@ ui::Picture Canvas::picture_of(const Session& session) const
 std::optional<ui::Point> Canvas::in_window(femoop::cross::JointId joint, Part part) const
 {
     for (const JointMark& mark : drawn_.joints)
-        if (mark.joint == joint && mark.part == part) return corner_ + mark.at;
+        if (mark.joint == joint && mark.part == part) return area_.corner() + mark.at;
     return std::nullopt;
 }
 

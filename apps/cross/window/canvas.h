@@ -8,6 +8,7 @@
 #include "apps/cross/window/value_field.h"
 #include "ui/context/imgui_session.h"
 #include "ui/paint/text_measure.h"
+#include "ui/widgets/picture_area.h"
 
 namespace cross {
 
@@ -31,7 +32,7 @@ public:
     /// Where a joint is in the window [logical pixels]; nothing where it is not drawn.
     std::optional<ui::Point> in_window(femoop::cross::JointId joint, Part part) const;
     const Drawn& drawn() const { return drawn_; }
-    ui::Point corner() const { return corner_; }
+    ui::Point corner() const { return area_.corner(); }
 
 private:
     void follow(Session& session, ui::Point at);
@@ -46,8 +47,7 @@ private:
     void draw_load_hint(ui::Painter& painter, const Session& session) const;
 
     const ui::Fonts& fonts_;
-    ui::Point corner_{};
-    ui::Size sheet_{900.0, 700.0};
+    ui::PictureArea area_;
     Drawn drawn_;
     std::size_t drawn_of_ = 0; ///< Session::n_solved of what is drawn
     DragController drag_;

@@ -25,8 +25,6 @@ using ui::translatable;
 
 namespace {
 
-constexpr double zoom_per_turn = 1.15;
-
 // Of the view that is seen.
 template <class Change> void move(Session& session, const Change& change)
 {
@@ -168,7 +166,7 @@ Canvas::Painting Canvas::painting_of(const Session& session, std::span<const Sub
                       .names = session.look.names,
                       .has_hatching = session.look.hatching,
                       .has_half_edges = session.look.half_edges,
-                      .sheet = sheet_};
+                      .sheet = area_.sheet()};
     for (const Subject& subject : subjects) painting.marks.push_back(subject.marks);
     return painting;
 }
@@ -213,7 +211,7 @@ Canvas::Fitting Canvas::fitting_of(const Session& session) const
 {
     return {.now = solids_of(session.shown()),
             .at_end = solids_of(session.at_end()),
-            .sheet = sheet_,
+            .sheet = area_.sheet(),
             .view = session.view(),
             .explosion = session.look.explosion,
             .way = session.view() != ViewKind::Space ? plane_step(session).share : 1.0,
@@ -233,28 +231,28 @@ void Canvas::fit(Session& session)
 void Canvas::fit_view(Session& session)
 {
     std::vector<Subject> subjects = session.subjects();
-    if (session.view() == ViewKind::Plane) session.map_eye = map_of(session, subjects).fitted(sheet_);
+    if (session.view() == ViewKind::Plane) session.map_eye = map_of(session, subjects).fitted(area_.sheet());
     if (session.view() == ViewKind::Polygons)
-        session.polygon_eye = fitted_plane_model(subjects, sheet_, plane_step(session));
+        session.polygon_eye = fitted_plane_model(subjects, area_.sheet(), plane_step(session));
     if (session.view() != ViewKind::Space) return;
     for (const Snapshot& snapshot : session.at_end())
         subjects.push_back({snapshot.solid.get(), snapshot.names.get(), {}});
-    session.eye = fitted(session.eye, subjects, session.look, sheet_);
+    session.eye = fitted(session.eye, subjects, session.look, area_.sheet());
 }
 
 // Around what is drawn already; from then on the picture rests under the hand.
 void Canvas::give_room_to_draw(Session& session)
 {
     constexpr std::array<ui::World3, 2> sheet_of_paper{{{-1.0, -1.0, 0.0}, {9.0, 7.0, 0.0}}};
-    if (shapes_.vertices.empty()) session.eye.fit(sheet_of_paper, sheet_);
+    if (shapes_.vertices.empty()) session.eye.fit(sheet_of_paper, area_.sheet());
     else fit(session);
-    if (!shapes_.vertices.empty()) session.eye.zoom({0.5 * sheet_.width, 0.5 * sheet_.height}, 0.6);
+    if (!shapes_.vertices.empty()) session.eye.zoom(area_.middle(), 0.6);
     session.is_fitted = false;
 }
 
 void Canvas::zoom(Session& session, double factor) const
 {
-    move(session, [&](auto& camera) { camera.zoom({0.5 * sheet_.width, 0.5 * sheet_.height}, factor); });
+    move(session, [&](auto& camera) { camera.zoom(area_.middle(), factor); });
 }
 
 void Canvas::look(Session& session, ui::StandardView view)
@@ -265,32 +263,18 @@ void Canvas::look(Session& session, ui::StandardView view)
 
 void Canvas::show(Session& session, ui::ImGuiSession& gui)
 {
-    const auto scale = static_cast<float>(gui.scale());
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const ImVec2 room = ImGui::GetContentRegionAvail();
-    if (room.x < 8.0F || room.y < 8.0F) return;
-    corner_ = {static_cast<double>(corner.x / scale), static_cast<double>(corner.y / scale)};
-    sheet_ = {static_cast<double>(room.x / scale), static_cast<double>(room.y / scale)};
+    if (!area_.begin(gui, ui::any_button)) return;
     if (session.is_fitted) session.is_drawing() ? give_room_to_draw(session) : fit(session);
-    ImGui::InvisibleButton("canvas", room,
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
-                               ImGuiButtonFlags_MouseButtonRight);
-    const ImGuiIO& io = ImGui::GetIO();
     if (!ImGui::IsItemHovered() && !ImGui::IsItemActive()) line_start_.reset(); // released beside the picture
-    else
-        follow(session, {static_cast<double>((io.MousePos.x - corner.x) / scale),
-                         static_cast<double>((io.MousePos.y - corner.y) / scale)});
+    else follow(session, area_.pointer());
     paint(session);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.PushClipRect(corner, {corner.x + room.x, corner.y + room.y}, true);
-    gui.show(*picture_, list, {static_cast<double>(corner.x), static_cast<double>(corner.y)});
-    list.PopClipRect();
+    area_.show(*picture_, gui);
 }
 
 void Canvas::follow(Session& session, ui::Point at)
 {
-    move_camera(session, at);
-    if (is_dragging_) return;
+    move_camera(session);
+    if (area_.is_moving_view()) return;
     if (session.is_drawing()) return draw_line(session, at);
     const std::vector<Subject> subjects = session.subjects();
     follow_shapes(session, subjects);
@@ -372,27 +356,15 @@ void Canvas::paint_drawing(const Session& session, ui::Painter& painter) const
     if (line_start_) painter.line(on_sheet(*line_start_), on_sheet(*line_end_), stroke);
 }
 
-void Canvas::move_camera(Session& session, ui::Point at)
+void Canvas::move_camera(Session& session)
 {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (io.MouseWheel != 0.0F) {
-        const double factor = std::pow(zoom_per_turn, static_cast<double>(io.MouseWheel));
-        move(session, [&](auto& camera) { camera.zoom(at, factor); });
-    }
-    const bool is_left = ImGui::IsMouseDragging(ImGuiMouseButton_Left) && !session.is_drawing();
-    const bool is_other = ImGui::IsMouseDragging(ImGuiMouseButton_Middle) ||
-                          ImGui::IsMouseDragging(ImGuiMouseButton_Right);
-    if (!ImGui::IsItemActive() || (!is_left && !is_other)) {
-        // The release of a drag is no click.
-        if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left)) is_dragging_ = false;
-        return;
-    }
-    is_dragging_ = true;
-    const double pixel = sheet_.width / std::max(1.0, static_cast<double>(ImGui::GetItemRectSize().x));
-    const ui::Point drag{pixel * static_cast<double>(io.MouseDelta.x), pixel * static_cast<double>(io.MouseDelta.y)};
-    const bool turns = is_left && !io.KeyShift && session.view() == ViewKind::Space;
-    if (turns) session.eye.orbit(drag, middle_of(session.subjects()));
-    else move(session, [&](auto& camera) { camera.pan(drag); });
+    using Left = ui::PictureArea::LeftButton;
+    const ui::ViewMove hand = area_.view_move(session.is_drawing() ? Left::Works : Left::MovesView);
+    if (hand.zoom != 1.0) move(session, [&](auto& camera) { camera.zoom(area_.pointer(), hand.zoom); });
+    if (!hand.is_drag()) return;
+    const bool turns = hand.is_left && !ImGui::GetIO().KeyShift && session.view() == ViewKind::Space;
+    if (turns) session.eye.orbit(hand.drag, middle_of(session.subjects()));
+    else move(session, [&](auto& camera) { camera.pan(hand.drag); });
     session.is_fitted = false;
 }
 
@@ -403,7 +375,7 @@ void Canvas::paint(const Session& session)
     Painting painting = painting_of(session, subjects);
     if (painted_ == painting && !session.is_drawing()) return;
     painted_ = session.is_drawing() ? std::nullopt : std::optional(std::move(painting));
-    ui::Painter painter(sheet_, fonts_);
+    ui::Painter painter(area_.sheet(), fonts_);
     draw(painter, shapes_, subjects, session.look);
     const bool is_empty = std::ranges::all_of(subjects, [](const Subject& s) { return s.solid->is_empty(); });
     if (is_empty && !session.is_drawing()) draw_invitation(painter, session);
@@ -419,7 +391,7 @@ ui::Picture Canvas::picture_of(const Session& session)
         subject.marks.selected.clear();
     }
     follow_shapes(session, subjects);
-    return euler::picture(shapes_, subjects, session.look, sheet_, fonts_);
+    return euler::picture(shapes_, subjects, session.look, area_.sheet(), fonts_);
 }
 
 namespace {
@@ -448,7 +420,7 @@ ui::Point place_in(const Region& area)
 
 ui::Point Canvas::in_window(const Session& session, const topology::Point& place) const
 {
-    return corner_ + session.eye.to_sheet({place.x, place.y, place.z});
+    return area_.corner() + session.eye.to_sheet({place.x, place.y, place.z});
 }
 
 std::optional<ui::Point> Canvas::in_window(const Part& part) const
@@ -457,14 +429,14 @@ std::optional<ui::Point> Canvas::in_window(const Part& part) const
         return subject == part.subject && entity == part.entity;
     };
     for (const Shapes::Vertex& vertex : shapes_.vertices)
-        if (is_it(vertex.subject, vertex.vertex)) return corner_ + vertex.at;
+        if (is_it(vertex.subject, vertex.vertex)) return area_.corner() + vertex.at;
     for (const Shapes::Edge& edge : shapes_.edges)
-        if (is_it(edge.subject, edge.edge) && !edge.line.empty()) return corner_ + middle_of(edge.line);
+        if (is_it(edge.subject, edge.edge) && !edge.line.empty()) return area_.corner() + middle_of(edge.line);
     for (const Shapes::Arrow& arrow : shapes_.arrows)
-        if (is_it(arrow.subject, arrow.half_edge) && !arrow.line.empty()) return corner_ + middle_of(arrow.line);
+        if (is_it(arrow.subject, arrow.half_edge) && !arrow.line.empty()) return area_.corner() + middle_of(arrow.line);
     for (const Shapes::Piece& piece : shapes_.pieces) {
         const Shapes::Face& face = shapes_.faces[piece.face];
-        if (is_it(face.subject, face.face)) return corner_ + place_in(piece.area);
+        if (is_it(face.subject, face.face)) return area_.corner() + place_in(piece.area);
     }
     return std::nullopt;
 }

@@ -14,6 +14,7 @@
 #include "topology/geometry/point.h"
 #include "ui/context/imgui_session.h"
 #include "ui/paint/painter.h"
+#include "ui/widgets/picture_area.h"
 
 namespace euler {
 
@@ -42,7 +43,7 @@ public:
 
 private:
     void follow(Session& session, ui::Point at);
-    void move_camera(Session& session, ui::Point at);
+    void move_camera(Session& session);
     void click(Session& session, const std::optional<Part>& under) const;
     void notify(const Session& session) const;
     void draw_line(Session& session, ui::Point at);
@@ -109,15 +110,13 @@ private:
     Fitting fitting_of(const Session& session) const;
 
     const ui::Fonts& fonts_;
-    ui::Size sheet_{};
-    ui::Point corner_{};                ///< of the sheet in the window [logical pixels]
+    ui::PictureArea area_;
     Shapes shapes_;                     ///< drawn last
     std::optional<ViewTransform> seen_; ///< that the shapes belong to
     std::optional<Painting> painted_;   ///< that the picture shows; none of one that is drawn on
     std::optional<Fitting> fitted_;     ///< last
     Map map_, other_map_;               ///< of what is drawn, and of the other end of a step
     std::optional<ui::Picture> picture_;
-    bool is_dragging_ = false;
     std::optional<topology::Point> line_start_{}, line_end_{}; ///< of a line that is being drawn
     ui::Point pressed_{};                                      ///< where the hand began it
 };

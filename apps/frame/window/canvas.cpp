@@ -27,8 +27,6 @@ namespace frame {
 
 namespace {
 
-constexpr double zoom_per_turn = 1.15;
-
 // An envelope belongs to no case, so it has neither loads nor a deformed shape.
 DrawOptions looked_at(const Session& session)
 {
@@ -126,7 +124,7 @@ void Canvas::follow_structure(Workspace& workspace)
     if (is_just_fitted_) fitted_for_ = wanted;
     if (session.draw_state.camera) fitted_for_.reset();
     const Subject::Plan before = std::exchange(
-        plan_, Subject(input_of(workspace, options, guess), options, state).plan(sheet_, fonts_));
+        plan_, Subject(input_of(workspace, options, guess), options, state).plan(area_.sheet(), fonts_));
     if (is_same && !is_just_fitted_) hold_still(session, before);
 }
 
@@ -202,7 +200,7 @@ double Canvas::pixels_along(const Projection& projection, const Cut& cut) const
 std::optional<ui::Point> Canvas::in_window(const Eigen::Vector3d& place) const
 {
     if (plan_.panels.empty()) return std::nullopt;
-    return corner_ + projection_at(plan_.panels.front().box.min)(place);
+    return area_.corner() + projection_at(plan_.panels.front().box.min)(place);
 }
 
 std::optional<ui::Point> Canvas::in_window(const Cut& cut) const
@@ -213,31 +211,18 @@ std::optional<ui::Point> Canvas::in_window(const Cut& cut) const
 
 void Canvas::show(Workspace& workspace, ui::ImGuiSession& gui)
 {
-    const auto scale = static_cast<float>(gui.scale());
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const ImVec2 room = ImGui::GetContentRegionAvail();
-    if (room.x < 8.0F || room.y < 8.0F) return;
-    corner_ = {static_cast<double>(corner.x / scale), static_cast<double>(corner.y / scale)};
-    sheet_ = {static_cast<double>(room.x / scale), static_cast<double>(room.y / scale)};
+    if (!area_.begin(gui, ui::any_button)) return;
     const auto told = banner(workspace);
-    lent_ = told ? static_cast<double>((ui::height(*told) - ui::status_height()) / scale) : 0.0;
+    lent_ = told ? static_cast<double>(ui::height(*told) - ui::status_height()) / gui.scale() : 0.0;
     follow_structure(workspace);
     look_at_region(workspace);
 
-    ImGui::InvisibleButton("canvas", room,
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
-                               ImGuiButtonFlags_MouseButtonRight);
     const ImGuiIO& io = ImGui::GetIO();
-    const ui::Point at{static_cast<double>((io.MousePos.x - corner.x) / scale),
-                       static_cast<double>((io.MousePos.y - corner.y) / scale)};
     is_over_ = ImGui::IsItemHovered() || ImGui::IsItemActive();
     const bool is_followed = is_over_ || is_working_; // a button may be released beside the picture
-    follow(workspace, {.at = at, .is_over = is_followed, .adds = io.KeyShift, .is_exact = io.KeyAlt});
+    follow(workspace, {.at = area_.pointer(), .is_over = is_followed, .adds = io.KeyShift, .is_exact = io.KeyAlt});
     paint(workspace);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.PushClipRect(corner, {corner.x + room.x, corner.y + room.y}, true);
-    gui.show(*picture_, list, {static_cast<double>(corner.x), static_cast<double>(corner.y)});
-    list.PopClipRect();
+    area_.show(*picture_, gui);
 }
 
 void Canvas::follow(Workspace& workspace, const Pointer& pointer)
@@ -253,13 +238,12 @@ void Canvas::follow(Workspace& workspace, const Pointer& pointer)
     settings.moment_side = session.view.moment_side;
     Pick under = pick(shape_, projection, pointer.at, session.shown_results() ? session.view.show : ShowSet{});
     if (under.cut) under.cut = snapped(session, shape_, *under.cut, pixels_along(projection, *under.cut));
-    turn_wheel(session, pointer.at);
-    const bool asks_for_menu = ImGui::IsMouseReleased(ImGuiMouseButton_Right) && !is_panning_;
+    const bool asks_for_menu = ImGui::IsMouseReleased(ImGuiMouseButton_Right) && !area_.is_moving_view();
     move_camera(session);
     const Aim aim = aim_at(session, workspace.tool_controller, projection, pointer, under, drawn_.grips);
     workspace.tool_controller.point_at(aim);
     if (asks_for_menu) ask_for_menu(workspace, aim);
-    if (is_panning_) return;
+    if (area_.is_moving_view()) return;
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && under.is_nothing() &&
         !workspace.tool_controller.can_type())
         fit(session);
@@ -287,16 +271,6 @@ void Canvas::ask_for_menu(Workspace& workspace, const Aim& aim)
     else if (!selection.contains(*part)) selection = *part;
     workspace.menu_cut = aim.cut;
     workspace.requests.push_back(Request::ContextMenu);
-}
-
-void Canvas::turn_wheel(Session& session, ui::Point at) const
-{
-    const double wheel = static_cast<double>(ImGui::GetIO().MouseWheel);
-    if (wheel == 0.0) return;
-    Camera changed = plan_.camera;
-    const ui::Point cursor = at - corner_of_panel(at);
-    std::visit([&](auto& camera) { camera.zoom(cursor, std::pow(zoom_per_turn, wheel)); }, changed);
-    session.draw_state.camera = changed;
 }
 
 namespace {
@@ -362,34 +336,21 @@ void Canvas::click_in_space(Workspace& workspace, const Aim& aim, const Pick& un
     release(workspace, aim, under);
 }
 
+// In space the left button turns the model; with the space bar it moves the sheet everywhere.
 void Canvas::move_camera(Session& session)
 {
-    const ImGuiIO& io = ImGui::GetIO();
+    using Left = ui::PictureArea::LeftButton;
     const bool is_in_space = is_seen_in_space(session.model().analysis);
-    const bool is_left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
-    const bool holds_space = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space)) && !io.WantTextInput;
-    const bool may_use_left = is_left && !is_working_ && (is_in_space || holds_space);
-    const bool is_held = may_use_left || ImGui::IsMouseDown(ImGuiMouseButton_Middle) ||
-                         ImGui::IsMouseDown(ImGuiMouseButton_Right);
-    if (!is_held) {
-        // The release of a drag is no click; it is seen in the frame in which nothing is held any more.
-        if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left)) is_panning_ = false;
-        return;
-    }
-    const bool has_moved = (may_use_left && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) ||
-                           ImGui::IsMouseDragging(ImGuiMouseButton_Middle) ||
-                           ImGui::IsMouseDragging(ImGuiMouseButton_Right);
-    if (!is_panning_ && !has_moved && !holds_space) return;
-    is_panning_ = true;
-    const double pixel = sheet_.width / std::max(1.0, static_cast<double>(ImGui::GetItemRectSize().x));
-    const ui::Point drag{pixel * static_cast<double>(io.MouseDelta.x), pixel * static_cast<double>(io.MouseDelta.y)};
+    const bool holds_space = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space)) && !ImGui::GetIO().WantTextInput;
+    const Left free_left = holds_space ? Left::MovesViewAtOnce : is_in_space ? Left::MovesView : Left::Works;
+    const ui::ViewMove hand = area_.view_move(is_working_ ? Left::Works : free_left);
+    if (hand.zoom == 1.0 && !hand.is_drag()) return;
     Camera changed = plan_.camera;
+    const ui::Point cursor = area_.pointer() - corner_of_panel(area_.pointer());
+    std::visit([&](auto& camera) { camera.zoom(cursor, hand.zoom); }, changed);
     auto* const orbit = std::get_if<ui::OrbitCamera>(&changed);
-    if (orbit != nullptr && is_left && !holds_space) {
-        orbit->orbit(drag, middle_of(shape_));
-    } else {
-        std::visit([&](auto& camera) { camera.pan(drag); }, changed);
-    }
+    if (orbit != nullptr && hand.is_left && !holds_space) orbit->orbit(hand.drag, middle_of(shape_));
+    else std::visit([&](auto& camera) { camera.pan(hand.drag); }, changed);
     session.draw_state.camera = changed;
 }
 
@@ -462,7 +423,7 @@ ui::Picture Canvas::picture_of(const Workspace& workspace) const
 {
     DrawState plain = state(workspace.session);
     plain.hover = plain.selection = {};
-    ui::Painter painter(sheet_, fonts_);
+    ui::Painter painter(area_.sheet(), fonts_);
     draw(workspace, looked_at(workspace.session), plain, painter);
     return painter.picture();
 }
@@ -472,7 +433,7 @@ void Canvas::paint(const Workspace& workspace)
     const Session& session = workspace.session;
     const DrawOptions shown = looked_at(session);
     const DrawState now = state(session);
-    ui::Painter painter(sheet_, fonts_);
+    ui::Painter painter(area_.sheet(), fonts_);
     drawn_ = draw(workspace, shown, now, painter);
     if (std::exchange(is_just_fitted_, false)) was_whole_ = drawn_.is_whole;
     if (session.hover && session.hover != session.pin && !is_working_)

@@ -12,6 +12,7 @@
 #include "ui/context/imgui_session.h"
 #include "ui/paint/painter.h"
 #include "ui/paint/picture.h"
+#include "ui/widgets/picture_area.h"
 
 namespace frame {
 
@@ -50,7 +51,6 @@ private:
     void release(Workspace& workspace, const Aim& aim, const Pick& under);
     void click_in_space(Workspace& workspace, const Aim& aim, const Pick& under);
     static void ask_for_menu(Workspace& workspace, const Aim& aim);
-    void turn_wheel(Session& session, ui::Point at) const;
     void move_camera(Session& session);
     void paint(const Workspace& workspace);
     Subject::Picture draw(const Workspace& workspace, const DrawOptions& options, const DrawState& state,
@@ -71,9 +71,8 @@ private:
     ui::Point corner_of_panel(ui::Point at) const;
 
     const ui::Fonts& fonts_;
-    ui::Size sheet_{};
+    ui::PictureArea area_;
     double lent_ = 0.0; ///< of the sheet's height to what is told at the window's foot, which must not move the picture
-    ui::Point corner_{}; ///< of the sheet in the window [logical pixels]
     /// What the fitted camera was made for: it is made anew when one of these changes, and not when a part, a load or
     /// what is shown does, so that the picture rests under the hand.
     struct FittedFor {
@@ -88,7 +87,7 @@ private:
         bool serves(const FittedFor& wanted) const;
     };
     FittedFor wanted_fit(const Session& session, const DrawOptions& options) const;
-    ui::Size whole_sheet() const { return {sheet_.width, sheet_.height + lent_}; }
+    ui::Size whole_sheet() const { return {area_.sheet().width, area_.sheet().height + lent_}; }
     void hold_still(Session& session, const Subject::Plan& before);
 
     StructureShape shape_;
@@ -100,7 +99,6 @@ private:
     Subject::Picture drawn_;  ///< last
     bool was_whole_ = false;  ///< the picture that the camera was fitted for
     bool is_just_fitted_ = false;
-    bool is_panning_ = false;
     bool is_working_ = false; ///< the left button was pressed in the picture and is held
     bool is_over_ = false;    ///< the pointer
 };

@@ -14,21 +14,10 @@ bool is_dragging() { return ImGui::IsMouseDragging(ImGuiMouseButton_Left, static
 
 void Canvas::show(Session& session, ui::ImGuiSession& gui)
 {
-    const auto scale = static_cast<float>(gui.scale());
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const ImVec2 room = ImGui::GetContentRegionAvail();
-    if (room.x < 8.0F || room.y < 8.0F) return;
-    corner_ = {static_cast<double>(corner.x / scale), static_cast<double>(corner.y / scale)};
-    sheet_ = {static_cast<double>(room.x / scale), static_cast<double>(room.y / scale)};
-    ImGui::InvisibleButton("canvas", room);
-    const ImGuiIO& io = ImGui::GetIO();
-    follow(session, {static_cast<double>((io.MousePos.x - corner.x) / scale),
-                     static_cast<double>((io.MousePos.y - corner.y) / scale)});
+    if (!area_.begin(gui)) return;
+    follow(session, area_.pointer());
     paint(session);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.PushClipRect(corner, {corner.x + room.x, corner.y + room.y}, true);
-    gui.show(*picture_, list, {static_cast<double>(corner.x), static_cast<double>(corner.y)});
-    list.PopClipRect();
+    area_.show(*picture_, gui);
 }
 
 void Canvas::follow(Session& session, ui::Point at)
@@ -56,14 +45,14 @@ void Canvas::turn_eye(Session& session)
 
 void Canvas::paint(const Session& session)
 {
-    ui::Painter painter(sheet_, fonts_);
+    ui::Painter painter(area_.sheet(), fonts_);
     drawn_ = draw(painter, session.scene());
     picture_ = painter.picture();
 }
 
 ui::Picture Canvas::picture_of(const Session& session) const
 {
-    ui::Painter painter(sheet_, fonts_);
+    ui::Painter painter(area_.sheet(), fonts_);
     Scene scene = session.scene();
     scene.hover.reset();
     draw(painter, scene);
@@ -73,7 +62,7 @@ ui::Picture Canvas::picture_of(const Session& session) const
 std::optional<ui::Point> Canvas::in_window(Handle handle) const
 {
     for (const Place& place : drawn_.places)
-        if (place.handle == handle) return corner_ + place.at;
+        if (place.handle == handle) return area_.corner() + place.at;
     return std::nullopt;
 }
 

@@ -5,6 +5,7 @@
 #include "apps/mohr/session/session.h"
 #include "ui/context/imgui_session.h"
 #include "ui/paint/text_measure.h"
+#include "ui/widgets/picture_area.h"
 
 namespace mohr {
 
@@ -23,7 +24,7 @@ public:
     /// Where a handle is in the window [logical pixels]; nothing where the picture has none such.
     std::optional<ui::Point> in_window(Handle handle) const;
     const Drawn& drawn() const { return drawn_; }
-    ui::Point corner() const { return corner_; }
+    ui::Point corner() const { return area_.corner(); }
 
 private:
     void follow(Session& session, ui::Point at);
@@ -31,8 +32,7 @@ private:
     void paint(const Session& session);
 
     const ui::Fonts& fonts_;
-    ui::Point corner_{};
-    ui::Size sheet_{900.0, 700.0};
+    ui::PictureArea area_;
     Drawn drawn_;
     std::optional<ui::Picture> picture_;
 };
