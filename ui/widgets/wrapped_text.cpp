@@ -2,9 +2,11 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <string>
 
 #include "ui/text/shortened.h"
+#include "ui/widgets/item_label.h"
 
 namespace ui {
 
@@ -32,6 +34,48 @@ void wrapped_text(std::string_view utf8, float wrap_at)
     ImGui::PopStyleVar(); // the distance to what follows is the usual one
     show_line(utf8.substr(begin));
     ImGui::PopTextWrapPos();
+}
+
+std::string in_lines(std::string_view utf8, float width)
+{
+    std::string lines;
+    std::string_view line = utf8.substr(0, 0);
+    while (!utf8.empty()) {
+        const std::size_t blank = utf8.find_first_of(" \n");
+        const std::string_view word = utf8.substr(0, blank);
+        const std::string_view longer(line.data(), line.size() + word.size());
+        if (!line.empty() && ImGui::CalcTextSize(longer.data(), longer.data() + longer.size()).x > width) {
+            lines += '\n';
+            line = utf8.substr(0, 0);
+        }
+        const std::size_t used = blank == std::string_view::npos ? word.size() : word.size() + 1;
+        lines += utf8.substr(0, used);
+        const bool ends = used > word.size() && utf8[word.size()] == '\n';
+        line = ends ? utf8.substr(used, 0) : std::string_view(line.data(), line.size() + used);
+        utf8.remove_prefix(used);
+    }
+    return lines;
+}
+
+std::string in_one_line(std::string_view lines)
+{
+    std::string text;
+    for (const char c : lines)
+        if (c != '\n' || !text.ends_with(' ')) text += c;
+    return text;
+}
+
+bool wrapped_button(std::string_view name, std::string_view id)
+{
+    const float room = ImGui::GetContentRegionAvail().x - 2.0F * ImGui::GetStyle().FramePadding.x;
+    return ImGui::Button(item_label(in_lines(name, room), id).c_str());
+}
+
+void beside_if_room(float width, float gap)
+{
+    const float end = std::min(ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x,
+                               ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x);
+    if (ImGui::GetItemRectMax().x + gap + width <= end) ImGui::SameLine(0.0F, gap);
 }
 
 } // namespace ui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace ui {
@@ -8,5 +9,17 @@ namespace ui {
 /// ImGui draws what it is given in one piece of at most 16384 letters, so each line is handed over by itself, and one
 /// that is longer than anybody reads is shortened.
 void wrapped_text(std::string_view utf8, float wrap_at = 0.0F);
+
+/// The text broken after blanks into lines of at most this width in pixels, as the label of a button or a box; a longer
+/// word keeps a line to itself.
+std::string in_lines(std::string_view utf8, float width);
+/// Undone: what was broken after a blank is one line again.
+std::string in_one_line(std::string_view lines);
+
+/// A button that shows the name in as many lines as it needs and is known by the id.
+bool wrapped_button(std::string_view name, std::string_view id);
+
+/// What comes next stands beside what came last, in a new line where it has no room.
+void beside_if_room(float width, float gap);
 
 } // namespace ui

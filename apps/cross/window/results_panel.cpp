@@ -120,6 +120,15 @@ void show_parts(const tabular::Table& table, const std::vector<std::size_t>& beg
     ImGui::EndChild();
 }
 
+/// The names of the rows broken into lines, so that numbers have most of the room.
+tabular::Table with_narrow_names(tabular::Table table, float room)
+{
+    constexpr float most = 0.5F;
+    if (table.columns.empty() || width_of(table, 0) <= most * room) return table;
+    for (auto& row : table.rows) row.cells[0].shown = ui::in_lines(row.cells[0].shown, most * room);
+    return table;
+}
+
 void show_table(Workspace& workspace, const tabular::Table& whole)
 {
     for (const std::string& note : whole.notes) ui::wrapped_text(note);
@@ -153,7 +162,8 @@ void results_panel(Workspace& workspace, const CommandTable& commands)
     }
     ImGui::Separator();
     if (workspace.topic != Topic::Exercises && workspace.session.solution().task)
-        show_table(workspace, table_of(workspace.session, workspace.topic));
+        show_table(workspace, with_narrow_names(table_of(workspace.session, workspace.topic),
+                                                ImGui::GetContentRegionAvail().x));
 }
 
 } // namespace cross
