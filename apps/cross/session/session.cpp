@@ -20,7 +20,7 @@ using ui::translatable;
 namespace {
 
 constexpr double seconds_of_a_turn = 1.2;
-constexpr std::size_t most_turns = 2000; // by "finish"
+constexpr std::size_t most_turns = 2000;           // by "finish"
 constexpr double seconds_of_a_double_click = 0.35; // a little more than the window allows
 
 } // namespace

@@ -534,8 +534,8 @@ private:
     drawing::StructureShape shape_;
     std::vector<double> moments_, factors_;
     std::vector<Column> columns_;
-    double widest_ = 0.0; // number
-    BlockLayout layout_;  // its boxes by end
+    double widest_ = 0.0;        // number
+    BlockLayout layout_;         // its boxes by end
     std::vector<ui::Box> taken_; // by the structure
     ui::Box room_;
     std::optional<ui::Box> key_;

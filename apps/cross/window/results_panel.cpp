@@ -162,8 +162,8 @@ void results_panel(Workspace& workspace, const CommandTable& commands)
     }
     ImGui::Separator();
     if (workspace.topic != Topic::Exercises && workspace.session.solution().task)
-        show_table(workspace, with_narrow_names(table_of(workspace.session, workspace.topic),
-                                                ImGui::GetContentRegionAvail().x));
+        show_table(workspace,
+                   with_narrow_names(table_of(workspace.session, workspace.topic), ImGui::GetContentRegionAvail().x));
 }
 
 } // namespace cross
