@@ -173,7 +173,8 @@ template <class Workspace> void DocumentApp<Workspace>::handle_keys(const Input&
     for (const KeyEvent& event : input.keys) {
         const bool is_escape = event.key == Key::Escape;
         const bool edits_text = ImGui::GetIO().WantTextInput && is_edit_of_text(event.chord());
-        const bool is_for_field = edits_text || (types && !is_escape && !event.modifiers.ctrl);
+        const bool writes = !is_escape && !event.modifiers.ctrl && !is_function_key(event.key);
+        const bool is_for_field = edits_text || (types && writes);
         if (!event.is_down || is_for_field || (is_escape && dialogs_.close_topmost())) continue;
         const auto* const command = commands_.find(event.chord());
         if (command == nullptr) continue;
@@ -262,7 +263,7 @@ template <class Workspace> void DocumentApp<Workspace>::answer(OfferAnswer given
 
 template <class Workspace> void DocumentApp<Workspace>::show_panels_and_canvas()
 {
-    if (!workspace_.has_panels) return show_canvas();
+    if (!workspace_.has_panels) return show_picture(ImGui::GetContentRegionAvail(), [this] { show_canvas(); });
     const auto panel = [](const char* id, float width, const auto& show) {
         begin_panel(id, width);
         show();

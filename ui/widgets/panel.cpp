@@ -42,6 +42,15 @@ void end_panel()
     ImGui::PopStyleVar();
 }
 
+void show_picture(ImVec2 size, const std::function<void()>& picture)
+{
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, 0U);
+    ImGui::BeginChild("###canvas", size);
+    picture();
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+}
+
 namespace {
 
 // A bar beside a panel, dragged to give it another width [ems]; `sign` is 1 where the panel is at its left, else -1.
@@ -70,11 +79,7 @@ void SidePanels::show(const std::function<void(float)>& left, const std::functio
     ImGui::SameLine();
     right(shown.right);
     ImGui::SameLine(shown.left + bar);
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, 0U);
-    ImGui::BeginChild("###canvas", {room.x - shown.left - shown.right - 2.0F * bar, room.y});
-    picture();
-    ImGui::EndChild();
-    ImGui::PopStyleColor();
+    show_picture({room.x - shown.left - shown.right - 2.0F * bar, room.y}, picture);
 }
 
 void show_below(float height, const std::function<void()>& content)

@@ -26,6 +26,9 @@ void end_panel();
 
 inline constexpr float splitter_ems = 0.35F; ///< thickness of a bar that is dragged
 
+/// The picture in a window that is the same with panels and without, so that a field in it keeps the keyboard.
+void show_picture(ImVec2 size, const std::function<void()>& picture);
+
 /// A panel on either side of the picture; the bars between them are dragged to give the panels other widths.
 class SidePanels {
 public:

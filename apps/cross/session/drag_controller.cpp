@@ -181,7 +181,7 @@ std::optional<femoop::NodeId> DragController::release(Session& session)
     }
     if (const auto* const span = std::get_if<SpanAim>(&held->aim))
         if (auto next = with_support_between(held->model, span->member, span->x))
-            session.change(std::move(*next), translatable("Put a support"));
+            session.change_later(std::move(*next), translatable("Put a support"));
     if (const auto* const end = std::get_if<EndAim>(&held->aim))
         if (auto next = with_span_added(held->model, end->side))
             session.change(std::move(*next), translatable("Add a span"));

@@ -20,7 +20,8 @@ using ui::translatable;
 namespace {
 
 constexpr double seconds_of_a_turn = 1.2;
-constexpr std::size_t most_turns = 2000; // by "finish"
+constexpr std::size_t most_turns = 2000;           // by "finish"
+constexpr double seconds_of_a_double_click = 0.35; // a little more than the window allows
 
 } // namespace
 
@@ -33,6 +34,7 @@ Session::Session()
 void Session::solve_again(SolveMode mode)
 {
     states_.reset();
+    waiting_.reset();
     hover.reset(); // its joint may be gone
     ++n_solved_;
     solution_ = solve(document(), mode);
@@ -236,8 +238,19 @@ void Session::settle()
     if (solution_.task && !solution_.task->kani) solve_again();
 }
 
+void Session::change_later(femoop::Model model, const Message& label)
+{
+    waiting_ = {std::move(model), label, seconds_of_a_double_click};
+}
+
+void Session::change_at_once()
+{
+    if (auto waiting = std::exchange(waiting_, std::nullopt)) change(std::move(waiting->model), waiting->label);
+}
+
 void Session::undo()
 {
+    change_at_once();
     history_.undo();
     phase_ = 1.0;
     solve_again();
@@ -328,6 +341,7 @@ void Session::adopt(const std::string& text)
 void Session::tick(double seconds)
 {
     ui::tick(notice, seconds);
+    if (waiting_ && (waiting_->seconds_left -= seconds) < 0.0) change_at_once();
     if (phase_ < 1.0) {
         phase_ = std::min(1.0, phase_ + seconds / seconds_of_a_turn);
         find_state();

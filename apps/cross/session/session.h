@@ -51,6 +51,10 @@ public:
     void change(femoop::Model model, const ui::Message& label);
     void drag(femoop::Model model, const ui::Message& label);
     void settle() override;
+    /// Unless it is dropped, or something else is changed, within the time of a double click.
+    void change_later(femoop::Model model, const ui::Message& label);
+    void change_at_once(); ///< what waits, if anything does
+    void drop_waiting() { waiting_.reset(); }
     void undo();
     void redo();
 
@@ -89,7 +93,7 @@ public:
     /// Another number whenever nodes, joints and cells may be others than before.
     std::size_t n_solved() const { return n_solved_; }
     void tick(double seconds); ///< time goes by
-    bool is_moving() const { return is_playing || phase_ < 1.0 || notice.has_value(); }
+    bool is_moving() const { return is_playing || phase_ < 1.0 || waiting_ || notice.has_value(); }
     bool is_playing = false; ///< turn after turn by itself
     Tool tool = Tool::None;
     double phase() const { return phase_; }
@@ -120,7 +124,14 @@ private:
     template <class Change> void play_on(const Change& change, const ui::Message& label);
     void take(const TurnTree::Turn& turn);
 
+    struct WaitingChange {
+        femoop::Model model;
+        ui::Message label;
+        double seconds_left;
+    };
+
     ui::History<Document> history_;
+    std::optional<WaitingChange> waiting_;
     Solution solution_;
     std::optional<femoop::Results> state_;
     std::shared_ptr<femoop::cross::StateAnalysis> states_; ///< of the solution's structure; null before the first

@@ -125,6 +125,11 @@ void consider_stiffnesses(Nearest& nearest, const Session& session, const Drawn&
     }
 }
 
+bool can_be_typed(const Session& session, const Drawn& drawn)
+{
+    return session.solution().task && drawn.nodes.size() == session.document().model.nodes.size();
+}
+
 std::optional<TypedValue> value_of(const Session& session, const Drawn& drawn, const WrittenText& written)
 {
     Nearest nearest(written.box.center());
@@ -276,16 +281,44 @@ frame::NumberId first_number(const frame::Part& part) { return {.part = part, .p
 
 std::optional<TypedValue> written_at(const Session& session, const Drawn& drawn, ui::Point at)
 {
-    if (!session.solution().task || drawn.nodes.size() != session.document().model.nodes.size()) return std::nullopt;
+    if (!can_be_typed(session, drawn)) return std::nullopt;
     for (const WrittenText& written : drawn.texts)
         if (written.box.grown(2.0).contains(at))
             if (const auto value = value_of(session, drawn, written)) return value;
     return std::nullopt;
 }
 
+namespace {
+
+double distance_to(const ui::Box& box, ui::Point at)
+{
+    return std::hypot(std::max({box.min.x - at.x, at.x - box.max.x, 0.0}),
+                      std::max({box.min.y - at.y, at.y - box.max.y, 0.0}));
+}
+
+std::optional<TypedValue> written_near(const Session& session, const Drawn& drawn, ui::Point at)
+{
+    constexpr double finger = 9.0; // [px] beside what it means, in the theme's symbols
+    if (!can_be_typed(session, drawn)) return std::nullopt;
+    double nearest = finger * ui::Theme(session.look.theme).symbol_scale();
+    std::optional<TypedValue> found;
+    for (const WrittenText& written : drawn.texts) {
+        const double distance = distance_to(written.box, at);
+        if (distance >= nearest) continue;
+        const auto value = value_of(session, drawn, written);
+        if (!value) continue;
+        nearest = distance;
+        found = value;
+    }
+    return found;
+}
+
+} // namespace
+
 std::optional<TypedValue> value_at(const Session& session, const Drawn& drawn, ui::Point at)
 {
     if (const auto written = written_at(session, drawn, at)) return written;
+    if (const auto near = written_near(session, drawn, at)) return near;
     const drawing::LoadMark* const load = drawn.is_in_structure(at) ? pick_load(drawn, at) : nullptr;
     return load != nullptr ? largest_of(session, load->load) : std::nullopt;
 }

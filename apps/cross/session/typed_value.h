@@ -22,7 +22,7 @@ using TypedValue = std::variant<frame::NumberId, Level, femoop::MemberId>;
 
 /// The value that is written there.
 std::optional<TypedValue> written_at(const Session& session, const Drawn& drawn, ui::Point at);
-/// The same, or that of the load whose arrows are there.
+/// The same, or the nearest that a finger there would cover, or that of the load whose arrows are there.
 std::optional<TypedValue> value_at(const Session& session, const Drawn& drawn, ui::Point at);
 
 /// What a field begins with: nothing is lost where it is confirmed as it stands.

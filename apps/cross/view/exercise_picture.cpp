@@ -301,7 +301,8 @@ private:
         const double em = layout_.type;
         ui::TextStyle name = style(ui::Role::Label, ui::Anchor::Center, em);
         name.weight = ui::Weight::Bold;
-        painter_.text({0.5 * (box.min.x + box.max.x), box.min.y + 0.55 * em}, problem_[column.end].label, name);
+        const std::string head = head_within(painter_, scene_.document.model, problem_[column.end], name, box.width());
+        painter_.text({0.5 * (box.min.x + box.max.x), box.min.y + 0.55 * em}, head, name);
         for (const BlankCell& cell : column.cells) {
             const double top = box.min.y + (name_height + line_height * static_cast<double>(cell.line)) * em;
             const ui::Box place{{box.min.x + 0.05 * em, top}, {box.max.x - 0.05 * em, top + cell_height * em}};

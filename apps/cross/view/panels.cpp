@@ -57,7 +57,7 @@ ui::PlaneCamera beam_camera(const Extent& extent, ui::Size panel, double margin,
 /// The sheet needs room for its columns, so a low frame is drawn higher and a slender one broader.
 void draw_out(Panel& panel, Extent extent, double em, const SheetRoom& room = {})
 {
-    constexpr double least = 0.6, most = 1.7;
+    constexpr double least = 0.6, most = 2.2;
     const ui::Margins margins{room.beside * em, room.above * em, room.beside * em, room.below * em};
     const double width = panel.box.width() - margins.left - margins.right;
     const double height = panel.box.height() - margins.top - margins.bottom;

@@ -48,6 +48,8 @@ inline constexpr std::array sheet_rooms{SheetRoom{},
                                         SheetRoom{6.5, 4.0, 3.0},
                                         SheetRoom{8.5, 4.0, 3.0},
                                         SheetRoom{11.0, 4.0, 3.0},
+                                        SheetRoom{4.6, 3.0, 2.4},
+                                        SheetRoom{5.6, 3.0, 2.4},
                                         SheetRoom{2.5, 9.0, 4.0}};
 
 /// What the pictures' arrangement depends on but for the structure and the room.

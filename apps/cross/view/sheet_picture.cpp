@@ -46,9 +46,17 @@ public:
         widest_ = widest();
     }
 
-    void draw()
+    void lay_out()
     {
         lay_out(wanted_lines());
+        if (sheet_ == nullptr) key_ = place_of_key();
+    }
+    /// What the lines of the columns are is written beside them.
+    bool has_key() const { return key_.has_value(); }
+
+    /// \pre it is laid out
+    void draw()
+    {
         const ui::LayerScope layer(painter_, ui::Layer::Labels);
         if (problem_.mirror) draw_axis(*problem_.mirror);
         mark_joints();
@@ -56,6 +64,7 @@ public:
             if (layout_.boxes[e] && layout_.boxes[e]->overlaps(panel_.box)) draw_column(fc::EndId(e));
         if (sheet_ != nullptr && !sheet_->steps.empty()) draw_flights();
         draw_left_out();
+        if (key_) draw_key();
     }
 
     /// Of short columns: the frame stays where it is while they grow.
@@ -125,6 +134,8 @@ private:
         request.width_of = [this](double type) { return column_width(type); };
         request.middle = middle_of(panel_, shape_);
         layout_ = laid_out(request);
+        taken_ = std::move(request.obstacles);
+        room_ = request.room;
         std::vector<std::optional<ui::Box>> by_end(problem_.ends.size());
         for (std::size_t i = 0; i < request.places.size(); ++i) by_end[request.places[i].end.index] = layout_.boxes[i];
         layout_.boxes = std::move(by_end);
@@ -256,7 +267,8 @@ private:
         const double em = layout_.type, middle = 0.5 * (box.min.x + box.max.x);
         ui::TextStyle name = style(ui::Role::FaintLabel, ui::Anchor::Center);
         name.size *= 0.9;
-        painter_.text({middle, box.min.y + 0.55 * em}, end.label, name);
+        painter_.text({middle, box.min.y + 0.55 * em},
+                      head_within(painter_, scene_.document.model, end, name, box.width()), name);
         if (!has_factor(id)) return;
         const ui::Box frame{{box.min.x + 0.15 * em, box.min.y + 1.1 * em},
                             {box.max.x - 0.05 * em, box.min.y + 2.55 * em}};
@@ -306,14 +318,20 @@ private:
     {
         const double n = is_worked(id) ? static_cast<double>(n_shown()) : 0.0;
         const ui::Point at = line_at(box, n + 0.12);
+        rule_sum(box, at.y);
+        painter_.text(at, numbers_.moment(problem_[id], total(id)),
+                      style(ui::Role::BendingMoment, ui::Anchor::Right, ui::Weight::Bold));
+    }
+
+    /// Two lines over a sum that stands at this height.
+    void rule_sum(const ui::Box& box, double middle)
+    {
         ui::Stroke stroke = theme_.stroke(ui::Role::Label);
         stroke.width = std::max(1.0, 0.06 * layout_.type);
         for (const double lift : {0.56, 0.42}) {
-            const double y = at.y - line(lift);
+            const double y = middle - line(lift);
             painter_.line({box.min.x + 0.1 * layout_.type, y}, {box.max.x, y}, stroke);
         }
-        painter_.text(at, numbers_.moment(problem_[id], total(id)),
-                      style(ui::Role::BendingMoment, ui::Anchor::Right, ui::Weight::Bold));
     }
 
     /// A number that still flies is not counted.
@@ -324,6 +342,70 @@ private:
         for (const Cell& cell : columns_[id.index].cells)
             if (is_last_turn(cell)) sum -= cell.value;
         return sum;
+    }
+
+    // ---- what the lines of all sheets together are
+
+    ui::TextStyle key_style(bool is_sum) const
+    {
+        ui::TextStyle text = is_sum ? style(ui::Role::BendingMoment, ui::Anchor::Left, ui::Weight::Bold)
+                                    : style(ui::Role::FaintLabel, ui::Anchor::Left);
+        text.size *= 0.9;
+        return text;
+    }
+
+    /// Line by line as they stand in the columns: "loads", "0.299 × sway at B", "sum".
+    std::vector<std::string> key_names() const
+    {
+        std::vector<std::string> names;
+        for (const SheetPart& part : parts_of(scene_)) names.push_back(cross::words_of(part, scene_));
+        names.push_back(scene_.look.tr("sum"));
+        return names;
+    }
+
+    void draw_key()
+    {
+        const std::vector<std::string> names = key_names();
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const bool is_sum = i + 1 == names.size();
+            const double n = static_cast<double>(i) + (is_sum ? 0.62 : 0.5);
+            painter_.text(key_->min + ui::Point{0.5 * layout_.type, line(n)}, names[i], key_style(is_sum));
+            if (is_sum) rule_sum(*key_, key_->min.y + line(n));
+        }
+    }
+
+    /// Beside the lines of a column; where none has room, as near to the first as may be.
+    std::optional<ui::Box> place_of_key() const
+    {
+        const std::vector<std::string> names = key_names();
+        const double em = layout_.type;
+        double widest = 0.0;
+        for (const std::string& name : names) widest = std::max(widest, painter_.measure(name, key_style(true)).width);
+        const ui::Size size{widest + em, line(static_cast<double>(names.size()) + 0.2)};
+        std::optional<ui::Point> first;
+        for (const std::optional<ui::Box>& box : layout_.boxes) {
+            if (!box) continue;
+            const double top = box->min.y + head_height * em;
+            for (const double left : {box->max.x, box->min.x - size.width})
+                if (const ui::Box beside = ui::box_at({left, top}, size); is_free(beside.grown(-1.0))) return beside;
+            if (!first) first = box->min;
+        }
+        std::optional<ui::Box> best;
+        for (double y = room_.min.y; first && y + size.height <= room_.max.y; y += em)
+            for (double x = room_.min.x; x + size.width <= room_.max.x; x += em) {
+                const ui::Box box = ui::box_at({x, y}, size);
+                if (best && ui::distance(box.min, *first) >= ui::distance(best->min, *first)) continue;
+                if (is_free(box.grown(0.5 * em))) best = box;
+            }
+        return best;
+    }
+
+    bool is_free(const ui::Box& box) const
+    {
+        const auto is_hit = [&](const ui::Box& other) { return other.overlaps(box); };
+        const auto is_column = [&](const std::optional<ui::Box>& other) { return other && other->overlaps(box); };
+        return room_.contains(box) && panel_.box.contains(box) && std::ranges::none_of(taken_, is_hit) &&
+               std::ranges::none_of(layout_.boxes, is_column);
     }
 
     /// The axis of symmetry, over the whole picture.
@@ -452,8 +534,11 @@ private:
     drawing::StructureShape shape_;
     std::vector<double> moments_, factors_;
     std::vector<Column> columns_;
-    double widest_ = 0.0; // number
-    BlockLayout layout_;  // its boxes by end
+    double widest_ = 0.0;        // number
+    BlockLayout layout_;         // its boxes by end
+    std::vector<ui::Box> taken_; // by the structure
+    ui::Box room_;
+    std::optional<ui::Box> key_;
 };
 
 std::string stage_name(const Scene& scene)
@@ -476,13 +561,13 @@ std::string sum_description(const Scene& scene)
     return words;
 }
 
-std::string title_of(const Scene& scene)
+std::string title_of(const Scene& scene, bool has_key)
 {
     const ui::Catalogue& tr = scene.look.tr;
     const Numbers numbers(scene.document, scene.solution, scene.look);
     std::string title = stage_name(scene) + " [" + numbers.moment_unit() + "]";
     const fc::Sheet* const sheet = scene.solution.sheet(scene.document);
-    if (sheet == nullptr) return title + ": " + sum_description(scene);
+    if (sheet == nullptr) return has_key ? title : title + ": " + sum_description(scene);
     if (sheet->steps.empty()) return title + tr(": every joint locked");
     const auto joint = sheet->steps.back().joint;
     const std::string step = std::to_string(sheet->steps.size());
@@ -495,7 +580,9 @@ std::string title_of(const Scene& scene)
 
 std::size_t draw_sheet(ui::Painter& painter, const Panel& panel, const Scene& scene)
 {
-    draw_title(painter, panel, title_of(scene), theme_in(panel, scene.look));
+    SheetWriter writer(painter, panel, scene);
+    writer.lay_out();
+    draw_title(painter, panel, title_of(scene, writer.has_key()), theme_in(panel, scene.look));
     draw_structure_in(painter, panel, scene, {}, [](const drawing::Scene& in) {
         drawing::draw_members(in, drawing::Presence::Subject);
         {
@@ -505,7 +592,6 @@ std::size_t draw_sheet(ui::Painter& painter, const Panel& panel, const Scene& sc
         drawing::draw_joints(in);
     });
     const ui::ClipScope clip(painter, panel.box);
-    SheetWriter writer(painter, panel, scene);
     writer.draw();
     return writer.n_left_out();
 }

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+
+#include "ui/text/shortened.h"
 
 namespace cross {
 
@@ -65,6 +68,21 @@ ui::Point middle_of(const Panel& panel, const drawing::StructureShape& shape)
     ui::Box around{panel.at(shape.nodes.front()), panel.at(shape.nodes.front())};
     for (const auto& node : shape.nodes) around = ui::united(around, {panel.at(node), panel.at(node)});
     return around.center();
+}
+
+std::string head_within(const ui::Painter& painter, const femoop::Model& model, const femoop::cross::End& end,
+                        const ui::TextStyle& style, double width)
+{
+    constexpr std::size_t most = 16, fewest = 2; // letters of a name
+    const auto is_within = [&](const std::string& text) { return painter.measure(text, style).width <= width; };
+    std::string head = end.label;
+    for (std::size_t n = most; n >= fewest && !is_within(head); --n) {
+        head = ui::shortened(model[end.node].id, n);
+        if (!end.member) continue;
+        const auto& nodes = model[*end.member].nodes;
+        head += "-" + ui::shortened(model[nodes[1 - end.which]].id, n);
+    }
+    return head;
 }
 
 void write_below(ui::Painter& painter, const Panel& panel, const ui::Theme& theme, const std::string& words)

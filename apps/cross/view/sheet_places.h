@@ -21,6 +21,10 @@ std::vector<ui::Box> obstacles_in(const Panel& panel, const drawing::StructureSh
 double support_reach(const ui::Theme& theme);
 ui::Point middle_of(const Panel& panel, const drawing::StructureShape& shape);
 
+/// The name of a member end as broad as its column lets it be: long names of nodes are shortened, "Apo…-Nó…".
+std::string head_within(const ui::Painter& painter, const femoop::Model& model, const femoop::cross::End& end,
+                        const ui::TextStyle& style, double width);
+
 /// A warning at the lower right of a panel.
 void write_below(ui::Painter& painter, const Panel& panel, const ui::Theme& theme, const std::string& words);
 

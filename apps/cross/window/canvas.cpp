@@ -55,16 +55,18 @@ void Canvas::follow(Session& session, ui::Point at)
     else if (drag_.is_holding()) release(session);
 }
 
-/// A double click opens a field; nothing else is done where a value is written.
+/// A double click opens a field and puts no support; nothing else is done where a value is written.
 bool Canvas::follow_values(Session& session, ui::Point at)
 {
     const auto written = written_at(session, drawn_, at);
     if (written) session.hover.reset();
     if (written) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
     if (!ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return written.has_value();
+    session.drop_waiting(); // the first of both clicks may have put a support
     const auto value = value_at(session, drawn_, at);
     if (value) value_field_.open(session, *value, at);
-    return value.has_value();
+    const double scale = ui::Theme(session.look.theme).symbol_scale();
+    return value || std::holds_alternative<SpanAim>(aim_at(session.document().model, drawn_, at, scale));
 }
 
 /// Of a usual size, with a field for another.
@@ -121,6 +123,7 @@ void Canvas::follow_pupil(Session& session, ui::Point at)
 
 void Canvas::press(Session& session, ui::Point at)
 {
+    session.change_at_once();
     if (drag_.press(session, drawn_, at, ui::Theme(session.look.theme).symbol_scale()) || !session.hover) return;
     session.is_playing = false;
     if (const auto reason = session.balance(*session.hover)) session.notify(*reason);

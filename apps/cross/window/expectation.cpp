@@ -64,6 +64,7 @@ const ui::Facts<Session>& facts()
              [](const Session& s) { return ui::yes_or_no(s.sheet() != nullptr && s.sheet()->is_balanced); }},
             {"at", [](const Session& s) { return "rest " + ui::yes_or_no(s.phase() >= 1.0 && !s.is_playing); }},
             {"zoom", [](const Session& s) { return ui::number_text(s.look.zoom.factor, {.digits = 3}); }},
+            {"theme", [](const Session& s) { return std::string(text(s.look.theme)); }},
             {"undo",
              [](const Session& s) {
                  const auto label = s.history().undo_label();

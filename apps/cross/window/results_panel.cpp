@@ -3,6 +3,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 #include <vector>
 
 #include "apps/cross/session/report.h"
@@ -49,23 +51,28 @@ void turn_pages(Workspace& workspace, const tabular::Table& table, std::size_t n
     ImGui::TextUnformatted(words.c_str());
 }
 
-/// Of a column with its padding.
+/// Of what stands in a column.
 float width_of(const tabular::Table& table, std::size_t column)
 {
     float widest = ImGui::CalcTextSize(table.columns[column].label().c_str()).x;
     for (const auto& row : table.rows)
         widest = std::max(widest, ImGui::CalcTextSize(row.cells[column].shown.c_str()).x);
-    return widest + 2.0F * ImGui::GetStyle().CellPadding.x + 1.0F;
+    return std::ceil(widest);
+}
+
+float padded_width_of(const tabular::Table& table, std::size_t column)
+{
+    return width_of(table, column) + 2.0F * ImGui::GetStyle().CellPadding.x + 1.0F;
 }
 
 /// Where the parts of a table begin that have room beside one another; the last is past its end.
 std::vector<std::size_t> beginnings(const tabular::Table& table, float room)
 {
-    const float names = width_of(table, 0);
+    const float names = padded_width_of(table, 0);
     std::vector<std::size_t> begins{1};
     float taken = names;
     for (std::size_t i = 1; i < table.columns.size(); ++i) {
-        const float width = width_of(table, i);
+        const float width = padded_width_of(table, i);
         if (taken + width > room && i > begins.back()) {
             begins.push_back(i);
             taken = names;
@@ -78,7 +85,11 @@ std::vector<std::size_t> beginnings(const tabular::Table& table, float room)
 
 void show_rows(const tabular::Table& table)
 {
-    for (const std::string& name : labels(table)) ImGui::TableSetupColumn(ui::shown_whole(name).c_str());
+    // Dear ImGui itself knows how broad columns are only a frame later.
+    const std::vector<std::string> names = labels(table);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        ImGui::TableSetupColumn(ui::shown_whole(names[i]).c_str(), ImGuiTableColumnFlags_WidthFixed,
+                                width_of(table, i));
     ImGui::TableHeadersRow();
     for (const auto& row : table.rows) {
         ImGui::TableNextRow();
@@ -107,6 +118,15 @@ void show_parts(const tabular::Table& table, const std::vector<std::size_t>& beg
         }
     }
     ImGui::EndChild();
+}
+
+/// The names of the rows broken into lines, so that numbers have most of the room.
+tabular::Table with_narrow_names(tabular::Table table, float room)
+{
+    constexpr float most = 0.5F;
+    if (table.columns.empty() || width_of(table, 0) <= most * room) return table;
+    for (auto& row : table.rows) row.cells[0].shown = ui::in_lines(row.cells[0].shown, most * room);
+    return table;
 }
 
 void show_table(Workspace& workspace, const tabular::Table& whole)
@@ -142,7 +162,8 @@ void results_panel(Workspace& workspace, const CommandTable& commands)
     }
     ImGui::Separator();
     if (workspace.topic != Topic::Exercises && workspace.session.solution().task)
-        show_table(workspace, table_of(workspace.session, workspace.topic));
+        show_table(workspace,
+                   with_narrow_names(table_of(workspace.session, workspace.topic), ImGui::GetContentRegionAvail().x));
 }
 
 } // namespace cross

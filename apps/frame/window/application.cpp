@@ -135,7 +135,7 @@ void Application::handle_keys(const ui::Input& all)
     const bool types = ImGui::GetIO().WantTextInput || fields_.is_typing();
     const bool types_place = !types && !input.modifiers.ctrl && workspace_.tool_controller.type(input.text);
     for (const ui::KeyEvent& event : input.keys) {
-        if (!event.is_down || (types && !event.modifiers.ctrl)) continue;
+        if (!event.is_down || (types && !event.modifiers.ctrl && !ui::is_function_key(event.key))) continue;
         if (!types && kind_question_.take(workspace_, commands_, event.key)) continue;
         if (!types && handle_typing(event.key)) continue;
         if (types_place && writes(event.key) && !event.modifiers.ctrl) continue;

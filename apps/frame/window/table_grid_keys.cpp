@@ -116,7 +116,7 @@ bool TableGrid::handle_editing_key(const ui::Chord& chord)
         is_editing_ = false;
         ImGui::ClearActiveID();
         return true;
-    default: return !chord.modifiers.ctrl && (chord.key < Key::F1 || chord.key > Key::F12); // the editor's own
+    default: return !chord.modifiers.ctrl && !ui::is_function_key(chord.key); // the editor's own
     }
 }
 

@@ -245,7 +245,7 @@ bool TablesPanel::handle_key(Workspace& workspace, const ui::Chord& chord)
     else if (chord == ui::Chord{Key::Delete, {}} && can_grow(kind_) && grid_.has_whole_rows(table_))
         remove_rows(workspace);
     else if (chord == ui::Chord{Key::Delete, {}} || chord == ui::Chord{Key::Backspace, {}}) clear_block(workspace);
-    else return !chord.modifiers.ctrl && (chord.key < Key::F1 || chord.key > Key::F12);
+    else return !chord.modifiers.ctrl && !ui::is_function_key(chord.key);
     return true;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
 #include <string_view>
 
 #include "femoop/analysis/linear_static.h"
@@ -355,7 +356,7 @@ private:
         return sway;
     }
 
-    /// "AB"; where two ends would be called the same, "A-B", and of members side by side "A-B (m)".
+    /// "AB"; where two ends would be called the same, or nodes have names of several words, "A-B", and of members side by side "A-B (m)".
     void name_ends()
     {
         const auto name = [&](const End& end, std::string_view between) {
@@ -363,7 +364,10 @@ private:
             const auto& nodes = model_[*end.member].nodes;
             return model_[nodes[end.which]].id + std::string(between) + model_[nodes[1 - end.which]].id;
         };
+        const auto has_words = [](const Node& node) { return node.id.find(' ') != std::string::npos; };
+        const bool are_words = std::ranges::any_of(model_.nodes, has_words);
         for (const std::string_view between : {"", "-"}) {
+            if (between.empty() && are_words) continue;
             std::map<std::string, int> count;
             for (End& end : problem_.ends) ++count[end.label = name(end, between)];
             if (std::ranges::all_of(count, [](const auto& entry) { return entry.second == 1; })) return;

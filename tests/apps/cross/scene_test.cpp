@@ -7,6 +7,7 @@
 
 #include "apps/cross/document/file.h"
 #include "apps/cross/view/scene.h"
+#include "apps/cross/view/sheet_places.h"
 #include "tests/golden/scene.h"
 #include "ui/paint/surface/golden_text.h"
 
@@ -105,6 +106,27 @@ TEST_CASE("A sway alone has fixed-end moments in the columns")
 }
 
 TEST_CASE("All sheets together have no locks") { check("cross_portal_together", portal("W"), {.stage = 2}); }
+
+TEST_CASE("The head of a column is no broader than the column, whatever its nodes are called")
+{
+    Document document = example("portal");
+    document.model.nodes[0].id = "Apoio esquerdo";
+    document.model.nodes[1].id = "Nó central";
+    const Solution solution = solve(document);
+    REQUIRE(solution.task);
+    const ui::Fonts fonts;
+    const ui::Painter painter({100.0, 100.0}, fonts);
+    const ui::TextStyle style{.size = 12.0};
+    for (const double width : {58.0, 90.0, 250.0})
+        for (const fc::End& end : solution.task->problem.ends) {
+            CAPTURE(end.label);
+            CHECK(painter.measure(head_within(painter, document.model, end, style, width), style).width <= width);
+        }
+    const fc::End& foot = solution.task->problem.ends[0];
+    CHECK(foot.label == "Apoio esquerdo-Nó central");
+    CHECK(head_within(painter, document.model, foot, style, 250.0) == foot.label);
+    CHECK(head_within(painter, document.model, foot, style, 90.0) == "Apoi…-Nó c…");
+}
 
 TEST_CASE("Half of a symmetric portal is written left of the axis, and the sums stand on both sides")
 {
