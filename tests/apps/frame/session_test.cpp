@@ -354,7 +354,7 @@ TEST_SUITE("frame session")
         workspace.session.selection = Part(MemberId(1));
         run(workspace, "edit.delete");
         REQUIRE(workspace.session.notice);
-        CHECK(ui::Catalogue()(workspace.session.notice->sentence).find("with it: 2.") != std::string::npos);
+        CHECK(ui::Catalogue()(workspace.session.notice->sentence).find("belong to: 2.") != std::string::npos);
     }
 
     TEST_CASE("A change that must be sound runs its command once")
