@@ -14,14 +14,14 @@ namespace {
 struct Range {
     char32_t first, last;
 };
-constexpr std::array<Range, 9> acting{{{0x80, 0x9F},       // controls
-                                       {0xAD, 0xAD},       // a hyphen that may hide
-                                       {0x61C, 0x61C},     // mark of Arabic direction
-                                       {0x180E, 0x180E},   // separator of Mongolian vowels
-                                       {0x200B, 0x200F},   // without width, marks of direction
-                                       {0x2028, 0x202E},   // ends of lines and paragraphs, embeddings of direction
-                                       {0x2060, 0x206F},   // joiners, isolates of direction
-                                       {0xFEFF, 0xFEFF},   // byte-order mark
+constexpr std::array<Range, 9> acting{{{0x80, 0x9F},         // controls
+                                       {0xAD, 0xAD},         // a hyphen that may hide
+                                       {0x61C, 0x61C},       // mark of Arabic direction
+                                       {0x180E, 0x180E},     // separator of Mongolian vowels
+                                       {0x200B, 0x200F},     // without width, marks of direction
+                                       {0x2028, 0x202E},     // ends of lines and paragraphs, embeddings of direction
+                                       {0x2060, 0x206F},     // joiners, isolates of direction
+                                       {0xFEFF, 0xFEFF},     // byte-order mark
                                        {0xE0000, 0xE007F}}}; // tags
 
 unsigned char code(char c) { return static_cast<unsigned char>(c); }

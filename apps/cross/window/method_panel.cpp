@@ -31,9 +31,10 @@ void tick(Workspace& workspace, const CommandTable& commands, std::string_view i
     const ui::Catalogue tr = workspace.tr();
     const auto reason = why_not(command, workspace);
     bool is_on = command.is_on(workspace);
+    const float box = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+    const std::string lines = ui::in_lines(label(command, workspace, tr), ImGui::GetContentRegionAvail().x - box);
     ImGui::BeginDisabled(reason.has_value());
-    if (ImGui::Checkbox((label(command, workspace, tr) + "###" + std::string(id)).c_str(), &is_on))
-        run(command, workspace);
+    if (ImGui::Checkbox(ui::item_label(lines, id).c_str(), &is_on)) run(command, workspace);
     ImGui::EndDisabled();
     if (!reason || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::BeginTooltip();
@@ -47,8 +48,10 @@ void tick(Workspace& workspace, const CommandTable& commands, std::string_view i
 void choice(Workspace& workspace, const CommandTable& commands, std::string_view id)
 {
     const auto& command = *commands.find(id);
-    const std::string name = label(command, workspace, ui::Catalogue(workspace.tr())) + "###" + std::string(id);
-    if (ImGui::RadioButton(name.c_str(), command.is_on(workspace))) run(command, workspace);
+    const std::string name = label(command, workspace, ui::Catalogue(workspace.tr()));
+    const float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+    const std::string lines = ui::in_lines(name, ImGui::GetContentRegionAvail().x - button);
+    if (ImGui::RadioButton(ui::item_label(lines, id).c_str(), command.is_on(workspace))) run(command, workspace);
 }
 
 void show_cases(Session& session)
