@@ -11,13 +11,18 @@ std::string display_name(const std::string& file, const ui::Catalogue& tr)
     return file == "-" ? tr("standard input") : file;
 }
 
+std::string standard_input(const ui::Catalogue& tr)
+{
+    std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+    if (std::ferror(stdin) != 0) throw UsageError(tr("standard input cannot be read: is it a folder?"));
+    return text;
+}
+
 femoop::ModelReading examine(const std::string& file, const ui::Catalogue& tr)
 {
     if (file.empty()) throw UsageError(tr("the name of the file is empty"));
     if (file != "-") return femoop::examine_model_file(file);
-    const std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
-    if (std::ferror(stdin) != 0) throw UsageError(tr("standard input cannot be read: is it a folder?"));
-    return femoop::examine_model(text);
+    return femoop::examine_model(standard_input(tr));
 }
 
 std::optional<femoop::Model> load_model(const std::string& file, const Console& console)

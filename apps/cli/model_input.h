@@ -15,6 +15,9 @@ femoop::ModelReading examine(const std::string& file, const ui::Catalogue& tr);
 /// A sound model; warnings and errors go to stderr. Nothing if there was an error.
 std::optional<femoop::Model> load_model(const std::string& file, const Console& console);
 
+/// All of standard input. \throws UsageError if it cannot be read
+std::string standard_input(const ui::Catalogue& tr);
+
 /// How messages call the file: its path, or "standard input".
 std::string display_name(const std::string& file, const ui::Catalogue& tr);
 

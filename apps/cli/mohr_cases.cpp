@@ -40,13 +40,18 @@ struct StateCheck {
     Verdict verdict = Verdict::Passed;
 };
 
+UsageError no_list(const std::string& file, const ui::Catalogue& tr)
+{
+    return UsageError(file + ": " + tr("wanted a list of cases: [{\"id\": ..., ...}]"));
+}
+
 class CaseFile {
 public:
     CaseFile(std::string name, const ui::Catalogue& tr) : name_(std::move(name)), tr_(tr) {}
 
     std::vector<StateCheck> run(JsonValue root) const
     {
-        if (!root.is(JsonKind::Array)) throw refused("", tr_("wanted a list of cases: [{\"id\": ..., ...}]"));
+        if (!root.is(JsonKind::Array)) throw no_list(name_, tr_);
         std::vector<StateCheck> checks;
         std::size_t i = 0;
         for (const JsonValue entry : root) {
@@ -60,7 +65,7 @@ public:
 private:
     UsageError refused(const std::string& place, const std::string& reason) const
     {
-        return UsageError(name_ + ": " + (place.empty() ? "" : place + ": ") + reason);
+        return UsageError(name_ + ": " + place + ": " + reason);
     }
 
     void run_entry(JsonValue entry, const std::string& id, std::vector<StateCheck>& checks) const
@@ -252,6 +257,7 @@ ExitStatus run_mohr_cases(const std::string& file, bool is_json, Console& consol
     const ui::Catalogue& tr = console.tr();
     const std::string name = display_name(file, tr);
     const std::string text = text_of(file, tr);
+    if (text.find_first_not_of(" \t\r\n") == std::string::npos) throw no_list(name, tr);
     const femoop::JsonReading reading = femoop::parse_json(text);
     if (!reading.document || !reading.faults.empty()) {
         console.report(name, reading.faults);

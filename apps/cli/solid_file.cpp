@@ -1,7 +1,5 @@
 #include "apps/cli/solid_file.h"
 
-#include <iostream>
-#include <iterator>
 #include <utility>
 
 #include "apps/cli/model_input.h"
@@ -76,7 +74,7 @@ bool is_solid_file(const std::filesystem::path& path)
 
 std::string text_of(const std::string& file, const ui::Catalogue& tr)
 {
-    if (file == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
+    if (file == "-") return standard_input(tr);
     femoop::FileText found = femoop::file_text(file);
     if (found.fault) throw UsageError(femoop::message(*found.fault, tr));
     return std::move(found.text);

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -49,6 +50,7 @@ public:
     ImGuiSession& gui() final { return gui_; }
 
     Workspace& workspace() { return workspace_; }
+    const Workspace& workspace() const { return workspace_; }
     const Session& session() const { return workspace_.session; }
     const CommandTable<Workspace>& commands() const { return commands_; }
     /// From now on the last files and drafts of unsaved work are kept there. Offers what was left behind.
@@ -95,10 +97,10 @@ private:
     void handle_common_request(Request request);
     void take(const ChosenFile& file);
     void show_menu_bar();
-    std::optional<FootMessage> notice() const;
+    std::optional<FootMessage> foot_message() const;
     void follow_link(double seconds);
-    void show_link();
-    void answer(OfferAnswer given);
+    void answer_offer(Request request);
+    void answer_button(std::size_t button);
     void show_dialogs();
     void ask_about_unsaved();
     void copy_picture();
@@ -153,12 +155,12 @@ template <class Workspace> void DocumentApp<Workspace>::frame(const Input& input
     workspace_.session.tick(input.seconds);
     follow_link(input.seconds);
     show_menu_bar();
-    const auto told = notice();
+    const auto told = foot_message();
     begin_body(told ? height(*told) : status_height());
     show_body();
     end_body();
     if (!told) status_bar(status());
-    else if (show(*told)) workspace_.session.notice.reset();
+    else if (const auto pressed = show(*told)) answer_button(*pressed);
     show_dialogs();
     handle_requests();
     session_store_.tick(workspace_, logical_size(context_), input.seconds);
@@ -194,8 +196,7 @@ template <class Workspace> void DocumentApp<Workspace>::handle_common_request(Re
 {
     if (dialogs_.take(request, session().path()) || session_store_.take(request)) return;
     if (request == Request::CopyPicture) copy_picture();
-    else if (request == Request::TakeOver) answer(OfferAnswer::TakeOver);
-    else if (request == Request::KeepAsItIs) answer(OfferAnswer::Keep);
+    else if (request == Request::TakeOver || request == Request::KeepAsItIs) answer_offer(request);
     else if (request == Request::Quit) quit();
     else take(request);
 }
@@ -224,7 +225,6 @@ template <class Workspace> void DocumentApp<Workspace>::show_menu_bar()
 {
     if (!ImGui::BeginMainMenuBar()) return;
     show_menus(commands_, workspace_, Catalogue(session().tr())); // a command may change the language
-    show_link();
     menu_bar_title((session().is_dirty() ? "* " : "") + session().file_name());
     ImGui::EndMainMenuBar();
 }
@@ -240,23 +240,14 @@ template <class Workspace> void DocumentApp<Workspace>::follow_link(double secon
         if (linked_)
             linked_->tick(seconds, {[this] { return session().linked_text(); },
                                     [this](const std::string& other) { return session().is_news(other); }});
-    workspace_.has_offer = linked_ && linked_->offered();
+    workspace_.offer = linked_ && linked_->offered() ? translatable("the frame has changed") : "";
 }
 
-template <class Workspace> void DocumentApp<Workspace>::show_link()
+template <class Workspace> void DocumentApp<Workspace>::answer_offer(Request request)
 {
     if constexpr (Linkable<Session>) {
         if (!linked_ || !linked_->offered()) return;
-        const auto given = show_offer({translatable("the frame has changed"), translatable("frame")}, session().tr());
-        if (given) answer(*given);
-    }
-}
-
-template <class Workspace> void DocumentApp<Workspace>::answer(OfferAnswer given)
-{
-    if constexpr (Linkable<Session>) {
-        if (!linked_ || !linked_->offered()) return;
-        if (given == OfferAnswer::TakeOver) workspace_.session.adopt(linked_->take());
+        if (request == Request::TakeOver) workspace_.session.adopt(linked_->take());
         else linked_->keep();
     }
 }
@@ -274,11 +265,18 @@ template <class Workspace> void DocumentApp<Workspace>::show_panels_and_canvas()
                      [this] { show_canvas(); });
 }
 
-template <class Workspace> std::optional<FootMessage> DocumentApp<Workspace>::notice() const
+template <class Workspace> std::optional<FootMessage> DocumentApp<Workspace>::foot_message() const
 {
-    if (!session().notice) return std::nullopt;
     const Catalogue& tr = session().tr();
-    return FootMessage{{tr(session().notice->sentence)}, {tr("Close") + "###close notice"}};
+    if (session().notice) return FootMessage{{tr(session().notice->sentence)}, {tr("Close") + "###close notice"}};
+    if (workspace_.offer.empty()) return std::nullopt;
+    return offer_message(workspace_.offer, tr);
+}
+
+template <class Workspace> void DocumentApp<Workspace>::answer_button(std::size_t button)
+{
+    if (session().notice) workspace_.session.notice.reset();
+    else workspace_.asked.push_back(answer_of_button(button));
 }
 
 template <class Workspace> void DocumentApp<Workspace>::show_dialogs()

@@ -3,17 +3,11 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "ui/files/link.h"
 
 namespace ui {
-
-/// What the other end's offer is called: "Mohr's circle has changed the section", and where there is less room "Mohr".
-struct OfferWords {
-    std::string_view sentence, brief;
-};
 
 /// A document that has a copy in another program: what changes in one is offered to the other, and nothing is copied
 /// until somebody takes it over.

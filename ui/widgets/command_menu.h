@@ -12,6 +12,7 @@
 #include "ui/command/command_table.h"
 #include "ui/text/catalogue.h"
 #include "ui/widgets/item_label.h"
+#include "ui/widgets/panel.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace ui {
@@ -50,8 +51,15 @@ template <class Session> void show_menus(const CommandTable<Session>& table, Ses
     for (const auto& command : table.all()) {
         if (!command.menu.empty() && std::ranges::count(menus, command.menu) == 0) menus.push_back(command.menu);
     }
-    for (const std::string_view menu : menus) {
-        if (!ImGui::BeginMenu((tr(menu) + "###" + std::string(menu)).c_str())) continue;
+    std::vector<std::string> names;
+    for (const std::string_view menu : menus) names.push_back(tr(menu));
+    const ImVec2 usual = ImGui::GetStyle().ItemSpacing;
+    for (std::size_t i = 0; i < menus.size(); ++i) {
+        const std::string_view menu = menus[i];
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {spacing_of_menus(names), usual.y});
+        const bool is_open = ImGui::BeginMenu((names[i] + "###" + std::string(menu)).c_str());
+        ImGui::PopStyleVar();
+        if (!is_open) continue;
         for (const auto& command : table.all()) {
             if (command.menu == menu) show_command(command, session, tr);
         }

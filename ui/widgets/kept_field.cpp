@@ -69,7 +69,9 @@ bool KeptField::show(const char* id, const std::string& hint)
     if (is_entered_early && ImGui::IsItemActive()) ImGui::ClearActiveID(); // else it would not see another text
     const bool was_active = std::exchange(is_active_, ImGui::IsItemActive());
     if (is_active_) n_waited_ = 0;
-    const bool is_left = (was_active && !is_active_ && !is_entered) || (waits && ImGui::IsMouseClicked(0));
+    const bool is_given_up = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+    const bool is_left = is_given_up || (text_.empty() && ((was_active && !is_active_ && !is_entered) ||
+                                                           (waits && ImGui::IsMouseClicked(0))));
     has_keyboard_ = is_active_ || hold_ == Hold::UntilDone || (has_keyboard_ && !is_left);
     return is_entered || is_entered_early;
 }

@@ -1,17 +1,18 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
+#include <cstddef>
+#include <string_view>
 
-#include "ui/files/linked_copy.h"
 #include "ui/text/catalogue.h"
+#include "ui/widgets/panel.h"
+#include "ui/workspace/workspace.h"
 
 namespace ui {
 
-enum class OfferAnswer : std::uint8_t { TakeOver, Keep };
-
-/// What a linked program offers, with both answers, in a line of the menu bar, where it covers nothing.
-/// \pre within a menu bar
-std::optional<OfferAnswer> show_offer(const OfferWords& words, const Catalogue& tr);
+/// What a linked program offers, with both answers, at the window's foot: there it covers nothing and has its room
+/// however long the menus are. \param sentence  key of the catalogue
+FootMessage offer_message(std::string_view sentence, const Catalogue& tr);
+/// What the window is asked for by a button of the message.
+Request answer_of_button(std::size_t button);
 
 } // namespace ui

@@ -94,6 +94,15 @@ void show_below(float height, const std::function<void()>& content)
     ImGui::SetCursorPos(corner);
 }
 
+float spacing_of_menus(const std::vector<std::string>& names)
+{
+    float words = 0.0F;
+    for (const std::string& name : names) words += ImGui::CalcTextSize(name.c_str()).x;
+    const float room = ImGui::GetMainViewport()->WorkSize.x - words;
+    const float share = room / (2.0F * static_cast<float>(names.size()) + 1.0F);
+    return std::clamp(std::floor(share), 1.0F, ImGui::GetStyle().ItemSpacing.x);
+}
+
 void menu_bar_title(const std::string& name)
 {
     const float at = ImGui::GetWindowWidth() - ImGui::CalcTextSize(name.c_str()).x - 2.0F * ImGui::GetFontSize();
@@ -161,9 +170,10 @@ float room_for_words(const FootMessage& message)
 bool show_link(const std::string& line, std::size_t number, float wrap_at)
 {
     const ImVec2 start = ImGui::GetCursorPos();
-    const float height = ImGui::CalcTextSize(line.c_str(), nullptr, false, wrap_at - start.x).y;
+    const float room = wrap_at - start.x;
+    const float height = ImGui::CalcTextSize(in_lines(line, room).c_str(), nullptr, false, room).y;
     const bool is_pressed = ImGui::Selectable(("###link " + std::to_string(number)).c_str(), false,
-                                              ImGuiSelectableFlags_None, {wrap_at - start.x, height});
+                                              ImGuiSelectableFlags_None, {room, height});
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     ImGui::SetCursorPos(start);
     wrapped_text(line, wrap_at);
@@ -199,7 +209,8 @@ float height(const FootMessage& message)
 {
     const float room = room_for_words(message);
     float words = 0.0F;
-    for (const std::string& line : message.lines) words += ImGui::CalcTextSize(line.c_str(), nullptr, false, room).y;
+    for (const std::string& line : message.lines)
+        words += ImGui::CalcTextSize(in_lines(line, room).c_str(), nullptr, false, room).y;
     const float gaps = std::max(status_height() - ImGui::GetTextLineHeight(), 2.0F * gap_above_foot());
     const float most = 0.4F * ImGui::GetMainViewport()->WorkSize.y; // what is longer is scrolled
     return std::ceil(std::clamp(words + gaps, status_height(), std::max(status_height(), most)));

@@ -61,6 +61,9 @@ private:
     bool is_first_ = true;
 };
 
+/// Half of what lies between two menus of the menu bar [px]: where they have no room otherwise they stand closer.
+float spacing_of_menus(const std::vector<std::string>& names);
+
 /// The document's name at the right of the menu bar, where the menus leave room for it.
 void menu_bar_title(const std::string& name);
 

@@ -1,6 +1,6 @@
 #include "ui/widgets/wrapped_text.h"
 
-#include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <string>
@@ -12,10 +12,16 @@ namespace ui {
 
 namespace {
 
-void show_line(std::string_view line)
+// Dear ImGui alone would also break a number after its decimal sign.
+void show_line(std::string_view line, float wrap_at)
 {
     constexpr std::size_t most_letters = 4000;
-    const std::string shown = shortened(line, most_letters);
+    const float room = ImGui::CalcWrapWidthForPos(ImGui::GetCursorScreenPos(), wrap_at);
+    std::string shown;
+    for (const char c : in_lines(shortened(line, most_letters), room)) {
+        if (c == '\n' && shown.ends_with(' ')) shown.pop_back(); // it would count as a part of the line's width
+        shown += c;
+    }
     ImGui::TextUnformatted(shown.data(), shown.data() + shown.size());
 }
 
@@ -28,11 +34,11 @@ void wrapped_text(std::string_view utf8, float wrap_at)
     if (utf8.ends_with('\n')) utf8.remove_suffix(1);
     std::size_t begin = 0;
     for (std::size_t end = utf8.find('\n'); end != std::string_view::npos; end = utf8.find('\n', begin)) {
-        show_line(utf8.substr(begin, end - begin));
+        show_line(utf8.substr(begin, end - begin), wrap_at);
         begin = end + 1;
     }
     ImGui::PopStyleVar(); // the distance to what follows is the usual one
-    show_line(utf8.substr(begin));
+    show_line(utf8.substr(begin), wrap_at);
     ImGui::PopTextWrapPos();
 }
 
@@ -69,6 +75,25 @@ bool wrapped_button(std::string_view name, std::string_view id)
 {
     const float room = ImGui::GetContentRegionAvail().x - 2.0F * ImGui::GetStyle().FramePadding.x;
     return ImGui::Button(item_label(in_lines(name, room), id).c_str());
+}
+
+bool begin_wrapped_combo(std::string_view name, const char* id)
+{
+    const float room = ImGui::GetContentRegionAvail().x;
+    const std::string shown = shown_whole(name);
+    const float padding = 2.0F * ImGui::GetStyle().FramePadding.x;
+    if (ImGui::CalcTextSize(shown.c_str()).x + padding + ImGui::GetFrameHeight() <= room) {
+        ImGui::SetNextItemWidth(-1.0F);
+        return ImGui::BeginCombo(id, shown.c_str());
+    }
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_FrameBg));
+    ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, {0.0F, 0.5F});
+    const std::string list = std::string(id) + " list";
+    if (ImGui::Button(item_label(in_lines(name, room - padding), id).c_str(), {-1.0F, 0.0F}))
+        ImGui::OpenPopup(list.c_str());
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+    return ImGui::BeginPopup(list.c_str());
 }
 
 void beside_if_room(float width, float gap)

@@ -19,6 +19,10 @@ std::string in_one_line(std::string_view lines);
 /// A button that shows the name in as many lines as it needs and is known by the id.
 bool wrapped_button(std::string_view name, std::string_view id);
 
+/// A list that is as wide as its panel and shows the chosen name whole: one that is too long stands in lines, on a
+/// button that opens the list. \returns whether the list is open; then `ImGui::EndCombo` ends it
+bool begin_wrapped_combo(std::string_view name, const char* id);
+
 /// What comes next stands beside what came last, in a new line where it has no room.
 void beside_if_room(float width, float gap);
 

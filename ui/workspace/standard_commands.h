@@ -143,7 +143,7 @@ template <class Workspace> void add_offer(CommandTable<Workspace>& table)
 {
     MenuBuilder<Workspace> menu(table, edit_menu);
     const auto why_not = [](const Workspace& workspace) -> Reason {
-        if (workspace.has_offer) return std::nullopt;
+        if (!workspace.offer.empty()) return std::nullopt;
         return translatable("no linked window offers a change");
     };
     menu.step({"edit.take_over", translatable("Take over what the linked window has changed")}, asks(Request::TakeOver),

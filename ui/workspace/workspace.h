@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "ui/text/display_units.h"
@@ -41,7 +42,7 @@ enum class Request : std::uint8_t {
 struct Workspace {
     std::vector<Request> asked{}; ///< the window takes them once a frame
     bool has_panels = true;
-    bool has_offer = false;    ///< a linked program has changed something (ui/files/linked_copy.h)
+    std::string_view offer{};  ///< says what a linked program has changed (ui/files/linked_copy.h); "" if nothing
     double export_scale = 2.0; ///< pixels of a PNG for a logical one
 
     /// What numbers are shown in, of an app that has a choice.

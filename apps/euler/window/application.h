@@ -24,7 +24,8 @@ public:
 private:
     ui::Picture picture() override { return canvas_.picture_of(session()); }
     /// An operator that asks has the keyboard until it is done or given up.
-    bool is_typing() const override { return session().draft() || script_.is_typing(); }
+    bool is_typing() const override { return session().draft() || (shows_script() && script_.is_typing()); }
+    bool shows_script() const { return workspace().has_panels && workspace().topic == Topic::Script; }
     void take(ui::Request request) override;
     void handle_own_requests() override;
     void show_body() override;

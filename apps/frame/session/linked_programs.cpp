@@ -142,6 +142,16 @@ bool LinkedPrograms::is_news(const Linked& linked, const Session& session, const
            femoop::write_model(femoop::structure_alone(*theirs)) != femoop::write_model(femoop::structure_alone(*ours));
 }
 
+// A section that was not taken over is not offered again because the circle has another force.
+bool LinkedPrograms::is_declined(Linked& linked, const std::string& other)
+{
+    if (!linked.declined || linked.handed.program != circle) return false;
+    const auto theirs = state_of(other), declined = state_of(*linked.declined);
+    if (theirs && declined && theirs->section == declined->section) return true;
+    linked.declined.reset();
+    return false;
+}
+
 void LinkedPrograms::tick(double seconds, const Workspace& workspace)
 {
     std::erase_if(all_, [](const Linked& linked) { return linked.copy.is_cut(); });
@@ -153,7 +163,9 @@ void LinkedPrograms::tick(double seconds, const Workspace& workspace)
             linked.generation = session.generation();
         }
         linked.copy.tick(seconds, {[&] { return linked.text; },
-                                   [&](const std::string& other) { return is_news(linked, session, other); }});
+                                   [&](const std::string& other) {
+                                       return !is_declined(linked, other) && is_news(linked, session, other);
+                                   }});
     }
 }
 
@@ -165,20 +177,22 @@ const LinkedPrograms::Linked* LinkedPrograms::offering_one(const Workspace& work
     return found == all_.end() ? nullptr : &*found;
 }
 
-std::optional<ui::OfferWords> LinkedPrograms::offering(const Workspace& workspace) const
+std::string_view LinkedPrograms::offering(const Workspace& workspace) const
 {
     const Linked* const linked = offering_one(workspace);
-    if (linked == nullptr) return std::nullopt;
-    if (linked->handed.program == circle)
-        return ui::OfferWords{translatable("Mohr's circle has changed the section"), "Mohr"};
-    return ui::OfferWords{translatable("moment distribution has changed the structure"), "Cross"};
+    if (linked == nullptr) return {};
+    if (linked->handed.program == circle) return translatable("Mohr's circle has changed the section");
+    return translatable("moment distribution has changed the structure");
 }
 
 void LinkedPrograms::keep(const Workspace& workspace)
 {
     const Linked* const from = offering_one(workspace);
-    for (Linked& linked : all_)
-        if (&linked == from) linked.copy.keep();
+    for (Linked& linked : all_) {
+        if (&linked != from) continue;
+        linked.declined = linked.copy.offered();
+        linked.copy.keep();
+    }
 }
 
 void LinkedPrograms::adopt(Workspace& workspace)

@@ -18,8 +18,8 @@ public:
     /// \param handed  to a program of the present session, by the selection, the pin and the pointer that it has now
     void add(ui::Link link, const Session& session, const ui::ExportToApp& handed);
     void tick(double seconds, const Workspace& workspace); ///< time goes by
-    /// What the first program offers that offers something; nothing where none does.
-    std::optional<ui::OfferWords> offering(const Workspace& workspace) const;
+    /// Says what the first program offers that offers something; "" where none does.
+    std::string_view offering(const Workspace& workspace) const;
     void adopt(Workspace& workspace); ///< as a step, or a notice says why not. \pre something is offered
     void keep(const Workspace& workspace);
 
@@ -37,6 +37,7 @@ private:
         ui::LinkedCopy copy;
         std::uint64_t generation = 0; ///< of the solution that `text` is of
         std::string text;
+        std::optional<std::string> declined{}; ///< what was offered last and not taken over
     };
     struct NewSection {
         femoop::SectionId id;
@@ -46,6 +47,7 @@ private:
                                                   const std::string& text);
     static std::string text_now(const Linked& linked, const Session& session);
     static bool is_news(const Linked& linked, const Session& session, const std::string& other);
+    static bool is_declined(Linked& linked, const std::string& other);
     static void adopt_section(Session& session, const Handed& handed, const std::string& text);
     static void adopt_structure(Session& session, const Handed& handed, const std::string& text);
     const Linked* offering_one(const Workspace& workspace) const;

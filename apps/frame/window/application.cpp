@@ -87,7 +87,7 @@ void Application::frame(const ui::Input& input)
     gui_.begin_frame(input);
     handle_keys(input);
     linked_.tick(input.seconds, workspace_);
-    workspace_.has_offer = linked_.offering(workspace_).has_value();
+    workspace_.offer = linked_.offering(workspace_);
     animate(input.seconds);
     if (workspace_.bottom.shows(BottomContent::Solver)) workspace_.solver.advance(input.seconds);
     ui::tick(workspace_.session.notice, input.seconds);
@@ -185,8 +185,9 @@ void Application::take(ui::Request request)
     if (request == ZoomIn) canvas_.zoom(session, 1.25);
     if (request == ZoomOut) canvas_.zoom(session, 0.8);
     if (request == Quit) ask_to_quit();
-    if (request == TakeOver) answer(ui::OfferAnswer::TakeOver);
-    if (request == KeepAsItIs) answer(ui::OfferAnswer::Keep);
+    const bool has_offer = !linked_.offering(workspace_).empty();
+    if (request == TakeOver && has_offer) linked_.adopt(workspace_);
+    if (request == KeepAsItIs && has_offer) linked_.keep(workspace_);
 }
 
 void Application::take(Request request)
@@ -246,24 +247,9 @@ void Application::show_menu_bar()
 {
     if (!ImGui::BeginMainMenuBar()) return;
     ui::show_menus(commands_, workspace_, workspace_.session.view.tr);
-    show_offer_of_program();
     const std::string name = (workspace_.session.is_dirty() ? "* " : "") + workspace_.session.file_name();
     ui::menu_bar_title(name);
     ImGui::EndMainMenuBar();
-}
-
-void Application::show_offer_of_program()
-{
-    const auto words = linked_.offering(workspace_);
-    if (!words) return;
-    if (const auto given = ui::show_offer(*words, workspace_.session.view.tr)) answer(*given);
-}
-
-void Application::answer(ui::OfferAnswer given)
-{
-    if (!linked_.offering(workspace_)) return;
-    if (given == ui::OfferAnswer::TakeOver) linked_.adopt(workspace_);
-    else linked_.keep(workspace_);
 }
 
 void Application::show_body()

@@ -28,7 +28,6 @@
 #include "ui/context/input.h"
 #include "ui/paint/text_measure.h"
 #include "ui/widgets/number_field.h"
-#include "ui/widgets/offer.h"
 #include "ui/widgets/panel.h"
 #include "ui/widgets/path_dialog.h"
 
@@ -79,8 +78,6 @@ private:
     void take(const ui::ChosenFile& file);
     void hand_over(ui::ExportToApp exported);
     void show_menu_bar();
-    void show_offer_of_program();
-    void answer(ui::OfferAnswer given);
     void show_body();
     void show_left(float width);
     void show_right(float width);

@@ -8,6 +8,7 @@
 #include "apps/frame/document/fault/sentence.h"
 #include "apps/frame/session/fault_target.h"
 #include "apps/frame/session/tabs.h"
+#include "ui/widgets/offer.h"
 
 namespace frame {
 
@@ -69,6 +70,7 @@ std::optional<ui::FootMessage> banner(const Workspace& workspace)
 {
     const ui::Catalogue& tr = workspace.session.view.tr;
     if (workspace.session.notice) return message_of(*workspace.session.notice, tr);
+    if (!workspace.offer.empty()) return ui::offer_message(workspace.offer, tr);
     const Hindrance found = hindrance(workspace.session);
     return found.faults.empty() ? std::nullopt : std::optional(message_of(found, tr));
 }
@@ -78,6 +80,7 @@ void show_banner(Workspace& workspace, const ui::FootMessage& message)
     const auto pressed = ui::show(message);
     if (!pressed) return;
     if (!workspace.session.notice) {
+        if (!workspace.offer.empty()) return workspace.asked.push_back(ui::answer_of_button(*pressed));
         const Hindrance found = hindrance(workspace.session);
         if (*pressed == 1 || found.faults.empty()) show_problems(workspace);
         else go_to(workspace, found.faults.front()); // by its button or its sentence

@@ -1,6 +1,7 @@
 #include "apps/mohr/view/section_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "apps/mohr/view/circle_picture.h"
@@ -18,6 +19,7 @@ struct Depth {
     const Scene& scene;
     ui::Theme theme;
     SectionMap map;
+    bool has_broken_captions; ///< a name and its value have no room beside one another
 
     const SectionState& section() const { return *scene.solution.section; }
     double height(double y) const { return map.middle - map.scale * y; }
@@ -40,20 +42,33 @@ void draw_outline(const Depth& d, double middle)
     for (const auto& loop : loops) d.painter.polyline(loop, d.theme.stroke(Role::Edge), ui::PathEnds::Closed);
 }
 
+struct Caption {
+    std::string name, value;
+    Role role;
+};
+std::string in_one_line(const Caption& caption) { return caption.name + " = " + caption.value; }
+
+constexpr double line_height = 1.3; ///< of its size
+
 /// Below the picture that it belongs to: a text on the picture would cover what lies behind.
-void draw_caption(const Depth& d, const ui::Box& column, const std::string& words, Role role)
+void draw_caption(const Depth& d, const ui::Box& column, const Caption& caption)
 {
-    const ui::TextStyle style = d.theme.text(role, ui::Anchor::BottomLeft);
+    const ui::TextStyle style = d.theme.text(caption.role, ui::Anchor::BottomLeft);
     const ui::LayerScope layer(d.painter, ui::Layer::Labels);
-    const double room = column.width() - d.painter.measure(words, style).width;
-    d.painter.text({column.min.x + std::max(0.5 * room, 0.0), column.max.y}, words, style);
+    const auto line = [&](const std::string& words, double up) {
+        const double room = column.width() - d.painter.measure(words, style).width;
+        d.painter.text({column.min.x + std::max(0.5 * room, 0.0), column.max.y - up}, words, style);
+    };
+    if (d.has_broken_captions) {
+        line(caption.name + " =", line_height * style.size);
+        line(caption.value, 0.0);
+    } else line(in_one_line(caption), 0.0);
 }
 
 /// One component over the depth, its value at the fibre written below.
 struct ForceDiagram {
     double fm::FibreStress::*component;
-    Role role;
-    std::string name;
+    Caption caption;
 };
 
 void draw_diagram(const Depth& d, const ui::Box& column, const ForceDiagram& diagram)
@@ -69,13 +84,13 @@ void draw_diagram(const Depth& d, const ui::Box& column, const ForceDiagram& dia
     std::vector<ui::Point> area = line;
     area.push_back({zero, line.back().y});
     area.insert(area.begin(), {zero, line.front().y});
-    d.painter.polygon(area, d.theme.fill(diagram.role));
-    d.painter.polyline(line, d.theme.stroke(diagram.role));
+    d.painter.polygon(area, d.theme.fill(diagram.caption.role));
+    d.painter.polyline(line, d.theme.stroke(diagram.caption.role));
     d.painter.line({zero, line.front().y}, {zero, line.back().y}, d.theme.stroke(Role::Label));
     const double value = d.section().fibre.*diagram.component;
     draw_mark(d.painter, d.scene, {zero + scale * value, d.height(d.section().fibre.cut.y)}, std::nullopt,
-              diagram.role);
-    draw_caption(d, column, diagram.name + " = " + d.scene.look.number(value) + " MPa", diagram.role);
+              diagram.caption.role);
+    draw_caption(d, column, diagram.caption);
 }
 
 /// Across everything, at its height.
@@ -93,22 +108,30 @@ void draw_fibre(const Depth& d, const ui::Box& box, Drawn& drawn)
 void draw_section(ui::Painter& painter, const Scene& scene, const ui::Box& box, Drawn& drawn)
 {
     const fm::SectionFigure& figure = scene.solution.section->figure;
+    const fm::FibreStress& fibre = scene.solution.section->fibre;
     const ui::Theme theme = scene.look.full_theme();
-    const double caption = 1.5 * theme.text(Role::Label, ui::Anchor::BottomLeft).size;
-    const double depth = figure.top() - figure.bottom(), third = box.width() / 3.0;
+    const ui::TextStyle style = theme.text(Role::Label, ui::Anchor::BottomLeft);
+    const double third = box.width() / 3.0;
+    const std::array captions{Caption{"y′", scene.look.number(fibre.cut.y) + " mm", Role::LocalAxes},
+                              Caption{"σ", scene.look.number(fibre.sigma) + " MPa", Role::BendingMoment},
+                              Caption{"τ", scene.look.number(fibre.tau) + " MPa", Role::ShearForce}};
+    const bool is_broken = std::ranges::any_of(captions, [&](const Caption& c) {
+        return painter.measure(in_one_line(c), style).width + 0.3 * style.size > third;
+    });
+    const double caption = (1.5 + (is_broken ? line_height : 0.0)) * style.size;
+    const double depth = figure.top() - figure.bottom();
     const double height = 0.95 * (box.height() - caption);
     const double scale = std::min(height / depth, 0.5 * third / std::max(figure.outline().width(), 1e-9));
     const double middle = box.center().y - 0.5 * caption;
     drawn.section = {middle + 0.5 * scale * (figure.top() + figure.bottom()), scale};
-    const Depth d{painter, scene, theme, drawn.section};
+    const Depth d{painter, scene, theme, drawn.section, is_broken};
     const auto column = [&](double i) {
         return ui::Box{{box.min.x + i * third, box.min.y}, {box.min.x + (i + 1.0) * third, box.max.y}};
     };
     draw_outline(d, column(0.0).center().x);
-    draw_caption(d, column(0.0), "y′ = " + scene.look.number(scene.solution.section->fibre.cut.y) + " mm",
-                 Role::LocalAxes);
-    draw_diagram(d, column(1.0), {&fm::FibreStress::sigma, Role::BendingMoment, "σ"});
-    draw_diagram(d, column(2.0), {&fm::FibreStress::tau, Role::ShearForce, "τ"});
+    draw_caption(d, column(0.0), captions[0]);
+    draw_diagram(d, column(1.0), {&fm::FibreStress::sigma, captions[1]});
+    draw_diagram(d, column(2.0), {&fm::FibreStress::tau, captions[2]});
     draw_fibre(d, box, drawn);
 }
 

@@ -42,9 +42,9 @@ void Application::show_right()
     else results_panel(session(), gui());
 }
 
-void Application::show_body()
+// Over everything: within the body the question would have the body's narrow spacing.
+void Application::handle_own_requests()
 {
-    show_panels_and_canvas();
     if (workspace().after_exercise) ask_about_exercise();
 }
 

@@ -30,7 +30,7 @@ private:
     void show_left() override;
     void show_right() override;
     void show_canvas() override;
-    void show_body() override;
+    void handle_own_requests() override;
     void ask_about_exercise();
     std::string status() const override;
     std::string words() const override;

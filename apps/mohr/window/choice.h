@@ -5,6 +5,7 @@
 #include <string>
 
 #include "apps/mohr/session/commands.h"
+#include "ui/widgets/wrapped_text.h"
 
 namespace mohr {
 
@@ -17,8 +18,7 @@ void choice(Workspace& workspace, const CommandTable& commands, const char* id, 
     std::string chosen;
     for (const auto& entry : entries)
         if (is_chosen(entry)) chosen = tr(entry.label);
-    ImGui::SetNextItemWidth(-1.0F);
-    if (!ImGui::BeginCombo(id, chosen.c_str())) return;
+    if (!ui::begin_wrapped_combo(chosen, id)) return;
     for (const auto& entry : entries)
         if (ImGui::Selectable((tr(entry.label) + "###" + std::string(entry.id)).c_str(), is_chosen(entry)))
             run(*commands.find(entry.id), workspace);

@@ -89,6 +89,14 @@ TEST_CASE("A line that cannot be run is told with its number, nothing is printed
     CHECK(has(cremona({"euler", "-", "--obj", "x.off"}, lamina).err, "--obj: x.off is no file of solids"));
 }
 
+TEST_CASE("A standard input that is closed is no empty script")
+{
+    const Run run = cli_test::shell("cremona euler - <&-");
+    CHECK(run.status == 2);
+    CHECK(run.out.empty());
+    CHECK(has(run.err, "standard input cannot be read"));
+}
+
 TEST_CASE("A solid goes out as a script and as a mesh, and comes back the same from either")
 {
     const Folder folder;

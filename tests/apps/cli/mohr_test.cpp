@@ -136,6 +136,7 @@ TEST_CASE("A file of cases that cannot be read is refused with the place")
     };
     CHECK(has(message("[{"), "standard input: error: "));
     CHECK(has(message("{}"), "standard input: wanted a list of cases"));
+    CHECK(has(message("\n"), "standard input: wanted a list of cases"));
     CHECK(has(message(R"([{"id": "A"}])"), R"(A: wanted an object with "input" and "expected")"));
     CHECK(has(message(R"([{"id": "A", "input": {"stress": [1, "x", 2]}, "expected": {}}])"), "A: --stress SY: \"x\""));
     CHECK(has(message(R"([{"input": {"stress": "1"}, "expected": {}}])"), "[0].stress: found \"1\"; wanted a list"));

@@ -483,7 +483,7 @@ TEST_CASE("Nothing can be taken over where no linked window offers a change")
         CAPTURE(id);
         CHECK(ui::why_not(*command_table().find(id), workspace));
     }
-    workspace.has_offer = true;
+    workspace.offer = "moment distribution has changed the structure";
     run(workspace, "edit.take_over");
     CHECK(workspace.asked == std::vector{ui::Request::TakeOver});
 }

@@ -19,5 +19,7 @@ TEST_SUITE("ui text")
         CHECK(ui::printable("A\u202e\u2066B\u2069") == "A\\u202e\\u2066B\\u2069");
         CHECK(ui::printable("A\u200bB\u00ad\ufeff") == "A\\u200bB\\u00ad\\ufeff");
         CHECK(ui::printable("cut \xE2\x80") == "cut \xE2\x80");
+        CHECK(ui::printable("A\U000E0001B\U000E007F") == "A\\udb40\\udc01B\\udb40\\udc7f");
+        CHECK(ui::printable("cut \xF3\xA0\x81") == "cut \xF3\xA0\x81");
     }
 }

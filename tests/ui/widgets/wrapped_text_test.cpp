@@ -47,6 +47,55 @@ TEST_CASE("Lines lie one under the other as in one piece, and what follows at th
     CHECK(in_pieces == in_one);
 }
 
+TEST_CASE("A number is not broken at its decimal sign: the whole of it goes to the next line")
+{
+    if (!ui_test::has_renderer()) return;
+    ui_test::WidgetStage stage{1.0};
+    float in_blanks = 0.0F, in_numbers = 0.0F;
+    stage.frame({}, [&] {
+        const float room = ImGui::GetCursorPosX() + ImGui::CalcTextSize("1234567; 1,2").x;
+        float top = ImGui::GetCursorPosY();
+        ui::wrapped_text("1234567; 1,2345 6,7890", room);
+        in_numbers = ImGui::GetCursorPosY() - top;
+        top = ImGui::GetCursorPosY();
+        ui::wrapped_text("1234567;\n1,2345\n6,7890", room);
+        in_blanks = ImGui::GetCursorPosY() - top;
+    });
+    CHECK(in_numbers == in_blanks);
+}
+
+TEST_CASE("A choice that is too long for its list is shown in lines, and a click opens the list all the same")
+{
+    if (!ui_test::has_renderer()) return;
+    for (const char* const name : {"short", "a choice that is much too long for a panel of this width"}) {
+        CAPTURE(name);
+        ui_test::WidgetStage stage{1.0};
+        ImVec2 middle{};
+        float height = 0.0F, row = 0.0F;
+        bool is_open = false;
+        const auto frame = [&](const ui::Input& input) {
+            stage.frame(input, [&] {
+                const ImVec2 corner = ImGui::GetCursorScreenPos();
+                is_open = ui::begin_wrapped_combo(name, "###choice");
+                if (is_open) {
+                    ImGui::Selectable("another");
+                    ImGui::EndCombo();
+                }
+                height = ImGui::GetItemRectSize().y;
+                row = ImGui::GetFrameHeight();
+                middle = {corner.x + 20.0F, corner.y + 0.5F * row};
+            });
+        };
+        frame({});
+        CHECK((height > row) == (std::string(name) != "short"));
+        const ui::Point at{middle.x, middle.y};
+        frame({.pointer = at});
+        frame({.pointer = at, .is_button_down = {true}});
+        frame({.pointer = at});
+        CHECK(is_open);
+    }
+}
+
 TEST_CASE("A label is broken after blanks where it is full, and is one line again when that is undone")
 {
     if (!ui_test::has_renderer()) return;
