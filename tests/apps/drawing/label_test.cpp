@@ -246,4 +246,22 @@ TEST_CASE("On the projector no name of the portal is smaller than its values or 
     }
 }
 
+TEST_CASE("A load in line with its support's reaction stands on the other side of the node")
+{
+    const ui::Fonts fonts;
+    const ui::Theme theme(ui::ThemeName::Light);
+    femoop::Model model = view_test::example("portal"); // A is the foot of a column
+    model.load_cases.front().nodes = {{femoop::NodeId(0), {{femoop::Dof::uy, femoop::Quantity(-37.5)}}}};
+    const femoop::Results results = femoop::analyse(model);
+    ui::Painter painter({900.0, 700.0}, fonts);
+    draw(painter, {model, &results}, {.show = {Show::Loads, Show::Reactions, Show::Values}, .layout = Layout::Overlay});
+    view_test::Marks marks(fonts);
+    painter.picture().draw_on(marks);
+    const auto found = std::ranges::find(marks.texts, "37.5 kN", &view_test::Marks::Text::words);
+    REQUIRE(found != marks.texts.end());
+    const ui::Color reaction = theme.stroke(ui::Role::Reaction).color;
+    for (const auto& line : marks.lines)
+        if (line.stroke.color == reaction) CHECK(line.points.front().y > found->box.max.y);
+}
+
 TEST_SUITE_END();
