@@ -8,6 +8,8 @@
 #include "ui/paint/painter.h"
 #include "ui/paint/theme.h"
 
+#include <compare>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -34,6 +36,7 @@ struct Caption {
     double reach = 90.0;             ///< how far off it may stand, with a leader
     std::optional<ui::Point> of{};   ///< the place that decides whether it is in sight, where that is not the target
     ui::Point along{}; ///< of a member: where there is no room beside it it is written along this; zero: never
+    bool is_repeat = false; ///< the same is said nearby: written where there is room, and missed by nobody else
 };
 
 /// A plus or a minus in a small disc, which says the sign of an area.
@@ -147,6 +150,16 @@ private:
 
     std::vector<PlacedSign> placed_signs();
     void draw(const PlacedSign& sign);
+    /// Captions without room: a value's counts for more than any number of names.
+    struct Loss {
+        std::size_t n_values = 0, n_captions = 0;
+        auto operator<=>(const Loss&) const = default;
+    };
+
+    Loss loss(const ui::LabelPlacement& placed) const;
+    ui::LabelPlacement placed_captions() const;
+    ui::LabelPlacement placed_at_best();
+    void write_names_small();
     void write(const Request& request, const ui::PlacedLabel& place);
     bool is_in_sight(const Caption& caption) const;
     static void unite(std::optional<ui::Box>& bounds, const ui::Box& box);
