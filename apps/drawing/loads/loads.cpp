@@ -57,6 +57,12 @@ public:
     }
 
 private:
+    bool is_seen(femoop::MemberId member) const
+    {
+        const MemberShape& shape = scene_.shape[member];
+        return scene_.sketch.is_in_sight(scene_.projection(shape.at(0.5 * shape.length)));
+    }
+
     double length(const ShownLoad& load) const { return scene_.shape[load.member].length; }
 
     bool is_even(const ShownLoad& load) const
@@ -78,7 +84,7 @@ private:
     bool is_written_at(femoop::MemberId other, std::size_t index) const
     {
         const auto found = at_.find(other);
-        return found != at_.end() && std::ranges::any_of(found->second, [&](std::size_t at) {
+        return found != at_.end() && is_seen(other) && std::ranges::any_of(found->second, [&](std::size_t at) {
                    return is_same(shown_[at], shown_[index]) && is_before(at, index);
                });
     }

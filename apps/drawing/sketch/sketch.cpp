@@ -241,7 +241,7 @@ void Sketch::add_turned(ui::Label& label, const Caption& caption)
 
 bool Sketch::is_in_sight(const Caption& caption) const
 {
-    const auto is_seen = [&](ui::Point target) { return room_.contains(target); };
+    const auto is_seen = [&](ui::Point target) { return is_in_sight(target); };
     return is_seen(caption.of.value_or(caption.target)) ||
            std::any_of(caption.others.begin(), caption.others.end(), is_seen);
 }

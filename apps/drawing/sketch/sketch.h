@@ -114,8 +114,9 @@ public:
     void caption(Caption caption);
     /// Whether a caption would be left out without a look: see Setup::is_crowded.
     bool is_full_at(ui::Point target, Rank rank) const { return crowd_ && crowd_->is_full(target, rank); }
+    bool is_in_sight(ui::Point target) const { return room_.contains(target); }
     /// Counts one that is not even made.
-    void leave_out(ui::Point target) { n_left_out_ += room_.contains(target) ? 1 : 0; }
+    void leave_out(ui::Point target) { n_left_out_ += is_in_sight(target) ? 1 : 0; }
 
     /// Put where no line runs, on a disc that hides what lies below it; labels keep clear of it.
     void sign(SignMark mark);
