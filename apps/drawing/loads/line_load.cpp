@@ -252,8 +252,8 @@ void draw_line_load(const Scene& scene, const ShownLoad& shown, const LargestLoa
     const Vector3d direction = femoop::direction_of(load, member);
     for (const Stretch& part : of_one_sign(whole)) {
         if (!(part.largest() > 0.0)) continue;
-        const StretchLoad stretch{member, part, direction, load.is_projected, largest.per_length, shown.part, load.dof,
-                                  shown.is_repeat};
+        const StretchLoad stretch{member,     part,     direction,      load.is_projected, largest.per_length,
+                                  shown.part, load.dof, shown.is_repeat};
         if (femoop::is_rotation(load.dof)) draw_moments(scene, stretch, stack);
         else if (std::abs(stretch.along()) > 0.95) draw_along(scene, stretch, stack);
         else draw_across(scene, stretch, stack);
