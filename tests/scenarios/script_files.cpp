@@ -30,7 +30,8 @@ std::string scenario_on(const std::string& page)
 
 Workplace::Workplace()
 {
-    for (const char* name : {"examples", "tests"})
-        fs::create_directory_symlink(repository() / name, folder_.path() / name);
-    fs::current_path(folder_.path());
+    const fs::path desk = folder_.path() / "desk"; // what is written beside it is gone too
+    fs::create_directory(desk);
+    for (const char* name : {"examples", "tests"}) fs::create_directory_symlink(repository() / name, desk / name);
+    fs::current_path(desk);
 }

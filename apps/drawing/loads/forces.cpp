@@ -105,6 +105,31 @@ ArrowAt free_end(const Scene& scene, femoop::NodeId node, const Vector3d& direct
     return behind && !ahead ? ArrowAt::Tail : ArrowAt::Head;
 }
 
+namespace {
+
+/// Where a load's arrow stands at its node: never over the support's symbol, below which its reaction stands; beside a
+/// member that leaves no other side.
+struct Stand {
+    Vector3d at;
+    ArrowAt touches;
+};
+
+Stand stand_of(const Scene& scene, femoop::NodeId node, const Vector3d& direction)
+{
+    constexpr double in_line = 0.7, beside_a_member = 9.0; // [px]
+    const Vector3d at = scene.shape[node];
+    const ArrowAt free = free_end(scene, node, direction);
+    const auto side = support_side_in_model(scene, node);
+    const double along = side ? side->dot(direction) : 0.0;
+    const ArrowAt clear = along > 0.0 ? ArrowAt::Head : ArrowAt::Tail;
+    if (std::abs(along) < in_line || clear == free) return {at, free};
+    if (!is_occupied(scene, node, clear == ArrowAt::Head ? Vector3d(-direction) : direction)) return {at, clear};
+    const double apart = scene.sketch.px(beside_a_member) / scene.projection.scale();
+    return {at + apart * scene.projection.toward_eye().cross(direction).normalized(), clear};
+}
+
+} // namespace
+
 void draw_node_load(const Scene& scene, const femoop::NodeLoad& load, const LoadScale& scale)
 {
     for (const femoop::Component& component : load.components) {
@@ -121,10 +146,11 @@ void draw_node_load(const Scene& scene, const femoop::NodeLoad& load, const Load
                                 .grip = GripOf{scale.load, component.dof}});
             continue;
         }
-        draw_force(scene, {.at = scene.shape[load.node],
+        const Stand stand = stand_of(scene, load.node, direction);
+        draw_force(scene, {.at = stand.at,
                            .direction = direction,
                            .length = force_length(scene, value, scale.largest.force),
-                           .touches = free_end(scene, load.node, direction),
+                           .touches = stand.touches,
                            .text = scene.text(std::abs(value), ui::Measure::Force),
                            .grip = GripOf{scale.load, component.dof}});
     }

@@ -116,7 +116,8 @@ private:
     Placing placing_;
 };
 
-void write_values(const Scene& scene, const Stretch& load, const LineLoadPicture& picture, ui::Point away)
+void write_values(const Scene& scene, const Stretch& load, const LineLoadPicture& picture, ui::Point away,
+                  bool is_repeat)
 {
     if (!scene.shows(Show::Values)) return;
     const auto write = [&](double value, std::initializer_list<double> places) {
@@ -125,7 +126,8 @@ void write_values(const Scene& scene, const Stretch& load, const LineLoadPicture
                         .role = ui::Role::Load,
                         .target = picture.tail(*places.begin()),
                         .toward = away,
-                        .rank = Rank::Load};
+                        .rank = is_repeat ? Rank::Minor : Rank::Load,
+                        .is_repeat = is_repeat};
         for (const double t : places) caption.others.push_back(picture.tail(t));
         scene.sketch.caption(std::move(caption));
     };
@@ -149,13 +151,14 @@ struct StretchLoad {
     double largest = 0.0;      ///< value per length in the whole case
     Part part;                 ///< the load
     femoop::Dof dof;
+    bool is_repeat = false; ///< its value is written beside it
 
     double along() const { return direction.dot(member.x()); }
 };
 
 void draw_across(const Scene& scene, const StretchLoad& stretch, LoadStack& stack)
 {
-    const auto& [member, load, direction, is_projected, largest, part, dof] = stretch;
+    const auto& [member, load, direction, is_projected, largest, part, dof, is_repeat] = stretch;
     Placing placing{.away = -load.sign() * direction, .height = arrow_height(scene, load.largest(), largest)};
     const double taken = stack.height(placing.away, load.reach());
     placing.base = taken > 0.0 ? taken + scene.sketch.px(5.0) : scene.sketch.px(3.0);
@@ -172,7 +175,7 @@ void draw_across(const Scene& scene, const StretchLoad& stretch, LoadStack& stac
                        .area = {picture.head(0.0), picture.tail(0.0), picture.tail(1.0), picture.head(1.0)},
                        .root = picture.head(at),
                        .tip = picture.tail(at)});
-    write_values(scene, load, picture, scene.projection.direction(placing.away));
+    write_values(scene, load, picture, scene.projection.direction(placing.away), is_repeat);
     // The value stands between this load and the one on top of it.
     const double text = scene.shows(Show::Values) ? 1.3 * scene.sketch.theme().type().normal : 0.0;
     stack.raise(placing.away, load.reach(), placing.base + placing.height + text);
@@ -249,7 +252,8 @@ void draw_line_load(const Scene& scene, const ShownLoad& shown, const LargestLoa
     const Vector3d direction = femoop::direction_of(load, member);
     for (const Stretch& part : of_one_sign(whole)) {
         if (!(part.largest() > 0.0)) continue;
-        const StretchLoad stretch{member, part, direction, load.is_projected, largest.per_length, shown.part, load.dof};
+        const StretchLoad stretch{member,     part,     direction,      load.is_projected, largest.per_length,
+                                  shown.part, load.dof, shown.is_repeat};
         if (femoop::is_rotation(load.dof)) draw_moments(scene, stretch, stack);
         else if (std::abs(stretch.along()) > 0.95) draw_along(scene, stretch, stack);
         else draw_across(scene, stretch, stack);

@@ -37,6 +37,85 @@ std::vector<ShownLoad> shown_loads(const Scene& scene, const std::vector<Term>& 
     return shown;
 }
 
+/// A line load of one value over all of a straight line of members needs to be written at the longest of them alone.
+class Repeats {
+public:
+    Repeats(const Scene& scene, const std::vector<ShownLoad>& shown) : scene_(scene), shown_(shown)
+    {
+        for (std::size_t i = 0; i < shown.size(); ++i)
+            if (is_even(shown[i])) at_[shown[i].member].push_back(i);
+    }
+
+    bool contains(std::size_t index) const
+    {
+        const ShownLoad& load = shown_[index];
+        if (!is_even(load)) return false;
+        for (const femoop::NodeId node : scene_.model[load.member].nodes)
+            for (const femoop::MemberId other : scene_.shape.members_at[node.index])
+                if (goes_straight_on(node, load.member, other) && is_written_at(other, index)) return true;
+        return false;
+    }
+
+private:
+    bool is_seen(femoop::MemberId member) const
+    {
+        const MemberShape& shape = scene_.shape[member];
+        return scene_.sketch.is_in_sight(scene_.projection(shape.at(0.5 * shape.length)));
+    }
+
+    double length(const ShownLoad& load) const { return scene_.shape[load.member].length; }
+
+    bool is_even(const ShownLoad& load) const
+    {
+        const LoadComponent& component = load.component;
+        constexpr double nearly = 1e-9;
+        return component.kind == LoadComponent::Kind::Line && component.start == component.end &&
+               component.to - component.from > (1.0 - nearly) * length(load);
+    }
+
+    bool goes_straight_on(femoop::NodeId node, femoop::MemberId member, femoop::MemberId other) const
+    {
+        constexpr double straight = -0.9999;
+        if (member == other) return false;
+        const auto away = [&](femoop::MemberId id) { return direction_from(scene_.shape, scene_.model, node, id); };
+        return away(member).dot(away(other)) < straight;
+    }
+
+    bool is_written_at(femoop::MemberId other, std::size_t index) const
+    {
+        const auto found = at_.find(other);
+        return found != at_.end() && is_seen(other) && std::ranges::any_of(found->second, [&](std::size_t at) {
+                   return is_same(shown_[at], shown_[index]) && is_before(at, index);
+               });
+    }
+
+    bool is_same(const ShownLoad& a, const ShownLoad& b) const
+    {
+        const auto force = [&](const ShownLoad& load) {
+            return load.component.start * femoop::direction_of(load.component, scene_.shape[load.member]);
+        };
+        return a.component.dof == b.component.dof && a.component.is_projected == b.component.is_projected &&
+               force(a).isApprox(force(b));
+    }
+
+    bool is_before(std::size_t a, std::size_t b) const
+    {
+        const double longer = length(shown_[a]) - length(shown_[b]);
+        constexpr double alike = 1e-6;
+        return std::abs(longer) > alike * length(shown_[b]) ? longer > 0.0 : a < b;
+    }
+
+    const Scene& scene_;
+    const std::vector<ShownLoad>& shown_;
+    std::map<femoop::MemberId, std::vector<std::size_t>> at_;
+};
+
+void mark_repeats(const Scene& scene, std::vector<ShownLoad>& shown)
+{
+    const Repeats repeats(scene, shown);
+    for (std::size_t i = 0; i < shown.size(); ++i) shown[i].is_repeat = repeats.contains(i);
+}
+
 void raise(double& largest, double value)
 {
     if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
@@ -91,6 +170,7 @@ void draw_loads(const Scene& scene)
     const ui::LayerScope layer(scene.sketch.painter(), ui::Layer::Symbols);
     const std::vector<Term> terms = femoop::terms_of(scene.model, scene.options.load_case).terms;
     std::vector<ShownLoad> shown = shown_loads(scene, terms);
+    mark_repeats(scene, shown);
     const LargestLoads largest = largest_of(scene.model, terms, shown);
     draw_member_loads(scene, terms, std::move(shown), largest);
     for (const Term& term : terms) {

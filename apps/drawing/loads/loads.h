@@ -22,7 +22,8 @@ struct LargestLoads {
 struct ShownLoad {
     femoop::MemberId member;
     femoop::LoadComponent component;
-    Part part; ///< whose arrows are drawn, for the hand that pulls them
+    Part part;              ///< whose arrows are drawn, for the hand that pulls them
+    bool is_repeat = false; ///< it goes on with the same value from a member whose value is written
 };
 void draw_line_load(const Scene& scene, const ShownLoad& load, const LargestLoads& largest, LoadStack& stack);
 /// Of a point or an end of the member.

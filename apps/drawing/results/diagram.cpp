@@ -96,8 +96,8 @@ void draw_band(const Scene& scene, femoop::MemberId id, const Curve& curve, cons
         const std::vector<ui::Point> band{corner(end, half), corner(length - end, half), corner(length - end, -half),
                                           corner(end, -half)};
         const double opacity = N > 0.0 ? 0.55 : 0.12;
-        sketch.polygon(band, ui::with_opacity(stroke.color, opacity));
-        sketch.polyline(band, stroke, Clearance::Hard, ui::PathEnds::Closed);
+        sketch.polygon(band, ui::with_opacity(stroke.color, opacity), Clearance::Soft);
+        sketch.polyline(band, stroke, Clearance::Soft, ui::PathEnds::Closed);
         const double step = sketch.px(6.0);
         if (N < 0.0)
             for (double x = end + step; x < length - end; x += step)

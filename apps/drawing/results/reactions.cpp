@@ -2,7 +2,7 @@
 
 #include "apps/drawing/loads/forces.h"
 #include "apps/drawing/structure/plane_supports.h"
-#include "apps/drawing/structure/space_supports.h"
+#include "apps/drawing/structure/supports.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,12 +38,6 @@ Largest largest_reactions(const Scene& scene, const SolvedCase& solved)
     return largest;
 }
 
-std::optional<Vector3d> side_of(const Scene& scene, femoop::NodeId node)
-{
-    if (!scene.is_flat()) return space_support_side(scene, node);
-    return plane_support_side(scene, node);
-}
-
 bool has_spring(const Scene& scene, femoop::NodeId node, Dof dof)
 {
     const auto& springs = scene.model[node].support->springs;
@@ -70,7 +64,7 @@ ForcePicture placed(const Scene& scene, const Reaction& reaction, const Vector3d
     ForcePicture force{.at = scene.shape[reaction.node], .direction = direction, .length = scene.sketch.px(36.0)};
     force.role = ui::Role::Reaction;
     force.touches = free_end(scene, reaction.node, direction);
-    const auto side = side_of(scene, reaction.node);
+    const auto side = support_side_in_model(scene, reaction.node);
     if (has_spring(scene, reaction.node, reaction.dof)) {
         force.gap = scene.sketch.px(46.0);
         return force;

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double same_place = 14.0;      // [px] within which one string stands for two
 constexpr double crowded_reach = 20.0;   // [px]: farther off nobody could tell which of many parts is meant
+constexpr double near_reach = 14.0;      // [px]: without a leader
 constexpr std::size_t most_letters = 60; // of a caption: longer names would push the structure off the sheet
 
 /// Middle of a box whose border lies `gap` from the target, seen along `toward`.
@@ -209,6 +210,7 @@ ui::Label Sketch::label_of(const Request& request) const
     ui::Label label{.target = caption.target, .size = request.size};
     label.priority = static_cast<double>(caption.rank);
     label.reach = is_crowded_ ? std::min(caption.reach, crowded_reach) : caption.reach;
+    if (caption.is_repeat) label.reach = std::min(label.reach, near_reach);
     label.clearance = caption.gap;
     const auto wish = [&](ui::Point target, double angle, double gap) {
         label.wishes.push_back(center_beside(target, turned(caption.toward, angle), gap, request.size));
@@ -239,7 +241,7 @@ void Sketch::add_turned(ui::Label& label, const Caption& caption)
 
 bool Sketch::is_in_sight(const Caption& caption) const
 {
-    const auto is_seen = [&](ui::Point target) { return room_.contains(target); };
+    const auto is_seen = [&](ui::Point target) { return is_in_sight(target); };
     return is_seen(caption.of.value_or(caption.target)) ||
            std::any_of(caption.others.begin(), caption.others.end(), is_seen);
 }
@@ -251,31 +253,62 @@ void Sketch::write(const Request& request, const ui::PlacedLabel& place)
     ui::draw_label(*painter_, place, request.caption.text, style);
 }
 
-namespace {
-
-/// Those that find no room look farther off.
-ui::LabelPlacement placed_far(const ui::LabelPlacer& placer, std::vector<ui::Label>& labels)
+// Those that find no room look farther off.
+ui::LabelPlacement Sketch::placed_captions() const
 {
     constexpr double farther = 1.5;
-    ui::LabelPlacement near = placer.place(labels);
-    if (near.n_left_out == 0) return near;
+    std::vector<ui::Label> labels;
+    labels.reserve(requests_.size());
+    for (const Request& request : requests_) labels.push_back(label_of(request));
+    ui::LabelPlacement near = placer_.place(labels);
+    if (is_crowded_ || near.n_left_out == 0) return near;
     for (std::size_t i = 0; i < labels.size(); ++i)
-        if (!near.labels[i]) labels[i].reach *= farther;
-    ui::LabelPlacement far = placer.place(labels);
-    return far.n_left_out < near.n_left_out ? far : near;
+        if (const Caption& caption = requests_[i].caption; !near.labels[i] && !caption.is_repeat)
+            labels[i].reach = farther * caption.reach;
+    ui::LabelPlacement far = placer_.place(labels);
+    return loss(far) < loss(near) ? far : near;
 }
 
-} // namespace
+void Sketch::write_names_small()
+{
+    for (Request& request : requests_) {
+        if (request.caption.rank != Rank::Name) continue;
+        request.style.size = theme_->type().small;
+        request.size = ui::label_size(painter_->fonts(), request.caption.text, request.style);
+    }
+}
+
+Sketch::Loss Sketch::loss(const ui::LabelPlacement& placed) const
+{
+    Loss loss;
+    for (std::size_t i = 0; i < requests_.size(); ++i) {
+        const Caption& caption = requests_[i].caption;
+        if (placed.labels[i] || caption.is_repeat) continue;
+        ++loss.n_captions;
+        if (caption.rank != Rank::Name) ++loss.n_values;
+    }
+    return loss;
+}
+
+// Where there is no room for all, names are the first to be written smaller.
+ui::LabelPlacement Sketch::placed_at_best()
+{
+    ui::LabelPlacement placed = placed_captions();
+    if (loss(placed).n_captions == 0) return placed;
+    std::vector<Request> before = requests_;
+    write_names_small();
+    ui::LabelPlacement small = placed_captions();
+    if (loss(small) < loss(placed)) return small;
+    requests_ = std::move(before);
+    return placed;
+}
 
 void Sketch::write_captions()
 {
     const std::vector<PlacedSign> signs = placed_signs();
     std::erase_if(requests_, [&](const Request& request) { return !is_in_sight(request.caption); });
-    std::vector<ui::Label> labels;
-    labels.reserve(requests_.size());
-    for (const Request& request : requests_) labels.push_back(label_of(request));
-    const ui::LabelPlacement placed = is_crowded_ ? placer_.place(labels) : placed_far(placer_, labels);
-    n_left_out_ += placed.n_left_out;
+    const ui::LabelPlacement placed = placed_at_best();
+    n_left_out_ += loss(placed).n_captions;
     const ui::LayerScope layer(*painter_, ui::Layer::Labels);
     for (const auto& place : placed.labels)
         if (place && place->leader)

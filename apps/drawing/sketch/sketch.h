@@ -8,6 +8,8 @@
 #include "ui/paint/painter.h"
 #include "ui/paint/theme.h"
 
+#include <compare>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -33,7 +35,8 @@ struct Caption {
     std::vector<ui::Point> others{}; ///< targets that serve as well, such as places along a member
     double reach = 90.0;             ///< how far off it may stand, with a leader
     std::optional<ui::Point> of{};   ///< the place that decides whether it is in sight, where that is not the target
-    ui::Point along{}; ///< of a member: where there is no room beside it it is written along this; zero: never
+    ui::Point along{};      ///< of a member: where there is no room beside it it is written along this; zero: never
+    bool is_repeat = false; ///< the same is said nearby: written where there is room, and missed by nobody else
 };
 
 /// A plus or a minus in a small disc, which says the sign of an area.
@@ -111,8 +114,9 @@ public:
     void caption(Caption caption);
     /// Whether a caption would be left out without a look: see Setup::is_crowded.
     bool is_full_at(ui::Point target, Rank rank) const { return crowd_ && crowd_->is_full(target, rank); }
+    bool is_in_sight(ui::Point target) const { return room_.contains(target); }
     /// Counts one that is not even made.
-    void leave_out(ui::Point target) { n_left_out_ += room_.contains(target) ? 1 : 0; }
+    void leave_out(ui::Point target) { n_left_out_ += is_in_sight(target) ? 1 : 0; }
 
     /// Put where no line runs, on a disc that hides what lies below it; labels keep clear of it.
     void sign(SignMark mark);
@@ -147,6 +151,16 @@ private:
 
     std::vector<PlacedSign> placed_signs();
     void draw(const PlacedSign& sign);
+    /// Captions without room: a value's counts for more than any number of names.
+    struct Loss {
+        std::size_t n_values = 0, n_captions = 0;
+        auto operator<=>(const Loss&) const = default;
+    };
+
+    Loss loss(const ui::LabelPlacement& placed) const;
+    ui::LabelPlacement placed_captions() const;
+    ui::LabelPlacement placed_at_best();
+    void write_names_small();
     void write(const Request& request, const ui::PlacedLabel& place);
     bool is_in_sight(const Caption& caption) const;
     static void unite(std::optional<ui::Box>& bounds, const ui::Box& box);

@@ -15,11 +15,16 @@ void draw_supports(const Scene& scene)
     }
 }
 
-std::optional<ui::Point> support_side(const Scene& scene, femoop::NodeId node)
+std::optional<Eigen::Vector3d> support_side_in_model(const Scene& scene, femoop::NodeId node)
 {
     if (!scene.model[node].support) return std::nullopt;
-    if (!scene.is_flat()) return scene.projection.direction(space_support_side(scene, node));
-    const auto side = plane_support_side(scene, node);
+    if (!scene.is_flat()) return space_support_side(scene, node);
+    return plane_support_side(scene, node);
+}
+
+std::optional<ui::Point> support_side(const Scene& scene, femoop::NodeId node)
+{
+    const auto side = support_side_in_model(scene, node);
     if (!side) return std::nullopt;
     return scene.projection.direction(*side);
 }

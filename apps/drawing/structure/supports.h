@@ -18,6 +18,9 @@ void draw_supports(const Scene& scene);
 /// Direction on the sheet in which a support's symbol lies, if the node has one that is drawn on one side.
 std::optional<ui::Point> support_side(const Scene& scene, femoop::NodeId node);
 
+/// The same in the model's axes.
+std::optional<Eigen::Vector3d> support_side_in_model(const Scene& scene, femoop::NodeId node);
+
 /// How far a support's symbol reaches from its node, in logical pixels.
 double support_reach(const Sketch& sketch);
 

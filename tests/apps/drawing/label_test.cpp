@@ -246,4 +246,38 @@ TEST_CASE("On the projector no name of the portal is smaller than its values or 
     }
 }
 
+TEST_CASE("A line load that goes straight on with one value is written where there is room, and missed nowhere else")
+{
+    const ui::Fonts fonts;
+    const femoop::Model model = view_test::example("gerber_beam");
+    const femoop::Results results = femoop::analyse(model);
+    ui::Painter painter({576.0, 742.0}, fonts); // of a window of 1280 x 800 between both its panels
+    draw(
+        painter, {model, &results},
+        {.show = parse_show("loads,reactions,M,labels"), .theme = ui::ThemeName::Projector, .layout = Layout::Overlay});
+    view_test::Marks marks(fonts);
+    painter.picture().draw_on(marks);
+    CHECK(marks.has_text("10 kN/m"));
+    for (const char* const name : {"A", "B", "C", "D", "E", "F"}) CHECK(marks.has_text(name));
+    for (const auto& text : marks.texts) CHECK(text.words.find("without room") == std::string::npos);
+}
+
+TEST_CASE("A load in line with its support's reaction stands on the other side of the node")
+{
+    const ui::Fonts fonts;
+    const ui::Theme theme(ui::ThemeName::Light);
+    femoop::Model model = view_test::example("portal"); // A is the foot of a column
+    model.load_cases.front().nodes = {{femoop::NodeId(0), {{femoop::Dof::uy, femoop::Quantity(-37.5)}}}};
+    const femoop::Results results = femoop::analyse(model);
+    ui::Painter painter({900.0, 700.0}, fonts);
+    draw(painter, {model, &results}, {.show = {Show::Loads, Show::Reactions, Show::Values}, .layout = Layout::Overlay});
+    view_test::Marks marks(fonts);
+    painter.picture().draw_on(marks);
+    const auto found = std::ranges::find(marks.texts, "37.5 kN", &view_test::Marks::Text::words);
+    REQUIRE(found != marks.texts.end());
+    const ui::Color reaction = theme.stroke(ui::Role::Reaction).color;
+    for (const auto& line : marks.lines)
+        if (line.stroke.color == reaction) CHECK(line.points.front().y > found->box.max.y);
+}
+
 TEST_SUITE_END();
