@@ -1,4 +1,4 @@
-# What `cmake --install` puts in place: the libraries for find_package(cremona), the programs and what a desktop needs.
+# What `cmake --install` puts in place: the libraries for find_package(cremona); the programs are installed by apps/CMakeLists.txt.
 include(CMakePackageConfigHelpers)
 set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/cremona")
 
@@ -23,11 +23,3 @@ install(FILES "${PROJECT_BINARY_DIR}/cremonaConfig.cmake" "${PROJECT_BINARY_DIR}
 install(FILES LICENSE courseware/conventions.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(DIRECTORY courseware/reference DESTINATION "${CMAKE_INSTALL_DOCDIR}" FILES_MATCHING PATTERN "*.md" PATTERN "*.json"
   PATTERN "*.svg")
-
-if(CREMONA_APPS)
-  install(TARGETS cremona cross euler frame mohr RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
-  foreach(app cross euler frame mohr)
-    install(FILES apps/${app}/cremona-${app}.desktop DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
-    install(FILES apps/${app}/cremona-${app}.svg DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps")
-  endforeach()
-endif()

@@ -4,6 +4,7 @@
 
 Run by CTest without an argument, it fails where the picture is not that of the link lines.
 """
+import collections
 import math
 import pathlib
 import re
@@ -84,7 +85,12 @@ def levels(folders, pairs):
     return result
 
 
-WIDTH, BOX, HIGH, STEP = 960, (250, 74), 40, 134
+WIDTH, BOX, HIGH, STEP, LANE = 960, (250, 74), 40, 134, 40
+
+
+def width(rows):
+    """Room for the boxes of the longest row and a lane beside each. `rows`: in which one each box stands."""
+    return max(WIDTH, LANE + max(collections.Counter(rows).values()) * (BOX[0] + LANE))
 
 
 def places(folders, pairs):
@@ -97,7 +103,7 @@ def places(folders, pairs):
         row = sorted((f for f in folders if level[f] == n), key=lambda f: (order.get(f, 99), f))
         if n == 0:
             row = [f for f in LIBRARIES if f in row]
-        gap = (WIDTH - len(row) * BOX[0]) / (len(row) + 1)
+        gap = (width(level.values()) - len(row) * BOX[0]) / (len(row) + 1)
         for i, folder in enumerate(row):
             result[folder] = (gap + i * (BOX[0] + gap), HIGH + (top - n) * STEP)
     return result
@@ -123,7 +129,8 @@ def line(pair, at, shares):
     if not any(crosses(start, end, box) for folder, box in at.items() if folder not in pair):
         return [start, end]
     lane = 10 + 12 * shares[pair, 0]  # so that two arrows along one margin are told apart
-    margin, edge = (lane, 0) if bx + BOX[0] / 2 < WIDTH / 2 else (WIDTH - lane, BOX[0])
+    right = width(y for _, y in at.values())
+    margin, edge = (lane, 0) if bx + BOX[0] / 2 < right / 2 else (right - lane, BOX[0])
     above = by - 16 - 6 * shares[pair, 1]
     return [(ax + edge, middle_a), (margin, middle_a), (margin, above), (end[0], above), end]
 
@@ -159,9 +166,10 @@ def drawn(pairs):
     kept = reduced(pairs)
     share = shares(kept, at)
     height = max(y for _, y in at.values()) + BOX[1] + 24
-    lines = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height:.0f}" font-family="sans-serif">',
+    breadth = width(y for _, y in at.values())
+    lines = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {breadth} {height:.0f}" font-family="sans-serif">',
              "<title>The folders of the sources: an arrow points from a folder to what it links</title>",
-             f'<rect width="{WIDTH}" height="{height:.0f}" fill="#fff"/>']
+             f'<rect width="{breadth}" height="{height:.0f}" fill="#fff"/>']
     for pair in sorted(kept):
         way = line(pair, at, share)
         lines.append(f'<polyline points="{points(way)}" fill="none" stroke="#444" stroke-width="1.6">'
@@ -200,6 +208,14 @@ class Arrows(unittest.TestCase):
     def test_a_folder_stands_above_all_that_it_links(self):
         self.assertEqual(levels(["femoop", "apps/a", "apps/b"], arrows(self.CMAKE)),
                          {"femoop": 0, "apps/a": 1, "apps/b": 2})
+
+    def test_every_app_of_a_long_row_has_a_place_of_its_own_on_the_picture(self):
+        apps = [f"apps/{name}" for name in "abcde"]
+        at = places([*apps, "femoop"], {(app, "femoop") for app in apps})
+        lefts = sorted(at[app][0] for app in apps)
+        self.assertGreater(lefts[0], 0)
+        self.assertLess(lefts[-1] + BOX[0], width(y for _, y in at.values()))
+        self.assertTrue(all(b - a > BOX[0] for a, b in zip(lefts, lefts[1:])))
 
     def test_no_library_links_an_app_or_another_library(self):
         self.assertEqual([pair for pair in arrows(lists(ROOT)) if pair[0] in LIBRARIES], [])

@@ -162,6 +162,17 @@ def broken_lists(tree):
                 yield f"{path}: a public header includes {header}, which is not installed"
 
 
+def forgotten_folders(tree):
+    """A folder with a list of its own is added by the list of a folder above."""
+    for path in tree:
+        folders = path.split("/")[:-1]
+        above = [(tree.get("/".join([*folders[:i], "CMakeLists.txt"])), "/".join(folders[i:])) for i in range(len(folders))]
+        lists = [(text, name) for text, name in above if text is not None]
+        if path.endswith("/CMakeLists.txt") and lists and not any(
+                re.search(rf"add_subdirectory\({re.escape(name)}[\s)]", text) for text, name in lists):
+            yield f"{path}: no CMakeLists.txt above adds its folder"
+
+
 def broken_references(path, text):
     """The repository stands alone."""
     outside = "../" + "shared"
@@ -171,7 +182,7 @@ def broken_references(path, text):
 
 def check(tree):
     """Every broken rule of `tree`, a dict from path to text."""
-    faults = list(broken_lists(tree))
+    faults = [*broken_lists(tree), *forgotten_folders(tree)]
     for path, text in tree.items():
         faults += broken_references(path, text)
         if path.endswith((".cpp", ".h")) and path.split("/")[0] in CODE:
@@ -291,6 +302,13 @@ class Rules(unittest.TestCase):
         self.assert_refused("femoop/model/model.cpp", '#include "model.h"')
         self.assertEqual(check({"femoop/a.cpp": "", "femoop/CMakeLists.txt": "target_sources(femoop PRIVATE b.cpp)"}),
                          ["femoop/a.cpp: no CMakeLists.txt lists it"])
+
+    def test_every_folder_with_a_list_is_added_by_one_above(self):
+        tree = {"tests/CMakeLists.txt": "add_subdirectory(apps)", "tests/apps/CMakeLists.txt": "",
+                "tests/apps/mohr/CMakeLists.txt": ""}
+        self.assertEqual(check(tree), ["tests/apps/mohr/CMakeLists.txt: no CMakeLists.txt above adds its folder"])
+        tree["tests/apps/CMakeLists.txt"] = "add_subdirectory(mohr)"
+        self.assertEqual(check(tree), [])
 
     def test_every_model_file_of_the_examples_is_tested(self):
         self.assertEqual(check({"examples/arch.json": "{}", "examples/CMakeLists.txt": "foreach(model IN ITEMS beam)"}),

@@ -34,7 +34,7 @@ struct AppFace {
 
 /// An app of one document at a time on a context, on the screen or off it: menus, keys, dialogs, drafts, export, and
 /// panels on either side of the picture. An app adds its panels and its picture. Each frame goes one way: input, edits,
-/// solution, picture. `Workspace` is the app's own (ui/workspace/document_desk.h).
+/// solution, picture. `Workspace` is the app's own (ui/workspace/document_workspace.h).
 template <class Workspace> class DocumentApp : public App {
 public:
     using Session = decltype(Workspace::session);

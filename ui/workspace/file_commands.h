@@ -13,7 +13,7 @@ struct FileWords {
     std::string_view described; ///< "Sheet in words"
 };
 
-/// The menu of files of an app of one document (document_desk.h), whose session knows `new_document()`.
+/// The menu of files of an app of one document (document_workspace.h), whose session knows `new_document()`.
 template <class Workspace> void add_file_commands(CommandTable<Workspace>& table, const FileWords& words)
 {
     add_new<Workspace>(table, [](Workspace& workspace) {

@@ -33,7 +33,6 @@ enum class Request : std::uint8_t {
 ///
 ///     ui::ThemeName& theme();                   const ui::Catalogue& tr() const;
 ///     ui::ThemeName theme() const;              void set_language(ui::Language);
-///     void set_panels_visible(bool);            all of them; without them the picture has the whole window
 ///     void open(path);                          a file, once nothing is lost by it
 ///     void notify(const ui::Message&);          shows a sentence
 ///     std::vector<ui::UnsavedDocument> unsaved() const;                    what a crash would cost
@@ -44,6 +43,9 @@ struct Workspace {
     bool has_panels = true;
     std::string_view offer{};  ///< says what a linked program has changed (ui/files/linked_copy.h); "" if nothing
     double export_scale = 2.0; ///< pixels of a PNG for a logical one
+
+    /// All of them; without them the picture has the whole window. An app that has more hides them too.
+    void set_panels_visible(bool are_visible) { has_panels = are_visible; }
 
     /// What numbers are shown in, of an app that has a choice.
     static std::optional<UnitSystem> units() { return std::nullopt; }

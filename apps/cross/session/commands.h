@@ -19,7 +19,6 @@ enum class Topic : std::uint8_t { Sheet, Comparison, Sways, Convergence, Kani, E
 /// A session and the panels around its picture.
 struct Workspace : ui::DocumentWorkspace<Workspace, Session> {
     using DocumentWorkspace::DocumentWorkspace;
-    void set_panels_visible(bool are_visible) { has_panels = are_visible; }
 
     Topic topic = Topic::Sheet;
     std::size_t first_column = 1;          ///< beside the names, of a table that is too broad to be shown whole

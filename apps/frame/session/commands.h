@@ -50,7 +50,6 @@ struct Workspace : ui::Workspace {
     void set_language(ui::Language language) { session.set_language(language); }
     std::string kept_tools() const { return kept_words(tool_controller.settings()); }
     void take_up_tools(std::string_view words) { take_up(tool_controller.settings(), words); }
-    void set_panels_visible(bool are_visible) { has_panels = are_visible; }
     void open(const std::filesystem::path& path);
     void notify(const ui::Message& sentence) { session.notify(sentence); }
     std::vector<ui::UnsavedDocument> unsaved() const;

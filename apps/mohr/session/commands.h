@@ -20,7 +20,6 @@ enum class Topic : std::uint8_t { State, Construction, Exercises };
 /// A session and the panels around its picture.
 struct Workspace : ui::DocumentWorkspace<Workspace, Session> {
     using DocumentWorkspace::DocumentWorkspace;
-    void set_panels_visible(bool are_visible) { has_panels = are_visible; }
 
     /// Goes on with what would lose an exercise: at once where none is being done, else the window asks first.
     void leave_exercise(std::function<void(Workspace&)> then);
