@@ -88,7 +88,7 @@ TEST_CASE("A choice that is too long for its list is shown in lines, and a click
         };
         frame({});
         CHECK((height > row) == (std::string(name) != "short"));
-        const ui::Point at{middle.x, middle.y};
+        const ui::Point at{static_cast<double>(middle.x), static_cast<double>(middle.y)};
         frame({.pointer = at});
         frame({.pointer = at, .is_button_down = {true}});
         frame({.pointer = at});
