@@ -60,7 +60,7 @@ struct SnapInSpaceOptions {
 };
 
 /// The place on a member that is meant by the one at which the pointer is seen on it.
-SnapInSpace snap_on_member(const femoop::Model& model, const Cut& pointed, const SnapInSpaceOptions& options);
+SnapInSpace snap_on_member(const femoop::Model& model, const drawing::Cut& pointed, const SnapInSpaceOptions& options);
 
 /// Where a node of a plane model is.
 Eigen::Vector2d place_of(const femoop::Model& model, femoop::NodeId node);
