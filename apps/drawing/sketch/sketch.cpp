@@ -290,11 +290,11 @@ Sketch::Loss Sketch::loss(const ui::LabelPlacement& placed) const
     return loss;
 }
 
-// Where there is no room for all, names are the first to be written smaller.
+// Where there is no room for all, names are the first to be written smaller; in a crowd that helps nobody.
 ui::LabelPlacement Sketch::placed_at_best()
 {
     ui::LabelPlacement placed = placed_captions();
-    if (loss(placed).n_captions == 0) return placed;
+    if (is_crowded_ || loss(placed).n_captions == 0) return placed;
     std::vector<Request> before = requests_;
     write_names_small();
     ui::LabelPlacement small = placed_captions();
