@@ -91,7 +91,7 @@ private:
 
     bool is_same(const ShownLoad& a, const ShownLoad& b) const
     {
-        const auto force = [&](const ShownLoad& load) {
+        const auto force = [&](const ShownLoad& load) -> Eigen::Vector3d {
             return load.component.start * femoop::direction_of(load.component, scene_.shape[load.member]);
         };
         return a.component.dof == b.component.dof && a.component.is_projected == b.component.is_projected &&
