@@ -53,10 +53,10 @@ template <class Session> void show_menus(const CommandTable<Session>& table, Ses
     }
     std::vector<std::string> names;
     for (const std::string_view menu : menus) names.push_back(tr(menu));
-    const ImVec2 usual = ImGui::GetStyle().ItemSpacing;
+    const ImVec2 spacing{spacing_of_menus(names), ImGui::GetStyle().ItemSpacing.y};
     for (std::size_t i = 0; i < menus.size(); ++i) {
         const std::string_view menu = menus[i];
-        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {spacing_of_menus(names), usual.y});
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, spacing);
         const bool is_open = ImGui::BeginMenu((names[i] + "###" + std::string(menu)).c_str());
         ImGui::PopStyleVar();
         if (!is_open) continue;

@@ -71,6 +71,12 @@ std::string in_one_line(std::string_view lines)
     return text;
 }
 
+std::string label_beside_box(std::string_view name, std::string_view id)
+{
+    const float box = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+    return item_label(in_lines(name, ImGui::GetContentRegionAvail().x - box), id);
+}
+
 bool wrapped_button(std::string_view name, std::string_view id)
 {
     const float room = ImGui::GetContentRegionAvail().x - 2.0F * ImGui::GetStyle().FramePadding.x;

@@ -16,6 +16,9 @@ std::string in_lines(std::string_view utf8, float width);
 /// Undone: what was broken after a blank is one line again.
 std::string in_one_line(std::string_view lines);
 
+/// The label of a tick box or a round button, known by the id, in as many lines as it needs beside it.
+std::string label_beside_box(std::string_view name, std::string_view id);
+
 /// A button that shows the name in as many lines as it needs and is known by the id.
 bool wrapped_button(std::string_view name, std::string_view id);
 

@@ -9,7 +9,6 @@
 #include "apps/cross/session/exercise_report.h"
 #include "apps/cross/view/pupil_words.h"
 #include "apps/cross/view/verdict_mark.h"
-#include "apps/cross/window/beside_box.h"
 #include "ui/text/number_format.h"
 #include "ui/widgets/command_menu.h"
 #include "ui/widgets/item_label.h"
@@ -107,8 +106,8 @@ void show_worksheet_stages(Session& session)
     if (session.worksheet()->n_stages() < 2) return;
     separate();
     for (std::size_t stage = 0; stage < session.worksheet()->n_stages(); ++stage) {
-        const std::string name = beside_box(worksheet_stage_name(session, stage),
-                                            "paper stage" + std::to_string(stage));
+        const std::string name = ui::label_beside_box(worksheet_stage_name(session, stage),
+                                                      "paper stage" + std::to_string(stage));
         if (ImGui::RadioButton(name.c_str(), session.worksheet_stage() == stage)) session.show_worksheet_stage(stage);
     }
 }
@@ -121,7 +120,8 @@ void ExercisePanel::show_beginning(Workspace& workspace, const CommandTable& com
     ui::wrapped_text(tr("Difficulty"));
     for (int i = 1; i <= n_difficulties; ++i) {
         const auto difficulty = static_cast<fc::Difficulty>(i);
-        const std::string name = beside_box(std::to_string(i) + "  " + tr(words_of(difficulty)), "difficulty");
+        const std::string name = ui::label_beside_box(std::to_string(i) + "  " + tr(words_of(difficulty)),
+                                                      "difficulty");
         ImGui::PushID(i);
         if (ImGui::RadioButton(name.c_str(), workspace.next_exercise.difficulty == difficulty))
             workspace.next_exercise = {difficulty, 1};
@@ -135,7 +135,7 @@ void ExercisePanel::show_beginning(Workspace& workspace, const CommandTable& com
     separate();
     const auto& command = *commands.find("exercise.judge_at_once");
     bool is_on = command.is_on(workspace);
-    if (ImGui::Checkbox(beside_box(label(command, workspace, tr), "judge at once").c_str(), &is_on))
+    if (ImGui::Checkbox(ui::label_beside_box(label(command, workspace, tr), "judge at once").c_str(), &is_on))
         run(command, workspace);
     for (const char* const id : {"exercise.judge", "exercise.start_over", "exercise.end"})
         ui::command_button(workspace, commands, id);

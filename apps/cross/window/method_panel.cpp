@@ -6,7 +6,6 @@
 
 #include "apps/cross/session/own_order.h"
 #include "apps/cross/view/numbers.h"
-#include "apps/cross/window/beside_box.h"
 #include "ui/text/number_format.h"
 #include "ui/widgets/item_label.h"
 #include "ui/widgets/wrapped_text.h"
@@ -33,7 +32,8 @@ void tick(Workspace& workspace, const CommandTable& commands, std::string_view i
     const auto reason = why_not(command, workspace);
     bool is_on = command.is_on(workspace);
     ImGui::BeginDisabled(reason.has_value());
-    if (ImGui::Checkbox(beside_box(label(command, workspace, tr), id).c_str(), &is_on)) run(command, workspace);
+    if (ImGui::Checkbox(ui::label_beside_box(label(command, workspace, tr), id).c_str(), &is_on))
+        run(command, workspace);
     ImGui::EndDisabled();
     if (!reason || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::BeginTooltip();
@@ -47,7 +47,7 @@ void tick(Workspace& workspace, const CommandTable& commands, std::string_view i
 void choice(Workspace& workspace, const CommandTable& commands, std::string_view id)
 {
     const auto& command = *commands.find(id);
-    const std::string name = beside_box(label(command, workspace, ui::Catalogue(workspace.tr())), id);
+    const std::string name = ui::label_beside_box(label(command, workspace, ui::Catalogue(workspace.tr())), id);
     if (ImGui::RadioButton(name.c_str(), command.is_on(workspace))) run(command, workspace);
 }
 
@@ -95,7 +95,7 @@ void show_stages(Session& session)
     heading(session.tr()("Sheet"));
     const std::size_t n = session.n_stages();
     for (std::size_t stage = 0; stage < n; ++stage) {
-        const std::string name = beside_box(stage_name(session, stage), "stage" + std::to_string(stage));
+        const std::string name = ui::label_beside_box(stage_name(session, stage), "stage" + std::to_string(stage));
         if (ImGui::RadioButton(name.c_str(), session.document().stage == stage)) session.set_stage(stage);
     }
 }

@@ -78,9 +78,7 @@ std::optional<Switch> tick(const std::string& label, std::string_view id, std::o
 {
     bool state = is_on.value_or(false);
     ImGui::PushItemFlag(ImGuiItemFlags_MixedValue, !is_on);
-    const float box = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
-    const std::string lines = ui::in_lines(label, ImGui::GetContentRegionAvail().x - box);
-    const bool is_clicked = ImGui::Checkbox(ui::item_label(lines, id).c_str(), &state);
+    const bool is_clicked = ImGui::Checkbox(ui::label_beside_box(label, id).c_str(), &state);
     ImGui::PopItemFlag();
     if (!is_clicked) return std::nullopt;
     return state ? Switch::On : Switch::Off;

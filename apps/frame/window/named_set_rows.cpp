@@ -8,6 +8,7 @@
 
 #include "apps/frame/window/number_row.h"
 #include "ui/widgets/item_label.h"
+#include "ui/widgets/panel.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace frame {
@@ -172,8 +173,7 @@ void NamedSetLists::show_chosen(Workspace& workspace)
     if (reason_) ui::wrapped_text(tr(*reason_));
     const bool selects = ui::wrapped_button(tr("Select who has it"), "select users");
     const std::string words = tr("Delete the name");
-    ui::beside_if_room(ImGui::CalcTextSize(words.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x,
-                       ImGui::GetStyle().ItemSpacing.x);
+    ui::beside_if_room(ui::width_of_button(words), ImGui::GetStyle().ItemSpacing.x);
     const bool deletes = ui::wrapped_button(words, "delete name");
     ImGui::Unindent();
     if (selects) select_users(session, set);

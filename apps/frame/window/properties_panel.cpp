@@ -16,6 +16,7 @@
 #include "apps/frame/window/parts_list.h"
 #include "ui/widgets/command_menu.h"
 #include "ui/widgets/item_label.h"
+#include "ui/widgets/panel.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace frame {
@@ -83,8 +84,7 @@ void show_ways_on(Session& session, const Part& part)
     if (member.section && ui::wrapped_button(tr("Edit the section"), "edit section"))
         session.selection = Part(*member.section);
     const std::string material = tr("Edit the material");
-    ui::beside_if_room(ImGui::CalcTextSize(material.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x,
-                       ImGui::GetStyle().ItemSpacing.x);
+    ui::beside_if_room(ui::width_of_button(material), ImGui::GetStyle().ItemSpacing.x);
     if (member.material && ui::wrapped_button(material, "edit material")) session.selection = Part(*member.material);
 }
 

@@ -8,6 +8,7 @@
 #include "apps/frame/document/drawing.h"
 #include "apps/frame/document/section_command.h"
 #include "apps/frame/session/property_commands.h"
+#include "ui/widgets/panel.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace frame {
@@ -37,8 +38,7 @@ std::size_t n_users(const femoop::Model& model, const Part& part)
 bool button(const Workspace& workspace, std::string_view words, bool is_first = false)
 {
     const std::string label = workspace.session.view.tr(words);
-    const float width = ImGui::CalcTextSize(label.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
-    if (!is_first) ui::beside_if_room(width, 0.4F * ImGui::GetFontSize());
+    if (!is_first) ui::beside_if_room(ui::width_of_button(label), 0.4F * ImGui::GetFontSize());
     return ImGui::Button((label + "###" + std::string(words)).c_str());
 }
 
