@@ -19,7 +19,7 @@ public:
     virtual ~OpenDocument() = default;
 
     /// False, with a notice, where it cannot be read; then nothing changes.
-    bool open(const std::filesystem::path& path) { return is_opened(path, read(path)); }
+    bool open(const std::filesystem::path& path) { return note_opened(path, read(path)); }
     bool open_copy(const std::filesystem::path& path) ///< the same as a document without a file
     {
         if (!open(path)) return false;
@@ -41,7 +41,7 @@ public:
     /// Opens a draft of a file's document, or of one that has no file yet, as one that is not saved.
     bool recover(const std::filesystem::path& draft, const std::optional<std::filesystem::path>& original)
     {
-        if (!is_opened(draft, read_draft(draft))) return false;
+        if (!note_opened(draft, read_draft(draft))) return false;
         path_ = original;
         forget_saved();
         return true;
@@ -72,8 +72,8 @@ protected:
     virtual std::optional<AnyNotice> read(const std::filesystem::path& path) = 0;
     /// The same of a draft, of which more may be wrong than of a file.
     virtual std::optional<AnyNotice> read_draft(const std::filesystem::path& path) { return read(path); }
-    /// \param refusal  what `read` told of it
-    bool is_opened(const std::filesystem::path& path, const std::optional<AnyNotice>& refusal)
+    /// \param refusal  what `read` told of it. \returns whether it told nothing
+    bool note_opened(const std::filesystem::path& path, const std::optional<AnyNotice>& refusal)
     {
         if (refusal) notice = refusal;
         else path_ = path;

@@ -76,7 +76,7 @@ public:
     enum class Purpose : std::uint8_t { Work, Mend };
     bool open(const std::filesystem::path& path, Purpose purpose = Purpose::Work)
     {
-        return is_opened(path, read(path, purpose));
+        return note_opened(path, read(path, purpose));
     }
     /// Tells that a file was not opened.
     void refuse(const std::filesystem::path& path, const Notice& reason);
