@@ -3,7 +3,6 @@
 #include <array>
 #include <exception>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <unistd.h>
 

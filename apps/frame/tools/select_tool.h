@@ -7,9 +7,9 @@
 namespace frame {
 
 /// Selects: a click one part, with Shift more; a window drawn to the right what lies inside it, one drawn to the left
-/// what it touches, as they are seen. A drag of a selected part moves the selection, one of a load's arrow changes its value, one of
-/// a support's symbol turns the support, one of a dimension line changes its distance; a model that is seen in
-/// space is turned by a drag, so these are for the others.
+/// what it touches, as they are seen. A drag of a selected part moves the selection, one of a load's arrow changes its
+/// value, one of a support's symbol turns the support, one of a dimension line changes its distance; a model that is
+/// seen in space is turned by a drag, so these are for the others.
 class SelectTool : public Tool {
 public:
     std::optional<Change> press(const Work& work, const Aim& at) override;

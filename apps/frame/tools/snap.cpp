@@ -149,10 +149,6 @@ void offer_parts(Magnet& magnet, const Model& model, const Vector2d& pointer, co
     offer_crossings(magnet, near);
 }
 
-} // namespace
-
-namespace {
-
 /// Where others cross the line, as distances along it.
 std::vector<double> crossings_of(const Model& model, const femoop::MemberLine& line)
 {

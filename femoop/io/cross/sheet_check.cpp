@@ -10,14 +10,14 @@ namespace femoop::cross {
 namespace {
 
 constexpr double round_off = 1e-9; // of the largest of several numbers
+constexpr std::string_view step_names[] = {"FEM", "BAL", "CO", "TOTAL"};
+
 double largest_of(const std::vector<double>& values)
 {
     double largest = 0.0;
     for (const double value : values) largest = std::max(largest, std::abs(value));
     return largest;
 }
-
-constexpr std::string_view step_names[] = {"FEM", "BAL", "CO", "TOTAL"};
 
 } // namespace
 

@@ -356,7 +356,8 @@ private:
         return sway;
     }
 
-    /// "AB"; where two ends would be called the same, or nodes have names of several words, "A-B", and of members side by side "A-B (m)".
+    /// "AB"; where two ends would be called the same, or nodes have names of several words, "A-B", and of members side
+    /// by side "A-B (m)".
     void name_ends()
     {
         const auto name = [&](const End& end, std::string_view between) {

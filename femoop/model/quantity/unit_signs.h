@@ -5,7 +5,7 @@
 
 namespace femoop {
 
-/// A quantity or unit as print has it, written as files write it: "kN·m" is "kN*m", "cm⁴" is "cm^4", "30°" is "30 deg".
+/// A quantity or unit as print has it, written as files write it: "kN·m" is "kN*m", "cm⁴" is "cm^4", "30°" is "30deg".
 /// Both the middle dot (U+00B7) and the dot operator (U+22C5) are products.
 std::string with_file_signs(std::string_view printed);
 
