@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "ui/text/message.h"
 
@@ -140,12 +140,12 @@ private:
     void forget_oldest()
     {
         memory_ -= states_.front().memory;
-        states_.erase(states_.begin());
+        states_.pop_front();
         --place_;
     }
 
     std::size_t limit_;
-    std::vector<State> states_;
+    std::deque<State> states_;
     std::size_t memory_ = 0;
     std::size_t place_ = 0;
     bool is_dragging_ = false;

@@ -129,11 +129,11 @@ void StatePanel::number_row(Workspace& workspace, const std::string& label, Numb
 
 void StatePanel::show_numbers(Workspace& workspace)
 {
-    const Document& document = workspace.session.document();
-    const auto parts = names(document.subject);
-    if (document.subject == Subject::Section) number_row(workspace, workspace.tr()("Section"), {Group::Section, 0});
+    const Subject subject = workspace.session.document().subject;
+    const auto parts = names(subject);
+    if (subject == Subject::Section) number_row(workspace, workspace.tr()("Section"), {Group::Section, 0});
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        const std::string unit(bare_unit(document.subject, i));
+        const std::string unit(bare_unit(subject, i));
         const std::string label = std::string(parts[i]) + (unit.empty() ? "" : " [" + unit + "]");
         number_row(workspace, label, {Group::State, i});
     }
@@ -141,8 +141,8 @@ void StatePanel::show_numbers(Workspace& workspace)
 
 void StatePanel::show_principal(Workspace& workspace)
 {
-    const Solution& s = workspace.session.solution();
-    const Document& document = workspace.session.document();
+    const Solution s = workspace.session.solution(); // copies: a row may change what the session holds
+    const Document document = workspace.session.document();
     const Names names = names_of(document.subject);
     heading(workspace.tr()("By principal values"));
     const double angle = s.principal.angle.value_or(0.0) * 180.0 / std::numbers::pi;
@@ -160,8 +160,8 @@ void StatePanel::show_principal(Workspace& workspace)
 
 void StatePanel::show_space_principal(Workspace& workspace)
 {
-    const Solution& s = workspace.session.solution();
-    const Document& document = workspace.session.document();
+    const Solution s = workspace.session.solution(); // copies: a row may change what the session holds
+    const Document document = workspace.session.document();
     heading(workspace.tr()("By principal values"));
     for (std::size_t i = 0; i < 3; ++i)
         value_row(workspace, fields_,
@@ -197,7 +197,7 @@ void StatePanel::show_direction(Workspace& workspace, int direction)
 
 void StatePanel::show_plane(Workspace& workspace)
 {
-    const Document& document = workspace.session.document();
+    const Document document = workspace.session.document(); // a copy: a row may change what the session holds
     heading(workspace.tr()("Plane"));
     const ui::Message step = translatable("Turn the plane");
     if (!is_in_space(document.subject))
