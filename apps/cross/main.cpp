@@ -1,17 +1,8 @@
-#include <cstdlib>
-#include <exception>
-#include <iostream>
-
 #include "apps/cross/window/options.h"
 #include "apps/cross/window/run.h"
+#include "ui/app/program.h"
 
 int main(int argc, char** argv)
-try {
-    return cross::run(cross::parse_options(argc, argv));
-} catch (const ui::OptionsEnd& end) {
-    (end.status == 0 ? std::cout : std::cerr) << end.what() << '\n';
-    return end.status;
-} catch (const std::exception& error) {
-    std::cerr << "cross: " << error.what() << '\n';
-    std::quick_exit(2); // without OpenBLAS, which waits at the end for memory where there is none
+{
+    return ui::run_program("cross", [&] { return cross::run(cross::parse_options(argc, argv)); });
 }

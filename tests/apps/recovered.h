@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "femoop/files/whole_file.h"
 #include "tests/folder.h"
 #include "ui/files/autosave.h"
 
@@ -17,7 +16,7 @@
 template <class Workspace>
 Workspace recovered(const Workspace& workspace, const Folder& folder, const std::string& extension)
 {
-    const ui::DraftFolder drafts{folder.path() / "state", extension, files::write_whole_file};
+    const ui::DraftFolder drafts{folder.path() / "state", extension};
     const std::vector<ui::UnsavedDocument> unsaved = workspace.unsaved();
     REQUIRE(unsaved.size() == 1);
     ui::Draft draft(drafts);

@@ -5,8 +5,10 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "ui/app/stage.h"
 #include "ui/app/window_loop.h"
@@ -51,11 +53,23 @@ MakeApp remembering_app_with(const Session& session, const AppOptions& options,
     return [session, options, folder, prepare](Context& context, const Fonts& fonts) {
         auto application = std::make_unique<Application>(context, fonts, session);
         remember(*application, options, folder);
-        if (folder && options.link) application->link_to(Link(*options.link, folder->write));
+        if constexpr (requires { application->link_to(Link({})); })
+            if (folder && options.link) application->link_to(Link(*options.link));
         if (prepare) prepare(*application);
         return application;
     };
 }
+
+/// What the notice of a session says where there is no window to show it, a sentence a line. An app whose notices hold
+/// more has a function of this name.
+template <class Session> std::vector<std::string> notice_lines(const Session& session)
+{
+    return {session.tr()(session.notice->sentence)};
+}
+
+/// Whether the notice of what was opened ends a run without a window. An app some of whose notices do not has a
+/// function of this name.
+template <class Session> bool ends_headless(const Session& /*session*/) { return true; }
 
 /// Why a session cannot be told in words: of most apps any can; one whose own cannot has a function of this name.
 template <class Session> std::optional<Refusal> why_no_words(const Session& /*session*/) { return std::nullopt; }
@@ -68,11 +82,11 @@ template <class Application, class AppStage, class Session>
 int run_app(const AppOptions& options, std::string_view program, Session& session, const MakeApp& in_window)
 {
     constexpr int done = 0, bad_input = 2;
-    const auto complain = [&](const Message& sentence) {
-        std::cerr << program << ": " << printable(session.tr()(sentence)) << '\n';
-        return bad_input;
-    };
-    if (options.is_headless() && session.notice) return complain(session.notice->sentence);
+    if (options.is_headless() && session.notice) {
+        std::cerr << program << ": ";
+        for (const std::string& line : notice_lines(session)) std::cerr << printable(line) << '\n';
+        if (ends_headless(session)) return bad_input;
+    }
     if (options.describe) {
         if (const auto refusal = why_no_words(session)) {
             std::cerr << printable(refusal->words);
@@ -86,9 +100,12 @@ int run_app(const AppOptions& options, std::string_view program, Session& sessio
         take_screenshot(options, app_with<Application>(session));
         return done;
     }
-    if (!Window::has_display())
-        return complain(
-            translatable("there is no display to open a window on; --screenshot OUT.png draws without one"));
+    if (!Window::has_display()) {
+        const Message sentence = translatable(
+            "there is no display to open a window on; --screenshot OUT.png draws without one");
+        std::cerr << program << ": " << printable(session.tr()(sentence)) << '\n';
+        return bad_input;
+    }
     show_in_window(options, in_window);
     return done;
 }

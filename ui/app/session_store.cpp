@@ -5,6 +5,7 @@
 #include <string>
 #include <system_error>
 
+#include "femoop/files/whole_file.h"
 #include "ui/app/app_options.h"
 #include "ui/widgets/answer_button.h"
 #include "ui/widgets/item_label.h"
@@ -16,7 +17,7 @@ SessionStore::SessionStore(const std::optional<DraftFolder>& folder)
 {
     if (!folder) return;
     autosave_.emplace(*folder);
-    recent_.emplace(folder->path / "recent", folder->write);
+    recent_.emplace(folder->path / "recent");
     recoverable_files_ = autosave_->new_recoverable_files();
     settings_ = kept_settings_ = read_settings(settings_file(*folder));
 }
@@ -49,7 +50,7 @@ void SessionStore::keep_settings()
     const DraftFolder& folder = autosave_->folder();
     std::error_code error;
     std::filesystem::create_directories(folder.path, error);
-    (void)folder.write(settings_file(folder), settings_text(settings_));
+    (void)files::write_whole_file(settings_file(folder), settings_text(settings_));
 }
 
 // Who starts the program again right after it was killed must not miss the draft that the dying one still holds; later

@@ -3,17 +3,20 @@
 #include <algorithm>
 #include <chrono>
 
+#include "femoop/files/whole_file.h"
+
 namespace ui {
 
-UnsavedDocument unsaved_text(std::string text, const std::optional<std::filesystem::path>& original, WriteWhole write,
+UnsavedDocument unsaved_text(std::string text, const std::optional<std::filesystem::path>& original,
                              std::function<std::string(const Catalogue&)> about)
 {
-    return {
-        .state = std::hash<std::string>()(text),
-        .original = original,
-        .copy = [text = std::move(text),
-                 write] { return [text, write](const std::filesystem::path& draft) { return write(draft, text); }; },
-        .about = std::move(about)};
+    return {.state = std::hash<std::string>()(text),
+            .original = original,
+            .copy =
+                [text = std::move(text)] {
+                    return [text](const std::filesystem::path& draft) { return files::write_whole_file(draft, text); };
+                },
+            .about = std::move(about)};
 }
 
 std::optional<Message> Autosave::tick(const std::function<std::vector<UnsavedDocument>()>& unsaved, double seconds)

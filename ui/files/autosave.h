@@ -29,7 +29,7 @@ struct UnsavedDocument {
 };
 
 /// The one document of a program, which is small enough to be written as a text whenever it may have changed.
-UnsavedDocument unsaved_text(std::string text, const std::optional<std::filesystem::path>& original, WriteWhole write,
+UnsavedDocument unsaved_text(std::string text, const std::optional<std::filesystem::path>& original,
                              std::function<std::string(const Catalogue&)> about = {});
 
 /// Keeps drafts of all documents of a program that are not saved, a few seconds after each change, and finds those that

@@ -15,6 +15,8 @@
 #include <iterator>
 #include <sstream>
 
+#include "femoop/files/whole_file.h"
+
 namespace ui {
 
 namespace fs = std::filesystem;
@@ -97,7 +99,7 @@ fs::file_time_type age(const RecoverableFile& recoverable)
 
 } // namespace
 
-std::optional<DraftFolder> draft_folder(std::string_view app, std::string extension, WriteWhole write)
+std::optional<DraftFolder> draft_folder(std::string_view app, std::string extension)
 {
     const auto set = [](const char* name) {
         const char* const value = std::getenv(name);
@@ -106,7 +108,7 @@ std::optional<DraftFolder> draft_folder(std::string_view app, std::string extens
     std::optional<fs::path> state = set("XDG_STATE_HOME");
     if (const auto home = set("HOME"); home && !state) state = *home / ".local" / "state";
     if (!state) return std::nullopt;
-    return DraftFolder{*state / "cremona" / app, std::move(extension), write};
+    return DraftFolder{*state / "cremona" / app, std::move(extension)};
 }
 
 std::vector<RecoverableFile> recoverable_files(const DraftFolder& folder)
@@ -189,7 +191,7 @@ std::error_code Draft::keep_path(const std::optional<fs::path>& original) const
 std::error_code Draft::keep_beside(const char* extension, const std::string& text) const
 {
     const fs::path file = beside(path_, extension);
-    if (!text.empty()) return folder_.write(file, text);
+    if (!text.empty()) return files::write_whole_file(file, text);
     std::error_code error;
     fs::remove(file, error);
     return error;

@@ -10,20 +10,17 @@
 #include <utility>
 #include <vector>
 
-#include "ui/files/write_whole.h"
-
 namespace ui {
 
 /// Where the programs of an app keep drafts of their documents.
 struct DraftFolder {
     std::filesystem::path path;
     std::string extension; ///< of the app's documents: ".json"
-    WriteWhole write;
 };
 
 /// Where this person's programs keep such things: $XDG_STATE_HOME/cremona/APP, else ~/.local/state/cremona/APP.
 /// Nothing where neither is known.
-std::optional<DraftFolder> draft_folder(std::string_view app, std::string extension, WriteWhole write);
+std::optional<DraftFolder> draft_folder(std::string_view app, std::string extension);
 
 /// UnsavedDocument work that a program left behind when it was killed.
 struct RecoverableFile {

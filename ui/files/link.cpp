@@ -6,6 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include "femoop/files/whole_file.h"
+
 namespace ui {
 
 namespace fs = std::filesystem;
@@ -49,7 +51,7 @@ std::optional<std::string> text_of(const fs::path& path)
 
 } // namespace
 
-std::optional<Link> Link::made(WriteWhole write)
+std::optional<Link> Link::made()
 {
     std::error_code error;
     const fs::path temporary = fs::temp_directory_path(error);
@@ -57,14 +59,13 @@ std::optional<Link> Link::made(WriteWhole write)
     remove_left_behind(temporary);
     std::string name = (temporary / (std::string(prefix) + "XXXXXX")).string();
     if (mkdtemp(name.data()) == nullptr) return std::nullopt;
-    Link link(name, write, End::Giver);
+    Link link(name, End::Giver);
     link.lock_ = FolderLock(name);
     return link;
 }
 
 Link::Link(Link&& other) noexcept
     : folder_(std::exchange(other.folder_, {})),
-      write_(other.write_),
       end_(other.end_),
       lock_(std::move(other.lock_)),
       seen_(other.seen_),
@@ -76,7 +77,6 @@ Link& Link::operator=(Link&& other) noexcept
     if (this == &other) return *this;
     close();
     folder_ = std::exchange(other.folder_, {});
-    write_ = other.write_;
     end_ = other.end_;
     lock_ = std::move(other.lock_);
     seen_ = other.seen_;
@@ -99,7 +99,7 @@ fs::path Link::file_of_other() const { return folder_ / file_of(end_ == End::Giv
 std::error_code Link::notify(std::string_view text)
 {
     if (is_cut()) return std::make_error_code(std::errc::no_such_file_or_directory);
-    return write_(folder_ / file_of(end_), text);
+    return files::write_whole_file(folder_ / file_of(end_), text);
 }
 
 std::optional<std::string> Link::heard()

@@ -8,7 +8,6 @@
 #include <system_error>
 
 #include "ui/files/folder_lock.h"
-#include "ui/files/write_whole.h"
 
 namespace ui {
 
@@ -24,9 +23,9 @@ public:
     enum class End : std::uint8_t { Giver, Taker };
 
     /// The giver's end, with a folder that only this user reads. \returns nothing where no folder can be made
-    static std::optional<Link> made(WriteWhole write);
+    static std::optional<Link> made();
     /// The taker's end of a link whose folder the giver has made.
-    Link(std::filesystem::path folder, WriteWhole write) : Link(std::move(folder), write, End::Taker) {}
+    explicit Link(std::filesystem::path folder) : Link(std::move(folder), End::Taker) {}
     Link(Link&& other) noexcept;
     Link& operator=(Link&& other) noexcept;
     Link(const Link&) = delete;
@@ -48,13 +47,11 @@ private:
         std::uintmax_t size = 0;
         friend bool operator==(const Mark&, const Mark&) = default;
     };
-    Link(std::filesystem::path folder, WriteWhole write, End end) : folder_(std::move(folder)), write_(write), end_(end)
-    {}
+    Link(std::filesystem::path folder, End end) : folder_(std::move(folder)), end_(end) {}
     void close();
     std::filesystem::path file_of_other() const;
 
     std::filesystem::path folder_;
-    WriteWhole write_;
     End end_;
     FolderLock lock_{}; ///< of a giver's folder
     std::optional<Mark> seen_;

@@ -5,11 +5,13 @@
 #include <system_error>
 #include <utility>
 
+#include "femoop/files/whole_file.h"
+
 namespace ui {
 
 namespace fs = std::filesystem;
 
-RecentFiles::RecentFiles(fs::path list, WriteWhole write) : list_(std::move(list)), write_(write) { read(); }
+RecentFiles::RecentFiles(fs::path list) : list_(std::move(list)) { read(); }
 
 void RecentFiles::read()
 {
@@ -31,7 +33,7 @@ void RecentFiles::add(const fs::path& path)
     std::string text;
     for (const fs::path& kept : paths_) text += kept.string() + '\n';
     fs::create_directories(list_.parent_path(), error);
-    (void)write_(list_, text);
+    (void)files::write_whole_file(list_, text);
 }
 
 } // namespace ui

@@ -3,8 +3,6 @@
 #include <filesystem>
 #include <vector>
 
-#include "ui/files/write_whole.h"
-
 namespace ui {
 
 /// The files that were opened or saved last, kept in a file of one path a line.
@@ -13,7 +11,7 @@ public:
     static constexpr std::size_t most = 10;
 
     /// The list as it was kept; empty where there is none.
-    RecentFiles(std::filesystem::path list, WriteWhole write);
+    explicit RecentFiles(std::filesystem::path list);
 
     const std::vector<std::filesystem::path>& paths() const { return paths_; } ///< the last used first
     /// Puts the file first, before those that other programs have added meanwhile, and keeps the list; a list that
@@ -24,7 +22,6 @@ private:
     void read();
 
     std::filesystem::path list_;
-    WriteWhole write_;
     std::vector<std::filesystem::path> paths_;
 };
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "femoop/files/whole_file.h"
 #include "ui/files/autosave.h"
-#include "ui/files/write_whole.h"
 #include "ui/text/notice.h"
 #include "ui/workbench/file_sentences.h"
 
@@ -53,7 +53,7 @@ public:
     virtual bool is_dirty() const { return differs_from_saved(); } ///< has what is not saved; asked in every frame
     virtual UnsavedDocument unsaved() const
     {
-        return unsaved_text(file_text(), path(), write_, [this](const Catalogue& tr) { return about(tr); });
+        return unsaved_text(file_text(), path(), [this](const Catalogue& tr) { return about(tr); });
     }
 
     std::optional<AnyNotice> notice;
@@ -62,7 +62,7 @@ public:
     virtual const Catalogue& tr() const = 0;
 
 protected:
-    OpenDocument(Document saved, WriteWhole write) : saved_(std::move(saved)), write_(write) {}
+    explicit OpenDocument(Document saved) : saved_(std::move(saved)) {}
     OpenDocument(const OpenDocument&) = default;
     OpenDocument(OpenDocument&&) noexcept = default;
     OpenDocument& operator=(const OpenDocument&) = default;
@@ -85,7 +85,7 @@ protected:
     };
     virtual Written write_file(const std::filesystem::path& path)
     {
-        const std::error_code hindrance = write_(path, file_text());
+        const std::error_code hindrance = files::write_whole_file(path, file_text());
         if (hindrance) return {false, AnyNotice{lasting(not_saved(path, hindrance))}};
         return {true, AnyNotice{Notice{ui::saved(path)}}};
     }
@@ -118,7 +118,6 @@ private:
     std::optional<std::filesystem::path> path_;
     bool is_partial_ = false;
     std::optional<Document> saved_; ///< none of what a crash has left
-    WriteWhole write_;
 };
 
 } // namespace ui

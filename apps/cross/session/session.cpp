@@ -7,7 +7,6 @@
 #include "apps/frame/document/fault/place.h"
 #include "apps/frame/document/fault/sentence.h"
 #include "femoop/edit/excerpt.h"
-#include "femoop/files/whole_file.h"
 #include "femoop/io/model_file.h"
 #include "femoop/result/structure_words.h"
 
@@ -25,8 +24,7 @@ constexpr double seconds_of_a_double_click = 0.35; // a little more than the win
 
 } // namespace
 
-Session::Session()
-    : OpenDocument(starting_document(), files::write_whole_file), history_(starting_document(), translatable("Begin"))
+Session::Session() : OpenDocument(starting_document()), history_(starting_document(), translatable("Begin"))
 {
     solve_again();
 }

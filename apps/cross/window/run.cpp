@@ -3,7 +3,6 @@
 #include "apps/cross/session/report.h"
 #include "apps/cross/window/application.h"
 #include "apps/cross/window/stage.h"
-#include "femoop/files/whole_file.h"
 #include "ui/app/run_app.h"
 #include "ui/context/start_program.h"
 
@@ -12,7 +11,7 @@ namespace cross {
 int run(const ui::AppOptions& options)
 {
     return ui::run_with<Application, OffscreenStage, Session>(
-        options, "cross", ui::draft_folder("cross", ".json", files::write_whole_file), [](Application& application) {
+        options, "cross", ui::draft_folder("cross", ".json"), [](Application& application) {
             application.start_programs_by([](const ui::ExportToApp& exported) { return ui::start_program(exported); });
         });
 }

@@ -38,7 +38,7 @@ bool lives(const topology::Solid& solid, topology::Entity e)
     return false;
 }
 
-Session::Session() : OpenDocument({}, files::write_whole_file) { restart(Stepper()); }
+Session::Session() : OpenDocument({}) { restart(Stepper()); }
 
 void Session::restart(Stepper lesson)
 {

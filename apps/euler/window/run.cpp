@@ -9,7 +9,6 @@
 #include "apps/euler/window/application.h"
 #include "apps/euler/window/describe.h"
 #include "apps/euler/window/stage.h"
-#include "femoop/files/whole_file.h"
 #include "ui/app/run_app.h"
 #include "ui/text/printable.h"
 
@@ -45,7 +44,7 @@ ui::MakeApp app_to_play_with(Session& session, const Options& options, const std
 int run(Options options)
 {
     constexpr int bad_input = 2;
-    const auto folder = ui::draft_folder("euler", ".eul", files::write_whole_file);
+    const auto folder = ui::draft_folder("euler", ".eul");
     ui::complete(options, folder);
     Session session = begin(options);
     if (options.is_headless() && session.script_fault) {

@@ -47,8 +47,7 @@ Notice about_model(ui::Message sentence, std::vector<femoop::Fault> faults)
     return {ui::lasting(std::move(sentence)), std::move(faults), std::nullopt, true};
 }
 
-Session::Session(Document document)
-    : OpenDocument(document, files::write_whole_file), history_(std::move(document)), number_(next_number())
+Session::Session(Document document) : OpenDocument(document), history_(std::move(document)), number_(next_number())
 {
     restart(history_.current());
 }
@@ -412,25 +411,6 @@ DrawOptions Session::results_view() const
 
 std::optional<femoop::Results> Session::described_results() const { return hidden ? std::nullopt : solution_.results; }
 
-std::string Session::description() const
-{
-    const std::optional<femoop::Results> told = described_results();
-    if (!told) {
-        const std::string words = femoop::describe(model(), told, view.tr);
-        return hidden ? words + "\n" + view.tr(*why_no_results()) + "\n" : words;
-    }
-    const DrawOptions shown = results_view();
-    std::string words = femoop::describe(model(), *told, solution_.solved_cases(), view.tr);
-    for (const BlankCase& one : solution_.blank) {
-        words += "\n" + view.tr("Case {case} has no results.", {{"case", model().case_name(one.id)}}) + "\n";
-        for (const femoop::Fault& fault : one.faults) words += sentence(fault, view.tr) + "\n";
-    }
-    if (view.is_envelope)
-        words += "\n" + envelope_text(model(), shown) + "\n" +
-                 femoop::envelope_text(model(), *told, envelope_cases(model(), shown), view.tr);
-    return words;
-}
-
 ui::DisplayUnits Session::units() const
 {
     const ui::BaseUnits base = base_units(model().units);
@@ -442,5 +422,34 @@ void Session::set_language(ui::Language language)
     view.tr = ui::Catalogue(language);
     view.numbers.mark = ui::decimal_mark(language);
 }
+
+std::string description(const Session& session)
+{
+    const DrawOptions shown = session.results_view();
+    const ui::Catalogue& tr = shown.tr;
+    const std::optional<femoop::Results> told = session.described_results();
+    if (!told) {
+        const std::string words = femoop::describe(session.model(), told, tr);
+        return session.hidden ? words + "\n" + tr(*session.why_no_results()) + "\n" : words;
+    }
+    std::string words = femoop::describe(session.model(), *told, session.solution().solved_cases(), tr);
+    for (const BlankCase& one : session.solution().blank) {
+        words += "\n" + tr("Case {case} has no results.", {{"case", session.model().case_name(one.id)}}) + "\n";
+        for (const femoop::Fault& fault : one.faults) words += sentence(fault, tr) + "\n";
+    }
+    if (shown.is_envelope)
+        words += "\n" + envelope_text(session.model(), shown) + "\n" +
+                 femoop::envelope_text(session.model(), *told, envelope_cases(session.model(), shown), tr);
+    return words;
+}
+
+std::vector<std::string> notice_lines(const Session& session)
+{
+    std::vector<std::string> lines{session.tr()(session.notice->sentence)};
+    for (const femoop::Fault& fault : session.notice->faults) lines.push_back(femoop::message(fault, session.tr()));
+    return lines;
+}
+
+bool ends_headless(const Session& session) { return !session.path(); }
 
 } // namespace frame

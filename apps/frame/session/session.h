@@ -97,9 +97,6 @@ public:
     DrawOptions results_view() const;
     /// The results as far as they may be told: nothing while they are kept from the class.
     std::optional<femoop::Results> described_results() const;
-    /// Model and results in words, and the envelope's numbers where one is shown; of hidden results it says that they
-    /// are hidden.
-    std::string description() const;
 
     ui::DisplayUnits units() const;
     Manner manner() const { return {units(), view.tr}; } ///< of tables
@@ -170,5 +167,14 @@ private:
     std::uint64_t generation_ = 0;
     std::uint64_t number_;
 };
+
+/// Model and results in words, and the envelope's numbers where one is shown; of hidden results it says that they are
+/// hidden.
+std::string description(const Session& session);
+
+/// The notice, and the faults that it is about in the words of who writes files, each a line. \pre there is one
+std::vector<std::string> notice_lines(const Session& session);
+/// Whether nothing was opened; else the notice is about what stands beside the model.
+bool ends_headless(const Session& session);
 
 } // namespace frame

@@ -20,7 +20,6 @@
 #include "apps/frame/window/status_bar.h"
 #include "apps/frame/window/tool_bar.h"
 #include "apps/frame/window/transform_bar.h"
-#include "femoop/files/whole_file.h"
 #include "ui/files/link.h"
 #include "ui/widgets/panel.h"
 
@@ -235,7 +234,7 @@ void Application::hand_over(ui::ExportToApp exported)
     exported.options = {"--lang", std::string(code(view.tr.language())), "--theme", std::string(text(view.theme))};
     handed_ = std::move(exported);
     if (!start_program_) return;
-    auto link = ui::Link::made(files::write_whole_file);
+    auto link = ui::Link::made();
     ui::ExportToApp linked = *handed_;
     if (link) linked.options.insert(linked.options.end(), {"--link", link->folder().string()});
     const auto reason = start_program_(linked);

@@ -10,7 +10,7 @@ namespace frame {
 void description_window(Workspace& workspace, bool& is_open)
 {
     const ui::Catalogue& tr = workspace.tr();
-    ui::text_window(tr("Model and results in words"), workspace.session.description(), tr, is_open, [&] {
+    ui::text_window(tr("Model and results in words"), description(workspace.session), tr, is_open, [&] {
         if (workspace.session.hidden) ImGui::SameLine();
         offer_to_reveal(workspace);
     });

@@ -38,7 +38,7 @@ public:
         const auto is_a = [this](std::string_view ending) { return ui::has_ending(path_, ending); };
         if (is_a(".report.pdf")) write_pdf(path_, ui::report_pages(report(), fonts_), fonts_, pdf_look());
         else if (is_a(".html")) return text(ui::report_html(report(), fonts_));
-        else if (is_a(".txt")) return text(session_.description());
+        else if (is_a(".txt")) return text(description(session_));
         else if (is_a(".csv")) return results();
         else return write_picture(path_, picture, fonts_, picture_look(session_, png_scale));
         return std::nullopt;

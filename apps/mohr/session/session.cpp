@@ -8,7 +8,6 @@
 
 #include "apps/mohr/document/file.h"
 #include "apps/mohr/session/report.h"
-#include "femoop/files/whole_file.h"
 #include "femoop/model/quantity/number_text.h"
 #include "ui/text/number_format.h"
 
@@ -46,7 +45,7 @@ Message listed(const std::vector<Message>& sentences)
 
 } // namespace
 
-Session::Session() : OpenDocument(textbook_state(), files::write_whole_file), history_(textbook_state())
+Session::Session() : OpenDocument(textbook_state()), history_(textbook_state())
 {
     eye.look(0.6, 0.45);
     solve_again();

@@ -3,15 +3,13 @@
 #include "apps/mohr/session/report.h"
 #include "apps/mohr/window/application.h"
 #include "apps/mohr/window/stage.h"
-#include "femoop/files/whole_file.h"
 #include "ui/app/run_app.h"
 
 namespace mohr {
 
 int run(const ui::AppOptions& options)
 {
-    return ui::run_with<Application, OffscreenStage, Session>(
-        options, "mohr", ui::draft_folder("mohr", ".mohr", files::write_whole_file));
+    return ui::run_with<Application, OffscreenStage, Session>(options, "mohr", ui::draft_folder("mohr", ".mohr"));
 }
 
 } // namespace mohr

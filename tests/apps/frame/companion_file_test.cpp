@@ -8,7 +8,6 @@
 #include "apps/frame/document/document.h"
 #include "apps/frame/session/commands.h"
 #include "apps/frame/session/view_commands.h"
-#include "femoop/files/whole_file.h"
 #include "femoop/io/model_file.h"
 #include "tests/folder.h"
 #include "tests/source_folder.h"
@@ -325,7 +324,7 @@ TEST_SUITE("frame session")
         document.companion = example;
         frame::Workspace workspace{Session{frame::starting_document()}};
         workspace.session.change({"Draw", [&](Document& to) { to = document; }});
-        const ui::DraftFolder drafts{folder.path(), ".json", files::write_whole_file};
+        const ui::DraftFolder drafts{folder.path(), ".json"};
         {
             ui::Draft draft(drafts);
             REQUIRE(!draft.keep(workspace.unsaved().at(0).copy(), std::nullopt));

@@ -9,7 +9,6 @@
 #include "apps/frame/session/linked_programs.h"
 #include "apps/frame/session/other_programs.h"
 #include "apps/mohr/session/session.h"
-#include "femoop/files/whole_file.h"
 #include "tests/folder.h"
 #include "ui/files/linked_copy.h"
 
@@ -38,8 +37,8 @@ template <class Other> Taker<Other> started(Workspace& workspace, LinkedPrograms
     const Folder folder;
     Other other;
     REQUIRE(other.open_copy(folder.write("handed", exported.document)));
-    ui::Link link = *ui::Link::made(files::write_whole_file);
-    ui::Link end(link.folder(), files::write_whole_file);
+    ui::Link link = *ui::Link::made();
+    ui::Link end(link.folder());
     linked.add(std::move(link), workspace.session, exported);
     return Taker<Other>(std::move(other), std::move(end));
 }

@@ -67,16 +67,16 @@ TEST_SUITE("frame session")
     TEST_CASE("While results are hidden they are told in no words but those that say so")
     {
         Workspace workspace = workspace_with("portal.json");
-        const std::string with_results = workspace.session.description();
+        const std::string with_results = description(workspace.session);
         CHECK(with_results.find("58.5228") != std::string::npos); // kN m in the middle of the beam
         CHECK(!run(workspace, "view.hide_results"));
         CHECK(!workspace.session.described_results());
-        const std::string without = workspace.session.description();
+        const std::string without = description(workspace.session);
         CHECK(without.find("58.5228") == std::string::npos);
         CHECK(without.find("12 kN/m") != std::string::npos);
         CHECK(without.ends_with("The results are hidden; H reveals them.\n"));
         CHECK(!run(workspace, "view.hide_results"));
-        CHECK(workspace.session.description() == with_results);
+        CHECK(description(workspace.session) == with_results);
     }
 
     TEST_CASE("Moments are not guessed in space, of a mechanism, nor of an envelope, and the reason is told")

@@ -11,7 +11,6 @@
 #include "apps/frame/session/edit_commands.h"
 #include "apps/frame/session/tabs.h"
 #include "femoop/edit/naming.h"
-#include "femoop/files/whole_file.h"
 #include "femoop/io/model_file.h"
 #include "tests/folder.h"
 #include "tests/source_folder.h"
@@ -186,7 +185,7 @@ TEST_SUITE("frame session")
     {
         const Folder folder;
         Workspace workspace = workspace_with("portal.json");
-        ui::Autosave autosave({folder.path() / "state", ".json", files::write_whole_file});
+        ui::Autosave autosave({folder.path() / "state", ".json"});
         const auto n_drafts = [&] {
             autosave.tick([&] { return workspace.unsaved(); }, ui::Autosave::interval);
             autosave.wait();
@@ -225,7 +224,7 @@ TEST_SUITE("frame session")
     TEST_CASE("Work that was kept survives, and is the same bit for bit")
     {
         const Folder folder;
-        const ui::DraftFolder drafts{folder.path() / "state", ".json", files::write_whole_file};
+        const ui::DraftFolder drafts{folder.path() / "state", ".json"};
         Workspace workspace = workspace_with("portal.json");
         workspace.session.change({"Move", [](Document& document) { document.model.nodes[1].at[0] = 0.1 + 0.2; }});
         {

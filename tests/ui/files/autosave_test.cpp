@@ -10,7 +10,6 @@
 #include <thread>
 #include <vector>
 
-#include "femoop/files/whole_file.h"
 #include "tests/folder.h"
 #include "tests/ui/files/drafts_in.h"
 #include "ui/files/autosave.h"
@@ -19,10 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-ui::UnsavedDocument text(const std::string& words)
-{
-    return ui::unsaved_text(words, std::nullopt, files::write_whole_file);
-}
+ui::UnsavedDocument text(const std::string& words) { return ui::unsaved_text(words, std::nullopt); }
 
 /// A program that keeps drafts.
 struct Program {

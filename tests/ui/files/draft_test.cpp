@@ -127,11 +127,11 @@ TEST_SUITE("ui files")
     {
         const Folder folder;
         const fs::path list = folder.path() / "state" / "recent";
-        ui::RecentFiles recent(list, files::write_whole_file);
+        ui::RecentFiles recent(list);
         CHECK(recent.paths().empty());
         for (int i = 0; i < 14; ++i) recent.add("/tmp/" + std::to_string(i) + ".json");
         recent.add("/tmp/9.json");
-        const ui::RecentFiles again(list, files::write_whole_file);
+        const ui::RecentFiles again(list);
         REQUIRE(again.paths().size() == 10);
         CHECK(again.paths()[0] == "/tmp/9.json");
         CHECK(again.paths()[1] == "/tmp/13.json");
@@ -142,7 +142,7 @@ TEST_SUITE("ui files")
     {
         const Folder folder;
         const fs::path list = folder.path() / "recent";
-        ui::RecentFiles one(list, files::write_whole_file), other(list, files::write_whole_file);
+        ui::RecentFiles one(list), other(list);
         one.add("/tmp/1.json");
         other.add("/tmp/2.json");
         one.add("/tmp/3.json");

@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "femoop/files/whole_file.h"
 #include "ui/files/linked_copy.h"
 
 namespace fs = std::filesystem;
@@ -28,8 +27,8 @@ struct LinkedProgram {
 };
 
 struct Pair {
-    LinkedProgram giver{*ui::Link::made(files::write_whole_file), "10 kN"};
-    LinkedProgram taker{ui::Link(giver.copy.folder(), files::write_whole_file), "10 kN"};
+    LinkedProgram giver{*ui::Link::made(), "10 kN"};
+    LinkedProgram taker{ui::Link(giver.copy.folder()), "10 kN"};
 
     void tick()
     {
@@ -117,8 +116,8 @@ TEST_SUITE("ui files")
 
     TEST_CASE("Texts of one length that follow one another at once are both heard")
     {
-        ui::Link giver = *ui::Link::made(files::write_whole_file);
-        ui::Link taker(giver.folder(), files::write_whole_file);
+        ui::Link giver = *ui::Link::made();
+        ui::Link taker(giver.folder());
         for (int i = 1000; i < 1200; ++i) {
             CHECK_FALSE(giver.notify(std::to_string(i)));
             CHECK(taker.heard() == std::to_string(i));
@@ -128,8 +127,8 @@ TEST_SUITE("ui files")
 
     TEST_CASE("The folder of a link is its user's alone and goes with the giver; the taker says then that it is cut")
     {
-        auto giver = ui::Link::made(files::write_whole_file);
-        ui::Link taker(giver->folder(), files::write_whole_file);
+        auto giver = ui::Link::made();
+        ui::Link taker(giver->folder());
         CHECK((fs::status(giver->folder()).permissions() & (fs::perms::group_all | fs::perms::others_all)) ==
               fs::perms::none);
         CHECK_FALSE(taker.notify("7 kN"));
@@ -144,9 +143,9 @@ TEST_SUITE("ui files")
 
     TEST_CASE("A taker that ends leaves the giver's folder, and neither follows a link that another user has laid")
     {
-        auto giver = ui::Link::made(files::write_whole_file);
+        auto giver = ui::Link::made();
         {
-            const ui::Link taker(giver->folder(), files::write_whole_file);
+            const ui::Link taker(giver->folder());
         }
         CHECK(fs::exists(giver->folder()));
         fs::create_symlink("/dev/zero", giver->folder() / "taker");
@@ -163,10 +162,10 @@ TEST_SUITE("ui files")
         fs::create_directory(left);
         std::ofstream(left / "giver") << "10 kN";
         old_folder(left);
-        const ui::Link in_use = *ui::Link::made(files::write_whole_file);
+        const ui::Link in_use = *ui::Link::made();
         CHECK(!fs::exists(left));
         const fs::path used = old_folder(in_use.folder());
-        const ui::Link another = *ui::Link::made(files::write_whole_file);
+        const ui::Link another = *ui::Link::made();
         CHECK(fs::exists(used));
     }
 }

@@ -7,7 +7,6 @@
 #include <string>
 #include <system_error>
 
-#include "femoop/files/whole_file.h"
 #include "tests/folder.h"
 #include "ui/workbench/file_sentences.h"
 
@@ -16,7 +15,7 @@ namespace {
 /// A session of a text; one that begins with "bad" is none.
 class Note : public ui::OpenDocument<std::string> {
 public:
-    Note() : OpenDocument("", files::write_whole_file) {}
+    Note() : OpenDocument("") {}
 
     std::string text;
     const ui::Catalogue& tr() const override { return tr_; }
