@@ -12,6 +12,7 @@
 #include "femoop/io/model_file.h"
 #include "tests/apps/cli/run_cremona.h"
 #include "tests/apps/cli/shown_commands.h"
+#include "tests/frame_maker.h"
 #include "tests/golden/comparison.h"
 #include "tests/source_folder.h"
 #include "tests/text_of.h"
@@ -26,29 +27,6 @@ TEST_SUITE_BEGIN("lesson");
 namespace {
 
 std::string page() { return text_of_source("courseware/02-the-front-walks.md"); }
-
-/// A frame of bays and storeys, fixed at its feet, numbered storey by storey.
-Model frame(int columns, int storeys)
-{
-    Model model;
-    model.add(Material{.id = "steel", .E = 2.1e8});
-    model.add(Section{.id = "s", .A = 0.013, .Iz = 1.3e-4});
-    const auto join = [&](int a, int b) {
-        model.add(Member{.id = std::to_string(a) + "-" + std::to_string(b),
-                         .nodes = {NodeId(static_cast<std::size_t>(a)), NodeId(static_cast<std::size_t>(b))},
-                         .material = MaterialId(0),
-                         .section = SectionId(0)});
-    };
-    for (int y = 0; y <= storeys; ++y)
-        for (int x = 0; x < columns; ++x) {
-            Node node{.id = std::to_string(y * columns + x), .at = {6.0 * x, 3.5 * y}};
-            if (y == 0) node.support = Support{.kind = SupportKind::Fixed};
-            model.add(std::move(node));
-            if (y > 0) join((y - 1) * columns + x, y * columns + x);
-            if (y > 0 && x > 0) join(y * columns + x - 1, y * columns + x);
-        }
-    return model;
-}
 
 /// "18 522" for 18522.
 std::string in_groups(std::size_t n)
@@ -82,8 +60,8 @@ TEST_CASE("Every command of the lesson on the front runs, prints what it shows a
 TEST_CASE("The lesson's table of operations is that of frames of k columns and k storeys")
 {
     const std::string text = page();
-    for (const int k : {6, 12, 24, 48, 96}) {
-        const SolverTrace trace = trace_solver(frame(k, k));
+    for (const std::size_t k : {6, 12, 24, 48, 96}) {
+        const SolverTrace trace = trace_solver(storey_frame(k - 1, k));
         std::string line = "| " + std::to_string(k) + " | " + in_groups(trace.n_unknowns()) + " |";
         for (const EliminationWalk& walk : trace.walks)
             line += " " + in_groups(static_cast<std::size_t>(walk.counts.n_operations)) + " |";

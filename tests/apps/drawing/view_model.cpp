@@ -1,6 +1,7 @@
 #include "tests/apps/drawing/view_model.h"
 
 #include "femoop/io/model_file.h"
+#include "tests/frame_maker.h"
 #include "tests/source_folder.h"
 #include "ui/paint/text_measure.h"
 
@@ -27,20 +28,11 @@ femoop::Model model(std::string_view name)
 
 femoop::Model simple_beam(double length, double q)
 {
-    femoop::Model model;
-    const auto steel = model.add(femoop::Material{.id = "steel", .E = 210e6});
-    const auto section = model.add(femoop::Section{.id = "s", .A = 0.008, .Iz = 2.0e-4});
-    const auto a = model.add(
-        femoop::Node{.id = "A", .at = {0.0, 0.0, 0.0}, .support = femoop::Support{.kind = femoop::SupportKind::Pin}});
-    const auto b = model.add(femoop::Node{
-        .id = "B", .at = {length, 0.0, 0.0}, .support = femoop::Support{.kind = femoop::SupportKind::Roller}});
-    const auto member = model.add(femoop::Member{.id = "AB", .nodes = {a, b}, .material = steel, .section = section});
-    femoop::DistributedLoad load;
-    load.values.push_back({.dof = femoop::Dof::uy, .start = -q});
-    femoop::LoadCase load_case{.id = "q"};
-    load_case.members.push_back({.member = member, .load = load});
-    model.add(load_case);
-    return model;
+    using enum femoop::SupportKind;
+    FrameMaker made({.id = "s", .A = 0.008, .Iz = 2.0e-4});
+    made.node("A", 0, 0, Pin).node("B", length, 0, Roller).member("A", "B").uniform("AB", -q);
+    made.model.load_cases[0].id = "q";
+    return made.model;
 }
 
 void Marks::stroke(const ui::Path& path, const ui::Stroke& stroke)

@@ -10,6 +10,7 @@
 #include "apps/frame/session/other_programs.h"
 #include "apps/mohr/document/file.h"
 #include "apps/mohr/document/solution.h"
+#include "tests/frame_maker.h"
 
 using namespace frame;
 using femoop::Dof;
@@ -48,18 +49,12 @@ femoop::MemberLoad down_on(MemberId member)
 /// Two spans of which the first is fixed; the second case loads the second span alone.
 femoop::Model beam(const femoop::Section& section)
 {
-    femoop::Model model;
-    const auto steel = model.add(femoop::Material{.id = "steel", .E = 205e6, .fy = 250e3});
-    const auto of = model.add(section);
     using enum femoop::SupportKind;
-    const NodeId A = model.add(femoop::Node{.id = "A", .at = {0, 0}, .support = femoop::Support{.kind = Fixed}});
-    const NodeId B = model.add(femoop::Node{.id = "B", .at = {L, 0}, .support = femoop::Support{.kind = Roller}});
-    const NodeId C = model.add(femoop::Node{.id = "C", .at = {L + l, 0}, .support = femoop::Support{.kind = Roller}});
-    const MemberId AB = model.add(femoop::Member{.id = "AB", .nodes = {A, B}, .material = steel, .section = of});
-    const MemberId BC = model.add(femoop::Member{.id = "BC", .nodes = {B, C}, .material = steel, .section = of});
-    model.add(femoop::LoadCase{.id = "first", .members = {down_on(AB)}});
-    model.add(femoop::LoadCase{.id = "second", .members = {down_on(BC)}});
-    return model;
+    FrameMaker made(section, {.id = "steel", .E = 205e6, .fy = 250e3});
+    made.node("A", 0, 0, Fixed).node("B", L, 0, Roller).node("C", L + l, 0, Roller).member("A", "B").member("B", "C");
+    made.uniform("AB", -q).model.load_cases[0].id = "first";
+    made.model.add(femoop::LoadCase{.id = "second", .members = {down_on(MemberId(1))}});
+    return made.model;
 }
 
 Session session_with(femoop::Model model) { return Session(Document{.model = std::move(model), .companion = {}}); }

@@ -4,53 +4,35 @@
 #include <cmath>
 
 #include "femoop/analysis/linear_static.h"
+#include "tests/frame_maker.h"
 
 namespace predict_test {
 
 namespace {
 
-void add_member(Model& model, const char* name, NodeId from, NodeId to)
-{
-    model.add(Member{.id = name, .nodes = {from, to}, .material = MaterialId(0), .section = SectionId(0)});
-}
+FrameMaker maker() { return FrameMaker({.id = "s", .A = 0.01, .Iz = 2e-4}); }
 
-Model bare()
+Model loaded(FrameMaker& made, const std::vector<decltype(MemberLoad::load)>& loads)
 {
-    Model model;
-    model.add(Material{.id = "steel", .E = 210e6});
-    model.add(Section{.id = "s", .A = 0.01, .Iz = 2e-4});
-    return model;
-}
-
-void load(Model& model, const std::vector<decltype(MemberLoad::load)>& loads)
-{
-    LoadCase load_case{.id = "P"};
-    for (const auto& one : loads) load_case.members.push_back({MemberId(0), one});
-    model.add(load_case);
+    for (const auto& one : loads) made.load("AB", one);
+    return made.model;
 }
 
 } // namespace
 
 Model beam(const Supports& supports, const std::vector<decltype(MemberLoad::load)>& loads)
 {
-    Model model = bare();
-    const NodeId a = model.add(Node{.id = "A", .at = {0, 0}, .support = Support{.kind = supports.left}});
-    const NodeId b = model.add(Node{.id = "B", .at = {L, 0}, .support = Support{.kind = supports.right}});
-    add_member(model, "AB", a, b);
-    load(model, loads);
-    return model;
+    FrameMaker made = maker();
+    return loaded(made.node("A", 0, 0, supports.left).node("B", L, 0, supports.right).member("A", "B"), loads);
 }
 
 Model two_spans(const std::vector<decltype(MemberLoad::load)>& loads_on_first)
 {
-    Model model = bare();
-    const NodeId a = model.add(Node{.id = "A", .at = {0, 0}, .support = Support{.kind = SupportKind::Pin}});
-    const NodeId b = model.add(Node{.id = "B", .at = {L, 0}, .support = Support{.kind = SupportKind::Roller}});
-    const NodeId c = model.add(Node{.id = "C", .at = {2 * L, 0}, .support = Support{.kind = SupportKind::Roller}});
-    add_member(model, "AB", a, b);
-    add_member(model, "BC", b, c);
-    load(model, loads_on_first);
-    return model;
+    FrameMaker made = maker();
+    made.node("A", 0, 0, SupportKind::Pin)
+        .node("B", L, 0, SupportKind::Roller)
+        .node("C", 2 * L, 0, SupportKind::Roller);
+    return loaded(made.member("A", "B").member("B", "C"), loads_on_first);
 }
 
 DistributedLoad uniform(double q) { return {.values = {{.dof = Dof::uy, .start = -q}}}; }

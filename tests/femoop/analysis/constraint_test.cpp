@@ -4,6 +4,7 @@
 
 #include "femoop/analysis/linear_static.h"
 #include "tests/femoop/analysis/random_structure.h"
+#include "tests/frame_maker.h"
 
 using namespace femoop;
 
@@ -14,18 +15,10 @@ constexpr double E = 2.1e8, A = 0.01, I = 1.3e-4, h = 4.0, b = 6.0, H = 12.0;
 /// A fixed portal A-B-C-D with H to the right at B.
 Model portal()
 {
-    Model model;
-    model.add(Material{.id = "steel", .E = E, .alpha = 1.2e-5});
-    model.add(Section{.id = "s", .A = A, .Iz = I});
-    model.add(Node{.id = "A", .at = {0.0, 0.0, 0.0}, .support = Support{.kind = SupportKind::Fixed}});
-    model.add(Node{.id = "B", .at = {0.0, h, 0.0}});
-    model.add(Node{.id = "C", .at = {b, h, 0.0}});
-    model.add(Node{.id = "D", .at = {b, 0.0, 0.0}, .support = Support{.kind = SupportKind::Fixed}});
-    for (const auto& [name, from, to] : {std::tuple{"AB", 0, 1}, {"BC", 1, 2}, {"DC", 3, 2}})
-        model.add(Member{
-            .id = name, .nodes = {NodeId(from), NodeId(to)}, .material = MaterialId(0), .section = SectionId(0)});
-    model.add(LoadCase{.id = "W", .nodes = {{.node = NodeId(1), .components = {{.dof = Dof::ux, .value = H}}}}});
-    return model;
+    FrameMaker made({.id = "s", .A = A, .Iz = I}, {.id = "steel", .E = E, .alpha = 1.2e-5});
+    made.node("A", 0, 0, SupportKind::Fixed).node("B", 0, h).node("C", b, h).node("D", b, 0, SupportKind::Fixed);
+    made.member("A", "B").member("B", "C").member("D", "C").force("B", Dof::ux, H);
+    return made.model;
 }
 
 } // namespace
@@ -35,7 +28,7 @@ TEST_SUITE("constraints")
     TEST_CASE("What a plane section does not give does not strain: w and rx along a member are 0, not no number")
     {
         const Model model = portal(); // A and Iz alone
-        const Curve beam = analyse(model).at("W").curve(MemberId(1));
+        const Curve beam = analyse(model).at("P").curve(MemberId(1));
         for (const double x : {0.0, 0.3 * b, b}) {
             CHECK(beam.displacement(x).w == 0.0);
             CHECK(beam.displacement(x).rx == 0.0);
@@ -48,7 +41,7 @@ TEST_SUITE("constraints")
         Model model = portal();
         model.members[0].inextensible = model.members[2].inextensible = true;
         model.members[1].rigid = true;
-        const CaseResult result = analyse(model).at("W");
+        const CaseResult result = analyse(model).at("P");
         CHECK(result.displacement(NodeId(1))[0] == doctest::Approx(H * h * h * h / (24.0 * E * I)));
         CHECK(result.displacement(NodeId(1))[5] == doctest::Approx(0.0).epsilon(1e-12));
         CHECK(result.reaction(NodeId(0))[5] == doctest::Approx(H * h / 4.0));
@@ -65,12 +58,12 @@ TEST_SUITE("constraints")
         stiff.sections[0].A = 1e7 * A;
         const Results a = analyse(exact), s = analyse(stiff);
         for (std::size_t i = 0; i < 3; ++i) {
-            const SectionForces x = a.at("W").curve(MemberId(i)).forces(1.0),
-                                y = s.at("W").curve(MemberId(i)).forces(1.0);
+            const SectionForces x = a.at("P").curve(MemberId(i)).forces(1.0),
+                                y = s.at("P").curve(MemberId(i)).forces(1.0);
             CHECK(x.N == doctest::Approx(y.N).epsilon(1e-6));
             CHECK(x.Mz == doctest::Approx(y.Mz).epsilon(1e-6));
         }
-        CHECK(a.at("W").curve(MemberId(1)).displacement(b).u == a.at("W").curve(MemberId(1)).displacement(0.0).u);
+        CHECK(a.at("P").curve(MemberId(1)).displacement(b).u == a.at("P").curve(MemberId(1)).displacement(0.0).u);
     }
 
     TEST_CASE("Two inextensible spans between fixed ends share a force as their stiffnesses EA / L")
@@ -129,7 +122,7 @@ TEST_SUITE("constraints")
         model.members[0].inextensible = true;
         model.load_cases[0].nodes.clear();
         model.load_cases[0].members.push_back({.member = MemberId(0), .load = TemperatureLoad{50.0, 50.0}});
-        const CaseResult result = analyse(model).at("W");
+        const CaseResult result = analyse(model).at("P");
         CHECK(result.displacement(NodeId(1))[1] == doctest::Approx(1.2e-5 * 50.0 * h));
     }
 
@@ -164,7 +157,7 @@ TEST_SUITE("constraints")
         Model model = portal();
         model.members[1].rigid = true;
         model.members[1].end.release = {Dof::rz};
-        const CaseResult result = analyse(model).at("W");
+        const CaseResult result = analyse(model).at("P");
         const Curve beam = result.curve(MemberId(1));
         CHECK(std::abs(beam.forces(b, Side::Before).Mz) < 1e-9 * H * h);
         const double chord = (result.displacement(NodeId(2))[1] - result.displacement(NodeId(1))[1]) / b;

@@ -8,34 +8,11 @@
 #include "femoop/discretisation/equations.h"
 #include "femoop/model/fault/fault.h"
 #include "tests/femoop/analysis/random_structure.h"
+#include "tests/frame_maker.h"
 
 using namespace femoop;
 
 namespace {
-
-/// A plane frame of bays and storeys, fixed at its feet; nodes are numbered storey by storey.
-Model frame(int bays, int storeys)
-{
-    Model model;
-    model.add(Material{.id = "steel", .E = 2.1e8});
-    model.add(Section{.id = "s", .A = 0.013, .Iz = 1.3e-4});
-    const auto join = [&](int a, int b) {
-        model.add(Member{.id = std::to_string(a) + "-" + std::to_string(b),
-                         .nodes = {NodeId(static_cast<std::size_t>(a)), NodeId(static_cast<std::size_t>(b))},
-                         .material = MaterialId(0),
-                         .section = SectionId(0)});
-    };
-    const int row = bays + 1;
-    for (int y = 0; y <= storeys; ++y)
-        for (int x = 0; x < row; ++x) {
-            Node node{.id = std::to_string(y * row + x), .at = {6.0 * x, 3.5 * y, 0.0}};
-            if (y == 0) node.support = Support{.kind = SupportKind::Fixed};
-            model.add(std::move(node));
-            if (y > 0) join((y - 1) * row + x, y * row + x);
-            if (y > 0 && x > 0) join(y * row + x - 1, y * row + x);
-        }
-    return model;
-}
 
 std::vector<std::string> unknowns(const SolverTrace& trace)
 {
@@ -75,7 +52,7 @@ TEST_SUITE("solver trace")
 
     TEST_CASE("Its unknowns are named by node and displacement; those at a support have none")
     {
-        const SolverTrace trace = trace_solver(frame(1, 1));
+        const SolverTrace trace = trace_solver(storey_frame(1, 1));
         CHECK(trace.blocks[0].unknowns.empty());
         CHECK(trace.blocks[2].unknowns == std::vector<std::string>{"2.ux", "2.uy", "2.rz"});
         CHECK(trace.solver == SolverKind::Skyline);
@@ -85,7 +62,7 @@ TEST_SUITE("solver trace")
 
     TEST_CASE("A member without extension whose end is flexible has unknowns of its own, named by it")
     {
-        Model model = frame(1, 1);
+        Model model = storey_frame(1, 1);
         model.members[2].inextensible = true;
         model.members[2].end.springs = {{.dof = Dof::rz, .stiffness = Quantity(5000.0)}};
         const SolverTrace trace = trace_solver(model);
@@ -98,7 +75,7 @@ TEST_SUITE("solver trace")
 
     TEST_CASE("In a frame of bays and storeys every ordering eliminates all, dissection with the lowest tree")
     {
-        const SolverTrace trace = trace_solver(frame(7, 8));
+        const SolverTrace trace = trace_solver(storey_frame(7, 8));
         for (const EliminationWalk& walk : trace.walks) {
             CHECK(walk.counts.n_unknowns == 3 * 8 * 8);
             CHECK(walk.counts.n_levels >= trace.walk(Ordering::NestedDissection).counts.n_levels);
@@ -112,7 +89,7 @@ TEST_SUITE("solver trace")
 
     TEST_CASE("Where every displacement is prescribed there is nothing to eliminate")
     {
-        Model model = frame(1, 1);
+        Model model = storey_frame(1, 1);
         for (Node& node : model.nodes) node.support = Support{.kind = SupportKind::Fixed};
         const SolverTrace trace = trace_solver(model);
         CHECK(trace.n_unknowns() == 0);
@@ -129,7 +106,7 @@ TEST_SUITE("solver trace")
 
     TEST_CASE("Of a structure with more than 400 unknowns it has the counts alone")
     {
-        const SolverTrace small = trace_solver(frame(9, 13)), large = trace_solver(frame(9, 14));
+        const SolverTrace small = trace_solver(storey_frame(9, 13)), large = trace_solver(storey_frame(9, 14));
         CHECK(small.n_unknowns() == 390);
         CHECK(small.has_details());
         CHECK(large.n_unknowns() == 420);
@@ -142,7 +119,7 @@ TEST_SUITE("solver trace")
 
     TEST_CASE("A model with errors is refused with them")
     {
-        Model model = frame(1, 1);
+        Model model = storey_frame(1, 1);
         model.nodes[3].at = model.nodes[2].at;
         CHECK_THROWS_AS(trace_solver(model), ModelError);
     }

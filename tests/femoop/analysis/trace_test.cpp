@@ -2,6 +2,7 @@
 
 #include "femoop/analysis/trace.h"
 #include "femoop/io/results/results_table.h"
+#include "tests/frame_maker.h"
 
 using namespace femoop;
 
@@ -11,15 +12,10 @@ constexpr double E = 2.1e8, A = 0.013, I = 1.3e-4, L = 5.0, q = 7.0;
 
 Model cantilever_with_prop()
 {
-    Model model;
-    model.add(Material{.id = "steel", .E = E});
-    model.add(Section{.id = "s", .A = A, .Iz = I});
-    model.add(Node{.id = "A", .at = {0.0, 0.0, 0.0}, .support = Support{.kind = SupportKind::Fixed}});
-    model.add(Node{.id = "B", .at = {3.0, 4.0, 0.0}, .support = Support{.kind = SupportKind::Roller}});
-    model.add(Member{.id = "AB", .nodes = {NodeId(0), NodeId(1)}, .material = MaterialId(0), .section = SectionId(0)});
-    DistributedLoad load{.values = {{.dof = Dof::uy, .start = -q}}, .axes = LoadAxes::Local};
-    model.add(LoadCase{.id = "G", .members = {{.member = MemberId(0), .load = load}}});
-    return model;
+    FrameMaker made({.id = "s", .A = A, .Iz = I}, {.id = "steel", .E = E});
+    made.node("A", 0, 0, SupportKind::Fixed).node("B", 3, 4, SupportKind::Roller).member("A", "B");
+    made.load("AB", DistributedLoad{.values = {{.dof = Dof::uy, .start = -q}}, .axes = LoadAxes::Local});
+    return made.model;
 }
 
 } // namespace
@@ -46,7 +42,7 @@ TEST_SUITE("trace")
     {
         const MemberTrace trace = femoop::trace(cantilever_with_prop(), MemberId(0));
         REQUIRE(trace.fixed_end.size() == 1);
-        CHECK(trace.fixed_end[0].load_case == "G");
+        CHECK(trace.fixed_end[0].load_case == "P");
         CHECK(trace.fixed_end[0].local[1] == doctest::Approx(q * L / 2.0));
         CHECK(trace.fixed_end[0].local[2] == doctest::Approx(q * L * L / 12.0));
         CHECK(trace.fixed_end[0].global[0] == doctest::Approx(-0.8 * q * L / 2.0));

@@ -7,6 +7,7 @@
 #include "femoop/analysis/linear_static.h"
 #include "femoop/edit/member_line.h"
 #include "femoop/edit/place.h"
+#include "tests/frame_maker.h"
 
 using namespace femoop;
 
@@ -15,16 +16,10 @@ namespace {
 /// A cantilever with a load in its own axes at a length, on a roller at the tip.
 Model propped()
 {
-    Model model;
-    model.add(Material{.id = "steel", .E = 210e6});
-    model.add(Section{.id = "s", .A = 0.01, .Iz = 1e-4});
-    const NodeId a = model.add(Node{.id = "A", .at = {1, 2}, .support = Support{.kind = SupportKind::Fixed}});
-    const NodeId b = model.add(Node{.id = "B", .at = {6, 2}, .support = Support{.kind = SupportKind::Roller}});
-    const MemberId ab = model.add(
-        Member{.id = "AB", .nodes = {a, b}, .material = MaterialId(0), .section = SectionId(0)});
-    const PointLoad point{.at = Quantity(2.0), .components = {{Dof::uy, -30}}, .axes = LoadAxes::Local};
-    model.add(LoadCase{.id = "P", .members = {{ab, point}}});
-    return model;
+    FrameMaker made({.id = "s", .A = 0.01, .Iz = 1e-4});
+    made.node("A", 1, 2, SupportKind::Fixed).node("B", 6, 2, SupportKind::Roller).member("A", "B");
+    made.load("AB", PointLoad{.at = Quantity(2.0), .components = {{Dof::uy, -30}}, .axes = LoadAxes::Local});
+    return made.model;
 }
 
 /// Two beams at a right angle, clamped at one end and held in part at the other, under a load and a torque.

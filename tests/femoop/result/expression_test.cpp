@@ -2,6 +2,7 @@
 
 #include "femoop/analysis/linear_static.h"
 #include "femoop/result/expression.h"
+#include "tests/frame_maker.h"
 
 using namespace femoop;
 
@@ -12,18 +13,9 @@ constexpr double L = 6.0, q = 7.0, P = 13.0, a = 2.5;
 /// A simple beam with a uniform load, or with a point load at `a`.
 Model beam(bool is_uniform)
 {
-    Model model;
-    model.add(Material{.id = "steel", .E = 210e6});
-    model.add(Section{.id = "s", .A = 0.01, .Iz = 2e-4});
-    const NodeId left = model.add(Node{.id = "A", .at = {0, 0}, .support = Support{.kind = SupportKind::Pin}});
-    const NodeId right = model.add(Node{.id = "B", .at = {L, 0}, .support = Support{.kind = SupportKind::Roller}});
-    const MemberId ab = model.add(
-        Member{.id = "AB", .nodes = {left, right}, .material = MaterialId(0), .section = SectionId(0)});
-    LoadCase load_case{.id = "P"};
-    if (is_uniform) load_case.members.push_back({ab, DistributedLoad{.values = {{.dof = Dof::uy, .start = -q}}}});
-    else load_case.members.push_back({ab, PointLoad{.at = Quantity(a), .components = {{Dof::uy, -P}}}});
-    model.add(load_case);
-    return model;
+    FrameMaker made({.id = "s", .A = 0.01, .Iz = 2e-4});
+    made.node("A", 0, 0, SupportKind::Pin).node("B", L, 0, SupportKind::Roller).member("A", "B");
+    return (is_uniform ? made.uniform("AB", -q) : made.point("AB", a, -P)).model;
 }
 
 std::vector<Expression> formulas(const Model& model, MemberComponent component)
