@@ -1,8 +1,12 @@
 #include "femoop/files/whole_file.h"
 
+#include <array>
 #include <cerrno>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
+#include <istream>
 #include <memory>
 #include <string>
 
@@ -152,6 +156,38 @@ std::error_code write_whole_file(const fs::path& path, std::string_view text)
         return std::make_error_code(std::errc::too_many_symbolic_link_levels);
     [[maybe_unused]] const SizeLimitTold told;
     return replace(target, old, text);
+}
+
+namespace {
+
+/// The rest of a stream, as far as one byte beyond what is allowed.
+WholeFile rest_of(std::istream& file, std::uintmax_t most_bytes)
+{
+    WholeFile whole;
+    std::array<char, 1 << 16> part{};
+    while (file.read(part.data(), part.size()), file.gcount() > 0) {
+        whole.text.append(part.data(), static_cast<std::size_t>(file.gcount()));
+        if (whole.text.size() > most_bytes) return {{}, std::make_error_code(std::errc::file_too_large)};
+    }
+    if (file.bad()) return {{}, std::make_error_code(std::errc::io_error)};
+    return whole;
+}
+
+} // namespace
+
+WholeFile read_whole_file(const fs::path& path, std::uintmax_t most_bytes)
+{
+    const auto refused = [](std::errc reason) { return WholeFile{{}, std::make_error_code(reason)}; };
+    std::error_code unknown;
+    const fs::file_status status = fs::status(path, unknown);
+    const bool is_piped = path == "/dev/stdin" && fs::is_fifo(status);
+    if (fs::is_directory(status)) return refused(std::errc::is_a_directory);
+    if (fs::exists(status) && !fs::is_regular_file(status) && !is_piped)
+        return refused(std::errc::operation_not_supported);
+    errno = 0;
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return {{}, last_error()};
+    return rest_of(file, most_bytes);
 }
 
 } // namespace files

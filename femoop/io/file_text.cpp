@@ -1,10 +1,8 @@
 #include "femoop/io/file_text.h"
 
-#include <cerrno>
-#include <cstdint>
-#include <fstream>
-#include <iterator>
+#include <utility>
 
+#include "femoop/files/whole_file.h"
 #include "femoop/model/fault/translator.h"
 
 namespace femoop {
@@ -12,8 +10,6 @@ namespace femoop {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::uintmax_t most_bytes = 1U << 30U;
 
 std::string reason_text(std::errc reason)
 {
@@ -27,14 +23,10 @@ std::string reason_text(std::errc reason)
     case std::errc::not_a_directory: return std::string(translatable("Not a directory"));
     case std::errc::filename_too_long: return std::string(translatable("File name too long"));
     case std::errc::operation_not_permitted: return std::string(translatable("Operation not permitted"));
+    case std::errc::operation_not_supported: return std::string(translatable("Not a regular file"));
     case std::errc::read_only_file_system: return std::string(translatable("Read-only file system"));
     default: return std::make_error_code(reason).message();
     }
-}
-
-FileText refused(const fs::path& path, std::errc reason)
-{
-    return {{}, file_fault(FaultKind::FileUnreadable, path, reason)};
 }
 
 } // namespace
@@ -46,21 +38,9 @@ Fault file_fault(FaultKind kind, const fs::path& path, std::errc reason)
 
 FileText file_text(const fs::path& path)
 {
-    std::error_code unknown;
-    const fs::file_status status = fs::status(path, unknown);
-    if (fs::is_directory(status)) return refused(path, std::errc::is_a_directory);
-    if (fs::exists(status) && !fs::is_regular_file(status))
-        return {{}, Fault{FaultKind::FileUnreadable, {path.string(), std::string(translatable("Not a regular file"))}}};
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    const auto reason = static_cast<std::errc>(errno);
-    if (!file) return refused(path, reason);
-    if (fs::file_size(path, unknown) > most_bytes && !unknown) return refused(path, std::errc::file_too_large);
-    try {
-        return {{std::istreambuf_iterator<char>(file), {}}, std::nullopt};
-    } catch (const std::ios_base::failure&) {
-        return refused(path, std::errc::io_error);
-    }
+    files::WholeFile file = files::read_whole_file(path);
+    if (file.hindrance) return {{}, file_fault(FaultKind::FileUnreadable, path, std::errc(file.hindrance.value()))};
+    return {std::move(file.text), std::nullopt};
 }
 
 } // namespace femoop

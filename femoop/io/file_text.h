@@ -9,8 +9,7 @@
 
 namespace femoop {
 
-/// What a file holds, or why it cannot be read. Only a regular file is read, and none beyond a gigabyte: a device has
-/// no end, and who waits for a pipe may wait for ever.
+/// What a file holds, or why it cannot be read (femoop/files/whole_file.h).
 struct FileText {
     std::string text;
     std::optional<Fault> fault;

@@ -10,9 +10,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <sstream>
 
 #include "femoop/files/whole_file.h"
@@ -75,8 +73,7 @@ void remove_all_of(const fs::path& draft)
 
 std::string text_beside(const fs::path& draft, const char* extension)
 {
-    std::ifstream file(beside(draft, extension), std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
+    return files::read_whole_file(beside(draft, extension)).text;
 }
 
 std::optional<fs::path> original_of(const fs::path& draft)

@@ -2,8 +2,6 @@
 
 #include <chrono>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 #include "femoop/files/whole_file.h"
@@ -39,14 +37,6 @@ void remove_left_behind(const fs::path& temporary)
         const auto age = fs::file_time_type::clock::now() - fs::last_write_time(entry->path(), unknown);
         if (!unknown && age > young && FolderLock(entry->path()).is_held()) remove_folder(entry->path());
     }
-}
-
-std::optional<std::string> text_of(const fs::path& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return std::nullopt;
-    std::string text(std::istreambuf_iterator<char>(file), {});
-    return file.bad() ? std::nullopt : std::optional(std::move(text));
 }
 
 } // namespace
@@ -111,12 +101,12 @@ std::optional<std::string> Link::heard()
     constexpr std::chrono::seconds young(2); // a file may be replaced within the grain of its time
     const bool is_old = fs::file_time_type::clock::now() - mark.time > young;
     if (error || !is_file || mark.size > most_bytes || (is_old && seen_ == mark)) return std::nullopt;
-    auto text = text_of(path);
-    if (!text) return std::nullopt;
+    files::WholeFile file = files::read_whole_file(path, most_bytes);
+    if (file.hindrance) return std::nullopt;
     seen_ = mark;
-    if (text == last_) return std::nullopt;
-    last_ = text;
-    return text;
+    if (file.text == last_) return std::nullopt;
+    last_ = std::move(file.text);
+    return last_;
 }
 
 bool Link::is_withdrawn() const

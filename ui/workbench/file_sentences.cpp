@@ -16,6 +16,12 @@ Message not_opened(const std::filesystem::path& path, const Message& reason)
     return of_file(translatable("{file} was not opened: {reason}"), path, reason);
 }
 
+Message not_opened(const std::filesystem::path& path, const std::error_code& hindrance)
+{
+    if (hindrance == std::errc::operation_not_supported) return not_opened(path, translatable("it is no regular file"));
+    return not_opened(path, Message(hindrance.message()));
+}
+
 Message not_saved(const std::filesystem::path& path, const std::error_code& hindrance)
 {
     return of_file(translatable("{file} was not saved: {reason}"), path, Message(hindrance.message()));

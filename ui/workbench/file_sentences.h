@@ -13,6 +13,7 @@ namespace ui {
 
 // What an app says of a file: in one wording, whichever app it is.
 Message not_opened(const std::filesystem::path& path, const Message& reason);
+Message not_opened(const std::filesystem::path& path, const std::error_code& hindrance);
 Message not_saved(const std::filesystem::path& path, const std::error_code& hindrance);
 Message saved(const std::filesystem::path& path);
 Message not_written(const std::filesystem::path& path, const std::string& reason); ///< an export

@@ -1,8 +1,6 @@
 #include "apps/euler/session/session.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -94,18 +92,13 @@ void Session::show(Stepper lesson)
 
 std::optional<Notice> Session::read(const std::filesystem::path& path)
 {
-    const auto refusal = [&](const ui::Message& reason) { return ui::lasting(ui::not_opened(path, reason)); };
-    std::error_code none;
-    if (std::filesystem::is_directory(path, none)) return refusal(translatable("it is a folder"));
-    const bool has_end = std::filesystem::is_regular_file(path, none) || !std::filesystem::exists(path, none);
-    if (!has_end) return refusal(translatable("it is no regular file"));
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return refusal(translatable("it cannot be read"));
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    auto [lesson, fault] = Stepper::as_far_as_it_goes(text);
-    if (fault && lesson.n_steps() == 0 && !can_be_edited(text)) return refusal(sentence(*fault, tr()));
+    const files::WholeFile file = files::read_whole_file(path);
+    if (file.hindrance) return ui::lasting(ui::not_opened(path, file.hindrance));
+    auto [lesson, fault] = Stepper::as_far_as_it_goes(file.text);
+    if (fault && lesson.n_steps() == 0 && !can_be_edited(file.text))
+        return ui::lasting(ui::not_opened(path, sentence(*fault, tr())));
     restart(std::move(lesson));
-    if (fault) show_fault(path, text, *fault);
+    if (fault) show_fault(path, file.text, *fault);
     return std::nullopt;
 }
 

@@ -19,8 +19,10 @@ Options parse_options(int argc, const char* const* argv)
          .purpose =
              "Shows Euler operators at work: every step of a script in the picture, "
              "in the tables of the half-edge structure and in the formula of Euler and Poincare, forward and back.",
-         .options = {.files = "script of Euler operators (.eul) to open",
-                     .describe = "print the steps and the solids in words and leave; needs no display"}},
+         .options =
+             {.files =
+                  "script of Euler operators (.eul) to open; - opens what is redirected here, as a copy without a file",
+              .describe = "print the steps and the solids in words and leave; needs no display"}},
         options, argc, argv, add);
     return options;
 }

@@ -22,7 +22,7 @@ Session begin(const Options& options)
     Session session;
     session.look.theme = *options.settings.theme;
     session.look.tr = ui::Catalogue(*options.settings.language);
-    if (!options.files.empty()) session.open(options.files.front());
+    if (!options.files.empty()) ui::open_first(session, options.files.front());
     if (options.step) session.go_to(std::min(*options.step, session.n_steps()));
     return session;
 }

@@ -1,13 +1,13 @@
 #include "apps/mohr/session/session.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "apps/mohr/document/file.h"
 #include "apps/mohr/session/report.h"
+#include "femoop/files/whole_file.h"
 #include "femoop/model/quantity/number_text.h"
 #include "ui/text/number_format.h"
 
@@ -22,17 +22,6 @@ namespace {
 constexpr double turning_speed = 30.0;  ///< degrees a second
 constexpr double stretch_seconds = 1.5; ///< of a stretch of the loading path
 constexpr std::uintmax_t most_bytes = 1'000'000;
-
-/// The whole text; nothing for what is no regular file of a sensible size.
-std::optional<std::string> text_of(const std::filesystem::path& path)
-{
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error) || std::filesystem::file_size(path, error) > most_bytes)
-        return std::nullopt;
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return std::nullopt;
-    return std::string(std::istreambuf_iterator<char>(file), {});
-}
 
 /// Line by line. \pre there is one
 Message listed(const std::vector<Message>& sentences)
@@ -223,9 +212,9 @@ void Session::new_document() { restart(textbook_state()); }
 
 std::optional<Notice> Session::read(const std::filesystem::path& path)
 {
-    const auto text = text_of(path);
-    if (!text) return ui::lasting(ui::not_opened(path, translatable("it cannot be read")));
-    auto read = read_file_text(*text);
+    const files::WholeFile file = files::read_whole_file(path, most_bytes);
+    if (file.hindrance) return ui::lasting(ui::not_opened(path, file.hindrance));
+    auto read = read_file_text(file.text);
     if (const auto* faults = std::get_if<std::vector<Message>>(&read))
         return ui::lasting(ui::not_opened(path, listed(*faults)));
     restart(std::get<Document>(std::move(read)));

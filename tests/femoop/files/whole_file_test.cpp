@@ -1,10 +1,13 @@
 #include <doctest/doctest.h>
 
+#include <array>
 #include <filesystem>
 #include <string>
 
 #if __has_include(<sys/resource.h>)
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #endif
 
 #include "femoop/files/whole_file.h"
@@ -88,4 +91,47 @@ TEST_SUITE("files")
         if (!fs::exists("/dev/full")) return;
         CHECK(files::write_whole_file("/dev/full", "text") == std::errc::no_space_on_device);
     }
+
+    TEST_CASE("A file is read to its end, zeros and strange bytes too; a longer one than is allowed is not")
+    {
+        const Folder folder;
+        const std::string text("a\0b\xFF\r\n", 6);
+        const fs::path path = folder.write("strange", text);
+        CHECK(files::read_whole_file(path).text == text);
+        CHECK(files::read_whole_file(path, 6).text == text);
+        const files::WholeFile longer = files::read_whole_file(path, 5);
+        CHECK(longer.hindrance == std::errc::file_too_large);
+        CHECK(longer.text.empty());
+    }
+
+    TEST_CASE("What cannot be read is said")
+    {
+        const Folder folder;
+        CHECK(files::read_whole_file(folder.path("none")).hindrance == std::errc::no_such_file_or_directory);
+        CHECK(files::read_whole_file(folder.path()).hindrance == std::errc::is_a_directory);
+        if (fs::exists("/dev/zero"))
+            CHECK(files::read_whole_file("/dev/zero").hindrance == std::errc::operation_not_supported);
+    }
+
+#if __has_include(<unistd.h>)
+    TEST_CASE("What is piped into the program is read; a pipe of another name, which may never end, is not waited for")
+    {
+        const Folder folder;
+        const fs::path pipe_of_a_name = folder.path("pipe");
+        REQUIRE(mkfifo(pipe_of_a_name.c_str(), 0600) == 0);
+        CHECK(files::read_whole_file(pipe_of_a_name).hindrance == std::errc::operation_not_supported);
+
+        std::array<int, 2> ends{};
+        REQUIRE(pipe(ends.data()) == 0);
+        REQUIRE(write(ends[1], "piped", 5) == 5);
+        close(ends[1]);
+        const int before = dup(0);
+        REQUIRE(dup2(ends[0], 0) == 0);
+        close(ends[0]);
+        const files::WholeFile piped = files::read_whole_file("/dev/stdin");
+        dup2(before, 0);
+        close(before);
+        CHECK(piped.text == "piped");
+    }
+#endif
 }

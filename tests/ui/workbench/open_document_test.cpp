@@ -27,7 +27,7 @@ private:
         std::ifstream file(path);
         const std::string found{std::istreambuf_iterator<char>(file), {}};
         if (!file || found.starts_with("bad"))
-            return ui::lasting(ui::not_opened(path, ui::translatable("it cannot be read")));
+            return ui::lasting(ui::not_opened(path, ui::Message("it holds nothing good")));
         text = found;
         begin(text);
         set_partial(found.starts_with("part"));
@@ -68,7 +68,7 @@ TEST_SUITE("ui workbench")
         Note note;
         REQUIRE(note.open(folder.write("good.txt", "good")));
         CHECK_FALSE(note.open(folder.write("broken.txt", "bad")));
-        CHECK(note.told() == "broken.txt was not opened: it cannot be read");
+        CHECK(note.told() == "broken.txt was not opened: it holds nothing good");
         CHECK(note.file_name() == "good.txt");
         CHECK(note.text == "good");
     }
