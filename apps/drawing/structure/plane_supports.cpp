@@ -134,6 +134,7 @@ void draw_spring(const Scene& scene, femoop::NodeId node, const femoop::Spring& 
     if (turns) draw_spiral(sketch, f, length);
     else draw_zigzag(sketch, f, length, sketch.px(6.0));
     draw_ground(sketch, f.moved(length, 0.0).turned(pi / 2), sketch.px(turns ? 6.0 : 11.0));
+    mark_support(scene, node, side, length);
     if (!scene.explains()) return;
     const auto measure = turns ? ui::Measure::MomentPerAngle : ui::Measure::ForcePerLength;
     sketch.caption(
@@ -186,11 +187,7 @@ void draw_plane_support(const Scene& scene, femoop::NodeId node)
     const auto axes = plane_support_axes(support);
     if (const auto side = plane_support_side(scene, node)) {
         draw_symbol(scene.sketch, symbol_of(support.blocked(scene.model.analysis)), standing(scene, node, *side));
-        const double depth = scene.sketch.px(14.0);
-        scene.sketch.mark({.node = node,
-                           .root = scene.place(node),
-                           .middle = scene.place(node) + depth * scene.projection.direction(*side),
-                           .radius = depth});
+        mark_support(scene, node, *side, scene.sketch.px(28.0));
     }
     for (const femoop::Spring& spring : support.springs) draw_spring(scene, node, spring, axes);
     note_angle(scene, node, support.angle);

@@ -88,6 +88,7 @@ void draw_pyramid(const Scene& scene, femoop::NodeId node, const Vector3d& side)
         const double t = i >= 2 ? half : -half;
         corners[static_cast<std::size_t>(i)] = foot + unit * (s * a + t * b);
     }
+    mark_support(scene, node, side, height);
     const auto at = [&](std::size_t i) { return scene.projection(corners[i % 4]); };
     outline(sketch, {at(0), at(1), at(2), at(3)}, sketch.theme().fill(ui::Role::Support));
     std::array<std::size_t, 4> faces{0, 1, 2, 3};
@@ -135,6 +136,7 @@ void draw_spring(const Scene& scene, femoop::NodeId node, const femoop::Spring& 
     const Vector3d side = free_way(scene, node, axis_of(spring.dof));
     const auto [a, b] = across(side);
     const double length = sketch.px(turns ? 14.0 : 36.0);
+    mark_support(scene, node, side, length);
     if (turns) {
         const SymbolFrame f = scene.projection.frame(scene.shape[node], a, b);
         draw_spiral(sketch, f, length);
@@ -160,6 +162,7 @@ void draw_blocked_one_by_one(const Scene& scene, femoop::NodeId node, DofSet blo
     for (const Dof dof : femoop::all_dofs) {
         if (!blocked.contains(dof)) continue;
         const Vector3d side = free_way(scene, node, axis_of(dof));
+        mark_support(scene, node, side, scene.sketch.px(16.0));
         if (femoop::is_rotation(dof)) draw_turn_lock(scene, node, side);
         else draw_cone(scene, node, side);
     }

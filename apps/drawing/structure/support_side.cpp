@@ -1,6 +1,7 @@
 #include "apps/drawing/structure/support_side.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace drawing {
 
@@ -28,6 +29,13 @@ Eigen::Vector3d least_occupied(const Scene& scene, femoop::NodeId node, std::spa
     return std::min_element(choices.begin(), choices.end(),
                             [&](const SideChoice& a, const SideChoice& b) { return cost(a) < cost(b) - 1e-9; })
         ->direction;
+}
+
+void mark_support(const Scene& scene, femoop::NodeId node, const Eigen::Vector3d& side, double length)
+{
+    const ui::Point root = scene.place(node);
+    const ui::Point half = (0.5 * length) * scene.projection.direction(side);
+    scene.sketch.mark({.node = node, .root = root, .middle = root + half, .radius = std::hypot(half.x, half.y)});
 }
 
 } // namespace drawing

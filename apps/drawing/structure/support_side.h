@@ -17,4 +17,8 @@ struct SideChoice {
 Eigen::Vector3d least_occupied(const Scene& scene, femoop::NodeId node, std::span<const SideChoice> choices,
                                double room_enough = 0.3);
 
+/// Notes that the symbol of a node's support lies from the node towards `side`, `length` in the picture, so that a hand
+/// on it means the support.
+void mark_support(const Scene& scene, femoop::NodeId node, const Eigen::Vector3d& side, double length);
+
 } // namespace drawing

@@ -30,7 +30,16 @@ void TypicalDraft::open(Session& session)
     is_open_ = true;
     show_before_ = session.view.show;
     session.selection.clear();
+    choose_of_kind(session.model().analysis);
     show(session);
+}
+
+void TypicalDraft::choose_of_kind(femoop::AnalysisKind kind)
+{
+    const auto is_of_kind = [&](const TypicalStructure& s) { return s.model(first_numbers(s)).analysis == kind; };
+    const auto all = typical_structures();
+    const auto first = std::ranges::find_if(all, is_of_kind);
+    if (!is_of_kind(structure()) && first != all.end()) chosen_ = static_cast<std::size_t>(first - all.begin());
 }
 
 void TypicalDraft::choose(Session& session, std::size_t structure)

@@ -20,6 +20,7 @@ enum class Setting : std::uint8_t { Beside, InPlace };
 class TypicalDraft {
 public:
     bool is_open() const { return is_open_; }
+    /// With the structure that was chosen last, or with the first one of the document's kind where it is of another.
     void open(Session& session);
     void choose(Session& session, std::size_t structure);
     /// \pre why_not(number, value) gives no reason
@@ -42,6 +43,7 @@ public:
     std::optional<std::string> run_command(Session& session, std::string_view verb, std::string_view argument);
 
 private:
+    void choose_of_kind(femoop::AnalysisKind kind);
     /// \returns why it cannot be shown with these numbers
     std::optional<ui::Message> show(Session& session);
     std::optional<std::string> choose_named(Session& session, std::string_view id);

@@ -48,9 +48,9 @@ std::optional<SupportGrip> support_at(const Projection& projection, ui::Point at
     const auto mark = std::ranges::find_if(marks,
                                            [&](const auto& m) { return ui::distance(m.middle, at) <= m.radius; });
     if (mark == marks.end()) return std::nullopt;
-    const auto root = place_in_plane(projection, mark->root), tool_controller = place_in_plane(projection, at);
-    if (!root || !tool_controller || *root == *tool_controller) return std::nullopt;
-    return SupportGrip{mark->node, direction_of(*tool_controller - *root)};
+    const auto root = place_in_plane(projection, mark->root), pressed = place_in_plane(projection, at);
+    const bool has_direction = root && pressed && *root != *pressed; // not where the plane is seen from its edge
+    return SupportGrip{mark->node, has_direction ? direction_of(*pressed - *root) : 0.0};
 }
 
 std::optional<DimensionPlace> dimension_at(ui::Point at, std::span<const DimensionMark> marks)

@@ -270,6 +270,7 @@ void Canvas::ask_for_menu(Workspace& workspace, const Aim& aim)
     if (!part) selection.clear();
     else if (!selection.contains(*part)) selection = *part;
     workspace.menu_cut = aim.cut;
+    if (aim.cut) workspace.session.pin = aim.cut; // "at this section" is said of it
     workspace.requests.push_back(Request::ContextMenu);
 }
 

@@ -1,6 +1,7 @@
 #include "apps/frame/window/typical_window.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -174,6 +175,10 @@ void TypicalWindow::show_list(Workspace& workspace, ui::ImGuiSession& gui, float
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (i % static_cast<std::size_t>(n_columns) != 0) ImGui::SameLine();
         if (show_entry(all[i], workspace, gui, size)) chosen = i;
+        const bool may_be_lost = workspace.typical.chosen() == i && seen_ != std::pair(i, height);
+        if (!may_be_lost) continue;
+        ImGui::ScrollToItem(ImGuiScrollFlags_KeepVisibleCenterY);
+        seen_ = {i, height};
     }
     ImGui::EndChild();
     if (chosen) workspace.typical.choose(workspace.session, *chosen);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "apps/frame/session/commands.h"
@@ -31,7 +34,8 @@ private:
     std::vector<ui::Picture> pictures_; ///< of all structures, in the look below
     ui::ThemeName theme_ = ui::ThemeName::Light;
     ui::Size size_{};
-    std::uint64_t generation_ = 0; ///< of the session when the camera was fitted last
+    std::pair<std::size_t, float> seen_{}; ///< the structure that was scrolled to last, and the height of the list then
+    std::uint64_t generation_ = 0;         ///< of the session when the camera was fitted last
 };
 
 } // namespace frame

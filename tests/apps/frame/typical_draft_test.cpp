@@ -72,6 +72,22 @@ TEST_SUITE("frame: choosing a typical structure")
         CHECK(choice.session.document() == starting_document());
     }
 
+    TEST_CASE("A document of another kind than the structure chosen last is offered one of its own kind")
+    {
+        for (const auto kind : {femoop::AnalysisKind::Truss2d, femoop::AnalysisKind::Grillage,
+                                femoop::AnalysisKind::Truss3d, femoop::AnalysisKind::Frame3d}) {
+            CAPTURE(kind);
+            Document empty;
+            empty.model.analysis = kind;
+            Session session(empty);
+            TypicalDraft draft;
+            draft.open(session);
+            CHECK(session.model().analysis == kind);
+            draft.cancel(session);
+            CHECK(session.document() == empty);
+        }
+    }
+
     TEST_CASE("The numbers of a structure are kept while another one is tried")
     {
         Choosing choice;
