@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
+#include <variant>
+
+#include "femoop/edit/member_line.h"
 
 namespace frame {
 
@@ -106,6 +109,25 @@ void scale_load(Document& document, const Part& load, Dof dof, double factor)
         scaling(cases.at(place->load_case).nodes.at(place->load).components);
     if (const auto* const place = std::get_if<MemberLoadPlace>(&load))
         std::visit(scaling, cases.at(place->load_case).members.at(place->load).load);
+}
+
+std::optional<double> place_of_load(const Model& model, const Part& load)
+{
+    const auto* const place = std::get_if<MemberLoadPlace>(&load);
+    if (place == nullptr) return std::nullopt;
+    const MemberLoad& on = model.load_cases.at(place->load_case).members.at(place->load);
+    const auto* const point = std::get_if<PointLoad>(&on.load);
+    if (point == nullptr) return std::nullopt;
+    return along(point->at, line_of(model, model[on.member]).length);
+}
+
+void place_load(Document& document, const Part& load, double x)
+{
+    const auto place = std::get<MemberLoadPlace>(load);
+    MemberLoad& on = document.model.load_cases.at(place.load_case).members.at(place.load);
+    Position& at = std::get<PointLoad>(on.load).at;
+    if (std::holds_alternative<Quantity>(at)) at = Quantity(x);
+    else at = Percent{100.0 * x / line_of(document.model, document.model[on.member]).length};
 }
 
 } // namespace frame

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "apps/frame/document/document.h"
 #include "apps/frame/document/part.h"
 
@@ -22,5 +24,10 @@ Part add_settlement(Document& document, LoadCasePlace load_case, femoop::NodeId 
 /// Multiplies the load's values along or about a degree of freedom, and rounds them to about three digits of what they
 /// were. Temperatures, misfits and settlements stay.
 void scale_load(Document& document, const Part& load, femoop::Dof dof, double factor);
+
+/// Where a point load acts, from the first end of its member's line; nothing of other loads. [length]
+std::optional<double> place_of_load(const femoop::Model& model, const Part& load);
+/// Puts it elsewhere on its member; a place in percent stays one. \pre it is a point load, x lies on the member's line
+void place_load(Document& document, const Part& load, double x);
 
 } // namespace frame

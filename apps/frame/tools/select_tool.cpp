@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <variant>
 
 #include "apps/frame/document/command.h"
 #include "apps/frame/document/dimensioning.h"
@@ -10,6 +11,7 @@
 #include "apps/frame/document/loading.h"
 #include "apps/frame/tools/dimension_tool.h"
 #include "apps/frame/tools/snap.h"
+#include "femoop/edit/member_line.h"
 #include "femoop/geometry/node_position.h"
 #include "ui/text/catalogue.h"
 
@@ -58,6 +60,13 @@ double round_angle(double degrees, bool is_exact)
     return round - 360.0 * std::ceil((round - 180.0) / 360.0);
 }
 
+/// The line of the member that a load acts on. \pre it acts on one
+femoop::MemberLine line_of_load(const Model& model, const Part& load)
+{
+    const auto place = std::get<MemberLoadPlace>(load);
+    return line_of(model, model[model.load_cases.at(place.load_case).members.at(place.load).member]);
+}
+
 } // namespace
 
 std::optional<Change> SelectTool::press(const Work& work, const Aim& at)
@@ -79,10 +88,14 @@ std::optional<Change> SelectTool::move(const Work& work, const Aim& to)
 {
     if (gesture_ == Gesture::None) return std::nullopt;
     now_ = to;
-    is_dragging_ = is_dragging_ || to.is_dragged_from(start_);
+    if (!is_dragging_ && to.is_dragged_from(start_)) {
+        is_dragging_ = true;
+        if (gesture_ == Gesture::Pull && goes_along_member(work.document.model, to)) gesture_ = Gesture::Carry;
+    }
     if (!is_dragging_) return std::nullopt;
     if (gesture_ == Gesture::Move) return moved(work, to);
     if (gesture_ == Gesture::Pull) return pulled(work, to);
+    if (gesture_ == Gesture::Carry) return carried(work, to);
     if (gesture_ == Gesture::Turn) return turned(work, to);
     if (gesture_ == Gesture::Slide) return slid(work, to);
     return std::nullopt;
@@ -120,6 +133,29 @@ Change SelectTool::pulled(const Work& work, const Aim& to) const
     const double factor = 1.0 + (to.pointer - start_.pointer).dot(grip.pull) / grip.pull.squaredNorm();
     return {{translatable("Change the value: {part}"), {{"part", title(work.document.model, grip.load)}}},
             [=](Document& changed) { scale_load(changed, grip.load, grip.dof, factor); },
+            Step::Drag};
+}
+
+/// The hand that has taken hold of a point load goes rather along its member than along its arrow.
+bool SelectTool::goes_along_member(const Model& model, const Aim& to) const
+{
+    if (!place_of_load(model, start_.grip->load)) return false;
+    const Vector2d way = to.pointer - start_.pointer;
+    const auto along = [&](const Vector2d& direction) { return std::abs(way.dot(direction)); };
+    return along(line_of_load(model, start_.grip->load).direction.head<2>()) > along(start_.grip->pull.normalized());
+}
+
+Change SelectTool::carried(const Work& work, const Aim& to) const
+{
+    constexpr double spacing = 8.0; // [px] of the round places
+    const Model& model = work.document.model;
+    const femoop::MemberLine line = line_of_load(model, start_.grip->load);
+    const double step = round_grid(spacing * to.pixel);
+    const double meant = *place_of_load(model, start_.grip->load) +
+                         (to.pointer - start_.pointer).dot(line.direction.head<2>());
+    const double x = std::clamp(to.is_exact ? meant : step * std::round(meant / step), 0.0, line.length);
+    return {{translatable("Move: {part}"), {{"part", title(model, start_.grip->load)}}},
+            [load = start_.grip->load, x](Document& changed) { place_load(changed, load, x); },
             Step::Drag};
 }
 
@@ -163,6 +199,7 @@ std::optional<Change> SelectTool::release(const Work& work, const Aim& at)
         return std::nullopt;
     }
     if (gesture == Gesture::Pull) return pulled(work, at);
+    if (gesture == Gesture::Carry) return carried(work, at);
     if (gesture == Gesture::Turn) return turned(work, at);
     if (gesture == Gesture::Slide) return slid(work, at);
     return moved(work, at);

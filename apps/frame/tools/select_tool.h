@@ -8,8 +8,8 @@ namespace frame {
 
 /// Selects: a click one part, with Shift more; a window drawn to the right what lies inside it, one drawn to the left
 /// what it touches, as they are seen. A drag of a selected part moves the selection, one of a load's arrow changes its
-/// value, one of a support's symbol turns the support, one of a dimension line changes its distance; a model that is
-/// seen in space is turned by a drag, so these are for the others.
+/// value or, along the member, the place of a point load, one of a support's symbol turns the support, one of a
+/// dimension line changes its distance; a model that is seen in space is turned by a drag, so these are for the others.
 class SelectTool : public Tool {
 public:
     std::optional<Change> press(const Work& work, const Aim& at) override;
@@ -20,10 +20,12 @@ public:
     Preview preview() const override;
 
 private:
-    enum class Gesture : std::uint8_t { None, Move, Pull, Turn, Slide, Window };
+    enum class Gesture : std::uint8_t { None, Move, Pull, Carry, Turn, Slide, Window };
 
     Change moved(const Work& work, const Aim& to) const;
     Change pulled(const Work& work, const Aim& to) const;
+    bool goes_along_member(const femoop::Model& model, const Aim& to) const;
+    Change carried(const Work& work, const Aim& to) const;
     Change turned(const Work& work, const Aim& to) const;
     Change slid(const Work& work, const Aim& to) const;
     Gesture gesture_at(const Aim& at) const;

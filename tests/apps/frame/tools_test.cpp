@@ -6,10 +6,12 @@
 #include <numbers>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "apps/frame/document/drawing.h"
 #include "apps/frame/document/load_cases.h"
+#include "apps/frame/document/loading.h"
 #include "apps/frame/document/number.h"
 #include "apps/frame/tools/dimension_tool.h"
 #include "apps/frame/tools/grid.h"
@@ -21,6 +23,7 @@
 #include "apps/frame/tools/select_tool.h"
 #include "apps/frame/tools/tool_controller.h"
 #include "apps/frame/tools/typed_place.h"
+#include "tests/frame_maker.h"
 #include "ui/history/history.h"
 
 using Eigen::Vector2d;
@@ -578,6 +581,32 @@ TEST_SUITE("frame tools")
         bench.drag(tool, arrow, at(3, 6));
         CHECK(value() == doctest::Approx(2.0 * before));
         CHECK(bench.history.n_states() == 2);
+    }
+
+    TEST_CASE("A point load that is dragged along its member moves there by round steps, and keeps its value")
+    {
+        for (const femoop::Position& start :
+             {femoop::Position(femoop::Quantity(2.0)), femoop::Position(femoop::Percent{25.0})}) {
+            FrameMaker made;
+            made.node("A", 0, 0, femoop::SupportKind::Pin)
+                .node("B", 8, 0, femoop::SupportKind::Roller)
+                .member("A", "B");
+            made.load("AB", femoop::PointLoad{.at = start, .components = {{femoop::Dof::uy, -30.0}}});
+            Bench bench(frame::Document{.model = made.model, .companion = {}});
+            frame::SelectTool tool;
+            frame::Aim arrow = at(2, 0.5);
+            arrow.grip = frame::LoadGrip{frame::MemberLoadPlace{0, 0}, femoop::Dof::uy, {0.0, 1.0}};
+            const auto point = [&] { return std::get<femoop::PointLoad>(bench.model().load_cases[0].members[0].load); };
+            bench.drag(tool, arrow, at(5.512, 0.7));
+            CHECK(point().at.index() == start.index());
+            CHECK(*frame::place_of_load(bench.model(), frame::MemberLoadPlace{0, 0}) == doctest::Approx(5.5));
+            CHECK(point().components[0].value.value() == -30.0);
+            CHECK(bench.history.n_states() == 2);
+            arrow.pointer = {5.5, 0.5};
+            bench.drag(tool, arrow, at(12, 0.5));
+            CHECK(*frame::place_of_load(bench.model(), frame::MemberLoadPlace{0, 0}) ==
+                  doctest::Approx(8.0)); // its end
+        }
     }
 
     TEST_CASE("A support's symbol that is dragged about its node turns the support, by whole multiples of 15 degrees")
