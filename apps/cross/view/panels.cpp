@@ -251,7 +251,8 @@ Panels panels_for(const drawing::StructureShape& shape, ui::Size sheet, const ui
 namespace {
 
 /// A beam's columns hang down from it and grow with the zoom, so its sheet moves up and down, as far as they reach.
-void look_closer_at_columns(Panel& sheet, const Eigen::Vector2d& own, Zoom zoom)
+/// \returns how it was taken
+Zoom look_closer_at_columns(Panel& sheet, const Eigen::Vector2d& own, Zoom zoom)
 {
     const double height = sheet.box.height(), growth = std::max(1.0, zoom.factor);
     const double scale = zoom.factor * sheet.camera.scale(), lowest = (growth - 1.0) * height / scale;
@@ -259,6 +260,7 @@ void look_closer_at_columns(Panel& sheet, const Eigen::Vector2d& own, Zoom zoom)
     look_closer(sheet, own, zoom);
     sheet.whole.min.y = sheet.box.min.y + (zoom.middle ? scale * (zoom.middle->y() - own.y()) : 0.0);
     sheet.whole.max.y = sheet.whole.min.y + growth * height;
+    return zoom;
 }
 
 } // namespace
@@ -267,13 +269,14 @@ void look_closer(Panels& panels, const drawing::StructureShape& shape, Zoom zoom
 {
     const std::array all{&panels.structure, &panels.deformed, &panels.moments, &panels.sheet};
     for (Panel* const panel : all) panel->whole = panel->box;
+    panels.zoom = zoom;
     if (zoom.factor == 1.0 && !zoom.middle) return;
     const Eigen::Vector2d own = middle_of(shape);
     if (!is_beam(shape)) {
         for (Panel* const panel : all) look_closer(*panel, own, zoom);
         return;
     }
-    look_closer_at_columns(panels.sheet, own, zoom);
+    panels.zoom = look_closer_at_columns(panels.sheet, own, zoom);
     if (zoom.middle) zoom.middle->y() = own.y();
     for (Panel* const panel : {&panels.structure, &panels.deformed, &panels.moments}) {
         look_closer(*panel, own, zoom);
