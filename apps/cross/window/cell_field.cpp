@@ -38,7 +38,8 @@ void CellField::show(Session& session, const Drawn& drawn, ui::Point corner, flo
     if (mark == nullptr) return;
     const auto factor = static_cast<double>(scale);
     const ui::Point middle = factor * (corner + mark->box.center());
-    edit_at(session, Place::Sheet, middle, std::max(static_cast<float>(mark->box.width()) * scale, 5.0F * ImGui::GetFontSize()));
+    edit_at(session, Place::Sheet, middle,
+            std::max(static_cast<float>(mark->box.width()) * scale, 5.0F * ImGui::GetFontSize()));
     if (cell_ && !reason_.empty()) show_reason(reason_, middle, factor * corner.x);
 }
 

@@ -34,7 +34,7 @@ private:
 
     std::optional<femoop::cross::BlankId> cell_;
     std::string text_, written_, reason_; ///< why the text was not taken
-    Place place_ = Place::Sheet; ///< where it was last: it may have left the picture with its cell
+    Place place_ = Place::Sheet;          ///< where it was last: it may have left the picture with its cell
     int n_openings_ = 0;
     bool is_fresh_ = false;
     std::size_t of_ = 0; ///< solution: of another exercise
