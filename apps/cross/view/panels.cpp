@@ -71,8 +71,9 @@ void draw_out(Panel& panel, Extent extent, double em, const SheetRoom& room = {}
 Panels stacked(const Extent& extent, ui::Size sheet, const ui::Theme& theme)
 {
     const double em = theme.type().normal, margin = std::min(4.6 * em, 0.1 * sheet.width);
-    constexpr double lines_of_loads = 13.5; // title, value, arrows, beam, dimension lines
-    const double first_share = std::clamp(lines_of_loads * em / sheet.height, 0.24, 0.29);
+    constexpr double lines_of_loads = 14.2;  // title, value, arrows, beam, dimension lines
+    constexpr double lines_below_beam = 7.1; // supports, dimension lines and the text of the lower one
+    const double first_share = std::clamp(lines_of_loads * em / sheet.height, 0.24, 0.305);
     const double less = 0.25 * (first_share - 0.24);
     const std::array shares{first_share, 0.16 - less, 0.20 - less};
     Panels panels{.is_stacked = true};
@@ -83,7 +84,7 @@ Panels stacked(const Extent& extent, ui::Size sheet, const ui::Theme& theme)
         top += height;
     };
     const double first = shares[0] * sheet.height; // dimension lines keep their size
-    next(panels.structure, first, first - 6.4 * std::min(em, first / lines_of_loads));
+    next(panels.structure, first, first - lines_below_beam * std::min(em, first / lines_of_loads));
     next(panels.deformed, shares[1] * sheet.height, 0.56 * shares[1] * sheet.height);
     next(panels.moments, shares[2] * sheet.height, 0.56 * shares[2] * sheet.height);
     next(panels.sheet, sheet.height - top, 2.9 * em);
