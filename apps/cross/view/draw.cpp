@@ -96,6 +96,7 @@ Drawn draw(ui::Painter& painter, const Scene& scene)
         for (const Part part : {Part::Structure, Part::Deformed, Part::Moments, Part::Sheet})
             if (const ui::Point at = panels[part].at(shape[joints[j].node]); panels[part].box.contains(at))
                 drawn.joints.push_back({femoop::cross::JointId(j), part, at});
+    drawn.zoom = panels.zoom;
     drawn.middle = middle_of(shape);
     for (const Part part : {Part::Structure, Part::Deformed, Part::Moments, Part::Sheet})
         drawn.views.push_back(view_of(panels[part]));

@@ -306,8 +306,24 @@ private:
         for (const BlankCell& cell : column.cells) {
             const double top = box.min.y + (name_height + line_height * static_cast<double>(cell.line)) * em;
             const ui::Box place{{box.min.x + 0.05 * em, top}, {box.max.x - 0.05 * em, top + cell_height * em}};
-            if (place.max.y <= box.max.y + 0.2 * em) draw_cell(cell, place);
+            if (place.max.y > box.max.y + 0.2 * em) continue;
+            draw_cell(cell, place);
+            if (scene_.cell == cell.blank) drawn_.way_to_cell = way_into_sight(place);
         }
+    }
+
+    /// Nothing where a box is seen whole, between title and legend.
+    std::optional<ui::Point> way_into_sight(const ui::Box& box) const
+    {
+        ui::Box sight = panel_.box.grown(-0.5 * theme_.type().normal);
+        sight.min.y += 1.5 * theme_.type().normal;
+        sight.max.y -= legend_height();
+        const auto way = [](double low, double high, double least, double most) {
+            return low < least ? least - low : std::min(0.0, std::max(most - high, least - low));
+        };
+        const ui::Point by{way(box.min.x, box.max.x, sight.min.x, sight.max.x),
+                           way(box.min.y, box.max.y, sight.min.y, sight.max.y)};
+        return panel_.is_zoomed && ui::distance({}, by) > 0.0 ? std::optional(by) : std::nullopt;
     }
 
     /// A frame round it, its label at the left, the number, and at the right what is said of it.
@@ -507,6 +523,7 @@ Drawn draw_exercise(ui::Painter& painter, const Scene& scene)
     draw_loaded(painter, panels.structure, scene);
     if (is_solved) draw_moment_state(painter, panels.moments, scene);
     draw_cells(painter, panels.sheet, scene, drawn);
+    drawn.zoom = panels.zoom;
     drawn.middle = middle_of(shape);
     drawn.views.push_back(view_of(panels.structure));
     if (is_solved) drawn.views.push_back(view_of(panels.moments));

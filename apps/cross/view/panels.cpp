@@ -71,8 +71,9 @@ void draw_out(Panel& panel, Extent extent, double em, const SheetRoom& room = {}
 Panels stacked(const Extent& extent, ui::Size sheet, const ui::Theme& theme)
 {
     const double em = theme.type().normal, margin = std::min(4.6 * em, 0.1 * sheet.width);
-    constexpr double lines_of_loads = 13.5; // title, value, arrows, beam, dimension lines
-    const double first_share = std::clamp(lines_of_loads * em / sheet.height, 0.24, 0.29);
+    constexpr double lines_of_loads = 14.2;  // title, value, arrows, beam, dimension lines
+    constexpr double lines_below_beam = 7.1; // supports, dimension lines and the text of the lower one
+    const double first_share = std::clamp(lines_of_loads * em / sheet.height, 0.24, 0.305);
     const double less = 0.25 * (first_share - 0.24);
     const std::array shares{first_share, 0.16 - less, 0.20 - less};
     Panels panels{.is_stacked = true};
@@ -83,7 +84,7 @@ Panels stacked(const Extent& extent, ui::Size sheet, const ui::Theme& theme)
         top += height;
     };
     const double first = shares[0] * sheet.height; // dimension lines keep their size
-    next(panels.structure, first, first - 6.4 * std::min(em, first / lines_of_loads));
+    next(panels.structure, first, first - lines_below_beam * std::min(em, first / lines_of_loads));
     next(panels.deformed, shares[1] * sheet.height, 0.56 * shares[1] * sheet.height);
     next(panels.moments, shares[2] * sheet.height, 0.56 * shares[2] * sheet.height);
     next(panels.sheet, sheet.height - top, 2.9 * em);
@@ -251,7 +252,8 @@ Panels panels_for(const drawing::StructureShape& shape, ui::Size sheet, const ui
 namespace {
 
 /// A beam's columns hang down from it and grow with the zoom, so its sheet moves up and down, as far as they reach.
-void look_closer_at_columns(Panel& sheet, const Eigen::Vector2d& own, Zoom zoom)
+/// \returns how it was taken
+Zoom look_closer_at_columns(Panel& sheet, const Eigen::Vector2d& own, Zoom zoom)
 {
     const double height = sheet.box.height(), growth = std::max(1.0, zoom.factor);
     const double scale = zoom.factor * sheet.camera.scale(), lowest = (growth - 1.0) * height / scale;
@@ -259,6 +261,7 @@ void look_closer_at_columns(Panel& sheet, const Eigen::Vector2d& own, Zoom zoom)
     look_closer(sheet, own, zoom);
     sheet.whole.min.y = sheet.box.min.y + (zoom.middle ? scale * (zoom.middle->y() - own.y()) : 0.0);
     sheet.whole.max.y = sheet.whole.min.y + growth * height;
+    return zoom;
 }
 
 } // namespace
@@ -267,13 +270,14 @@ void look_closer(Panels& panels, const drawing::StructureShape& shape, Zoom zoom
 {
     const std::array all{&panels.structure, &panels.deformed, &panels.moments, &panels.sheet};
     for (Panel* const panel : all) panel->whole = panel->box;
+    panels.zoom = zoom;
     if (zoom.factor == 1.0 && !zoom.middle) return;
     const Eigen::Vector2d own = middle_of(shape);
     if (!is_beam(shape)) {
         for (Panel* const panel : all) look_closer(*panel, own, zoom);
         return;
     }
-    look_closer_at_columns(panels.sheet, own, zoom);
+    panels.zoom = look_closer_at_columns(panels.sheet, own, zoom);
     if (zoom.middle) zoom.middle->y() = own.y();
     for (Panel* const panel : {&panels.structure, &panels.deformed, &panels.moments}) {
         look_closer(*panel, own, zoom);

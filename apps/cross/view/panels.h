@@ -31,6 +31,7 @@ struct Panel {
 struct Panels {
     Panel structure, deformed, moments, sheet;
     bool is_stacked = false; ///< below one another: a beam
+    Zoom zoom{};             ///< as far as there is something to see
 
     const Panel& operator[](Part part) const;
 };

@@ -59,6 +59,9 @@ struct WrittenText {
 /// What a picture shows, for a hand.
 struct Drawn {
     std::vector<CellMark> cells;
+    /// How far the pictures are to be moved along so that the cell that is being filled is seen whole; nothing where
+    /// it is, or has no place.
+    std::optional<ui::Point> way_to_cell;
     std::vector<JointMark> joints;
     std::vector<NodeMark> nodes;
     std::vector<drawing::LoadMark> loads;
@@ -80,6 +83,7 @@ struct Drawn {
         Zoom drawn(const Zoom& zoom) const;
         Zoom place(const Zoom& zoom) const;
     };
+    Zoom zoom;                                        ///< as far as there is something to see
     std::vector<View> views;                          ///< the structure's first
     Eigen::Vector2d middle = Eigen::Vector2d::Zero(); ///< of the structure
 

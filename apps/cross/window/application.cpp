@@ -53,7 +53,7 @@ void Application::show_canvas()
 {
     const bool has_bar = session().worksheet() == nullptr; // a pupil has nothing to play
     const float bar = has_bar ? ImGui::GetFrameHeight() + 0.8F * ImGui::GetFontSize() : 0.0F;
-    ui::picture_area(bar, [this] { canvas_.show(workspace().session, gui()); });
+    ui::picture_area(bar, [this] { canvas_.show(workspace().session, gui(), workspace().has_panels); });
     if (has_bar) ui::bar_below_picture(bar, [this] { player_bar(workspace(), commands()); });
 }
 

@@ -12,7 +12,7 @@
 
 namespace cross {
 
-void Canvas::show(Session& session, ui::ImGuiSession& gui)
+void Canvas::show(Session& session, ui::ImGuiSession& gui, bool has_panels)
 {
     if (!area_.begin(gui)) return;
     // The field of a cell or of a value lies on it.
@@ -22,14 +22,33 @@ void Canvas::show(Session& session, ui::ImGuiSession& gui)
         drag_ = {};
     }
     follow(session, area_.pointer());
+    redraw(session);
+    if (std::exchange(cell_in_sight_, session.cell()) != session.cell() && bring_cell_into_sight(session))
+        redraw(session);
+    area_.show(*picture_, gui);
+    cell_field_.show(session, drawn_, area_.corner(), static_cast<float>(gui.scale()));
+    if (!has_panels && !is_drawn(session, drawn_))
+        cell_field_.show_at_foot(session, ui::box_at(area_.corner(), area_.sheet()), static_cast<float>(gui.scale()));
+    value_field_.show(session, area_.corner(), static_cast<float>(gui.scale()));
+}
+
+void Canvas::redraw(Session& session)
+{
     ui::Painter painter(area_.sheet(), fonts_);
     drawn_ = draw(painter, session.scene());
+    if (!drawn_.views.empty()) session.look.zoom = drawn_.zoom; // what a hand pulled beyond the end is not kept
     drawn_of_ = session.n_solved();
     draw_hint(painter, session);
     picture_ = painter.picture();
-    area_.show(*picture_, gui);
-    cell_field_.show(session, drawn_, area_.corner(), static_cast<float>(gui.scale()));
-    value_field_.show(session, area_.corner(), static_cast<float>(gui.scale()));
+}
+
+/// A cell that the keyboard or a panel went to. \returns whether the pictures moved
+bool Canvas::bring_cell_into_sight(Session& session) const
+{
+    if (!drawn_.way_to_cell) return false;
+    const ui::Point from = drawn_.views.back().box.center(), to = from + *drawn_.way_to_cell;
+    session.look.zoom = drawn_.moved_along(session.look.zoom, from, to).value_or(session.look.zoom);
+    return true;
 }
 
 void Canvas::follow(Session& session, ui::Point at)
@@ -118,7 +137,12 @@ void Canvas::follow_pupil(Session& session, ui::Point at)
     move_about(session, at);
     const auto cell = ImGui::IsItemHovered() ? pick_cell(drawn_, at) : std::nullopt;
     if (cell) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    if (ImGui::IsItemActivated() && (cell || !cell_field_.is_half_typed())) session.go_to_cell(cell);
+    if (ImGui::IsItemActivated() && (cell || !cell_field_.is_half_typed())) {
+        session.go_to_cell(cell);
+        cell_in_sight_ = cell; // it was seen: nothing moves under the hand
+    }
+    const bool is_tab = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab)) && !ImGui::GetIO().WantTextInput;
+    if (is_tab && !session.cell()) session.go_to_cell(session.neighbour(ImGui::GetIO().KeyShift ? -1 : 1, true));
 }
 
 void Canvas::press(Session& session, ui::Point at)

@@ -21,7 +21,8 @@ public:
     explicit Canvas(const ui::Fonts& fonts) : fonts_(fonts) {}
 
     /// \pre within a window of Dear ImGui's, which it fills
-    void show(Session& session, ui::ImGuiSession& gui);
+    /// \param has_panels  beside it, which have the field of a cell that is not drawn
+    void show(Session& session, ui::ImGuiSession& gui, bool has_panels);
 
     /// About the pointer, else about the middle of the calculation sheet.
     void zoom(Session& session, double factor);
@@ -35,6 +36,8 @@ public:
     ui::Point corner() const { return area_.corner(); }
 
 private:
+    void redraw(Session& session);
+    bool bring_cell_into_sight(Session& session) const;
     void follow(Session& session, ui::Point at);
     void follow_pupil(Session& session, ui::Point at);
     bool follow_values(Session& session, ui::Point at);
@@ -55,6 +58,7 @@ private:
     std::optional<ui::Point> dragged_; ///< where the hand that moves the pictures was last
     bool is_panning_ = false;          ///< it has moved farther than a click
     std::optional<ui::Picture> picture_;
+    std::optional<femoop::cross::BlankId> cell_in_sight_; ///< that was brought into sight last
     CellField cell_field_;
     ValueField value_field_;
 };

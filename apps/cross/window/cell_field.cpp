@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "apps/cross/view/pupil_words.h"
 #include "apps/cross/window/field_reason.h"
 
 namespace cross {
@@ -35,21 +36,36 @@ void CellField::show(Session& session, const Drawn& drawn, ui::Point corner, flo
     if (!cell_) return;
     const CellMark* const mark = mark_of(session, drawn);
     if (mark == nullptr) return;
-    const ui::Point middle = corner + mark->box.center();
-    const float width = std::max(static_cast<float>(mark->box.width()) * scale, 5.0F * ImGui::GetFontSize());
-    const ImVec2 padding(ImGui::GetStyle().FramePadding.x, 2.0F);
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
+    const auto factor = static_cast<double>(scale);
+    const ui::Point middle = factor * (corner + mark->box.center());
+    edit_at(session, Place::Sheet, middle,
+            std::max(static_cast<float>(mark->box.width()) * scale, 5.0F * ImGui::GetFontSize()));
+    if (cell_ && !reason_.empty()) show_reason(reason_, middle, factor * corner.x);
+}
+
+/// Into a window of Dear ImGui's [physical pixels].
+void CellField::edit_at(Session& session, Place place, ui::Point middle, float width)
+{
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ImGui::GetStyle().FramePadding.x, 2.0F));
     const float height = ImGui::GetFrameHeight();
     ImGui::SetCursorScreenPos(
-        {static_cast<float>(middle.x) * scale - 0.5F * width, static_cast<float>(middle.y) * scale - 0.5F * height});
+        {static_cast<float>(middle.x) - 0.5F * width, static_cast<float>(middle.y) - 0.5F * height});
     ImGui::SetNextItemWidth(width);
     ImGui::PushStyleColor(ImGuiCol_FrameBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
     ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1.0F);
-    edit(session);
+    edit(session, place);
     ImGui::PopStyleVar(2);
     ImGui::PopStyleColor();
-    const auto factor = static_cast<double>(scale);
-    if (cell_ && !reason_.empty()) show_reason(reason_, factor * middle, factor * corner.x);
+}
+
+void CellField::show_at_foot(Session& session, const ui::Box& picture, float scale)
+{
+    if (!cell_) return;
+    const auto factor = static_cast<double>(scale), em = static_cast<double>(ImGui::GetFontSize());
+    const ui::Point middle{factor * picture.center().x, factor * picture.max.y - 6.0 * em};
+    const std::string asked = session.tr()(question(*session.worksheet(), session.document().model, *cell_));
+    show_reason(reason_.empty() ? asked : reason_, middle, factor * picture.min.x);
+    edit_at(session, Place::Foot, middle, 10.0F * ImGui::GetFontSize());
 }
 
 void CellField::show_here(Session& session)
@@ -57,7 +73,7 @@ void CellField::show_here(Session& session)
     follow(session);
     if (!cell_) return;
     ImGui::SetNextItemWidth(-1.0F);
-    edit(session);
+    edit(session, Place::Panel);
 }
 
 // Another cell was chosen, or what was written into this one changed, as by undo.
@@ -87,8 +103,9 @@ void CellField::follow(Session& session)
     is_fresh_ = true;
 }
 
-void CellField::edit(Session& session)
+void CellField::edit(Session& session, Place place)
 {
+    if (std::exchange(place_, place) != place) keyboard_.lose();
     if (is_fresh_) ImGui::SetKeyboardFocusHere();
     keyboard_.before_field();
     ImGui::PushID(n_openings_); // an editor of its own for each cell

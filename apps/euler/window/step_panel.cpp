@@ -146,6 +146,9 @@ std::string formula_text(const EulerCounts& n)
 
 namespace {
 
+// In the present type.
+float count_width() { return ImGui::CalcTextSize("+00").x; }
+
 // The six letters, and below them what the step changes.
 void caption_table(const StepReport& step, const ui::ImGuiSession& gui)
 {
@@ -153,7 +156,7 @@ void caption_table(const StepReport& step, const ui::ImGuiSession& gui)
                                       ImGuiTableFlags_NoSavedSettings;
     if (!ImGui::BeginTable("changes", 1 + static_cast<int>(counts_shown.size()), flags)) return;
     ImGui::PushFont(gui.large());
-    const float width = ImGui::CalcTextSize("+00").x;
+    const float width = count_width();
     ImGui::TableSetupColumn("", 0, ImGui::CalcTextSize(step.name.c_str()).x + width);
     for (const CountEntry& entry : counts_shown) ImGui::TableSetupColumn(entry.letter, 0, width);
     ImGui::TableNextColumn();
@@ -166,6 +169,34 @@ void caption_table(const StepReport& step, const ui::ImGuiSession& gui)
     ImGui::EndTable();
 }
 
+float table_width(const StepReport& step, const ui::ImGuiSession& gui)
+{
+    ImGui::PushFont(gui.large());
+    const auto n = static_cast<float>(counts_shown.size());
+    const float width = ImGui::CalcTextSize(step.name.c_str()).x + (n + 1.0F) * count_width();
+    ImGui::PopFont();
+    return width + 2.0F * (n + 1.0F) * ImGui::GetStyle().CellPadding.x;
+}
+
+float gap_beside_table() { return 2.0F * ImGui::GetFontSize(); }
+
+bool fits_large(const std::string& words, const ui::ImGuiSession& gui, float room)
+{
+    ImGui::PushFont(gui.large());
+    const float width = ImGui::CalcTextSize(words.c_str()).x;
+    ImGui::PopFont();
+    return width <= room;
+}
+
+// Where there is little room in the usual size, and in lines.
+void large_text(const std::string& words, const ui::ImGuiSession& gui)
+{
+    if (!fits_large(words, gui, ImGui::GetContentRegionAvail().x)) return ui::wrapped_text(words);
+    ImGui::PushFont(gui.large());
+    ImGui::TextUnformatted(words.c_str());
+    ImGui::PopFont();
+}
+
 // What the script says of the step, or of itself before the first.
 std::string caption_comment(const Session& session)
 {
@@ -176,15 +207,30 @@ std::string caption_comment(const Session& session)
     return odd + (odd.empty() || why.empty() ? "" : " ") + why;
 }
 
-// The same from step to step, so that the picture rests; a long comment makes it higher.
-float caption_height(const std::string& comment, const ui::ImGuiSession& gui)
+// What stands beside the six letters. \returns its height in a room so broad
+float height_beside_table(const StepReport& step, const std::string& meaning, const ui::ImGuiSession& gui, float room)
+{
+    const auto height = [room](const std::string& words) {
+        return ImGui::CalcTextSize(words.c_str(), nullptr, false, room).y;
+    };
+    const std::string formula = formula_text(step.after);
+    const float top = fits_large(formula, gui, room) ? gui.large()->FontSize : height(formula);
+    return top + ImGui::GetStyle().ItemSpacing.y + height(meaning);
+}
+
+// The same from step to step, so that the picture rests; a long comment makes it higher, and a small window.
+float caption_height(const Session& session, const std::string& comment, const ui::ImGuiSession& gui)
 {
     constexpr float usual_lines = 2.0F;
     const ImGuiStyle& style = ImGui::GetStyle();
+    const StepReport* const step = session.report();
     const float room = ImGui::GetContentRegionAvail().x - 2.0F * style.WindowPadding.x;
     const float lines = ImGui::CalcTextSize(comment.c_str(), nullptr, false, room).y;
-    const float row = gui.large()->FontSize + 2.0F * style.CellPadding.y;
-    return 2.0F * (row + style.WindowPadding.y) + std::max(usual_lines * ImGui::GetTextLineHeight(), lines);
+    float rows = 2.0F * (gui.large()->FontSize + 2.0F * style.CellPadding.y);
+    if (step != nullptr)
+        rows = std::max(rows, height_beside_table(*step, session.tr()(step->meaning), gui,
+                                                  room - table_width(*step, gui) - gap_beside_table()));
+    return rows + 2.0F * style.WindowPadding.y + std::max(usual_lines * ImGui::GetTextLineHeight(), lines);
 }
 
 } // namespace
@@ -195,15 +241,13 @@ void step_caption(const Session& session, const ui::ImGuiSession& gui)
     const std::string comment = caption_comment(session);
     const float em = ImGui::GetFontSize();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.7F * em, 0.4F * em});
-    ImGui::BeginChild("###caption", {0.0F, caption_height(comment, gui)}, false,
+    ImGui::BeginChild("###caption", {0.0F, caption_height(session, comment, gui)}, false,
                       ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
     if (step != nullptr) {
         caption_table(*step, gui);
-        ImGui::SameLine(0.0F, 2.0F * em);
+        ImGui::SameLine(0.0F, gap_beside_table());
         ImGui::BeginGroup();
-        ImGui::PushFont(gui.large());
-        ImGui::TextUnformatted(formula_text(step->after).c_str());
-        ImGui::PopFont();
+        large_text(formula_text(step->after), gui);
         ui::wrapped_text(session.tr()(step->meaning));
         ImGui::EndGroup();
     }

@@ -196,6 +196,8 @@ std::vector<double> given(const Exercise& e)
 
 } // namespace
 
+bool is_inertia(ExerciseTopic topic) { return topic == ExerciseTopic::Inertia; }
+
 bool is_strain(ExerciseTopic topic) { return topic == ExerciseTopic::Strain || topic == ExerciseTopic::Rosette; }
 
 Exercise exercise(ExerciseTopic topic, Difficulty difficulty, std::uint32_t seed)

@@ -80,5 +80,6 @@ Exercise exercise(ExerciseTopic topic, Difficulty difficulty, std::uint32_t seed
 Document document_of(const Exercise& exercise);
 
 bool is_strain(ExerciseTopic topic);
+bool is_inertia(ExerciseTopic topic);
 
 } // namespace mohr

@@ -18,12 +18,29 @@ namespace {
 
 constexpr auto half_difference = translatable("this is half the difference: the centre is half the sum");
 constexpr auto no_centre = translatable("the centre is left out: the circle does not lie about the origin");
-constexpr auto shear_direction = translatable("this is the direction of the largest shear");
-constexpr auto once_for_twice = translatable("the plane turns by θ, the point on the circle by 2θ");
-constexpr auto sense_turned = translatable(
-    "the sense is turned: positive is counter-clockwise, and the shear's sign counts");
+constexpr auto once_for_twice = translatable("x′ turns by θ, the point on the circle by 2θ");
 constexpr auto difference_not_halved = translatable("the difference is not halved");
 constexpr auto whole_gamma = translatable("the circle counts half of γ");
+
+std::string_view shear_direction(const Exercise& e)
+{
+    return is_inertia(e.topic) ? translatable("this is the direction of the largest product")
+                               : translatable("this is the direction of the largest shear");
+}
+
+std::string_view sense_turned(const Exercise& e)
+{
+    return is_inertia(e.topic)
+               ? translatable("the sense is turned: positive is counter-clockwise, and the product's sign counts")
+               : translatable("the sense is turned: positive is counter-clockwise, and the shear's sign counts");
+}
+
+std::string_view shear_sign_turned(const Exercise& e)
+{
+    return is_inertia(e.topic)
+               ? translatable("the sign of the product is turned: the circle counts −Ixy")
+               : translatable("the sign of the shear is turned: on the face x′ it is positive along y′");
+}
 
 /// Components and what the circle has of them.
 struct Plane {
@@ -80,7 +97,8 @@ std::vector<Slip> circle_slips(Asked asked, const Exercise& e, const Numbers& n)
             {a * a + xy * xy, no_root},
             {std::hypot(0.5 * (x + y), xy),
              translatable("this is the distance from the origin: the centre does not lie there")},
-            {std::abs(a), translatable("the shear is left out")},
+            {std::abs(a),
+             is_inertia(e.topic) ? translatable("the product is left out") : translatable("the shear is left out")},
             {std::abs(xy), translatable("the half difference is left out")}};
         if (is_strain(e.topic)) all.push_back({std::hypot(a, 2.0 * xy), whole_gamma});
         return all;
@@ -108,11 +126,13 @@ std::vector<Slip> direction_slips(const Exercise& e, const Numbers& n)
     const double right = answer_from(Direction, e, n), a = p.half(), xy = p.state.xy;
     std::vector<Slip> all{
         {2.0 * right, translatable("this is 2θp, the angle on the circle: the element turns by half of it")},
-        {-right, sense_turned},
+        {-right, sense_turned(e)},
         {right + 90.0, translatable("this is the second direction, square to the first")},
-        {right + 45.0, shear_direction},
-        {right - 45.0, shear_direction},
-        {0.5 * std::atan2(0.5 * xy, a) / degree, translatable("tan 2θp is the shear over half the difference")}};
+        {right + 45.0, shear_direction(e)},
+        {right - 45.0, shear_direction(e)},
+        {0.5 * std::atan2(0.5 * xy, a) / degree, is_inertia(e.topic)
+                                                     ? translatable("tan 2θp is −Ixy over half the difference")
+                                                     : translatable("tan 2θp is the shear over half the difference")}};
     if (is_strain(e.topic)) all.push_back({0.5 * std::atan2(2.0 * xy, a) / degree, whole_gamma});
     return all;
 }
@@ -123,17 +143,18 @@ std::vector<Slip> turned_slips(Asked asked, const Exercise& e, const Numbers& n)
     const double twice = 2.0 * p.once;
     if (asked == Normal)
         return {{n[Centre] + p.along(p.once), once_for_twice},
-                {n[Centre] + p.along(twice, -1.0), sense_turned},
-                {n[Centre] - p.along(twice), translatable("this acts on the plane square to it")},
+                {n[Centre] + p.along(twice, -1.0), sense_turned(e)},
+                {n[Centre] - p.along(twice), is_inertia(e.topic)
+                                                 ? translatable("this is the moment about the axis square to it")
+                                                 : translatable("this acts on the plane square to it")},
                 {p.along(twice), no_centre}};
-    const double k = is_strain(e.topic) ? 2.0 : e.topic == ExerciseTopic::Inertia ? -1.0 : 1.0;
+    const double k = is_strain(e.topic) ? 2.0 : is_inertia(e.topic) ? -1.0 : 1.0;
     std::vector<Slip> all;
     if (is_strain(e.topic))
         all.push_back({p.across(twice), translatable("this is γ/2, what the circle counts; γ itself is asked")});
     all.insert(all.end(), {{k * p.across(p.once), once_for_twice},
-                           {-k * p.across(twice),
-                            translatable("the sign of the shear is turned: on the face x′ it is positive along y′")},
-                           {k * p.across(twice, -1.0), sense_turned},
+                           {-k * p.across(twice), shear_sign_turned(e)},
+                           {k * p.across(twice, -1.0), sense_turned(e)},
                            {k * (p.across(twice) - p.half() * std::sin(twice)), difference_not_halved}});
     return all;
 }

@@ -16,19 +16,10 @@ namespace {
 
 std::string text(double value) { return femoop::number_text(std::round(1e6 * value) / 1e6 + 0.0); }
 
-std::string unit(const Exercise& e)
-{
-    return is_strain(e.topic) ? "[10⁻⁶]" : e.topic == ExerciseTopic::Inertia ? "[cm⁴]" : "[MPa]";
-}
+std::string unit(const Exercise& e) { return is_strain(e.topic) ? "[10⁻⁶]" : is_inertia(e.topic) ? "[cm⁴]" : "[MPa]"; }
 
-std::string_view normal_letter(const Exercise& e)
-{
-    return is_strain(e.topic) ? "ε" : e.topic == ExerciseTopic::Inertia ? "I" : "σ";
-}
-std::string_view shear_letter(const Exercise& e)
-{
-    return is_strain(e.topic) ? "γ" : e.topic == ExerciseTopic::Inertia ? "I" : "τ";
-}
+std::string_view normal_letter(const Exercise& e) { return is_strain(e.topic) ? "ε" : is_inertia(e.topic) ? "I" : "σ"; }
+std::string_view shear_letter(const Exercise& e) { return is_strain(e.topic) ? "γ" : is_inertia(e.topic) ? "I" : "τ"; }
 
 /// A symbol and its unit, which no language changes.
 Message symbol(std::string name, const Exercise& e) { return Message(std::move(name) + " " + unit(e)); }
@@ -140,15 +131,24 @@ std::string_view hint(Asked asked, const Exercise& e)
     case ShearStrain:
         return is_delta ? translatable("γ is the difference of both inclined gauges, times 2/√3")
                         : translatable("the gauge between both axes measures half the sum plus γ/2");
-    case Centre: return translatable("add both normal components and halve");
+    case Centre:
+        return is_inertia(e.topic) ? translatable("add both moments and halve")
+                                   : translatable("add both normal components and halve");
     case Radius:
-        return translatable(
-            "in the triangle of centre, face x and the axis: the hypotenuse of the half difference and the shear");
+        return is_inertia(e.topic)
+                   ? translatable("in the triangle of C, X and the axis: the hypotenuse of the half difference and Ixy")
+                   : translatable("in the triangle of centre, face x and the axis: "
+                                  "the hypotenuse of the half difference and the shear");
     case First: return translatable("from the centre go by the radius to the right");
     case Second: return translatable("from the centre go by the radius to the left");
     case Direction: return translatable("find the angle between the radius to X and the axis, and halve it");
-    case Normal: return translatable("turn the radius to X by 2θ and read the normal component");
-    case Shear: return translatable("turn the radius to X by 2θ and read the shear");
+    case Normal:
+        return is_inertia(e.topic) ? translatable("turn the radius to X by 2θ and read the moment")
+                                   : translatable("turn the radius to X by 2θ and read the normal component");
+    case Shear:
+        return is_inertia(e.topic)
+                   ? translatable("turn the radius to X by 2θ and read the product: the axis counts −Ixy")
+                   : translatable("turn the radius to X by 2θ and read the shear");
     case LargestShearStrain: return translatable("the circle counts γ/2, so γmax is its diameter");
     case Third:
         return is_strain(e.topic) ? translatable("on a free surface σz = 0: εz = −ν/(1 − ν) (ε1 + ε2)")

@@ -1,6 +1,8 @@
 #include "apps/mohr/view/construction_words.h"
 
 #include <numbers>
+#include <optional>
+#include <string_view>
 
 #include "apps/mohr/view/names.h"
 #include "femoop/methods/mohr/space_construction.h"
@@ -44,10 +46,39 @@ std::string_view space_sentence(fm::ConstructionStage stage)
     }
 }
 
-/// Written for every reader, filled in below.
-std::string_view sentence(fm::ConstructionStage stage)
+/// Second moments have axes and a product where stresses and strains have faces and a shear.
+std::optional<std::string_view> inertia_sentence(fm::ConstructionStage stage)
 {
     using enum fm::ConstructionStage;
+    switch (stage) {
+    case FaceX: return translatable("Mark X for the axis x: ({x}; {xshear}).");
+    case FaceY:
+        return translatable("Mark Y for the axis y: ({y}; {yshear}); its product is that of X with the other sign.");
+    case PrincipalValues:
+        return translatable("Where the circle meets the {normal} axis there is no product: "
+                            "{first} = C + R = {firstvalue}, {second} = C − R = {secondvalue}.");
+    case LargestShear:
+        return translatable("The highest and the lowest point have the largest product, "
+                            "R = {radius}, and both have the moment {centre}.");
+    case Pole:
+        return translatable("Through X draw a line square to the axis x, upright. "
+                            "Where it meets the circle again is the pole P.");
+    case PrincipalPlanes:
+        return translatable("Draw lines from P to both principal points: "
+                            "they are square to the principal axes. The first axis makes θp = {thetap}° with x.");
+    case Plane:
+        return translatable("From P draw a line square to the axis x′, which makes θ = {theta}° with x. "
+                            "It meets the circle in N: read off {n} and {nshear}.");
+    default: return std::nullopt;
+    }
+}
+
+/// Written for every reader, filled in below.
+std::string_view sentence(Subject subject, fm::ConstructionStage stage)
+{
+    using enum fm::ConstructionStage;
+    if (subject == Subject::Inertia)
+        if (const auto own = inertia_sentence(stage)) return *own;
     switch (stage) {
     case Axes: return translatable("Draw the axes at one scale: {normal} to the right, {shear} across; {rule}.");
     case FaceX: return translatable("Mark X for the face x: ({x}; {xshear}).");
@@ -80,8 +111,9 @@ std::string_view sentence(fm::ConstructionStage stage)
     return "";
 }
 
-std::string rule_text(const Solution& s, const Look& look)
+std::string rule_text(Subject subject, const Solution& s, const Look& look)
 {
+    if (subject == Subject::Inertia) return look.tr("the axis of the product points down and counts −Ixy");
     return s.rule == fm::ShearRule::ClockwiseUp ? look.tr("shear is up where it turns the element clockwise")
                                                 : look.tr("the shear axis points down");
 }
@@ -129,27 +161,27 @@ std::string caption(fm::ConstructionStage stage, const Document& document, const
                           y = fm::face_point(s.plane, 0.5 * std::numbers::pi, s.rule);
     const fm::CirclePoint n = fm::face_point(s.plane, s.angle, s.rule);
     const double per_degree = 180.0 / std::numbers::pi;
-    const std::string rule = rule_text(s, look);
+    const std::string rule = rule_text(document.subject, s, look);
     const auto number = [&](double value) { return look.number(value); };
     const auto added = [&](double value) { return value < 0.0 ? "(" + number(value) + ")" : number(value); };
-    return look.tr(sentence(stage), {{"normal", names.normal},
-                                     {"shear", names.shear},
-                                     {"rule", rule},
-                                     {"x", number(x.normal)},
-                                     {"xshear", number(x.shear)},
-                                     {"y", number(y.normal)},
-                                     {"addedy", added(y.normal)},
-                                     {"yshear", number(y.shear)},
-                                     {"centre", number(s.circle.centre)},
-                                     {"radius", number(s.circle.radius)},
-                                     {"first", names.first},
-                                     {"second", names.second},
-                                     {"firstvalue", number(s.principal.first)},
-                                     {"secondvalue", number(s.principal.second)},
-                                     {"thetap", number(s.principal.angle.value_or(0.0) * per_degree)},
-                                     {"theta", number(document.angle)},
-                                     {"n", number(n.normal)},
-                                     {"nshear", number(n.shear)}});
+    return look.tr(sentence(document.subject, stage), {{"normal", names.normal},
+                                                       {"shear", names.shear},
+                                                       {"rule", rule},
+                                                       {"x", number(x.normal)},
+                                                       {"xshear", number(x.shear)},
+                                                       {"y", number(y.normal)},
+                                                       {"addedy", added(y.normal)},
+                                                       {"yshear", number(y.shear)},
+                                                       {"centre", number(s.circle.centre)},
+                                                       {"radius", number(s.circle.radius)},
+                                                       {"first", names.first},
+                                                       {"second", names.second},
+                                                       {"firstvalue", number(s.principal.first)},
+                                                       {"secondvalue", number(s.principal.second)},
+                                                       {"thetap", number(s.principal.angle.value_or(0.0) * per_degree)},
+                                                       {"theta", number(document.angle)},
+                                                       {"n", number(n.normal)},
+                                                       {"nshear", number(n.shear)}});
 }
 
 std::string mark_name(fm::ConstructionMark mark, const Document& document)

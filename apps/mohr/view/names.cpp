@@ -40,7 +40,7 @@ std::string unit_power(const std::string& unit, int power)
 
 std::string with_unit(const std::string& number, const std::string& unit)
 {
-    return unit.empty() ? number : number + " " + printed_unit(unit);
+    return number + (unit.empty() || unit == "°" ? "" : " ") + printed_unit(unit);
 }
 
 } // namespace mohr

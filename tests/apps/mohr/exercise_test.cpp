@@ -108,7 +108,7 @@ TEST_CASE("Common slips are recognized by name and the others get the operation 
     CHECK(words(at(4, -26.57)) == "the sense is turned: positive is counter-clockwise, and the shear's sign counts");
     CHECK(at(4, 206.57).verdict == Verdict::Right); // half a turn more
     CHECK(words(at(5, 20.0 + 30.0 * std::cos(std::acos(-1.0) / 6.0) + 20.0)) ==
-          "the plane turns by θ, the point on the circle by 2θ");
+          "x′ turns by θ, the point on the circle by 2θ");
     CHECK(words(at(0, 77.0)) == "add both normal components and halve");
     CHECK(words(at(7, 100.0)) == "the difference of the extreme principal stresses is not halved");
 }

@@ -152,6 +152,23 @@ TEST_CASE("A slip that is named never names the right answer")
     });
 }
 
+TEST_CASE("Of second moments no hint and no slip speaks of a shear, a face or a stress")
+{
+    for_every_exercise(25, [](const Exercise& e) {
+        if (e.topic != ExerciseTopic::Inertia) return;
+        std::vector<std::string> told;
+        for (const Asked asked : e.asked) {
+            told.emplace_back(hint(asked, e));
+            for (const Slip& slip : slips(asked, e, right_numbers(e))) told.emplace_back(slip.words);
+        }
+        for (const std::string& words : told)
+            for (const std::string_view strange : {"shear", "face", "stress", "plane", "normal"}) {
+                CAPTURE(words);
+                CHECK(words.find(strange) == std::string::npos);
+            }
+    });
+}
+
 TEST_CASE("A strain's slips are half of gamma and Hooke's law without Poisson")
 {
     const Exercise e = hard(ExerciseTopic::Strain);
@@ -196,9 +213,8 @@ TEST_CASE("Second moments of area turned the wrong way are told")
 {
     const Exercise e = hard(ExerciseTopic::Inertia);
     CHECK(slip(e, Direction, -solution_of(Direction, e)) ==
-          "the sense is turned: positive is counter-clockwise, and the shear's sign counts");
-    CHECK(slip(e, Shear, -solution_of(Shear, e)) ==
-          "the sign of the shear is turned: on the face x′ it is positive along y′");
+          "the sense is turned: positive is counter-clockwise, and the product's sign counts");
+    CHECK(slip(e, Shear, -solution_of(Shear, e)) == "the sign of the product is turned: the circle counts −Ixy");
 }
 
 TEST_CASE("In space the invariants and the order and the unit normal have slips of their own")

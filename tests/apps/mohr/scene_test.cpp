@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 
 #include "apps/mohr/document/edit.h"
+#include "apps/mohr/view/construction_words.h"
+#include "apps/mohr/view/names.h"
 #include "apps/mohr/view/scene.h"
 #include "tests/golden/scene.h"
 
@@ -172,6 +174,26 @@ TEST_CASE("A strain's stresses stand among the principal stresses that Tresca al
     Document document = of(Subject::Rosette);
     document.criterion = femoop::mohr::Criterion::Tresca;
     check("mohr_rosette_tresca", document);
+}
+
+TEST_CASE("The circle of second moments is constructed of axes and a product, not of faces and a shear")
+{
+    const Document document = of(Subject::Inertia);
+    const Look look;
+    const Solution solution = solve(document, look.rule);
+    for (const auto& step : construction_of(document, solution)) {
+        const std::string words = caption(step.stage, document, solution, look);
+        CAPTURE(words);
+        for (const char* const strange : {"shear", "face", "plane", "normal"})
+            CHECK(words.find(strange) == std::string::npos);
+    }
+}
+
+TEST_CASE("An angle has its sign right behind it, any other number a blank before its unit")
+{
+    CHECK(with_unit("−70.66", "°") == "−70.66°");
+    CHECK(with_unit("33.85", "10⁻⁶") == "33.85 10⁻⁶");
+    CHECK(with_unit("1140", "cm^4") == "1140 cm⁴");
 }
 
 TEST_SUITE_END();

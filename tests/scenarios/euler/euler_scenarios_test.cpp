@@ -27,6 +27,13 @@ TEST_CASE("The steps on the stepper's reference page can be played")
     CHECK(played(script) == "");
 }
 
+TEST_CASE("In a small window the class reads the whole formula")
+{
+    const std::string script = "command file.open examples/torus_by_rotation.eul\ncommand view.language.pt\nkey F5\n"
+                               "wait 0.5\npicture euler_projector_small\n";
+    CHECK(played_in<Application, OffscreenStage>(script, Session(), {900, 600}) == "");
+}
+
 TEST_CASE("What goes wrong in a stepper's scenario is told with its line, what was found and what was wanted")
 {
     const std::string open = "command file.open examples/cube.eul\n";
