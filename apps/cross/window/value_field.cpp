@@ -55,8 +55,9 @@ void ValueField::edit(Session& session)
     ImGui::PopID();
     is_fresh_ = is_fresh_ && !ImGui::IsItemActive(); // it takes a frame or two to get the keyboard
     const bool is_left = ImGui::IsItemDeactivated();
+    const bool is_tabbed = ImGui::IsItemActive() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab));
     if (is_left && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) return value_.reset();
-    if (is_entered || is_left) take(session);
+    if (is_entered || is_tabbed || is_left) take(session);
 }
 
 void ValueField::take(Session& session)
