@@ -151,7 +151,9 @@ void DragController::pull(Session& session, const LoadAim& aim, ui::Point at)
         }
     }
     if (std::abs(1.0 + along) < 0.02) return; // a load of nothing has no arrow to pull
-    session.drag(with_load_scaled(held_->model, aim.mark.load, aim.mark.dof, 1.0 + along), translatable("Pull a load"));
+    Model next = with_load_scaled(held_->model, aim.mark.load, aim.mark.dof, 1.0 + along);
+    if (next.load_cases == held_->model.load_cases) next = held_->model; // back to what it was
+    session.drag(std::move(next), translatable("Pull a load"));
 }
 
 void DragController::pull(Session& session, const SpanAim& aim, ui::Point at)
@@ -159,8 +161,8 @@ void DragController::pull(Session& session, const SpanAim& aim, ui::Point at)
     const auto& nodes = held_->model[aim.member].nodes;
     const ui::World2 place = held_->drawn.in_structure(at);
     const double x = std::abs(place.x - place_of(held_->model, nodes[0]).x());
-    if (auto next = with_support_between(held_->model, aim.member, round_place(x)))
-        session.drag(std::move(*next), translatable("Put a support"));
+    auto next = with_support_between(held_->model, aim.member, round_place(x)); // none beyond the member's ends
+    session.drag(next ? std::move(*next) : held_->model, translatable("Put a support"));
 }
 
 void DragController::pull(Session& session, const EndAim& aim, ui::Point at)

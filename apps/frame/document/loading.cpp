@@ -64,8 +64,9 @@ void scale(Quantity& value, double factor)
 {
     if (value.value() == 0.0) return;
     const double step = std::pow(10.0, std::floor(std::log10(std::abs(value.value()))) - 2.0);
-    const double scaled = std::round(value.value() * factor / step);
-    value = Quantity(step < 1.0 ? scaled / std::round(1.0 / step) : scaled * step); // 253 / 10, not 253 * 0.1
+    const double steps = std::round(value.value() * factor / step);
+    const double scaled = step < 1.0 ? steps / std::round(1.0 / step) : steps * step; // 253 / 10, not 253 * 0.1
+    if (scaled != value.value()) value = Quantity(scaled); // else it keeps the words that it was written in
 }
 
 class Scaling {
