@@ -126,7 +126,8 @@ void add_zoom(CommandTable<Workspace>& table, std::string_view fit, const std::v
 /// Large type and the whole window for the picture, and back.
 template <class Workspace> void project(Workspace& workspace, bool is_projecting)
 {
-    workspace.theme() = is_projecting ? ThemeName::Projector : ThemeName::Light;
+    if (is_projecting) workspace.theme_at_desk = workspace.theme();
+    workspace.theme() = is_projecting ? ThemeName::Projector : workspace.theme_at_desk;
     workspace.set_panels_visible(!is_projecting);
 }
 

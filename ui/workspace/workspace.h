@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ui/paint/theme.h"
 #include "ui/text/display_units.h"
 
 namespace ui {
@@ -41,6 +42,7 @@ enum class Request : std::uint8_t {
 struct Workspace {
     std::vector<Request> asked{}; ///< the window takes them once a frame
     bool has_panels = true;
+    ThemeName theme_at_desk = ThemeName::Light; ///< that comes back after the projector
     std::string_view offer{};  ///< says what a linked program has changed (ui/files/linked_copy.h); "" if nothing
     double export_scale = 2.0; ///< pixels of a PNG for a logical one
 

@@ -98,7 +98,8 @@ Aim aim_at(const Model& model, const Drawn& drawn, ui::Point at, double scale)
             return EndAim{side, *sign};
     const drawing::LoadMark* const load = pick_load(drawn, at);
     const auto span = span_at(model, drawn, at, scale);
-    if (span && (load == nullptr || at.y > span->at.y)) return *span; // arrows end on the member
+    constexpr double on_line = 3.0; // arrows end on the member
+    if (span && (load == nullptr || at.y > span->at.y - on_line * scale)) return *span;
     if (load != nullptr) return LoadAim{*load};
     return {};
 }

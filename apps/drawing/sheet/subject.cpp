@@ -360,8 +360,41 @@ Camera Subject::fitted(const std::vector<Panel>& panels, const ui::Fonts& fonts,
     const double border = 0.16 * std::min(size.width, size.height);
     this->fit(camera, size, {border, border, border, border});
     // Marks keep their size on the sheet, so the room that they take changes little from one scale to the next.
-    for (int i = 0; i < 2; ++i) this->fit(camera, size, needed_margins(panels, camera, fonts, fit));
+    const auto needed = [&] { return Need{Projection(camera).scale(), needed_margins(panels, camera, fonts, fit)}; };
+    Need before = needed();
+    this->fit(camera, size, before.margins);
+    Need now = needed();
+    this->fit(camera, size, now.margins);
+    // But for large diagrams, which grow with the structure: then it is found where both have room.
+    constexpr int most_tries = 3;
+    constexpr double good = 0.9;
+    for (int i = 0; i < most_tries; ++i) {
+        const Need then = needed();
+        Camera next = camera;
+        this->fit(next, size, then.margins);
+        if (Projection(next).scale() > good * then.scale) break;
+        before = std::exchange(now, then);
+        fit_between(camera, size, before, now);
+    }
     return camera;
+}
+
+void Subject::fit_between(Camera& camera, ui::Size panel, const Need& a, const Need& b) const
+{
+    const auto margins_at = [&](double scale) {
+        const double t = a.scale == b.scale ? 1.0 : (scale - a.scale) / (b.scale - a.scale);
+        const auto at = [t](double from, double to) { return std::max(edge, from + t * (to - from)); };
+        return ui::Margins{.left = at(a.margins.left, b.margins.left),
+                           .top = at(a.margins.top, b.margins.top),
+                           .right = at(a.margins.right, b.margins.right),
+                           .bottom = at(a.margins.bottom, b.margins.bottom)};
+    };
+    double least = 0.0, most = std::max(a.scale, b.scale);
+    for (int i = 0; i < 20; ++i) {
+        const double middle = 0.5 * (least + most);
+        fit(camera, panel, margins_at(middle));
+        (Projection(camera).scale() > middle ? least : most) = middle;
+    }
 }
 
 Camera Subject::fitted(const std::vector<Panel>& panels, const ui::Fonts& fonts) const

@@ -51,6 +51,13 @@ private:
     Camera fitted(const std::vector<Panel>& panels, const ui::Fonts& fonts) const;
     /// Whether the picture keeps room for every caption where it would stand best, or for the marks alone.
     enum class Fit : std::uint8_t { Roomy, Tight };
+    /// The room that marks need at a scale.
+    struct Need {
+        double scale;
+        ui::Margins margins;
+    };
+    /// At the scale at which there is room for what is needed there, which changes evenly from one scale to the other.
+    void fit_between(Camera& camera, ui::Size panel, const Need& a, const Need& b) const;
     Camera fitted(const std::vector<Panel>& panels, const ui::Fonts& fonts, Fit fit) const;
     ui::Margins needed_margins(const std::vector<Panel>& panels, const Camera& camera, const ui::Fonts& fonts,
                                Fit fit) const;

@@ -55,20 +55,22 @@ void line(Session& session, std::size_t i)
     session.go_to(i);
 }
 
-// The step that was in sight last; on the first look the present one.
-int& seen_step(int place) { return *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("seen"), place); }
+// The step that was in sight last; on the first look the beginning.
+int& seen_step() { return *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("seen"), 0); }
 
 // The last item, which is the present line; it may take some frames until the list knows how long it is.
 void bring_step_into_sight(int place)
 {
-    if (ImGui::IsItemVisible()) seen_step(place) = place;
+    const float top = ImGui::GetWindowPos().y, bottom = top + ImGui::GetWindowHeight();
+    const bool is_whole = ImGui::GetItemRectMin().y >= top && ImGui::GetItemRectMax().y <= bottom;
+    if (is_whole || ImGui::GetWindowHeight() < 2.0F * ImGui::GetFrameHeight()) seen_step() = place;
     else ImGui::SetScrollHereY();
 }
 
 void list(Session& session)
 {
     const auto place = static_cast<int>(session.place());
-    const bool has_moved = seen_step(place) != place;
+    const bool has_moved = seen_step() != place;
     beginning(session);
     if (has_moved && place == 0) bring_step_into_sight(place);
     ImGuiListClipper clipper; // a script may have a million lines

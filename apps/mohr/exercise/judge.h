@@ -14,7 +14,8 @@ enum class Verdict : std::uint8_t {
     Open, ///< there is none yet
     Right,
     FollowsRight, ///< from numbers before that are wrong, by the right operation
-    Wrong
+    Wrong,
+    Shown ///< the pupil gave up
 };
 struct Judgement {
     Verdict verdict = Verdict::Open;

@@ -22,17 +22,19 @@ void Practice::answer(std::size_t place, double value)
 
 void Practice::give_up()
 {
+    own_answers_ = answers_;
     for (std::size_t i = 0; i < answers_.size(); ++i) {
-        if (!is_good(i)) was_wrong_[i] = true;
         answers_[i] = solution_of(exercise_.asked[i], exercise_);
+        if (is_good(i)) continue;
+        was_wrong_[i] = true;
+        judgements_[i] = {.verdict = Verdict::Shown};
     }
-    judgements_ = judge(exercise_, answers_);
 }
 
 bool Practice::is_good(std::size_t place) const
 {
     const Verdict verdict = judgements_[place].verdict;
-    return verdict == Verdict::Right || verdict == Verdict::FollowsRight;
+    return verdict == Verdict::Right || verdict == Verdict::FollowsRight || verdict == Verdict::Shown;
 }
 
 bool Practice::is_finished() const
@@ -61,7 +63,8 @@ bool Practice::is_known(std::initializer_list<Asked> all) const
     return std::ranges::all_of(all, [this](Asked asked) {
         const auto place = static_cast<std::size_t>(std::ranges::find(exercise_.asked, asked) -
                                                     exercise_.asked.begin());
-        return place == judgements_.size() || judgements_[place].verdict == Verdict::Right;
+        return place == judgements_.size() || judgements_[place].verdict == Verdict::Right ||
+               judgements_[place].verdict == Verdict::Shown;
     });
 }
 

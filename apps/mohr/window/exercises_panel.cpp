@@ -21,6 +21,7 @@ namespace {
 
 ImVec4 color_of(Verdict verdict, ui::ThemeName name)
 {
+    if (verdict == Verdict::Shown) return ImGui::GetStyleColorVec4(ImGuiCol_Text);
     const ui::Theme theme(name);
     const ui::Role role = verdict == Verdict::Wrong ? ui::Role::Error : ui::Role::Reaction;
     const ui::Color c = theme[role].text;
@@ -42,12 +43,17 @@ std::string given_text(const Session& session)
     return words;
 }
 
-std::string verdict_text(const Judgement& judgement, const ui::Catalogue& tr)
+std::string verdict_text(const Session& session, std::size_t place)
 {
+    const ui::Catalogue& tr = session.tr();
+    const Judgement& judgement = session.practice()->judgements()[place];
+    const std::optional<double> own = session.practice()->own_answer(place);
     switch (judgement.verdict) {
     case Verdict::Open: return "";
     case Verdict::Right: return tr("right");
     case Verdict::FollowsRight: return tr(judgement.words);
+    case Verdict::Shown:
+        return own ? tr("shown; you had {answer}", {{"answer", session.look.number(*own)}}) : tr("shown");
     case Verdict::Wrong: break;
     }
     return tr("not so: {why}", {{"why", tr(judgement.words)}});
@@ -98,7 +104,7 @@ void ExercisesPanel::show_question(Workspace& workspace, std::size_t place)
     }
     const Judgement& judgement = practice.judgements()[place];
     ImGui::PushStyleColor(ImGuiCol_Text, color_of(judgement.verdict, session.look.theme));
-    const std::string words = verdict_text(judgement, session.tr());
+    const std::string words = verdict_text(session, place);
     if (!words.empty()) ui::wrapped_text(words);
     ImGui::PopStyleColor();
     ImGui::Spacing();

@@ -55,7 +55,7 @@ std::string step(const Session& session)
 std::string verdicts(const Session& session)
 {
     if (!session.practice()) return "nothing";
-    constexpr std::array words{"open", "right", "follows", "wrong"};
+    constexpr std::array words{"open", "right", "follows", "wrong", "shown"};
     std::string text;
     for (const Judgement& judgement : session.practice()->judgements())
         text += (text.empty() ? "" : " ") + std::string(words[static_cast<std::size_t>(judgement.verdict)]);

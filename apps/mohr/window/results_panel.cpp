@@ -48,6 +48,43 @@ void show_tensor(const Session& session, ui::ImGuiSession& gui)
     show_matrix(session, "###turned", tr("in x′, y′"), femoop::mohr::tensor(s.turned));
 }
 
+/// Dear ImGui lays a table out when it is new, and keeps that. Where values have become so long, or so large, since then
+/// that one which would have room is broken, the table is taken for a new one.
+class TableLayout {
+public:
+    explicit TableLayout(const std::string& id)
+        : id_(id), number_(ImGui::GetStateStorage()->GetInt(key(".number"))), begun_(begun())
+    {}
+
+    std::string table() const { return id_ + "." + std::to_string(number_); }
+    /// Called in a cell before its text, which should not be broken. \param room  of the row
+    void note(const std::string& text, float room)
+    {
+        const float width = ImGui::CalcTextSize(text.c_str()).x;
+        is_outgrown_ = is_outgrown_ || (width > ImGui::GetContentRegionAvail().x + 1.0F && width < 0.6F * room);
+    }
+    void end() const
+    {
+        constexpr int frames_to_settle = 3;
+        if (!is_outgrown_ || ImGui::GetFrameCount() - begun_ < frames_to_settle) return;
+        ImGui::GetStateStorage()->SetInt(key(".number"), number_ + 1);
+        ImGui::GetStateStorage()->SetInt(key(".begun"), ImGui::GetFrameCount());
+    }
+
+private:
+    ImGuiID key(const char* what) const { return ImGui::GetID((id_ + what).c_str()); }
+    int begun() const ///< the frame
+    {
+        const int now = ImGui::GetFrameCount(), kept = ImGui::GetStateStorage()->GetInt(key(".begun"), now);
+        ImGui::GetStateStorage()->SetInt(key(".begun"), kept);
+        return kept;
+    }
+
+    std::string id_;
+    int number_, begun_;
+    bool is_outgrown_ = false;
+};
+
 /// \pre it has rows
 void show_group(const tabular::Table& group, ui::ImGuiSession& gui)
 {
@@ -57,15 +94,19 @@ void show_group(const tabular::Table& group, ui::ImGuiSession& gui)
     ui::wrapped_text(group.title);
     ImGui::PopFont();
     const std::string id = "###" + group.rows.front().cells[0].shown; // the title turns with the axes, columns do not
-    if (!ImGui::BeginTable(id.c_str(), 2, ImGuiTableFlags_SizingStretchProp)) return;
+    const float room = ImGui::GetContentRegionAvail().x;
+    TableLayout layout(id);
+    if (!ImGui::BeginTable(layout.table().c_str(), 2, ImGuiTableFlags_SizingStretchProp)) return;
     for (const auto& [cells, kind] : group.rows) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ui::wrapped_text(cells[0].shown);
         ImGui::TableNextColumn();
+        layout.note(cells[1].shown, room);
         ui::wrapped_text(cells[1].shown);
     }
     ImGui::EndTable();
+    layout.end();
 }
 
 } // namespace

@@ -67,6 +67,17 @@ void value_row(Workspace& workspace, ui::NumberFields& fields, const ValueRow& r
 }
 
 /// "(0.8; 0.6; 0)", "0.8 0.6 0"; nothing for what are no three numbers.
+/// A number of more digits than anyone types, rounded, with its unit; nothing for others.
+std::optional<std::string> short_enough(const std::string& text, const std::optional<ui::LeadingNumber>& number,
+                                        const Look& look)
+{
+    constexpr std::size_t most = 10; // characters
+    constexpr int digits = 6;
+    if (!number || number->is_computed || number->length <= most) return std::nullopt;
+    const std::string rounded = ui::number_text(number->value, {digits, look.format().mark});
+    return ui::with_minus_signs(rounded) + printed_unit(text.substr(number->length));
+}
+
 std::optional<std::array<double, 3>> vector_typed(std::string text)
 {
     std::ranges::replace_if(
@@ -117,8 +128,9 @@ void StatePanel::number_row(Workspace& workspace, const std::string& label, Numb
     std::string shown = number.group == Group::Section ? text : printed_unit(text);
     if (ui::decimal_mark(session.tr().language()) == ui::DecimalMark::Comma && number.group != Group::Section)
         for (char& c : shown) c = c == '.' ? ',' : c;
-    const auto event = fields_.show(
-        id, {ui::with_minus_signs(shown), shown, leading ? std::optional(leading->value) : std::nullopt});
+    const auto event = fields_.show(id,
+                                    {short_enough(text, leading, session.look).value_or(ui::with_minus_signs(shown)),
+                                     shown, leading ? std::optional(leading->value) : std::nullopt});
     if (event.kind == Kind::Dragged && leading)
         session.drag(with_number(session.document(), number, femoop::number_text(event.value)),
                      translatable("Change a number"));

@@ -125,6 +125,20 @@ TEST_CASE("Three-hinged arch on the projector in Portuguese: no moment where the
                   in_portuguese(shown("loads,reactions,labels,N", ui::ThemeName::Projector)), {1500.0, 700.0});
 }
 
+TEST_CASE("Diagrams of any size lie whole in a fitted picture")
+{
+    const auto model = view_test::example("portal");
+    const femoop::Results results = femoop::analyse(model);
+    const DrawState state;
+    const ui::Fonts fonts;
+    for (const double factor : {0.2, 1.0, 2.5, 6.0}) {
+        DrawOptions options = shown("loads,reactions,M,labels");
+        options.diagram_factor = factor;
+        ui::Painter painter({680.0, 740.0}, fonts);
+        CHECK_MESSAGE(Subject({model, &results}, options, state).draw(painter).is_whole, factor);
+    }
+}
+
 TEST_CASE("The section under the cursor is read")
 {
     const auto model = view_test::example("portal");
