@@ -34,7 +34,9 @@ void ValueField::show(Session& session, ui::Point corner, float scale)
     const ui::Point at = corner + at_;
     const float width = ems_wide * ImGui::GetFontSize();
     const float left = static_cast<float>(corner.x) * scale;
-    ImGui::SetCursorScreenPos({std::max(left, static_cast<float>(at.x) * scale - 0.5F * width),
+    const float last = std::max(left, ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - width);
+    // A field beyond the picture's end would make Dear ImGui scroll it.
+    ImGui::SetCursorScreenPos({std::clamp(static_cast<float>(at.x) * scale - 0.5F * width, left, last),
                                static_cast<float>(at.y) * scale - 0.5F * ImGui::GetFrameHeight()});
     ImGui::SetNextItemWidth(width);
     ImGui::PushStyleColor(ImGuiCol_FrameBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
