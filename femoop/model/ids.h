@@ -21,5 +21,7 @@ using MaterialId = Id<struct MaterialTag>;
 using SectionId = Id<struct SectionTag>;
 using MemberId = Id<struct MemberTag>;
 using CaseId = Id<struct CaseTag>; ///< load cases first, then combinations, in file order
+using PathId = Id<struct PathTag>;
+using TrainId = Id<struct TrainTag>;
 
 } // namespace femoop

@@ -11,6 +11,7 @@
 #include "femoop/model/ids.h"
 #include "femoop/model/load.h"
 #include "femoop/model/member.h"
+#include "femoop/model/moving_load.h"
 #include "femoop/model/node.h"
 #include "femoop/model/property.h"
 #include "femoop/model/quantity/units.h"
@@ -45,6 +46,7 @@ struct Model {
     std::vector<Member> members;
     std::vector<LoadCase> load_cases;
     std::vector<Combination> combinations;
+    MovingLoads moving_loads;
     std::vector<Expected> expected;
     std::vector<ExtraBlock> extra;
 
