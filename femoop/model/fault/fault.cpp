@@ -85,6 +85,7 @@ bool is_computed(FaultKind kind, std::size_t argument)
     case FaultKind::CrossSkewSway: return argument == 1;
     case FaultKind::CrossSkewLoads: return argument == 1 || argument == 3 || argument == 4;
     case FaultKind::MemoryInsufficient: return argument == 1 || argument == 2;
+    case FaultKind::PositionOffPath: return argument == 2;
     case FaultKind::MechanismMoveOblique:
     case FaultKind::MechanismTurn:
     case FaultKind::HugeDisplacement: return argument == 1;

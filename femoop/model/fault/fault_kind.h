@@ -201,6 +201,31 @@ enum class FaultKind : std::uint8_t {
     ExpectedDofLacking,
     ExpectedReactionOfFreeNode,
 
+    // its moving loads
+    NoSuchPath,
+    NoSuchPathNear,
+    NoSuchTrain,
+    NoSuchTrainNear,
+    NoSuchLine,
+    NoSuchLineNear,
+    NoSuchEnvelope,
+    NoSuchEnvelopeNear,
+    PathWithoutMembers,    ///< {0} place
+    PathBroken,            ///< {0} place, {1} member, {2} its ends, {3} the member named next, {4} its ends
+    PathMissing,           ///< {0} place: neither named nor the only one
+    UnitLoadZero,          ///< {0} place
+    BarLoadedBetweenNodes, ///< {0} place, {1} members
+    PositionOffPath,       ///< {0} place, {1} position, {2} length of the path
+    BadPathPosition,       ///< {0} place, {1} what was found
+    WrongValueCount,       ///< {0} place, {1} values, {2} positions
+    TrainWithoutLoad,      ///< {0} place
+    AxlesAndSpacings,      ///< {0} place, {1} axles, {2} spacings, {3} how many there should be
+    RangeOfNoSpacing,      ///< {0} place, {1} what was found, {2} how many spacings there are
+    RangeReversed,         ///< {0} place, {1} min, {2} max
+    WrongRangeSize,        ///< {0} place, {1} how many numbers
+    EnvelopeWithoutTrains, ///< {0} place
+    EffectNotMoving,       ///< {0} place, {1} quantity, {2} those that move with a load
+
     // how well the analysis could solve it
     InaccurateCase,     ///< {0} case, {1} how many digits hold
     IllConditionedCase, ///< {0} case

@@ -344,6 +344,40 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::ExpectedDofLacking: return "{0}: component {1} does not exist in {2}; name another";
     case FaultKind::ExpectedReactionOfFreeNode:
         return "{0}: node \"{1}\" has no support, so no reaction; name a supported node";
+
+    case FaultKind::NoSuchPath: return "{0}: no path \"{1}\"; add it to paths or name another";
+    case FaultKind::NoSuchPathNear: return "{0}: no path \"{1}\"; did you mean \"{2}\"?";
+    case FaultKind::NoSuchTrain: return "{0}: no train \"{1}\"; add it to trains or name another";
+    case FaultKind::NoSuchTrainNear: return "{0}: no train \"{1}\"; did you mean \"{2}\"?";
+    case FaultKind::NoSuchLine: return "{0}: no influence line \"{1}\"; add it to influence_lines or name another";
+    case FaultKind::NoSuchLineNear: return "{0}: no influence line \"{1}\"; did you mean \"{2}\"?";
+    case FaultKind::NoSuchEnvelope:
+        return "{0}: no moving envelope \"{1}\"; add it to moving_envelopes or name another";
+    case FaultKind::NoSuchEnvelopeNear: return "{0}: no moving envelope \"{1}\"; did you mean \"{2}\"?";
+    case FaultKind::PathWithoutMembers: return "{0}: has no members, so nothing moves along it; name some";
+    case FaultKind::PathBroken:
+        return "{0}: member \"{3}\" ({4}) does not begin where member \"{1}\" ({2}) ends; "
+               "name members that follow one another, node by node";
+    case FaultKind::PathMissing:
+        return "{0}: along which path does the load move? name a path, or members that follow one another";
+    case FaultKind::UnitLoadZero:
+        return "{0}: the unit load has no direction; give a component that is not 0, or leave the load out: it is down";
+    case FaultKind::BarLoadedBetweenNodes:
+        return "{0}: {1} take axial force only: a load between their nodes is carried to these as by a simple beam";
+    case FaultKind::PositionOffPath: return "{0}: position {1} is off the path; give a length from 0 to {2}";
+    case FaultKind::BadPathPosition:
+        return "{0}: cannot read {1} as a position; write a length, or \"4-\" and \"4+\" for just before and after 4";
+    case FaultKind::WrongValueCount: return "{0}: found {1} values for {2} positions; give one for each";
+    case FaultKind::TrainWithoutLoad: return "{0}: has neither axles nor a uniform load; give one of them";
+    case FaultKind::AxlesAndSpacings:
+        return "{0}: found {1} axles and {2} spacings, wanted {3} spacings; give one behind each axle but the last";
+    case FaultKind::RangeOfNoSpacing:
+        return "{0}: there is no spacing \"{1}\" that could have a range; "
+               "count from 1, behind the leading axle: there are {2}";
+    case FaultKind::RangeReversed: return "{0}: goes from {1} down to {2}; give the smaller value first";
+    case FaultKind::WrongRangeSize: return "{0}: found a list of {1}, wanted 2 lengths; give the least and the most";
+    case FaultKind::EnvelopeWithoutTrains: return "{0}: names no train; name one or more";
+    case FaultKind::EffectNotMoving: return "{0}: \"{1}\" is no effect of a moving load; ask for {2}";
     }
     return "";
 }
@@ -356,6 +390,7 @@ Severity severity(FaultKind kind)
     case FaultKind::InaccurateCase:
     case FaultKind::IyzLeftOut:
     case FaultKind::OneWayMember:
+    case FaultKind::BarLoadedBetweenNodes:
     case FaultKind::UnusedMaterial:
     case FaultKind::UnusedSection:
     case FaultKind::NodeWithoutMembers:

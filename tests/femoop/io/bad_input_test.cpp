@@ -257,6 +257,10 @@ TEST_CASE("Every kind of fault has a file that shows it")
     for (auto kind = static_cast<int>(FaultKind::CrossNeedsPlaneFrame);
          kind <= static_cast<int>(FaultKind::CrossSkewSway); ++kind)
         shown.insert(static_cast<FaultKind>(kind));
+    // So are moving loads.
+    for (auto kind = static_cast<int>(FaultKind::NoSuchPath); kind <= static_cast<int>(FaultKind::EffectNotMoving);
+         ++kind)
+        shown.insert(static_cast<FaultKind>(kind));
     // The kinds before these are the analysis's.
     for (auto kind = static_cast<int>(FaultKind::FileUnreadable); !pattern(static_cast<FaultKind>(kind)).empty();
          ++kind) {

@@ -134,6 +134,11 @@ std::string_view spoken_pattern(FaultKind kind)
         return translatable("{0}: of which case? there are {1} load cases and combinations; name it in the file");
     case FaultKind::ExpectedKeyMissing: return translatable("{0}: {8} is missing in the file; add it");
     case FaultKind::ExpectedDofLacking: return translatable("{0}: a {2} has no component {1}; name another");
+
+    case FaultKind::NoSuchPath: return translatable("{0}: there is no path {1}; add it or name another");
+    case FaultKind::NoSuchTrain: return translatable("{0}: there is no train {1}; add it or name another");
+    case FaultKind::NoSuchLine: return translatable("{0}: there is no influence line {1}; add it or name another");
+    case FaultKind::NoSuchEnvelope: return translatable("{0}: there is no moving envelope {1}; add it or name another");
     default: return femoop::pattern(kind);
     }
 }
