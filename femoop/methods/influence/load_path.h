@@ -8,7 +8,7 @@
 #include "femoop/model/fault/fault.h"
 #include "femoop/model/model.h"
 
-namespace femoop {
+namespace femoop::influence {
 
 /// A member of a path, as the load passes it.
 struct PathMember {
@@ -57,4 +57,4 @@ PathLayout lay_out(const Model& model, const std::vector<MemberId>& members);
 /// A unit load's components along global axes fx fy fz mx my mz; down where none are given: -y in the plane, else -z.
 NodeVector unit_load(AnalysisKind kind, const std::vector<Component>& components);
 
-} // namespace femoop
+} // namespace femoop::influence

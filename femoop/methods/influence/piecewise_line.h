@@ -6,7 +6,7 @@
 
 #include "femoop/model/expected.h"
 
-namespace femoop {
+namespace femoop::influence {
 
 /// One smooth stretch of a line over a path: c[0] + c[1] t + c[2] t^2 + ..., t = s - from.
 struct LinePiece {
@@ -59,4 +59,4 @@ struct PiecewiseLine {
     friend bool operator==(const PiecewiseLine&, const PiecewiseLine&) = default;
 };
 
-} // namespace femoop
+} // namespace femoop::influence

@@ -1,0 +1,192 @@
+#include "femoop/methods/influence/piecewise_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "femoop/element/polynomial.h"
+
+namespace femoop::influence {
+
+namespace {
+
+constexpr double equal_value = 1e-9; // of the largest value: less is rounding
+constexpr double equal_place = 2e-5; // of the length: where a smooth extreme differs by no more than equal_value
+constexpr double path_end = 1e-12;   // of the length: so far beyond an end is the end
+
+Polynomial polynomial(const LinePiece& piece, double level)
+{
+    Polynomial p;
+    for (std::size_t i = 0; i < piece.coefficients.size(); ++i)
+        p.append(piece.coefficients[i] - (i == 0 ? level : 0.0));
+    return p;
+}
+
+std::vector<double> shifted(std::vector<double> places, double by)
+{
+    for (double& place : places) place += by;
+    return places;
+}
+
+/// A place where a line may be largest.
+struct Candidate {
+    double s, value;
+    bool is_level_after = false; ///< equally large up to the next one
+};
+
+bool is_level(const LinePiece& piece, double begin, double end, double least)
+{
+    constexpr int n = 4; // a polynomial that is near its largest value there hardly leaves it between
+    for (int i = 1; i < n; ++i)
+        if (piece.value(begin + (end - begin) * i / n) < least) return false;
+    return end > begin;
+}
+
+void add_candidates(const LinePiece& piece, double least, std::vector<Candidate>& found)
+{
+    std::vector<double> places{piece.from};
+    std::ranges::copy(piece.turning_places(), std::back_inserter(places));
+    places.push_back(piece.to);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const double value = piece.value(places[i]);
+        if (value < least) continue;
+        const bool has_next = i + 1 < places.size() && piece.value(places[i + 1]) >= least;
+        found.push_back({places[i], value, has_next && is_level(piece, places[i], places[i + 1], least)});
+    }
+}
+
+/// Of places that are one but for rounding the best; of a level stretch its ends.
+std::vector<Candidate> distinct(const std::vector<Candidate>& all, double length)
+{
+    std::vector<Candidate> kept;
+    for (const Candidate& next : all) {
+        if (kept.empty() || next.s - kept.back().s > equal_place * length) {
+            const bool is_within = kept.size() > 1 && kept.back().is_level_after && next.is_level_after &&
+                                   kept[kept.size() - 2].is_level_after;
+            if (is_within) kept.back() = next;
+            else kept.push_back(next);
+            continue;
+        }
+        Candidate& last = kept.back();
+        const bool goes_on = next.is_level_after;
+        const bool comes_level = kept.size() > 1 && kept[kept.size() - 2].is_level_after;
+        if (comes_level && goes_on) last.is_level_after = true;
+        else if (next.value > last.value && !comes_level) last = next;
+        last.is_level_after = goes_on;
+    }
+    return kept;
+}
+
+} // namespace
+
+double LinePiece::value(double s) const
+{
+    double sum = 0.0;
+    for (std::size_t i = coefficients.size(); i-- > 0;) sum = sum * (s - from) + coefficients[i];
+    return sum;
+}
+
+double LinePiece::slope(double s) const
+{
+    double sum = 0.0;
+    for (std::size_t i = coefficients.size(); i-- > 1;)
+        sum = sum * (s - from) + static_cast<double>(i) * coefficients[i];
+    return sum;
+}
+
+double LinePiece::integral(double begin, double end) const
+{
+    const auto up_to = [&](double s) {
+        double sum = 0.0;
+        for (std::size_t i = coefficients.size(); i-- > 0;)
+            sum = (sum + coefficients[i] / static_cast<double>(i + 1)) * (s - from);
+        return sum;
+    };
+    return up_to(end) - up_to(begin);
+}
+
+std::vector<double> LinePiece::places_of(double level) const
+{
+    return shifted(polynomial(*this, level).roots(length()), from);
+}
+
+std::vector<double> LinePiece::turning_places() const
+{
+    return shifted(polynomial(*this, 0.0).derivative().roots(length()), from);
+}
+
+double PiecewiseLine::value(double s, Side side) const
+{
+    const double beyond = path_end * length();
+    if (pieces.empty() || s < -beyond || s > length() + beyond) return 0.0;
+    const auto begins_after = [](double at, const LinePiece& piece) { return at < piece.from; };
+    auto piece = std::upper_bound(pieces.begin(), pieces.end(), s, begins_after);
+    if (piece != pieces.begin()) --piece;
+    if (side == Side::Before && s <= piece->from && piece != pieces.begin()) --piece;
+    return piece->value(s);
+}
+
+double PiecewiseLine::largest() const
+{
+    double found = 0.0;
+    for (const LinePiece& piece : pieces) {
+        for (const double s : {piece.from, piece.to}) found = std::max(found, std::abs(piece.value(s)));
+        for (const double s : piece.turning_places()) found = std::max(found, std::abs(piece.value(s)));
+    }
+    return found;
+}
+
+std::vector<double> PiecewiseLine::jumps() const
+{
+    const double rounding = equal_value * largest();
+    std::vector<double> places;
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+        const double s = pieces[i].from;
+        if (std::abs(pieces[i].value(s) - pieces[i - 1].value(s)) > rounding) places.push_back(s);
+    }
+    return places;
+}
+
+LineExtreme PiecewiseLine::max() const
+{
+    if (pieces.empty()) return {};
+    LineExtreme extreme{.value = pieces.front().value(0.0), .positions = {}, .is_level_after = {}};
+    for (const LinePiece& piece : pieces) {
+        for (const double s : {piece.from, piece.to}) extreme.value = std::max(extreme.value, piece.value(s));
+        for (const double s : piece.turning_places()) extreme.value = std::max(extreme.value, piece.value(s));
+    }
+    std::vector<Candidate> candidates;
+    for (const LinePiece& piece : pieces) add_candidates(piece, extreme.value - equal_value * largest(), candidates);
+    for (const Candidate& found : distinct(candidates, length())) {
+        extreme.positions.push_back(found.s);
+        extreme.is_level_after.push_back(found.is_level_after);
+    }
+    return extreme;
+}
+
+LineExtreme PiecewiseLine::min() const
+{
+    PiecewiseLine mirrored = *this;
+    for (LinePiece& piece : mirrored.pieces)
+        for (double& c : piece.coefficients) c = -c;
+    LineExtreme extreme = mirrored.max();
+    extreme.value = extreme.value == 0.0 ? 0.0 : -extreme.value;
+    return extreme;
+}
+
+LineAreas PiecewiseLine::areas() const
+{
+    LineAreas sum;
+    for (const LinePiece& piece : pieces) {
+        std::vector<double> ends = piece.places_of(0.0);
+        ends.insert(ends.begin(), piece.from);
+        ends.push_back(piece.to);
+        for (std::size_t i = 1; i < ends.size(); ++i) {
+            const double area = piece.integral(ends[i - 1], ends[i]);
+            (area > 0.0 ? sum.positive : sum.negative) += area;
+        }
+    }
+    return sum;
+}
+
+} // namespace femoop::influence
