@@ -181,6 +181,8 @@ enum class FaultKind : std::uint8_t {
     CrossRigidMember,      ///< {0} member
     CrossSkewOffset,       ///< {0} member
     CrossAxialSpring,      ///< {0} member
+    CrossHeldElongation,   ///< {0} members, {1} case
+    CrossHeldSettlement,   ///< {0} members, {1} case
     CrossTooLarge,         ///< {0} how many nodes, {1} the most
     CrossWithoutCase,      ///< no load case
     CrossJointFree,        ///< {0} node, {1} its moment

@@ -55,8 +55,8 @@ std::string_view pattern(FaultKind kind)
         return "structure can move without strain: member {0} is loose, "
                "its releases leave {1} free; take a release away";
     case FaultKind::ConstraintConflict:
-        return "case {1}: {0} cannot follow the imposed settlement, "
-               "temperature or misfit, being inextensible or rigid; take one such constraint away";
+        return "case {1}: a settlement, temperature or misfit would deform members that are inextensible or rigid ({0}); "
+               "take this property from one of them, or let a support move with it";
     case FaultKind::StiffnessBeyondRange:
         return "the stiffness at {0} is beyond the range of numbers; "
                "check E, the sections, the lengths and their units";
@@ -307,6 +307,14 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::CrossAxialSpring:
         return "member {0} has a spring along its axis, "
                "and moment distribution takes members as axially rigid; take the spring away";
+    case FaultKind::CrossHeldElongation:
+        return "case {1}: a temperature or misfit would change the length of members that are held at both ends ({0}), "
+               "and moment distribution takes members as axially rigid; "
+               "let an end move along the member, or distribute another case";
+    case FaultKind::CrossHeldSettlement:
+        return "case {1}: a settlement would change the length of members ({0}), "
+               "and moment distribution takes members as axially rigid; "
+               "take away the settlement along them, or distribute another case";
     case FaultKind::CrossTooLarge:
         return "the structure has {0} nodes, and a sheet of moment distribution is made for {1} at most; use solve";
     case FaultKind::CrossWithoutCase: return "the model has no load case to distribute; add one to load_cases";
