@@ -276,6 +276,54 @@ std::string text_of(const Combination& combination, const Model& model)
     return ObjectText().add_text("id", combination.id).add("factors", factors.str()).str();
 }
 
+std::string list_of(const std::vector<MemberId>& members, const Model& model)
+{
+    Lines names;
+    for (const MemberId member : members) names.push_back(quoted_json(model.members.at(member.index).id));
+    return json_list(names);
+}
+
+std::string text_of(const LoadPath& path, const Model& model)
+{
+    return ObjectText().add_text("id", path.id).add("members", list_of(path.members, model)).str();
+}
+
+std::string text_of(const LoadPathReference& path, const Model& model)
+{
+    if (const auto* id = std::get_if<PathId>(&path)) return quoted_json(model.moving_loads.paths.at(id->index).id);
+    return list_of(std::get<std::vector<MemberId>>(path), model);
+}
+
+void add(ObjectText& object, const MovingEffect& effect, const Model& model)
+{
+    object.add("quantity", word(names::quantities, effect.quantity));
+    if (effect.node) object.add_text("node", model.nodes.at(effect.node->index).id);
+    if (effect.member) object.add_text("member", model.members.at(effect.member->index).id);
+    if (effect.component) object.add_text("component", name(*effect.component, model.analysis));
+    if (effect.dof) {
+        const bool is_force = effect.quantity == ExpectedQuantity::Reaction;
+        object.add_text("component", is_force ? force_name(*effect.dof) : name(*effect.dof));
+    }
+    add_if(object, "at", effect.at);
+    if (effect.side) object.add("side", word(names::sides, *effect.side));
+}
+
+void add_unit_load(ObjectText& object, const std::vector<Component>& load)
+{
+    ObjectText inner;
+    add(inner, load, names::nodal_forces);
+    if (!inner.is_empty()) object.add("load", inner.str());
+}
+
+std::string text_of(const InfluenceLineDefinition& line, const Model& model)
+{
+    ObjectText object;
+    object.add_text("id", line.id).add("path", text_of(line.path, model));
+    add(object, line.effect, model);
+    add_unit_load(object, line.load);
+    return object.str();
+}
+
 std::string text_of(const Expected& check, const Model& model)
 {
     ObjectText object;
@@ -357,6 +405,8 @@ std::string write_model(const Model& model)
     file.add_list("members", model.members, model);
     file.add_if("load_cases", model.load_cases, model);
     file.add_if("combinations", model.combinations, model);
+    file.add_if("paths", model.moving_loads.paths, model);
+    file.add_if("influence_lines", model.moving_loads.influence_lines, model);
     for (const ExtraBlock& block : model.extra) file.add(block.key, pretty(block));
     file.add_if("expected", model.expected, model);
     return file.str();
