@@ -164,6 +164,26 @@ template <class F> double integral(double from, double to, F&& f)
 
 TEST_SUITE("laws")
 {
+    TEST_CASE("A load straight over a support at the origin goes into it, and balances")
+    {
+        Model model;
+        model.analysis = AnalysisKind::Frame2d;
+        model.add(Material{.id = "m", .E = 2.1e8});
+        model.add(Section{.id = "s", .A = 0.04, .Iz = 0.006});
+        for (const double x : {0.0, 10.0, 22.5, 32.5}) {
+            const SupportKind kind = x == 0.0 ? SupportKind::Pin : SupportKind::Roller;
+            model.add(Node{.id = std::to_string(x), .at = {x, 0.0, 0.0}, .support = Support{.kind = kind}});
+        }
+        for (std::size_t i = 0; i < 3; ++i)
+            model.add(Member{.id = std::to_string(i),
+                             .nodes = {NodeId(i), NodeId(i + 1)},
+                             .material = MaterialId(0),
+                             .section = SectionId(0)});
+        const PointLoad load{.at = Quantity(0.0), .components = {{Dof::uy, -1.0}}};
+        model.add(LoadCase{.id = "P", .members = {{MemberId(0), load}}});
+        CHECK(analyse(model).at("P").reaction(NodeId(0))[index(Dof::uy)] == doctest::Approx(1.0));
+    }
+
     TEST_CASE("Every node is in equilibrium under its loads, its support and its members")
     {
         for_every_structure([](const Model& model) {
