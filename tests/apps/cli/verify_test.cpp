@@ -108,10 +108,19 @@ TEST_CASE("Checks of analyses that are not built are skipped and named, never pa
 
 TEST_CASE("A block that is not compared yet is skipped and named")
 {
+    const Run run = cremona({"verify", "tests/cases/influence/ML-001-40.json"});
+    CHECK(run.status == 0);
+    CHECK(has(run.out, "block \"train\": skipped: this block is not compared yet\n"));
+    CHECK(has(run.out, " passed, 0 failed, 1 skipped\n"));
+}
+
+TEST_CASE("The lines of an influence block are compared value by value, extreme by extreme, place by place")
+{
     const Run run = cremona({"verify", "tests/cases/influence/IL-001.json"});
     CHECK(run.status == 0);
-    CHECK(has(run.out, "block \"influence\": skipped: this block is not compared yet\n"));
-    CHECK(has(run.out, " passed, 0 failed, 1 skipped\n"));
+    CHECK(has(run.out, ": line 1: "));
+    CHECK(has(run.out, " at s = 0 = "));
+    CHECK(has(run.out, " passed, 0 failed, 0 skipped\n"));
 }
 
 TEST_CASE("The sheet of a cross block is worked in its order and compared row by row")

@@ -108,13 +108,13 @@ TEST_CASE("Checks of other analyses and blocks that nothing compares are skipped
 {
     Model model = expecting(1.0);
     model.expected[0].analysis = ExpectedAnalysis::PDelta;
-    model.extra.push_back({"influence", "{}"});
+    model.extra.push_back({"train", "{}"});
     CHECK_FALSE(needs_linear_analysis(model));
     const auto outcomes = verify(model, std::nullopt);
     REQUIRE(outcomes.size() == 2);
     CHECK(outcomes[0].skipped == SkipReason::AnalysisNotBuilt);
     CHECK(outcomes[1].skipped == SkipReason::SheetNotBuilt);
-    CHECK(outcomes[1].what == "block \"influence\"");
+    CHECK(outcomes[1].what == "block \"train\"");
     CHECK(count(outcomes).skipped == 2);
     CHECK(count(outcomes).passed + count(outcomes).failed == 0);
 }
