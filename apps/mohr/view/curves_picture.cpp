@@ -35,12 +35,21 @@ struct Graph {
     }
 };
 
+/// [degrees] between two numbers of the angle, so that they do not touch.
+int angle_step(const Graph& g, const ui::TextStyle& style)
+{
+    const double needed = g.painter.measure(g.scene.look.number(-90.0) + "°", style).width + 0.6 * style.size;
+    for (const int step : {30, 45})
+        if (g.box.width() * step / 180.0 > needed) return step;
+    return 90;
+}
+
 void draw_grid(const Graph& g)
 {
     const ui::LayerScope layer(g.painter, ui::Layer::Grid);
     ui::TextStyle style = g.theme.text(Role::FaintLabel, ui::Anchor::Top);
     style.size = g.theme.type().small;
-    for (int t = -90; t <= 90; t += 30) {
+    for (int t = -90; t <= 90; t += angle_step(g, style)) {
         g.painter.line({g.x(t), g.box.min.y}, {g.x(t), g.box.max.y},
                        g.theme.stroke(t == 0 ? Role::GridAxis : Role::Grid));
         g.painter.text({g.x(t), g.box.max.y + 4.0}, g.scene.look.number(t) + "°", style);
@@ -67,6 +76,8 @@ void draw_lines(const Graph& g)
     }
     g.painter.polyline(normal, g.theme.stroke(Role::BendingMoment));
     g.painter.polyline(shear, g.theme.stroke(Role::ShearForce));
+    g.labels.obstacles().add_polyline(normal, 2.0); // rather another line than these
+    g.labels.obstacles().add_polyline(shear, 2.0);
 }
 
 /// Where the normal component is largest or least the shear vanishes.

@@ -61,7 +61,6 @@ ui::Box without_gap(const ui::Box& box)
 struct PlaneRooms {
     ui::Box element, circle;
     ui::Box row; ///< of the curves or the section, and the locus
-    enum class Row : std::uint8_t { BesideOneAnother, OneBelowAnother } order = Row::BesideOneAnother;
 };
 
 /// What stands below is left out where it would tell an answer, and where large type and a construction's caption leave
@@ -71,21 +70,20 @@ bool has_row(const Scene& scene)
     return !scene.conceals && !(scene.steps_shown && scene.look.theme == ui::ThemeName::Projector);
 }
 
-/// What stands below is flat there, and has the width for another place: below the element.
+/// What stands below is flat there, and alone it has the width for another place: below the element.
 bool is_flat(const PlaneRooms& rooms, const Scene& scene)
 {
     constexpr double least_height = 7.5, least_width = 15.0;
     const double em = scene.look.full_theme().type().normal;
-    return rooms.row.height() < least_height * em && rooms.element.width() > least_width * em;
+    return !has_locus(scene) && rooms.row.height() < least_height * em && rooms.element.width() > least_width * em;
 }
 
 /// The circle has the whole height, and what else would lie flat below it stands below the element.
-PlaneRooms rooms_of_large_type(const ui::Size& sheet, double middle, const Scene& scene)
+PlaneRooms rooms_of_large_type(const ui::Size& sheet, double middle)
 {
-    const double top = 0.5 * gap, foot = sheet.height - 0.5 * gap;
-    const double below = (has_locus(scene) ? 0.42 : 0.58) * sheet.height;
+    const double top = 0.5 * gap, foot = sheet.height - 0.5 * gap, below = 0.58 * sheet.height;
     return {without_gap({{0.0, top}, {middle, below}}), without_gap({{middle, top}, {sheet.width, foot}}),
-            without_gap({{0.0, below}, {middle, foot}}), PlaneRooms::Row::OneBelowAnother};
+            without_gap({{0.0, below}, {middle, foot}})};
 }
 
 PlaneRooms plane_rooms(const ui::Box& sheet, const Scene& scene)
@@ -103,7 +101,7 @@ PlaneRooms plane_rooms(const ui::Box& sheet, const Scene& scene)
     const PlaneRooms rooms{without_gap({{0.0, 0.5 * gap}, {middle, foot * h + 0.5 * gap}}),
                            without_gap({{middle, 0.5 * gap}, {w, foot * h + 0.5 * gap}}),
                            without_gap({{0.0, foot * h + 0.5 * gap}, {w, h - 0.5 * gap}})};
-    return is_whole || !is_flat(rooms, scene) ? rooms : rooms_of_large_type({w, h}, middle, scene);
+    return is_whole || !is_flat(rooms, scene) ? rooms : rooms_of_large_type({w, h}, middle);
 }
 
 void draw_plane(ui::Painter& painter, const Scene& scene, Drawn& drawn)
@@ -116,13 +114,9 @@ void draw_plane(ui::Painter& painter, const Scene& scene, Drawn& drawn)
     const ui::Box& row = rooms.row;
     if (!has_row(scene)) return;
     if (scene.solution.section) return draw_section(painter, scene, row, drawn);
-    if (!has_locus(scene)) return draw_curves(painter, scene, row, drawn);
-    const bool is_beside = rooms.order == PlaneRooms::Row::BesideOneAnother;
-    const double right = row.min.x + 0.66 * row.width(), below = row.min.y + 0.45 * row.height();
-    draw_curves(painter, scene, {row.min, is_beside ? ui::Point{right, row.max.y} : ui::Point{row.max.x, below}},
-                drawn);
-    draw_locus(painter, scene,
-               {is_beside ? ui::Point{right + gap, row.min.y} : ui::Point{row.min.x, below + gap}, row.max});
+    const double right_of_curves = has_locus(scene) ? row.min.x + 0.66 * row.width() : row.max.x;
+    draw_curves(painter, scene, {row.min, {right_of_curves, row.max.y}}, drawn);
+    if (has_locus(scene)) draw_locus(painter, scene, {{right_of_curves + gap, row.min.y}, row.max});
 }
 
 /// Cube, sphere and perhaps a criterion below one another at the left, or side by side on top of a sheet that is high.

@@ -77,7 +77,8 @@ ui::Point middle_of_box(ui::Point target, ui::Point side, ui::Size size)
 void Labels::add(ui::Point target, ui::Point away, std::string text, const ui::TextStyle& style, double priority)
 {
     const ui::Size size = ui::label_size(fonts_, text, style);
-    ui::Label label{.target = target, .size = size, .priority = priority};
+    constexpr double reach = 120.0; // px: a far place is better than one on a line
+    ui::Label label{.target = target, .size = size, .priority = priority, .reach = reach};
     const double start = std::atan2(away.y, away.x);
     for (const double turn : {0.0, 0.6, -0.6, 1.2, -1.2, 1.9, -1.9, 2.6, -2.6}) {
         const ui::Point along{std::cos(start + turn), std::sin(start + turn)};
