@@ -6,12 +6,12 @@ namespace ui {
 
 using Purpose = ChosenFile::Purpose;
 
-bool Dialogs::take(Request request, const std::optional<std::filesystem::path>& file)
+bool Dialogs::take(Request request, const std::optional<std::filesystem::path>& file, const Catalogue& tr)
 {
     switch (request) {
     case Request::OpenDialog: open_dialog(Purpose::Open, file); return true;
     case Request::SaveDialog: open_dialog(Purpose::Save, file); return true;
-    case Request::ExportDialog: open_dialog(Purpose::Export, file); return true;
+    case Request::ExportDialog: open_export(file.value_or(tr("picture"))); return true;
     case Request::Palette: palette_.open(); return true;
     case Request::ShortcutList: shows_keys_ = !shows_keys_; return true;
     case Request::Description: shows_description_ = !shows_description_; return true;
@@ -19,14 +19,15 @@ bool Dialogs::take(Request request, const std::optional<std::filesystem::path>& 
     }
 }
 
-// A picture is written beside the document's own file, under its name.
+void Dialogs::open_export(std::filesystem::path picture)
+{
+    purpose_ = Purpose::Export;
+    path_dialog_.open_export(picture.replace_extension(files_.exports.front()), files_.exports);
+}
+
 void Dialogs::open_dialog(Purpose purpose, const std::optional<std::filesystem::path>& file)
 {
     purpose_ = purpose;
-    if (purpose == Purpose::Export) {
-        std::filesystem::path picture = file.value_or("picture");
-        return path_dialog_.open_export(picture.replace_extension(files_.exports.front()), files_.exports);
-    }
     const bool opens = purpose == Purpose::Open;
     path_dialog_.open(opens ? PathDialog::Purpose::Open : PathDialog::Purpose::Save, file.value_or(""),
                       files_.extension, files_.left_out);

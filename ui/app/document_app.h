@@ -194,7 +194,7 @@ template <class Workspace> void DocumentApp<Workspace>::handle_requests()
 
 template <class Workspace> void DocumentApp<Workspace>::handle_common_request(Request request)
 {
-    if (dialogs_.take(request, session().path()) || session_store_.take(request)) return;
+    if (dialogs_.take(request, session().path(), session().tr()) || session_store_.take(request)) return;
     if (request == Request::CopyPicture) copy_picture();
     else if (request == Request::TakeOver || request == Request::KeepAsItIs) answer_offer(request);
     else if (request == Request::Quit) quit();

@@ -236,12 +236,27 @@ void ImGuiSession::look_for_field()
 
 namespace {
 
-// Escape leaves a panel for the window around it, and the panel would be framed like something that has the keyboard.
-void unframe_panels(ImGuiContext& gui)
+bool is_escaping(const ImGuiIO& io)
 {
     constexpr auto escape = static_cast<std::size_t>(Key::Escape);
-    const ImGuiIO& io = gui.IO;
-    if (io.KeysDownDuration[escape] < 0.0F && io.KeysDownDurationPrev[escape] < 0.0F) return;
+    return io.KeysDownDuration[escape] >= 0.0F || io.KeysDownDurationPrev[escape] >= 0.0F;
+}
+
+/// In the frame before: it was shown there, and is open no more.
+bool has_popup_closed(const ImGuiContext& gui)
+{
+    return std::ranges::any_of(gui.Windows, [&](const ImGuiWindow* window) {
+        if ((window->Flags & ImGuiWindowFlags_Popup) == 0 || !window->WasActive) return false;
+        return std::ranges::none_of(gui.OpenPopupStack,
+                                    [&](const ImGuiPopupData& popup) { return popup.Window == window; });
+    });
+}
+
+// Escape leaves a panel for the window around it, a dialog that closes gives the keyboard back to that window, and the
+// panel would be framed like something that has the keyboard.
+void unframe_panels(ImGuiContext& gui)
+{
+    if (!is_escaping(gui.IO) && !has_popup_closed(gui)) return;
     for (const ImGuiWindow* const window : gui.Windows)
         if (window->ChildId != 0 && window->ChildId == gui.NavId) gui.NavId = 0;
 }

@@ -53,18 +53,22 @@ template <class Session> void show_menus(const CommandTable<Session>& table, Ses
     }
     std::vector<std::string> names;
     for (const std::string_view menu : menus) names.push_back(tr(menu));
-    const ImVec2 spacing{spacing_of_menus(names), ImGui::GetStyle().ItemSpacing.y};
+    const MenuRow row = menu_row(names);
+    const ImVec2 spacing{row.spacing, ImGui::GetStyle().ItemSpacing.y};
+    ImGui::SetWindowFontScale(row.type);
     for (std::size_t i = 0; i < menus.size(); ++i) {
         const std::string_view menu = menus[i];
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, spacing);
         const bool is_open = ImGui::BeginMenu((names[i] + "###" + std::string(menu)).c_str());
         ImGui::PopStyleVar();
         if (!is_open) continue;
+        ImGui::SetWindowFontScale(1.0F / row.type); // it would have its bar's type
         for (const auto& command : table.all()) {
             if (command.menu == menu) show_command(command, session, tr);
         }
         ImGui::EndMenu();
     }
+    ImGui::SetWindowFontScale(1.0F);
 }
 
 /// Finds a command by its words: type, choose with the arrows, Enter.

@@ -94,13 +94,15 @@ void show_below(float height, const std::function<void()>& content)
     ImGui::SetCursorPos(corner);
 }
 
-float spacing_of_menus(const std::vector<std::string>& names)
+MenuRow menu_row(const std::vector<std::string>& names)
 {
+    constexpr float least_gap = 0.3F; // ems: on either side of a name, which it needs to be told from the next one
     float words = 0.0F;
     for (const std::string& name : names) words += ImGui::CalcTextSize(name.c_str()).x;
-    const float room = ImGui::GetMainViewport()->WorkSize.x - words;
-    const float share = room / (2.0F * static_cast<float>(names.size()) + 1.0F);
-    return std::clamp(std::floor(share), 1.0F, ImGui::GetStyle().ItemSpacing.x);
+    const float room = ImGui::GetMainViewport()->WorkSize.x, n_gaps = 2.0F * static_cast<float>(names.size()) + 1.0F;
+    const float least = words + n_gaps * least_gap * ImGui::GetFontSize();
+    const float type = std::min(1.0F, room / least);
+    return {std::clamp(std::floor((room - type * words) / n_gaps), 1.0F, ImGui::GetStyle().ItemSpacing.x), type};
 }
 
 void menu_bar_title(const std::string& name)

@@ -61,8 +61,13 @@ private:
     bool is_first_ = true;
 };
 
-/// Half of what lies between two menus of the menu bar [px]: where they have no room otherwise they stand closer.
-float spacing_of_menus(const std::vector<std::string>& names);
+/// How the names of the menus stand in their bar: closer where they have no room otherwise, and where that would crowd
+/// them, in smaller type.
+struct MenuRow {
+    float spacing; ///< half of what lies between two of them [px]
+    float type;    ///< of the usual size, at most 1
+};
+MenuRow menu_row(const std::vector<std::string>& names);
 
 /// The document's name at the right of the menu bar, where the menus leave room for it.
 void menu_bar_title(const std::string& name);

@@ -83,20 +83,27 @@ bool wrapped_button(std::string_view name, std::string_view id)
     return ImGui::Button(item_label(in_lines(name, room), id).c_str());
 }
 
-bool begin_wrapped_combo(std::string_view name, const char* id)
+bool begin_wrapped_combo(std::string_view chosen, const std::vector<std::string>& names, const char* id)
 {
-    const float room = ImGui::GetContentRegionAvail().x;
-    const std::string shown = shown_whole(name);
-    const float padding = 2.0F * ImGui::GetStyle().FramePadding.x;
-    if (ImGui::CalcTextSize(shown.c_str()).x + padding + ImGui::GetFrameHeight() <= room) {
+    const float room = ImGui::GetContentRegionAvail().x, padding = 2.0F * ImGui::GetStyle().FramePadding.x;
+    const auto has_room = [&](std::string_view name) {
+        return ImGui::CalcTextSize(shown_whole(name).c_str()).x + padding + ImGui::GetFrameHeight() <= room;
+    };
+    if (has_room(chosen) && std::ranges::all_of(names, has_room)) {
         ImGui::SetNextItemWidth(-1.0F);
-        return ImGui::BeginCombo(id, shown.c_str());
+        return ImGui::BeginCombo(id, shown_whole(chosen).c_str());
     }
+    float height = 0.0F;
+    const auto lines = [&](std::string_view name) {
+        const std::string broken = in_lines(name, room - padding);
+        height = std::max(height, ImGui::CalcTextSize(broken.c_str()).y + 2.0F * ImGui::GetStyle().FramePadding.y);
+        return broken;
+    };
+    for (const std::string& name : names) lines(name);
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_FrameBg));
     ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, {0.0F, 0.5F});
-    const std::string list = std::string(id) + " list";
-    if (ImGui::Button(item_label(in_lines(name, room - padding), id).c_str(), {-1.0F, 0.0F}))
-        ImGui::OpenPopup(list.c_str());
+    const std::string list = std::string(id) + " list", shown = item_label(lines(chosen), id);
+    if (ImGui::Button(shown.c_str(), {-1.0F, height})) ImGui::OpenPopup(list.c_str());
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
     return ImGui::BeginPopup(list.c_str());

@@ -98,7 +98,9 @@ void TablesPanel::bring_changed_forward(Workspace& workspace) const
 void TablesPanel::follow(Workspace& workspace)
 {
     const Session& session = workspace.session;
+    const bool is_over = session.game() && session.game()->is_over();
     if (std::exchange(seen_, workspace.table) != workspace.table) is_new_ = true;
+    if (std::exchange(is_over_, is_over) != is_over) is_new_ = true;
     if (std::exchange(generation_, session.generation()) == session.generation()) return;
     const StepReport* const step = session.report();
     solid_ = step == nullptr ? 0 : step->solid;
@@ -207,10 +209,15 @@ void TablesPanel::show_table(Session& session, TableKind kind)
     ImGui::EndTable();
 }
 
-void TablesPanel::show_broken(Session& session, TableKind kind) const
+void TablesPanel::show_broken(Session& session, TableKind kind)
 {
     const auto row = [&](std::size_t i) { return broken_(kind, i); };
-    lone_table(session, broken_.size(kind), row(0).cells.size(), row, {"broken", 0.0F});
+    const std::size_t n = broken_.size(kind);
+    TablePlace place{"broken", 0.0F};
+    if (std::exchange(is_new_, false) && session.selection)
+        for (std::size_t i = 0; i < n; ++i)
+            if (row(i).entity == session.selection->entity) place.wanted_row = i;
+    lone_table(session, n, row(0).cells.size(), row, place);
 }
 
 // The same solid as edges that carry all the links: edges, vertices and faces beside one another.
@@ -246,6 +253,7 @@ void TablesPanel::lone_table(Session& session, std::size_t n_rows, std::size_t n
     }
     RowWriter writer(session, solid_);
     write_rows(n_rows, [&](std::size_t i) { writer.write(row(i), n_cells, "row"); });
+    if (place.wanted_row) bring_into_sight(*place.wanted_row);
     ImGui::EndTable();
 }
 

@@ -28,8 +28,9 @@ private:
     struct TablePlace {
         const char* id;
         float width;
+        std::optional<std::size_t> wanted_row{}; ///< is brought into sight
     };
-    void show_broken(Session& session, topology::TableKind kind) const;
+    void show_broken(Session& session, topology::TableKind kind);
     void show_winged(Session& session);
     using MakeRow = std::function<topology::TableRow(std::size_t)>;
     /// \pre n_cells > 0 where there are rows
@@ -42,6 +43,7 @@ private:
     std::size_t solid_ = 0;
     std::uint64_t generation_ = 0;            ///< that the tables belong to
     std::optional<topology::TableKind> seen_; ///< last
+    bool is_over_ = false;                    ///< a challenge, when the tables were seen last
     bool is_new_ = false;                     ///< the first row that the step changed is to be brought into sight
 };
 

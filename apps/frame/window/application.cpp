@@ -178,7 +178,7 @@ void Application::take(ui::Request request)
 {
     using enum ui::Request;
     Session& session = workspace_.session;
-    if (dialogs_.take(request, session.path()) || session_store_.take(request)) return;
+    if (dialogs_.take(request, session.path(), session.tr()) || session_store_.take(request)) return;
     if (request == CopyPicture) explain(copy_picture().value_or(ui::Message(translatable("the picture was copied"))));
     if (request == Fit) canvas_.fit(session);
     if (request == ZoomIn) canvas_.zoom(session, 1.25);

@@ -82,10 +82,6 @@ void draw_angle(const Diagram& d, ui::World2 from, double turn, double share, co
     const double start = std::atan2(from.y, from.x - d.solution().circle.centre);
     const ui::Arc arc{d.centre(), share * d.radius(), start, turn};
     arc_arrow(d.painter, arc, d.theme.stroke(Role::LocalAxes), 7.0 * d.theme.symbol_scale());
-    std::vector<ui::Point> line;
-    constexpr int n = 16;
-    for (int i = 0; i <= n; ++i) line.push_back(arc.at(start + turn * i / n));
-    d.labels.obstacles().add_polyline(line, 1.0, ui::Firmness::Soft);
     const double middle = start + 0.5 * turn;
     const ui::Point away{std::cos(middle), -std::sin(middle)};
     d.labels.add(arc.at(middle), away, name, d.words(Role::LocalAxes), 2.0);
@@ -101,7 +97,6 @@ void draw_pole(const Diagram& d, ui::World2 x, ui::World2 n)
         const ui::Point a = d.at(p), b = d.at(to), along = ui::direction(b - a);
         if (!(ui::distance(a, b) > 1.0)) return;
         d.painter.line(a - 18.0 * along, b + 18.0 * along, line);
-        d.labels.obstacles().add_segment(a - 18.0 * along, b + 18.0 * along, 1.0, ui::Firmness::Soft);
     };
     through(x);
     through(n);
@@ -173,22 +168,6 @@ void add_places(const Diagram& d, Drawn& drawn)
     add(Handle::Centre, {s.circle.centre, 0.0});
 }
 
-void keep_clear(const Diagram& d)
-{
-    const ui::Arc around{d.centre(), d.radius(), 0.0, 2.0 * std::numbers::pi};
-    std::vector<ui::Point> points;
-    constexpr int n = 64;
-    for (int i = 0; i <= n; ++i) points.push_back(around.at(2.0 * std::numbers::pi * i / n));
-    d.labels.obstacles().add_polyline(points, 2.0, ui::Firmness::Soft);
-    const Solution& s = d.solution();
-    for (const double angle : {0.0, 0.5 * std::numbers::pi, s.angle}) {
-        d.labels.obstacles().add_segment(d.centre(), d.at(face(s, angle)), 2.0, ui::Firmness::Soft);
-        d.labels.obstacles().add_disc(d.at(face(s, angle)), 5.0);
-    }
-    for (const double value : {s.principal.first, s.principal.second, s.circle.centre})
-        d.labels.obstacles().add_disc(d.at({value, 0.0}), 5.0);
-}
-
 std::string shear_rule(const Scene& scene)
 {
     const Look& look = scene.look;
@@ -201,40 +180,112 @@ std::string shear_rule(const Scene& scene)
     return look.tr("shear is up where it turns the element clockwise");
 }
 
-void write(ui::Painter& painter, Labels& labels, ui::Point at, const std::string& text, const ui::TextStyle& style)
-{
-    painter.text(at, text, style);
-    labels.obstacles().add_box(ui::text_box(painter.fonts(), at, text, style));
-}
+/// The numbers along both axes, each at its grid line, where no line of the diagram runs through it.
+class Ticks {
+public:
+    Ticks(ui::Painter& painter, const Scene& scene, const ui::Box& box, const ui::PlaneCamera& camera, Labels& labels)
+        : painter_(painter),
+          scene_(scene),
+          box_(box),
+          camera_(camera),
+          labels_(labels),
+          theme_(scene.look.full_theme()),
+          step_(tick_step(camera.scale(), 5.0 * theme_.type().small)),
+          near_(3.0 + 0.5 * theme_.stroke(Role::Label).width),
+          style_(theme_.text(Role::FaintLabel))
+    {
+        style_.size = theme_.type().small;
+    }
+
+    void draw_normals() const
+    {
+        const double low = camera_.to_world(box_.min).x, high = camera_.to_world(box_.max).x;
+        for_each(low, high, [&](int i) {
+            const ui::Point at = camera_.to_sheet({i * step_, 0.0});
+            painter_.line({at.x, box_.min.y}, {at.x, box_.max.y}, theme_.stroke(Role::Grid));
+            if (i != 0)
+                write(
+                    at, i,
+                    {{0.0, near_}, {0.0, -near_}, {near_, near_}, {-near_, near_}, {near_, -near_}, {-near_, -near_}});
+        });
+    }
+
+    void draw_shears() const
+    {
+        const double low = camera_.to_world(box_.max).y, high = camera_.to_world(box_.min).y;
+        const double zero = std::clamp(camera_.to_sheet({0.0, 0.0}).x, box_.min.x, box_.max.x);
+        const int sense = scene_.solution.rule == fm::ShearRule::TensorDown ? -1 : 1;
+        const double room = 1.5 * style_.size; // for the axis's title and the rule of signs
+        for_each(low, high, [&](int i) {
+            const double y = camera_.to_sheet({0.0, i * step_}).y;
+            painter_.line({box_.min.x, y}, {box_.max.x, y}, theme_.stroke(Role::Grid));
+            if (i == 0 || y < box_.min.y + room || y > box_.max.y - room) return;
+            write({zero, y}, sense * i,
+                  {{-near_, 0.0}, {near_, 0.0}, {-near_, -near_}, {-near_, near_}, {near_, -near_}, {near_, near_}});
+        });
+    }
+
+private:
+    template <class Act> void for_each(double low, double high, const Act& act) const
+    {
+        constexpr int most = 200;
+        const int first = static_cast<int>(std::ceil(low / step_)), last = static_cast<int>(std::floor(high / step_));
+        for (int i = first; i <= last && last - first < most; ++i) act(i);
+    }
+    void write(ui::Point at, int i, const std::vector<ui::Point>& sides) const
+    {
+        labels_.add_fixed(at, sides, scene_.look.number(i * step_), style_);
+    }
+
+    ui::Painter& painter_;
+    const Scene& scene_;
+    ui::Box box_;
+    ui::PlaneCamera camera_;
+    Labels& labels_;
+    ui::Theme theme_;
+    double step_;
+    double near_; ///< px: from an axis to its numbers
+    ui::TextStyle style_;
+};
 
 void draw_ticks(ui::Painter& painter, const Scene& scene, const ui::Box& box, const ui::PlaneCamera& camera,
                 Labels& labels)
 {
+    const ui::LayerScope layer(painter, ui::Layer::Grid);
+    const Ticks ticks(painter, scene, box, camera, labels);
+    ticks.draw_normals();
+    ticks.draw_shears();
+}
+
+constexpr double before_numbers = 1.0; ///< priority of an axis's title
+
+double axis_head(const ui::Theme& theme) { return 9.0 * theme.symbol_scale(); }
+/// From an axis to its title, clear of the head.
+double beside_head(const ui::Theme& theme) { return 0.5 * axis_head(theme) + 3.0; }
+
+void draw_normal_axis(ui::Painter& painter, const Scene& scene, const ui::Box& box, double y, Labels& labels)
+{
     const ui::Theme theme = scene.look.full_theme();
-    const double step = tick_step(camera.scale(), 5.0 * theme.type().small);
-    const ui::World2 low = camera.to_world({box.min.x, box.max.y}), high = camera.to_world({box.max.x, box.min.y});
-    ui::TextStyle style = theme.text(Role::FaintLabel, ui::Anchor::Top);
-    style.size = theme.type().small;
-    const double zero_x = std::clamp(camera.to_sheet({0.0, 0.0}).x, box.min.x, box.max.x);
+    arrow(painter, {box.min.x, y}, {box.max.x, y}, theme.stroke(Role::Label), axis_head(theme));
+    const std::string title = axis_title(names_of(scene.document.subject).normal, scene.solution.unit);
+    const ui::TextStyle style = theme.text(Role::Label);
+    const double half = 0.5 * painter.measure(title, style).width + 1.0, away = beside_head(theme);
+    labels.add_fixed({box.max.x - half, y}, {{0.0, -away}, {0.0, away}}, title, style, before_numbers);
+}
+
+/// Where the axis lies beside the box, its title alone.
+void draw_shear_axis(ui::Painter& painter, const Scene& scene, const ui::Box& box, double zero, Labels& labels)
+{
+    const ui::Theme theme = scene.look.full_theme();
+    const double x = std::clamp(zero, box.min.x, box.max.x), away = beside_head(theme);
     const bool is_down = scene.solution.rule == fm::ShearRule::TensorDown;
-    const int first = static_cast<int>(std::ceil(low.x / step)), last = static_cast<int>(std::floor(high.x / step));
-    for (int i = first; i <= last && last - first < 200; ++i) {
-        const ui::Point at = camera.to_sheet({i * step, 0.0});
-        painter.line({at.x, box.min.y}, {at.x, box.max.y}, theme.stroke(Role::Grid));
-        if (i != 0) write(painter, labels, at + ui::Point{0.0, 3.0}, scene.look.number(i * step), style);
-    }
-    style.anchor = ui::Anchor::Right;
-    const int bottom = static_cast<int>(std::ceil(low.y / step)), top = static_cast<int>(std::floor(high.y / step));
-    for (int i = bottom; i <= top && top - bottom < 200; ++i) {
-        const ui::Point at = camera.to_sheet({0.0, i * step});
-        painter.line({box.min.x, at.y}, {box.max.x, at.y}, theme.stroke(Role::Grid));
-        const bool has_room = zero_x > box.min.x + 4.0 * style.size;
-        style.anchor = has_room ? ui::Anchor::Right : ui::Anchor::Left;
-        const double room = 1.5 * style.size; // for the axis's title and the rule of signs
-        if (i == 0 || at.y < box.min.y + room || at.y > box.max.y - room) continue;
-        write(painter, labels, {zero_x + (has_room ? -4.0 : 4.0), at.y},
-              scene.look.number((is_down ? -1.0 : 1.0) * i * step), style);
-    }
+    const ui::Point top{x, box.min.y}, bottom{x, box.max.y};
+    if (x == zero)
+        arrow(painter, is_down ? top : bottom, is_down ? bottom : top, theme.stroke(Role::Label), axis_head(theme));
+    const ui::TextStyle style = theme.text(Role::Label);
+    const ui::Point inwards{0.0, (is_down ? -0.7 : 0.7) * style.size}; // half of the title's height
+    labels.add_fixed((is_down ? bottom : top) + inwards, {{away, 0.0}, {-away, 0.0}},
+                     axis_title(names_of(scene.document.subject).shear, scene.solution.unit), style, before_numbers);
 }
 
 } // namespace
@@ -254,27 +305,9 @@ ui::PlaneCamera circle_camera(const Frame& frame, const ui::Box& box, const Look
 void draw_axes(ui::Painter& painter, const Scene& scene, const ui::Box& box, const ui::PlaneCamera& camera,
                Labels& labels)
 {
-    const ui::Theme theme = scene.look.full_theme();
-    const Names names = names_of(scene.document.subject);
-    {
-        const ui::LayerScope layer(painter, ui::Layer::Grid);
-        draw_ticks(painter, scene, box, camera, labels);
-    }
-    const ui::Stroke stroke = theme.stroke(Role::Label);
-    const ui::Point zero = camera.to_sheet({0.0, 0.0});
-    const double head = 9.0 * theme.symbol_scale();
-    arrow(painter, {box.min.x, zero.y}, {box.max.x, zero.y}, stroke, head);
-    ui::TextStyle style = theme.text(Role::Label, ui::Anchor::BottomRight);
-    write(painter, labels, {box.max.x, zero.y - 5.0}, axis_title(names.normal, scene.solution.unit), style);
-    labels.obstacles().add_segment({box.min.x, zero.y}, {box.max.x, zero.y}, 1.0, ui::Firmness::Soft);
-    const double x = std::clamp(zero.x, box.min.x, box.max.x);
-    const bool is_down = scene.solution.rule == fm::ShearRule::TensorDown;
-    const ui::Point top{x, box.min.y}, bottom{x, box.max.y};
-    if (x == zero.x) arrow(painter, is_down ? top : bottom, is_down ? bottom : top, stroke, head);
-    style.anchor = is_down ? ui::Anchor::BottomLeft : ui::Anchor::TopLeft;
-    write(painter, labels, (is_down ? bottom : top) + ui::Point{8.0, 0.0}, axis_title(names.shear, scene.solution.unit),
-          style);
-    labels.obstacles().add_segment(top, bottom, 1.0, ui::Firmness::Soft);
+    draw_ticks(painter, scene, box, camera, labels);
+    draw_normal_axis(painter, scene, box, camera.to_sheet({0.0, 0.0}).y, labels);
+    draw_shear_axis(painter, scene, box, camera.to_sheet({0.0, 0.0}).x, labels);
 }
 
 ui::Box write_rule(ui::Painter& painter, const Scene& scene, const ui::Box& box)
@@ -332,14 +365,13 @@ void draw_circle(ui::Painter& painter, const Scene& scene, const ui::Box& sheet,
         draw_path(d);
         painter.circle(d.centre(), d.radius(), d.theme.stroke(Role::Member));
     }
-    keep_clear(d);
     draw_extremes(d);
     if (d.radius() >= 4.0) draw_faces(d);
     if (d.radius() >= 4.0) draw_gauges(d);
     draw_mark(painter, scene, d.centre(), Handle::Centre, Role::Node);
     labels.add(d.centre(), {0.0, 1.0}, "C = " + scene.look.number(scene.solution.circle.centre), d.words(Role::Label),
                4.0);
-    labels.draw(painter, d.theme.stroke(Role::Leader), d.theme.background());
+    labels.draw(painter, d.theme);
     add_places(d, drawn);
 }
 

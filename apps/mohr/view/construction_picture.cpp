@@ -42,7 +42,6 @@ private:
         const ui::Point a = at(line.from), b = at(line.to), beyond = 16.0 * ui::direction(b - a);
         if (ui::distance(a, b) < 1.0) return;
         painter_.line(a - beyond, b + beyond, theme_.stroke(role));
-        labels_.obstacles().add_segment(a, b, 2.0, ui::Firmness::Soft);
     }
 
     /// The compass leaves its prick in the centre, and its opening is seen as a thin radius.
@@ -50,11 +49,7 @@ private:
     {
         const ui::Point centre = at(arc.centre);
         const double radius = camera_.scale() * arc.radius;
-        const ui::Arc line{centre, radius, arc.start, arc.sweep};
-        painter_.arc(line, theme_.stroke(role));
-        std::vector<ui::Point> points;
-        for (int i = 0; i <= n_pieces; ++i) points.push_back(line.at(arc.start + arc.sweep * i / n_pieces));
-        labels_.obstacles().add_polyline(points, 2.0, ui::Firmness::Soft);
+        painter_.arc({centre, radius, arc.start, arc.sweep}, theme_.stroke(role));
         if (!is_newest) return;
         painter_.line(centre, opened_to(arc), theme_.stroke(Role::Undeformed));
         const double prick = 6.0 * theme_.symbol_scale();
@@ -83,7 +78,6 @@ private:
     {
         const Role role = is_newest ? Role::Created : Role::Label;
         draw_mark(painter_, scene_, at(point.at), std::nullopt, role);
-        labels_.obstacles().add_disc(at(point.at), 5.0);
         ui::Point away = at(point.at) - middle();
         if (is_space() && point.at.shear == 0.0) away.y = 0.5 * ui::length(away) + 1.0; // names stand below the axis
         const bool is_centre = ui::length(away) < 1.0;
@@ -99,8 +93,6 @@ private:
         const double sense = scene_.solution.rule == fm::ShearRule::ClockwiseUp ? 1.0 : -1.0;
         return " (" + scene_.look.number(p.normal) + "; " + scene_.look.number(sense * p.shear) + ")";
     }
-
-    static constexpr int n_pieces = 48; ///< of an arc that labels keep clear of
 
     ui::Painter& painter_;
     const Scene& scene_;
@@ -156,7 +148,7 @@ void draw_construction(ui::Painter& painter, const Scene& scene, const ui::Box& 
         draw_region(painter, scene, drawn.circle);
     const Board on_board(painter, scene, drawn.circle, labels);
     for (std::size_t i = 0; i < n; ++i) on_board.draw(steps[i], i + 1 == n);
-    labels.draw(painter, theme.stroke(Role::Leader), theme.background());
+    labels.draw(painter, theme);
 }
 
 } // namespace mohr

@@ -35,12 +35,21 @@ struct Graph {
     }
 };
 
+/// [degrees] between two numbers of the angle, so that they do not touch.
+int angle_step(const Graph& g, const ui::TextStyle& style)
+{
+    const double needed = g.painter.measure(g.scene.look.number(-90.0) + "°", style).width + 0.6 * style.size;
+    for (const int step : {30, 45})
+        if (g.box.width() * step / 180.0 > needed) return step;
+    return 90;
+}
+
 void draw_grid(const Graph& g)
 {
     const ui::LayerScope layer(g.painter, ui::Layer::Grid);
     ui::TextStyle style = g.theme.text(Role::FaintLabel, ui::Anchor::Top);
     style.size = g.theme.type().small;
-    for (int t = -90; t <= 90; t += 30) {
+    for (int t = -90; t <= 90; t += angle_step(g, style)) {
         g.painter.line({g.x(t), g.box.min.y}, {g.x(t), g.box.max.y},
                        g.theme.stroke(t == 0 ? Role::GridAxis : Role::Grid));
         g.painter.text({g.x(t), g.box.max.y + 4.0}, g.scene.look.number(t) + "°", style);
@@ -67,7 +76,7 @@ void draw_lines(const Graph& g)
     }
     g.painter.polyline(normal, g.theme.stroke(Role::BendingMoment));
     g.painter.polyline(shear, g.theme.stroke(Role::ShearForce));
-    g.labels.obstacles().add_polyline(normal, 2.0);
+    g.labels.obstacles().add_polyline(normal, 2.0); // rather another line than these
     g.labels.obstacles().add_polyline(shear, 2.0);
 }
 
@@ -77,7 +86,6 @@ void draw_special_angle(const Graph& g, std::optional<double> angle, const std::
     if (!angle) return;
     const double t = *angle / degree;
     g.painter.line({g.x(t), g.box.min.y}, {g.x(t), g.box.max.y}, g.theme.stroke(Role::Undeformed));
-    g.labels.obstacles().add_segment({g.x(t), g.box.min.y}, {g.x(t), g.box.max.y}, 1.0, ui::Firmness::Soft);
     ui::TextStyle style = g.theme.text(Role::FaintLabel);
     style.size = g.theme.type().small;
     g.labels.add({g.x(t), g.box.min.y + 0.6 * style.size}, {1.0, 0.0}, name, style, 2.0);
@@ -89,7 +97,6 @@ void draw_cursor(const Graph& g, Drawn& drawn)
     const auto [s, q] = g.on_face(t);
     const Names names = names_of(g.scene.document.subject);
     g.painter.line({g.x(t), g.box.min.y}, {g.x(t), g.box.max.y}, g.theme.stroke(Role::LocalAxes));
-    g.labels.obstacles().add_segment({g.x(t), g.box.min.y}, {g.x(t), g.box.max.y}, 1.0, ui::Firmness::Soft);
     draw_mark(g.painter, g.scene, g.at(t, s), Handle::Cursor, Role::BendingMoment);
     draw_mark(g.painter, g.scene, g.at(t, q), Handle::Cursor, Role::ShearForce);
     const auto number = [&](double v) { return g.scene.look.number(v); };
@@ -119,7 +126,7 @@ void draw_curves(ui::Painter& painter, const Scene& scene, const ui::Box& box, D
     if (first) draw_special_angle(g, fm::as_direction(*first + 0.5 * std::numbers::pi), "θp2");
     draw_special_angle(g, scene.solution.shear_angle, "θs");
     draw_cursor(g, drawn);
-    labels.draw(painter, theme.stroke(Role::Leader), theme.background());
+    labels.draw(painter, theme);
 }
 
 } // namespace mohr

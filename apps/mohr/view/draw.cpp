@@ -59,7 +59,8 @@ ui::Box without_gap(const ui::Box& box)
 
 /// Where the pictures of a plane state stand: side by side, or one below another on a sheet that is high.
 struct PlaneRooms {
-    ui::Box element, circle, row; ///< what is below both
+    ui::Box element, circle;
+    ui::Box row; ///< of the curves or the section, and the locus
 };
 
 /// What stands below is left out where it would tell an answer, and where large type and a construction's caption leave
@@ -67,6 +68,22 @@ struct PlaneRooms {
 bool has_row(const Scene& scene)
 {
     return !scene.conceals && !(scene.steps_shown && scene.look.theme == ui::ThemeName::Projector);
+}
+
+/// What stands below is flat there, and alone it has the width for another place: below the element.
+bool is_flat(const PlaneRooms& rooms, const Scene& scene)
+{
+    constexpr double least_height = 7.5, least_width = 15.0;
+    const double em = scene.look.full_theme().type().normal;
+    return !has_locus(scene) && rooms.row.height() < least_height * em && rooms.element.width() > least_width * em;
+}
+
+/// The circle has the whole height, and what else would lie flat below it stands below the element.
+PlaneRooms rooms_of_large_type(const ui::Size& sheet, double middle)
+{
+    const double top = 0.5 * gap, foot = sheet.height - 0.5 * gap, below = 0.58 * sheet.height;
+    return {without_gap({{0.0, top}, {middle, below}}), without_gap({{middle, top}, {sheet.width, foot}}),
+            without_gap({{0.0, below}, {middle, foot}})};
 }
 
 PlaneRooms plane_rooms(const ui::Box& sheet, const Scene& scene)
@@ -81,9 +98,10 @@ PlaneRooms plane_rooms(const ui::Box& sheet, const Scene& scene)
                 without_gap({{0.0, below * h}, {w, h}})};
     }
     const double middle = (shows_both_rules(scene) ? 0.28 : 0.42) * w;
-    return {without_gap({{0.0, 0.5 * gap}, {middle, foot * h + 0.5 * gap}}),
-            without_gap({{middle, 0.5 * gap}, {w, foot * h + 0.5 * gap}}),
-            without_gap({{0.0, foot * h + 0.5 * gap}, {w, h - 0.5 * gap}})};
+    const PlaneRooms rooms{without_gap({{0.0, 0.5 * gap}, {middle, foot * h + 0.5 * gap}}),
+                           without_gap({{middle, 0.5 * gap}, {w, foot * h + 0.5 * gap}}),
+                           without_gap({{0.0, foot * h + 0.5 * gap}, {w, h - 0.5 * gap}})};
+    return is_whole || !is_flat(rooms, scene) ? rooms : rooms_of_large_type({w, h}, middle);
 }
 
 void draw_plane(ui::Painter& painter, const Scene& scene, Drawn& drawn)

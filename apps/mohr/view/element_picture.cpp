@@ -217,9 +217,6 @@ void draw_turn(ui::Painter& painter, const Scene& scene, const ElementMap& map, 
     painter.line(map.middle, axis.at(axis.start), stroke);
     arc_arrow(painter, {map.middle, 0.92 * reach, 0.0, scene.solution.angle}, theme.stroke(Role::LocalAxes),
               8.0 * theme.symbol_scale());
-    labels.obstacles().add_segment(map.middle, axis.at(axis.start), 1.0, ui::Firmness::Soft);
-    labels.obstacles().add_segment(map.middle, map.middle + ui::Point{reach, 0.0}, 1.0, ui::Firmness::Soft);
-    labels.obstacles().add_disc(axis.at(axis.start), 5.0);
     const ui::Arc arc{map.middle, 0.92 * reach, 0.0, 0.0};
     const double half = 0.5 * scene.solution.angle;
     labels.add(arc.at(half), {std::cos(half), -std::sin(half)}, "θ = " + scene.look.number(scene.document.angle) + "°",
@@ -267,7 +264,7 @@ void draw_small(ui::Painter& painter, const Scene& scene, const ui::Box& box, do
     const Element element(painter, scene, map, angle);
     element.draw_body();
     element.draw_arrows(labels, Words::Few);
-    labels.draw(painter, theme.stroke(Role::Leader), theme.background());
+    labels.draw(painter, theme);
     for (std::size_t i = 0; i < caption.size(); ++i)
         painter.text({box.center().x, above.max.y + line * static_cast<double>(i + 1)}, caption[i], style);
 }
@@ -295,17 +292,18 @@ void draw_element(ui::Painter& painter, const Scene& scene, const ui::Box& box, 
     const bool has_special = has_room && scene.look.special && !scene.conceals && scene.solution.principal.angle;
     ui::Box main = box;
     if (has_special) main.max.y -= 0.30 * box.height();
+    if (scene.solution.rosette && !scene.conceals) main.min.x += 3.0 * theme.type().normal; // for the gauges
     const double room = 0.5 * std::min(main.width(), main.height()) - 2.4 * theme.type().normal;
     drawn.element = {main.center(), std::max(8.0, 0.45 * room), std::max(8.0, 0.40 * room)};
     Labels labels(main, painter.fonts());
-    draw_axes_corner(painter, scene, main, labels);
+    draw_axes_corner(painter, scene, box, labels);
     if (scene.conceals && scene.solution.rosette) // its strains are asked for
         return draw_gauges(painter, scene, drawn.element.middle, drawn.element.half + drawn.element.arrow, Words::All);
     const Element element(painter, scene, drawn.element, scene.solution.angle);
     draw_turn(painter, scene, drawn.element, labels, drawn);
     element.draw_body();
     element.draw_arrows(labels, Words::All);
-    labels.draw(painter, theme.stroke(Role::Leader), theme.background());
+    labels.draw(painter, theme);
     add_places(element, drawn.element, drawn);
     draw_hover(painter, scene, drawn);
     if (has_special) draw_special(painter, scene, {{box.min.x, main.max.y}, box.max});

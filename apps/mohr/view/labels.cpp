@@ -1,36 +1,129 @@
 #include "apps/mohr/view/labels.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
 namespace mohr {
 
+namespace {
+
+/// The lines, marks and words of a picture, as labels have to keep clear of them: the grid lies below everything, and a
+/// ring about what is under the pointer moves no word.
+class Drawing final : public ui::Surface {
+public:
+    Drawing(ui::LabelObstacles& obstacles, const ui::Fonts& fonts, const ui::Theme& theme)
+        : obstacles_(obstacles),
+          fonts_(fonts),
+          grid_(theme.stroke(ui::Role::Grid)),
+          hover_(theme.stroke(ui::Role::Hover))
+    {}
+
+    void clip(const ui::Box&) override {}
+    void stroke(const ui::Path& path, const ui::Stroke& stroke) override
+    {
+        if (!counts(stroke)) return;
+        obstacles_.add_polyline(path.points, stroke.width, ui::Firmness::Soft);
+        if (path.ends == ui::PathEnds::Closed)
+            obstacles_.add_segment(path.points.back(), path.points.front(), stroke.width, ui::Firmness::Soft);
+    }
+    void stroke_arc(const ui::Arc& arc, const ui::Stroke& stroke) override
+    {
+        if (!counts(stroke)) return;
+        const int n = std::max(2, static_cast<int>(std::ceil(std::abs(arc.sweep) / (2.0 * std::numbers::pi) * 96.0)));
+        std::vector<ui::Point> points;
+        for (int i = 0; i <= n; ++i) points.push_back(arc.at(arc.start + arc.sweep * i / n));
+        obstacles_.add_polyline(points, stroke.width, ui::Firmness::Soft);
+    }
+    void fill(std::span<const ui::Point> polygon, ui::Color) override
+    {
+        if (is_small(polygon)) obstacles_.add_polygon(polygon, ui::Firmness::Soft); // an arrow's head
+    }
+    void fill_disc(ui::Point center, double radius, ui::Color) override
+    {
+        if (radius < most_of_mark) obstacles_.add_disc(center, radius);
+    }
+    void text(ui::Point at, std::string_view utf8, const ui::TextStyle& style) override
+    {
+        obstacles_.add_box(ui::text_box(fonts_, at, utf8, style));
+    }
+
+private:
+    static constexpr double most_of_mark = 24.0; ///< px: what is larger is an area, where words may stand
+
+    bool counts(const ui::Stroke& stroke) const { return stroke != grid_ && stroke != hover_; }
+    static bool is_small(std::span<const ui::Point> polygon)
+    {
+        ui::Box box{polygon.front(), polygon.front()};
+        for (const ui::Point p : polygon) box = ui::united(box, {p, p});
+        return std::max(box.width(), box.height()) < most_of_mark;
+    }
+
+    ui::LabelObstacles& obstacles_;
+    const ui::Fonts& fonts_;
+    ui::Stroke grid_, hover_;
+};
+
+/// Of a box that touches the end of `side` with its nearest side or corner, or lies about the target.
+ui::Point middle_of_box(ui::Point target, ui::Point side, ui::Size size)
+{
+    const auto beyond = [](double part, double half) { return part == 0.0 ? 0.0 : part + std::copysign(half, part); };
+    return target + ui::Point{beyond(side.x, 0.5 * size.width), beyond(side.y, 0.5 * size.height)};
+}
+
+} // namespace
+
 void Labels::add(ui::Point target, ui::Point away, std::string text, const ui::TextStyle& style, double priority)
 {
     const ui::Size size = ui::label_size(fonts_, text, style);
-    ui::Label label{.target = target, .size = size, .priority = priority};
+    constexpr double reach = 120.0; // px: a far place is better than one on a line
+    ui::Label label{.target = target, .size = size, .priority = priority, .reach = reach};
     const double start = std::atan2(away.y, away.x);
     for (const double turn : {0.0, 0.6, -0.6, 1.2, -1.2, 1.9, -1.9, 2.6, -2.6}) {
         const ui::Point along{std::cos(start + turn), std::sin(start + turn)};
         label.wishes.push_back(target +
                                ui::Point{along.x * (0.5 * size.width + 8.0), along.y * (0.5 * size.height + 8.0)});
     }
-    labels_.push_back(std::move(label));
-    words_.push_back({std::move(text), style});
+    free_.labels.push_back(std::move(label));
+    free_.words.push_back({std::move(text), style});
 }
 
-void Labels::draw(ui::Painter& painter, const ui::Stroke& leader, ui::Color plate) const
+void Labels::add_fixed(ui::Point target, const std::vector<ui::Point>& sides, std::string text,
+                       const ui::TextStyle& style, double priority)
+{
+    const ui::Size size = ui::label_size(fonts_, text, style);
+    ui::Label label{.target = target, .size = size, .priority = priority, .reach = 0.0};
+    for (const ui::Point side : sides) label.wishes.push_back(middle_of_box(target, side, size));
+    fixed_.labels.push_back(std::move(label));
+    fixed_.words.push_back({std::move(text), style});
+}
+
+void Labels::keep_clear_of(const ui::Picture& picture, const ui::Theme& theme)
+{
+    Drawing drawing(obstacles(), fonts_, theme);
+    picture.draw_on(drawing);
+}
+
+void Labels::draw(ui::Painter& painter, const ui::Theme& theme)
+{
+    keep_clear_of(painter.picture(), theme);
+    draw(fixed_, painter, theme);
+    draw(free_, painter, theme);
+}
+
+void Labels::draw(const Group& group, ui::Painter& painter, const ui::Theme& theme)
 {
     const ui::LayerScope layer(painter, ui::Layer::Labels);
-    const ui::LabelPlacement placed = placer_.place(labels_);
-    for (std::size_t i = 0; i < labels_.size(); ++i) {
+    const ui::LabelPlacement placed = placer_.place(group.labels);
+    for (std::size_t i = 0; i < group.labels.size(); ++i) {
         const auto& place = placed.labels[i];
         if (!place) continue;
-        if (place->leader) painter.line(place->leader->from, place->leader->to, leader);
-        ui::TextStyle style = words_[i].style;
-        if (place->is_over_soft) style.plate = ui::with_opacity(plate, 0.8);
-        ui::draw_label(painter, *place, words_[i].text, style);
+        if (place->leader) painter.line(place->leader->from, place->leader->to, theme.stroke(ui::Role::Leader));
+        ui::TextStyle style = group.words[i].style;
+        if (place->is_over_soft) style.plate = ui::with_opacity(theme.background(), 0.8);
+        ui::draw_label(painter, *place, group.words[i].text, style);
+        obstacles().add_box(ui::OrientedBox(place->center, group.labels[i].size).bounds());
     }
 }
 

@@ -47,7 +47,6 @@ struct Sheet {
     {
         arrow(painter, box.center(), to, theme.stroke(Role::Label), 8.0 * theme.symbol_scale());
         labels.add(to, to - box.center(), name, theme.text(Role::Label), 5.0);
-        labels.obstacles().add_segment(box.center(), to, 1.0, ui::Firmness::Soft);
     }
     void boundary(const std::vector<ui::Point>& points) const
     {
@@ -89,7 +88,6 @@ void draw_pairs(ui::Painter& painter, const Scene& scene, const ui::Box& box)
     for (const fm::StressPair& pair : pairs) points.push_back(sheet.at(pair.first, pair.second));
     sheet.boundary(points);
     Labels labels(box, painter.fonts());
-    labels.obstacles().add_polyline(points, 2.0, ui::Firmness::Soft);
     painter.line(sheet.at(-reach, 0.0), box.center(), theme.stroke(Role::Label));
     painter.line(sheet.at(0.0, -reach), box.center(), theme.stroke(Role::Label));
     sheet.axis(sheet.at(reach, 0.0), axis_title("σ1", sheet.unit()), labels);
@@ -105,7 +103,7 @@ void draw_pairs(ui::Painter& painter, const Scene& scene, const ui::Box& box)
     labels.add(sheet.at(now.first, now.second), {1.0, 1.0},
                "(" + scene.look.number(now.first) + "; " + scene.look.number(now.second) + ")",
                theme.text(Role::Deformed), 9.0);
-    labels.draw(painter, theme.stroke(Role::Leader), theme.background());
+    labels.draw(painter, theme);
 }
 
 /// The three axes are seen along the line of equal stresses, the first one upright.
@@ -134,13 +132,12 @@ void draw_deviatoric(ui::Painter& painter, const Scene& scene, const ui::Box& bo
     }
     sheet.boundary(points);
     Labels labels(box, painter.fonts());
-    labels.obstacles().add_polyline(points, 2.0, ui::Firmness::Soft);
     for (int axis = 0; axis < 3; ++axis)
         sheet.axis(polar(1.15 * reach, 2.0 * pi / 3.0 * axis), "σ" + std::to_string(axis + 1), labels);
     draw_mark(painter, scene, polar(size, lode), std::nullopt, Role::Deformed);
     labels.add(polar(size, lode), polar(size, lode) - box.center(), "√(2 J2) = " + scene.look.number(size),
                theme.text(Role::Deformed), 9.0);
-    labels.draw(painter, theme.stroke(Role::Leader), theme.background());
+    labels.draw(painter, theme);
 }
 
 std::string what_is_shown(const Scene& scene)

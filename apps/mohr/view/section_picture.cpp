@@ -56,8 +56,11 @@ void draw_caption(const Depth& d, const ui::Box& column, const Caption& caption)
     const ui::TextStyle style = d.theme.text(caption.role, ui::Anchor::BottomLeft);
     const ui::LayerScope layer(d.painter, ui::Layer::Labels);
     const auto line = [&](const std::string& words, double up) {
-        const double room = column.width() - d.painter.measure(words, style).width;
-        d.painter.text({column.min.x + std::max(0.5 * room, 0.0), column.max.y - up}, words, style);
+        const double most = column.width() - 0.6 * style.size, width = d.painter.measure(words, style).width;
+        ui::TextStyle fitting = style;
+        fitting.size *= std::min(1.0, most / width);
+        const double shown = std::min(width, most);
+        d.painter.text({column.min.x + 0.5 * (column.width() - shown), column.max.y - up}, words, fitting);
     };
     if (d.has_broken_captions) {
         line(caption.name + " =", line_height * style.size);

@@ -199,16 +199,6 @@ void add_half(std::vector<ui::Point>& points, const ui::PlaneCamera& camera, con
     }
 }
 
-void keep_clear(Labels& labels, const ui::PlaneCamera& camera, const std::array<fm::Circle, 3>& circles)
-{
-    for (const fm::Circle& circle : circles) {
-        std::vector<ui::Point> points;
-        add_half(points, camera, circle, false);
-        add_half(points, camera, {circle.centre, -circle.radius}, false);
-        labels.obstacles().add_polyline(points, 2.0, ui::Firmness::Soft);
-    }
-}
-
 void draw_values(const Scene& scene, ui::Painter& painter, Labels& labels, Drawn& drawn)
 {
     const ui::PlaneCamera& camera = drawn.circle;
@@ -258,7 +248,7 @@ void draw_cube(ui::Painter& painter, const Scene& scene, const ui::Box& box, Dra
     painter.polyline(cut, theme.stroke(Role::Guess), ui::PathEnds::Closed);
     for (int axis = 0; axis < 3; ++axis) draw_face(painter, scene, view, axis, sides[axis]);
     for (int axis = 0; axis < 3; ++axis) draw_face_arrows(painter, scene, view, axis, sides[axis], labels);
-    labels.draw(painter, theme.stroke(Role::Leader), theme.background());
+    labels.draw(painter, theme);
     for (int axis = 0; axis < 3; ++axis) add_cube_arrows(scene, view, axis, sides[axis], drawn);
     draw_hovered(painter, scene, drawn);
 }
@@ -277,7 +267,7 @@ void draw_sphere(ui::Painter& painter, const Scene& scene, const ui::Box& box, D
     arrow(painter, view.middle, view.at(n), theme.stroke(Role::Deformed), 10.0 * theme.symbol_scale());
     draw_mark(painter, scene, view.at(n), Handle::Normal, Role::Deformed);
     labels.add(view.at(n), view.at(n) - view.middle, "n", theme.text(Role::Deformed), 9.0);
-    labels.draw(painter, theme.stroke(Role::Leader), theme.background());
+    labels.draw(painter, theme);
     drawn.sphere = {view.middle, view.radius, view.eye};
     drawn.places.push_back({Handle::Normal, view.at(n)});
 }
@@ -303,13 +293,12 @@ void draw_three_circles(ui::Painter& painter, const Scene& scene, const ui::Box&
     draw_axes(painter, scene, box, drawn.circle, labels);
     draw_criterion(painter, scene, box, drawn.circle);
     draw_region(painter, scene, drawn.circle);
-    keep_clear(labels, drawn.circle, circles);
     for (const fm::Circle& c : circles)
         painter.circle(drawn.circle.to_sheet({c.centre, 0.0}), drawn.circle.scale() * c.radius,
                        theme.stroke(Role::Bar));
     draw_values(scene, painter, labels, drawn);
     draw_plane_point(scene, drawn.circle, painter, labels);
-    labels.draw(painter, theme.stroke(Role::Leader), theme.background());
+    labels.draw(painter, theme);
 }
 
 } // namespace mohr

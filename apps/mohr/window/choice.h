@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <string>
+#include <vector>
 
 #include "apps/mohr/session/commands.h"
 #include "ui/widgets/wrapped_text.h"
@@ -16,9 +17,12 @@ void choice(Workspace& workspace, const CommandTable& commands, const char* id, 
 {
     const ui::Catalogue tr = workspace.tr();
     std::string chosen;
-    for (const auto& entry : entries)
-        if (is_chosen(entry)) chosen = tr(entry.label);
-    if (!ui::begin_wrapped_combo(chosen, id)) return;
+    std::vector<std::string> names;
+    for (const auto& entry : entries) {
+        names.push_back(tr(entry.label));
+        if (is_chosen(entry)) chosen = names.back();
+    }
+    if (!ui::begin_wrapped_combo(chosen, names, id)) return;
     for (const auto& entry : entries)
         if (ImGui::Selectable((tr(entry.label) + "###" + std::string(entry.id)).c_str(), is_chosen(entry)))
             run(*commands.find(entry.id), workspace);

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <string>
 
 #include "apps/mohr/session/report.h"
@@ -49,7 +50,7 @@ void show_tensor(const Session& session, ui::ImGuiSession& gui)
 }
 
 /// Dear ImGui lays a table out when it is new, and keeps that. Where values have become so long, or so large, since then
-/// that one which would have room is broken, the table is taken for a new one.
+/// that one which would have room is broken, the table is taken for a new one; once, since that may not help.
 class TableLayout {
 public:
     explicit TableLayout(const std::string& id)
@@ -61,12 +62,15 @@ public:
     void note(const std::string& text, float room)
     {
         const float width = ImGui::CalcTextSize(text.c_str()).x;
-        is_outgrown_ = is_outgrown_ || (width > ImGui::GetContentRegionAvail().x + 1.0F && width < 0.6F * room);
+        if (width > ImGui::GetContentRegionAvail().x + 1.0F && width < 0.6F * room)
+            outgrown_ = std::max(outgrown_, width);
     }
     void end() const
     {
         constexpr int frames_to_settle = 3;
-        if (!is_outgrown_ || ImGui::GetFrameCount() - begun_ < frames_to_settle) return;
+        const bool is_settled = ImGui::GetFrameCount() - begun_ >= frames_to_settle;
+        if (outgrown_ == 0.0F || !is_settled || outgrown_ == ImGui::GetStateStorage()->GetFloat(key(".tried"))) return;
+        ImGui::GetStateStorage()->SetFloat(key(".tried"), outgrown_);
         ImGui::GetStateStorage()->SetInt(key(".number"), number_ + 1);
         ImGui::GetStateStorage()->SetInt(key(".begun"), ImGui::GetFrameCount());
     }
@@ -82,7 +86,7 @@ private:
 
     std::string id_;
     int number_, begun_;
-    bool is_outgrown_ = false;
+    float outgrown_ = 0.0F; ///< width of the longest text that is broken, 0 for none
 };
 
 /// \pre it has rows

@@ -22,7 +22,74 @@ namespace {
 /// What went wrong, "" for nothing.
 std::string played(const std::string& script) { return played_in<Application, OffscreenStage>(script, Session()); }
 
+/// How many pixels have the colour that frames what the keyboard has.
+int n_framed(const ui::Pixels& pixels)
+{
+    const ui::Color frame = ui::Theme(ui::ThemeName::Light)[ui::Role::Selection].stroke.color;
+    int n = 0;
+    for (int y = 0; y < pixels.size.height; ++y)
+        for (int x = 0; x < pixels.size.width; ++x) {
+            const auto* const p = pixels.at(x, y);
+            if (p[0] == frame.r && p[1] == frame.g && p[2] == frame.b) ++n;
+        }
+    return n;
+}
+
 } // namespace
+
+TEST_CASE("What rests is drawn alike in every frame, in every state and both languages")
+{
+    const Workplace workplace;
+    for (const ui::Language language : ui::all_languages)
+        golden::if_drawn([&] {
+            const ui::Fonts fonts;
+            ui::Offscreen context({.size = {1280, 800}});
+            Application application(context, fonts, Session());
+            application.workspace().set_language(language);
+            for (const SubjectEntry& subject : subjects()) {
+                CAPTURE(subject.id);
+                run(*application.commands().find(subject.id), application.workspace());
+                for (int i = 0; i < 10; ++i) application.frame({});
+                const ui::Pixels before = context.pixels();
+                for (int i = 0; i < 5; ++i) {
+                    application.frame({});
+                    CHECK((context.pixels() == before));
+                }
+            }
+            return context.pixels();
+        });
+}
+
+TEST_CASE("Nothing is framed in blue once the dialog of an export is closed, by a file or by Escape")
+{
+    for (const ui::Key key : {ui::Key::Enter, ui::Key::Escape}) {
+        const Workplace workplace;
+        golden::if_drawn([&] {
+            const ui::Fonts fonts;
+            ui::Offscreen context({.size = {1280, 800}});
+            Application application(context, fonts, Session());
+            application.workspace().set_panels_visible(false);
+            const auto rest = [&] {
+                for (int i = 0; i < 5; ++i) application.frame({});
+            };
+            rest();
+            const int before = n_framed(context.pixels());
+            const ui::Point at = application.canvas().corner() + ui::Point{30.0, 300.0};
+            application.frame({.pointer = at});
+            application.frame({.pointer = at, .is_button_down = {true}});
+            application.frame({.pointer = at});
+            run(*application.commands().find("file.export"), application.workspace());
+            rest();
+            application.frame({.text = "mine"});
+            rest();
+            application.frame({.keys = {{key, true}}});
+            application.frame({.keys = {{key, false}}});
+            rest();
+            CHECK(n_framed(context.pixels()) == before);
+            return context.pixels();
+        });
+    }
+}
 
 TEST_CASE("The steps on the page of Mohr's circle can be played")
 {

@@ -59,17 +59,23 @@ TEST_CASE("Both answers to what a linked program offers stand whole in the windo
     CHECK(ui::answer_of_button(1) == ui::Request::KeepAsItIs);
 }
 
-TEST_CASE("Menus that have no room in the window at the usual distance stand closer")
+TEST_CASE("Menus that have no room in the window at the usual distance stand closer, and in smaller type than crowded")
 {
     if (!ui_test::has_renderer()) return;
     ui_test::WidgetStage stage{1.0};
     stage.frame({}, [] {
         const float usual = ImGui::GetStyle().ItemSpacing.x;
-        CHECK(ui::spacing_of_menus({"File", "Edit"}) == usual);
-        const std::vector<std::string> many(5, "Arquivo");
-        const float words = 5.0F * ImGui::CalcTextSize("Arquivo").x, spacing = ui::spacing_of_menus(many);
-        CHECK(words + 10.0F * usual > 300.0F);
-        CHECK(words + 10.0F * spacing <= 300.0F);
+        CHECK(ui::menu_row({"File", "Edit"}).spacing == usual);
+        CHECK(ui::menu_row({"File", "Edit"}).type == 1.0F);
+        const float width = ImGui::CalcTextSize("Plano").x, em = ImGui::GetFontSize();
+        for (const std::size_t n : {6U, 7U, 9U, 12U}) {
+            CAPTURE(n);
+            const ui::MenuRow row = ui::menu_row(std::vector<std::string>(n, "Plano"));
+            const float words = static_cast<float>(n) * width, gaps = 2.0F * static_cast<float>(n);
+            CHECK(words + gaps * usual > 300.0F);
+            CHECK(row.type * words + gaps * row.spacing <= 300.0F);
+            CHECK(row.spacing >= 0.3F * row.type * em - 1.0F); // whole pixels
+        }
     });
 }
 

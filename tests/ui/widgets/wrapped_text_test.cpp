@@ -76,7 +76,7 @@ TEST_CASE("A choice that is too long for its list is shown in lines, and a click
         const auto frame = [&](const ui::Input& input) {
             stage.frame(input, [&] {
                 const ImVec2 corner = ImGui::GetCursorScreenPos();
-                is_open = ui::begin_wrapped_combo(name, "###choice");
+                is_open = ui::begin_wrapped_combo(name, {name}, "###choice");
                 if (is_open) {
                     ImGui::Selectable("another");
                     ImGui::EndCombo();
@@ -94,6 +94,23 @@ TEST_CASE("A choice that is too long for its list is shown in lines, and a click
         frame({.pointer = at});
         CHECK(is_open);
     }
+}
+
+TEST_CASE("A list is as high as its longest choice asks for, whichever is chosen")
+{
+    if (!ui_test::has_renderer()) return;
+    ui_test::WidgetStage stage{1.0};
+    const std::vector<std::string> names{"short", "a choice that is much too long for a panel of this width"};
+    std::vector<float> heights;
+    float row = 0.0F;
+    for (const std::string& chosen : names)
+        stage.frame({}, [&] {
+            if (ui::begin_wrapped_combo(chosen, names, "###choice")) ImGui::EndCombo();
+            heights.push_back(ImGui::GetItemRectSize().y);
+            row = ImGui::GetFrameHeight();
+        });
+    CHECK(heights[0] == heights[1]);
+    CHECK(heights[0] > row);
 }
 
 TEST_CASE("A label is broken after blanks where it is full, and is one line again when that is undone")

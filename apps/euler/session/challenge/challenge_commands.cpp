@@ -2,6 +2,9 @@
 
 #include <array>
 #include <utility>
+#include <variant>
+
+#include "topology/tables/entity_tables.h"
 
 namespace euler {
 
@@ -48,12 +51,24 @@ void begin(Workspace& workspace, const Entry& entry)
     workspace.structure = Structure::HalfEdges;
 }
 
+// The table in which the wrong pointer stands, with its row.
+void bring_forward(Workspace& workspace, const CorruptedPointer& broken)
+{
+    workspace.structure = Structure::HalfEdges;
+    workspace.table = broken.table;
+    for (const topology::TableRow& row : topology::entity_tables(broken.sound)[broken.table])
+        if (row.entity && row.entity->index == broken.bent.row) workspace.session.selection = Part{0, *row.entity};
+}
+
 // The way to a solid takes the place of what was tried.
 void give_up(Workspace& workspace)
 {
-    if (std::holds_alternative<ReachChallenge>(workspace.session.game()->task()))
-        workspace.leave_document([](Workspace& left) { left.session.give_up_challenge(); });
-    else workspace.session.give_up_challenge();
+    Session& session = workspace.session;
+    if (std::holds_alternative<ReachChallenge>(session.game()->task()))
+        return workspace.leave_document([](Workspace& left) { left.session.give_up_challenge(); });
+    session.give_up_challenge();
+    if (const auto* const broken = std::get_if<CorruptedPointer>(&session.game()->task()))
+        bring_forward(workspace, *broken);
 }
 
 Reason why_no_hint(const Workspace& workspace)
