@@ -11,8 +11,9 @@ namespace femoop {
 namespace {
 
 constexpr double format = 1.0;
-constexpr Keys<16> file_keys{{"cremona", "analysis", "units", "nodes", "members", "title", "notes", "mass", "materials",
-                              "sections", "load_cases", "combinations", "expected", "cross", "influence", "train"},
+constexpr Keys<20> file_keys{{"cremona", "analysis", "units", "nodes", "members", "title", "notes", "mass", "materials",
+                              "sections", "load_cases", "combinations", "paths", "influence_lines", "trains",
+                              "moving_envelopes", "expected", "cross", "influence", "train"},
                              5};
 constexpr Keys<2> units_keys{{"length", "force"}, 2};
 
@@ -23,7 +24,8 @@ ModelReader::ModelReader(JsonValue file, std::vector<Fault> faults)
     for (Fault& fault : faults) reader_.add(std::move(fault));
     const Place top;
     const auto [cremona, analysis, units, nodes, members, title, notes, mass, materials, sections, load_cases,
-                combinations, expected, cross, influence, train] = reader_.fields(file, file_keys, top);
+                combinations, paths, lines, trains, envelopes, expected, cross, influence,
+                train] = reader_.fields(file, file_keys, top);
     if (!file.is(JsonKind::Object)) {
         unreadable_.header = true;
         return;
@@ -37,6 +39,8 @@ ModelReader::ModelReader(JsonValue file, std::vector<Fault> faults)
     members_.add(members);
     cases_.add(load_cases);
     cases_.add(combinations, load_cases.size());
+    paths_.add(paths);
+    trains_.add(trains);
     nodes_.is_lost = !nodes.is(JsonKind::Array); // without these lists a file has that fault already
     members_.is_lost = !members.is(JsonKind::Array);
     read_parts(materials, {}, model.materials, unreadable_.materials, &ModelReader::material);
@@ -45,9 +49,26 @@ ModelReader::ModelReader(JsonValue file, std::vector<Fault> faults)
     read_parts(members, {}, model.members, unreadable_.members, &ModelReader::member);
     read_load_cases(load_cases);
     read_parts(combinations, {}, model.combinations, unreadable_.combinations, &ModelReader::combination);
+    read_parts(paths, {}, model.moving_loads.paths, unreadable_.paths, &ModelReader::load_path);
+    read_parts(lines, {}, model.moving_loads.influence_lines, unreadable_.influence_lines,
+               &ModelReader::influence_line);
+    read_parts(trains, {}, model.moving_loads.trains, unreadable_.trains, &ModelReader::train);
+    read_parts(envelopes, {}, model.moving_loads.envelopes, unreadable_.moving_envelopes,
+               &ModelReader::moving_envelope);
     read_parts(expected, {}, model.expected, unreadable_.expected, &ModelReader::expected);
     keep_extra_blocks(file);
     unreadable_.is_incomplete = reader_.n_troubles() > 0;
+}
+
+ModelReader::ModelReader(const Model& whole)
+{
+    model.analysis = whole.analysis;
+    reader_.set_units(whole.units);
+    nodes_.add_parts(whole.nodes);
+    members_.add_parts(whole.members);
+    cases_.add_parts(whole.load_cases);
+    cases_.add_parts(whole.combinations);
+    paths_.add_parts(whole.moving_loads.paths);
 }
 
 void ModelReader::read_header(JsonValue cremona, JsonValue analysis, JsonValue units, JsonValue mass)

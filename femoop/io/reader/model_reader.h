@@ -9,9 +9,11 @@
 #include <unordered_set>
 #include <vector>
 
+#include "femoop/io/influence/influence_block.h"
 #include "femoop/io/json/json_document.h"
 #include "femoop/io/reader/place.h"
 #include "femoop/io/reader/value_reader.h"
+#include "femoop/io/train/train_block.h"
 #include "femoop/model/check/check_parts.h"
 #include "femoop/model/model.h"
 
@@ -22,10 +24,17 @@ namespace femoop {
 class ModelReader {
 public:
     ModelReader(JsonValue file, std::vector<Fault> faults);
+    /// For a block of the file, which refers to parts of a model that was read before and outlives this.
+    explicit ModelReader(const Model& whole);
 
     Model model;
     std::vector<Fault> faults() { return reader_.collect_faults(); }
     const Unreadable& unreadable() const { return unreadable_; }
+
+    // influence_block_reader.cpp
+    influence::Block influence_block(JsonValue value); ///< the file's block `influence`
+    // train_reader.cpp
+    influence::TrainBlock train_block(JsonValue value); ///< the file's block `train`
 
 private:
     /// The names of a list. A name that is not in it may be that of an entry whose own name cannot be read: each such
@@ -38,6 +47,10 @@ private:
         std::unordered_set<std::string_view> excused = {};
 
         void add(JsonValue list, std::size_t first_index = 0);
+        template <class Parts> void add_parts(const Parts& parts)
+        {
+            for (const auto& part : parts) entries.emplace(part.id, entries.size());
+        }
         bool is_lost_entry(std::string_view name, std::size_t index) const;
         bool excuses(std::string_view name, std::size_t n_own); ///< but not by `n_own` lost entries
     };
@@ -88,6 +101,39 @@ private:
     void read_component(Expected& check, JsonValue component, const Place& place);
     void read_which(Expected& check, JsonValue which, const Place& place);
 
+    // moving_load_reader.cpp
+    /// What an entry says of the effect that it asks for.
+    struct EffectFields {
+        JsonValue quantity, node, member, component, at, side;
+    };
+    LoadPath load_path(JsonValue value, const Place& place);
+    InfluenceLineDefinition influence_line(JsonValue value, const Place& place);
+    std::vector<MemberId> member_list(JsonValue value, const Place& place);
+    LoadPathReference path_reference(JsonValue value, const Place& place);
+    MovingEffect moving_effect(const EffectFields& fields, ExpectedQuantity last_quantity, const Place& place);
+    std::vector<Component> unit_load(JsonValue value, const Place& place);
+
+    // train_reader.cpp
+    /// What a train's object says, in the file's list and in a block alike.
+    struct TrainFields {
+        JsonValue path, axles, spacings, ranges, both_directions, impact, uniform, extent, gap, concentrated, load;
+    };
+    Train train(JsonValue value, const Place& place);
+    void read_train(const TrainFields& fields, Train& train, const Place& place);
+    std::vector<Quantity> quantities(JsonValue list, Dimension dimension, const Place& place);
+    void read_ranges(JsonValue ranges, Train& train, const Place& place);
+    void read_concentrated(JsonValue value, Dimension dimension, Train& train, const Place& place);
+    ConcentratedForce concentrated_force(JsonValue value, Dimension dimension, const Place& place);
+    MovingEnvelope moving_envelope(JsonValue value, const Place& place);
+    influence::TrainCheck train_check(JsonValue value, const Place& place);
+
+    // influence_block_reader.cpp
+    influence::LineCheck line_check(JsonValue value, const influence::LineCheck& common, const Place& place);
+    std::vector<influence::PathPosition> path_positions(JsonValue list, const Place& place);
+    std::optional<influence::PathPosition> path_position(JsonValue value, const Place& place);
+    std::optional<influence::ExtremeCheck> extreme_check(JsonValue value, const Place& place);
+    std::vector<double> numbers(JsonValue list, const Place& place);
+
     ValueReader reader_;
     Unreadable unreadable_;
     NameTable materials_{FaultKind::NoSuchMaterial, FaultKind::NoSuchMaterialNear};
@@ -95,6 +141,8 @@ private:
     NameTable nodes_{FaultKind::NoSuchNode, FaultKind::NoSuchNodeNear};
     NameTable members_{FaultKind::NoSuchMember, FaultKind::NoSuchMemberNear};
     NameTable cases_{FaultKind::NoSuchCase, FaultKind::NoSuchCaseNear};
+    NameTable paths_{FaultKind::NoSuchPath, FaultKind::NoSuchPathNear};
+    NameTable trains_{FaultKind::NoSuchTrain, FaultKind::NoSuchTrainNear};
 };
 
 /// What a reference that names nothing becomes: the fault is noted, the index is out of every list.

@@ -32,6 +32,16 @@ std::optional<std::size_t> spacing_number(std::string_view text)
     return is_number ? std::optional(number - 1) : std::nullopt;
 }
 
+/// Of the value of an effect.
+Dimension dimension_of(const MovingEffect& effect)
+{
+    Expected asked;
+    asked.quantity = effect.quantity;
+    asked.dof = effect.dof;
+    asked.component = effect.component;
+    return dimension_of(asked);
+}
+
 } // namespace
 
 Train ModelReader::train(JsonValue value, const Place& place)
@@ -57,8 +67,8 @@ void ModelReader::read_train(const TrainFields& fields, Train& train, const Plac
     train.impact = reader_.number(fields.impact, place).value_or(train.impact);
     train.uniform = reader_.quantity(fields.uniform, line_load_dimension(along), place);
     if (const auto extent = reader_.choice(fields.extent, names::uniform_extents, place))
-        train.uniform_extent = *extent < names::n_uniform_extents ? static_cast<UniformExtent>(*extent)
-                                                                  : UniformExtent::Adverse;
+        train.uniform_extent = *extent + 1 < names::uniform_extents.size() ? static_cast<UniformExtent>(*extent)
+                                                                           : UniformExtent::Adverse;
     train.gap = reader_.quantity(fields.gap, dimension::length, place);
     read_concentrated(fields.concentrated, force_dimension(along), train, place);
 }
@@ -130,9 +140,9 @@ MovingEnvelope ModelReader::moving_envelope(JsonValue value, const Place& place)
     return envelope;
 }
 
-TrainBlock ModelReader::train_block(JsonValue value)
+influence::TrainBlock ModelReader::train_block(JsonValue value)
 {
-    TrainBlock block;
+    influence::TrainBlock block;
     const Place top, place = top.key("train");
     if (!reader_.is_object(value, top)) return block;
     const auto [path, name, axles, spacings, ranges, both_directions, impact, uniform, extent, gap, concentrated, load,
@@ -146,17 +156,18 @@ TrainBlock ModelReader::train_block(JsonValue value)
     return block;
 }
 
-TrainCheck ModelReader::train_check(JsonValue value, const Place& place)
+influence::TrainCheck ModelReader::train_check(JsonValue value, const Place& place)
 {
     const auto [quantity, component, which, wanted, node, member, at, side, section, rtol, atol,
                 source] = reader_.fields(value, check_keys, place);
-    TrainCheck check;
+    influence::TrainCheck check;
     check.place = place.text();
     check.effect = moving_effect({quantity, node, member, component, at, side}, ExpectedQuantity::Extreme, place);
     if (const auto kind = reader_.choice(which, names::extremes, place)) check.which = static_cast<ExtremeKind>(*kind);
-    const Dimension dimension = dimension_of_effect(check.effect);
+    const Dimension dimension = dimension_of(check.effect);
     check.value = reader_.quantity(wanted, dimension, place).value_or(no_number);
     check.rtol = reader_.number(rtol, place);
+    reader_.text(source, place);
     check.atol = reader_.quantity(atol, dimension, place);
     if (!section.is(JsonKind::Array)) {
         if (auto one = position(section, place)) check.sections.push_back(std::move(*one));

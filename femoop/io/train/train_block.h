@@ -6,7 +6,7 @@
 
 #include "femoop/model/model.h"
 
-namespace femoop {
+namespace femoop::influence {
 
 /// One answer of a file's block `train`: the largest or least of an effect, and of an `extreme` the sections where.
 struct TrainCheck {
@@ -28,4 +28,4 @@ struct TrainBlock {
 /// Nothing if the model has no such block. \throws ModelError with everything that is wrong in it
 std::optional<TrainBlock> train_block_of(const Model& model);
 
-} // namespace femoop
+} // namespace femoop::influence

@@ -1,11 +1,9 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "femoop/model/expected.h"
-#include "femoop/model/fault/fault.h"
 #include "femoop/model/model.h"
 
 namespace femoop::influence {
@@ -48,10 +46,7 @@ struct PathLayout {
 /// The members that a path or a list means.
 const std::vector<MemberId>& members_of(const Model& model, const LoadPathReference& path);
 
-/// Why members make no path: there are none, or two do not follow one another. \param place  as faults name it
-std::optional<Fault> why_no_path(const Model& model, const std::vector<MemberId>& members, const std::string& place);
-
-/// \throws ModelError  why_no_path
+/// \throws ModelError  `why_no_path` (femoop/geometry/path_walk.h)
 PathLayout lay_out(const Model& model, const std::vector<MemberId>& members);
 
 /// A unit load's components along global axes fx fy fz mx my mz; down where none are given: -y in the plane, else -z.

@@ -13,7 +13,7 @@ namespace femoop {
 std::string Entry::text() const
 {
     std::string text(list);
-    text += '[' + std::to_string(index) + ']';
+    if (index) text += '[' + std::to_string(*index) + ']';
     return id.empty() ? text : text + " \"" + std::string(id) + '"';
 }
 
@@ -28,6 +28,7 @@ std::vector<Fault> Checker::run(Thoroughness thoroughness)
     check_members();
     check_load_cases();
     check_combinations();
+    check_moving_loads();
     check_expected();
     is_partial_ = false;
     if (thoroughness == Thoroughness::Errors) return std::move(faults_);

@@ -20,7 +20,7 @@ namespace femoop {
 /// An entry of a list, as faults name it: members[2] "BC". Its words are put together only for a fault.
 struct Entry {
     std::string_view list;
-    std::size_t index = 0;
+    std::optional<std::size_t> index;
     std::string_view id;
 
     std::string text() const;
@@ -33,6 +33,9 @@ public:
         : model_(model), unreadable_(unreadable), is_incomplete_(unreadable.is_incomplete)
     {}
     std::vector<Fault> run(Thoroughness thoroughness);
+    std::vector<Fault> run_line(const InfluenceLineDefinition& line, const Entry& place); ///< of this one alone
+    std::vector<Fault> run_train(const Train& train, const Entry& place);                 ///< likewise
+    std::vector<Fault> run_effect(const MovingEffect& effect, const Entry& place);        ///< likewise
 
 private:
     using Point = std::array<double, 3>;
@@ -128,6 +131,21 @@ private:
     // expected_check.cpp
     void check_expected();
     void check_expected(const Expected& check, const Entry& place);
+    void check_asked(const Expected& check, const Entry& place); ///< what is asked for, whatever its value
+
+    // moving_load_check.cpp
+    void check_moving_loads();
+    bool check_path(const std::vector<MemberId>& members, const Entry& place); ///< do they make one?
+    void warn_of_bars(const std::vector<MemberId>& members, const Entry& place);
+    void check_line(const InfluenceLineDefinition& line, const Entry& place);
+    void check_effect(const MovingEffect& effect, const Entry& place);
+    void check_moving_load(const LoadPathReference& path, const std::vector<Component>& load, const Entry& place);
+
+    // train_check.cpp
+    void check_trains();
+    void check_train(const Train& train, const Entry& place);
+    void check_spacings(const Train& train, const Entry& place);
+    void check_envelope(const MovingEnvelope& envelope, const Entry& place);
 
     // geometry_check.cpp
     void check_coincident_nodes();

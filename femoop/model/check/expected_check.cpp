@@ -71,10 +71,18 @@ void Checker::check_expected()
 void Checker::check_expected(const Expected& check, const Entry& place)
 {
     if (check.load_case) require_entry(place, "cases", check.load_case->index, model_.n_cases());
-    if (check.node) require_entry(place, "nodes", check.node->index, model_.nodes.size());
-    if (check.member) require_entry(place, "members", check.member->index, model_.members.size());
     if (!check.load_case && !is_modal(check) && model_.n_cases() != 1)
         add(FaultKind::ExpectedWithoutCase, place, {std::to_string(model_.n_cases())});
+    check_asked(check, place);
+    require_finite(place, "value", check.value);
+    if (check.rtol) require_not_negative(place, "rtol", *check.rtol, dimension::none);
+    if (check.atol) require_not_negative(place, "atol", *check.atol, dimension_of(check));
+}
+
+void Checker::check_asked(const Expected& check, const Entry& place)
+{
+    if (check.node) require_entry(place, "nodes", check.node->index, model_.nodes.size());
+    if (check.member) require_entry(place, "members", check.member->index, model_.members.size());
     for (const std::string_view key : missing_keys(check))
         add(FaultKind::ExpectedKeyMissing, place, {std::string(name(check.quantity)), std::string(key)});
     if (check.node && check.member) add(FaultKind::ExpectedNodeAndMember, place, {});
@@ -88,9 +96,6 @@ void Checker::check_expected(const Expected& check, const Entry& place)
         add(FaultKind::ExpectedReactionOfFreeNode, place, {model_[*check.node].id});
     if (check.at && check.member && is_readable(*check.member))
         check_position(*check.at, "at", model_[*check.member], place);
-    require_finite(place, "value", check.value);
-    if (check.rtol) require_not_negative(place, "rtol", *check.rtol, dimension::none);
-    if (check.atol) require_not_negative(place, "atol", *check.atol, dimension_of(check));
 }
 
 } // namespace femoop

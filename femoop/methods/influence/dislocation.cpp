@@ -1,0 +1,284 @@
+#include "femoop/methods/influence/dislocation.h"
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "femoop/element/analysis_model.h"
+
+namespace femoop::influence {
+
+namespace {
+
+constexpr double end_of_member = 1e-12; // of its length: a section so near is at the end
+
+double held(double x, double L)
+{
+    if (x <= end_of_member * L) return 0.0;
+    return x >= L - end_of_member * L ? L : x;
+}
+
+FoundationBeam chain(const Beam& beam, double length, BendingPlane plane)
+{
+    SpanLoading bare;
+    bare.assign(length, {}, beam.longest_piece(), beam.settling());
+    return {beam, bare, plane, 0.0};
+}
+
+std::vector<SpanPiece> pieces_of(const Beam& beam, double length)
+{
+    SpanLoading bare;
+    bare.assign(length, {}, beam.longest_piece(), beam.settling());
+    return bare.pieces();
+}
+
+Eigen::Vector4d joined(const Eigen::Vector2d& first, const Eigen::Vector2d& second)
+{
+    Eigen::Vector4d both;
+    both << first, second;
+    return both;
+}
+
+void add(std::vector<Component>& loads, Dof dof, double value)
+{
+    if (value != 0.0) loads.push_back({.dof = dof, .value = value});
+}
+
+bool bends(AnalysisKind kind, BendingPlane plane)
+{
+    if (is_truss(kind)) return false;
+    return plane == BendingPlane::xy || kind == AnalysisKind::Frame3d;
+}
+
+} // namespace
+
+/// A member on a foundation, cut at the section: how its joint there moves.
+struct Dislocation::Halves {
+    FoundationBeam left, right;
+    Eigen::Vector2d step;
+
+    Halves(const Beam& beam, double x, double L, BendingPlane plane, const Step& moved)
+        : left(chain(beam, x, plane)), right(chain(beam, L - x, plane)), step(moved.v, moved.phi)
+    {}
+
+    Eigen::Vector2d joint(const Eigen::Vector4d& ends) const
+    {
+        const Eigen::Matrix4d &K = left.stiffness(), &R = right.stiffness();
+        const Eigen::Vector2d forces = K.bottomLeftCorner<2, 2>() * ends.head<2>() +
+                                       R.topRightCorner<2, 2>() * ends.tail<2>() + R.topLeftCorner<2, 2>() * step;
+        const Eigen::Matrix2d sum = K.bottomRightCorner<2, 2>() + R.topLeftCorner<2, 2>();
+        return -(sum.inverse() * forces);
+    }
+
+    /// That hold the ends still.
+    Eigen::Vector4d fixed_end_forces() const
+    {
+        const Eigen::Vector2d middle = joint(Eigen::Vector4d::Zero());
+        return joined(left.stiffness().topRightCorner<2, 2>() * middle,
+                      right.stiffness().bottomLeftCorner<2, 2>() * (middle + step));
+    }
+};
+
+Dislocation::Dislocation(const Discretisation& structure, MemberId member, MemberComponent force, double x)
+    : kind_(structure.kind),
+      force_(force),
+      L_(structure.geometry(member).length),
+      is_bar_(is_bar(structure, member)),
+      axial_(structure.properties_of(member).axial),
+      torsion_(structure.properties_of(member).torsion),
+      xy_(beam_of(structure, member, BendingPlane::xy)),
+      xz_(beam_of(structure, member, BendingPlane::xz))
+{
+    x_ = held(x, L_);
+}
+
+Dislocation::Step Dislocation::step(BendingPlane plane) const
+{
+    const bool is_xy = plane == BendingPlane::xy;
+    if (force_ == (is_xy ? MemberComponent::Vy : MemberComponent::Vz)) return {.v = -1.0};
+    if (force_ == (is_xy ? MemberComponent::Mz : MemberComponent::My)) return {.phi = 1.0};
+    return {};
+}
+
+bool Dislocation::is_simple(BendingPlane plane) const { return is_bar_ || !bends(kind_, plane); }
+
+Eigen::Vector4d Dislocation::end_forces(BendingPlane plane) const
+{
+    const Step moved = step(plane);
+    if (is_simple(plane) || (moved.v == 0.0 && moved.phi == 0.0)) return PlaneEnds::Zero();
+    const Beam& beam = plane == BendingPlane::xy ? xy_ : xz_;
+    if (beam.foundation <= 0.0)
+        return beam.stiffness(L_) * PlaneEnds(0.0, 0.0, moved.v + moved.phi * (L_ - x_), moved.phi);
+    if (is_at_start()) return -(chain(beam, L_, plane).stiffness() * PlaneEnds(moved.v, moved.phi, 0.0, 0.0));
+    if (is_at_end()) return chain(beam, L_, plane).stiffness() * PlaneEnds(0.0, 0.0, moved.v, moved.phi);
+    return -Halves(beam, x_, L_, plane, moved).fixed_end_forces();
+}
+
+EndLoads Dislocation::end_loads() const
+{
+    EndLoads loads{.start = {}, .end = {}, .axes = LoadAxes::Local};
+    const double pull = gap() * axial_.EA / L_;
+    add(loads.start, Dof::ux, -pull);
+    add(loads.end, Dof::ux, pull);
+    if (!is_bar_) {
+        const double torque = twist() * torsion_.EA / L_;
+        add(loads.start, Dof::rx, -torque);
+        add(loads.end, Dof::rx, torque);
+    }
+    const PlaneEnds xy = end_forces(BendingPlane::xy), xz = end_forces(BendingPlane::xz);
+    add(loads.start, Dof::uy, xy[0]);
+    add(loads.start, Dof::rz, xy[1]);
+    add(loads.end, Dof::uy, xy[2]);
+    add(loads.end, Dof::rz, xy[3]);
+    add(loads.start, Dof::uz, xz[0]);
+    add(loads.start, Dof::ry, -xz[1]);
+    add(loads.end, Dof::uz, xz[2]);
+    add(loads.end, Dof::ry, -xz[3]);
+    return loads;
+}
+
+// A bar's chord; where its own bending is asked for, its two parts swing about its ends, whatever these do.
+std::vector<Dislocation::PlaneMotion> Dislocation::simple_beam(BendingPlane plane, const PlaneEnds& ends) const
+{
+    const Step moved = step(plane);
+    if (moved.v == 0.0 && moved.phi == 0.0) {
+        const double turn = (ends[2] - ends[0]) / L_;
+        return {{0.0, L_, {ends[0], turn}, {turn}}};
+    }
+    const double turn = -(moved.v + moved.phi * (L_ - x_)) / L_; // brings the second end back to the chord
+    std::vector<PlaneMotion> parts;
+    if (!is_at_start()) parts.push_back({0.0, x_, {0.0, turn}, {turn}});
+    if (!is_at_end()) {
+        const double beyond = turn + moved.phi;
+        parts.push_back({x_, L_, {turn * x_ + moved.v, beyond}, {beyond}});
+    }
+    return parts;
+}
+
+std::vector<Dislocation::PlaneMotion> Dislocation::from_state(const Beam& beam, const Beam::State& begin,
+                                                              BendingPlane plane) const
+{
+    const Step moved = step(plane);
+    std::vector<PlaneMotion> parts;
+    Beam::State state = begin;
+    const auto pass = [&](double from, double to) {
+        const SpanPiece piece{.begin = from, .end = to};
+        const Beam::Series series = beam.series(state, piece, plane, 0.0);
+        Polynomial v, phi;
+        for (std::size_t i = 0; i < 4; ++i) v.append(series.v[i]);
+        for (std::size_t i = 0; i < 3; ++i) phi.append(series.phi[i]);
+        parts.push_back({from, to, v, phi});
+        state = beam.at(to - from, state, piece, plane, 0.0);
+    };
+    if (!is_at_start()) pass(0.0, x_);
+    state.v += moved.v;
+    state.phi += moved.phi;
+    if (!is_at_end()) pass(x_, L_);
+    return parts;
+}
+
+std::vector<Dislocation::PlaneMotion> Dislocation::elastic_beam(BendingPlane plane, const PlaneEnds& ends) const
+{
+    const Beam& beam = plane == BendingPlane::xy ? xy_ : xz_;
+    const Step moved = step(plane);
+    const PlaneEnds strained = ends - PlaneEnds(0.0, 0.0, moved.v + moved.phi * (L_ - x_), moved.phi);
+    const Eigen::Vector4d forces = beam.stiffness(L_) * strained;
+    return from_state(beam, {.v = ends[0], .phi = ends[1], .V = forces[0], .M = -forces[1]}, plane);
+}
+
+std::vector<Dislocation::PlaneMotion> Dislocation::on_foundation(BendingPlane plane, const PlaneEnds& ends) const
+{
+    const Beam& beam = xy_;
+    const Step moved = step(plane);
+    std::vector<PlaneMotion> parts;
+    const auto add_chain = [&](const FoundationBeam& part, const PlaneEnds& d, double from, double length) {
+        const std::vector<SpanPiece> pieces = pieces_of(beam, length);
+        const std::vector<Beam::State> states = part.states(d);
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            const Beam::Series series = beam.series(states[i], pieces[i], plane, 0.0);
+            const double end = i + 1 == pieces.size() ? from + length : from + pieces[i].end;
+            parts.push_back({from + pieces[i].begin, end, series.v, series.phi});
+        }
+    };
+    const Eigen::Vector2d step(moved.v, moved.phi);
+    if (is_at_start() || is_at_end()) {
+        PlaneEnds d = ends;
+        if (is_at_start()) d.head<2>() += step;
+        else d.tail<2>() -= step;
+        add_chain(chain(beam, L_, plane), d, 0.0, L_);
+        return parts;
+    }
+    const Halves halves(beam, x_, L_, plane, moved);
+    const Eigen::Vector2d middle = halves.joint(ends);
+    add_chain(halves.left, joined(ends.head<2>(), middle), 0.0, x_);
+    add_chain(halves.right, joined(middle + step, ends.tail<2>()), x_, L_ - x_);
+    return parts;
+}
+
+std::vector<Dislocation::PlaneMotion> Dislocation::motion(BendingPlane plane, const PlaneEnds& ends) const
+{
+    if (is_simple(plane)) return simple_beam(plane, ends);
+    const bool is_founded = plane == BendingPlane::xy && xy_.foundation > 0.0;
+    return is_founded ? on_foundation(plane, ends) : elastic_beam(plane, ends);
+}
+
+namespace {
+
+/// A linear function over the member with a step at the section, from its values at the ends.
+struct SteppedLine {
+    double first, slope, step, x;
+
+    SteppedLine(double start, double end, double jump, double at, double L)
+        : first(start), slope((end - start - jump) / L), step(jump), x(at)
+    {}
+    Polynomial over(double from) const { return {first + slope * from + (from >= x ? step : 0.0), slope}; }
+};
+
+Polynomial shifted(const Polynomial& p, double by)
+{
+    std::array<double, Polynomial::max_terms> c{};
+    for (std::size_t i = 0; i < p.n_terms(); ++i) c[i] = p[i];
+    for (std::size_t first = 0; first + 1 < p.n_terms(); ++first)
+        for (std::size_t i = p.n_terms() - 1; i-- > first;) c[i] += by * c[i + 1];
+    Polynomial moved;
+    for (std::size_t i = 0; i < p.n_terms(); ++i) moved.append(c[i]);
+    return moved;
+}
+
+} // namespace
+
+// On a foundation x'y' has more pieces than x'z', which is then the same over all those of one side.
+MemberMotion Dislocation::motion(const std::array<LocalDisplacement, 2>& ends) const
+{
+    const auto& [a, b] = ends;
+    const SteppedLine along(a.u, b.u, gap(), x_, L_), about(a.rx, b.rx, twist(), x_, L_);
+    const std::vector<PlaneMotion> xy = motion(BendingPlane::xy, PlaneEnds(a.v, a.rz, b.v, b.rz));
+    const std::vector<PlaneMotion> xz = motion(BendingPlane::xz, PlaneEnds(a.w, -a.ry, b.w, -b.ry));
+    std::vector<double> places;
+    for (const auto* plane : {&xy, &xz})
+        for (const PlaneMotion& part : *plane) places.push_back(part.from);
+    if (!is_at_end()) places.push_back(x_);
+    std::ranges::sort(places);
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    places.push_back(L_);
+
+    const auto part_at = [](const std::vector<PlaneMotion>& plane, double from) {
+        std::size_t i = 0;
+        while (i + 1 < plane.size() && plane[i + 1].from <= from) ++i;
+        return plane[i];
+    };
+    MemberMotion motion;
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+        const double from = places[i];
+        const PlaneMotion v = part_at(xy, from), w = part_at(xz, from);
+        const Polynomial turn = shifted(w.phi, from - w.from);
+        Polynomial ry;
+        for (std::size_t k = 0; k < turn.n_terms(); ++k) ry.append(-turn[k]);
+        motion.push_back({.from = from,
+                          .to = places[i + 1],
+                          .along = {along.over(from), shifted(v.v, from - v.from), shifted(w.v, from - w.from),
+                                    about.over(from), ry, shifted(v.phi, from - v.from)}});
+    }
+    return motion;
+}
+
+} // namespace femoop::influence

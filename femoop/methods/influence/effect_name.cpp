@@ -1,0 +1,33 @@
+#include "femoop/methods/influence/effect_name.h"
+
+#include <variant>
+
+#include "femoop/model/quantity/number_text.h"
+
+namespace femoop::influence {
+
+namespace {
+
+std::string place_text(const Position& at)
+{
+    if (const auto* percent = std::get_if<Percent>(&at)) return number_text(percent->value) + "%";
+    const Quantity& length = std::get<Quantity>(at);
+    return length.has_text() ? std::string(length.text()) : number_text(length);
+}
+
+} // namespace
+
+std::string component_name(AnalysisKind kind, const MovingEffect& effect)
+{
+    if (effect.component) return std::string(name(*effect.component, kind));
+    if (!effect.dof) return {};
+    return std::string(effect.quantity == ExpectedQuantity::Reaction ? force_name(*effect.dof) : name(*effect.dof));
+}
+
+std::string effect_name(const Model& model, const MovingEffect& effect)
+{
+    const std::string& part = effect.member ? model[*effect.member].id : model[*effect.node].id;
+    return component_name(model.analysis, effect) + "(" + part + (effect.at ? ", " + place_text(*effect.at) : "") + ")";
+}
+
+} // namespace femoop::influence

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "femoop/model/model.h"
+
+namespace femoop::influence {
+
+/// What an effect is called where it has no id: M(BC, 50%), fy(A), ux(B), M(BC).
+std::string effect_name(const Model& model, const MovingEffect& effect);
+
+/// Of its component alone: M, fy, ux.
+std::string component_name(AnalysisKind kind, const MovingEffect& effect);
+
+} // namespace femoop::influence

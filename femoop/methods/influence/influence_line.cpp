@@ -1,0 +1,345 @@
+#include "femoop/methods/influence/influence_line.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "femoop/analysis/mechanism.h"
+#include "femoop/load/place_along.h"
+#include "femoop/methods/influence/dislocation.h"
+#include "femoop/methods/influence/effect_name.h"
+#include "femoop/methods/influence/member_motion.h"
+#include "femoop/result/components.h"
+#include "femoop/result/curve_reader.h"
+
+namespace femoop::influence {
+
+namespace {
+
+constexpr double end_of_member = 1e-12; // of its length: a section so near is at the end
+constexpr double negligible = 1e-14;    // of the largest ordinate: a coefficient that adds less is rounding
+
+Model without_loads(Model model)
+{
+    model.load_cases.clear();
+    model.combinations.clear();
+    model.moving_loads = {};
+    model.expected.clear();
+    model.extra.clear();
+    return model;
+}
+
+std::vector<Component> components_of(const NodeVector& load)
+{
+    std::vector<Component> components;
+    for (const Dof dof : all_dofs)
+        if (load[index(dof)] != 0.0) components.push_back({.dof = dof, .value = load[index(dof)]});
+    return components;
+}
+
+Dof displacement_dof(MemberComponent component)
+{
+    switch (component) {
+    case MemberComponent::u: return Dof::ux;
+    case MemberComponent::v: return Dof::uy;
+    default: return Dof::uz;
+    }
+}
+
+bool is_section_force(const MovingEffect& effect) { return effect.member && !is_displacement(*effect.component); }
+
+/// The support's axes as rows, in global ones.
+double along_support_axis(const Discretisation::SupportRow& support, Dof axis, Dof global)
+{
+    const double c = std::cos(support.angle), s = std::sin(support.angle);
+    if (is_rotation(axis) || axis == Dof::uz) return axis == global ? 1.0 : 0.0;
+    if (axis == Dof::ux) return global == Dof::ux ? c : (global == Dof::uy ? s : 0.0);
+    return global == Dof::ux ? -s : (global == Dof::uy ? c : 0.0);
+}
+
+/// The support moved by 1 against a reaction: what holds it moves, in its own axes.
+Settlement settlement_against(const Discretisation::SupportRow& support, Dof reaction)
+{
+    Settlement settlement{.node = support.node, .components = {}};
+    for (const Dof axis : all_dofs) {
+        const double part = along_support_axis(support, axis, reaction);
+        const bool holds = support.blocked.contains(axis) || support.springs[index(axis)] > 0.0;
+        if (holds && part != 0.0) settlement.components.push_back({.dof = axis, .value = -part});
+    }
+    return settlement;
+}
+
+std::array<LocalDisplacement, 2> ends_of(const Curve& curve)
+{
+    return {curve.displacement(0.0), curve.displacement(curve.length(), Side::Before)};
+}
+
+/// Coefficients that rounding alone left are none.
+void clean(PiecewiseLine& line)
+{
+    const double rounding = negligible * line.largest();
+    for (LinePiece& piece : line.pieces) {
+        double power = 1.0;
+        for (double& c : piece.coefficients) {
+            if (std::abs(c) * power <= rounding) c = 0.0;
+            power *= piece.length();
+        }
+        while (!piece.coefficients.empty() && piece.coefficients.back() == 0.0) piece.coefficients.pop_back();
+    }
+}
+
+/// Takes the pieces of one member of the path; on a foundation those up to the section, and those behind it, make one
+/// stretch.
+void append(InfluenceLine& line, std::vector<LinePiece> pieces, MemberId member, bool is_on_foundation,
+            std::optional<double> section)
+{
+    const double near = section ? end_of_member * (pieces.back().to - pieces.front().from) : 0.0;
+    bool is_first = true;
+    for (LinePiece& piece : pieces) {
+        const bool is_cut = is_first || (section && std::abs(piece.from - *section) <= near);
+        if (is_on_foundation && !is_cut) {
+            line.stretches.back().to = piece.to;
+            ++line.stretches.back().n_pieces;
+        } else {
+            line.stretches.push_back({.member = member,
+                                      .from = piece.from,
+                                      .to = piece.to,
+                                      .is_on_foundation = is_on_foundation,
+                                      .first_piece = line.ordinates.pieces.size()});
+        }
+        line.ordinates.pieces.push_back(std::move(piece));
+        is_first = false;
+    }
+}
+
+bool is_on_foundation,
+            const std::vector<double>& cuts)
+{
+    for (LinePiece& piece : pieces) {
+        const bool is_cut = std::ranges::find(cuts, piece.from) != cuts.end();
+        auto& stretches = line.stretches;
+        if (is_on_foundation && !is_cut) {
+            stretches.back().to = piece.to;
+            ++stretches.back().n_pieces;
+        } else {
+            stretches.push_back({.member = member,
+                                 .from = piece.from,
+                                 .to = piece.to,
+                                 .is_on_foundation = is_on_foundation,
+                                 .first_piece = line.ordinates.pieces.size()});
+        }
+        line.ordinates.pieces.push_back(std::move(piece));
+    }
+}
+
+bool is_on_foundation(const Discretisation& structure, MemberId member)
+{
+    const MemberEndConditions* conditions = structure.end_conditions_of(member);
+    const bool bends = conditions == nullptr || conditions->constraint != Constraint::Rigid;
+    return bends && structure.properties_of(member).xy.foundation > 0.0;
+}
+
+} // namespace
+
+InfluenceAnalysis::InfluenceAnalysis(const Model& model, const AnalysisOptions& options)
+    : model_(without_loads(model)), analysis_(model_, options), structure_(discretise(model_))
+{
+    note(analysis_.solve(model_).warnings());
+}
+
+void InfluenceAnalysis::note(const std::vector<Fault>& warnings)
+{
+    for (const Fault& warning : warnings) {
+        const bool is_of_unit = warning.kind == FaultKind::HugeDisplacement; // a unit is not a real load
+        if (!is_of_unit && std::ranges::find(warnings_, warning) == warnings_.end()) warnings_.push_back(warning);
+    }
+}
+
+Results InfluenceAnalysis::solve(std::vector<LoadCase> cases)
+{
+    model_.load_cases = std::move(cases);
+    Results results = analysis_.solve(model_);
+    note(results.warnings());
+    return results;
+}
+
+void InfluenceAnalysis::require_undriven(const PathLayout& path, const NodeVector& load)
+{
+    std::vector<MemberId> members;
+    for (const PathMember& on : path.members) members.push_back(on.member);
+    if (members == undriven_path_ && load == undriven_load_) return;
+    std::vector<LoadCase> cases;
+    for (const PathMember& on : path.members)
+        for (const double share : {0.0, 0.3, 0.8, 1.0})
+            cases.push_back(
+                {.id = "path",
+                 .members = {{on.member, PointLoad{.at = Percent{100.0 * share}, .components = components_of(load)}}}});
+    solve(std::move(cases));
+    undriven_path_ = std::move(members);
+    undriven_load_ = load;
+}
+
+double InfluenceAnalysis::place(const MovingEffect& effect) const
+{
+    const double L = structure_.geometry(*effect.member).length;
+    return along(*effect.at, L);
+}
+
+bool InfluenceAnalysis::is_direct(const MovingEffect& effect) const
+{
+    return structure_.has_constraints && (effect.quantity == ExpectedQuantity::Reaction || is_section_force(effect));
+}
+
+InfluenceAnalysis::Adjoint InfluenceAnalysis::adjoint(const MovingEffect& effect) const
+{
+    Adjoint adjoint{.effect = &effect, .load_case = {.id = effect_name(model_, effect)}};
+    LoadCase& load_case = adjoint.load_case;
+    if (effect.quantity == ExpectedQuantity::Reaction) {
+        if (const auto* support = structure_.support_of(*effect.node))
+            load_case.settlements.push_back(settlement_against(*support, *effect.dof));
+    } else if (effect.node) {
+        load_case.nodes.push_back({.node = *effect.node, .components = {{.dof = *effect.dof, .value = 1.0}}});
+    } else if (is_section_force(effect)) {
+        const Dislocation dislocation(structure_, *effect.member, *effect.component, place(effect));
+        load_case.members.push_back({*effect.member, dislocation.end_loads()});
+    } else {
+        const Component unit{.dof = displacement_dof(*effect.component), .value = 1.0};
+        load_case.members.push_back(
+            {*effect.member, PointLoad{.at = Quantity(place(effect)), .components = {unit}, .axes = LoadAxes::Local}});
+    }
+    return adjoint;
+}
+
+InfluenceLine InfluenceAnalysis::line_of(const PathLayout& path, const NodeVector& load, const MovingEffect& effect,
+                                         const CaseResult& moved) const
+{
+    CurveReader reader(moved);
+    InfluenceLine line{.effect = effect, .ordinates = {}, .stretches = {}};
+    for (const PathMember& on : path.members) {
+        const Curve& curve = reader.read(on.member);
+        const bool is_own = effect.member == on.member;
+        const MemberMotion motion =
+            is_own && is_section_force(effect)
+                ? Dislocation(structure_, on.member, *effect.component, place(effect)).motion(ends_of(curve))
+                : motion_of(curve, structure_, on.member);
+        append(line, work_along(on, motion, structure_.geometry(on.member), load), on.member,
+               is_on_foundation(structure_, on.member), is_own ? std::optional(on.s_of(place(effect))) : std::nullopt);
+    }
+    clean(line.ordinates);
+    return line;
+}
+
+std::vector<InfluenceLine> InfluenceAnalysis::adjoint_lines(const PathLayout& path, const NodeVector& load,
+                                                            const std::vector<Adjoint>& adjoints)
+{
+    std::vector<LoadCase> cases;
+    for (const Adjoint& each : adjoints) cases.push_back(each.load_case);
+    const Results results = solve(std::move(cases));
+    std::vector<InfluenceLine> lines;
+    for (std::size_t i = 0; i < adjoints.size(); ++i)
+        lines.push_back(line_of(path, load, *adjoints[i].effect, results[CaseId(i)]));
+    return lines;
+}
+
+// A couple that turns a node which nothing holds works on no load of the path, which drives no mechanism.
+InfluenceLine InfluenceAnalysis::adjoint_line(const PathLayout& path, const NodeVector& load, Adjoint adjoint)
+{
+    try {
+        return std::move(adjoint_lines(path, load, {adjoint}).front());
+    } catch (const MechanismError&) {
+        return std::move(adjoint_lines(path, load, {{adjoint.effect, {.id = adjoint.load_case.id}}}).front());
+    }
+}
+
+std::vector<SampledStretch> InfluenceAnalysis::stretches_of(const PathMember& on, const MovingEffect& effect) const
+{
+    constexpr std::size_t cubic = 3, of_series = 9; // on a foundation, over half of what a power series bears
+    std::vector<double> cuts{on.begin, on.end()};
+    if (effect.member == on.member) {
+        const double x = place(effect), near = end_of_member * on.length;
+        if (x > near && x < on.length - near) cuts.insert(cuts.begin() + 1, on.s_of(x));
+    }
+    const bool is_founded = is_on_foundation(structure_, on.member);
+    const double longest = is_founded ? 0.5 * structure_.properties_of(on.member).xy.longest_piece() : on.length;
+    std::vector<SampledStretch> stretches;
+    for (std::size_t i = 1; i < cuts.size(); ++i) {
+        const double from = cuts[i - 1], length = cuts[i] - from;
+        const auto n = static_cast<std::size_t>(std::max(1.0, std::ceil(length / longest)));
+        const auto at = [&](std::size_t k) {
+            return k == n ? cuts[i] : from + length * static_cast<double>(k) / static_cast<double>(n);
+        };
+        for (std::size_t k = 0; k < n; ++k) stretches.emplace_back(at(k), at(k + 1), is_founded ? of_series : cubic);
+    }
+    return stretches;
+}
+
+double InfluenceAnalysis::value_of(const CaseResult& result, const MovingEffect& effect) const
+{
+    if (effect.quantity == ExpectedQuantity::Reaction) return result.reaction(*effect.node)[index(*effect.dof)];
+    const Curve curve = result.curve(*effect.member);
+    const double x = place(effect);
+    return curve.value(*effect.component, x, x < curve.length() ? Side::After : Side::Before);
+}
+
+InfluenceLine InfluenceAnalysis::direct_line(const PathLayout& path, const NodeVector& load, const MovingEffect& effect)
+{
+    InfluenceLine line{.effect = effect, .ordinates = {}, .stretches = {}};
+    for (const PathMember& on : path.members) {
+        const std::vector<SampledStretch> stretches = stretches_of(on, effect);
+        std::vector<LoadCase> cases;
+        for (const SampledStretch& stretch : stretches)
+            for (const double s : stretch.places())
+                cases.push_back({.id = effect_name(model_, effect),
+                                 .members = {{on.member, PointLoad{.at = Quantity(on.x_of(s)),
+                                                                   .components = components_of(load)}}}});
+        const Results results = solve(std::move(cases));
+        std::vector<LinePiece> pieces;
+        std::size_t next = 0;
+        for (const SampledStretch& stretch : stretches) {
+            std::vector<double> values;
+            for (std::size_t i = 0; i < stretch.places().size(); ++i)
+                values.push_back(value_of(results[CaseId(next++)], effect));
+            pieces.push_back(stretch.piece(values));
+        }
+        append(line, std::move(pieces), on.member, is_on_foundation(structure_, on.member),
+               effect.member == on.member ? std::optional(on.s_of(place(effect))) : std::nullopt);
+    }
+    clean(line.ordinates);
+    return line;
+}
+
+InfluenceLine InfluenceAnalysis::line(const PathLayout& path, const NodeVector& load, const MovingEffect& effect)
+{
+    return std::move(lines(path, load, std::span(&effect, 1)).front());
+}
+
+std::vector<InfluenceLine> InfluenceAnalysis::lines(const PathLayout& path, const NodeVector& load,
+                                                    std::span<const MovingEffect> effects)
+{
+    require_undriven(path, load);
+    std::vector<InfluenceLine> found(effects.size());
+    std::vector<Adjoint> adjoints;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < effects.size(); ++i) {
+        if (is_direct(effects[i])) {
+            found[i] = direct_line(path, load, effects[i]);
+            continue;
+        }
+        adjoints.push_back(adjoint(effects[i]));
+        places.push_back(i);
+    }
+    if (adjoints.size() == 1) found[places[0]] = adjoint_line(path, load, std::move(adjoints[0]));
+    if (adjoints.size() < 2) return found;
+    try {
+        std::vector<InfluenceLine> lines = adjoint_lines(path, load, adjoints);
+        for (std::size_t i = 0; i < lines.size(); ++i) found[places[i]] = std::move(lines[i]);
+    } catch (const ModelError&) { // one of them spoils all
+        for (std::size_t i = 0; i < adjoints.size(); ++i)
+            found[places[i]] = adjoint_line(path, load, std::move(adjoints[i]));
+    }
+    return found;
+}
+
+} // namespace femoop::influence

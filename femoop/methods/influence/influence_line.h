@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "femoop/analysis/linear_static.h"
+#include "femoop/discretisation/discretisation.h"
+#include "femoop/methods/influence/load_path.h"
+#include "femoop/methods/influence/piecewise_line.h"
+#include "femoop/methods/influence/sampled_line.h"
+#include "femoop/model/fault/fault.h"
+#include "femoop/model/model.h"
+#include "femoop/result/results.h"
+
+namespace femoop::influence {
+
+/// A stretch of a line between nodes, ends of the path and the section: one polynomial of degree three or less, but on
+/// a foundation, where it is that member's closed form and its pieces are power series.
+struct LineStretch {
+    MemberId member;
+    double from = 0.0, to = 0.0;
+    bool is_on_foundation = false;
+    std::size_t first_piece = 0, n_pieces = 1; ///< of the line
+};
+
+/// The effect of a unit load at s, as a function of s.
+///
+/// Signs   the effect's own: those of section forces, displacements and reactions (courseware/conventions.md)
+/// Units   effect per force; of a couple, per moment
+struct InfluenceLine {
+    MovingEffect effect;
+    PiecewiseLine ordinates;
+    std::vector<LineStretch> stretches; ///< ascending
+};
+
+/// Influence lines of one structure, which is analysed once: then a line costs a back substitution.
+///
+///     InfluenceAnalysis analysis(model);
+///     const PathLayout path = lay_out(model, members);
+///     const InfluenceLine M = analysis.line(path, unit_load(model.analysis, {}), effect);
+///
+/// Method    Mueller-Breslau: the line is the displacement of the path along the load, where the structure is loaded by
+///           nothing but a unit dislocation (section force), a support moved by 1 against its reaction, or a unit force
+///           (displacement). Where a constraint (inextensible, rigid) stands against such a motion, the line is put
+///           together from unit loads on the path, as many as make it exact.
+/// Accuracy  that of `analyse`; along the path closed forms, nothing is sampled
+/// Source    [Kassimali, ch. 8-9]
+/// Reference courseware/reference/moving-loads.md
+class InfluenceAnalysis {
+public:
+    /// \throws ModelError, MechanismError  as `analyse`
+    explicit InfluenceAnalysis(const Model& model, const AnalysisOptions& options = {});
+
+    /// \pre the path is one of the model's; the effect has its node and component, or member, component and place
+    /// \throws MechanismError  the load drives a mechanism somewhere on the path
+    ///         ModelError      the line cannot be trusted, or not be computed
+    InfluenceLine line(const PathLayout& path, const NodeVector& load, const MovingEffect& effect);
+
+    /// Many at once, each as alone.
+    std::vector<InfluenceLine> lines(const PathLayout& path, const NodeVector& load,
+                                     std::span<const MovingEffect> effects);
+
+    const Model& model() const { return model_; }                    ///< without its loads
+    const std::vector<Fault>& warnings() const { return warnings_; } ///< of all lines so far, each once
+
+private:
+    /// What is made of one line: the load case that it is read from.
+    struct Adjoint {
+        const MovingEffect* effect;
+        LoadCase load_case;
+    };
+    Results solve(std::vector<LoadCase> cases);
+    void note(const std::vector<Fault>& warnings);
+    void require_undriven(const PathLayout& path, const NodeVector& load);
+    bool is_direct(const MovingEffect& effect) const;
+    double place(const MovingEffect& effect) const; ///< along the member
+    Adjoint adjoint(const MovingEffect& effect) const;
+    std::vector<InfluenceLine> adjoint_lines(const PathLayout& path, const NodeVector& load,
+                                             const std::vector<Adjoint>& adjoints);
+    InfluenceLine adjoint_line(const PathLayout& path, const NodeVector& load, Adjoint adjoint);
+    InfluenceLine line_of(const PathLayout& path, const NodeVector& load, const MovingEffect& effect,
+                          const CaseResult& moved) const;
+    std::vector<SampledStretch> stretches_of(const PathMember& on, const MovingEffect& effect) const;
+    InfluenceLine direct_line(const PathLayout& path, const NodeVector& load, const MovingEffect& effect);
+    double value_of(const CaseResult& result, const MovingEffect& effect) const;
+
+    Model model_;
+    LinearStatic analysis_;
+    Discretisation structure_;
+    std::vector<Fault> warnings_;
+    std::vector<MemberId> undriven_path_; ///< the last one that was looked at, with its load
+    NodeVector undriven_load_{};
+};
+
+} // namespace femoop::influence
