@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "femoop/io/cross/cross_check.h"
+#include "femoop/io/train/train_check.h"
 #include "femoop/load/place_along.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/result/magnitudes.h"
@@ -182,10 +183,11 @@ std::vector<CheckOutcome> verify(const Model& model, const std::optional<Results
     for (const Expected& check : model.expected)
         outcomes.push_back(verify_one(model, sizes ? &*sizes : nullptr, check, tr));
     for (CheckOutcome& outcome : cross::check_block(model, tr)) outcomes.push_back(std::move(outcome));
+    for (CheckOutcome& outcome : influence::check_train_block(model, tr)) outcomes.push_back(std::move(outcome));
     for (CheckOutcome& outcome : outcomes)
         if (outcome.result) outcome.result = without_rounding(*outcome.result, outcome.magnitude);
     for (const ExtraBlock& block : model.extra) {
-        if (block.key == "cross") continue;
+        if (block.key == "cross" || block.key == "train") continue;
         CheckOutcome outcome;
         outcome.what = fill(tr("block \"{0}\""), {block.key});
         outcome.skipped = SkipReason::SheetNotBuilt;
