@@ -1,124 +1,160 @@
 #include "apps/cli/asked_effect.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
-#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "apps/cli/argument.h"
-#include "femoop/model/check/check.h"
+#include "femoop/geometry/path_walk.h"
+#include "femoop/io/influence/influence_block.h"
 #include "femoop/model/quantity/quantity_parser.h"
-#include "femoop/result/components.h"
 
 namespace cli {
 
 namespace {
 
-using femoop::ExpectedQuantity;
+using femoop::Fault;
+using femoop::FaultKind;
 using femoop::Model;
-using femoop::MovingEffect;
 
-template <class Part>
-std::size_t index_of(const std::vector<Part>& parts, std::string_view option, const std::string& name,
-                     const ui::Catalogue& tr)
+template <class Parts> std::vector<std::string> ids_of(const Parts& parts)
 {
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (parts[i].id == name) return i;
-        names.push_back(parts[i].id);
-    }
-    throw unknown_choice(option, name, names, tr);
+    std::vector<std::string> ids;
+    for (const auto& part : parts) ids.push_back(part.id);
+    return ids;
 }
 
-/// "50%", a length in the file's unit, or one with its own.
-femoop::Position position(const std::string& text, const Model& model, const ui::Catalogue& tr)
-{
-    const bool is_percentage = !text.empty() && text.back() == '%';
-    const std::string digits = is_percentage ? text.substr(0, text.size() - 1) : text;
-    double number = 0.0;
-    const char* const end = digits.data() + digits.size();
-    const auto read = std::from_chars(digits.data(), end, number);
-    const bool is_number = read.ec == std::errc() && read.ptr == end && !digits.empty();
-    if (is_number && is_percentage) return femoop::Percent{number};
-    if (is_number) return femoop::Quantity(number);
-    const auto quantity = femoop::parse_quantity(text, femoop::dimension::length, model.units);
-    if (const double* const length = std::get_if<double>(&quantity)) return femoop::Quantity(*length, text);
-    throw UsageError(tr("{option}: found \"{found}\", wanted a length or a percentage",
-                        {{"option", "--at"}, {"found", text}}));
-}
-
-std::vector<std::string> names_of(const std::vector<femoop::MemberComponent>& components, const Model& model)
+std::vector<std::string> member_components(femoop::AnalysisKind kind)
 {
     std::vector<std::string> names;
-    for (const femoop::MemberComponent component : components)
-        names.emplace_back(femoop::name(component, model.analysis));
+    for (const femoop::MemberComponent component : femoop::all_member_components)
+        if (!femoop::name(component, kind).empty()) names.emplace_back(femoop::name(component, kind));
     return names;
 }
 
-void require_sound(const Model& model, const MovingEffect& effect)
+std::vector<std::string> node_components(femoop::AnalysisKind kind)
 {
-    std::vector<femoop::Fault> faults = femoop::check_effect(model, effect, {"--component", std::nullopt});
-    std::erase_if(faults, [](const auto& fault) { return femoop::severity(fault.kind) != femoop::Severity::Error; });
-    if (!faults.empty()) throw femoop::ModelError(std::move(faults));
+    std::vector<std::string> names;
+    for (const femoop::Dof dof : femoop::all_dofs)
+        if (dofs(kind).contains(dof)) names.emplace_back(force_name(dof));
+    for (const femoop::Dof dof : femoop::all_dofs)
+        if (dofs(kind).contains(dof)) names.emplace_back(femoop::name(dof));
+    return names;
+}
+
+std::optional<double> number_in(std::string_view text)
+{
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
 } // namespace
 
 void AskedEffect::declare(CLI::App& app, const ui::Catalogue& tr)
 {
-    app.add_option("--member", member, tr("one effect alone: of this member"))->option_text("M");
-    app.add_option("--at", at, tr("at this place along the member: a length, or a percentage as 50%"))
+    app.add_option("--member", member_, tr("ask for a section force or a displacement of this member"))
+        ->option_text("M");
+    app.add_option("--at", at_, tr("where on it: a length from its first node, or a part of its length like 50%"))
         ->option_text("X");
-    app.add_option("--node", node, tr("one effect alone: of this node"))->option_text("N");
-    app.add_option("--component", component,
-                   tr("its component: N V M .. u v of a member; of a node a reaction (fx ..) or a displacement (ux ..)"))
+    app.add_option("--node", node_, tr("ask for a reaction or a displacement of this node"))->option_text("N");
+    app.add_option("--component", component_,
+                   tr("of a member N V M u v (in space N Vy Vz T My Mz u v w), of a node fx fy fz mx my mz for its "
+                      "reaction, ux uy uz rx ry rz for its displacement"))
         ->option_text("C");
 }
 
-MovingEffect AskedEffect::effect(const Model& model, const ui::Catalogue& tr) const
+std::string_view AskedEffect::option() const { return member_ ? "--member" : node_ ? "--node" : "--path"; }
+
+std::string AskedEffect::text() const
 {
-    if (member && node)
+    return member_.value_or("") + node_.value_or("") + " " + component_.value_or("") + (at_ ? " " + *at_ : "");
+}
+
+void AskedEffect::require_sensible(const ui::Catalogue& tr, Place place) const
+{
+    if (!is_asked()) return;
+    if (member_ && node_)
         throw UsageError(
-            tr("{a} and {b} contradict one another; give one of them", {{"a", "--member"}, {"b", "--node"}}));
-    if (!member && !node) throw UsageError(tr("which member or node? add --member M or --node N"));
-    if (!component) throw UsageError(tr("which component? add --component C"));
-    MovingEffect asked = member ? of_member(model, tr) : of_node(model, tr);
-    require_sound(model, asked);
-    return asked;
+            tr("{a} and {b} ask for different things; give one of them", {{"a", "--member"}, {"b", "--node"}}));
+    const auto require = [&](bool is_there, std::string_view option, std::string_view missing) {
+        if (!is_there) throw UsageError(tr("{a} needs {b} too; add it", {{"a", option}, {"b", missing}}));
+    };
+    if (at_) require(member_.has_value(), "--at", "--member");
+    if (component_) require(member_ || node_, "--component", "--member, --node");
+    require(component_.has_value(), option(), "--component");
+    if (member_ && place == Place::Needed) require(at_.has_value(), "--member", "--at");
 }
 
-MovingEffect AskedEffect::of_member(const Model& model, const ui::Catalogue& tr) const
+femoop::Position AskedEffect::place(const Model& model) const
 {
-    MovingEffect asked;
-    asked.member = femoop::MemberId(index_of(model.members, "--member", *member, tr));
-    asked.component = femoop::find_member_component(*component, model.analysis);
-    if (!asked.component)
-        throw unknown_choice("--component", *component, names_of(femoop::member_components(model.analysis), model), tr);
-    const bool is_displacement = femoop::is_displacement(*asked.component);
-    if (at) asked.at = position(*at, model, tr);
-    asked.quantity = is_displacement ? ExpectedQuantity::Displacement : ExpectedQuantity::SectionForce;
-    if (!at) asked.quantity = ExpectedQuantity::Extreme;
-    return asked;
-}
-
-MovingEffect AskedEffect::of_node(const Model& model, const ui::Catalogue& tr) const
-{
-    if (at)
-        throw UsageError(tr("{a} and {b} contradict one another; give one of them", {{"a", "--at"}, {"b", "--node"}}));
-    MovingEffect asked;
-    asked.node = femoop::NodeId(index_of(model.nodes, "--node", *node, tr));
-    asked.dof = femoop::find_force_dof(*component);
-    asked.quantity = asked.dof ? ExpectedQuantity::Reaction : ExpectedQuantity::Displacement;
-    if (!asked.dof) asked.dof = femoop::find_dof(*component);
-    if (asked.dof) return asked;
-    std::vector<std::string> names;
-    for (const femoop::Dof dof : femoop::dof_list(model.analysis)) {
-        names.emplace_back(femoop::force_name(dof));
-        names.emplace_back(femoop::name(dof));
+    std::string_view text = *at_;
+    if (!text.empty() && text.back() == '%') {
+        text.remove_suffix(1);
+        if (const auto share = number_in(text)) return femoop::Percent{*share};
+        throw femoop::ModelError({Fault{FaultKind::BadPercentage, {"--at", *at_}}});
     }
-    throw unknown_choice("--component", *component, names, tr);
+    if (const auto length = number_in(text)) return femoop::Quantity(*length);
+    auto parsed = femoop::parse_quantity(text, femoop::dimension::length, model.units);
+    if (const double* number = std::get_if<double>(&parsed)) return femoop::Quantity(*number, *at_);
+    auto& fault = std::get<Fault>(parsed);
+    fault.arguments.front() = "--at";
+    throw femoop::ModelError({std::move(fault)});
+}
+
+femoop::MovingEffect AskedEffect::effect(const Model& model, const ui::Catalogue& tr) const
+{
+    femoop::MovingEffect effect;
+    if (member_) {
+        effect.member = model.find_member(*member_);
+        if (!effect.member) throw unknown_choice("--member", *member_, ids_of(model.members), tr);
+        effect.component = femoop::find_member_component(*component_, model.analysis);
+        if (!effect.component) throw unknown_choice("--component", *component_, member_components(model.analysis), tr);
+        if (at_) effect.at = place(model);
+        const bool is_displacement = *effect.component >= femoop::MemberComponent::u;
+        effect.quantity = is_displacement ? femoop::ExpectedQuantity::Displacement
+                                          : femoop::ExpectedQuantity::SectionForce;
+        if (!at_) effect.quantity = femoop::ExpectedQuantity::Extreme;
+        return effect;
+    }
+    effect.node = model.find_node(*node_);
+    if (!effect.node) throw unknown_choice("--node", *node_, ids_of(model.nodes), tr);
+    const std::vector<std::string> known = node_components(model.analysis);
+    if (std::ranges::find(known, *component_) == known.end())
+        throw unknown_choice("--component", *component_, known, tr);
+    const auto force = femoop::find_force_dof(*component_);
+    effect.quantity = force ? femoop::ExpectedQuantity::Reaction : femoop::ExpectedQuantity::Displacement;
+    effect.dof = force ? force : femoop::find_dof(*component_);
+    return effect;
+}
+
+femoop::LoadPathReference path_named(const Model& model, const std::string& name, const ui::Catalogue& tr)
+{
+    const auto& paths = model.moving_loads.paths;
+    const auto path = std::ranges::find(paths, name, &femoop::LoadPath::id);
+    if (path != paths.end()) return femoop::PathId(static_cast<std::size_t>(path - paths.begin()));
+    std::vector<femoop::MemberId> members;
+    for (const std::string& part : comma_list(name)) {
+        const auto member = model.find_member(part);
+        if (member) members.push_back(*member);
+        if (member) continue;
+        std::vector<std::string> known = ids_of(paths);
+        std::ranges::move(ids_of(model.members), std::back_inserter(known));
+        throw unknown_choice("--path", part, known, tr);
+    }
+    if (auto fault = why_no_path(model, members, "--path")) throw femoop::ModelError({std::move(*fault)});
+    return members;
+}
+
+femoop::LoadPathReference only_path(const Model& model)
+{
+    if (model.moving_loads.paths.size() == 1) return femoop::PathId(0);
+    const auto block = femoop::influence::block_of(model);
+    if (model.moving_loads.paths.empty() && block && !block->lines.empty()) return block->lines.front().line.path;
+    throw femoop::ModelError({Fault{FaultKind::PathMissing, {"--path"}}});
 }
 
 } // namespace cli

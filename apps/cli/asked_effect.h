@@ -6,25 +6,38 @@
 #include "apps/cli/console.h"
 #include "femoop/model/model.h"
 
-namespace CLI {
+namespace CLI { // NOLINT(readability-identifier-naming): the name that its authors gave it
 class App;
 }
 
 namespace cli {
 
-/// The options --member M --at X --component C | --node N --component C: the one effect that is asked for.
-struct AskedEffect {
-    std::optional<std::string> member, at, component, node;
-
+/// An effect of a moving load that options ask for: --member M --at X --component C, or --node N --component C.
+class AskedEffect {
+public:
     void declare(CLI::App& app, const ui::Catalogue& tr);
-    bool is_given() const { return member || at || component || node; }
 
-    /// A section force, a displacement or a reaction; of a member without a place an Extreme. \throws UsageError
+    bool is_asked() const { return member_ || node_ || component_ || at_; }
+    std::string_view option() const; ///< by which messages name it
+    std::string text() const;        ///< "BC M 50%"
+
+    /// Where --at may be missing the effect is the extreme along the member.
+    enum class Place { Needed, Optional };
+    /// \throws UsageError for options that do not go together
+    void require_sensible(const ui::Catalogue& tr, Place place = Place::Needed) const;
+    /// \throws UsageError for a name that the model lacks; what else is wrong `check_line` says
     femoop::MovingEffect effect(const femoop::Model& model, const ui::Catalogue& tr) const;
 
 private:
-    femoop::MovingEffect of_member(const femoop::Model& model, const ui::Catalogue& tr) const;
-    femoop::MovingEffect of_node(const femoop::Model& model, const ui::Catalogue& tr) const;
+    femoop::Position place(const femoop::Model& model) const;
+
+    std::optional<std::string> member_, node_, component_, at_;
 };
+
+/// A path of the file by its id, else members by theirs: m1,m2. \throws UsageError
+femoop::LoadPathReference path_named(const femoop::Model& model, const std::string& name, const ui::Catalogue& tr);
+
+/// The only path that the file has, or that of its block `influence`. \throws ModelError if there is none, or more
+femoop::LoadPathReference only_path(const femoop::Model& model);
 
 } // namespace cli

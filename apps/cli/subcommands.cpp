@@ -5,6 +5,7 @@
 #include "apps/cli/convert.h"
 #include "apps/cli/cross.h"
 #include "apps/cli/euler.h"
+#include "apps/cli/influence.h"
 #include "apps/cli/mohr.h"
 #include "apps/cli/render.h"
 #include "apps/cli/solve.h"
@@ -22,6 +23,7 @@ std::vector<std::unique_ptr<Subcommand>> all_subcommands()
     all.push_back(render_command());
     all.push_back(convert_command());
     all.push_back(cross_command());
+    all.push_back(influence_command());
     all.push_back(euler_command());
     all.push_back(train_command());
     all.push_back(mohr_command());

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "apps/cli/analysis_run.h"
@@ -13,6 +15,7 @@
 #include "femoop/io/train/train_block.h"
 #include "femoop/io/train/train_json.h"
 #include "femoop/io/train/train_table.h"
+#include "femoop/model/check/check.h"
 
 namespace cli {
 
@@ -51,6 +54,13 @@ private:
     AskedEffect asked_;
     bool is_json_ = false, is_proved_ = false;
 };
+
+void require_sound(const Model& model, const MovingEffect& effect, std::string_view option)
+{
+    std::vector<femoop::Fault> faults = check_effect(model, effect, {option, std::nullopt});
+    std::erase_if(faults, [](const auto& fault) { return severity(fault.kind) != femoop::Severity::Error; });
+    if (!faults.empty()) throw femoop::ModelError(std::move(faults));
+}
 
 HelpText Train::help(const ui::Catalogue& tr) const
 {
@@ -112,8 +122,9 @@ void Train::choose_loads(Question& question, const Model& model,
 
 void Train::choose_effects(Question& question, const Model& model, const ui::Catalogue& tr) const
 {
-    if (asked_.is_given()) {
+    if (asked_.is_asked()) {
         const MovingEffect effect = asked_.effect(model, tr);
+        require_sound(model, effect, asked_.option());
         (effect.quantity == ExpectedQuantity::Extreme ? question.extremes : question.effects).push_back(effect);
         return;
     }
@@ -164,6 +175,7 @@ ExitStatus Train::run(Console& console)
 {
     if (file_.empty())
         throw UsageError(console.tr()("no file is given; see {command}", {{"command", "cremona train --help"}}));
+    asked_.require_sensible(console.tr(), AskedEffect::Place::Optional);
     const std::optional<Model> model = load_model(file_, console);
     if (!model) return ExitStatus::BadInput;
     try {

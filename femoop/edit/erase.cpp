@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "femoop/geometry/path_walk.h"
+
 namespace femoop {
 
 namespace {
@@ -56,7 +58,9 @@ public:
           members_(model.members.size()),
           materials_(model.materials.size()),
           sections_(model.sections.size()),
-          cases_(model.n_cases())
+          cases_(model.n_cases()),
+          paths_(model.moving_loads.paths.size()),
+          trains_(model.moving_loads.trains.size())
     {
         nodes_.erase(parts.nodes);
         members_.erase(parts.members);
@@ -87,6 +91,8 @@ public:
         const std::size_t n_load_cases = model_.load_cases.size();
         cases_.keep(model_.load_cases);
         cases_.keep(model_.combinations, n_load_cases);
+        paths_.keep(model_.moving_loads.paths);
+        trains_.keep(model_.moving_loads.trains);
         renumber();
     }
 
@@ -103,6 +109,36 @@ private:
         std::erase_if(model_.expected, [&](const Expected& check) {
             return !nodes_.has(check.node) || !members_.has(check.member) || !cases_.has(check.load_case);
         });
+        drop_moving_loads();
+    }
+
+    /// A path that loses a member at one of its ends is shorter; one that breaks is gone, with what moves along it.
+    void drop_moving_loads()
+    {
+        MovingLoads& moving = model_.moving_loads;
+        for (std::size_t i = 0; i < moving.paths.size(); ++i)
+            if (!shorten(moving.paths[i].members)) paths_.erase(PathId(i));
+        std::erase_if(moving.influence_lines, [&](InfluenceLineDefinition& line) {
+            return !nodes_.has(line.effect.node) || !members_.has(line.effect.member) || !keeps_path(line.path);
+        });
+        for (std::size_t i = 0; i < moving.trains.size(); ++i)
+            if (!keeps_path(moving.trains[i].path)) trains_.erase(TrainId(i));
+        std::erase_if(moving.envelopes, [&](MovingEnvelope& envelope) {
+            std::erase_if(envelope.trains, [&](TrainId train) { return !trains_.has(train); });
+            return envelope.trains.empty() || !cases_.has(envelope.with);
+        });
+    }
+
+    bool shorten(std::vector<MemberId>& path) const
+    {
+        std::erase_if(path, [&](MemberId member) { return !members_.has(member); });
+        return !why_no_path(model_, path, "");
+    }
+
+    bool keeps_path(LoadPathReference& path) const
+    {
+        if (const auto* id = std::get_if<PathId>(&path)) return paths_.has(*id);
+        return shorten(std::get<std::vector<MemberId>>(path));
     }
 
     void renumber()
@@ -129,6 +165,35 @@ private:
             members_.renumber(check.member);
             cases_.renumber(check.load_case);
         }
+        renumber_moving_loads();
+    }
+
+    void renumber_moving_loads()
+    {
+        paths_.count();
+        trains_.count();
+        for (LoadPath& path : model_.moving_loads.paths) renumber(path.members);
+        for (InfluenceLineDefinition& line : model_.moving_loads.influence_lines) {
+            nodes_.renumber(line.effect.node);
+            members_.renumber(line.effect.member);
+            renumber(line.path);
+        }
+        for (Train& train : model_.moving_loads.trains) renumber(train.path);
+        for (MovingEnvelope& envelope : model_.moving_loads.envelopes) {
+            for (TrainId& train : envelope.trains) trains_.renumber(train);
+            cases_.renumber(envelope.with);
+        }
+    }
+
+    void renumber(std::vector<MemberId>& members) const
+    {
+        for (MemberId& member : members) members_.renumber(member);
+    }
+
+    void renumber(LoadPathReference& path) const
+    {
+        if (auto* id = std::get_if<PathId>(&path)) paths_.renumber(*id);
+        else renumber(std::get<std::vector<MemberId>>(path));
     }
 
     Model& model_;
@@ -137,6 +202,8 @@ private:
     Survivors<MaterialTag> materials_;
     Survivors<SectionTag> sections_;
     Survivors<CaseTag> cases_;
+    Survivors<PathTag> paths_;
+    Survivors<TrainTag> trains_;
 };
 
 } // namespace

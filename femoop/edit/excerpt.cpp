@@ -32,6 +32,7 @@ Excerpt excerpt_of(const Model& model, const std::vector<MemberId>& members)
     Excerpt excerpt{.model = model, .held = {}};
     excerpt.model.expected.clear();
     excerpt.model.extra.clear();
+    excerpt.model.moving_loads = {};
     Parts others;
     for (std::size_t m = 0; m < is_kept.size(); ++m)
         if (!is_kept[m]) others.members.emplace_back(m);
@@ -55,6 +56,7 @@ Model structure_alone(Model model)
     model.notes.clear();
     model.expected.clear();
     model.extra.clear();
+    model.moving_loads = {};
     return model;
 }
 

@@ -108,6 +108,8 @@ private:
             for (Combination::Term& term : combination.terms) shift(term.of);
         for (Expected& check : model_.expected)
             if (check.load_case) shift(*check.load_case);
+        for (MovingEnvelope& envelope : model_.moving_loads.envelopes)
+            if (envelope.with) shift(*envelope.with);
     }
 
     /// The places of all come first, since a combination may name a later one.

@@ -8,6 +8,7 @@
 
 #include "femoop/edit/erase.h"
 #include "femoop/edit/member_line.h"
+#include "femoop/edit/moving_load_change.h"
 #include "femoop/edit/naming.h"
 #include "femoop/edit/reverse.h"
 #include "femoop/edit/short_number.h"
@@ -237,6 +238,17 @@ void follow(std::vector<Expected>& checks, const MemberPair& pair, const Lengths
     }
 }
 
+void follow(MovingEffect& effect, const MemberPair& pair, const Lengths& lengths)
+{
+    const bool is_of_first = effect.member == pair.first;
+    if ((!is_of_first && effect.member != pair.second) || !effect.at) return;
+    const double x = along(*effect.at, is_of_first ? lengths.first : lengths.second);
+    const bool is_at_joint = x == (is_of_first ? lengths.first : 0.0);
+    if (is_at_joint && !effect.side) effect.side = is_of_first ? Side::Before : Side::After;
+    effect.at = is_of_first ? lengths.of_first(*effect.at) : lengths.of_second(*effect.at);
+    effect.member = pair.first;
+}
+
 bool is_loaded_inside(const Model& model, const MemberPair& pair)
 {
     const auto acts_at_joint = [&](const MemberLoad& load) {
@@ -282,6 +294,8 @@ MemberId merge_members_at(Model& model, NodeId node)
     LoadMerger merger(pair, node, lengths);
     for (LoadCase& load_case : model.load_cases) merger.merge(load_case);
     follow(model.expected, pair, lengths);
+    for (InfluenceLineDefinition& line : model.moving_loads.influence_lines) follow(line.effect, pair, lengths);
+    follow_merge(model, pair.first, pair.second);
     member.nodes[1] = tail.nodes[1];
     member.end = tail.end;
     if (rename) member.id = fresh_member_id(model, member.nodes[0], member.nodes[1]);

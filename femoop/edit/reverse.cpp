@@ -45,6 +45,8 @@ void reverse_member(Model& model, MemberId id)
         for (MemberLoad& load : load_case.members)
             if (load.member == id) reverse(load, model.analysis, length);
     std::erase_if(model.expected, [&](const Expected& check) { return check.member == id; });
+    std::erase_if(model.moving_loads.influence_lines,
+                  [&](const InfluenceLineDefinition& line) { return line.effect.member == id; });
 }
 
 } // namespace femoop

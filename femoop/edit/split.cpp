@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "femoop/edit/member_line.h"
+#include "femoop/edit/moving_load_change.h"
 #include "femoop/edit/naming.h"
 #include "femoop/edit/short_number.h"
 
@@ -172,6 +173,16 @@ void follow(std::vector<Expected>& checks, const Piece& first, const Piece& seco
     }
 }
 
+void follow(MovingEffect& effect, const Piece& first, const Piece& second, const Cut& cut)
+{
+    if (effect.member != first.member || !effect.at) return;
+    const double x = along(*effect.at, cut.length);
+    const bool is_after = effect.side == Side::Before ? x > cut.x + cut.slack() : x >= cut.x - cut.slack();
+    const Piece& piece = is_after ? second : first;
+    effect.at = moved(*effect.at, piece, cut);
+    effect.member = piece.member;
+}
+
 } // namespace
 
 SplitMember split_member(Model& model, MemberId id, double x)
@@ -200,6 +211,8 @@ SplitMember split_member(Model& model, MemberId id, double x, NodeId node)
     LoadSplitter splitter(model, node, before, after, cut);
     for (LoadCase& load_case : model.load_cases) splitter.split(load_case);
     follow(model.expected, before, after, cut);
+    for (InfluenceLineDefinition& line : model.moving_loads.influence_lines) follow(line.effect, before, after, cut);
+    follow_split(model, id, second_id);
     return {node, id, second_id};
 }
 

@@ -8,6 +8,7 @@
 #include "femoop/edit/draw.h"
 #include "femoop/edit/erase.h"
 #include "femoop/edit/member_line.h"
+#include "femoop/edit/moving_load_change.h"
 #include "femoop/edit/reverse.h"
 
 namespace femoop {
@@ -68,6 +69,8 @@ void refer_to_earliest(Model& model, const std::vector<NodeId>& earliest)
     }
     for (Expected& check : model.expected)
         if (check.node) refer(*check.node);
+    for (InfluenceLineDefinition& line : model.moving_loads.influence_lines)
+        if (line.effect.node) refer(*line.effect.node);
 }
 
 void weld_nodes(Model& model, const MovedParts& moved)
@@ -92,6 +95,7 @@ void hand_over_loads(Model& model, MemberId from, MemberId to)
     for (LoadCase& load_case : model.load_cases)
         for (MemberLoad& load : load_case.members)
             if (load.member == from) load.member = to;
+    change_paths(model, [&](std::vector<MemberId>& path) { std::ranges::replace(path, from, to); });
 }
 
 bool have_met(const MovedParts& moved, const Member& a, const Member& b)

@@ -35,6 +35,9 @@ void drop_support(Document& document, NodeId node)
     std::erase_if(document.model.expected, [node](const Expected& check) {
         return check.quantity == ExpectedQuantity::Reaction && check.node == node;
     });
+    std::erase_if(document.model.moving_loads.influence_lines, [node](const femoop::InfluenceLineDefinition& line) {
+        return line.effect.quantity == ExpectedQuantity::Reaction && line.effect.node == node;
+    });
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 #include "apps/frame/session/other_programs.h"
 #include "apps/mohr/document/file.h"
 #include "femoop/edit/excerpt.h"
+#include "femoop/edit/moving_load_change.h"
 #include "femoop/io/model_file.h"
 
 namespace frame {
@@ -86,6 +87,7 @@ void keep_what_is_beside(femoop::Model& next, const femoop::Model& now)
     next.title = now.title;
     next.notes = now.notes;
     next.expected = carried(now.expected, now, next);
+    next.moving_loads = femoop::carried_over(now, next);
     next.extra = now.extra;
 }
 

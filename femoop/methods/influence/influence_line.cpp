@@ -216,7 +216,7 @@ InfluenceLine InfluenceAnalysis::line_of(const PathLayout& path, const NodeVecto
                                          const CaseResult& moved) const
 {
     CurveReader reader(moved);
-    InfluenceLine line{.effect = effect, .ordinates = {}, .stretches = {}};
+    InfluenceLine line{.effect = effect, .ordinates = {}, .stretches = {}, .nodes = path.nodes()};
     for (const PathMember& on : path.members) {
         const Curve& curve = reader.read(on.member);
         const bool is_own = effect.member == on.member;
@@ -285,7 +285,7 @@ double InfluenceAnalysis::value_of(const CaseResult& result, const MovingEffect&
 
 InfluenceLine InfluenceAnalysis::direct_line(const PathLayout& path, const NodeVector& load, const MovingEffect& effect)
 {
-    InfluenceLine line{.effect = effect, .ordinates = {}, .stretches = {}};
+    InfluenceLine line{.effect = effect, .ordinates = {}, .stretches = {}, .nodes = path.nodes()};
     for (const PathMember& on : path.members) {
         const std::vector<SampledStretch> stretches = stretches_of(on, effect);
         std::vector<LoadCase> cases;
@@ -339,6 +339,56 @@ std::vector<InfluenceLine> InfluenceAnalysis::lines(const PathLayout& path, cons
         for (std::size_t i = 0; i < adjoints.size(); ++i)
             found[places[i]] = adjoint_line(path, load, std::move(adjoints[i]));
     }
+    return found;
+}
+
+std::vector<LineStation> stations(const InfluenceLine& line, std::size_t n)
+{
+    const double near = end_of_member * line.ordinates.length();
+    const std::vector<double> jumps = line.ordinates.jumps();
+    std::vector<double> places = jumps;
+    for (std::size_t m = 1; m < line.nodes.size(); ++m)
+        for (std::size_t i = 0; i < n; ++i) {
+            const double share = static_cast<double>(i) / static_cast<double>(n - 1);
+            const double s = i + 1 == n ? line.nodes[m]
+                                        : line.nodes[m - 1] + share * (line.nodes[m] - line.nodes[m - 1]);
+            const auto is_here = [&](double place) { return std::abs(place - s) <= near; };
+            if (std::ranges::none_of(places, is_here)) places.push_back(s);
+        }
+    std::ranges::sort(places);
+    std::vector<LineStation> found;
+    for (const double s : places) {
+        const bool jumps_here = std::ranges::find(jumps, s) != jumps.end();
+        if (jumps_here) found.push_back({s, line.ordinates.value(s, Side::Before)});
+        found.push_back({s, line.ordinates.value(s, Side::After)});
+    }
+    return found;
+}
+
+InfluenceLines influence_lines(const Model& model, std::span<const InfluenceLineDefinition> definitions,
+                               const AnalysisOptions& options)
+{
+    InfluenceAnalysis analysis(model, options);
+    InfluenceLines found{.lines = std::vector<InfluenceLine>(definitions.size()), .warnings = {}};
+    std::vector<bool> is_done(definitions.size(), false);
+    for (std::size_t i = 0; i < definitions.size(); ++i) {
+        if (is_done[i]) continue;
+        const std::vector<MemberId>& members = members_of(model, definitions[i].path);
+        const NodeVector load = unit_load(model.analysis, definitions[i].load);
+        std::vector<std::size_t> together;
+        std::vector<MovingEffect> effects;
+        for (std::size_t k = i; k < definitions.size(); ++k) {
+            const bool is_alike = members_of(model, definitions[k].path) == members &&
+                                  unit_load(model.analysis, definitions[k].load) == load;
+            if (!is_alike) continue;
+            is_done[k] = true;
+            together.push_back(k);
+            effects.push_back(definitions[k].effect);
+        }
+        std::vector<InfluenceLine> lines = analysis.lines(lay_out(model, members), load, effects);
+        for (std::size_t k = 0; k < together.size(); ++k) found.lines[together[k]] = std::move(lines[k]);
+    }
+    found.warnings = analysis.warnings();
     return found;
 }
 

@@ -32,7 +32,16 @@ struct InfluenceLine {
     MovingEffect effect;
     PiecewiseLine ordinates;
     std::vector<LineStretch> stretches; ///< ascending
+    std::vector<double> nodes;          ///< ends of the path's members: 0, ..., its length
 };
+
+/// A value at a place: at a jump there are two, the - side first.
+struct LineStation {
+    double s = 0.0, value = 0.0;
+};
+
+/// So many evenly spaced places of every member of the path, its ends included, and every jump. \pre n >= 2
+std::vector<LineStation> stations(const InfluenceLine& line, std::size_t n);
 
 /// Influence lines of one structure, which is analysed once: then a line costs a back substitution.
 ///
@@ -92,5 +101,15 @@ private:
     std::vector<MemberId> undriven_path_; ///< the last one that was looked at, with its load
     NodeVector undriven_load_{};
 };
+
+/// Lines that a model asks for, or that are asked of it, each along its own path.
+struct InfluenceLines {
+    std::vector<InfluenceLine> lines; ///< parallel to the definitions
+    std::vector<Fault> warnings;
+};
+
+/// \pre `check_line` has no error of any  \throws as InfluenceAnalysis
+InfluenceLines influence_lines(const Model& model, std::span<const InfluenceLineDefinition> definitions,
+                               const AnalysisOptions& options = {});
 
 } // namespace femoop::influence

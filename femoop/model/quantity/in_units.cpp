@@ -71,6 +71,8 @@ public:
         position(check.at);
     }
 
+    void part(InfluenceLineDefinition& line) const { position(line.effect.at); }
+
 private:
     void number(Quantity& quantity, Dimension dimension) const
     {
@@ -144,6 +146,7 @@ Model in_units(const Model& model, const Units& units)
     for (Node& node : other.nodes) recount.part(node);
     for (Member& member : other.members) recount.part(member);
     for (LoadCase& loads : other.load_cases) recount.part(loads);
+    for (InfluenceLineDefinition& line : other.moving_loads.influence_lines) recount.part(line);
     for (Expected& check : other.expected) recount.part(check);
     other.units = units;
     return other;
