@@ -43,8 +43,8 @@ public:
     ExitStatus run(Console& console) override;
 
 private:
-    void choose_loads(Question& question, const Model& model,
-                      const std::optional<femoop::influence::TrainBlock>& block, const ui::Catalogue& tr) const;
+    void choose_loads(Question& question, const Model& model, const std::optional<femoop::influence::TrainBlock>& block,
+                      const ui::Catalogue& tr) const;
     void choose_effects(Question& question, const Model& model, const ui::Catalogue& tr) const;
     std::vector<TrainResults> results(const Question& question, TrainAnalysis& analysis) const;
     void answer(const Model& model, Console& console) const;
@@ -64,21 +64,21 @@ void require_sound(const Model& model, const MovingEffect& effect, std::string_v
 
 HelpText Train::help(const ui::Catalogue& tr) const
 {
-    return {tr("move trains of loads over a structure and print where they are worst"),
-            tr("Moves every train of the file (axles at fixed or variable distances, uniform load, single forces) "
-               "along its path and prints the largest and least value of each effect, and where the axles stand then. "
-               "The effect of the axles is a polynomial between the positions at which one of them passes the end of "
-               "a piece of the influence line: all these positions and the roots of the derivative between them are "
-               "looked at, nothing is sampled. Without an effect to look for, every section force at some sections of "
-               "each member, every reaction, and the worst of all sections of each member are printed. A \"train\" "
-               "block of the file is printed too, and `cremona verify` compares the answers that stand in it."),
-            {{"cremona train examples/bridge.json", tr("Every train and envelope of the file.")},
-             {"cremona train examples/bridge.json --train HS20 --member BC --at 50% --component M --proof",
-              tr("One moment, with all candidates and their values.")},
-             {"cremona train examples/bridge.json --member BC --component M",
-              tr("The worst of all sections of a member.")},
-             {"cremona train examples/bridge.json --envelope \"deck + G\" --json",
-              tr("Permanent load and the worst of the trains, for a program.")}}};
+    return {
+        tr("move trains of loads over a structure and print where they are worst"),
+        tr("Moves every train of the file (axles at fixed or variable distances, uniform load, single forces) "
+           "along its path and prints the largest and least value of each effect, and where the axles stand then. "
+           "The effect of the axles is a polynomial between the positions at which one of them passes the end of "
+           "a piece of the influence line: all these positions and the roots of the derivative between them are "
+           "looked at, nothing is sampled. Without an effect to look for, every section force at some sections of "
+           "each member, every reaction, and the worst of all sections of each member are printed. A \"train\" "
+           "block of the file is printed too, and `cremona verify` compares the answers that stand in it."),
+        {{"cremona train examples/bridge.json", tr("Every train and envelope of the file.")},
+         {"cremona train examples/bridge.json --train HS20 --member BC --at 50% --component M --proof",
+          tr("One moment, with all candidates and their values.")},
+         {"cremona train examples/bridge.json --member BC --component M", tr("The worst of all sections of a member.")},
+         {"cremona train examples/bridge.json --envelope \"deck + G\" --json",
+          tr("Permanent load and the worst of the trains, for a program.")}}};
 }
 
 void Train::declare(CLI::App& app, const ui::Catalogue& tr)

@@ -14,14 +14,14 @@ namespace {
 constexpr Keys<12> train_keys{{"id", "path", "axles", "spacings", "spacing_ranges", "both_directions", "impact",
                                "uniform", "uniform_extent", "gap", "concentrated", "load"},
                               2};
-constexpr Keys<13> block_keys{{"path", "name", "axles", "spacings", "spacing_ranges", "both_directions", "impact",
-                               "uniform", "uniform_extent", "gap", "concentrated", "load", "expected"},
-                              1};
+constexpr Keys<13> train_block_keys{{"path", "name", "axles", "spacings", "spacing_ranges", "both_directions", "impact",
+                                     "uniform", "uniform_extent", "gap", "concentrated", "load", "expected"},
+                                    1};
 constexpr Keys<4> envelope_keys{{"id", "trains", "with", "factor"}, 2};
 constexpr Keys<2> force_keys{{"moment", "shear"}, 2};
-constexpr Keys<12> check_keys{{"quantity", "component", "which", "value", "node", "member", "at", "side", "position",
-                               "rtol", "atol", "source"},
-                              4};
+constexpr Keys<12> train_check_keys{
+    {"quantity", "component", "which", "value", "node", "member", "at", "side", "position", "rtol", "atol", "source"},
+    4};
 
 /// "1" .. "n" as an index.
 std::optional<std::size_t> spacing_number(std::string_view text)
@@ -146,20 +146,19 @@ influence::TrainBlock ModelReader::train_block(JsonValue value)
     const Place top, place = top.key("train");
     if (!reader_.is_object(value, top)) return block;
     const auto [path, name, axles, spacings, ranges, both_directions, impact, uniform, extent, gap, concentrated, load,
-                expected] = reader_.fields(value, block_keys, place);
+                expected] = reader_.fields(value, train_block_keys, place);
     block.train.id = reader_.text(name, place).value_or("train");
     read_train({path, axles, spacings, ranges, both_directions, impact, uniform, extent, gap, concentrated, load},
                block.train, place);
-    for_each(expected, place, [&](JsonValue check, const Place& own_place) {
-        block.checks.push_back(train_check(check, own_place));
-    });
+    for_each(expected, place,
+             [&](JsonValue check, const Place& own_place) { block.checks.push_back(train_check(check, own_place)); });
     return block;
 }
 
 influence::TrainCheck ModelReader::train_check(JsonValue value, const Place& place)
 {
     const auto [quantity, component, which, wanted, node, member, at, side, section, rtol, atol,
-                source] = reader_.fields(value, check_keys, place);
+                source] = reader_.fields(value, train_check_keys, place);
     influence::TrainCheck check;
     check.place = place.text();
     check.effect = moving_effect({quantity, node, member, component, at, side}, ExpectedQuantity::Extreme, place);

@@ -17,11 +17,11 @@ namespace femoop::influence {
 namespace {
 
 constexpr double usual_rtol = 1e-6;
-constexpr double same_place = 1e-5; // of the path's length
+constexpr double same_section = 1e-5; // of the path's length
 
-class Check {
+class TrainBlockCheck {
 public:
-    Check(const Model& model, const TrainBlock& block, const Translator& tr)
+    TrainBlockCheck(const Model& model, const TrainBlock& block, const Translator& tr)
         : model_(model), block_(block), tr_(tr), analysis_(model), path_length_(analysis_.path(block.train).length())
     {}
 
@@ -76,9 +76,8 @@ private:
         const double length = geometry_of(model_, model_[*check.effect.member]).length;
         for (const Position& section : check.sections) {
             const double wanted = along(section, length);
-            const double nearest = *std::ranges::min_element(
-                found, {}, [&](double x) { return std::abs(x - wanted); });
-            add(fill(tr_("{0}: section"), {what(check)}), wanted, nearest, same_place * path_length_);
+            const double nearest = *std::ranges::min_element(found, {}, [&](double x) { return std::abs(x - wanted); });
+            add(fill(tr_("{0}: section"), {what(check)}), wanted, nearest, same_section * path_length_);
         }
         if (found.size() != check.sections.size())
             add(fill(tr_("{0}: number of sections"), {what(check)}), static_cast<double>(check.sections.size()),
@@ -98,7 +97,7 @@ private:
 std::vector<CheckOutcome> check_train_block(const Model& model, const Translator& tr)
 {
     const std::optional<TrainBlock> block = train_block_of(model);
-    return block ? Check(model, *block, tr).run() : std::vector<CheckOutcome>();
+    return block ? TrainBlockCheck(model, *block, tr).run() : std::vector<CheckOutcome>();
 }
 
 } // namespace femoop::influence

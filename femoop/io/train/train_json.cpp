@@ -2,10 +2,10 @@
 
 #include <string_view>
 
+#include "femoop/geometry/member_geometry.h"
 #include "femoop/io/json/json_writer.h"
 #include "femoop/io/reader/names.h"
 #include "femoop/load/place_along.h"
-#include "femoop/geometry/member_geometry.h"
 #include "femoop/methods/influence/effect_name.h"
 
 namespace femoop::influence {
@@ -13,18 +13,19 @@ namespace femoop::influence {
 namespace {
 
 using Layout = JsonWriter::Layout;
-using Kind = PositionFunction::Candidate::Kind;
+using CandidateKind = PositionFunction::Candidate::Kind;
 
-class Writer {
+class TrainWriter {
 public:
-    Writer(JsonWriter& json, const Model& model) : json_(json), model_(model) {}
+    TrainWriter(JsonWriter& json, const Model& model) : json_(json), model_(model) {}
 
     void write(const TrainResults& results)
     {
         json_.begin_object(Layout::Block).member("id", results.id);
         json_.key("effects").begin_array(Layout::Block);
         for (std::size_t i = 0; i < results.effects.size(); ++i)
-            write_effect(results.effects[i], results.is_envelope, results.proofs.empty() ? nullptr : &results.proofs[i]);
+            write_effect(results.effects[i], results.is_envelope,
+                         results.proofs.empty() ? nullptr : &results.proofs[i]);
         json_.end();
         json_.key("extremes").begin_array(Layout::Block);
         for (const TrainExtreme& extreme : results.extremes) write_extreme(extreme, results.is_envelope);
@@ -137,10 +138,10 @@ private:
         json_.end().end();
     }
 
-    static std::string_view name(Kind kind)
+    static std::string_view name(CandidateKind kind)
     {
-        if (kind == Kind::Root) return "root";
-        return kind == Kind::BreakBefore ? "break-" : "break+";
+        if (kind == CandidateKind::Root) return "root";
+        return kind == CandidateKind::BreakBefore ? "break-" : "break+";
     }
 
     JsonWriter& json_;
@@ -152,7 +153,7 @@ private:
 std::string trains_json(const Model& model, const std::vector<TrainResults>& results)
 {
     JsonWriter json;
-    Writer writer(json, model);
+    TrainWriter writer(json, model);
     json.begin_object(Layout::Block).member("cremona", 1);
     json.key("units").begin_object();
     json.member("length", name(model.units.length)).member("force", name(model.units.force)).end();

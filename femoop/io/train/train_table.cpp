@@ -18,11 +18,11 @@ namespace femoop::influence {
 
 namespace {
 
-using Kind = PositionFunction::Candidate::Kind;
+using CandidateKind = PositionFunction::Candidate::Kind;
 
-constexpr std::size_t indent = 2;
+constexpr std::size_t table_indent = 2;
 
-Dimension dimension_of(const MovingEffect& effect)
+Dimension dimension_of_effect(const MovingEffect& effect)
 {
     Expected asked;
     asked.quantity = effect.quantity;
@@ -31,9 +31,9 @@ Dimension dimension_of(const MovingEffect& effect)
     return dimension_of(asked);
 }
 
-class Report {
+class TrainReport {
 public:
-    Report(const Model& model, const Translator& tr) : model_(model), tr_(tr) {}
+    TrainReport(const Model& model, const Translator& tr) : model_(model), tr_(tr) {}
 
     std::string text(const TrainResults& results) const
     {
@@ -55,7 +55,7 @@ private:
 
     std::string component(const MovingEffect& effect) const { return component_name(model_.analysis, effect); }
     bool is_of_member(const MovingEffect& effect) const { return effect.member.has_value(); }
-    std::string unit(const MovingEffect& effect) const { return unit_text(dimension_of(effect), model_.units); }
+    std::string unit(const MovingEffect& effect) const { return unit_text(dimension_of_effect(effect), model_.units); }
     std::string length_unit() const { return unit_text(dimension::length, model_.units); }
 
     template <class Entry> std::vector<MovingEffect> components(const std::vector<Entry>& entries) const
@@ -114,7 +114,7 @@ private:
             add(row, effect.min, *effect.min_train, results.is_envelope);
             table.add_row(std::move(row));
         }
-        return "\n" + component(of) + "\n" + tabular::plain_text(table, {indent, decimal_mark(tr_)});
+        return "\n" + component(of) + "\n" + tabular::plain_text(table, {table_indent, decimal_mark(tr_)});
     }
 
     void add(std::vector<tabular::Cell>& row, const Placing& placing, const Train& train, bool names_train) const
@@ -148,7 +148,7 @@ private:
             add(row, extreme.min, *extreme.min_train, results.is_envelope);
             table.add_row(std::move(row));
         }
-        return "\n" + component(of) + "\n" + tabular::plain_text(table, {indent, decimal_mark(tr_)});
+        return "\n" + component(of) + "\n" + tabular::plain_text(table, {table_indent, decimal_mark(tr_)});
     }
 
     void add(std::vector<tabular::Cell>& row, const WorstSection& worst, const Train& train, bool names_train) const
@@ -212,17 +212,17 @@ private:
             table.add_row({entry.candidate.x, entry.reversed ? tr_("reversed") : tr_("forwards"),
                            name(entry.candidate.kind), entry.candidate.value});
         std::string text = "\n" + fill(tr_("{0} {1}: candidates"), {which, effect_name(model_, effect)}) + "\n" +
-                           tabular::plain_text(table, {indent, decimal_mark(tr_)});
+                           tabular::plain_text(table, {table_indent, decimal_mark(tr_)});
         if (proof.uniform != 0.0) text += "  + " + fill(tr_("{0} of the uniform load"), {number(proof.uniform)}) + "\n";
         if (proof.concentrated != 0.0)
             text += "  + " + fill(tr_("{0} of the single forces"), {number(proof.concentrated)}) + "\n";
         return text;
     }
 
-    std::string name(Kind kind) const
+    std::string name(CandidateKind kind) const
     {
-        if (kind == Kind::Root) return tr_("root of the derivative");
-        return kind == Kind::BreakBefore ? tr_("break, - side") : tr_("break, + side");
+        if (kind == CandidateKind::Root) return tr_("root of the derivative");
+        return kind == CandidateKind::BreakBefore ? tr_("break, - side") : tr_("break, + side");
     }
 
     const Model& model_;
@@ -234,7 +234,7 @@ private:
 std::string trains_text(const Model& model, const std::vector<TrainResults>& results, const Translator& tr)
 {
     std::string text;
-    for (const TrainResults& one : results) text += (text.empty() ? "" : "\n") + Report(model, tr).text(one);
+    for (const TrainResults& one : results) text += (text.empty() ? "" : "\n") + TrainReport(model, tr).text(one);
     return text;
 }
 

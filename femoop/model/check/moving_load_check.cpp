@@ -70,7 +70,7 @@ void Checker::check_moving_load(const LoadPathReference& path, const std::vector
     for (const Component& component : load) {
         check_load_dof(component.dof, LoadAxes::Global, force_name(component.dof), place);
         require_finite(place, force_name(component.dof), component.value);
-        has_direction = has_direction || component.value != 0.0;
+        has_direction = has_direction || component.value.value() != 0.0;
     }
     if (!has_direction) add(FaultKind::UnitLoadZero, place, {});
     const auto check_torques = [&](const std::vector<MemberId>& members) {

@@ -9,7 +9,10 @@ namespace femoop {
 
 namespace {
 
-std::string with_key(std::string_view key, std::size_t number) { return std::string(key) + ' ' + std::to_string(number); }
+std::string with_key(std::string_view key, std::size_t number)
+{
+    return std::string(key) + ' ' + std::to_string(number);
+}
 
 } // namespace
 

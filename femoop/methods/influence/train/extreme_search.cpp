@@ -10,13 +10,13 @@ namespace femoop::influence {
 
 namespace {
 
-constexpr double shortest_part = 1e-9; ///< of a length
-constexpr double equal_values = 1e-10; ///< of the largest value
-constexpr double one_section = 1e-6;   ///< of the member: sections that are one
-constexpr int n_stations = 32;
+constexpr double shortest_part = 1e-9;   ///< of a length
+constexpr double equal_extremes = 1e-10; ///< of the largest value
+constexpr double one_section = 1e-6;     ///< of the member: sections that are one
+constexpr int n_looked_at = 32;
 constexpr std::size_t n_peaks = 6; ///< that are looked at closely
 
-struct Section {
+struct Tried {
     double x = 0.0, value = 0.0; ///< value: times the sign of what is sought
 };
 
@@ -26,10 +26,10 @@ bool has_only_fixed_axles(const MovingTrain& train)
            std::ranges::all_of(train.spacings, [](const auto& spacing) { return spacing.least == spacing.most; });
 }
 
-class Search {
+class SectionSearch {
 public:
-    Search(const SectionLines& lines, const std::vector<double>& ends, const MovingTrain& train, ExtremeKind kind,
-           const Permanent* permanent)
+    SectionSearch(const SectionLines& lines, const std::vector<double>& ends, const MovingTrain& train,
+                  ExtremeKind kind, const Permanent* permanent)
         : lines_(lines),
           ends_(ends),
           train_(train),
@@ -42,12 +42,12 @@ public:
     {
         look_at(0.0);
         look_at(lines_.length());
-        std::vector<Section> with_axle = axle_sections();
+        std::vector<Tried> with_axle = axle_sections();
         if (is_exact()) {
-            for (const Section& section : with_axle) sections_.push_back(section);
+            for (const Tried& section : with_axle) sections_.push_back(section);
             sort();
         } else {
-            for (int i = 1; i < n_stations; ++i) look_at(lines_.length() * i / n_stations);
+            for (int i = 1; i < n_looked_at; ++i) look_at(lines_.length() * i / n_looked_at);
             for (std::size_t i = 0; i < std::min(with_axle.size(), n_peaks); ++i) look_at(with_axle[i].x);
             if (permanent_ != nullptr)
                 for (const double x : permanent_->breaks) look_at(x);
@@ -73,16 +73,16 @@ private:
 
     double value_at(double x) const { return sign_ * placing_at(x).value; }
     void look_at(double x) { sections_.push_back({x, value_at(x)}); }
-    void sort() { std::ranges::sort(sections_, {}, &Section::x); }
+    void sort() { std::ranges::sort(sections_, {}, &Tried::x); }
 
     /// The worst first.
-    std::vector<Section> axle_sections() const
+    std::vector<Tried> axle_sections() const
     {
-        std::vector<Section> found;
+        std::vector<Tried> found;
         for (const PositionFunction& effect : lines_.with_axle_at_section(train_, shortest_part * ends_.back()))
             for (const PositionFunction::Candidate& candidate : inner(effect))
                 found.push_back({std::clamp(candidate.x, 0.0, lines_.length()), sign_ * candidate.value});
-        std::ranges::sort(found, std::greater<>(), &Section::value);
+        std::ranges::sort(found, std::greater<>(), &Tried::value);
         return found;
     }
 
@@ -133,7 +133,7 @@ private:
                 at_b = value_at(b);
             }
         }
-        sections_.push_back(at_a >= at_b ? Section{snapped(a), at_a} : Section{snapped(b), at_b});
+        sections_.push_back(at_a >= at_b ? Tried{snapped(a), at_a} : Tried{snapped(b), at_b});
     }
 
     /// The limit towards an end of the member is at that end.
@@ -147,28 +147,28 @@ private:
     WorstSection worst() const
     {
         double most = -std::numeric_limits<double>::infinity();
-        for (const Section& section : sections_) most = std::max(most, section.value);
-        std::vector<Section> equal;
+        for (const Tried& section : sections_) most = std::max(most, section.value);
+        std::vector<Tried> equal;
         double scale = std::abs(most);
-        for (const Section& section : sections_) scale = std::max(scale, std::abs(section.value));
-        for (const Section& section : sections_)
-            if (section.value >= most - equal_values * scale) add(equal, section);
+        for (const Tried& section : sections_) scale = std::max(scale, std::abs(section.value));
+        for (const Tried& section : sections_)
+            if (section.value >= most - equal_extremes * scale) add(equal, section);
         WorstSection result;
-        result.sections = without_inner(equal, most - equal_values * scale);
-        result.placing = first_placing(result.sections, most - 10.0 * equal_values * scale);
+        result.sections = without_inner(equal, most - equal_extremes * scale);
+        result.placing = first_placing(result.sections, most - 10.0 * equal_extremes * scale);
         result.placing.value = sign_ * most + 0.0;
         return result;
     }
 
     /// Sections that are one: the better of them.
-    void add(std::vector<Section>& sections, const Section& next) const
+    void add(std::vector<Tried>& sections, const Tried& next) const
     {
         if (sections.empty() || next.x - sections.back().x > one_section * lines_.length()) sections.push_back(next);
         else if (next.value > sections.back().value) sections.back() = next;
     }
 
     /// Of a stretch that has the value the two ends alone.
-    std::vector<double> without_inner(const std::vector<Section>& sections, double least) const
+    std::vector<double> without_inner(const std::vector<Tried>& sections, double least) const
     {
         std::vector<double> places;
         bool is_level = false;
@@ -213,7 +213,7 @@ private:
     const Permanent* permanent_;
     ExtremeKind kind_;
     double sign_;
-    std::vector<Section> sections_;
+    std::vector<Tried> sections_;
 };
 
 } // namespace
@@ -221,7 +221,7 @@ private:
 WorstSection worst_section(const SectionLines& lines, const std::vector<double>& ends, const MovingTrain& train,
                            ExtremeKind kind, const Permanent* permanent)
 {
-    return Search(lines, ends, train, kind, permanent).run();
+    return SectionSearch(lines, ends, train, kind, permanent).run();
 }
 
 } // namespace femoop::influence

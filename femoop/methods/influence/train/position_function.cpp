@@ -12,7 +12,7 @@ namespace femoop::influence {
 
 namespace {
 
-using Candidate = PositionFunction::Candidate;
+using Trial = PositionFunction::Candidate;
 using Piece = PositionFunction::Piece;
 
 Polynomial constant(double value) { return {value}; }
@@ -36,13 +36,13 @@ public:
     explicit Walker(const PositionFunction& of) : of_(of) {}
 
     /// In t = x - start, on the stretch around `middle`, which never goes back.
-    Polynomial about(double start, double middle)
+    Polynomial polynomial_about(double start, double middle)
     {
         const std::vector<Piece>& pieces = of_.pieces();
         while (next_ < pieces.size() && pieces[next_].to < middle) ++next_;
         if (next_ == pieces.size()) return constant(of_.after());
         if (next_ == 0 && middle < pieces.front().from) return constant(of_.before());
-        return shifted(pieces[next_].value, start - pieces[next_].from);
+        return about(pieces[next_].value, start - pieces[next_].from);
     }
 
 private:
@@ -93,23 +93,23 @@ void append_envelope(std::vector<Piece>& pieces, const std::vector<Polynomial>& 
         const double middle = 0.5 * (cuts[i] + cuts[i + 1]);
         const auto best = std::max_element(of.begin(), of.end(),
                                            [&](const auto& p, const auto& q) { return p(middle) < q(middle); });
-        pieces.push_back({from + cuts[i], from + cuts[i + 1], shifted(*best, cuts[i])});
+        pieces.push_back({from + cuts[i], from + cuts[i + 1], about(*best, cuts[i])});
     }
 }
 
 /// Of candidates in ascending order, the largest value among those that stay within a moving window.
-double largest_between(const std::vector<Candidate>& candidates, double from, double to)
+double largest_between(const std::vector<Trial>& candidates, double from, double to)
 {
     double largest = -std::numeric_limits<double>::infinity();
     auto next = std::lower_bound(candidates.begin(), candidates.end(), from,
-                                 [](const Candidate& candidate, double x) { return candidate.x < x; });
+                                 [](const Trial& candidate, double x) { return candidate.x < x; });
     for (; next != candidates.end() && next->x <= to; ++next) largest = std::max(largest, next->value);
     return largest;
 }
 
 } // namespace
 
-Polynomial shifted(const Polynomial& p, double start)
+Polynomial about(const Polynomial& p, double start)
 {
     if (start == 0.0) return p;
     std::array<double, Polynomial::max_terms> c{};
@@ -159,7 +159,7 @@ PositionFunction PositionFunction::sum(const std::vector<Term>& terms, double sh
         std::array<double, Polynomial::max_terms> c{};
         std::size_t n = 0;
         for (std::size_t k = 0; k < terms.size(); ++k)
-            add(c, n, walkers[k].about(from - terms[k].shift, middle - terms[k].shift), terms[k].factor);
+            add(c, n, walkers[k].polynomial_about(from - terms[k].shift, middle - terms[k].shift), terms[k].factor);
         Piece& piece = sum.pieces_.emplace_back(Piece{from, to, {}});
         for (std::size_t k = 0; k < n; ++k) piece.value.append(c[k]);
     }
@@ -171,7 +171,7 @@ PositionFunction PositionFunction::mirrored(double length) const
     PositionFunction mirror({}, after_, before_);
     for (std::size_t i = pieces_.size(); i-- > 0;) {
         const Piece& piece = pieces_[i];
-        const Polynomial about_end = shifted(piece.value, piece.to - piece.from);
+        const Polynomial about_end = about(piece.value, piece.to - piece.from);
         Piece& turned = mirror.pieces_.emplace_back(Piece{length - piece.to, length - piece.from, {}});
         for (std::size_t k = 0; k < about_end.n_terms(); ++k)
             turned.value.append(k % 2 == 0 ? about_end[k] : -about_end[k]);
@@ -195,9 +195,9 @@ PositionFunction PositionFunction::integral() const
 
 PositionFunction PositionFunction::largest_within(double least, double most, double shortest) const
 {
-    const std::vector<Candidate> inner = candidates();
+    const std::vector<Trial> inner = candidates();
     std::vector<double> cuts;
-    for (const Candidate& candidate : inner) {
+    for (const Trial& candidate : inner) {
         cuts.push_back(candidate.x + least);
         cuts.push_back(candidate.x + most);
     }
@@ -207,7 +207,7 @@ PositionFunction PositionFunction::largest_within(double least, double most, dou
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
         const double from = cuts[i], to = cuts[i + 1], middle = 0.5 * (from + to);
         if (to - from <= shortest) continue;
-        std::vector<Polynomial> of{near.about(from - least, middle - least), far.about(from - most, middle - most)};
+        std::vector<Polynomial> of{near.polynomial_about(from - least, middle - least), far.polynomial_about(from - most, middle - most)};
         const double within = largest_between(inner, middle - most, middle - least);
         if (std::isfinite(within)) of.push_back(constant(within));
         append_envelope(result.pieces_, of, from, to, shortest);
@@ -215,26 +215,26 @@ PositionFunction PositionFunction::largest_within(double least, double most, dou
     return result;
 }
 
-std::vector<Candidate> PositionFunction::candidates() const
+std::vector<Trial> PositionFunction::candidates() const
 {
-    std::vector<Candidate> all;
+    std::vector<Trial> all;
     for (const Piece& piece : pieces_) {
         const double length = piece.to - piece.from;
-        all.push_back({piece.from, piece.value[0], Candidate::Kind::BreakAfter});
+        all.push_back({piece.from, piece.value[0], Trial::Kind::BreakAfter});
         for (const double t : stationary_places(piece.value, length))
-            all.push_back({piece.from + t, piece.value(t), Candidate::Kind::Root});
-        all.push_back({piece.to, piece.value(length), Candidate::Kind::BreakBefore});
+            all.push_back({piece.from + t, piece.value(t), Trial::Kind::Root});
+        all.push_back({piece.to, piece.value(length), Trial::Kind::BreakBefore});
     }
     if (all.empty()) return all;
-    all.insert(all.begin(), {pieces_.front().from, before_, Candidate::Kind::BreakBefore});
-    all.push_back({pieces_.back().to, after_, Candidate::Kind::BreakAfter});
+    all.insert(all.begin(), {pieces_.front().from, before_, Trial::Kind::BreakBefore});
+    all.push_back({pieces_.back().to, after_, Trial::Kind::BreakAfter});
     return all;
 }
 
 double PositionFunction::value(double x, Side side, double shortest) const
 {
     const double inside = side == Side::After ? x + shortest : x - shortest;
-    return Walker(*this).about(x, inside)[0];
+    return Walker(*this).polynomial_about(x, inside)[0];
 }
 
 double PositionFunction::largest_magnitude() const

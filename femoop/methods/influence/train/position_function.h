@@ -66,7 +66,7 @@ private:
 };
 
 /// p(t + start).
-Polynomial shifted(const Polynomial& p, double start);
+Polynomial about(const Polynomial& p, double start);
 
 /// Where p has an extreme within (0, end), ascending: the roots of its derivative. \pre end > 0
 std::vector<double> stationary_places(const Polynomial& p, double end);

@@ -8,17 +8,17 @@ namespace femoop::influence {
 
 namespace {
 
-constexpr double same_place = 1e-9; ///< of the path
-constexpr double same_value = 1e-9; ///< of the largest ordinate
+constexpr double one_border = 1e-9;   ///< of the path
+constexpr double one_ordinate = 1e-9; ///< of the largest ordinate
 
-Polynomial polynomial_of(const std::vector<double>& coefficients)
+Polynomial polynomial_in_s(const std::vector<double>& coefficients)
 {
     Polynomial p;
     for (const double c : coefficients) p.append(c);
     return p;
 }
 
-Polynomial sum(const Polynomial& p, const Polynomial& q, double factor)
+Polynomial combined(const Polynomial& p, const Polynomial& q, double factor)
 {
     Polynomial result;
     for (std::size_t i = 0; i < std::max(p.n_terms(), q.n_terms()); ++i) result.append(p[i] + factor * q[i]);
@@ -45,15 +45,15 @@ Polynomial through(const std::vector<double>& places, const std::vector<double>&
             one = times_linear(one, -places[j], 1.0);
             scale *= places[i] - places[j];
         }
-        result = sum(result, one, values[i] / scale);
+        result = combined(result, one, values[i] / scale);
     }
     return result;
 }
 
 /// The piece's polynomial in s - origin.
-Polynomial about(const LinePiece& piece, double origin)
+Polynomial piece_about(const LinePiece& piece, double origin)
 {
-    return shifted(polynomial_of(piece.coefficients), origin - piece.from);
+    return about(polynomial_in_s(piece.coefficients), origin - piece.from);
 }
 
 } // namespace
@@ -92,7 +92,7 @@ void SectionLines::fit_region(std::size_t i, const std::vector<PiecewiseLine>& l
     const double path = lines.front().pieces.back().to;
     const LinePiece &first = lines.front().pieces[i], &last = lines.back().pieces[i];
     const auto border = [&](double here, double there) {
-        if (std::abs(there - here) <= same_place * path) return Border{here, 0.0};
+        if (std::abs(there - here) <= one_border * path) return Border{here, 0.0};
         const double b = there > here ? 1.0 : -1.0;
         return Border{here - b * x.front(), b};
     };
@@ -101,7 +101,7 @@ void SectionLines::fit_region(std::size_t i, const std::vector<PiecewiseLine>& l
     std::vector<Polynomial> polynomials;
     std::size_t n_terms = 0;
     for (const PiecewiseLine& line : lines) {
-        polynomials.push_back(about(line.pieces[i], region.origin));
+        polynomials.push_back(piece_about(line.pieces[i], region.origin));
         n_terms = std::max(n_terms, polynomials.back().n_terms());
     }
     for (std::size_t k = 0; k < n_terms; ++k) {
@@ -119,16 +119,16 @@ bool SectionLines::is_as(const PiecewiseLine& line, double x) const
     for (std::size_t i = 0; i < regions_.size(); ++i) {
         const LinePiece own = piece(regions_[i], x), &other = line.pieces[i];
         const double path = line.pieces.back().to;
-        if (std::abs(own.from - other.from) > same_place * path || std::abs(own.to - other.to) > same_place * path)
+        if (std::abs(own.from - other.from) > one_border * path || std::abs(own.to - other.to) > one_border * path)
             return false;
-        const Polynomial p = polynomial_of(own.coefficients), q = polynomial_of(other.coefficients);
+        const Polynomial p = polynomial_in_s(own.coefficients), q = polynomial_in_s(other.coefficients);
         for (const double part : {0.0, 0.3, 0.5, 0.8, 1.0}) {
             const double t = part * (other.to - other.from);
             largest = std::max(largest, std::abs(q(t)));
             difference = std::max(difference, std::abs(p(t) - q(t)));
         }
     }
-    return difference <= same_value * largest;
+    return difference <= one_ordinate * largest;
 }
 
 LinePiece SectionLines::piece(const Region& region, double x) const
@@ -136,7 +136,7 @@ LinePiece SectionLines::piece(const Region& region, double x) const
     LinePiece piece{region.from.at(x), region.to.at(x), {}};
     Polynomial about_origin;
     for (const Polynomial& coefficient : region.coefficients) about_origin.append(coefficient(x));
-    const Polynomial moved = shifted(about_origin, piece.from - region.origin);
+    const Polynomial moved = about(about_origin, piece.from - region.origin);
     for (std::size_t k = 0; k < moved.n_terms(); ++k) piece.coefficients.push_back(moved[k]);
     return piece;
 }
@@ -220,8 +220,9 @@ PositionFunction SectionLines::along_section(const Border& section, const std::v
             const double start = section.at(from) + distances[j] - region->origin;
             Polynomial ordinate{0.0};
             for (std::size_t k = region->coefficients.size(); k-- > 0;)
-                ordinate = sum(times_linear(ordinate, start, section.b), shifted(region->coefficients[k], from), 1.0);
-            effect = sum(effect, ordinate, forces[j]);
+                ordinate = combined(times_linear(ordinate, start, section.b), about(region->coefficients[k], from),
+                                    1.0);
+            effect = combined(effect, ordinate, forces[j]);
         }
         pieces.push_back({from, to, effect});
     }

@@ -12,9 +12,9 @@ namespace femoop::influence {
 namespace {
 
 constexpr std::size_t degree_of_force = 1, degree_of_displacement = 3; ///< in the section's place
-constexpr double end_of_member = 1e-9;                                 // of its length
+constexpr double end_of_curve = 1e-9;                                  // of its length
 
-std::vector<double> numbers(const std::vector<Quantity>& quantities)
+std::vector<double> values_of(const std::vector<Quantity>& quantities)
 {
     std::vector<double> values;
     for (const Quantity& quantity : quantities) values.push_back(quantity.value());
@@ -34,11 +34,11 @@ MovingEffect at_section(MovingEffect effect, double x, double length)
 double along_member(const MovingEffect& effect, const Curve& curve)
 {
     const double x = along(*effect.at, curve.length());
-    const bool is_end = x >= curve.length() * (1.0 - end_of_member);
+    const bool is_end = x >= curve.length() * (1.0 - end_of_curve);
     return curve.value(*effect.component, x, is_end ? Side::Before : effect.side.value_or(Side::After));
 }
 
-double value_of(const MovingEffect& effect, const CaseResult& result)
+double effect_in(const MovingEffect& effect, const CaseResult& result)
 {
     if (effect.member) return along_member(effect, result.curve(*effect.member));
     const NodeVector all = effect.quantity == ExpectedQuantity::Reaction ? result.reaction(*effect.node)
@@ -104,8 +104,8 @@ bool is_moment(const MovingEffect& effect)
 MovingTrain moving_train(const Train& train, const MovingEffect& effect)
 {
     MovingTrain moving;
-    for (const double axle : numbers(train.axles)) moving.axles.push_back(axle * train.impact);
-    for (const double spacing : numbers(train.spacings)) moving.spacings.push_back({spacing, spacing});
+    for (const double axle : values_of(train.axles)) moving.axles.push_back(axle * train.impact);
+    for (const double spacing : values_of(train.spacings)) moving.spacings.push_back({spacing, spacing});
     for (const SpacingRange& range : train.spacing_ranges)
         moving.spacings.at(range.spacing) = {range.min.value(), range.max.value()};
     moving.both_directions = train.both_directions;
@@ -148,8 +148,7 @@ std::vector<MovingEffect> default_extremes(const Model& model)
     std::vector<MovingEffect> effects;
     for (std::size_t i = 0; i < model.members.size(); ++i)
         for (const MemberComponent component : section_force_components(model.analysis))
-            effects.push_back(
-                {.quantity = ExpectedQuantity::Extreme, .member = MemberId(i), .component = component});
+            effects.push_back({.quantity = ExpectedQuantity::Extreme, .member = MemberId(i), .component = component});
     return effects;
 }
 
@@ -205,7 +204,7 @@ const Results& TrainAnalysis::permanent_results()
 
 double TrainAnalysis::permanent(const MovingEnvelope& envelope, const MovingEffect& effect)
 {
-    return envelope.with ? value_of(effect, permanent_results()[*envelope.with]) : 0.0;
+    return envelope.with ? effect_in(effect, permanent_results()[*envelope.with]) : 0.0;
 }
 
 std::vector<TrainEffect> TrainAnalysis::effects(const MovingEnvelope& envelope, std::span<const MovingEffect> asked)

@@ -9,9 +9,9 @@ namespace femoop::influence {
 
 namespace {
 
-using Candidate = PositionFunction::Candidate;
+using Trial = PositionFunction::Candidate;
 
-constexpr double equal = 1e-12; ///< of the largest magnitude: values that are one
+constexpr double one_value = 1e-12; ///< of the largest magnitude: values that are one
 
 } // namespace
 
@@ -87,12 +87,12 @@ double TrainRun::following(std::size_t k, double x, double wanted) const
     for (const Side side : {Side::Before, Side::After})
         for (const double edge : {first, last})
             places.push_back({edge, std::abs(behind.value(edge, side, ground_.shortest) - wanted)});
-    for (const Candidate& candidate : behind.candidates())
+    for (const Trial& candidate : behind.candidates())
         if (candidate.x > first && candidate.x < last)
             places.push_back({candidate.x, std::abs(candidate.value - wanted)});
     double least = std::numeric_limits<double>::infinity(), nearest = first;
     for (const auto& [place, missed] : places) least = std::min(least, missed);
-    const double margin = least + equal * behind.largest_magnitude();
+    const double margin = least + one_value * behind.largest_magnitude();
     for (const auto& [place, missed] : places)
         if (missed <= margin) nearest = std::max(nearest, place);
     return nearest;

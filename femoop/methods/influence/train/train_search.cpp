@@ -11,16 +11,16 @@ namespace femoop::influence {
 
 namespace {
 
-using Candidate = PositionFunction::Candidate;
+using Trial = PositionFunction::Candidate;
 using Piece = PositionFunction::Piece;
 
 constexpr double shortest_piece = 1e-9; ///< of the path: breaks that are nearer are one
-constexpr double rounding = 1e-13;      ///< of the largest ordinate: what is nearer to zero is zero
+constexpr double zero_ordinate = 1e-13; ///< of the largest ordinate: what is nearer to zero is zero
 constexpr double equal_values = 1e-10;  ///< of the largest effect: values that are one
 constexpr double one_place = 1e-5;      ///< of the path: candidates that may be one maximum
 
 /// The uniform load where it lies, as long as no axle takes it away.
-struct Uniform {
+struct LaidLoad {
     double effect = 0.0;
     std::vector<Stretch> stretches;
     PositionFunction covered; ///< integral of its effect from the path's beginning
@@ -36,7 +36,7 @@ void append(std::vector<Stretch>& stretches, const Stretch& next, double shortes
 /// The function where it is positive, and 0 elsewhere.
 std::vector<Piece> positive_parts(const PositionFunction& of)
 {
-    const double zero = rounding * of.largest_magnitude();
+    const double zero = zero_ordinate * of.largest_magnitude();
     std::vector<Piece> parts;
     for (const Piece& piece : of.pieces()) {
         const double length = piece.to - piece.from;
@@ -47,7 +47,7 @@ std::vector<Piece> positive_parts(const PositionFunction& of)
             if (cuts[i + 1] <= cuts[i]) continue;
             const bool is_positive = piece.value(0.5 * (cuts[i] + cuts[i + 1])) > zero;
             parts.push_back({piece.from + cuts[i], piece.from + cuts[i + 1],
-                             is_positive ? shifted(piece.value, cuts[i]) : Polynomial{0.0}});
+                             is_positive ? about(piece.value, cuts[i]) : Polynomial{0.0}});
         }
     }
     return parts;
@@ -56,9 +56,9 @@ std::vector<Piece> positive_parts(const PositionFunction& of)
 bool is_nothing(const Piece& piece) { return piece.value.n_terms() == 1 && piece.value[0] == 0.0; }
 
 /// Over the places of one search: a line, times the sign of what is sought, so that the largest is wanted.
-class Largest {
+class LargestEffect {
 public:
-    Largest(const PiecewiseLine& line, const std::vector<double>& ends, const MovingTrain& train, double sign)
+    LargestEffect(const PiecewiseLine& line, const std::vector<double>& ends, const MovingTrain& train, double sign)
         : train_(train), ends_(ends), length_(ends.back()), shortest_(shortest_piece * length_), sign_(sign)
     {
         const PositionFunction plain(line);
@@ -72,16 +72,16 @@ public:
         mirrored_cover_ = mirrored_cover();
         reversed_.emplace(ground(mirrored_line_, mirrored_cover_), train_);
     }
-    Largest(const Largest&) = delete;
-    Largest& operator=(const Largest&) = delete;
+    LargestEffect(const LargestEffect&) = delete;
+    LargestEffect& operator=(const LargestEffect&) = delete;
 
     Placing placing() const
     {
         Placing placing = resting();
         placing.value = uniform_.effect + concentrated_;
         if (train_.axles.empty()) return signed_value(std::move(placing));
-        const std::vector<Candidate> along = candidates(*forwards_),
-                                     back = reversed_ ? candidates(*reversed_) : std::vector<Candidate>();
+        const std::vector<Trial> along = candidates(*forwards_),
+                                     back = reversed_ ? candidates(*reversed_) : std::vector<Trial>();
         const double most = std::max({largest_of(along), largest_of(back), 0.0});
         const double margin = most - equal_values * scale();
         if (const auto found = first(along, margin)) stand(placing, *forwards_, *found, false);
@@ -98,7 +98,7 @@ public:
         const double after = run.largest().value(x, Side::After, shortest_);
         const bool is_after = after >= before;
         stand(placing, run,
-              {x, is_after ? after : before, is_after ? Candidate::Kind::BreakAfter : Candidate::Kind::BreakBefore},
+              {x, is_after ? after : before, is_after ? Trial::Kind::BreakAfter : Trial::Kind::BreakBefore},
               is_reversed);
         return signed_value(std::move(placing));
     }
@@ -110,7 +110,7 @@ public:
         proof.concentrated = sign_ * concentrated_;
         const auto add = [&](const std::optional<TrainRun>& run, bool is_reversed) {
             if (!run) return;
-            for (Candidate candidate : candidates(*run)) {
+            for (Trial candidate : candidates(*run)) {
                 if (is_reversed) candidate.x = length_ - candidate.x;
                 candidate.value *= sign_;
                 proof.entries.push_back({candidate, is_reversed});
@@ -153,7 +153,7 @@ private:
 
     void lay_on_members(const PositionFunction& integral)
     {
-        const double zero = rounding * integral.largest_magnitude();
+        const double zero = zero_ordinate * integral.largest_magnitude();
         for (std::size_t i = 0; i + 1 < ends_.size(); ++i) {
             const double effect = integral.value(ends_[i + 1], Side::Before, 0.0) -
                                   integral.value(ends_[i], Side::After, 0.0);
@@ -173,11 +173,11 @@ private:
     void stand_concentrated()
     {
         for (const double force : train_.concentrated) {
-            Candidate best;
-            std::vector<Candidate> places = line_.candidates();
-            for (Candidate& place : places) place.value *= force;
+            Trial best;
+            std::vector<Trial> places = line_.candidates();
+            for (Trial& place : places) place.value *= force;
             const double most = largest_of(places);
-            const double zero = rounding * std::abs(force) * line_.largest_magnitude();
+            const double zero = zero_ordinate * std::abs(force) * line_.largest_magnitude();
             standing_.emplace_back();
             if (!(most > zero)) continue;
             const double margin = most - equal_values * std::abs(force) * line_.largest_magnitude();
@@ -188,28 +188,28 @@ private:
     }
 
     /// Of a run: the places that the contract of a train allows.
-    std::vector<Candidate> candidates(const TrainRun& run) const
+    std::vector<Trial> candidates(const TrainRun& run) const
     {
-        std::vector<Candidate> all = run.largest().candidates();
+        std::vector<Trial> all = run.largest().candidates();
         double last = length_;
         for (const MovingTrain::Spacing& spacing : train_.spacings) last += spacing.most;
-        std::erase_if(all, [&](const Candidate& c) { return c.x < -shortest_ || c.x > last + shortest_; });
+        std::erase_if(all, [&](const Trial& c) { return c.x < -shortest_ || c.x > last + shortest_; });
         return all;
     }
 
-    static double largest_of(const std::vector<Candidate>& candidates)
+    static double largest_of(const std::vector<Trial>& candidates)
     {
         double most = -std::numeric_limits<double>::infinity();
-        for (const Candidate& candidate : candidates) most = std::max(most, candidate.value);
+        for (const Trial& candidate : candidates) most = std::max(most, candidate.value);
         return most;
     }
 
     /// Of the candidates that are not below the margin the first, or what is larger right beside it.
-    std::optional<Candidate> first(const std::vector<Candidate>& candidates, double margin) const
+    std::optional<Trial> first(const std::vector<Trial>& candidates, double margin) const
     {
-        std::optional<Candidate> best;
-        const double noticeable = rounding * scale();
-        for (const Candidate& candidate : candidates) {
+        std::optional<Trial> best;
+        const double noticeable = zero_ordinate * scale();
+        for (const Trial& candidate : candidates) {
             if (candidate.value < margin) continue;
             if (best && candidate.x - best->x > one_place * length_) break;
             if (!best || candidate.value > best->value + noticeable) best = candidate;
@@ -234,9 +234,9 @@ private:
         return placing;
     }
 
-    void stand(Placing& placing, const TrainRun& run, const Candidate& found, bool is_reversed) const
+    void stand(Placing& placing, const TrainRun& run, const Trial& found, bool is_reversed) const
     {
-        const Side side = found.kind == Candidate::Kind::BreakBefore ? Side::Before : Side::After;
+        const Side side = found.kind == Trial::Kind::BreakBefore ? Side::Before : Side::After;
         placing.value = found.value + uniform_.effect + concentrated_;
         placing.position = is_reversed ? length_ - found.x : found.x;
         placing.reversed = is_reversed;
@@ -269,7 +269,7 @@ private:
     const std::vector<double>& ends_;
     double length_, shortest_, sign_;
     PositionFunction line_, mirrored_line_, mirrored_cover_;
-    Uniform uniform_;
+    LaidLoad uniform_;
     std::vector<std::optional<double>> standing_;
     double concentrated_ = 0.0;
     std::optional<TrainRun> forwards_, reversed_;
@@ -284,17 +284,20 @@ TrainSearch::TrainSearch(const PiecewiseLine& line, std::vector<double> ends, Mo
 {}
 
 WorstPlacings TrainSearch::worst() const { return {largest(), least()}; }
-Placing TrainSearch::largest() const { return Largest(line_, ends_, train_, 1.0).placing(); }
-Placing TrainSearch::least() const { return Largest(line_, ends_, train_, -1.0).placing(); }
+Placing TrainSearch::largest() const { return LargestEffect(line_, ends_, train_, 1.0).placing(); }
+Placing TrainSearch::least() const { return LargestEffect(line_, ends_, train_, -1.0).placing(); }
 
 Placing TrainSearch::at(const Stand& stand, ExtremeKind kind) const
 {
     MovingTrain fixed = train_;
     fixed.both_directions = stand.reversed;
     for (std::size_t i = 0; i < stand.spacings.size(); ++i) fixed.spacings[i] = {stand.spacings[i], stand.spacings[i]};
-    return Largest(line_, ends_, fixed, sign_of(kind)).at(stand.position, stand.reversed);
+    return LargestEffect(line_, ends_, fixed, sign_of(kind)).at(stand.position, stand.reversed);
 }
 
-SearchProof TrainSearch::proof(ExtremeKind kind) const { return Largest(line_, ends_, train_, sign_of(kind)).proof(); }
+SearchProof TrainSearch::proof(ExtremeKind kind) const
+{
+    return LargestEffect(line_, ends_, train_, sign_of(kind)).proof();
+}
 
 } // namespace femoop::influence

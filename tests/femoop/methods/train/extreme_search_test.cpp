@@ -15,11 +15,11 @@ namespace {
 /// A simple span.
 SectionLines moments(double span)
 {
-    return {[span](double x) {
-                return PiecewiseLine{
-                    {{0.0, x, {0.0, (span - x) / span}}, {x, span, {x * (span - x) / span, -x / span}}}};
-            },
-            span, 1};
+    return {
+        [span](double x) {
+            return PiecewiseLine{{{0.0, x, {0.0, (span - x) / span}}, {x, span, {x * (span - x) / span, -x / span}}}};
+        },
+        span, 1};
 }
 
 SectionLines shears(double span)
@@ -116,10 +116,7 @@ TEST_CASE("A permanent moment moves the worst section")
 TEST_CASE("A member whose force does not change names the two ends of the stretch")
 {
     const double L = 7.0; // a cantilever, its tip the first node: V = -P from the load to the clamp
-    const SectionLines lines{[](double x) {
-                                 return PiecewiseLine{{{0.0, x, {-1.0}}, {x, 7.0, {}}}};
-                             },
-                             L, 1};
+    const SectionLines lines{[](double x) { return PiecewiseLine{{{0.0, x, {-1.0}}, {x, 7.0, {}}}}; }, L, 1};
     const auto worst = worst_section(lines, {0.0, L}, {.axles = {5.0}}, ExtremeKind::Min);
     CHECK(worst.placing.value == Approx(-5.0));
     CHECK(worst.sections == std::vector<double>{0.0, L});
