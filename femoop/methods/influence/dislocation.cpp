@@ -1,15 +1,14 @@
 #include "femoop/methods/influence/dislocation.h"
 
 #include <Eigen/LU>
-#include <cmath>
+#include <algorithm>
 
 #include "femoop/element/analysis_model.h"
+#include "femoop/element/member_element.h"
 
 namespace femoop::influence {
 
 namespace {
-
-constexpr double end_of_member = 1e-12; // of its length: a section so near is at the end
 
 double held(double x, double L)
 {
@@ -38,9 +37,14 @@ Eigen::Vector4d joined(const Eigen::Vector2d& first, const Eigen::Vector2d& seco
     return both;
 }
 
-void add(std::vector<Component>& loads, Dof dof, double value)
+void add(LocalDisplacement& d, const NodeVector& slip)
 {
-    if (value != 0.0) loads.push_back({.dof = dof, .value = value});
+    d.u += slip[0];
+    d.v += slip[1];
+    d.w += slip[2];
+    d.rx += slip[3];
+    d.ry += slip[4];
+    d.rz += slip[5];
 }
 
 bool bends(AnalysisKind kind, BendingPlane plane)
@@ -89,6 +93,7 @@ Dislocation::Dislocation(const Discretisation& structure, MemberId member, Membe
       xz_(beam_of(structure, member, BendingPlane::xz))
 {
     x_ = held(x, L_);
+    follow_joints(structure, member);
 }
 
 Dislocation::Step Dislocation::step(BendingPlane plane) const
@@ -113,27 +118,43 @@ Eigen::Vector4d Dislocation::end_forces(BendingPlane plane) const
     return -Halves(beam, x_, L_, plane, moved).fixed_end_forces();
 }
 
-EndLoads Dislocation::end_loads() const
+/// That hold its ends still inside their joints, member axes.
+std::array<NodeVector, 2> Dislocation::fixed_end_forces() const
 {
-    EndLoads loads{.start = {}, .end = {}, .axes = LoadAxes::Local};
-    const double pull = gap() * axial_.EA / L_;
-    add(loads.start, Dof::ux, -pull);
-    add(loads.end, Dof::ux, pull);
-    if (!is_bar_) {
-        const double torque = twist() * torsion_.EA / L_;
-        add(loads.start, Dof::rx, -torque);
-        add(loads.end, Dof::rx, torque);
-    }
     const PlaneEnds xy = end_forces(BendingPlane::xy), xz = end_forces(BendingPlane::xz);
-    add(loads.start, Dof::uy, xy[0]);
-    add(loads.start, Dof::rz, xy[1]);
-    add(loads.end, Dof::uy, xy[2]);
-    add(loads.end, Dof::rz, xy[3]);
-    add(loads.start, Dof::uz, xz[0]);
-    add(loads.start, Dof::ry, -xz[1]);
-    add(loads.end, Dof::uz, xz[2]);
-    add(loads.end, Dof::ry, -xz[3]);
-    return loads;
+    const double pull = gap() * axial_.EA / L_, torque = is_bar_ ? 0.0 : twist() * torsion_.EA / L_;
+    return {NodeVector{pull, -xy[0], -xz[0], torque, xz[1], -xy[1]},
+            NodeVector{-pull, -xy[2], -xz[2], -torque, xz[3], -xy[3]}};
+}
+
+void Dislocation::follow_joints(const Discretisation& structure, MemberId member)
+{
+    const std::array<NodeVector, 2> held = fixed_end_forces();
+    const MemberEndConditions* conditions = structure.end_conditions_of(member);
+    const MemberGeometry geometry = structure.geometry(member);
+    with_model(kind_, [&](auto k) {
+        using Element = MemberElement<decltype(k)::value>;
+        using Model = AnalysisModel<decltype(k)::value>;
+        const Element element(structure.properties_of(member), geometry, conditions,
+                              conditions == nullptr ? all_actions : elastic_actions(*conditions));
+        typename Element::LocalVector forces, slips = Element::LocalVector::Zero();
+        for (int i = 0; i < 2 * Element::m; ++i)
+            forces[i] = held[static_cast<std::size_t>(i / Element::m)]
+                            [index(Model::local[static_cast<std::size_t>(i % Element::m)])];
+        if (conditions != nullptr && conditions->has_flexible_joint) {
+            slips = element.end_displacements(Element::LocalVector::Zero(), forces);
+            forces = element.end_forces(Element::LocalVector::Zero(), forces);
+        }
+        for (std::size_t end = 0; end < 2; ++end) {
+            const auto first = static_cast<Eigen::Index>(end) * Element::m;
+            const Eigen::VectorXd at_node = -(element.transformation(end).transpose() *
+                                              forces.template segment<Element::m>(first));
+            for (std::size_t i = 0; i < Model::global.size(); ++i)
+                node_loads_[end][index(Model::global[i])] = at_node[static_cast<Eigen::Index>(i)];
+            for (std::size_t i = 0; i < Model::local.size(); ++i)
+                slips_[end][index(Model::local[i])] = slips[first + static_cast<Eigen::Index>(i)];
+        }
+    });
 }
 
 // A bar's chord; where its own bending is asked for, its two parts swing about its ends, whatever these do.
@@ -247,8 +268,9 @@ Polynomial shifted(const Polynomial& p, double by)
 } // namespace
 
 // On a foundation x'y' has more pieces than x'z', which is then the same over all those of one side.
-MemberMotion Dislocation::motion(const std::array<LocalDisplacement, 2>& ends) const
+MemberMotion Dislocation::motion(std::array<LocalDisplacement, 2> ends) const
 {
+    for (std::size_t end = 0; end < 2; ++end) add(ends[end], slips_[end]);
     const auto& [a, b] = ends;
     const SteppedLine along(a.u, b.u, gap(), x_, L_), about(a.rx, b.rx, twist(), x_, L_);
     const std::vector<PlaneMotion> xy = motion(BendingPlane::xy, PlaneEnds(a.v, a.rz, b.v, b.rz));

@@ -3,8 +3,8 @@
 #include <array>
 
 #include "femoop/methods/influence/member_motion.h"
+#include "femoop/model/dof.h"
 #include "femoop/model/expected.h"
-#include "femoop/model/load.h"
 
 namespace femoop::influence {
 
@@ -26,11 +26,11 @@ class Dislocation {
 public:
     Dislocation(const Discretisation& structure, MemberId member, MemberComponent force, double x);
 
-    /// Loads on the member's own ends that move the rest of the structure as the dislocation does, member axes.
-    EndLoads end_loads() const;
+    /// Loads on its two nodes that move the rest of the structure as the dislocation does, global axes.
+    const std::array<NodeVector, 2>& node_loads() const { return node_loads_; }
 
-    /// The member's own motion when its ends, inside their joints, move so.
-    MemberMotion motion(const std::array<LocalDisplacement, 2>& ends) const;
+    /// The member's own motion when its nodes move its ends, inside their joints, so far if nothing else moved them.
+    MemberMotion motion(std::array<LocalDisplacement, 2> ends) const;
 
 private:
     /// What the part beyond the section is moved by, in one plane.
@@ -50,7 +50,9 @@ private:
     Step step(BendingPlane plane) const;
     double gap() const { return force_ == MemberComponent::N ? 1.0 : 0.0; }
     double twist() const { return force_ == MemberComponent::T ? 1.0 : 0.0; }
+    std::array<NodeVector, 2> fixed_end_forces() const;
     PlaneEnds end_forces(BendingPlane plane) const;
+    void follow_joints(const Discretisation& structure, MemberId member);
     std::vector<PlaneMotion> motion(BendingPlane plane, const PlaneEnds& ends) const;
     std::vector<PlaneMotion> simple_beam(BendingPlane plane, const PlaneEnds& ends) const;
     std::vector<PlaneMotion> elastic_beam(BendingPlane plane, const PlaneEnds& ends) const;
@@ -63,6 +65,8 @@ private:
     bool is_bar_;
     Bar axial_, torsion_;
     Beam xy_, xz_;
+    std::array<NodeVector, 2> node_loads_{}; ///< global axes
+    std::array<NodeVector, 2> slips_{};      ///< of its ends in flexible joints while its nodes are held, member axes
 };
 
 } // namespace femoop::influence

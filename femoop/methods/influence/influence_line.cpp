@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "femoop/analysis/mechanism.h"
 #include "femoop/load/place_along.h"
 #include "femoop/methods/influence/dislocation.h"
 #include "femoop/methods/influence/effect_name.h"
@@ -18,8 +17,7 @@ namespace femoop::influence {
 
 namespace {
 
-constexpr double end_of_member = 1e-12; // of its length: a section so near is at the end
-constexpr double negligible = 1e-14;    // of the largest ordinate: a coefficient that adds less is rounding
+constexpr double negligible = 1e-14; // of the largest ordinate: a coefficient that adds less is rounding
 
 Model without_loads(Model model)
 {
@@ -114,26 +112,6 @@ void append(InfluenceLine& line, std::vector<LinePiece> pieces, MemberId member,
     }
 }
 
-bool is_on_foundation,
-            const std::vector<double>& cuts)
-{
-    for (LinePiece& piece : pieces) {
-        const bool is_cut = std::ranges::find(cuts, piece.from) != cuts.end();
-        auto& stretches = line.stretches;
-        if (is_on_foundation && !is_cut) {
-            stretches.back().to = piece.to;
-            ++stretches.back().n_pieces;
-        } else {
-            stretches.push_back({.member = member,
-                                 .from = piece.from,
-                                 .to = piece.to,
-                                 .is_on_foundation = is_on_foundation,
-                                 .first_piece = line.ordinates.pieces.size()});
-        }
-        line.ordinates.pieces.push_back(std::move(piece));
-    }
-}
-
 bool is_on_foundation(const Discretisation& structure, MemberId member)
 {
     const MemberEndConditions* conditions = structure.end_conditions_of(member);
@@ -203,7 +181,9 @@ InfluenceAnalysis::Adjoint InfluenceAnalysis::adjoint(const MovingEffect& effect
         load_case.nodes.push_back({.node = *effect.node, .components = {{.dof = *effect.dof, .value = 1.0}}});
     } else if (is_section_force(effect)) {
         const Dislocation dislocation(structure_, *effect.member, *effect.component, place(effect));
-        load_case.members.push_back({*effect.member, dislocation.end_loads()});
+        for (std::size_t end = 0; end < 2; ++end)
+            load_case.nodes.push_back(
+                {model_[*effect.member].nodes[end], components_of(dislocation.node_loads()[end])});
     } else {
         const Component unit{.dof = displacement_dof(*effect.component), .value = 1.0};
         load_case.members.push_back(
@@ -243,13 +223,14 @@ std::vector<InfluenceLine> InfluenceAnalysis::adjoint_lines(const PathLayout& pa
     return lines;
 }
 
-// A couple that turns a node which nothing holds works on no load of the path, which drives no mechanism.
+// Loads on the path may do what the dislocation cannot: a couple spins a node that hinges leave free in part.
 InfluenceLine InfluenceAnalysis::adjoint_line(const PathLayout& path, const NodeVector& load, Adjoint adjoint)
 {
+    const MovingEffect& effect = *adjoint.effect;
     try {
-        return std::move(adjoint_lines(path, load, {adjoint}).front());
-    } catch (const MechanismError&) {
-        return std::move(adjoint_lines(path, load, {{adjoint.effect, {.id = adjoint.load_case.id}}}).front());
+        return std::move(adjoint_lines(path, load, {std::move(adjoint)}).front());
+    } catch (const ModelError&) {
+        return direct_line(path, load, effect);
     }
 }
 
@@ -278,6 +259,7 @@ std::vector<SampledStretch> InfluenceAnalysis::stretches_of(const PathMember& on
 double InfluenceAnalysis::value_of(const CaseResult& result, const MovingEffect& effect) const
 {
     if (effect.quantity == ExpectedQuantity::Reaction) return result.reaction(*effect.node)[index(*effect.dof)];
+    if (effect.node) return result.displacement(*effect.node)[index(*effect.dof)];
     const Curve curve = result.curve(*effect.member);
     const double x = place(effect);
     return curve.value(*effect.component, x, x < curve.length() ? Side::After : Side::Before);

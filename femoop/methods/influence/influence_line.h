@@ -51,8 +51,8 @@ std::vector<LineStation> stations(const InfluenceLine& line, std::size_t n);
 ///
 /// Method    Mueller-Breslau: the line is the displacement of the path along the load, where the structure is loaded by
 ///           nothing but a unit dislocation (section force), a support moved by 1 against its reaction, or a unit force
-///           (displacement). Where a constraint (inextensible, rigid) stands against such a motion, the line is put
-///           together from unit loads on the path, as many as make it exact.
+///           (displacement). Where a constraint (inextensible, rigid) stands against such a motion, or nothing holds
+///           against it, the line is put together from unit loads on the path, as many as make it exact.
 /// Accuracy  that of `analyse`; along the path closed forms, nothing is sampled
 /// Source    [Kassimali, ch. 8-9]
 /// Reference courseware/reference/moving-loads.md

@@ -13,6 +13,8 @@
 
 namespace femoop::influence {
 
+inline constexpr double end_of_member = 1e-12; ///< of its length: a section so near to an end is at the end
+
 /// How a stretch of a member moves: along its axes and about them, each a polynomial of t = x - from.
 struct MotionPiece {
     double from = 0.0, to = 0.0;

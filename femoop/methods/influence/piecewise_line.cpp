@@ -28,10 +28,11 @@ std::vector<double> shifted(std::vector<double> places, double by)
     return places;
 }
 
-/// A place where a line may be largest.
-struct Candidate {
-    double s, value;
-    bool is_level_after = false; ///< equally large up to the next one
+/// A place where a line is largest, or a stretch over which it stays so.
+struct Summit {
+    double from, to, value;
+
+    bool is_point() const { return from == to; }
 };
 
 bool is_level(const LinePiece& piece, double begin, double end, double least)
@@ -39,40 +40,35 @@ bool is_level(const LinePiece& piece, double begin, double end, double least)
     constexpr int n = 4; // a polynomial that is near its largest value there hardly leaves it between
     for (int i = 1; i < n; ++i)
         if (piece.value(begin + (end - begin) * i / n) < least) return false;
-    return end > begin;
+    return true;
 }
 
-void add_candidates(const LinePiece& piece, double least, std::vector<Candidate>& found)
+void add_summits(const LinePiece& piece, double least, std::vector<Summit>& found)
 {
     std::vector<double> places{piece.from};
     std::ranges::copy(piece.turning_places(), std::back_inserter(places));
     places.push_back(piece.to);
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const double value = piece.value(places[i]);
+        const double s = places[i], value = piece.value(s);
         if (value < least) continue;
         const bool has_next = i + 1 < places.size() && piece.value(places[i + 1]) >= least;
-        found.push_back({places[i], value, has_next && is_level(piece, places[i], places[i + 1], least)});
+        const bool goes_on = has_next && is_level(piece, s, places[i + 1], least);
+        found.push_back({s, goes_on ? places[i + 1] : s, value});
     }
 }
 
-/// Of places that are one but for rounding the best; of a level stretch its ends.
-std::vector<Candidate> distinct(const std::vector<Candidate>& all, double length)
+/// Stretches that touch are one; of places that are one but for rounding the best stays.
+std::vector<Summit> distinct(const std::vector<Summit>& all, double length)
 {
-    std::vector<Candidate> kept;
-    for (const Candidate& next : all) {
-        if (kept.empty() || next.s - kept.back().s > equal_place * length) {
-            const bool is_within = kept.size() > 1 && kept.back().is_level_after && next.is_level_after &&
-                                   kept[kept.size() - 2].is_level_after;
-            if (is_within) kept.back() = next;
-            else kept.push_back(next);
+    std::vector<Summit> kept;
+    for (const Summit& next : all) {
+        if (kept.empty() || next.from - kept.back().to > equal_place * length) {
+            kept.push_back(next);
             continue;
         }
-        Candidate& last = kept.back();
-        const bool goes_on = next.is_level_after;
-        const bool comes_level = kept.size() > 1 && kept[kept.size() - 2].is_level_after;
-        if (comes_level && goes_on) last.is_level_after = true;
-        else if (next.value > last.value && !comes_level) last = next;
-        last.is_level_after = goes_on;
+        Summit& last = kept.back();
+        if (!last.is_point() || !next.is_point()) last.to = std::max(last.to, next.to);
+        else if (next.value > last.value) last = next;
     }
     return kept;
 }
@@ -155,11 +151,15 @@ LineExtreme PiecewiseLine::max() const
         for (const double s : {piece.from, piece.to}) extreme.value = std::max(extreme.value, piece.value(s));
         for (const double s : piece.turning_places()) extreme.value = std::max(extreme.value, piece.value(s));
     }
-    std::vector<Candidate> candidates;
-    for (const LinePiece& piece : pieces) add_candidates(piece, extreme.value - equal_value * largest(), candidates);
-    for (const Candidate& found : distinct(candidates, length())) {
-        extreme.positions.push_back(found.s);
-        extreme.is_level_after.push_back(found.is_level_after);
+    const double least = extreme.value - equal_value * largest();
+    std::vector<Summit> summits;
+    for (const LinePiece& piece : pieces) add_summits(piece, least, summits);
+    for (const Summit& summit : distinct(summits, length())) {
+        extreme.positions.push_back(summit.from);
+        extreme.is_level_after.push_back(!summit.is_point());
+        if (summit.is_point()) continue;
+        extreme.positions.push_back(summit.to);
+        extreme.is_level_after.push_back(false);
     }
     return extreme;
 }

@@ -1,0 +1,200 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "femoop/analysis/linear_static.h"
+#include "femoop/analysis/mechanism.h"
+#include "femoop/methods/influence/influence_line.h"
+#include "tests/frame_maker.h"
+
+using namespace femoop;
+using namespace femoop::influence;
+
+namespace {
+
+constexpr double L = 8.0, x = 3.0; // m
+
+Model simple_beam()
+{
+    FrameMaker made;
+    made.node("A", 0, 0, SupportKind::Pin).node("B", L, 0, SupportKind::Roller).member("A", "B");
+    return made.model;
+}
+
+/// Two spans of 5 and 7.
+Model two_spans()
+{
+    FrameMaker made;
+    made.node("A", 0, 0, SupportKind::Pin).node("B", 5, 0, SupportKind::Roller).node("C", 12, 0, SupportKind::Roller);
+    made.member("A", "B").member("B", "C");
+    return made.model;
+}
+
+std::vector<MemberId> all_members(const Model& model)
+{
+    std::vector<MemberId> members;
+    for (std::size_t i = 0; i < model.members.size(); ++i) members.emplace_back(i);
+    return members;
+}
+
+MovingEffect force(const Model& model, const std::string& member, MemberComponent component, double at)
+{
+    return {.quantity = ExpectedQuantity::SectionForce,
+            .member = model.find_member(member),
+            .component = component,
+            .at = Quantity(at)};
+}
+
+MovingEffect reaction(const Model& model, const std::string& node, Dof dof)
+{
+    return {.quantity = ExpectedQuantity::Reaction, .node = model.find_node(node), .dof = dof};
+}
+
+InfluenceLine line_of(const Model& model, const MovingEffect& effect, const std::vector<Component>& load = {})
+{
+    InfluenceAnalysis analysis(model);
+    return analysis.line(lay_out(model, all_members(model)), unit_load(model.analysis, load), effect);
+}
+
+} // namespace
+
+TEST_CASE("The line of M in a simple beam is a triangle of x (L - x) / L over the section")
+{
+    const Model model = simple_beam();
+    const InfluenceLine line = line_of(model, force(model, "AB", MemberComponent::Mz, x));
+    CHECK(line.ordinates.max().value == doctest::Approx(x * (L - x) / L));
+    CHECK(line.ordinates.max().positions == std::vector<double>{x});
+    CHECK(line.ordinates.value(0.5 * x) == doctest::Approx(0.5 * x * (L - x) / L));
+    REQUIRE(line.stretches.size() == 2);
+    CHECK(line.ordinates.pieces[0].coefficients.size() == 2); // no rounding is left of t^2 and t^3
+}
+
+TEST_CASE("The line of V in a simple beam steps by 1 at the section")
+{
+    const Model model = simple_beam();
+    const InfluenceLine line = line_of(model, force(model, "AB", MemberComponent::Vy, x));
+    CHECK(line.ordinates.value(x, Side::Before) == doctest::Approx(-x / L));
+    CHECK(line.ordinates.value(x, Side::After) == doctest::Approx(1.0 - x / L));
+    CHECK(line.ordinates.jumps() == std::vector<double>{x});
+}
+
+TEST_CASE("A section at the end of a member is inside its support")
+{
+    const Model model = two_spans();
+    const InfluenceLine before = line_of(model, force(model, "AB", MemberComponent::Vy, 5.0));
+    CHECK(before.ordinates.value(5.0, Side::Before) == doctest::Approx(-1.0));
+    CHECK(before.ordinates.value(5.0, Side::After) == doctest::Approx(0.0));
+    const InfluenceLine after = line_of(model, force(model, "BC", MemberComponent::Vy, 0.0));
+    CHECK(after.ordinates.value(5.0, Side::Before) == doctest::Approx(0.0));
+    CHECK(after.ordinates.value(5.0, Side::After) == doctest::Approx(1.0));
+}
+
+TEST_CASE("The line of a reaction is 1 at its own support and 0 at the others")
+{
+    const Model model = two_spans();
+    const InfluenceLine line = line_of(model, reaction(model, "B", Dof::uy));
+    CHECK(line.ordinates.value(0.0) == doctest::Approx(0.0));
+    CHECK(line.ordinates.value(5.0) == doctest::Approx(1.0));
+    CHECK(line.ordinates.value(12.0) == doctest::Approx(0.0));
+}
+
+TEST_CASE("The area under a line is the effect of a uniform load of 1")
+{
+    Model model = two_spans();
+    const MovingEffect M = force(model, "BC", MemberComponent::Mz, 2.5);
+    const LineAreas areas = line_of(model, M).ordinates.areas();
+    for (const MemberId member : all_members(model))
+        model.load_cases[0].members.push_back({member, DistributedLoad{.values = {{.dof = Dof::uy, .start = -1.0}}}});
+    const double wanted = analyse(model).at("P").curve(*M.member).value(MemberComponent::Mz, 2.5);
+    CHECK(areas.positive + areas.negative == doctest::Approx(wanted));
+}
+
+TEST_CASE("What an inclined roller does to the structure is one force: its lines are proportional")
+{
+    Model model = two_spans();
+    model.nodes[2].support = Support{.kind = SupportKind::Custom, .fixed = {Dof::uy}, .angle = 30.0};
+    const InfluenceLine fx = line_of(model, reaction(model, "C", Dof::ux));
+    const InfluenceLine fy = line_of(model, reaction(model, "C", Dof::uy));
+    for (const double s : {2.0, 6.0, 11.0})
+        CHECK(fx.ordinates.value(s) == doctest::Approx(-std::tan(M_PI / 6.0) * fy.ordinates.value(s)));
+}
+
+TEST_CASE("A bar carries a load between its nodes as a simple beam")
+{
+    Model model = two_spans();
+    model.members[0].bar = true;
+    const InfluenceLine M = line_of(model, force(model, "AB", MemberComponent::Mz, 2.0));
+    CHECK(M.ordinates.value(2.0) == doctest::Approx(2.0 * 3.0 / 5.0));
+    CHECK(M.ordinates.value(8.0) == 0.0);
+}
+
+TEST_CASE("On a foundation a stretch is its member's closed form")
+{
+    Model model = two_spans();
+    model.members[1].foundation = 4000.0;
+    const InfluenceLine line = line_of(model, force(model, "BC", MemberComponent::Mz, 2.5));
+    REQUIRE(line.stretches.size() == 3);
+    CHECK_FALSE(line.stretches[0].is_on_foundation);
+    CHECK(line.stretches[1].is_on_foundation);
+    CHECK(line.stretches[2].from == doctest::Approx(7.5));
+    CHECK(line.stretches[2].to == doctest::Approx(12.0));
+}
+
+TEST_CASE("A couple that moves over a simple beam bends it by its lever")
+{
+    const Model model = simple_beam();
+    const InfluenceLine line = line_of(model, force(model, "AB", MemberComponent::Mz, x), {{Dof::rz, 1.0}});
+    CHECK(line.ordinates.value(0.5 * x) == doctest::Approx(-(1.0 - x / L)));
+    CHECK(line.ordinates.value(L) == doctest::Approx(x / L));
+}
+
+TEST_CASE("A line that is zero by nature is not rounding")
+{
+    const Model model = simple_beam();
+    const InfluenceLine line = line_of(model, force(model, "AB", MemberComponent::N, x));
+    CHECK(line.ordinates.largest() == 0.0);
+}
+
+TEST_CASE("A structure that moves under the load has no lines")
+{
+    Model model = simple_beam();
+    model.nodes[0].support = Support{.kind = SupportKind::Roller};
+    CHECK_THROWS_AS(InfluenceAnalysis{model}, MechanismError);
+}
+
+TEST_CASE("A node that all its hinges leave free to turn takes no part: the line of its rotation is zero")
+{
+    FrameMaker made;
+    made.node("A", 0, 0, SupportKind::Fixed).node("B", 4, 0).node("C", 9, 0, SupportKind::Fixed);
+    made.member("A", "B").member("B", "C");
+    made.model.nodes[1].hinge = true;
+    const MovingEffect turn{.quantity = ExpectedQuantity::Displacement, .node = NodeId(1), .dof = Dof::rz};
+    CHECK(line_of(made.model, turn).ordinates.largest() == 0.0);
+}
+
+TEST_CASE("Stations are so many places of each member, and both sides of a jump")
+{
+    const Model model = two_spans();
+    const InfluenceLine line = line_of(model, force(model, "BC", MemberComponent::Vy, 2.3));
+    const std::vector<LineStation> found = stations(line, 3);
+    std::vector<double> places;
+    for (const LineStation& station : found) places.push_back(station.s);
+    CHECK(places == std::vector<double>{0.0, 2.5, 5.0, 7.3, 7.3, 8.5, 12.0});
+    CHECK(found[4].value - found[3].value == doctest::Approx(1.0));
+}
+
+TEST_CASE("A dozen lines are found at once as one by one")
+{
+    const Model model = two_spans();
+    const PathLayout path = lay_out(model, all_members(model));
+    std::vector<MovingEffect> effects;
+    for (int i = 0; i < 12; ++i) effects.push_back(force(model, "BC", MemberComponent::Mz, 0.5 * i));
+    InfluenceAnalysis analysis(model);
+    const auto together = analysis.lines(path, unit_load(model.analysis, {}), effects);
+    for (std::size_t i = 0; i < effects.size(); ++i) {
+        const InfluenceLine alone = analysis.line(path, unit_load(model.analysis, {}), effects[i]);
+        CHECK(together[i].ordinates.value(7.7) == doctest::Approx(alone.ordinates.value(7.7)));
+    }
+}
