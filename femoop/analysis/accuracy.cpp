@@ -17,6 +17,9 @@ constexpr double useless = 1e-3;  // refused
 constexpr double least_force = 1e-12; // of the imposed, that a single force is held against
 constexpr double least_sum = 1e-4;    // of the imposed, that the sums of forces are held against
 
+// Where all forces pass through the origin no moment is left but rounding.
+constexpr double least_arm = 1e-4; // of the reach, at which the forces turn at least
+
 double ratio(double part, double whole) { return part > 0.0 ? part / whole : 0.0; }
 
 double at_unknowns(const detail::Balance& balance)
@@ -34,8 +37,9 @@ double of_sums(const Equilibrium& equilibrium, const detail::Balance& balance)
         return sum;
     };
     const double least = least_sum * balance.imposed;
+    const double least_moment = std::max(least, least_arm * balance.sum_forces) * balance.reach;
     return std::max(ratio(unbalanced(0), std::max(balance.sum_forces, least)),
-                    ratio(unbalanced(3), std::max(balance.sum_moments, least * balance.reach)));
+                    ratio(unbalanced(3), std::max(balance.sum_moments, least_moment)));
 }
 
 std::vector<Fault> worse_than(double limit, FaultKind kind, const detail::Solution& solution)

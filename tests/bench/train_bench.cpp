@@ -45,11 +45,11 @@ Model bridge()
     }
     std::vector<MemberId> path;
     for (int i = 0; i < n_spans; ++i)
-        path.push_back(model.add(
-            Member{.id = "M" + std::to_string(i),
-                   .nodes = {NodeId(static_cast<std::size_t>(i)), NodeId(static_cast<std::size_t>(i + 1))},
-                   .material = MaterialId(0),
-                   .section = SectionId(0)}));
+        path.push_back(
+            model.add(Member{.id = "M" + std::to_string(i),
+                             .nodes = {NodeId(static_cast<std::size_t>(i)), NodeId(static_cast<std::size_t>(i + 1))},
+                             .material = MaterialId(0),
+                             .section = SectionId(0)}));
     model.moving_loads.trains.push_back(train_on(std::move(path)));
     return model;
 }
@@ -57,9 +57,8 @@ Model bridge()
 std::vector<MovingEffect> moments_and_shears(const Model& model)
 {
     std::vector<MovingEffect> effects = default_effects(model, n_sections);
-    std::erase_if(effects, [](const MovingEffect& effect) {
-        return !effect.member || effect.component == MemberComponent::N;
-    });
+    std::erase_if(effects,
+                  [](const MovingEffect& effect) { return !effect.member || effect.component == MemberComponent::N; });
     return effects;
 }
 
@@ -103,9 +102,10 @@ void bench_envelope()
         const double value = exact[i].max.value;
         if (value > 1e-3) worst_error = std::max(worst_error, (value - stepped) / value);
     }
-    std::printf("envelope of M and V, %d spans, %zu sections each, 10 axles, both directions: exact %.3f s (lines %.3f); "
-                "largest alone by steps of L/%d %.3f s, %.1e too small\n",
-                n_spans, n_sections, exact_time, line_time, n_steps, seconds_since(start), worst_error);
+    std::printf(
+        "envelope of M and V, %d spans, %zu sections each, 10 axles, both directions: exact %.3f s (lines %.3f); "
+        "largest alone by steps of L/%d %.3f s, %.1e too small\n",
+        n_spans, n_sections, exact_time, line_time, n_steps, seconds_since(start), worst_error);
 }
 
 } // namespace

@@ -522,3 +522,19 @@ TEST_SUITE("laws")
         });
     }
 }
+
+TEST_CASE("A load that a support at the origin takes alone is carried: no moment is left to hold its rounding against")
+{
+    Model model;
+    model.add(Material{.id = "steel", .E = 29000.0 * 144.0});
+    model.add(Section{.id = "s", .A = 100.0 / 144.0, .Iz = 10000.0 / 20736.0});
+    model.add(Node{.id = "A", .at = {0.0, 0.0, 0.0}, .support = Support{.kind = SupportKind::Pin}});
+    model.add(Node{.id = "B", .at = {100.0, 0.0, 0.0}, .support = Support{.kind = SupportKind::Roller}});
+    const MemberId AB = model.add(
+        Member{.id = "AB", .nodes = {NodeId(0), NodeId(1)}, .material = MaterialId(0), .section = SectionId(0)});
+    LoadCase load_case{.id = "P"};
+    load_case.members.push_back(
+        {.member = AB, .load = PointLoad{.at = Percent{0.0}, .components = {{.dof = Dof::uy, .value = -1.0}}}});
+    model.add(std::move(load_case));
+    CHECK(analyse(model)[CaseId(0)].reaction(NodeId(0))[1] == doctest::Approx(1.0));
+}

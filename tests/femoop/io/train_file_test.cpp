@@ -84,7 +84,8 @@ TEST_CASE("A train that cannot move is refused, with what is wanted")
         {R"("axles": [1, 2], "spacings": [-4])", place + ": spacing 1 is -4 m; give 0 or a positive value"},
         {R"("axles": [1], "uniform": 3, "gap": -0.5)", place + ": gap is -0.5 m; give 0 or a positive value"},
         {R"("axles": [1, 2], "spacings": [4], "spacing_ranges": {"2": [3, 5]})",
-         place + ": there is no spacing \"2\" that could have a range; count from 1, behind the leading axle: there are 1"},
+         place +
+             ": there is no spacing \"2\" that could have a range; count from 1, behind the leading axle: there are 1"},
         {R"("axles": [1, 2], "spacings": [4], "spacing_ranges": {"x": [3, 5]})",
          place + ".spacing_ranges: there is no spacing \"x\" that could have a range; "
                  "count from 1, behind the leading axle: there are 1"},

@@ -207,7 +207,8 @@ PositionFunction PositionFunction::largest_within(double least, double most, dou
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
         const double from = cuts[i], to = cuts[i + 1], middle = 0.5 * (from + to);
         if (to - from <= shortest) continue;
-        std::vector<Polynomial> of{near.polynomial_about(from - least, middle - least), far.polynomial_about(from - most, middle - most)};
+        std::vector<Polynomial> of{near.polynomial_about(from - least, middle - least),
+                                   far.polynomial_about(from - most, middle - most)};
         const double within = largest_between(inner, middle - most, middle - least);
         if (std::isfinite(within)) of.push_back(constant(within));
         append_envelope(result.pieces_, of, from, to, shortest);

@@ -81,7 +81,7 @@ public:
         placing.value = uniform_.effect + concentrated_;
         if (train_.axles.empty()) return signed_value(std::move(placing));
         const std::vector<Trial> along = candidates(*forwards_),
-                                     back = reversed_ ? candidates(*reversed_) : std::vector<Trial>();
+                                 back = reversed_ ? candidates(*reversed_) : std::vector<Trial>();
         const double most = std::max({largest_of(along), largest_of(back), 0.0});
         const double margin = most - equal_values * scale();
         if (const auto found = first(along, margin)) stand(placing, *forwards_, *found, false);
