@@ -73,8 +73,9 @@ private:
     }
 
     /// The leading axle first; with an arrow where it runs backwards.
-    std::string axle_places(const Placing& placing) const
+    std::string axle_places(const Placing& placing, const Train& train) const
     {
+        if (train.axles.empty()) return "-";
         if (!placing.position) return tr_("away");
         std::string text = number(*placing.position);
         double s = *placing.position;
@@ -120,7 +121,7 @@ private:
     void add(std::vector<tabular::Cell>& row, const Placing& placing, const Train& train, bool names_train) const
     {
         row.emplace_back(placing.value);
-        row.emplace_back(axle_places(placing));
+        row.emplace_back(axle_places(placing, train));
         if (names_train) row.emplace_back(train.id);
     }
 
@@ -157,7 +158,7 @@ private:
         for (const double x : worst.sections) sections += (sections.empty() ? "" : "; ") + number(x);
         row.emplace_back(worst.placing.value);
         row.emplace_back(sections);
-        row.emplace_back(axle_places(worst.placing));
+        row.emplace_back(axle_places(worst.placing, train));
         if (names_train) row.emplace_back(train.id);
     }
 
@@ -166,19 +167,25 @@ private:
         return "\n" + detail("max", effect.max, *effect.max_train) + detail("min", effect.min, *effect.min_train);
     }
 
-    /// "max 1520 kip*ft: leading axle at s = 64 ft, forwards, spacings 14, 14 ft; uniform load on 0 to 100 ft"
+    /// "max: leading axle at s = 64; spacings 14; 14; uniform load on 0 to 100"
     std::string detail(const std::string& which, const Placing& placing, const Train& train) const
     {
-        std::string text = which + ": ";
-        if (!placing.position) text += tr_("no axle on the path");
-        else
-            text += fill(placing.reversed ? tr_("leading axle at s = {0}, reversed") : tr_("leading axle at s = {0}"),
-                         {number(*placing.position)});
-        if (!placing.spacings.empty()) text += "; " + fill(tr_("spacings {0}"), {list(placing.spacings)});
-        if (train.uniform) text += "; " + uniform(placing);
+        std::vector<std::string> parts;
+        if (!train.axles.empty()) parts.push_back(leading_axle(placing));
+        if (!placing.spacings.empty()) parts.push_back(fill(tr_("spacings {0}"), {list(placing.spacings)}));
+        if (train.uniform) parts.push_back(uniform(placing));
         for (const auto& place : placing.concentrated)
-            text += "; " + (place ? fill(tr_("single force at s = {0}"), {number(*place)}) : tr_("single force away"));
-        return "  " + text + "\n";
+            parts.push_back(place ? fill(tr_("single force at s = {0}"), {number(*place)}) : tr_("single force away"));
+        std::string text;
+        for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
+        return "  " + which + ": " + text + "\n";
+    }
+
+    std::string leading_axle(const Placing& placing) const
+    {
+        if (!placing.position) return tr_("no axle on the path");
+        return fill(placing.reversed ? tr_("leading axle at s = {0}, reversed") : tr_("leading axle at s = {0}"),
+                    {number(*placing.position)});
     }
 
     std::string list(const std::vector<double>& numbers) const

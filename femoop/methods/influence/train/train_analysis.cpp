@@ -12,6 +12,7 @@ namespace femoop::influence {
 namespace {
 
 constexpr std::size_t degree_of_force = 1, degree_of_displacement = 3; ///< in the section's place
+constexpr double noise = 1e-12;                                        ///< of a usual ordinate
 constexpr double end_of_curve = 1e-9;                                  // of its length
 
 std::vector<double> values_of(const std::vector<Quantity>& quantities)
@@ -44,6 +45,20 @@ double effect_in(const MovingEffect& effect, const CaseResult& result)
     const NodeVector all = effect.quantity == ExpectedQuantity::Reaction ? result.reaction(*effect.node)
                                                                          : result.displacement(*effect.node);
     return all[index(*effect.dof)];
+}
+
+/// Nothing, where rounding alone is left beside what a unit load does to other effects of this kind.
+PiecewiseLine without_noise(PiecewiseLine line, const MovingEffect& effect, const NodeVector& load)
+{
+    const bool is_displaced = effect.component ? is_displacement(*effect.component)
+                                               : effect.quantity == ExpectedQuantity::Displacement;
+    if (is_displaced) return line;
+    const bool is_couple = load[0] == 0.0 && load[1] == 0.0 && load[2] == 0.0;
+    double usual = is_moment(effect) ? line.length() : 1.0;
+    if (is_couple) usual /= line.length();
+    if (line.largest() > noise * usual) return line;
+    for (LinePiece& piece : line.pieces) piece.coefficients.clear();
+    return line;
 }
 
 double worse_side(const Curve& curve, MemberComponent component, double x, ExtremeKind kind)
@@ -162,8 +177,10 @@ std::vector<TrainEffect> TrainAnalysis::effects(const Train& train, std::span<co
 {
     const PathLayout layout = path(train);
     std::vector<TrainEffect> all;
-    for (const InfluenceLine& line : lines_.lines(layout, unit_load(model_.analysis, train.load), effects)) {
-        const TrainSearch search(line.ordinates, layout.nodes(), moving_train(train, line.effect));
+    const NodeVector load = unit_load(model_.analysis, train.load);
+    for (const InfluenceLine& line : lines_.lines(layout, load, effects)) {
+        const TrainSearch search(without_noise(line.ordinates, line.effect, load), layout.nodes(),
+                                 moving_train(train, line.effect));
         const auto [max, min] = search.worst();
         all.push_back({line.effect, max, min, &train, &train});
     }
@@ -173,8 +190,9 @@ std::vector<TrainEffect> TrainAnalysis::effects(const Train& train, std::span<co
 TrainSearch TrainAnalysis::search(const Train& train, const MovingEffect& effect)
 {
     const PathLayout layout = path(train);
-    const InfluenceLine line = lines_.line(layout, unit_load(model_.analysis, train.load), effect);
-    return {line.ordinates, layout.nodes(), moving_train(train, effect)};
+    const NodeVector load = unit_load(model_.analysis, train.load);
+    const InfluenceLine line = lines_.line(layout, load, effect);
+    return {without_noise(line.ordinates, effect, load), layout.nodes(), moving_train(train, effect)};
 }
 
 SectionLines TrainAnalysis::section_lines(const Train& train, const MovingEffect& effect)
@@ -182,7 +200,7 @@ SectionLines TrainAnalysis::section_lines(const Train& train, const MovingEffect
     const double length = geometry_of(model_, model_[*effect.member]).length;
     const auto source = [this, layout = path(train), load = unit_load(model_.analysis, train.load), effect,
                          length](double x) -> PiecewiseLine {
-        return lines_.line(layout, load, at_section(effect, x, length)).ordinates;
+        return without_noise(lines_.line(layout, load, at_section(effect, x, length)).ordinates, effect, load);
     };
     return {source, length, is_displacement(*effect.component) ? degree_of_displacement : degree_of_force};
 }
