@@ -16,9 +16,8 @@ constexpr double useless = 1e-3;  // refused
 // Where settlements and heat strain members and nothing holds against them, no force is left but rounding.
 constexpr double least_force = 1e-12; // of the imposed, that a single force is held against
 constexpr double least_sum = 1e-4;    // of the imposed, that the sums of forces are held against
-
-// Where all forces pass through the origin no moment is left but rounding.
-constexpr double least_arm = 1e-4; // of the reach, at which the forces turn at least
+// Forces through the origin have no moment there, and those of a far part of the structure only rounding.
+constexpr double least_arm = 1e-4; // of the farthest node's, that a sum of moments is held against
 
 double ratio(double part, double whole) { return part > 0.0 ? part / whole : 0.0; }
 
@@ -37,7 +36,7 @@ double of_sums(const Equilibrium& equilibrium, const detail::Balance& balance)
         return sum;
     };
     const double least = least_sum * balance.imposed;
-    const double least_moment = std::max(least, least_arm * balance.sum_forces) * balance.reach;
+    const double least_moment = balance.reach * std::max(least, least_arm * balance.sum_forces);
     return std::max(ratio(unbalanced(0), std::max(balance.sum_forces, least)),
                     ratio(unbalanced(3), std::max(balance.sum_moments, least_moment)));
 }

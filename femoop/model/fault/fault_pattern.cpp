@@ -371,7 +371,7 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::UnitLoadZero:
         return "{0}: the unit load has no direction; give a component that is not 0, or leave the load out: it is down";
     case FaultKind::BarLoadedBetweenNodes:
-        return "{0}: {1} take axial force only: a load between their nodes is carried to these as by a simple beam";
+        return "{0}: what stands between the nodes of {1} is carried to these as by a simple beam, since a bar takes axial force only";
     case FaultKind::PositionOffPath: return "{0}: position {1} is off the path; give a length from 0 to {2}";
     case FaultKind::BadPathPosition:
         return "{0}: cannot read {1} as a position; write a length, or \"4-\" and \"4+\" for just before and after 4";

@@ -599,6 +599,61 @@ std::vector<BadFile> files_with_bad_expectations()
     };
 }
 
+namespace {
+
+/// A path along AB, and an influence line with these keys.
+std::string with_line(std::string_view keys)
+{
+    return File{.more = R"(, "paths": [{"id": "deck", "members": ["AB"]}], "influence_lines": [{"id": "L", )" +
+                        std::string(keys) + "}]"}
+        .text();
+}
+
+} // namespace
+
+std::vector<BadFile> files_with_bad_moving_loads()
+{
+    constexpr std::string_view nodes = R"([{"id": "A", "at": [0, 0], "support": "fixed"}, {"id": "B", "at": [6, 0]},
+                                           {"id": "C", "at": [8, 0]}, {"id": "D", "at": [9, 0]}])";
+    constexpr std::string_view members = R"([{"id": "AB", "nodes": ["A", "B"], "material": "m", "section": "s"},
+                                             {"id": "BC", "nodes": ["B", "C"], "material": "m", "section": "s"},
+                                             {"id": "CD", "nodes": ["C", "D"], "material": "m", "section": "s"}])";
+    return {
+        {with_line(R"("path": "dek", "quantity": "reaction", "node": "A", "component": "fy")"),
+         "influence_lines[0] \"L\": no path \"dek\"; did you mean \"deck\"?"},
+        {with_line(R"("path": "way", "quantity": "reaction", "node": "A", "component": "fy")"),
+         "influence_lines[0] \"L\": no path \"way\"; add it to paths or name another"},
+        {with_line(R"("path": [], "quantity": "reaction", "node": "A", "component": "fy")"),
+         "influence_lines[0] \"L\": has no members, so nothing moves along it; name some"},
+        {with_line(R"("path": ["AC"], "quantity": "reaction", "node": "A", "component": "fy")"),
+         "influence_lines[0].path[0]: no member \"AC\"; add the member or name another"},
+        {with_line(R"("path": 3, "quantity": "reaction", "node": "A", "component": "fy")"),
+         "influence_lines[0].path: found a number, wanted the id of a path, or a list of members; write it like [\"AB\", \"BC\"]"},
+        {with_line(R"("path": "deck", "quantity": "load_factor", "member": "AB", "component": "M", "at": 1)"),
+         "influence_lines[0].quantity: \"load_factor\" is no effect of a moving load; ask for displacement, "
+         "reaction, section_force"},
+        {with_line(R"("path": "deck", "quantity": "section_force", "member": "AB", "component": "M")"),
+         "influence_lines[0] \"L\": a check of a section_force needs \"at\"; add it"},
+        {with_line(R"("path": "deck", "quantity": "section_force", "member": "AB", "component": "M", "at": 7)"),
+         "influence_lines[0] \"L\": \"at\" is 7 m, beyond the end of member \"AB\"; give a length from 0 to 6 m"},
+        {with_line(R"("path": "deck", "quantity": "reaction", "node": "B", "component": "fy")"),
+         "influence_lines[0] \"L\": node \"B\" has no support, so no reaction; name a supported node"},
+        {with_line(R"("path": "deck", "quantity": "displacement", "node": "B", "component": "uz")"),
+         "influence_lines[0] \"L\": component uz does not exist in frame2d; name another"},
+        {with_line(R"("path": "deck", "quantity": "reaction", "node": "A", "component": "fy", "load": {"fy": 0})"),
+         "influence_lines[0] \"L\": the unit load has no direction; give a component that is not 0, or leave the load "
+         "out: it is down"},
+        {with_line(R"("path": "deck", "quantity": "reaction", "node": "A", "component": "fy", "load": {"fz": -1})"),
+         "influence_lines[0] \"L\": fz works on uz, which frame2d does not have there; take it away: there are ux uy rz"},
+        {File{.nodes = nodes, .members = members, .more = R"(, "paths": [{"id": "deck", "members": ["AB", "CD"]}])"}
+             .text(),
+         "paths[0] \"deck\": member \"CD\" (C - D) does not begin where member \"AB\" (A - B) ends; name members that "
+         "follow one another, node by node"},
+        {File{.more = R"(, "paths": [{"id": "d", "members": ["AB"]}, {"id": "d", "members": ["AB"]}])"}.text(),
+         "paths[1] \"d\": the id is taken by paths[0] already; choose another"},
+    };
+}
+
 std::vector<BadFile> files_with_warnings()
 {
     constexpr std::string_view cross =
@@ -633,6 +688,11 @@ std::vector<BadFile> files_with_warnings()
         {with_members(R"([{"id": "AB", "nodes": ["A", "B"], "material": "m", "section": "s"},
                           {"id": "BA", "nodes": ["B", "A"], "material": "m", "section": "s"}])"),
          "members[1] \"BA\": lies on member \"AB\" around (3, 0) m; delete one, or split them where they part"},
+        {File{.members = R"([{"id": "AB", "nodes": ["A", "B"], "material": "m", "section": "s", "bar": true}])",
+              .more = R"(, "paths": [{"id": "d", "members": ["AB"]}])"}
+             .text(),
+         "paths[0] \"d\": what stands between the nodes of AB is carried to these as by a simple beam, since a bar takes "
+         "axial force only"},
         {with_member_keys(R"("tension_only": true)"),
          "members[0] \"AB\": takes tension only or compression only, which the linear analysis cannot follow: "
          "it counts as an ordinary member there"},

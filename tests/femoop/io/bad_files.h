@@ -32,4 +32,5 @@ std::vector<BadFile> files_with_bad_nodes();
 std::vector<BadFile> files_with_bad_members();
 std::vector<BadFile> files_with_bad_loads();
 std::vector<BadFile> files_with_bad_expectations();
+std::vector<BadFile> files_with_bad_moving_loads();
 std::vector<BadFile> files_with_warnings();

@@ -74,6 +74,11 @@ TEST_CASE("A member that cannot be built is refused") { check_all(files_with_bad
 
 TEST_CASE("A load that cannot act is refused") { check_all(files_with_bad_loads(), Severity::Error); }
 
+TEST_CASE("A bad path or influence line is told with its place, its value and a remedy")
+{
+    check_all(files_with_bad_moving_loads(), Severity::Error);
+}
+
 TEST_CASE("An expected result that cannot be looked up is refused")
 {
     check_all(files_with_bad_expectations(), Severity::Error);
@@ -243,7 +248,7 @@ TEST_CASE("Every kind of fault has a file that shows it")
     for (const auto& files :
          {files_that_are_no_text(), files_that_are_no_json(), files_with_bad_keys(), files_with_bad_quantities(),
           files_with_bad_materials_and_sections(), files_with_bad_nodes(), files_with_bad_members(),
-          files_with_bad_loads(), files_with_bad_expectations(), files_with_warnings()})
+          files_with_bad_loads(), files_with_bad_expectations(), files_with_bad_moving_loads(), files_with_warnings()})
         for (const BadFile& file : files)
             for (const Fault& fault : examine_model(file.text).faults) shown.insert(fault.kind);
     // Shown by tests of their own, or impossible to write in a file.
@@ -257,10 +262,14 @@ TEST_CASE("Every kind of fault has a file that shows it")
     for (auto kind = static_cast<int>(FaultKind::CrossNeedsPlaneFrame);
          kind <= static_cast<int>(FaultKind::CrossSkewSway); ++kind)
         shown.insert(static_cast<FaultKind>(kind));
-    // So are moving loads.
-    for (auto kind = static_cast<int>(FaultKind::NoSuchPath); kind <= static_cast<int>(FaultKind::EffectNotMoving);
-         ++kind)
-        shown.insert(static_cast<FaultKind>(kind));
+    // So are the blocks of verification cases, what the command line asks for, and trains.
+    for (const FaultKind kind :
+         {FaultKind::NoSuchLine, FaultKind::NoSuchLineNear, FaultKind::PathMissing, FaultKind::PositionOffPath,
+          FaultKind::BadPathPosition, FaultKind::WrongValueCount, FaultKind::NoSuchTrain, FaultKind::NoSuchTrainNear,
+          FaultKind::NoSuchEnvelope, FaultKind::NoSuchEnvelopeNear, FaultKind::TrainWithoutLoad,
+          FaultKind::AxlesAndSpacings, FaultKind::RangeOfNoSpacing, FaultKind::RangeReversed, FaultKind::WrongRangeSize,
+          FaultKind::EnvelopeWithoutTrains})
+        shown.insert(kind);
     // The kinds before these are the analysis's.
     for (auto kind = static_cast<int>(FaultKind::FileUnreadable); !pattern(static_cast<FaultKind>(kind)).empty();
          ++kind) {
