@@ -36,16 +36,12 @@ std::string number(double value, const ui::Catalogue& tr, int digits = 10)
     return femoop::localized(buffer.data(), tr);
 }
 
-std::string reason(const CheckOutcome& check, const ui::Catalogue& tr)
-{
-    return check.skipped == femoop::SkipReason::AnalysisNotBuilt ? tr("this analysis is not built yet")
-                                                                 : tr("this block is not compared yet");
-}
+std::string reason(const ui::Catalogue& tr) { return tr("this analysis is not built yet"); }
 
 std::string line(const std::string& file, const CheckOutcome& check, const ui::Catalogue& tr)
 {
     if (check.verdict == Verdict::Skipped)
-        return file + ": " + check.what + ": " + tr("skipped: {reason}", {{"reason", reason(check, tr)}}) + "\n";
+        return file + ": " + check.what + ": " + tr("skipped: {reason}", {{"reason", reason(tr)}}) + "\n";
     const std::string numbers = tr("{result}, expected {expected} within {tolerance}",
                                    {{"result", number(*check.result, tr)},
                                     {"expected", number(check.expected, tr)},
@@ -152,7 +148,7 @@ void Verify::print_json(const std::vector<FileOutcome>& files, Console& console)
             json.begin_object().member("file", file.file).member("what", check.what);
             json.member("verdict", word(check.verdict)).member("expected", check.expected);
             if (check.result) json.member("result", *check.result).member("tolerance", check.tolerance);
-            if (check.skipped) json.member("reason", reason(check, ui::Catalogue()));
+            if (check.skipped) json.member("reason", reason(ui::Catalogue()));
             json.end();
         }
     }

@@ -12,6 +12,7 @@
 
 #include "femoop/io/cross/cross_check.h"
 #include "femoop/io/influence/influence_check.h"
+#include "femoop/io/train/train_check.h"
 #include "femoop/load/place_along.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/result/magnitudes.h"
@@ -185,15 +186,9 @@ std::vector<CheckOutcome> verify(const Model& model, const std::optional<Results
         outcomes.push_back(verify_one(model, sizes ? &*sizes : nullptr, check, tr));
     for (CheckOutcome& outcome : cross::check_block(model, tr)) outcomes.push_back(std::move(outcome));
     for (CheckOutcome& outcome : influence::check_block(model, tr)) outcomes.push_back(std::move(outcome));
+    for (CheckOutcome& outcome : influence::check_train_block(model, tr)) outcomes.push_back(std::move(outcome));
     for (CheckOutcome& outcome : outcomes)
         if (outcome.result) outcome.result = without_rounding(*outcome.result, outcome.magnitude);
-    for (const ExtraBlock& block : model.extra) {
-        if (block.key == "cross" || block.key == "influence") continue;
-        CheckOutcome outcome;
-        outcome.what = fill(tr("block \"{0}\""), {block.key});
-        outcome.skipped = SkipReason::SheetNotBuilt;
-        outcomes.push_back(std::move(outcome));
-    }
     return outcomes;
 }
 

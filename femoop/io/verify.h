@@ -16,7 +16,6 @@ enum class Verdict : std::uint8_t { Passed, Failed, Skipped };
 /// Why a check was not made.
 enum class SkipReason : std::uint8_t {
     AnalysisNotBuilt, ///< P-delta, buckling, modal and plastic analysis
-    SheetNotBuilt,    ///< a `train` block of the file, or a sheet with several sways
 };
 
 /// What became of one expected result.
@@ -42,7 +41,7 @@ bool needs_linear_analysis(const Model& model);
 
 /// Compares every `expected` entry of the model with its results, in file order, then works the sheet of its `cross`
 /// block (femoop/io/cross/cross_check.h), compares the lines of its `influence` block
-/// (femoop/io/influence/influence_check.h), and names the block (`train`) that nothing compares yet. A
+/// (femoop/io/influence/influence_check.h) and runs the train of its `train` block (femoop/io/train/train_check.h). A
 /// check passes when abs(result - value) <= max(atol, rtol abs(value)), with rtol 1e-6 and atol 0 where the file is
 /// silent.
 ///

@@ -11,9 +11,9 @@ namespace femoop {
 namespace {
 
 constexpr double format = 1.0;
-constexpr Keys<18> file_keys{{"cremona", "analysis", "units", "nodes", "members", "title", "notes", "mass", "materials",
-                              "sections", "load_cases", "combinations", "paths", "influence_lines", "expected", "cross",
-                              "influence", "train"},
+constexpr Keys<20> file_keys{{"cremona", "analysis", "units", "nodes", "members", "title", "notes", "mass", "materials",
+                              "sections", "load_cases", "combinations", "paths", "influence_lines", "trains",
+                              "moving_envelopes", "expected", "cross", "influence", "train"},
                              5};
 constexpr Keys<2> units_keys{{"length", "force"}, 2};
 
@@ -24,7 +24,8 @@ ModelReader::ModelReader(JsonValue file, std::vector<Fault> faults)
     for (Fault& fault : faults) reader_.add(std::move(fault));
     const Place top;
     const auto [cremona, analysis, units, nodes, members, title, notes, mass, materials, sections, load_cases,
-                combinations, paths, lines, expected, cross, influence, train] = reader_.fields(file, file_keys, top);
+                combinations, paths, lines, trains, envelopes, expected, cross, influence,
+                train] = reader_.fields(file, file_keys, top);
     if (!file.is(JsonKind::Object)) {
         unreadable_.header = true;
         return;
@@ -39,6 +40,7 @@ ModelReader::ModelReader(JsonValue file, std::vector<Fault> faults)
     cases_.add(load_cases);
     cases_.add(combinations, load_cases.size());
     paths_.add(paths);
+    trains_.add(trains);
     nodes_.is_lost = !nodes.is(JsonKind::Array); // without these lists a file has that fault already
     members_.is_lost = !members.is(JsonKind::Array);
     read_parts(materials, {}, model.materials, unreadable_.materials, &ModelReader::material);
@@ -50,6 +52,9 @@ ModelReader::ModelReader(JsonValue file, std::vector<Fault> faults)
     read_parts(paths, {}, model.moving_loads.paths, unreadable_.paths, &ModelReader::load_path);
     read_parts(lines, {}, model.moving_loads.influence_lines, unreadable_.influence_lines,
                &ModelReader::influence_line);
+    read_parts(trains, {}, model.moving_loads.trains, unreadable_.trains, &ModelReader::train);
+    read_parts(envelopes, {}, model.moving_loads.envelopes, unreadable_.moving_envelopes,
+               &ModelReader::moving_envelope);
     read_parts(expected, {}, model.expected, unreadable_.expected, &ModelReader::expected);
     keep_extra_blocks(file);
     unreadable_.is_incomplete = reader_.n_troubles() > 0;

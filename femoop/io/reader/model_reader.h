@@ -13,6 +13,7 @@
 #include "femoop/io/json/json_document.h"
 #include "femoop/io/reader/place.h"
 #include "femoop/io/reader/value_reader.h"
+#include "femoop/io/train/train_block.h"
 #include "femoop/model/check/check_parts.h"
 #include "femoop/model/model.h"
 
@@ -32,6 +33,8 @@ public:
 
     // influence_block_reader.cpp
     influence::Block influence_block(JsonValue value); ///< the file's block `influence`
+    // train_reader.cpp
+    influence::TrainBlock train_block(JsonValue value); ///< the file's block `train`
 
 private:
     /// The names of a list. A name that is not in it may be that of an entry whose own name cannot be read: each such
@@ -110,6 +113,20 @@ private:
     MovingEffect moving_effect(const EffectFields& fields, ExpectedQuantity last_quantity, const Place& place);
     std::vector<Component> unit_load(JsonValue value, const Place& place);
 
+    // train_reader.cpp
+    /// What a train's object says, in the file's list and in a block alike.
+    struct TrainFields {
+        JsonValue path, axles, spacings, ranges, both_directions, impact, uniform, extent, gap, concentrated, load;
+    };
+    Train train(JsonValue value, const Place& place);
+    void read_train(const TrainFields& fields, Train& train, const Place& place);
+    std::vector<Quantity> quantities(JsonValue list, Dimension dimension, const Place& place);
+    void read_ranges(JsonValue ranges, Train& train, const Place& place);
+    void read_concentrated(JsonValue value, Dimension dimension, Train& train, const Place& place);
+    ConcentratedForce concentrated_force(JsonValue value, Dimension dimension, const Place& place);
+    MovingEnvelope moving_envelope(JsonValue value, const Place& place);
+    influence::TrainCheck train_check(JsonValue value, const Place& place);
+
     // influence_block_reader.cpp
     influence::LineCheck line_check(JsonValue value, const influence::LineCheck& common, const Place& place);
     std::vector<influence::PathPosition> path_positions(JsonValue list, const Place& place);
@@ -125,6 +142,7 @@ private:
     NameTable members_{FaultKind::NoSuchMember, FaultKind::NoSuchMemberNear};
     NameTable cases_{FaultKind::NoSuchCase, FaultKind::NoSuchCaseNear};
     NameTable paths_{FaultKind::NoSuchPath, FaultKind::NoSuchPathNear};
+    NameTable trains_{FaultKind::NoSuchTrain, FaultKind::NoSuchTrainNear};
 };
 
 /// What a reference that names nothing becomes: the fault is noted, the index is out of every list.

@@ -24,6 +24,8 @@ inline constexpr std::array quantities{"displacement"sv, "reaction"sv,  "section
                                        "load_factor"sv,  "frequency"sv, "collapse_factor"sv};
 inline constexpr std::array sides{"-"sv, "+"sv};
 inline constexpr std::array extremes{"max"sv, "min"sv};
+inline constexpr std::array uniform_extents{"adverse"sv, "whole spans"sv, "everywhere"sv, "outside"sv,
+                                            "where it adds"sv}; ///< the last is another word for the first
 inline constexpr std::array extra_blocks{"cross"sv, "influence"sv, "train"sv};
 
 inline constexpr std::array<std::string_view, n_dofs> displacements{"ux", "uy", "uz", "rx", "ry", "rz"};

@@ -324,6 +324,57 @@ std::string text_of(const InfluenceLineDefinition& line, const Model& model)
     return object.str();
 }
 
+std::string text_of(const ConcentratedForce& force)
+{
+    if (!force.for_others) return json_text(force.for_moments);
+    return ObjectText().add("moment", force.for_moments).add("shear", *force.for_others).str();
+}
+
+void add_concentrated(ObjectText& object, const std::vector<ConcentratedForce>& forces)
+{
+    Lines texts;
+    for (const ConcentratedForce& force : forces) texts.push_back(text_of(force));
+    if (!texts.empty()) object.add("concentrated", json_list(texts));
+}
+
+void add_ranges(ObjectText& object, const std::vector<SpacingRange>& ranges)
+{
+    ObjectText inner;
+    for (const SpacingRange& range : ranges)
+        inner.add(std::to_string(range.spacing + 1), json_list({json_text(range.min), json_text(range.max)}));
+    if (!inner.is_empty()) object.add("spacing_ranges", inner.str());
+}
+
+std::string text_of(const Train& train, const Model& model)
+{
+    ObjectText object;
+    object.add_text("id", train.id).add("path", text_of(train.path, model));
+    if (!train.axles.empty()) object.add("axles", list_of(train.axles));
+    if (!train.spacings.empty()) object.add("spacings", list_of(train.spacings));
+    add_ranges(object, train.spacing_ranges);
+    add_if(object, "both_directions", train.both_directions);
+    if (train.impact != 1.0) object.add("impact", json_text(train.impact));
+    add_if(object, "uniform", train.uniform);
+    if (train.uniform_extent != UniformExtent::Adverse)
+        object.add("uniform_extent", word(names::uniform_extents, train.uniform_extent));
+    add_if(object, "gap", train.gap);
+    add_concentrated(object, train.concentrated);
+    add_unit_load(object, train.load);
+    return object.str();
+}
+
+std::string text_of(const MovingEnvelope& envelope, const Model& model)
+{
+    Lines trains;
+    for (const TrainId train : envelope.trains)
+        trains.push_back(quoted_json(model.moving_loads.trains.at(train.index).id));
+    ObjectText object;
+    object.add_text("id", envelope.id).add("trains", json_list(trains));
+    if (envelope.with) object.add_text("with", model.case_name(*envelope.with));
+    if (envelope.factor != 1.0) object.add("factor", json_text(envelope.factor));
+    return object.str();
+}
+
 std::string text_of(const Expected& check, const Model& model)
 {
     ObjectText object;
@@ -407,6 +458,8 @@ std::string write_model(const Model& model)
     file.add_if("combinations", model.combinations, model);
     file.add_if("paths", model.moving_loads.paths, model);
     file.add_if("influence_lines", model.moving_loads.influence_lines, model);
+    file.add_if("trains", model.moving_loads.trains, model);
+    file.add_if("moving_envelopes", model.moving_loads.envelopes, model);
     for (const ExtraBlock& block : model.extra) file.add(block.key, pretty(block));
     file.add_if("expected", model.expected, model);
     return file.str();

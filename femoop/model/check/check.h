@@ -25,6 +25,10 @@ struct PartName {
 /// \pre the rest of the model has no error
 std::vector<Fault> check_line(const Model& model, const InfluenceLineDefinition& line, const PartName& part);
 
+/// Likewise of a train, and of an effect that a moving load is asked for.
+std::vector<Fault> check_train(const Model& model, const Train& train, const PartName& part);
+std::vector<Fault> check_effect(const Model& model, const MovingEffect& effect, const PartName& part);
+
 /// \throws ModelError with every error of the model; warnings are no reason.
 void require_sound(const Model& model);
 

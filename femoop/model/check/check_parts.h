@@ -15,7 +15,7 @@ struct Unreadable {
     bool is_incomplete = false; ///< something is missing, so that what remains may look unused
     std::vector<bool> materials, sections, nodes, members;
     std::vector<std::vector<bool>> node_loads, settlements, member_loads; ///< per load case
-    std::vector<bool> combinations, expected, paths, influence_lines;
+    std::vector<bool> combinations, expected, paths, influence_lines, trains, moving_envelopes;
     std::vector<bool> load_cases; ///< their ids alone
 };
 

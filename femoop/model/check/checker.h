@@ -34,6 +34,8 @@ public:
     {}
     std::vector<Fault> run(Thoroughness thoroughness);
     std::vector<Fault> run_line(const InfluenceLineDefinition& line, const Entry& place); ///< of this one alone
+    std::vector<Fault> run_train(const Train& train, const Entry& place);                 ///< likewise
+    std::vector<Fault> run_effect(const MovingEffect& effect, const Entry& place);        ///< likewise
 
 private:
     using Point = std::array<double, 3>;
@@ -138,6 +140,12 @@ private:
     void check_line(const InfluenceLineDefinition& line, const Entry& place);
     void check_effect(const MovingEffect& effect, const Entry& place);
     void check_moving_load(const LoadPathReference& path, const std::vector<Component>& load, const Entry& place);
+
+    // train_check.cpp
+    void check_trains();
+    void check_train(const Train& train, const Entry& place);
+    void check_spacings(const Train& train, const Entry& place);
+    void check_envelope(const MovingEnvelope& envelope, const Entry& place);
 
     // geometry_check.cpp
     void check_coincident_nodes();

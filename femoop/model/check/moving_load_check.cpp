@@ -19,6 +19,7 @@ void Checker::check_moving_loads()
         is_partial_ = flag(unreadable_.influence_lines, i);
         check_line(moving.influence_lines[i], {"influence_lines", i, moving.influence_lines[i].id});
     }
+    check_trains();
 }
 
 bool Checker::check_path(const std::vector<MemberId>& members, const Entry& place)

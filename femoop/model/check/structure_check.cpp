@@ -67,6 +67,8 @@ void Checker::check_ids()
     entries.clear();
     check_own("paths", model_.moving_loads.paths, unreadable_.paths);
     check_own("influence_lines", model_.moving_loads.influence_lines, unreadable_.influence_lines);
+    check_own("trains", model_.moving_loads.trains, unreadable_.trains);
+    check_own("moving_envelopes", model_.moving_loads.envelopes, unreadable_.moving_envelopes);
 }
 
 void Checker::check_names(const std::vector<Entry>& entries)

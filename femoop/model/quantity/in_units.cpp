@@ -73,6 +73,23 @@ public:
 
     void part(InfluenceLineDefinition& line) const { position(line.effect.at); }
 
+    void part(Train& train) const
+    {
+        const Dof along = train.load.empty() ? Dof::uy : train.load.front().dof;
+        for (Quantity& axle : train.axles) number(axle, force_dimension(along));
+        for (Quantity& spacing : train.spacings) number(spacing, dimension::length);
+        for (SpacingRange& range : train.spacing_ranges) {
+            number(range.min, dimension::length);
+            number(range.max, dimension::length);
+        }
+        number(train.uniform, line_load_dimension(along));
+        number(train.gap, dimension::length);
+        for (ConcentratedForce& force : train.concentrated) {
+            number(force.for_moments, force_dimension(along));
+            number(force.for_others, force_dimension(along));
+        }
+    }
+
 private:
     void number(Quantity& quantity, Dimension dimension) const
     {
@@ -147,6 +164,7 @@ Model in_units(const Model& model, const Units& units)
     for (Member& member : other.members) recount.part(member);
     for (LoadCase& loads : other.load_cases) recount.part(loads);
     for (InfluenceLineDefinition& line : other.moving_loads.influence_lines) recount.part(line);
+    for (Train& train : other.moving_loads.trains) recount.part(train);
     for (Expected& check : other.expected) recount.part(check);
     other.units = units;
     return other;

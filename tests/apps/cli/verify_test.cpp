@@ -106,12 +106,13 @@ TEST_CASE("Checks of analyses that are not built are skipped and named, never pa
     CHECK(run.out.ends_with("\n0 passed, 0 failed, 3 skipped\n"));
 }
 
-TEST_CASE("A block that is not compared yet is skipped and named")
+TEST_CASE("A train is compared with its block: values, and the sections of extremes")
 {
-    const Run run = cremona({"verify", "tests/cases/influence/ML-001-40.json"});
+    const Run run = cremona({"verify", "tests/cases/influence/ML-001-60.json"});
     CHECK(run.status == 0);
-    CHECK(has(run.out, "block \"train\": skipped: this block is not compared yet\n"));
-    CHECK(has(run.out, " passed, 0 failed, 1 skipped\n"));
+    CHECK(has(run.out, "train HS20-44: max M(AB)"));
+    CHECK(has(run.out, "train HS20-44: max M(AB): section"));
+    CHECK(run.out.ends_with("\n4 passed, 0 failed, 0 skipped\n"));
 }
 
 TEST_CASE("The lines of an influence block are compared value by value, extreme by extreme, place by place")

@@ -1,0 +1,193 @@
+#include "apps/cli/train.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "apps/cli/analysis_run.h"
+#include "apps/cli/argument.h"
+#include "apps/cli/asked_effect.h"
+#include "apps/cli/model_input.h"
+#include "femoop/io/train/train_block.h"
+#include "femoop/io/train/train_json.h"
+#include "femoop/io/train/train_table.h"
+#include "femoop/model/check/check.h"
+
+namespace cli {
+
+namespace {
+
+using femoop::ExpectedQuantity;
+using femoop::Model;
+using femoop::MovingEffect;
+using femoop::MovingEnvelope;
+using femoop::influence::TrainAnalysis;
+using femoop::influence::TrainResults;
+
+/// What is asked for: of these trains and envelopes, these effects.
+struct Question {
+    std::vector<const femoop::Train*> trains;
+    std::vector<const MovingEnvelope*> envelopes;
+    std::vector<MovingEffect> effects, extremes;
+};
+
+class Train : public Subcommand {
+public:
+    std::string_view name() const override { return "train"; }
+    HelpText help(const ui::Catalogue& tr) const override;
+    void declare(CLI::App& app, const ui::Catalogue& tr) override;
+    ExitStatus run(Console& console) override;
+
+private:
+    void choose_loads(Question& question, const Model& model, const std::optional<femoop::influence::TrainBlock>& block,
+                      const ui::Catalogue& tr) const;
+    void choose_effects(Question& question, const Model& model, const ui::Catalogue& tr) const;
+    std::vector<TrainResults> results(const Question& question, TrainAnalysis& analysis) const;
+    void answer(const Model& model, Console& console) const;
+
+    std::string file_, stations_ = "11";
+    std::vector<std::string> trains_, envelopes_;
+    AskedEffect asked_;
+    bool is_json_ = false, is_proved_ = false;
+};
+
+void require_sound(const Model& model, const MovingEffect& effect, std::string_view option)
+{
+    std::vector<femoop::Fault> faults = check_effect(model, effect, {option, std::nullopt});
+    std::erase_if(faults, [](const auto& fault) { return severity(fault.kind) != femoop::Severity::Error; });
+    if (!faults.empty()) throw femoop::ModelError(std::move(faults));
+}
+
+HelpText Train::help(const ui::Catalogue& tr) const
+{
+    return {
+        tr("move trains of loads over a structure and print where they are worst"),
+        tr("Moves every train of the file (axles at fixed or variable distances, uniform load, single forces) "
+           "along its path and prints the largest and least value of each effect, and where the axles stand then. "
+           "The effect of the axles is a polynomial between the positions at which one of them passes the end of "
+           "a piece of the influence line: all these positions and the roots of the derivative between them are "
+           "looked at, nothing is sampled. Without an effect to look for, every section force at some sections of "
+           "each member, every reaction, and the worst of all sections of each member are printed. A \"train\" "
+           "block of the file is printed too, and `cremona verify` compares the answers that stand in it."),
+        {{"cremona train examples/bridge.json", tr("Every train and envelope of the file.")},
+         {"cremona train examples/bridge.json --train HS20 --member BC --at 50% --component M --proof",
+          tr("One moment, with all candidates and their values.")},
+         {"cremona train examples/bridge.json --member BC --component M", tr("The worst of all sections of a member.")},
+         {"cremona train examples/bridge.json --envelope \"deck + G\" --json",
+          tr("Permanent load and the worst of the trains, for a program.")}}};
+}
+
+void Train::declare(CLI::App& app, const ui::Catalogue& tr)
+{
+    app.add_option("FILE", file_, tr("the model file; - is standard input"))->option_text(" ");
+    app.add_option("--train", trains_, tr("this train alone; may be given again"))
+        ->option_text("ID")
+        ->allow_extra_args(false);
+    app.add_option("--envelope", envelopes_, tr("this envelope alone; may be given again"))
+        ->option_text("ID")
+        ->allow_extra_args(false);
+    asked_.declare(app, tr);
+    app.add_option("--stations", stations_, tr("how many sections of each member are looked at (default 11)"))
+        ->option_text("N");
+    app.add_flag("--proof", is_proved_, tr("print breaks and roots, and the value at each of them"));
+    app.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
+}
+
+void Train::choose_loads(Question& question, const Model& model,
+                         const std::optional<femoop::influence::TrainBlock>& block, const ui::Catalogue& tr) const
+{
+    std::vector<std::string> train_names, envelope_names;
+    const bool is_all = trains_.empty() && envelopes_.empty();
+    const auto take = [&](auto& chosen, const auto& part, const std::vector<std::string>& wanted, auto& names) {
+        names.push_back(part.id);
+        if (is_all || std::ranges::find(wanted, part.id) != wanted.end()) chosen.push_back(&part);
+    };
+    for (const femoop::Train& train : model.moving_loads.trains) take(question.trains, train, trains_, train_names);
+    if (block) take(question.trains, block->train, trains_, train_names);
+    for (const MovingEnvelope& envelope : model.moving_loads.envelopes)
+        take(question.envelopes, envelope, envelopes_, envelope_names);
+    const auto require = [&](const auto& wanted, const auto& names, std::string_view option) {
+        for (const std::string& name : wanted)
+            if (std::ranges::find(names, name) == names.end()) throw unknown_choice(option, name, names, tr);
+    };
+    require(trains_, train_names, "--train");
+    require(envelopes_, envelope_names, "--envelope");
+    if (question.trains.empty() && question.envelopes.empty())
+        throw UsageError(tr("the file has no train; add one to \"trains\", or a block \"train\""));
+}
+
+void Train::choose_effects(Question& question, const Model& model, const ui::Catalogue& tr) const
+{
+    if (asked_.is_asked()) {
+        const MovingEffect effect = asked_.effect(model, tr);
+        require_sound(model, effect, asked_.option());
+        (effect.quantity == ExpectedQuantity::Extreme ? question.extremes : question.effects).push_back(effect);
+        return;
+    }
+    const auto n = static_cast<std::size_t>(whole_number("--stations", stations_, {2, 100000}, tr));
+    question.effects = femoop::influence::default_effects(model, n);
+    question.extremes = femoop::influence::default_extremes(model);
+}
+
+std::vector<TrainResults> Train::results(const Question& question, TrainAnalysis& analysis) const
+{
+    std::vector<TrainResults> all;
+    const auto add = [&](const auto& loads, bool is_envelope) {
+        TrainResults& results = all.emplace_back();
+        results.id = loads.id;
+        results.is_envelope = is_envelope;
+        results.effects = analysis.effects(loads, question.effects);
+        for (const MovingEffect& effect : question.extremes)
+            results.extremes.push_back(analysis.extreme(loads, effect));
+    };
+    for (const femoop::Train* train : question.trains) {
+        add(*train, false);
+        if (!is_proved_) continue;
+        for (const MovingEffect& effect : question.effects) {
+            const auto search = analysis.search(*train, effect);
+            all.back().proofs.push_back(
+                {search.proof(femoop::ExtremeKind::Max), search.proof(femoop::ExtremeKind::Min)});
+        }
+    }
+    for (const MovingEnvelope* envelope : question.envelopes) add(*envelope, true);
+    return all;
+}
+
+void Train::answer(const Model& model, Console& console) const
+{
+    const ui::Catalogue& tr = console.tr();
+    const auto block = femoop::influence::train_block_of(model);
+    Question question;
+    choose_loads(question, model, block, tr);
+    choose_effects(question, model, tr);
+    TrainAnalysis analysis(model);
+    const std::vector<TrainResults> all = results(question, analysis);
+    console.report(display_name(file_, tr), analysis.warnings());
+    console.print(is_json_ ? femoop::influence::trains_json(model, all)
+                           : femoop::influence::trains_text(model, all, tr));
+}
+
+ExitStatus Train::run(Console& console)
+{
+    if (file_.empty())
+        throw UsageError(console.tr()("no file is given; see {command}", {{"command", "cremona train --help"}}));
+    asked_.require_sensible(console.tr(), AskedEffect::Place::Optional);
+    const std::optional<Model> model = load_model(file_, console);
+    if (!model) return ExitStatus::BadInput;
+    try {
+        answer(*model, console);
+    } catch (const femoop::ModelError& error) {
+        return report_unsolved(error, display_name(file_, console.tr()), console);
+    }
+    return ExitStatus::Done;
+}
+
+} // namespace
+
+std::unique_ptr<Subcommand> train_command() { return std::make_unique<Train>(); }
+
+} // namespace cli

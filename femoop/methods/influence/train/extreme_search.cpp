@@ -1,0 +1,227 @@
+#include "femoop/methods/influence/train/extreme_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+namespace femoop::influence {
+
+namespace {
+
+constexpr double shortest_part = 1e-9;   ///< of a length
+constexpr double equal_extremes = 1e-10; ///< of the largest value
+constexpr double one_section = 1e-6;     ///< of the member: sections that are one
+constexpr int n_looked_at = 32;
+constexpr std::size_t n_peaks = 6; ///< that are looked at closely
+
+struct Tried {
+    double x = 0.0, value = 0.0; ///< value: times the sign of what is sought
+};
+
+bool has_only_fixed_axles(const MovingTrain& train)
+{
+    return train.uniform == 0.0 && train.concentrated.empty() &&
+           std::ranges::all_of(train.spacings, [](const auto& spacing) { return spacing.least == spacing.most; });
+}
+
+class SectionSearch {
+public:
+    SectionSearch(const SectionLines& lines, const std::vector<double>& ends, const MovingTrain& train,
+                  ExtremeKind kind, const Permanent* permanent)
+        : lines_(lines),
+          ends_(ends),
+          train_(train),
+          permanent_(permanent),
+          kind_(kind),
+          sign_(kind == ExtremeKind::Max ? 1.0 : -1.0)
+    {}
+
+    WorstSection run()
+    {
+        look_at(0.0);
+        look_at(lines_.length());
+        std::vector<Tried> with_axle = axle_sections();
+        if (is_exact()) {
+            for (const Tried& section : with_axle) sections_.push_back(section);
+            sort();
+        } else {
+            for (int i = 1; i < n_looked_at; ++i) look_at(lines_.length() * i / n_looked_at);
+            for (std::size_t i = 0; i < std::min(with_axle.size(), n_peaks); ++i) look_at(with_axle[i].x);
+            if (permanent_ != nullptr)
+                for (const double x : permanent_->breaks) look_at(x);
+            sort();
+            for (const auto& [from, to] : peaks()) close_in(from, to);
+            sort();
+        }
+        return worst();
+    }
+
+private:
+    /// A force is linear in x between the axles.
+    bool is_exact() const { return lines_.is_linear() && has_only_fixed_axles(train_) && permanent_ == nullptr; }
+
+    Placing placing_at(double x) const
+    {
+        const TrainSearch search(lines_.at(x), ends_, train_);
+        if (permanent_ == nullptr) return kind_ == ExtremeKind::Max ? search.largest() : search.least();
+        Placing placing = (permanent_->factor > 0.0) == (kind_ == ExtremeKind::Max) ? search.largest() : search.least();
+        placing.value = permanent_->value(x) + permanent_->factor * placing.value;
+        return placing;
+    }
+
+    double value_at(double x) const { return sign_ * placing_at(x).value; }
+    void look_at(double x) { sections_.push_back({x, value_at(x)}); }
+    void sort() { std::ranges::sort(sections_, {}, &Tried::x); }
+
+    /// The worst first.
+    std::vector<Tried> axle_sections() const
+    {
+        std::vector<Tried> found;
+        for (const PositionFunction& effect : lines_.with_axle_at_section(train_, shortest_part * ends_.back()))
+            for (const PositionFunction::Candidate& candidate : inner(effect))
+                found.push_back({std::clamp(candidate.x, 0.0, lines_.length()), sign_ * candidate.value});
+        std::ranges::sort(found, std::greater<>(), &Tried::value);
+        return found;
+    }
+
+    /// Without the nothing that is beyond the member.
+    static std::vector<PositionFunction::Candidate> inner(const PositionFunction& effect)
+    {
+        std::vector<PositionFunction::Candidate> all = effect.candidates();
+        if (!all.empty()) {
+            all.erase(all.begin());
+            all.pop_back();
+        }
+        return all;
+    }
+
+    /// Stretches around the largest values of neighbours.
+    std::vector<std::pair<double, double>> peaks() const
+    {
+        std::vector<std::size_t> found;
+        for (std::size_t i = 0; i < sections_.size(); ++i) {
+            const bool is_above_last = i == 0 || sections_[i].value >= sections_[i - 1].value;
+            const bool is_above_next = i + 1 == sections_.size() || sections_[i].value >= sections_[i + 1].value;
+            if (is_above_last && is_above_next) found.push_back(i);
+        }
+        std::ranges::sort(found, [&](std::size_t i, std::size_t j) { return sections_[i].value > sections_[j].value; });
+        if (found.size() > n_peaks) found.resize(n_peaks);
+        std::vector<std::pair<double, double>> stretches;
+        for (const std::size_t i : found)
+            stretches.emplace_back(sections_[i == 0 ? 0 : i - 1].x, sections_[std::min(i + 1, sections_.size() - 1)].x);
+        return stretches;
+    }
+
+    /// By the golden section.
+    void close_in(double from, double to)
+    {
+        constexpr double golden = 0.6180339887498949;
+        double a = to - golden * (to - from), b = from + golden * (to - from);
+        double at_a = value_at(a), at_b = value_at(b);
+        while (to - from > 1e-10 * lines_.length()) {
+            if (at_a >= at_b) {
+                to = std::exchange(b, a);
+                at_b = at_a;
+                a = to - golden * (to - from);
+                at_a = value_at(a);
+            } else {
+                from = std::exchange(a, b);
+                at_a = at_b;
+                b = from + golden * (to - from);
+                at_b = value_at(b);
+            }
+        }
+        sections_.push_back(at_a >= at_b ? Tried{snapped(a), at_a} : Tried{snapped(b), at_b});
+    }
+
+    /// The limit towards an end of the member is at that end.
+    double snapped(double x) const
+    {
+        const double length = lines_.length(), near = 0.1 * one_section * length;
+        if (x < near) return 0.0;
+        return x > length - near ? length : x;
+    }
+
+    WorstSection worst() const
+    {
+        double most = -std::numeric_limits<double>::infinity();
+        for (const Tried& section : sections_) most = std::max(most, section.value);
+        std::vector<Tried> equal;
+        double scale = std::abs(most);
+        for (const Tried& section : sections_) scale = std::max(scale, std::abs(section.value));
+        for (const Tried& section : sections_)
+            if (section.value >= most - equal_extremes * scale) add(equal, section);
+        WorstSection result;
+        result.sections = without_inner(equal, most - equal_extremes * scale);
+        result.placing = first_placing(result.sections, most - 10.0 * equal_extremes * scale);
+        result.placing.value = sign_ * most + 0.0;
+        return result;
+    }
+
+    /// Sections that are one: the better of them.
+    void add(std::vector<Tried>& sections, const Tried& next) const
+    {
+        if (sections.empty() || next.x - sections.back().x > one_section * lines_.length()) sections.push_back(next);
+        else if (next.value > sections.back().value) sections.back() = next;
+    }
+
+    /// Of a stretch that has the value the two ends alone.
+    std::vector<double> without_inner(const std::vector<Tried>& sections, double least) const
+    {
+        std::vector<double> places;
+        bool is_level = false;
+        for (std::size_t i = 0; i < sections.size(); ++i) {
+            const bool goes_on = i + 1 < sections.size() &&
+                                 value_at(0.5 * (sections[i].x + sections[i + 1].x)) >= least;
+            if (!(is_level && goes_on)) places.push_back(sections[i].x);
+            is_level = goes_on;
+        }
+        return places;
+    }
+
+    /// At a section, or at an end of the member in the limit towards it.
+    Placing placing_near(double x, double least) const
+    {
+        Placing placing = placing_at(x);
+        if (sign_ * placing.value >= least) return placing;
+        const double inwards = one_section * (x > 0.5 * lines_.length() ? -lines_.length() : lines_.length());
+        return placing_at(x + inwards);
+    }
+
+    Placing first_placing(const std::vector<double>& sections, double least) const
+    {
+        Placing first = placing_near(sections.front(), least);
+        for (std::size_t i = 1; i < sections.size(); ++i) {
+            Placing other = placing_near(sections[i], least);
+            if (is_before(other, first)) first = std::move(other);
+        }
+        return first;
+    }
+
+    static bool is_before(const Placing& a, const Placing& b)
+    {
+        if (!a.position || !b.position) return a.position.has_value();
+        if (a.reversed != b.reversed) return !a.reversed;
+        return a.reversed ? *a.position > *b.position : *a.position < *b.position;
+    }
+
+    const SectionLines& lines_;
+    const std::vector<double>& ends_;
+    const MovingTrain& train_;
+    const Permanent* permanent_;
+    ExtremeKind kind_;
+    double sign_;
+    std::vector<Tried> sections_;
+};
+
+} // namespace
+
+WorstSection worst_section(const SectionLines& lines, const std::vector<double>& ends, const MovingTrain& train,
+                           ExtremeKind kind, const Permanent* permanent)
+{
+    return SectionSearch(lines, ends, train, kind, permanent).run();
+}
+
+} // namespace femoop::influence

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "femoop/methods/influence/train/section_lines.h"
+#include "femoop/methods/influence/train/train_search.h"
+
+namespace femoop::influence {
+
+/// The worst of all sections of a member and all positions of a train together.
+struct WorstSection {
+    std::vector<double> sections; ///< along the member, ascending: all that have this value; a stretch by its two ends
+    Placing placing;              ///< the first forwards of those, else the first reversed
+};
+
+/// What stays beside a train, whose effect counts times a factor.
+struct Permanent {
+    std::function<double(double x)> value; ///< at a jump of it the worse side
+    std::vector<double> breaks;            ///< along the member
+    double factor = 1.0;                   ///< of the train, not 0
+};
+
+/// Between two axles a force depends on the section linearly, so that axles alone are worst with one of them at the
+/// section, or at an end of the member: exact roots of one polynomial in x. With a uniform load, single forces or
+/// spacings that vary the exact largest value at a section is a piecewise smooth function of x, whose peaks are closed
+/// in upon from both sides.
+///
+/// \param ends   of the path's members: 0, .., L
+/// Accuracy  values to 1e-10 of the largest, places to 1e-8 of the member's length
+WorstSection worst_section(const SectionLines& lines, const std::vector<double>& ends, const MovingTrain& train,
+                           ExtremeKind kind, const Permanent* permanent = nullptr);
+
+} // namespace femoop::influence

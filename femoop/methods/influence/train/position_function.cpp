@@ -1,0 +1,253 @@
+#include "femoop/methods/influence/train/position_function.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "femoop/methods/influence/piecewise_line.h"
+
+namespace femoop::influence {
+
+namespace {
+
+using Trial = PositionFunction::Candidate;
+using Piece = PositionFunction::Piece;
+
+Polynomial constant(double value) { return {value}; }
+
+Polynomial polynomial_of(const std::vector<double>& coefficients)
+{
+    Polynomial p;
+    for (const double c : coefficients) p.append(c);
+    return p;
+}
+
+void add(std::array<double, Polynomial::max_terms>& sum, std::size_t& n, const Polynomial& p, double factor)
+{
+    for (; n < p.n_terms(); ++n) sum[n] = 0.0;
+    for (std::size_t i = 0; i < p.n_terms(); ++i) sum[i] += factor * p[i];
+}
+
+/// Walks over a function from left to right and hands out its polynomial about any place.
+class Walker {
+public:
+    explicit Walker(const PositionFunction& of) : of_(of) {}
+
+    /// In t = x - start, on the stretch around `middle`, which never goes back.
+    Polynomial polynomial_about(double start, double middle)
+    {
+        const std::vector<Piece>& pieces = of_.pieces();
+        while (next_ < pieces.size() && pieces[next_].to < middle) ++next_;
+        if (next_ == pieces.size()) return constant(of_.after());
+        if (next_ == 0 && middle < pieces.front().from) return constant(of_.before());
+        return about(pieces[next_].value, start - pieces[next_].from);
+    }
+
+private:
+    const PositionFunction& of_;
+    std::size_t next_ = 0;
+};
+
+void add_breaks(std::vector<double>& breaks, const PositionFunction& of, double shift)
+{
+    for (const Piece& piece : of.pieces()) breaks.push_back(piece.from + shift);
+    if (!of.pieces().empty()) breaks.push_back(of.pieces().back().to + shift);
+}
+
+/// Roots of the quadratic a + b t + c t^2 within (0, end), ascending.
+std::vector<double> quadratic_roots(double a, double b, double c, double end)
+{
+    std::vector<double> roots;
+    const auto keep = [&](double t) {
+        if (t > 0.0 && t < end) roots.push_back(t);
+    };
+    const double discriminant = b * b - 4.0 * a * c;
+    if (discriminant < 0.0) return roots;
+    const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
+    if (q != 0.0) keep(a / q);
+    if (c != 0.0) keep(q / c);
+    std::sort(roots.begin(), roots.end());
+    return roots;
+}
+
+/// Where the two are equal within (0, end).
+void add_crossings(std::vector<double>& places, const Polynomial& p, const Polynomial& q, double end)
+{
+    Polynomial difference;
+    for (std::size_t i = 0; i < std::max(p.n_terms(), q.n_terms()); ++i) difference.append(p[i] - q[i]);
+    for (const double root : difference.roots(end)) places.push_back(root);
+}
+
+/// The upper envelope of polynomials over [from, to], appended piece by piece.
+void append_envelope(std::vector<Piece>& pieces, const std::vector<Polynomial>& of, double from, double to,
+                     double shortest)
+{
+    std::vector<double> cuts{0.0, to - from};
+    for (std::size_t i = 0; i < of.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) add_crossings(cuts, of[i], of[j], to - from);
+    std::sort(cuts.begin(), cuts.end());
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+        if (cuts[i + 1] - cuts[i] <= shortest) continue;
+        const double middle = 0.5 * (cuts[i] + cuts[i + 1]);
+        const auto best = std::max_element(of.begin(), of.end(),
+                                           [&](const auto& p, const auto& q) { return p(middle) < q(middle); });
+        pieces.push_back({from + cuts[i], from + cuts[i + 1], about(*best, cuts[i])});
+    }
+}
+
+/// Of candidates in ascending order, the largest value among those that stay within a moving window.
+double largest_between(const std::vector<Trial>& candidates, double from, double to)
+{
+    double largest = -std::numeric_limits<double>::infinity();
+    auto next = std::lower_bound(candidates.begin(), candidates.end(), from,
+                                 [](const Trial& candidate, double x) { return candidate.x < x; });
+    for (; next != candidates.end() && next->x <= to; ++next) largest = std::max(largest, next->value);
+    return largest;
+}
+
+} // namespace
+
+Polynomial about(const Polynomial& p, double start)
+{
+    if (start == 0.0) return p;
+    std::array<double, Polynomial::max_terms> c{};
+    const std::size_t n = p.n_terms();
+    for (std::size_t i = 0; i < n; ++i) c[i] = p[i];
+    for (std::size_t i = 0; i + 1 < n; ++i)
+        for (std::size_t j = n - 1; j-- > i;) c[j] += start * c[j + 1];
+    Polynomial moved;
+    for (std::size_t i = 0; i < n; ++i) moved.append(c[i]);
+    return moved;
+}
+
+std::vector<double> stationary_places(const Polynomial& p, double end)
+{
+    if (p.n_terms() < 3) return {};
+    if (p.n_terms() <= 4) return quadratic_roots(p[1], 2.0 * p[2], 3.0 * p[3], end);
+    std::vector<double> roots = p.derivative().roots(end);
+    std::erase_if(roots, [&](double t) { return t <= 0.0 || t >= end; });
+    return roots;
+}
+
+PositionFunction::PositionFunction(const PiecewiseLine& line)
+{
+    for (const LinePiece& piece : line.pieces)
+        if (piece.to > piece.from) pieces_.push_back({piece.from, piece.to, polynomial_of(piece.coefficients)});
+}
+
+PositionFunction::PositionFunction(std::vector<Piece> pieces, double before, double after)
+    : pieces_(std::move(pieces)), before_(before), after_(after)
+{}
+
+PositionFunction PositionFunction::sum(const std::vector<Term>& terms, double shortest)
+{
+    std::vector<double> breaks;
+    std::vector<Walker> walkers;
+    PositionFunction sum;
+    for (const Term& term : terms) {
+        add_breaks(breaks, *term.of, term.shift);
+        walkers.emplace_back(*term.of);
+        sum.before_ += term.factor * term.of->before_;
+        sum.after_ += term.factor * term.of->after_;
+    }
+    std::sort(breaks.begin(), breaks.end());
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+        const double from = breaks[i], to = breaks[i + 1], middle = 0.5 * (from + to);
+        if (to - from <= shortest) continue;
+        std::array<double, Polynomial::max_terms> c{};
+        std::size_t n = 0;
+        for (std::size_t k = 0; k < terms.size(); ++k)
+            add(c, n, walkers[k].polynomial_about(from - terms[k].shift, middle - terms[k].shift), terms[k].factor);
+        Piece& piece = sum.pieces_.emplace_back(Piece{from, to, {}});
+        for (std::size_t k = 0; k < n; ++k) piece.value.append(c[k]);
+    }
+    return sum;
+}
+
+PositionFunction PositionFunction::mirrored(double length) const
+{
+    PositionFunction mirror({}, after_, before_);
+    for (std::size_t i = pieces_.size(); i-- > 0;) {
+        const Piece& piece = pieces_[i];
+        const Polynomial about_end = about(piece.value, piece.to - piece.from);
+        Piece& turned = mirror.pieces_.emplace_back(Piece{length - piece.to, length - piece.from, {}});
+        for (std::size_t k = 0; k < about_end.n_terms(); ++k)
+            turned.value.append(k % 2 == 0 ? about_end[k] : -about_end[k]);
+    }
+    return mirror;
+}
+
+PositionFunction PositionFunction::integral() const
+{
+    PositionFunction integral;
+    double so_far = 0.0;
+    for (const Piece& piece : pieces_) {
+        Piece& sum = integral.pieces_.emplace_back(Piece{piece.from, piece.to, {so_far}});
+        for (std::size_t k = 0; k < piece.value.n_terms(); ++k)
+            sum.value.append(piece.value[k] / static_cast<double>(k + 1));
+        so_far = sum.value(piece.to - piece.from);
+    }
+    integral.after_ = so_far;
+    return integral;
+}
+
+PositionFunction PositionFunction::largest_within(double least, double most, double shortest) const
+{
+    const std::vector<Trial> inner = candidates();
+    std::vector<double> cuts;
+    for (const Trial& candidate : inner) {
+        cuts.push_back(candidate.x + least);
+        cuts.push_back(candidate.x + most);
+    }
+    std::sort(cuts.begin(), cuts.end());
+    PositionFunction result({}, before_, after_);
+    Walker near(*this), far(*this);
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+        const double from = cuts[i], to = cuts[i + 1], middle = 0.5 * (from + to);
+        if (to - from <= shortest) continue;
+        std::vector<Polynomial> of{near.polynomial_about(from - least, middle - least),
+                                   far.polynomial_about(from - most, middle - most)};
+        const double within = largest_between(inner, middle - most, middle - least);
+        if (std::isfinite(within)) of.push_back(constant(within));
+        append_envelope(result.pieces_, of, from, to, shortest);
+    }
+    return result;
+}
+
+std::vector<Trial> PositionFunction::candidates() const
+{
+    std::vector<Trial> all;
+    for (const Piece& piece : pieces_) {
+        const double length = piece.to - piece.from;
+        all.push_back({piece.from, piece.value[0], Trial::Kind::BreakAfter});
+        for (const double t : stationary_places(piece.value, length))
+            all.push_back({piece.from + t, piece.value(t), Trial::Kind::Root});
+        all.push_back({piece.to, piece.value(length), Trial::Kind::BreakBefore});
+    }
+    if (all.empty()) return all;
+    all.insert(all.begin(), {pieces_.front().from, before_, Trial::Kind::BreakBefore});
+    all.push_back({pieces_.back().to, after_, Trial::Kind::BreakAfter});
+    return all;
+}
+
+double PositionFunction::value(double x, Side side, double shortest) const
+{
+    const double inside = side == Side::After ? x + shortest : x - shortest;
+    return Walker(*this).polynomial_about(x, inside)[0];
+}
+
+double PositionFunction::largest_magnitude() const
+{
+    double largest = std::max(std::abs(before_), std::abs(after_));
+    for (const Piece& piece : pieces_) {
+        double sum = 0.0;
+        for (std::size_t k = piece.value.n_terms(); k-- > 0;)
+            sum = sum * (piece.to - piece.from) + std::abs(piece.value[k]);
+        largest = std::max(largest, sum);
+    }
+    return largest;
+}
+
+} // namespace femoop::influence

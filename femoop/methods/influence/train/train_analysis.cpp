@@ -1,0 +1,269 @@
+#include "femoop/methods/influence/train/train_analysis.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "femoop/geometry/member_geometry.h"
+#include "femoop/load/place_along.h"
+#include "femoop/result/components.h"
+
+namespace femoop::influence {
+
+namespace {
+
+constexpr std::size_t degree_of_force = 1, degree_of_displacement = 3; ///< in the section's place
+constexpr double noise = 1e-12;                                        ///< of a usual ordinate
+constexpr double end_of_curve = 1e-9;                                  // of its length
+
+std::vector<double> values_of(const std::vector<Quantity>& quantities)
+{
+    std::vector<double> values;
+    for (const Quantity& quantity : quantities) values.push_back(quantity.value());
+    return values;
+}
+
+MovingEffect at_section(MovingEffect effect, double x, double length)
+{
+    const bool is_displacement_there = is_displacement(*effect.component);
+    effect.quantity = is_displacement_there ? ExpectedQuantity::Displacement : ExpectedQuantity::SectionForce;
+    effect.at = Quantity(x);
+    effect.side = x >= length ? Side::Before : Side::After;
+    return effect;
+}
+
+/// At the place of an effect along its member; at the end the - side.
+double along_member(const MovingEffect& effect, const Curve& curve)
+{
+    const double x = along(*effect.at, curve.length());
+    const bool is_end = x >= curve.length() * (1.0 - end_of_curve);
+    return curve.value(*effect.component, x, is_end ? Side::Before : effect.side.value_or(Side::After));
+}
+
+double effect_in(const MovingEffect& effect, const CaseResult& result)
+{
+    if (effect.member) return along_member(effect, result.curve(*effect.member));
+    const NodeVector all = effect.quantity == ExpectedQuantity::Reaction ? result.reaction(*effect.node)
+                                                                         : result.displacement(*effect.node);
+    return all[index(*effect.dof)];
+}
+
+/// Nothing, where rounding alone is left beside what a unit load does to other effects of this kind.
+PiecewiseLine without_noise(PiecewiseLine line, const MovingEffect& effect, const NodeVector& load)
+{
+    const bool is_displaced = effect.component ? is_displacement(*effect.component)
+                                               : effect.quantity == ExpectedQuantity::Displacement;
+    if (is_displaced) return line;
+    const bool is_couple = load[0] == 0.0 && load[1] == 0.0 && load[2] == 0.0;
+    double usual = is_moment(effect) ? line.length() : 1.0;
+    if (is_couple) usual /= line.length();
+    if (line.largest() > noise * usual) return line;
+    for (LinePiece& piece : line.pieces) piece.coefficients.clear();
+    return line;
+}
+
+double worse_side(const Curve& curve, MemberComponent component, double x, ExtremeKind kind)
+{
+    const double before = curve.value(component, x, x > 0.0 ? Side::Before : Side::After);
+    const double after = curve.value(component, x, x < curve.length() ? Side::After : Side::Before);
+    return kind == ExtremeKind::Max ? std::max(before, after) : std::min(before, after);
+}
+
+Placing scaled(Placing placing, double base, double factor)
+{
+    placing.value = base + factor * placing.value;
+    return placing;
+}
+
+/// The train alone, as an envelope would have it.
+TrainEffect enveloped(TrainEffect of, double base, double factor)
+{
+    if (factor < 0.0) {
+        std::swap(of.max, of.min);
+        std::swap(of.max_train, of.min_train);
+    }
+    of.max = scaled(std::move(of.max), base, factor);
+    of.min = scaled(std::move(of.min), base, factor);
+    return of;
+}
+
+template <class Of> void keep_worse(Of& worst, Of other, double (*value)(const Of&, ExtremeKind))
+{
+    if (value(other, ExtremeKind::Max) > value(worst, ExtremeKind::Max)) {
+        worst.max = other.max;
+        worst.max_train = other.max_train;
+    }
+    if (value(other, ExtremeKind::Min) < value(worst, ExtremeKind::Min)) {
+        worst.min = other.min;
+        worst.min_train = other.min_train;
+    }
+}
+
+double value_at_place(const TrainEffect& of, ExtremeKind kind)
+{
+    return kind == ExtremeKind::Max ? of.max.value : of.min.value;
+}
+
+double value_of_extreme(const TrainExtreme& of, ExtremeKind kind)
+{
+    return kind == ExtremeKind::Max ? of.max.placing.value : of.min.placing.value;
+}
+
+} // namespace
+
+bool is_moment(const MovingEffect& effect)
+{
+    if (effect.component) return femoop::is_moment(*effect.component);
+    return effect.quantity == ExpectedQuantity::Reaction && is_rotation(*effect.dof);
+}
+
+MovingTrain moving_train(const Train& train, const MovingEffect& effect)
+{
+    MovingTrain moving;
+    for (const double axle : values_of(train.axles)) moving.axles.push_back(axle * train.impact);
+    for (const double spacing : values_of(train.spacings)) moving.spacings.push_back({spacing, spacing});
+    for (const SpacingRange& range : train.spacing_ranges)
+        moving.spacings.at(range.spacing) = {range.min.value(), range.max.value()};
+    moving.both_directions = train.both_directions;
+    moving.uniform = train.uniform ? train.uniform->value() : 0.0;
+    moving.extent = train.uniform_extent;
+    moving.gap = train.gap ? train.gap->value() : 0.0;
+    for (const ConcentratedForce& force : train.concentrated) {
+        const bool is_other = force.for_others && !is_moment(effect);
+        moving.concentrated.push_back((is_other ? *force.for_others : force.for_moments).value());
+    }
+    return moving;
+}
+
+std::vector<MovingEffect> default_effects(const Model& model, std::size_t n)
+{
+    std::vector<MovingEffect> effects;
+    for (const MovingEffect& of_member : default_extremes(model)) {
+        const double length = geometry_of(model, model[*of_member.member]).length;
+        for (std::size_t i = 0; i < n; ++i) {
+            const bool is_last = i + 1 == n;
+            const double x = is_last ? length : length * static_cast<double>(i) / static_cast<double>(n - 1);
+            effects.push_back(at_section(of_member, x, length));
+        }
+    }
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        if (!model.nodes[i].support) continue;
+        const Support& support = *model.nodes[i].support;
+        for (const Dof dof : dof_list(model.analysis)) {
+            const bool is_turned = support.angle.value() != 0.0 && !is_rotation(dof) && dof != Dof::uz;
+            const bool is_sprung = std::ranges::any_of(support.springs, [&](const Spring& s) { return s.dof == dof; });
+            if (is_turned || is_sprung || support.blocked(model.analysis).contains(dof))
+                effects.push_back({.quantity = ExpectedQuantity::Reaction, .node = NodeId(i), .dof = dof});
+        }
+    }
+    return effects;
+}
+
+std::vector<MovingEffect> default_extremes(const Model& model)
+{
+    std::vector<MovingEffect> effects;
+    for (std::size_t i = 0; i < model.members.size(); ++i)
+        for (const MemberComponent component : section_force_components(model.analysis))
+            effects.push_back({.quantity = ExpectedQuantity::Extreme, .member = MemberId(i), .component = component});
+    return effects;
+}
+
+TrainAnalysis::TrainAnalysis(const Model& model, const AnalysisOptions& options)
+    : model_(model), options_(options), lines_(model, options)
+{}
+
+PathLayout TrainAnalysis::path(const Train& train) const { return lay_out(model_, members_of(model_, train.path)); }
+
+std::vector<TrainEffect> TrainAnalysis::effects(const Train& train, std::span<const MovingEffect> effects)
+{
+    const PathLayout layout = path(train);
+    std::vector<TrainEffect> all;
+    const NodeVector load = unit_load(model_.analysis, train.load);
+    for (const InfluenceLine& line : lines_.lines(layout, load, effects)) {
+        const TrainSearch search(without_noise(line.ordinates, line.effect, load), layout.nodes(),
+                                 moving_train(train, line.effect));
+        const auto [max, min] = search.worst();
+        all.push_back({line.effect, max, min, &train, &train});
+    }
+    return all;
+}
+
+TrainSearch TrainAnalysis::search(const Train& train, const MovingEffect& effect)
+{
+    const PathLayout layout = path(train);
+    const NodeVector load = unit_load(model_.analysis, train.load);
+    const InfluenceLine line = lines_.line(layout, load, effect);
+    return {without_noise(line.ordinates, effect, load), layout.nodes(), moving_train(train, effect)};
+}
+
+SectionLines TrainAnalysis::section_lines(const Train& train, const MovingEffect& effect)
+{
+    const double length = geometry_of(model_, model_[*effect.member]).length;
+    const auto source = [this, layout = path(train), load = unit_load(model_.analysis, train.load), effect,
+                         length](double x) -> PiecewiseLine {
+        return without_noise(lines_.line(layout, load, at_section(effect, x, length)).ordinates, effect, load);
+    };
+    return {source, length, is_displacement(*effect.component) ? degree_of_displacement : degree_of_force};
+}
+
+TrainExtreme TrainAnalysis::extreme(const Train& train, const MovingEffect& effect)
+{
+    const SectionLines lines = section_lines(train, effect);
+    const std::vector<double> ends = path(train).nodes();
+    const MovingTrain moving = moving_train(train, effect);
+    return {effect, worst_section(lines, ends, moving, ExtremeKind::Max),
+            worst_section(lines, ends, moving, ExtremeKind::Min), &train, &train};
+}
+
+const Results& TrainAnalysis::permanent_results()
+{
+    if (!permanent_) permanent_ = LinearStatic(model_, options_).solve(model_);
+    return *permanent_;
+}
+
+double TrainAnalysis::permanent(const MovingEnvelope& envelope, const MovingEffect& effect)
+{
+    return envelope.with ? effect_in(effect, permanent_results()[*envelope.with]) : 0.0;
+}
+
+std::vector<TrainEffect> TrainAnalysis::effects(const MovingEnvelope& envelope, std::span<const MovingEffect> asked)
+{
+    std::vector<TrainEffect> worst;
+    for (const TrainId id : envelope.trains) {
+        std::vector<TrainEffect> all = effects(model_.moving_loads.trains[id.index], asked);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            all[i] = enveloped(std::move(all[i]), permanent(envelope, all[i].effect), envelope.factor);
+            if (i < worst.size()) keep_worse(worst[i], std::move(all[i]), value_at_place);
+            else worst.push_back(std::move(all[i]));
+        }
+    }
+    return worst;
+}
+
+Permanent TrainAnalysis::permanent_along(const MovingEnvelope& envelope, const MovingEffect& effect, ExtremeKind kind)
+{
+    if (!envelope.with) return {[](double) { return 0.0; }, {}, envelope.factor};
+    const Curve curve = permanent_results()[*envelope.with].curve(*effect.member);
+    const MemberComponent component = *effect.component;
+    return {[curve, component, kind](double x) { return worse_side(curve, component, x, kind); }, curve.breaks(),
+            envelope.factor};
+}
+
+TrainExtreme TrainAnalysis::extreme(const MovingEnvelope& envelope, const MovingEffect& effect)
+{
+    const Permanent above = permanent_along(envelope, effect, ExtremeKind::Max);
+    const Permanent below = permanent_along(envelope, effect, ExtremeKind::Min);
+    std::optional<TrainExtreme> worst;
+    for (const TrainId id : envelope.trains) {
+        const Train& train = model_.moving_loads.trains[id.index];
+        const SectionLines lines = section_lines(train, effect);
+        const std::vector<double> ends = path(train).nodes();
+        const MovingTrain moving = moving_train(train, effect);
+        TrainExtreme one{effect, worst_section(lines, ends, moving, ExtremeKind::Max, &above),
+                         worst_section(lines, ends, moving, ExtremeKind::Min, &below), &train, &train};
+        if (worst) keep_worse(*worst, std::move(one), value_of_extreme);
+        else worst = std::move(one);
+    }
+    return worst.value();
+}
+
+} // namespace femoop::influence
