@@ -273,7 +273,7 @@ void Application::show_body()
     ImGui::EndChild();
     ui::end_body();
     if (told) show_banner(workspace_, *told);
-    else status_bar(workspace_.session);
+    else status_bar(workspace_);
 }
 
 void Application::show_left(float width)

@@ -406,6 +406,9 @@ Subject::Picture Canvas::draw(const Workspace& workspace, const DrawOptions& opt
     const std::optional<GuessPicture> guess = guess_picture(session, options);
     Subject::Picture picture = Subject(input_of(workspace, options, guess), options, state).draw(painter);
     draw_why_blank(painter, session, options);
+    if (!shown_mechanism(workspace) && !picture.plan.panels.empty())
+        draw_loose_part(painter, session, options, Projection(picture.plan.camera, picture.plan.panels.front().box.min),
+                        shape_);
     if (session.pin && !plan_.panels.empty())
         draw_cut(session, options, picture, {*session.pin, plan_.panels.front().box.min}, painter);
     return picture;
