@@ -64,6 +64,39 @@ TEST_SUITE("frame session")
         CHECK(names(workspace) == "portal.json *gerber_beam.json truss.json ");
     }
 
+    TEST_CASE("A tab without a file is called by its title, and tabs that would be called alike are told apart")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        const auto begin = [&](const char* title) {
+            new_document(workspace);
+            workspace.session.change({"Title", [&](Document& document) {
+                                          set_title(document, title);
+                                          document.model.add(femoop::Node{.id = "A"});
+                                      }});
+        };
+        const auto all_names = [&] {
+            std::string all;
+            for (std::size_t i = 0; i < n_tabs(workspace); ++i) all += tab_name(workspace, i) + "; ";
+            return all;
+        };
+        begin("Roof over the market");
+        CHECK(all_names() == "portal.json; Roof over the market; ");
+        begin("");
+        CHECK(all_names() == "portal.json; Roof over the market; Untitled; ");
+        begin("Roof over the market");
+        begin("");
+        CHECK(all_names() ==
+              "portal.json; Roof over the market (1); Untitled (1); Roof over the market (2); Untitled (2); ");
+        const Folder folder;
+        const std::filesystem::path path = folder.path() / "portal.json";
+        std::filesystem::copy_file(examples + "portal.json", path);
+        REQUIRE(open_file(workspace, path));
+        CHECK(tab_name(workspace, 0) == "examples/portal.json");
+        CHECK(tab_name(workspace, 5) == folder.path().filename().string() + "/portal.json");
+        REQUIRE(save_as(workspace, folder.path() / "other.json"));
+        CHECK(tab_name(workspace, 0) == "portal.json");
+    }
+
     TEST_CASE("A document is saved over its own file and not over that of another tab")
     {
         const Folder folder;
