@@ -322,8 +322,8 @@ void Canvas::release(Workspace& workspace, const Aim& aim, const Pick& under)
     session.settle();
     if (workspace.tool_controller.tool().is_done()) return workspace.tool_controller.settle();
     if (was_dragging || workspace.tool_controller.kind() != ToolKind::Select) return;
-    session.pin = under.cut;
     const bool is_read = under.cut && !aim.part(); // a click on a diagram means its member
+    session.pin = is_read ? under.cut : aim.cut;   // one on a support, a load or a dimension means that alone
     if (is_read && !aim.adds) session.selection = Part(under.cut->member);
 }
 
