@@ -16,6 +16,7 @@
 #include "apps/frame/session/work.h"
 #include "apps/frame/tools/kept_settings.h"
 #include "apps/frame/tools/load_tool.h"
+#include "apps/frame/tools/tool_loads.h"
 #include "apps/frame/view/kept_view.h"
 #include "apps/frame/view/motion_words.h"
 #include "apps/frame/view/predict/guess_picture.h"
@@ -235,6 +236,7 @@ void Canvas::follow(Workspace& workspace, const Pointer& pointer)
     ToolSettings& settings = workspace.tool_controller.settings();
     settings.grid = typed_spacing(settings, session.model().units).value_or(grid_of(projection));
     settings.load_case = session.view.load_case;
+    settings.load = entry_of(settings.load, session.model().analysis).load; // another tab may lack its direction
     settings.moment_side = session.view.moment_side;
     Pick under = pick(shape_, projection, pointer.at, session.shown_results() ? session.view.show : ShowSet{});
     if (under.cut) under.cut = snapped(session, shape_, *under.cut, pixels_along(projection, *under.cut));
