@@ -6,6 +6,7 @@
 
 #include "apps/frame/document/command.h"
 #include "apps/frame/document/drawing.h"
+#include "apps/frame/document/load_cases.h"
 #include "apps/frame/document/loading.h"
 #include "apps/frame/session/case_commands.h"
 #include "apps/frame/session/edit_commands.h"
@@ -506,6 +507,23 @@ TEST_CASE("A moment stands where its menu was asked for, and from the palette at
     CHECK(place(Cut{MemberId(1), 2.24}) == doctest::Approx(2.24));
     CHECK(place(Cut{MemberId(0), 2.24}) == doctest::Approx(4.0));
     CHECK(place(std::nullopt) == doctest::Approx(4.0));
+}
+
+TEST_CASE("The properties of a case are those of the case that is shown")
+{
+    Workspace workspace = workspace_with("portal.json");
+    run(workspace, "case.combination");
+    const Part first = *workspace.session.selection.only();
+    run(workspace, "case.copy");
+    REQUIRE(workspace.session.selection.only());
+    CHECK(*workspace.session.selection.only() != first);
+    CHECK(case_id_of(workspace.session.model(), *workspace.session.selection.only()) ==
+          workspace.session.view.load_case);
+    show_case(workspace.session, femoop::CaseId(0));
+    CHECK(workspace.session.selection.only() == Part(LoadCasePlace{0}));
+    workspace.session.selection = Part(MemberId(1));
+    show_case(workspace.session, femoop::CaseId(1));
+    CHECK(workspace.session.selection.only() == Part(MemberId(1)));
 }
 
 TEST_CASE("Nothing can be taken over where no linked window offers a change")
