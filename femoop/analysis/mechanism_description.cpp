@@ -259,7 +259,7 @@ std::vector<Fault> conflict_faults(const Model& model, const std::vector<Elimina
     std::vector<Fault> faults;
     for (const Elimination::Conflict& conflict : conflicts) {
         std::vector<std::string> members;
-        for (const MemberId member : conflict.members) members.push_back("member " + model[member].id);
+        for (const MemberId member : conflict.members) members.push_back(model[member].id);
         faults.push_back({.kind = FaultKind::ConstraintConflict,
                           .arguments = {listed(members), model.case_name(CaseId(conflict.load_case))}});
     }

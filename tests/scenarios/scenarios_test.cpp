@@ -25,9 +25,9 @@ Session as_a_person_begins()
 }
 
 /// What went wrong, "" for nothing.
-std::string played(const std::string& script)
+std::string played(const std::string& script, ui::PixelSize size = {1280, 800})
 {
-    return played_in<Application, OffscreenStage>(script, as_a_person_begins());
+    return played_in<Application, OffscreenStage>(script, as_a_person_begins(), size);
 }
 
 } // namespace
@@ -55,6 +55,13 @@ TEST_CASE("What goes wrong in a scenario is told with its line, what was found a
     CHECK(played(open + "command edit.jump") ==
           "line 2: found command \"edit.jump\", wanted one of the app's; the palette (Ctrl+K) lists them");
     CHECK(played(open + "expect luck").starts_with("line 2: expect: found \"luck\", wanted one of drawn, not drawn"));
+}
+
+TEST_CASE("In a small window the value of the load that is put is in sight and is typed")
+{
+    CHECK(played("command file.open examples/portal.json\nkey L\nclick pixel 600 39\nkey Ctrl+A\ntype \"7.5 kN/m\"\n"
+                 "key Enter\nclick member CD 50%\nexpect undo Load: Member CD\nexpect drawn \"7.5 kN/m\"\n",
+                 {900, 600}) == "");
 }
 
 TEST_CASE("Every frame of a scenario can be kept for a film")

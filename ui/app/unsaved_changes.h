@@ -20,11 +20,11 @@ public:
     };
 
     /// Call it once a frame, after the dialog, until the fate is known. The session, whose changes they are, knows
-    /// `file_name()`, `path()`, `is_dirty()` and `save(path)`.
+    /// `name()`, `path()`, `is_dirty()` and `save(path)`.
     template <class Session> std::optional<Fate> ask(Session& session, Dialogs& dialogs, const Catalogue& tr)
     {
         if (is_naming_) return named(session.is_dirty(), dialogs);
-        const std::optional<UnsavedAnswer> answer = ask_about_unsaved(session.file_name(), tr);
+        const std::optional<UnsavedAnswer> answer = ask_about_unsaved(session.name(), tr);
         if (!answer) return std::nullopt;
         if (*answer == UnsavedAnswer::GiveUp) return Fate::GivenUp;
         if (*answer == UnsavedAnswer::Cancel) return Fate::Kept;

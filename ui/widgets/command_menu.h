@@ -13,6 +13,7 @@
 #include "ui/text/catalogue.h"
 #include "ui/widgets/item_label.h"
 #include "ui/widgets/panel.h"
+#include "ui/widgets/tooltip.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace ui {
@@ -25,8 +26,7 @@ template <class Session> void show_command(const Command<Session>& command, Sess
     const std::string keys = command.shortcuts.empty() ? "" : text(command.shortcuts.front());
     const bool is_on = command.is_on && command.is_on(session);
     if (ImGui::MenuItem(name.c_str(), keys.c_str(), is_on, !reason)) run(command, session);
-    if (reason && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-        ImGui::SetTooltip("%s", tr(*reason).c_str());
+    if (reason && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) show_tooltip(tr(*reason));
 }
 
 /// A button for a command, under its label; grey, with the reason under the pointer, where it cannot run.
@@ -39,8 +39,7 @@ void command_button(Workspace& workspace, const CommandTable<Workspace>& command
     ImGui::BeginDisabled(reason.has_value());
     const bool is_clicked = wrapped_button(label(command, workspace, tr), id);
     ImGui::EndDisabled();
-    if (reason && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-        ImGui::SetTooltip("%s", tr(*reason).c_str());
+    if (reason && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) show_tooltip(tr(*reason));
     if (is_clicked) run(command, workspace);
 }
 

@@ -50,6 +50,8 @@ public:
     /// The file that `save` would write; none of a document that has no file, or of which its file has more.
     std::optional<std::filesystem::path> path() const { return is_partial_ ? std::nullopt : path_; }
     std::string file_name() const { return ui::file_name(path_, tr()); }
+    /// What windows and questions call it: its file, and without one what the document itself is called, if anything.
+    virtual std::string name() const { return file_name(); }
     virtual bool is_dirty() const { return differs_from_saved(); } ///< has what is not saved; asked in every frame
     virtual UnsavedDocument unsaved() const
     {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "ui/widgets/tooltip.h"
+
 namespace cross {
 
 namespace {
@@ -20,7 +22,7 @@ void button(Workspace& workspace, const CommandTable& commands, std::string_view
     const ui::Catalogue tr = workspace.tr();
     const std::string keys = command.shortcuts.empty() ? "" : " (" + text(command.shortcuts.front()) + ")";
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-        ImGui::SetTooltip("%s", reason ? tr(*reason).c_str() : (label(command, workspace, tr) + keys).c_str());
+        ui::show_tooltip(reason ? tr(*reason) : label(command, workspace, tr) + keys);
     ImGui::SameLine();
 }
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <string>
 
+#include "ui/widgets/tooltip.h"
+
 namespace euler {
 
 namespace {
@@ -57,7 +59,7 @@ void icon_button(Workspace& workspace, const CommandTable& commands, const Icon&
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
         const ui::Catalogue& tr = workspace.session.tr();
         const std::string name = label(command, workspace, tr) + "  (" + text(command.shortcuts.front()) + ")";
-        ImGui::SetTooltip("%s", reason ? tr(*reason).c_str() : name.c_str());
+        ui::show_tooltip(reason ? tr(*reason) : name);
     }
     if (is_clicked) run(command, workspace);
 }

@@ -129,6 +129,8 @@ void show_case(Session& session, CaseId id)
 {
     session.view.load_case = id;
     session.view.is_envelope = false;
+    const std::optional<Part> part = session.selection.only();
+    if (part && case_id_of(session.model(), *part)) session.selection = part_of(session.model(), id);
 }
 
 Reason rename(Session& session, CaseId id, const std::string& name)

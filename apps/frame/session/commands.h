@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "apps/frame/session/bottom_view.h"
+#include "apps/frame/session/distribution_check.h"
 #include "apps/frame/session/section_draft.h"
 #include "apps/frame/session/session.h"
 #include "apps/frame/session/solver_show.h"
@@ -70,6 +71,7 @@ struct Workspace : ui::Workspace {
     Topic topic = Topic::Properties;
     BottomView bottom{};
     SolverShow solver{}; ///< what the panel at the bottom shows of it
+    DistributionCheck distribution{};
 };
 
 using CommandTable = ui::CommandTable<Workspace>;

@@ -70,7 +70,8 @@ bool names_members(FaultKind kind)
 {
     return kind == FaultKind::MechanismMemberSwings || kind == FaultKind::MechanismMemberFlies ||
            kind == FaultKind::ConstraintConflict || kind == FaultKind::CrossRigidMember ||
-           kind == FaultKind::CrossSkewOffset || kind == FaultKind::CrossAxialSpring;
+           kind == FaultKind::CrossSkewOffset || kind == FaultKind::CrossAxialSpring ||
+           kind == FaultKind::CrossHeldElongation || kind == FaultKind::CrossHeldSettlement;
 }
 
 /// Of a fault that the analysis found: the nodes or members that it names.

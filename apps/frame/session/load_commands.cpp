@@ -9,6 +9,7 @@
 #include "apps/frame/document/command.h"
 #include "apps/frame/document/loading.h"
 #include "apps/frame/tools/load_tool.h"
+#include "apps/frame/tools/tool_loads.h"
 #include "femoop/model/quantity/quantity_parser.h"
 
 namespace frame {
@@ -226,7 +227,7 @@ void spring(Workspace& workspace, std::string_view what)
 void add_part_load(Workspace& workspace, std::string_view what)
 {
     ToolSettings settings = workspace.tool_controller.settings();
-    settings.load = LoadKind::UniformDown;
+    settings.load = {LoadKind::Uniform, LoadWay::Down};
     const LoadReach middle{.from = Percent{25.0}, .to = Percent{75.0}};
     add_to_members(workspace, what, member_load_of(settings, workspace.session.model().analysis, middle).value());
 }
@@ -251,33 +252,30 @@ void add_end_moments(Workspace& workspace, std::string_view what)
 
 // ---- the loads that the tool has too ----
 
-struct ToolLoad {
-    std::string_view id, label;
-    LoadKind kind;
-};
-constexpr std::array tool_loads{
-    ToolLoad{"load.force_down", translatable("Add a force ↓"), LoadKind::ForceDown},
-    ToolLoad{"load.force_right", translatable("Add a force →"), LoadKind::ForceRight},
-    ToolLoad{"load.moment", translatable("Add a moment"), LoadKind::Moment},
-    ToolLoad{"load.uniform", translatable("Add a uniform load ↓"), LoadKind::UniformDown},
-    ToolLoad{"load.across", translatable("Add a uniform load across"), LoadKind::UniformAcross},
-    ToolLoad{"load.triangular", translatable("Add a triangular load ↓"), LoadKind::TriangularDown},
-};
+/// As a structure of this kind has it; null where it has none such.
+const ToolLoadEntry* entry_named(std::string_view command, AnalysisKind kind)
+{
+    const auto found = std::ranges::find(tool_loads(kind), command, &ToolLoadEntry::command);
+    return found != tool_loads(kind).end() ? &*found : nullptr;
+}
 
-ToolSettings set_to(const Workspace& workspace, LoadKind kind)
+ToolSettings set_to(const Workspace& workspace, const ToolLoad& load)
 {
     ToolSettings settings = workspace.tool_controller.settings();
-    settings.load = kind;
+    settings.load = load;
     return settings;
 }
 
-Reason why_not_load(const Workspace& workspace, LoadKind kind)
+Reason why_not_load(const Workspace& workspace, std::string_view command)
 {
     if (const Reason reason = why_shown_case_takes_no_load(workspace.session)) return reason;
     const Targets targets(workspace.session);
-    const ToolSettings settings = set_to(workspace, kind);
     const AnalysisKind analysis = workspace.session.model().analysis;
-    if (!member_load_of(settings, analysis, {})) return translatable("a structure of this kind has no such load");
+    const ToolLoadEntry* const entry = entry_named(command, analysis);
+    const Reason unknown = translatable("a structure of this kind has no such load");
+    if (entry == nullptr) return unknown;
+    const ToolSettings settings = set_to(workspace, entry->load);
+    if (!member_load_of(settings, analysis, {})) return unknown;
     if (targets.members.empty() && !targets.nodes.empty() && !force_of(settings, analysis))
         return translatable("a node bears forces and moments alone; select members");
     return std::nullopt;
@@ -291,13 +289,14 @@ LoadReach reach_on(const Workspace& workspace, MemberId member)
     return {.at = Quantity(cut->x)};
 }
 
-void load(Workspace& workspace, const ToolLoad& entry)
+void load(Workspace& workspace, std::string_view command)
 {
     const Targets targets(workspace.session);
-    const ToolSettings settings = set_to(workspace, entry.kind);
     const AnalysisKind analysis = workspace.session.model().analysis;
+    const ToolLoadEntry& entry = *entry_named(command, analysis);
+    const ToolSettings settings = set_to(workspace, entry.load);
     if (targets.is_empty()) {
-        workspace.tool_controller.settings().load = entry.kind;
+        workspace.tool_controller.settings().load = entry.load;
         return workspace.tool_controller.select(ToolKind::Load);
     }
     const auto force = force_of(settings, analysis);
@@ -327,29 +326,59 @@ constexpr std::array other_loads{
     OtherLoad{"load.spring", translatable("Add a spring"), spring, why_not_spring},
 };
 
-constexpr std::array<std::string_view, 5> for_nodes{"load.force_down", "load.force_right", "load.moment",
-                                                    "load.settlement", "load.spring"};
-constexpr std::array<std::string_view, 10> for_members{
-    "load.uniform",     "load.across", "load.triangular",  "load.part",        "load.force_down",
-    "load.force_right", "load.moment", "load.end_moments", "load.temperature", "load.misfit"};
+// By the tool's table of plane structures, and beyond them, which no menu has, of those in space.
+void add_tool_loads(CommandTable& table)
+{
+    const auto add = [&](std::string_view menu, const ToolLoadEntry& entry) {
+        if (table.find(entry.command) != nullptr) return;
+        const auto run = [command = entry.command](Workspace& workspace) { load(workspace, command); };
+        const auto why_not = [command = entry.command](const Workspace& workspace) {
+            return why_not_load(workspace, command);
+        };
+        Menu(table, menu).step({entry.command, entry.label}, run, why_not).live_label =
+            [plain = entry](const Workspace& workspace) -> Message {
+            const auto* const here = entry_named(plain.command, workspace.session.model().analysis);
+            return here != nullptr ? here->label : plain.label;
+        };
+    };
+    for (const ToolLoadEntry& entry : tool_loads(AnalysisKind::Frame2d)) add(translatable("Loads"), entry);
+    for (const ToolLoadEntry& entry : tool_loads(AnalysisKind::Frame3d)) add({}, entry);
+}
 
 } // namespace
 
 void add_load_commands(CommandTable& table)
 {
+    add_tool_loads(table);
     Menu menu(table, translatable("Loads"));
-    for (const ToolLoad& entry : tool_loads)
-        menu.step(
-            {entry.id, entry.label}, [entry](Workspace& workspace) { load(workspace, entry); },
-            [kind = entry.kind](const Workspace& workspace) { return why_not_load(workspace, kind); });
     for (const OtherLoad& entry : other_loads)
         menu.step(
             {entry.id, entry.label}, [entry](Workspace& workspace) { entry.run(workspace, entry.label); },
             entry.why_not);
 }
 
-std::span<const std::string_view> loads_for_nodes() { return for_nodes; }
-std::span<const std::string_view> loads_for_members() { return for_members; }
+std::vector<std::string_view> loads_for_nodes(AnalysisKind kind)
+{
+    std::vector<std::string_view> commands;
+    for (const ToolLoadEntry& entry : tool_loads(kind))
+        if (force_of({.load = entry.load}, kind)) commands.push_back(entry.command);
+    commands.insert(commands.end(), {"load.settlement", "load.spring"});
+    return commands;
+}
+
+std::vector<std::string_view> loads_for_members(AnalysisKind kind)
+{
+    std::vector<std::string_view> lines, forces;
+    for (const ToolLoadEntry& entry : tool_loads(kind)) {
+        if (!member_load_of({.load = entry.load}, kind, {})) continue;
+        const bool is_force = entry.load.kind == LoadKind::Force || entry.load.kind == LoadKind::Moment;
+        (is_force ? forces : lines).push_back(entry.command);
+    }
+    lines.emplace_back("load.part");
+    lines.insert(lines.end(), forces.begin(), forces.end());
+    lines.insert(lines.end(), {"load.end_moments", "load.temperature", "load.misfit"});
+    return lines;
+}
 
 bool is_load(const Part& part)
 {

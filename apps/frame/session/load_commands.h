@@ -1,8 +1,8 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string_view>
+#include <vector>
 
 #include "apps/frame/session/commands.h"
 
@@ -15,9 +15,9 @@ void add_load_commands(CommandTable& table);
 /// Why what is shown takes no load: a combination and the envelope have none of their own.
 std::optional<ui::Message> why_shown_case_takes_no_load(const Session& session);
 
-/// The ids of those that nodes can have, and members.
-std::span<const std::string_view> loads_for_nodes();
-std::span<const std::string_view> loads_for_members();
+/// The ids of those that nodes can have, and members, in a structure of this kind.
+std::vector<std::string_view> loads_for_nodes(femoop::AnalysisKind kind);
+std::vector<std::string_view> loads_for_members(femoop::AnalysisKind kind);
 
 /// The node or member that a load or settlement acts on. \pre the part is one
 Part bearer_of(const femoop::Model& model, const Part& load);

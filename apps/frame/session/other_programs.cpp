@@ -57,9 +57,14 @@ std::vector<MemberId> chosen_members(const Session& session)
     return members;
 }
 
+femoop::Model structure_handed(const Session& session, const std::vector<MemberId>& members, femoop::CaseId load_case)
+{
+    return excerpt(session, members, load_case).model;
+}
+
 Offer moment_distribution(const Session& session, const std::vector<MemberId>& members, femoop::CaseId load_case)
 {
-    const femoop::Model model = excerpt(session, members, load_case).model;
+    const femoop::Model model = structure_handed(session, members, load_case);
     cross::Document document{.model = model};
     document.method.load_case = load_case;
     if (auto solution = cross::solve(document); !solution.faults.empty())
@@ -328,12 +333,6 @@ void hand_over_circle(Workspace& workspace)
               translatable("the circle is drawn in a window of its own"));
 }
 
-ui::Reason why_no_distribution(const Workspace& workspace)
-{
-    if (!workspace.session.model().members.empty()) return std::nullopt;
-    return Message(translatable("the model has no members"));
-}
-
 // With a path, what the other program would get is written there.
 CommandTable::RunWith into_file(void (*run)(Workspace&))
 {
@@ -351,7 +350,7 @@ void add_method_commands(CommandTable& table)
 {
     Menu menu(table, ui::standard::file_menu);
     menu.step({"methods.distribution", translatable("Moment distribution of the selection")}, hand_over_distribution,
-              why_no_distribution);
+              [](const Workspace& workspace) { return workspace.distribution.why_not(workspace.session); });
     menu.step({"methods.circle", translatable("Mohr's circle at this section")}, hand_over_circle,
               [](const Workspace& workspace) { return why_no_circle(workspace.session); });
     table.with_argument("methods.distribution", into_file(hand_over_distribution));

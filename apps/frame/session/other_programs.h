@@ -17,6 +17,9 @@ using Offer = std::variant<ui::ExportToApp, Notice>;
 Offer moment_distribution(const Session& session);
 Offer moment_distribution(const Session& session, const std::vector<femoop::MemberId>& members,
                           femoop::CaseId load_case);
+/// What of the structure it is given: these members alone, and nothing in faulty cases other than this one.
+femoop::Model structure_handed(const Session& session, const std::vector<femoop::MemberId>& members,
+                               femoop::CaseId load_case);
 std::vector<femoop::MemberId> chosen_members(const Session& session); ///< that they would be
 /// The nodes that are held fixed there, since selected members meet others at them: "B, D".
 std::string held_nodes(const Session& session);

@@ -21,6 +21,7 @@
 #include "femoop/result/structure_words.h"
 #include "ui/text/catalogue.h"
 #include "ui/text/language_manner.h"
+#include "ui/text/shortened.h"
 #include "ui/workbench/file_sentences.h"
 
 namespace frame {
@@ -355,6 +356,12 @@ Session::Written Session::write_file(const std::filesystem::path& path)
     return {true,
             {ui::lasting({translatable("{file} was not understood; it is kept as {old}"),
                           {{"file", beside.filename().string()}, {"old", aside.filename().string()}}})}};
+}
+
+std::string Session::name() const
+{
+    constexpr std::size_t most_letters = 40;
+    return path() || model().title.empty() ? file_name() : ui::shortened(model().title, most_letters);
 }
 
 std::string Session::file_text() const { return femoop::write_model(model()); }

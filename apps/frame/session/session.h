@@ -80,6 +80,7 @@ public:
     }
     /// Tells that a file was not opened.
     void refuse(const std::filesystem::path& path, const Notice& reason);
+    std::string name() const override; ///< without a file the model's title
     bool is_dirty() const override { return is_dirty_; }
     ui::UnsavedDocument unsaved() const override; ///< which writes nothing yet
     /// A document without a file in which nothing was done: none would miss it.

@@ -59,6 +59,21 @@ const Session& tab(const Workspace& workspace, std::size_t place)
     return place == workspace.tab ? workspace.session : workspace.other_tabs.at(in_other_tabs(workspace, place));
 }
 
+std::string tab_name(const Workspace& workspace, std::size_t place)
+{
+    const Session& session = tab(workspace, place);
+    const std::string name = session.name();
+    std::size_t number = 0, n_alike = 0;
+    for (std::size_t i = 0; i < n_tabs(workspace); ++i) {
+        if (tab(workspace, i).name() != name) continue;
+        if (i <= place) ++number;
+        ++n_alike;
+    }
+    if (n_alike < 2) return name;
+    const auto path = session.path();
+    return path ? (path->parent_path().filename() / name).string() : name + " (" + std::to_string(number) + ")";
+}
+
 void show_tab(Workspace& workspace, std::size_t place)
 {
     if (place == workspace.tab) return;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "apps/frame/session/commands.h"
 
@@ -10,6 +11,9 @@ namespace frame {
 
 std::size_t n_tabs(const Workspace& workspace);
 const Session& tab(const Workspace& workspace, std::size_t place); ///< \pre place < n_tabs
+/// What its tab is called; where several would be called the same, by the folders of their files, and by numbers those
+/// that have none.
+std::string tab_name(const Workspace& workspace, std::size_t place);
 /// Brings another tab's document to the workspace; language, theme and what is shown stay.
 void show_tab(Workspace& workspace, std::size_t place);
 /// Puts the session in a tab of its own and shows it; takes the place of a document that nobody has touched.

@@ -19,10 +19,22 @@ namespace {
 bool is_upright(AnalysisKind kind) { return kind == AnalysisKind::Grillage || is_3d(kind); } // z is up
 Dof downwards(AnalysisKind kind) { return is_upright(kind) ? Dof::uz : Dof::uy; }
 
-bool is_distributed(LoadKind kind)
+bool is_distributed(const ToolLoad& load) { return load.kind != LoadKind::Force && load.kind != LoadKind::Moment; }
+
+/// The direction, or the axis of a moment.
+Dof dof_of(const ToolLoad& load, AnalysisKind kind)
 {
-    return kind == LoadKind::UniformDown || kind == LoadKind::UniformAcross || kind == LoadKind::TriangularDown;
+    const bool turns = load.kind == LoadKind::Moment;
+    switch (load.way) {
+    case LoadWay::X: return turns ? Dof::rx : Dof::ux;
+    case LoadWay::Y: return turns ? Dof::ry : Dof::uy;
+    case LoadWay::Z: return turns ? Dof::rz : Dof::uz;
+    case LoadWay::Down: break;
+    }
+    return downwards(kind);
 }
+
+Quantity along_axis(const Quantity& value, LoadWay way) { return way == LoadWay::Down ? Quantity(-value) : value; }
 
 /// From nothing to the whole value, either way.
 DistributedLoad::Value triangle(Dof dof, const Quantity& value, bool grows)
@@ -55,15 +67,9 @@ double place_along(const MemberLine& line, const Aim& at, double grid)
 
 std::optional<Component> force_of(const ToolSettings& settings, AnalysisKind kind)
 {
-    Component load;
-    switch (settings.load) {
-    case LoadKind::ForceDown: load = {downwards(kind), Quantity(-settings.force)}; break;
-    case LoadKind::ForceRight: load = {Dof::ux, settings.force}; break;
-    case LoadKind::Moment: load = {kind == AnalysisKind::Grillage ? Dof::rx : Dof::rz, settings.moment}; break;
-    case LoadKind::UniformDown:
-    case LoadKind::UniformAcross:
-    case LoadKind::TriangularDown: return std::nullopt;
-    }
+    if (is_distributed(settings.load)) return std::nullopt;
+    const Quantity& value = settings.load.kind == LoadKind::Moment ? settings.moment : settings.force;
+    const Component load{dof_of(settings.load, kind), along_axis(value, settings.load.way)};
     return dofs(kind).contains(load.dof) ? std::optional(load) : std::nullopt;
 }
 
@@ -74,12 +80,13 @@ std::optional<MemberLoadValue> member_load_of(const ToolSettings& settings, Anal
         if (!force) return std::nullopt;
         return PointLoad{.at = reach.at, .components = {*force}};
     }
-    const Quantity down(-settings.line_load);
-    DistributedLoad load{.values = {{downwards(kind), down, std::nullopt}}, .from = reach.from, .to = reach.to};
-    if (settings.load == LoadKind::TriangularDown) load.values = {triangle(downwards(kind), down, reach.grows)};
-    if (settings.load != LoadKind::UniformAcross) return load;
-    load.values = {{Dof::uy, down, std::nullopt}};
-    load.axes = LoadAxes::Local;
+    const bool is_across = settings.load.kind == LoadKind::UniformAcross;
+    const Dof dof = is_across ? Dof::uy : dof_of(settings.load, kind);
+    if (!is_across && !dofs(kind).contains(dof)) return std::nullopt;
+    const Quantity value = along_axis(settings.line_load, settings.load.way);
+    DistributedLoad load{.values = {{dof, value, std::nullopt}}, .from = reach.from, .to = reach.to};
+    if (settings.load.kind == LoadKind::Triangular) load.values = {triangle(dof, value, reach.grows)};
+    if (is_across) load.axes = LoadAxes::Local;
     return load;
 }
 

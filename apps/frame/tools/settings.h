@@ -12,18 +12,28 @@ namespace frame {
 
 /// What the load tool puts on a part.
 enum class LoadKind : std::uint8_t {
-    ForceDown, ///< on a node, or at a place of a member
-    ForceRight,
-    Moment,         ///< counter-clockwise
-    UniformDown,    ///< along a whole member
-    UniformAcross,  ///< along a whole member, square to it, against its y'
-    TriangularDown, ///< from nothing at one end to the value at the other
+    Force, ///< on a node, or at a place of a member
+    Moment,
+    Uniform,       ///< along a whole member
+    UniformAcross, ///< along a whole member, square to it, against its y'
+    Triangular,    ///< from nothing at one end to the value at the other
+};
+
+/// Along which axis a positive value acts, or about which it turns counter-clockwise. Down is against y in a plane
+/// frame, and against z in a grillage and in space.
+enum class LoadWay : std::uint8_t { Down, X, Y, Z };
+
+struct ToolLoad {
+    LoadKind kind = LoadKind::Uniform;
+    LoadWay way = LoadWay::Down;
+
+    friend bool operator==(const ToolLoad&, const ToolLoad&) = default;
 };
 
 /// How the tools that put something on a part do it.
 struct ToolSettings {
     femoop::SupportKind support = femoop::SupportKind::Pin;
-    LoadKind load = LoadKind::UniformDown;
+    ToolLoad load{};
     femoop::Quantity force{10.0}, moment{10.0}, line_load{10.0};
     femoop::CaseId load_case;                     ///< that is shown
     MomentSide moment_side = MomentSide::Tension; ///< on which a positive moment is drawn

@@ -63,7 +63,8 @@ bool Application::is_swinging() const
 std::string Application::window_title() const
 {
     const Session& session = workspace_.session;
-    return (session.is_dirty() ? "*" : "") + session.file_name() + " – " + session.view.tr("Cremona: frames");
+    return (session.is_dirty() ? "*" : "") + tab_name(workspace_, workspace_.tab) + " – " +
+           session.view.tr("Cremona: frames");
 }
 
 void Application::ask_to_quit() { questions_.ask_to_quit(); }
@@ -246,7 +247,7 @@ void Application::show_menu_bar()
 {
     if (!ImGui::BeginMainMenuBar()) return;
     ui::show_menus(commands_, workspace_, workspace_.session.view.tr);
-    const std::string name = (workspace_.session.is_dirty() ? "* " : "") + workspace_.session.file_name();
+    const std::string name = (workspace_.session.is_dirty() ? "* " : "") + tab_name(workspace_, workspace_.tab);
     ui::menu_bar_title(name);
     ImGui::EndMainMenuBar();
 }
@@ -273,7 +274,7 @@ void Application::show_body()
     ImGui::EndChild();
     ui::end_body();
     if (told) show_banner(workspace_, *told);
-    else status_bar(workspace_.session);
+    else status_bar(workspace_);
 }
 
 void Application::show_left(float width)

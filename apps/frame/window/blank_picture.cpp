@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/frame/document/fault/sentence.h"
+#include "apps/frame/window/no_results.h"
 #include "ui/paint/theme.h"
 #include "ui/paint/wrapped_lines.h"
 
@@ -25,18 +26,14 @@ std::vector<std::string> reasons(const Session& session, const BlankCase& blank)
     return all;
 }
 
-} // namespace
-
-void draw_why_blank(ui::Painter& painter, const Session& session, const DrawOptions& options)
+// At the foot of the sheet, each in as many lines as it needs.
+void draw_at_foot(ui::Painter& painter, const std::vector<std::string>& sentences, const ui::Theme& theme)
 {
-    const BlankCase* const blank = session.shown_blank();
-    if (blank == nullptr || !blank->mechanisms.empty() || session.hidden) return;
-    const ui::Theme theme(options.theme);
     ui::TextStyle style = theme.text(ui::Role::Error, ui::Anchor::BottomLeft);
     style.plate = theme.background();
     std::vector<std::string> lines;
-    for (const std::string& reason : reasons(session, *blank)) {
-        const auto wrapped = ui::wrapped_lines(painter.fonts(), reason, style, painter.size().width - 32.0);
+    for (const std::string& one : sentences) {
+        const auto wrapped = ui::wrapped_lines(painter.fonts(), one, style, painter.size().width - 32.0);
         lines.insert(lines.end(), wrapped.begin(), wrapped.end());
     }
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
@@ -46,6 +43,38 @@ void draw_why_blank(ui::Painter& painter, const Session& session, const DrawOpti
         painter.text({16.0, y}, line, style);
         y += step;
     }
+}
+
+bool moves(const femoop::Mechanism& mechanism, std::size_t member)
+{
+    constexpr double still = 1e-6; // of the largest motion
+    const auto& [start, end] = mechanism.member_ends[member];
+    return start.norm() + end.norm() > still;
+}
+
+} // namespace
+
+void draw_why_blank(ui::Painter& painter, const Session& session, const DrawOptions& options)
+{
+    const BlankCase* const blank = session.shown_blank();
+    if (blank == nullptr || !blank->mechanisms.empty() || session.hidden) return;
+    draw_at_foot(painter, reasons(session, *blank), ui::Theme(options.theme));
+}
+
+void draw_loose_part(ui::Painter& painter, const Session& session, const DrawOptions& options,
+                     const Projection& projection, const StructureShape& shape)
+{
+    std::vector<MemberShape> loose;
+    for (std::size_t i = 0; i < shape.members.size(); ++i)
+        if (std::ranges::any_of(session.shown_mechanisms(), [i](const auto& motion) { return moves(motion, i); }))
+            loose.push_back(shape.members[i]);
+    if (loose.empty() || loose.size() == shape.members.size()) return;
+    const ui::Theme theme(options.theme);
+    const ui::LayerScope layer(painter, ui::Layer::Lines);
+    for (const MemberShape& member : loose)
+        painter.line(projection(member.start), projection(member.end), theme.stroke(ui::Role::Mechanism));
+    if (const femoop::Fault* const fault = why_not_solved(session))
+        draw_at_foot(painter, {sentence(*fault, options.tr)}, theme);
 }
 
 } // namespace frame

@@ -16,6 +16,7 @@
 #include "apps/frame/session/work.h"
 #include "apps/frame/tools/kept_settings.h"
 #include "apps/frame/tools/load_tool.h"
+#include "apps/frame/tools/tool_loads.h"
 #include "apps/frame/view/kept_view.h"
 #include "apps/frame/view/motion_words.h"
 #include "apps/frame/view/predict/guess_picture.h"
@@ -235,6 +236,7 @@ void Canvas::follow(Workspace& workspace, const Pointer& pointer)
     ToolSettings& settings = workspace.tool_controller.settings();
     settings.grid = typed_spacing(settings, session.model().units).value_or(grid_of(projection));
     settings.load_case = session.view.load_case;
+    settings.load = entry_of(settings.load, session.model().analysis).load; // another tab may lack its direction
     settings.moment_side = session.view.moment_side;
     Pick under = pick(shape_, projection, pointer.at, session.shown_results() ? session.view.show : ShowSet{});
     if (under.cut) under.cut = snapped(session, shape_, *under.cut, pixels_along(projection, *under.cut));
@@ -322,8 +324,8 @@ void Canvas::release(Workspace& workspace, const Aim& aim, const Pick& under)
     session.settle();
     if (workspace.tool_controller.tool().is_done()) return workspace.tool_controller.settle();
     if (was_dragging || workspace.tool_controller.kind() != ToolKind::Select) return;
-    session.pin = under.cut;
     const bool is_read = under.cut && !aim.part(); // a click on a diagram means its member
+    session.pin = is_read ? under.cut : aim.cut;   // one on a support, a load or a dimension means that alone
     if (is_read && !aim.adds) session.selection = Part(under.cut->member);
 }
 
@@ -406,6 +408,9 @@ Subject::Picture Canvas::draw(const Workspace& workspace, const DrawOptions& opt
     const std::optional<GuessPicture> guess = guess_picture(session, options);
     Subject::Picture picture = Subject(input_of(workspace, options, guess), options, state).draw(painter);
     draw_why_blank(painter, session, options);
+    if (!shown_mechanism(workspace) && !picture.plan.panels.empty())
+        draw_loose_part(painter, session, options, Projection(picture.plan.camera, picture.plan.panels.front().box.min),
+                        shape_);
     if (session.pin && !plan_.panels.empty())
         draw_cut(session, options, picture, {*session.pin, plan_.panels.front().box.min}, painter);
     return picture;

@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "apps/frame/session/load_commands.h"
 #include "ui/widgets/command_menu.h"
@@ -38,12 +39,18 @@ void show(Workspace& workspace, const CommandTable& commands, Ids ids)
     for (const std::string_view id : ids) ui::show_command(*commands.find(id), workspace, tr);
 }
 
-Ids loads_for(const Selection& selection)
+bool has_members(const Selection& selection)
 {
-    if (is_any<femoop::MemberId>(selection) || is_any<MemberLoadPlace>(selection)) return loads_for_members();
+    return is_any<femoop::MemberId>(selection) || is_any<MemberLoadPlace>(selection);
+}
+
+std::vector<std::string_view> loads_for(const Session& session)
+{
+    const Selection& selection = session.selection;
+    if (has_members(selection)) return loads_for_members(session.model().analysis);
     const bool has_nodes = is_any<femoop::NodeId>(selection) || is_any<NodeLoadPlace>(selection) ||
                            is_any<SettlementPlace>(selection);
-    return has_nodes ? loads_for_nodes() : Ids{};
+    return has_nodes ? loads_for_nodes(session.model().analysis) : std::vector<std::string_view>{};
 }
 
 } // namespace
@@ -57,7 +64,7 @@ void ContextMenu::show(Workspace& workspace, const CommandTable& commands)
         frame::show(workspace, commands, beginnings);
         return ImGui::EndPopup();
     }
-    if (const Ids loads = loads_for(selection); !loads.empty()) {
+    if (const auto loads = loads_for(workspace.session); !loads.empty()) {
         frame::show(workspace, commands, loads);
         ImGui::Separator();
     }
@@ -75,9 +82,9 @@ void ContextMenu::show(Workspace& workspace, const CommandTable& commands)
 
 void add_load_button(Workspace& workspace, const CommandTable& commands)
 {
-    const Ids loads = loads_for(workspace.session.selection);
+    const std::vector<std::string_view> loads = loads_for(workspace.session);
     if (loads.empty()) return;
-    const std::string_view label = loads.data() == loads_for_members().data()
+    const std::string_view label = has_members(workspace.session.selection)
                                        ? translatable("Add a load or temperature…")
                                        : translatable("Add a load, settlement or spring…");
     if (ui::wrapped_button(workspace.session.view.tr(label), "add load")) ImGui::OpenPopup("###loads");

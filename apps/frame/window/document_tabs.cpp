@@ -16,7 +16,7 @@ void document_tabs(Workspace& workspace)
     std::optional<std::size_t> chosen;
     for (std::size_t i = 0; i < n_tabs(workspace); ++i) {
         const Session& session = tab(workspace, i);
-        const std::string title = (session.is_dirty() ? "* " : "") + session.file_name();
+        const std::string title = (session.is_dirty() ? "* " : "") + tab_name(workspace, i);
         const bool is_shown = i == workspace.tab;
         ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(is_shown ? ImGuiCol_TabActive : ImGuiCol_Tab));
         if (ImGui::Button(ui::item_label(title, "tab" + std::to_string(i)).c_str())) chosen = i;

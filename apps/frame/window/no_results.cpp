@@ -2,6 +2,9 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "apps/frame/session/predict_commands.h"
 #include "ui/widgets/wrapped_text.h"
 
@@ -14,6 +17,15 @@ bool explain_no_results(Workspace& workspace)
     ui::wrapped_text(workspace.session.view.tr(*reason));
     offer_to_reveal(workspace);
     return true;
+}
+
+const femoop::Fault* why_not_solved(const Session& session)
+{
+    const BlankCase* const blank = session.shown_blank();
+    const std::vector<femoop::Fault>& faults = blank != nullptr ? blank->faults : session.solution().faults;
+    const auto error = std::ranges::find_if(
+        faults, [](const auto& fault) { return femoop::severity(fault.kind) == femoop::Severity::Error; });
+    return session.shown_results() != nullptr || error == faults.end() ? nullptr : &*error;
 }
 
 void offer_to_reveal(Workspace& workspace)

@@ -8,6 +8,9 @@ namespace frame {
 /// read
 bool explain_no_results(Workspace& workspace);
 
+/// The first error that leaves what is shown without results; null where it has some.
+const femoop::Fault* why_not_solved(const Session& session);
+
 /// A button that reveals the results; nothing where they are not hidden.
 void offer_to_reveal(Workspace& workspace);
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "apps/frame/document/fault/sentence.h"
+#include "apps/frame/window/no_results.h"
 #include "femoop/result/structure_words.h"
 #include "ui/text/shortened.h"
 #include "ui/widgets/panel.h"
@@ -25,10 +27,21 @@ std::string degree_text(const femoop::Indeterminacy& degree, const ui::Catalogue
                {"internal", summand(degree.internal)}});
 }
 
+// While members are drawn the picture does not say it, since the structure is not complete yet.
+ui::Message unsolved(const Workspace& workspace)
+{
+    constexpr std::size_t most_letters = 90;
+    const femoop::Fault* const error = why_not_solved(workspace.session);
+    if (!workspace.tool_controller.can_type() || error == nullptr) return ui::translatable("not solved");
+    return {ui::translatable("not solved: {reason}"),
+            {{"reason", ui::shortened(sentence(*error, workspace.tr()), most_letters)}}};
+}
+
 // Who walks through views sees here which one it is: in the picture the words would cover what it shows.
-std::vector<std::string> parts_of(const Session& session)
+std::vector<std::string> parts_of(const Workspace& workspace)
 {
     constexpr std::size_t most_letters = 40;
+    const Session& session = workspace.session;
     const ui::Catalogue& tr = session.view.tr;
     const std::vector<NamedView>& views = session.document().companion.views;
     std::vector<std::string> parts;
@@ -36,7 +49,7 @@ std::vector<std::string> parts_of(const Session& session)
         parts.push_back(ui::shortened(views[*session.shown_view].name, most_letters));
     parts.push_back(femoop::size_text(session.model(), tr));
     const auto& results = session.solution().results;
-    if (!results) parts.push_back(tr("not solved"));
+    if (!results) parts.push_back(tr(unsolved(workspace)));
     else if (!session.model().members.empty()) parts.push_back(degree_text(results->indeterminacy(), tr));
     std::string blank;
     for (const BlankCase& one : session.solution().blank)
@@ -59,14 +72,14 @@ std::string first_of(const std::vector<std::string>& parts, float room)
 
 } // namespace
 
-void status_bar(const Session& session)
+void status_bar(const Workspace& workspace)
 {
     ui::begin_status_bar();
-    const ui::DisplayUnits units = session.units();
+    const ui::DisplayUnits units = workspace.session.units();
     const std::string right = units.unit(ui::Measure::Force).name + ", " + units.unit(ui::Measure::Length).name + ", " +
                               units.unit(ui::Measure::Displacement).name;
     const float at = ImGui::GetWindowWidth() - ImGui::CalcTextSize(right.c_str()).x - ImGui::GetFontSize();
-    ImGui::TextUnformatted(first_of(parts_of(session), at - 2.0F * ImGui::GetFontSize()).c_str());
+    ImGui::TextUnformatted(first_of(parts_of(workspace), at - 2.0F * ImGui::GetFontSize()).c_str());
     ImGui::SameLine(at);
     ImGui::TextDisabled("%s", right.c_str());
     ui::end_status_bar();

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "apps/frame/session/session.h"
+#include "apps/frame/session/commands.h"
 
 namespace frame {
 
-/// The foot of the window: how large the structure is, how determinate, and its units.
-void status_bar(const Session& session);
+/// The foot of the window: how large the structure is, how determinate or why it is not solved, and its units.
+void status_bar(const Workspace& workspace);
 
 } // namespace frame

@@ -2,15 +2,18 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 
 #include "apps/frame/session/edit_commands.h"
 #include "apps/frame/session/plane_commands.h"
 #include "apps/frame/tools/kept_settings.h"
+#include "apps/frame/tools/tool_loads.h"
 #include "apps/frame/window/number_row.h"
 #include "apps/frame/window/tool_icon.h"
 #include "femoop/model/quantity/number_text.h"
+#include "ui/widgets/tooltip.h"
 
 namespace frame {
 
@@ -41,7 +44,7 @@ void tool_button(Workspace& workspace, const CommandTable& commands, const ToolE
              {static_cast<double>(corner.x) + edge, static_cast<double>(corner.y) + edge});
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
         const std::string tip = reason ? tr(*reason) : tr(entry.label) + "  (" + text(command.shortcuts.front()) + ")";
-        ImGui::SetTooltip("%s", tip.c_str());
+        ui::show_tooltip(tip);
     }
     if (is_clicked) run(command, workspace);
 }
@@ -56,23 +59,17 @@ constexpr std::array supports{
     SupportTool{femoop::SupportKind::Fixed, translatable("Fixed")},
 };
 
-struct LoadChoice {
-    LoadKind kind;
-    std::string_view label;
+/// The number that a load of the tool has.
+struct LoadValue {
     ui::Measure measure;
     femoop::Quantity ToolSettings::*value;
 };
-const std::array loads{
-    LoadChoice{LoadKind::UniformDown, translatable("Uniform load ↓"), ui::Measure::ForcePerLength,
-               &ToolSettings::line_load},
-    LoadChoice{LoadKind::UniformAcross, translatable("Uniform load across"), ui::Measure::ForcePerLength,
-               &ToolSettings::line_load},
-    LoadChoice{LoadKind::ForceDown, translatable("Force ↓"), ui::Measure::Force, &ToolSettings::force},
-    LoadChoice{LoadKind::ForceRight, translatable("Force →"), ui::Measure::Force, &ToolSettings::force},
-    LoadChoice{LoadKind::Moment, translatable("Moment"), ui::Measure::Moment, &ToolSettings::moment},
-    LoadChoice{LoadKind::TriangularDown, translatable("Triangular load ↓"), ui::Measure::ForcePerLength,
-               &ToolSettings::line_load},
-};
+LoadValue value_of(LoadKind kind)
+{
+    if (kind == LoadKind::Force) return {ui::Measure::Force, &ToolSettings::force};
+    if (kind == LoadKind::Moment) return {ui::Measure::Moment, &ToolSettings::moment};
+    return {ui::Measure::ForcePerLength, &ToolSettings::line_load};
+}
 
 void support_settings(Workspace& workspace)
 {
@@ -84,23 +81,48 @@ void support_settings(Workspace& workspace)
     }
 }
 
+/// How the load that is put stands in a bar of this width [px]: where it is narrow the unit goes first, then a part of
+/// the load's name.
+struct LoadLook {
+    bool has_unit = true, has_arrow = true;
+    float list = 11.0F * ImGui::GetFontSize(), field = 6.0F * ImGui::GetFontSize();
+
+    LoadLook(const std::string& unit, float room)
+    {
+        const float gap = ImGui::GetStyle().ItemSpacing.x, em = ImGui::GetFontSize();
+        const float of_unit = gap + ImGui::CalcTextSize(unit.c_str()).x;
+        if (list + gap + field + of_unit <= room) return;
+        field = 3.8F * em;
+        has_unit = 7.0F * em + gap + field + of_unit <= room;
+        list = std::clamp(room - gap - field - (has_unit ? of_unit : 0.0F), 3.0F * em, list);
+        has_arrow = list > 7.0F * em;
+    }
+};
+
 void load_settings(Workspace& workspace, ui::NumberFields& fields)
 {
     ToolSettings& settings = workspace.tool_controller.settings();
     const ui::Catalogue& tr = workspace.session.view.tr;
-    const auto* const chosen = std::ranges::find(loads, settings.load, &LoadChoice::kind);
-    const float em = ImGui::GetFontSize();
-    ImGui::SetNextItemWidth(11.0F * em);
-    if (ImGui::BeginCombo("###load kind", tr(chosen->label).c_str())) {
-        for (const LoadChoice& choice : loads)
-            if (ImGui::Selectable(tr(choice.label).c_str(), choice.kind == settings.load)) settings.load = choice.kind;
+    const femoop::AnalysisKind kind = workspace.session.model().analysis;
+    const ToolLoadEntry& chosen = entry_of(settings.load, kind);
+    const LoadValue number = value_of(chosen.load.kind);
+    const std::string unit = workspace.session.units().unit(number.measure).name;
+    const LoadLook look(unit, ImGui::GetContentRegionAvail().x);
+    ImGui::SetNextItemWidth(look.list);
+    const auto flags = look.has_arrow ? ImGuiComboFlags_None : ImGuiComboFlags_NoArrowButton;
+    const bool is_open = ImGui::BeginCombo("###load kind", tr(chosen.name).c_str(), flags);
+    if (is_open) {
+        for (const ToolLoadEntry& entry : tool_loads(kind))
+            if (ImGui::Selectable(tr(entry.name).c_str(), entry.load == chosen.load)) settings.load = entry.load;
         ImGui::EndCombo();
+    } else if (!look.has_arrow && ImGui::IsItemHovered()) {
+        ui::show_tooltip(tr(chosen.name));
     }
     ImGui::SameLine();
-    edit_quantity(workspace, fields, {"tool load", chosen->measure, 6.0F * em}, settings.*chosen->value);
+    edit_quantity(workspace, fields, {"tool load", number.measure, look.field}, settings.*number.value);
     ImGui::SameLine();
-    ImGui::TextUnformatted(workspace.session.units().unit(chosen->measure).name.c_str());
-    ImGui::SameLine();
+    if (look.has_unit) ImGui::TextUnformatted(unit.c_str());
+    if (look.has_unit) ImGui::SameLine();
 }
 
 constexpr std::string_view grid_label = translatable("Grid"), snap_label = translatable("Snap");
@@ -205,6 +227,8 @@ std::string_view hint(ToolKind tool, bool is_in_space)
     if (is_in_space && tool == ToolKind::Member)
         return translatable("Click nodes or places of the plane, or type: 6,4,3  @0,0,3");
     if (is_in_space && tool == ToolKind::Node) return translatable("Click a place of the plane, or type it: 6,4,3");
+    if (is_in_space && tool == ToolKind::Load)
+        return translatable("Click members or nodes; the list has every direction.");
     if (is_in_space && tool == ToolKind::Select) return translatable("Click; Shift adds, Shift and drag: a window.");
     switch (tool) {
     case ToolKind::Select: return translatable("Click, drag, or draw a window; Shift adds.");

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 
-#include "femoop/analysis/linear_static.h"
+#include "femoop/analysis/static_system.h"
 #include "femoop/methods/cross/kinematics.h"
 #include "femoop/methods/cross/member_action.h"
 #include "femoop/methods/cross/overhang.h"
@@ -22,6 +24,7 @@ constexpr double no_stiffness = 1e-13;   // of 4EI/L: what condensing a release 
 constexpr double no_moment = 1e-9;       // of the largest moment: a free joint bears no more
 constexpr double nice_fixed_end = 100.0; // the largest fixed-end moment of a sway's sheet
 constexpr double same_multiple = 1e-9;   // of EI/L
+constexpr double no_strain = 1e-12;      // what rounding leaves of heat that only bends
 
 bool skews(const Member& member, const MemberGeometry& geometry)
 {
@@ -115,13 +118,30 @@ private:
         return found;
     }
 
-    /// The analysis knows the sentence for settlements and heat that axially rigid members cannot follow.
+    /// Settlements and changes of length that axially rigid members cannot follow.
     [[noreturn]] void refuse_contradiction() const
     {
-        static_cast<void>(analyse(inextensible_copy(model_)));
-        std::vector<std::string> all;
-        for (const Member& member : model_.members) all.push_back(member.id);
-        throw ModelError({{FaultKind::ConstraintConflict, {listed(all), model_.case_name(problem_.load_case)}}});
+        std::vector<std::string> all, heated;
+        for (const MemberId member : contradicting_members()) {
+            const LoadedMember& loaded = members_[member.index];
+            all.push_back(model_[member].id);
+            if (std::abs(loaded.elongation) > no_strain * loaded.action.length) heated.push_back(model_[member].id);
+        }
+        const FaultKind kind = heated.empty() ? FaultKind::CrossHeldSettlement : FaultKind::CrossHeldElongation;
+        throw ModelError({{kind, {listed(heated.empty() ? all : heated), model_.case_name(problem_.load_case)}}});
+    }
+
+    /// Those that the constraints of such members speak of, in the load cases that the case sums.
+    std::vector<MemberId> contradicting_members() const
+    {
+        const auto rigid = std::make_shared<const Discretisation>(discretise(inextensible_copy(model_)));
+        const StaticSystem system(rigid, SolverKind::Automatic);
+        const CaseTerms terms = terms_of(model_, problem_.load_case);
+        std::set<MemberId> members;
+        for (const auto& conflict : system.imposed(loads_of(model_, *rigid)).conflicts)
+            if (std::ranges::find(terms.terms, conflict.load_case, &CaseTerms::Term::load_case) != terms.terms.end())
+                members.insert(conflict.members.begin(), conflict.members.end());
+        return {members.begin(), members.end()};
     }
 
     bool turns(NodeId node) const

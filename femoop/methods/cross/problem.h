@@ -153,9 +153,9 @@ struct Problem {
 inline constexpr std::size_t most_nodes = 1000;
 
 /// \throws ModelError      what `check` finds; what the method cannot do: other models than frame2d, rigid members,
-///                         offsets across the axis, springs along it, a joint without stiffness
+///                         offsets across the axis, springs along it, a joint without stiffness, changes of length
+///                         and settlements that axially rigid members cannot follow
 ///                         and with Extent::Half what is not symmetric
-///         MechanismError  where sways and settlements contradict the supports, as the analysis finds
 Problem problem_of(const Model& model, CaseId load_case, FarEnds far_ends = FarEnds::Modified,
                    Extent extent = Extent::Whole);
 

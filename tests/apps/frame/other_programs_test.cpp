@@ -141,6 +141,32 @@ TEST_SUITE("frame session")
         CHECK(!std::get<Notice>(offer).faults.empty());
     }
 
+    TEST_CASE("Where moment distribution cannot work its command says why, and can again once the cause is gone")
+    {
+        femoop::Model model = beam(rectangle());
+        model.nodes[1].support->kind = femoop::SupportKind::Pin;
+        model.materials[0].alpha = 1.2e-5;
+        model.add(femoop::LoadCase{.id = "warm", .members = {{MemberId(0), femoop::TemperatureLoad{20.0, 20.0}}}});
+        Workspace workspace(session_with(model));
+        const DistributionCheck& check = workspace.distribution;
+        CHECK(!check.why_not(workspace.session));
+        workspace.session.view.load_case = femoop::CaseId(2);
+        const auto reason = check.why_not(workspace.session);
+        REQUIRE(reason);
+        CHECK(ui::Catalogue()(*reason) ==
+              "case warm: a temperature or misfit would change the length of members that are held at both ends (AB), "
+              "and moment distribution takes members as axially rigid; let an end move along the member, or distribute "
+              "another case");
+        workspace.session.selection = Part(MemberId(1));
+        CHECK(!check.why_not(workspace.session));
+        workspace.session.selection.clear();
+        workspace.session.change(
+            {"Slide", [](Document& document) { document.model.nodes[1].support->kind = femoop::SupportKind::Roller; }});
+        CHECK(!check.why_not(workspace.session));
+        workspace.session.undo();
+        CHECK(check.why_not(workspace.session));
+    }
+
     TEST_CASE("The selected member goes to Mohr's circle where its moment is largest at its hardest stressed fibre")
     {
         Session session = session_with(beam(rectangle()));

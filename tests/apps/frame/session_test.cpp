@@ -6,6 +6,7 @@
 
 #include "apps/frame/document/command.h"
 #include "apps/frame/document/drawing.h"
+#include "apps/frame/document/load_cases.h"
 #include "apps/frame/document/loading.h"
 #include "apps/frame/session/case_commands.h"
 #include "apps/frame/session/edit_commands.h"
@@ -62,6 +63,39 @@ TEST_SUITE("frame session")
         CHECK(workspace.session.model().nodes.empty());
         REQUIRE(open_file(workspace, examples + "gerber_beam.json"));
         CHECK(names(workspace) == "portal.json *gerber_beam.json truss.json ");
+    }
+
+    TEST_CASE("A tab without a file is called by its title, and tabs that would be called alike are told apart")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        const auto begin = [&](const char* title) {
+            new_document(workspace);
+            workspace.session.change({"Title", [&](Document& document) {
+                                          set_title(document, title);
+                                          document.model.add(femoop::Node{.id = "A"});
+                                      }});
+        };
+        const auto all_names = [&] {
+            std::string all;
+            for (std::size_t i = 0; i < n_tabs(workspace); ++i) all += tab_name(workspace, i) + "; ";
+            return all;
+        };
+        begin("Roof over the market");
+        CHECK(all_names() == "portal.json; Roof over the market; ");
+        begin("");
+        CHECK(all_names() == "portal.json; Roof over the market; Untitled; ");
+        begin("Roof over the market");
+        begin("");
+        CHECK(all_names() ==
+              "portal.json; Roof over the market (1); Untitled (1); Roof over the market (2); Untitled (2); ");
+        const Folder folder;
+        const std::filesystem::path path = folder.path() / "portal.json";
+        std::filesystem::copy_file(examples + "portal.json", path);
+        REQUIRE(open_file(workspace, path));
+        CHECK(tab_name(workspace, 0) == "examples/portal.json");
+        CHECK(tab_name(workspace, 5) == folder.path().filename().string() + "/portal.json");
+        REQUIRE(save_as(workspace, folder.path() / "other.json"));
+        CHECK(tab_name(workspace, 0) == "portal.json");
     }
 
     TEST_CASE("A document is saved over its own file and not over that of another tab")
@@ -473,6 +507,23 @@ TEST_CASE("A moment stands where its menu was asked for, and from the palette at
     CHECK(place(Cut{MemberId(1), 2.24}) == doctest::Approx(2.24));
     CHECK(place(Cut{MemberId(0), 2.24}) == doctest::Approx(4.0));
     CHECK(place(std::nullopt) == doctest::Approx(4.0));
+}
+
+TEST_CASE("The properties of a case are those of the case that is shown")
+{
+    Workspace workspace = workspace_with("portal.json");
+    run(workspace, "case.combination");
+    const Part first = *workspace.session.selection.only();
+    run(workspace, "case.copy");
+    REQUIRE(workspace.session.selection.only());
+    CHECK(*workspace.session.selection.only() != first);
+    CHECK(case_id_of(workspace.session.model(), *workspace.session.selection.only()) ==
+          workspace.session.view.load_case);
+    show_case(workspace.session, femoop::CaseId(0));
+    CHECK(workspace.session.selection.only() == Part(LoadCasePlace{0}));
+    workspace.session.selection = Part(MemberId(1));
+    show_case(workspace.session, femoop::CaseId(1));
+    CHECK(workspace.session.selection.only() == Part(MemberId(1)));
 }
 
 TEST_CASE("Nothing can be taken over where no linked window offers a change")

@@ -22,6 +22,7 @@
 #include "apps/frame/tools/part_tools.h"
 #include "apps/frame/tools/select_tool.h"
 #include "apps/frame/tools/tool_controller.h"
+#include "apps/frame/tools/tool_loads.h"
 #include "apps/frame/tools/typed_place.h"
 #include "tests/frame_maker.h"
 #include "ui/history/history.h"
@@ -671,7 +672,7 @@ TEST_SUITE("frame tools")
         frame::Aim beam = at(2, 4);
         beam.cut = frame::Cut{femoop::MemberId(1), 2.0};
         bench.click(tool_controller.tool(), beam);
-        tool_controller.settings().load = frame::LoadKind::ForceRight;
+        tool_controller.settings().load = {frame::LoadKind::Force, frame::LoadWay::X};
         tool_controller.settings().force = femoop::Quantity(7.0);
         frame::Aim corner = at(0, 4);
         corner.node = femoop::NodeId(1);
@@ -686,10 +687,51 @@ TEST_SUITE("frame tools")
         CHECK(std::get<femoop::PointLoad>(loads.members[1].load).at == femoop::Position(femoop::Quantity(2.0)));
     }
 
+    TEST_CASE("The load tool has a force and a moment for every direction in which a structure of a kind can be loaded")
+    {
+        using enum femoop::AnalysisKind;
+        for (const femoop::AnalysisKind kind : {Truss2d, Frame2d, Grillage, Truss3d, Frame3d}) {
+            CAPTURE(name(kind));
+            femoop::DofSet reached;
+            for (const frame::ToolLoadEntry& entry : frame::tool_loads(kind))
+                if (const auto load = frame::force_of({.load = entry.load, .force = 7.0, .moment = 5.0}, kind)) {
+                    const bool is_down = entry.load.way == frame::LoadWay::Down;
+                    CHECK(load->value == femoop::Quantity(is_rotation(load->dof) ? 5.0 : is_down ? -7.0 : 7.0));
+                    reached.insert(load->dof);
+                }
+            CHECK(reached == femoop::dofs(kind));
+        }
+    }
+
+    TEST_CASE("A load that another kind of structure lacks becomes one of its sort that it has")
+    {
+        using enum femoop::AnalysisKind;
+        const frame::ToolLoad along_y{frame::LoadKind::Force, frame::LoadWay::Y};
+        CHECK(frame::entry_of(along_y, Frame3d).name == "Force along y");
+        CHECK(frame::entry_of(along_y, Frame2d).name == "Force ↓");
+        CHECK(frame::entry_of({frame::LoadKind::Moment, frame::LoadWay::Z}, Grillage).name == "Moment about x");
+    }
+
+    TEST_CASE("In space a member is loaded along y")
+    {
+        frame::Document start = frame::starting_document();
+        start.model.analysis = femoop::AnalysisKind::Frame3d;
+        Bench bench(start);
+        frame::ToolSettings settings{.load = {frame::LoadKind::Uniform, frame::LoadWay::Y}, .line_load = 7.0};
+        frame::LoadTool tool(settings);
+        frame::Aim beam = at(2, 4);
+        beam.cut = frame::Cut{femoop::MemberId(1), 2.0};
+        bench.click(tool, beam);
+        const auto& load = std::get<femoop::DistributedLoad>(bench.model().load_cases[0].members.back().load);
+        CHECK(load.values[0].dof == femoop::Dof::uy);
+        CHECK(load.values[0].start == 7.0);
+        CHECK(load.axes == femoop::LoadAxes::Global);
+    }
+
     TEST_CASE("A stroke along a member loads that part of it; a triangle grows the way of the stroke")
     {
         Bench bench(frame::starting_document());
-        frame::ToolSettings settings{.load = frame::LoadKind::TriangularDown, .line_load = 7.0};
+        frame::ToolSettings settings{.load = {frame::LoadKind::Triangular, frame::LoadWay::Down}, .line_load = 7.0};
         frame::LoadTool tool(settings);
         const auto on_beam = [](double x, double pixel = 0.01) {
             frame::Aim aim = at(x, 4.0);

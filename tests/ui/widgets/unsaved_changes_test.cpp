@@ -16,7 +16,7 @@ TEST_SUITE_BEGIN("unsaved changes");
 namespace {
 
 struct Sheet {
-    std::string file_name() const { return file ? file->filename().string() : "Untitled"; }
+    std::string name() const { return file ? file->filename().string() : "Untitled"; }
     const std::optional<fs::path>& path() const { return file; }
     bool is_dirty() const { return has_changes; }
     bool save(const fs::path& path)

@@ -21,17 +21,33 @@ Model two_spans()
     return made.model;
 }
 
-/// The only fault that the method finds in a model.
-FaultKind fault_of(const Model& model)
+/// The only fault that the method finds in a case of a model.
+Fault found_in(const Model& model, CaseId load_case = CaseId(0))
 {
     try {
-        problem_of(model, CaseId(0));
+        problem_of(model, load_case);
     } catch (const ModelError& error) {
         REQUIRE(error.faults().size() == 1);
-        return error.faults().front().kind;
+        return error.faults().front();
     }
     FAIL("nothing was found");
     return {};
+}
+
+FaultKind fault_of(const Model& model) { return found_in(model).kind; }
+
+/// Two spans between fixed ends, with a cause of their own in every case.
+Model held_spans()
+{
+    Model model = two_spans();
+    model.materials[0].alpha = 1.2e-5;
+    model.sections[0].h = 0.3;
+    model.add(LoadCase{.id = "warm", .members = {{.member = MemberId(1), .load = TemperatureLoad{20.0, 20.0}}}});
+    model.add(LoadCase{.id = "bent", .members = {{.member = MemberId(1), .load = TemperatureLoad{-20.0, 20.0}}}});
+    model.add(LoadCase{.id = "drawn apart",
+                       .settlements = {{.node = NodeId(2), .components = {{.dof = Dof::ux, .value = 0.01}}}}});
+    model.add(Combination{.id = "both", .terms = {{.of = CaseId(0), .factor = 1.4}, {.of = CaseId(1), .factor = 0.6}}});
+    return model;
 }
 
 } // namespace
@@ -66,4 +82,27 @@ TEST_CASE("Moment distribution refuses models without a load case and models bey
         made.node("n" + std::to_string(i), 3.0 * static_cast<double>(i), 0, i == 0 ? fixed : roller);
     for (std::size_t i = 0; i < most_nodes; ++i) made.member("n" + std::to_string(i), "n" + std::to_string(i + 1));
     CHECK(fault_of(made.model) == FaultKind::CrossTooLarge);
+}
+
+TEST_CASE("A temperature that lengthens a member between held ends is refused with the member and the case")
+{
+    const Model model = held_spans();
+    const Fault warm = found_in(model, CaseId(1)), both = found_in(model, CaseId(4));
+    CHECK(warm == Fault{FaultKind::CrossHeldElongation, {"BC", "warm"}});
+    CHECK(both == Fault{FaultKind::CrossHeldElongation, {"BC", "both"}});
+    CHECK_NOTHROW(problem_of(model, CaseId(0)));
+    CHECK_NOTHROW(problem_of(model, CaseId(2))); // it bends alone
+}
+
+TEST_CASE("A settlement along axially rigid members is refused with them and the case")
+{
+    CHECK(found_in(held_spans(), CaseId(3)) ==
+          Fault{FaultKind::CrossHeldSettlement, {listed({"AB", "BC"}), "drawn apart"}});
+}
+
+TEST_CASE("A temperature goes through where an end may slide")
+{
+    Model model = held_spans();
+    model.nodes[2].support = Support{.kind = SupportKind::Roller};
+    CHECK_NOTHROW(problem_of(model, CaseId(1)));
 }
