@@ -4,6 +4,7 @@
 #include "femoop/methods/cross/fraction.h"
 #include "femoop/methods/cross/rounding.h"
 #include "femoop/model/quantity/number_text.h"
+#include "femoop/model/quantity/unit_signs.h"
 #include "femoop/tabular/plain_text.h"
 
 namespace femoop::cross {
@@ -34,7 +35,7 @@ private:
     std::string number(double value) const { return localized(number_text(rounded(value, shown_digits)), tr_); }
     std::string moment(double value) const
     {
-        return localized(quantity_text(rounded(value, shown_digits), dimension::moment, worked_.model.units), tr_);
+        return localized(number_text(rounded(value, shown_digits)), tr_) + " " + unit();
     }
     const std::string& name(NodeId node) const { return worked_.model[node].id; }
 
@@ -47,11 +48,7 @@ private:
                "\n\n";
     }
 
-    std::string unit() const
-    {
-        const std::string one = quantity_text(1.0, dimension::moment, worked_.model.units);
-        return one.substr(one.find(' ') + 1);
-    }
+    std::string unit() const { return with_product_dots(unit_text(dimension::moment, worked_.model.units)); }
 
     std::string factors(const Problem& half) const
     {

@@ -139,7 +139,7 @@ TEST_CASE("What is not symmetric is named, and half of it is asked for once")
     CHECK(uneven.err.find("about x = 7 m: node B has no mirror image at (8, 0) m; move a node") != std::string::npos);
     const Run skew = cremona({"cross", "examples/portal_kleinlogel.json", "--symmetry", "--case", "W"});
     CHECK(skew.status == 2);
-    CHECK(skew.err.find("are 4 kN*m at AB and 0 kN*m at DC, wanted opposite ones everywhere") != std::string::npos);
+    CHECK(skew.err.find("are 4 kN·m at AB and 0 kN·m at DC, wanted opposite ones everywhere") != std::string::npos);
     CHECK(cremona({"cross", "-", "--symmetry", "--whole"}, beam()).status == 2);
     CHECK(cremona({"cross", "-", "--symmetry", "--method", "kani"}, beam()).status == 2);
     const Run other_side = cremona({"cross", "examples/portal_kleinlogel.json", "--symmetry", "--order", "C"});
