@@ -151,7 +151,17 @@ private:
             cells.emplace_back(worked_.all.x[j]);
             table.add_row(std::move(cells));
         }
-        return "\n" + tr_("Forces of the props; so many times each sway they vanish") + "\n" + print(table);
+        return "\n" + tr_("Forces of the props; so many times each sway they vanish") + "\n" + print(table) +
+               sways_that_are_none();
+    }
+
+    std::string sways_that_are_none() const
+    {
+        std::string text;
+        for (std::size_t k = 0; k < problem_.sways.size(); ++k)
+            if (worked_.all.x[static_cast<Eigen::Index>(k)] == 0.0)
+                text += fill(tr_("the loads cause no sway at {0}"), {name(problem_.sways[k].prop)}) + "\n";
+        return text;
     }
 
     std::string finals() const

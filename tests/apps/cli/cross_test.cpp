@@ -194,6 +194,17 @@ TEST_CASE("Every number has the digits that are asked for, and the sheet tells w
     CHECK(found["drift"].size() == found["final"].size());
 }
 
+TEST_CASE("A symmetric portal worked as a whole has no force in its prop, and it is told that nothing sways")
+{
+    const json whole = sheet_of({"examples/portal_kleinlogel.json"});
+    CHECK(whole["stages"][0]["prop"]["reaction"] == 0.0);
+    CHECK(whole["equations"]["solution"][0] == 0.0);
+    CHECK(has(cremona({"cross", "examples/portal_kleinlogel.json"}).out, "the loads cause no sway at B\n"));
+    const Run pt = cremona({"cross", "examples/portal_kleinlogel.json", "--lang", "pt"});
+    CHECK(has(pt.out, "as cargas não causam deslocabilidade em B\n"));
+    CHECK_FALSE(has(cremona({"cross", "examples/portal_kleinlogel.json", "--case", "W"}).out, "cause no sway"));
+}
+
 TEST_CASE("A frame that sways has a sheet with a prop, one of the sway, and their equation")
 {
     const json found = sheet_of({"examples/portal.json", "--tolerance", "1e-7", "--case", "W"});
