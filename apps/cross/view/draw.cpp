@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 #include <string>
 #include <string_view>
@@ -159,14 +160,26 @@ std::optional<femoop::NodeId> pick_node(const Drawn& drawn, ui::Point at, double
     return found;
 }
 
+namespace {
+
+/// Where a moment acts is its node's, and its arc alone the moment's.
+bool is_within(const drawing::LoadMark& mark, ui::Point at)
+{
+    constexpr double reach = 3.0, of_arc = 8.0; // [px]
+    if (mark.area.empty()) return false;
+    ui::Box box{mark.area.front(), mark.area.front()};
+    for (const ui::Point& p : mark.area) box = ui::united(box, {p, p});
+    if (!box.grown(reach).contains(at)) return false;
+    const double radius = ui::distance(mark.root, mark.tip);
+    const bool is_arc = femoop::is_rotation(mark.dof) && box.grown(-of_arc).contains(mark.root);
+    return !is_arc || std::abs(ui::distance(mark.root, at) - radius) <= of_arc;
+}
+
+} // namespace
+
 const drawing::LoadMark* pick_load(const Drawn& drawn, ui::Point at)
 {
-    const auto is_there = [&](const drawing::LoadMark& mark) {
-        if (mark.area.empty()) return false;
-        ui::Box box{mark.area.front(), mark.area.front()};
-        for (const ui::Point& p : mark.area) box = ui::united(box, {p, p});
-        return box.grown(3.0).contains(at);
-    };
+    const auto is_there = [&](const drawing::LoadMark& mark) { return is_within(mark, at); };
     const auto found = std::ranges::find_if(drawn.loads, is_there);
     return found == drawn.loads.end() ? nullptr : &*found;
 }
