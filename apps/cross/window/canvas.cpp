@@ -134,13 +134,16 @@ void Canvas::follow_pupil(Session& session, ui::Point at)
     session.hover.reset();
     pointer_ = ImGui::IsItemHovered() ? std::optional(at) : std::nullopt;
     if (drag_.is_holding()) drag_.release(session);
+    const bool is_let_go = ImGui::IsItemDeactivated() && !is_panning_;
     move_about(session, at);
     const auto cell = ImGui::IsItemHovered() ? pick_cell(drawn_, at) : std::nullopt;
     if (cell) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    if (ImGui::IsItemActivated() && (cell || !cell_field_.is_half_typed())) {
+    if (ImGui::IsItemActivated()) pressed_cell_ = cell;
+    if (ImGui::IsItemActivated() && cell) {
         session.go_to_cell(cell);
         cell_in_sight_ = cell; // it was seen: nothing moves under the hand
     }
+    if (is_let_go && !pressed_cell_ && !cell_field_.is_half_typed()) session.go_to_cell({});
     const bool is_tab = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab)) && !ImGui::GetIO().WantTextInput;
     if (is_tab && !session.cell()) session.go_to_cell(session.neighbour(ImGui::GetIO().KeyShift ? -1 : 1, true));
 }

@@ -59,6 +59,7 @@ private:
     bool is_panning_ = false;          ///< it has moved farther than a click
     std::optional<ui::Picture> picture_;
     std::optional<femoop::cross::BlankId> cell_in_sight_; ///< that was brought into sight last
+    std::optional<femoop::cross::BlankId> pressed_cell_;  ///< where the hand that is down, or was last, began
     CellField cell_field_;
     ValueField value_field_;
 };
