@@ -10,6 +10,7 @@
 
 #include "femoop/model/quantity/dimension.h"
 #include "femoop/model/quantity/number_text.h"
+#include "femoop/model/quantity/unit_signs.h"
 #include "femoop/result/components.h"
 
 namespace femoop {
@@ -50,7 +51,7 @@ public:
         return "(" + join(coordinates, decimal_mark(tr_) == ',' ? "; " : ", ") + ")";
     }
 
-    std::string unit(Dimension dimension) const { return unit_text(dimension, model_.units); }
+    std::string unit(Dimension dimension) const { return with_product_dots(unit_text(dimension, model_.units)); }
 
     /// Of a load along a degree of freedom. A moment per length is told as one, not as the force that it comes to.
     std::string load_unit(Dof dof, bool is_per_length) const
@@ -383,7 +384,7 @@ void add_largest_along_members(std::vector<std::string>& lines, const Model& mod
                           model[largest.member].id, words.length(largest.x)}));
 }
 
-/// "M is largest with 12 kN*m in member BC at x = 3 m, smallest with ..."; a force that is the same everywhere is said
+/// "M is largest with 12 kN·m in member BC at x = 3 m, smallest with ..."; a force that is the same everywhere is said
 /// so.
 std::string extreme_text(const Model& model, const CaseResult& result, MemberComponent component, double scale,
                          const Words& words)

@@ -113,7 +113,8 @@ private:
     Ground ground_at(const OrientedBox& place) const
     {
         const bool is_in_room = is_finite(place.center) && options_->room.contains(place.bounds());
-        return is_in_room ? obstacles_->ground_of(place.grown(options_->gap)) : Ground::Taken;
+        const bool is_on_side = !label_->side || label_->side->contains(place.center);
+        return is_in_room && is_on_side ? obstacles_->ground_of(place.grown(options_->gap)) : Ground::Taken;
     }
 
     const Label* label_;

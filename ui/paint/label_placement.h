@@ -12,17 +12,25 @@
 
 namespace ui {
 
+/// What lies on one side of a line.
+struct HalfPlane {
+    Point border;  ///< a point of the line
+    Point inwards; ///< across the line
+    bool contains(Point p) const { return dot(p - border, inwards) >= 0.0; }
+};
+
 /// A string that wants a place near what it speaks of.
 struct Label {
-    Point target;                ///< what it speaks of: where a leader would point
-    Size size;                   ///< of the text's box, unrotated
-    std::vector<Point> wishes{}; ///< middles of the box, best first, each good without a leader; may be empty
-    double rotation = 0.0;       ///< [rad], positive counter-clockwise as seen
-    std::vector<Point> turned{}; ///< middles of the box turned by `turn`, liked less than the wishes
-    double turn = 0.0;           ///< [rad], added to the rotation
-    double priority = 0.0;       ///< larger ones choose first, and are the last to be left out
-    double clearance = 5.0;      ///< least distance of the box from the target where no wish can be had
-    double reach = 90.0;         ///< greatest distance of the box from the target
+    Point target;                    ///< what it speaks of: where a leader would point
+    Size size;                       ///< of the text's box, unrotated
+    std::vector<Point> wishes{};     ///< middles of the box, best first, each good without a leader; may be empty
+    double rotation = 0.0;           ///< [rad], positive counter-clockwise as seen
+    std::vector<Point> turned{};     ///< middles of the box turned by `turn`, liked less than the wishes
+    double turn = 0.0;               ///< [rad], added to the rotation
+    double priority = 0.0;           ///< larger ones choose first, and are the last to be left out
+    double clearance = 5.0;          ///< least distance of the box from the target where no wish can be had
+    double reach = 90.0;             ///< greatest distance of the box from the target
+    std::optional<HalfPlane> side{}; ///< that the middle of the box never leaves
 };
 
 /// A straight line from the top or the bottom of a label to its target, drawn where they are far apart.

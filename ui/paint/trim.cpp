@@ -42,14 +42,14 @@ bool all_inside(std::span<const Point> points, const Box& box)
     return std::all_of(points.begin(), points.end(), [&](Point p) { return box.contains(p); });
 }
 
-struct HalfPlane {
+struct ClipSide {
     Point normal; // kept: dot(normal, p) >= offset
     double offset;
 
     double depth(Point p) const { return dot(normal, p) - offset; }
 };
 
-std::vector<Point> cut(const std::vector<Point>& polygon, const HalfPlane& side)
+std::vector<Point> cut(const std::vector<Point>& polygon, const ClipSide& side)
 {
     std::vector<Point> kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -129,9 +129,9 @@ std::vector<Stretch> stretches_inside(std::span<const Point> points, const Box& 
 std::vector<Point> polygon_inside(std::span<const Point> polygon, const Box& box)
 {
     std::vector<Point> kept(polygon.begin(), polygon.end());
-    const std::array<HalfPlane, 4> sides = {
+    const std::array<ClipSide, 4> sides = {
         {{{1.0, 0.0}, box.min.x}, {{-1.0, 0.0}, -box.max.x}, {{0.0, 1.0}, box.min.y}, {{0.0, -1.0}, -box.max.y}}};
-    for (const HalfPlane& side : sides) kept = cut(kept, side);
+    for (const ClipSide& side : sides) kept = cut(kept, side);
     return kept;
 }
 

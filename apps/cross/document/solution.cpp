@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "femoop/analysis/mechanism.h"
+#include "femoop/methods/cross/prop_forces.h"
 #include "femoop/methods/cross/symmetry.h"
-#include "femoop/methods/cross/virtual_work.h"
 #include "femoop/model/check/check.h"
 #include "femoop/model/fault/fault.h"
 
@@ -103,13 +103,16 @@ Solution solve(const Document& document, SolveMode mode)
 void work(Solution& solution, const Document& document)
 {
     solution.sheets.clear();
+    solution.held.clear();
     if (!solution.task) return;
     const Task& task = *solution.task;
+    fc::PropForces forces(task.problem);
     for (std::size_t stage = 0; stage < task.n_sheets(); ++stage) {
         const auto turns = stage < document.plays.size() ? document.plays[stage].turns()
                                                          : std::vector<TurnTree::Turn>{};
         solution.sheets.push_back(
             fc::sheet_of(task.problem.of_sheet(stage), task.loading(stage), turns, task.procedure));
+        solution.held.push_back(forces.at_end_of(solution.sheets.back(), stage));
     }
 }
 
@@ -137,11 +140,7 @@ std::vector<double> present_moments(const Document& document, const Solution& so
 
 std::vector<double> held_by_props(const Document& document, const Solution& solution)
 {
-    const fc::Problem& problem = solution.task->problem;
-    const fc::State& state = solution.sheets[document.stage].end;
-    const fc::Moments moments{state.moments, state.rotations};
-    return document.stage == 0 ? fc::holding_forces(problem, moments)
-                               : fc::holding_forces(problem, moments, problem.sways[document.stage - 1]);
+    return solution.held[document.stage];
 }
 
 std::optional<TurnTree::Turn> next_turn(const Document& document, const Solution& solution)

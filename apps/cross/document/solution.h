@@ -41,6 +41,7 @@ struct Solution {
     std::vector<femoop::Fault> faults; ///< why there is no task
     std::optional<Task> task;
     std::vector<femoop::cross::Sheet> sheets; ///< as far as they are worked, one for every stage
+    std::vector<std::vector<double>> held;    ///< by each sway's prop at the end of every sheet, along its direction
 
     /// The sheet that is worked on; null where all are seen together, or where there is none.
     const femoop::cross::Sheet* sheet(const Document& document) const;

@@ -43,13 +43,18 @@ Reason why_no_hint(const Workspace& workspace)
     return Message(translatable("there is no further hint for this cell"));
 }
 
-void begin_next(Workspace& workspace)
+/// Of another difficulty the first one, else the one after the last that was begun.
+void begin_exercise(Workspace& workspace, fc::Difficulty difficulty)
 {
-    workspace.leave_document([](Workspace& left) {
-        left.session.begin_exercise(left.next_exercise);
-        if (left.next_exercise.seed < std::numeric_limits<std::uint32_t>::max()) ++left.next_exercise.seed;
+    workspace.leave_document([difficulty](Workspace& left) {
+        Seeded& next = left.next_exercise;
+        if (next.difficulty != difficulty) next = {difficulty, 1};
+        left.session.begin_exercise(next);
+        if (next.seed < std::numeric_limits<std::uint32_t>::max()) ++next.seed;
     });
 }
+
+void begin_next(Workspace& workspace) { begin_exercise(workspace, workspace.next_exercise.difficulty); }
 
 void add_difficulty(Menu& menu, fc::Difficulty difficulty)
 {
@@ -58,9 +63,7 @@ void add_difficulty(Menu& menu, fc::Difficulty difficulty)
             ui::Choice<fc::Difficulty>{difficulty, difficulty_ids[static_cast<std::size_t>(n - 1)],
                                        translatable("Difficulty")},
             [](const Workspace& workspace) { return workspace.next_exercise.difficulty; },
-            [](Workspace& workspace, fc::Difficulty chosen) {
-                workspace.next_exercise = {chosen, 1};
-            })
+            [](Workspace& workspace, fc::Difficulty chosen) { begin_exercise(workspace, chosen); })
         .live_label = [=](const Workspace&) -> Message {
         return {translatable("Difficulty {n}: {what}"), {{"n", std::to_string(n)}, {"what", words_of(difficulty)}}};
     };

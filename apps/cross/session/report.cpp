@@ -100,6 +100,10 @@ public:
         for (std::size_t j = 0; j < problem_.sways.size(); ++j)
             table.notes.push_back(tr_("prop {node}", {{"node", model_[problem_.sways[j].prop].id}}) + ": " +
                                   equation(all, j));
+        for (std::size_t j = 0; j < problem_.sways.size(); ++j)
+            if (all.x[static_cast<Eigen::Index>(j)] == 0.0)
+                table.notes.push_back(
+                    tr_("The loads cause no sway at {node}.", {{"node", model_[problem_.sways[j].prop].id}}));
         return table;
     }
 
@@ -309,7 +313,8 @@ private:
     std::vector<tabular::Cell> sway_row(const fc::Superposition& all, std::size_t j) const
     {
         const auto i = static_cast<Eigen::Index>(j);
-        std::vector<tabular::Cell> line{model_[problem_.sways[j].prop].id, tabular::written_cell(force(-all.r[i]))};
+        std::vector<tabular::Cell> line{model_[problem_.sways[j].prop].id,
+                                        tabular::written_cell(force(0.0 - all.r[i]))};
         for (Eigen::Index k = 0; k < all.x.size(); ++k) line.push_back(tabular::written_cell(force(all.R(i, k))));
         line.push_back(tabular::written_cell(plain(all.x[i])));
         return line;
@@ -319,7 +324,7 @@ private:
     std::string equation(const fc::Superposition& all, std::size_t j) const
     {
         const auto i = static_cast<Eigen::Index>(j);
-        std::string text = plain(-all.r[i]);
+        std::string text = plain(0.0 - all.r[i]);
         for (Eigen::Index k = 0; k < all.x.size(); ++k)
             text += (all.R(i, k) < 0.0 ? " − " : " + ") + plain(std::abs(all.R(i, k))) + " x" + std::to_string(k + 1);
         return text + " = 0";

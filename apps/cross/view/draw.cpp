@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 #include "apps/cross/view/scene.h"
 #include "apps/cross/view/sheet_picture.h"
 #include "apps/cross/view/structure_pictures.h"
+#include "femoop/model/dof.h"
 #include "ui/paint/surface.h"
 #include "ui/paint/text_measure.h"
 #include "ui/paint/wrapped_lines.h"
@@ -58,6 +60,31 @@ std::vector<WrittenText> texts_of(const ui::Painter& painter)
     return std::move(collector.texts);
 }
 
+Arrangement of_beam(ui::Painter& painter, const drawing::StructureShape& shape, const Scene& scene)
+{
+    Arrangement arrangement;
+    const Panels whole = panels_for(shape, painter.size(), scene.look.full_theme(), arrangement);
+    arrangement.bays = sheet_bays(painter, whole.sheet, scene);
+    return arrangement;
+}
+
+/// The small pictures stand over the sheet where only so its numbers are read from the last row, or more nearly.
+Arrangement of_frame(ui::Painter& painter, const drawing::StructureShape& shape, const Scene& scene)
+{
+    const ui::Theme theme = scene.look.full_theme();
+    Arrangement best{.small_share = share_of_small_pictures(shape)};
+    FittedSheet fitted = fitted_sheet(painter, panels_for(shape, painter.size(), theme, best).sheet, scene);
+    if (fitted.layout.type < legible_type(theme)) {
+        Arrangement above = best;
+        above.small = SmallPictures::Above;
+        FittedSheet other = fitted_sheet(painter, panels_for(shape, painter.size(), theme, above).sheet, scene);
+        if (is_better(other.layout, fitted.layout)) best = above, fitted = std::move(other);
+    }
+    best.room = fitted.room;
+    best.loaded = camera_around_loads(panels_for(shape, painter.size(), theme, best).structure, scene, painter.fonts());
+    return best;
+}
+
 } // namespace
 
 Drawn draw(ui::Painter& painter, const Scene& scene)
@@ -70,14 +97,8 @@ Drawn draw(ui::Painter& painter, const Scene& scene)
     if (scene.worksheet != nullptr) return draw_exercise(painter, scene);
     const ui::Theme theme = scene.look.full_theme();
     const drawing::StructureShape shape = drawing::shape_of(scene.document.model);
-    Arrangement arrangement{.small_share = share_of_small_pictures(shape)};
-    const Panels whole = panels_for(shape, painter.size(), theme, arrangement);
+    Arrangement arrangement = is_beam(shape) ? of_beam(painter, shape, scene) : of_frame(painter, shape, scene);
     arrangement.zoom = scene.look.zoom;
-    if (whole.is_stacked) arrangement.bays = sheet_bays(painter, whole.sheet, scene);
-    else {
-        arrangement.room = sheet_room(painter, whole.sheet, scene);
-        arrangement.loaded = camera_around_loads(whole.structure, scene, painter.fonts());
-    }
     Panels panels = panels_for(shape, painter.size(), theme, arrangement);
     if (scene.look.shears) make_room_for_reactions(panels, shape, theme);
     draw_borders(painter, panels, theme);
@@ -111,12 +132,12 @@ Eigen::Vector2d Drawn::View::drawn_at(ui::Point at) const
 
 Zoom Drawn::View::drawn(const Zoom& zoom) const
 {
-    return {zoom.factor, zoom.middle ? std::optional(drawn(*zoom.middle)) : std::nullopt};
+    return {zoom.factor, zoom.middle ? std::optional(drawn(*zoom.middle)) : std::nullopt, zoom.is_of_sheet};
 }
 
 Zoom Drawn::View::place(const Zoom& zoom) const
 {
-    return {zoom.factor, zoom.middle ? std::optional(place(*zoom.middle)) : std::nullopt};
+    return {zoom.factor, zoom.middle ? std::optional(place(*zoom.middle)) : std::nullopt, zoom.is_of_sheet};
 }
 
 const Drawn::View* Drawn::view_at(ui::Point at) const
@@ -159,14 +180,26 @@ std::optional<femoop::NodeId> pick_node(const Drawn& drawn, ui::Point at, double
     return found;
 }
 
+namespace {
+
+/// Where a moment acts is its node's, and its arc alone the moment's.
+bool is_within(const drawing::LoadMark& mark, ui::Point at)
+{
+    constexpr double reach = 3.0, of_arc = 8.0; // [px]
+    if (mark.area.empty()) return false;
+    ui::Box box{mark.area.front(), mark.area.front()};
+    for (const ui::Point& p : mark.area) box = ui::united(box, {p, p});
+    if (!box.grown(reach).contains(at)) return false;
+    const double radius = ui::distance(mark.root, mark.tip);
+    const bool is_arc = femoop::is_rotation(mark.dof) && box.grown(-of_arc).contains(mark.root);
+    return !is_arc || std::abs(ui::distance(mark.root, at) - radius) <= of_arc;
+}
+
+} // namespace
+
 const drawing::LoadMark* pick_load(const Drawn& drawn, ui::Point at)
 {
-    const auto is_there = [&](const drawing::LoadMark& mark) {
-        if (mark.area.empty()) return false;
-        ui::Box box{mark.area.front(), mark.area.front()};
-        for (const ui::Point& p : mark.area) box = ui::united(box, {p, p});
-        return box.grown(3.0).contains(at);
-    };
+    const auto is_there = [&](const drawing::LoadMark& mark) { return is_within(mark, at); };
     const auto found = std::ranges::find_if(drawn.loads, is_there);
     return found == drawn.loads.end() ? nullptr : &*found;
 }

@@ -490,7 +490,7 @@ Panels best_panels(ui::Painter& painter, const Scene& scene)
         return best;
     }
     BlockLayout layout = WorksheetWriter(painter, best.sheet, scene, nothing).layout();
-    for (const SheetRoom& room : sheet_rooms) {
+    for (const SheetRoom& room : rooms_tried(scene.look.full_theme())) {
         Panels other = exercise_panels(shape, painter.size(), scene, room);
         const BlockLayout tried = WorksheetWriter(painter, other.sheet, scene, nothing).layout();
         if (!is_better(tried, layout)) continue;

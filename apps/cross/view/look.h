@@ -18,6 +18,7 @@ enum class Signs : std::uint8_t {
 struct Zoom {
     double factor = 1.0;                     ///< 1: the whole structure fits each picture
     std::optional<Eigen::Vector2d> middle{}; ///< the place where the structure's own middle would be; absent: that
+    bool is_of_sheet = false;                ///< of the calculation sheet alone: the other pictures show the whole
 
     static constexpr double least = 0.2, most = 200.0;
 };

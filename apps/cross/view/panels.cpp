@@ -104,23 +104,36 @@ double share_of_type(const Panel& panel, const ui::Theme& theme)
     return std::clamp(room / em, std::min(1.0, least / em), 1.0);
 }
 
+/// The boxes of the three small pictures and of the sheet.
+Panels divided(ui::Size sheet, const ui::Theme& theme, const Arrangement& arrangement)
+{
+    constexpr double least = 10.0, share_of_row = 0.27; // ems of a small picture, of the height
+    const bool is_column = arrangement.small == SmallPictures::Left;
+    const double left = std::max(arrangement.small_share * sheet.width, least * theme.type().normal);
+    const ui::Size size = is_column ? ui::Size{left, sheet.height / 3.0}
+                                    : ui::Size{sheet.width / 3.0, share_of_row * sheet.height};
+    const ui::Point next = is_column ? ui::Point{0.0, size.height} : ui::Point{size.width, 0.0};
+    Panels panels;
+    ui::Point corner;
+    for (Panel* const panel : {&panels.structure, &panels.deformed, &panels.moments}) {
+        panel->box = ui::box_at(corner, size);
+        corner = corner + next;
+    }
+    panels.sheet.box = {is_column ? ui::Point{left, 0.0} : ui::Point{0.0, size.height}, {sheet.width, sheet.height}};
+    return panels;
+}
+
 Panels beside(const Extent& extent, ui::Size sheet, const ui::Theme& theme, const Arrangement& arrangement)
 {
-    constexpr double least = 10.0;                           // ems of a small picture
     constexpr double usual_above = 5.2, moments_above = 6.6; // ems: fixed-end moments are the largest of all
-    const double em = theme.type().normal, left = std::max(arrangement.small_share * sheet.width, least * em),
-                 height = sheet.height / 3.0;
-    Panels panels;
-    double top = 0.0;
+    const double em = theme.type().normal;
+    Panels panels = divided(sheet, theme, arrangement);
     for (Panel* const panel : {&panels.structure, &panels.deformed, &panels.moments}) {
-        panel->box = ui::box_at({0.0, top}, {left, height});
         panel->ems_high = 13.0;
         const double own = share_of_type(*panel, theme) * em;
         const double above = panel == &panels.moments ? moments_above : usual_above;
         panel->camera = camera_over(extent, panel->box.size(), {5.0 * own, above * own, 5.0 * own, 3.4 * own});
-        top += height;
     }
-    panels.sheet.box = {{left, 0.0}, {sheet.width, sheet.height}};
     draw_out(panels.sheet, extent, em, arrangement.room);
     return panels;
 }
@@ -210,7 +223,7 @@ Zoom zoomed(const Zoom& zoom, Eigen::Vector2d own_middle, Eigen::Vector2d at, do
 
 Zoom moved(const Zoom& zoom, Eigen::Vector2d own_middle, Eigen::Vector2d by)
 {
-    return {zoom.factor, zoom.middle.value_or(own_middle) - by};
+    return {zoom.factor, zoom.middle.value_or(own_middle) - by, zoom.is_of_sheet};
 }
 
 namespace {
@@ -249,6 +262,28 @@ Panels panels_for(const drawing::StructureShape& shape, ui::Size sheet, const ui
     return panels;
 }
 
+double legible_type(const ui::Theme& theme)
+{
+    constexpr double afar = 0.9; // of the usual size
+    return theme.name() == ui::ThemeName::Projector ? afar * theme.type().normal : 0.0;
+}
+
+std::vector<SheetRoom> rooms_tried(const ui::Theme& theme)
+{
+    constexpr std::array usual{SheetRoom{},
+                               SheetRoom{11.0, 9.0, 4.0},
+                               SheetRoom{6.5, 4.0, 3.0},
+                               SheetRoom{8.5, 4.0, 3.0},
+                               SheetRoom{11.0, 4.0, 3.0},
+                               SheetRoom{4.6, 3.0, 2.4},
+                               SheetRoom{5.6, 3.0, 2.4},
+                               SheetRoom{2.5, 9.0, 4.0}};
+    constexpr std::array afar{SheetRoom{9.5, 2.6, 2.4}, SheetRoom{10.5, 3.0, 2.4}, SheetRoom{5.4, 9.0, 2.4}};
+    std::vector<SheetRoom> rooms(usual.begin(), usual.end());
+    if (legible_type(theme) > 0.0) rooms.insert(rooms.end(), afar.begin(), afar.end());
+    return rooms;
+}
+
 namespace {
 
 /// A beam's columns hang down from it and grow with the zoom, so its sheet moves up and down, as far as they reach.
@@ -274,10 +309,12 @@ void look_closer(Panels& panels, const drawing::StructureShape& shape, Zoom zoom
     if (zoom.factor == 1.0 && !zoom.middle) return;
     const Eigen::Vector2d own = middle_of(shape);
     if (!is_beam(shape)) {
-        for (Panel* const panel : all) look_closer(*panel, own, zoom);
+        for (Panel* const panel : all)
+            if (!zoom.is_of_sheet || panel == &panels.sheet) look_closer(*panel, own, zoom);
         return;
     }
     panels.zoom = look_closer_at_columns(panels.sheet, own, zoom);
+    if (zoom.is_of_sheet) return;
     if (zoom.middle) zoom.middle->y() = own.y();
     for (Panel* const panel : {&panels.structure, &panels.deformed, &panels.moments}) {
         look_closer(*panel, own, zoom);
@@ -323,12 +360,14 @@ void draw_borders(ui::Painter& painter, const Panels& panels, const ui::Theme& t
 {
     const ui::LayerScope layer(painter, ui::Layer::Grid);
     const ui::Stroke stroke = theme.stroke(ui::Role::GridAxis);
+    const bool is_row = panels.deformed.box.min.x > panels.structure.box.min.x;
     for (const Panel* const panel : {&panels.structure, &panels.deformed, &panels.moments}) {
-        if (!panels.is_stacked && panel == &panels.moments) break;
-        const double y = panel->box.max.y;
-        painter.line({panel->box.min.x, y}, {panel->box.max.x, y}, stroke);
+        const bool is_last = panel == &panels.moments;
+        const ui::Box& box = panel->box;
+        if (is_row && !is_last) painter.line({box.max.x, box.min.y}, box.max, stroke);
+        if (panels.is_stacked || is_row || !is_last) painter.line({box.min.x, box.max.y}, box.max, stroke);
     }
-    if (panels.is_stacked) return;
+    if (panels.is_stacked || is_row) return;
     const double x = panels.sheet.box.min.x;
     painter.line({x, panels.sheet.box.min.y}, {x, panels.sheet.box.max.y}, stroke);
 }

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "apps/cross/view/bay_scale.h"
 #include "apps/cross/view/scene.h"
@@ -44,19 +45,19 @@ struct SheetRoom {
     double beside = 6.5, above = 9.0, below = 4.0;
 };
 /// Those that are tried: where one lets more columns stand, or in larger type, it is taken.
-inline constexpr std::array sheet_rooms{SheetRoom{},
-                                        SheetRoom{11.0, 9.0, 4.0},
-                                        SheetRoom{6.5, 4.0, 3.0},
-                                        SheetRoom{8.5, 4.0, 3.0},
-                                        SheetRoom{11.0, 4.0, 3.0},
-                                        SheetRoom{4.6, 3.0, 2.4},
-                                        SheetRoom{5.6, 3.0, 2.4},
-                                        SheetRoom{2.5, 9.0, 4.0}};
+std::vector<SheetRoom> rooms_tried(const ui::Theme& theme);
+
+/// The least size of a sheet's numbers that the last row reads; 0 but on the projector.
+double legible_type(const ui::Theme& theme);
+
+/// Where the small pictures of a frame stand: below one another left of its sheet, or in a row above it.
+enum class SmallPictures : std::uint8_t { Left, Above };
 
 /// What the pictures' arrangement depends on but for the structure and the room.
 struct Arrangement {
     Zoom zoom{};
     double small_share = 0.34;
+    SmallPictures small = SmallPictures::Left;
     BayScale bays{};                         ///< of a beam's sheet
     SheetRoom room{};                        ///< of a frame's sheet
     std::optional<ui::PlaneCamera> loaded{}; ///< of the structure's picture, where its marks are known

@@ -23,6 +23,7 @@ std::string words_of(const SheetPart& part, const Scene& scene)
     const ui::Catalogue& tr = scene.look.tr;
     if (!part.sway) return tr("loads");
     const femoop::NodeId prop = scene.solution.task->problem.sways[*part.sway].prop;
+    if (part.times == 0.0) return tr("no sway at {node}", {{"node", scene.document.model[prop].id}});
     const ui::DecimalMark mark = units_of(scene.document.model, tr).format().mark;
     return tr("{times} × sway at {node}", {{"times", drawing::with_minus(ui::number_text(part.times, {4, mark}))},
                                            {"node", scene.document.model[prop].id}});

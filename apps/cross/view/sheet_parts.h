@@ -17,7 +17,7 @@ struct SheetPart {
 /// \pre the scene has a task whose sheets were worked to their tolerance
 std::vector<SheetPart> parts_of(const Scene& scene);
 
-/// "loads", "0.312 × sway at B".
+/// "loads", "0.312 × sway at B", "no sway at B".
 std::string words_of(const SheetPart& part, const Scene& scene);
 
 } // namespace cross

@@ -130,7 +130,8 @@ private:
         request.n_rows = 3;
         if (is_beam(shape_)) request.hardly_smaller = 0.65; // columns of a beam are read along it
         request.most_lines = n_lines;
-        request.fewest_lines = std::min(n_lines, least_lines);
+        const bool is_read_from_afar = legible_type(theme_) > 0.0; // rather in larger type than with more lines
+        request.fewest_lines = std::min(n_lines, is_read_from_afar ? least_lines - 1 : least_lines);
         request.width_of = [this](double type) { return column_width(type); };
         request.middle = middle_of(panel_, shape_);
         layout_ = laid_out(request);
@@ -596,19 +597,16 @@ std::size_t draw_sheet(ui::Painter& painter, const Panel& panel, const Scene& sc
     return writer.n_left_out();
 }
 
-SheetRoom sheet_room(ui::Painter& painter, const Panel& whole, const Scene& scene)
+FittedSheet fitted_sheet(ui::Painter& painter, const Panel& whole, const Scene& scene)
 {
     const drawing::StructureShape shape = drawing::shape_of(scene.document.model);
-    SheetRoom best;
-    if (2 * shape.members.size() > most_ends_at_once) return best;
-    BlockLayout layout = SheetWriter(painter, whole, scene).short_columns();
-    for (const SheetRoom& room : sheet_rooms) {
+    if (2 * shape.members.size() > most_ends_at_once) return {};
+    FittedSheet best{.layout = SheetWriter(painter, whole, scene).short_columns()};
+    for (const SheetRoom& room : rooms_tried(scene.look.full_theme())) {
         Panel tried = whole;
         make_room(tried, shape, scene.look.full_theme(), room);
         const BlockLayout other = SheetWriter(painter, tried, scene).short_columns();
-        if (!is_better(other, layout)) continue;
-        best = room;
-        layout = other;
+        if (is_better(other, best.layout)) best = {room, other};
     }
     return best;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/cross/view/block_layout.h"
 #include "apps/cross/view/sheet_bays.h"
 
 namespace cross {
@@ -11,8 +12,12 @@ namespace cross {
 /// \returns how many member ends have no room for their columns, seen or not
 std::size_t draw_sheet(ui::Painter& painter, const Panel& panel, const Scene& scene);
 
-/// What of the room a frame leaves to its columns.
-SheetRoom sheet_room(ui::Painter& painter, const Panel& whole, const Scene& scene);
+/// What of the room a frame leaves to its columns, and how they stand there.
+struct FittedSheet {
+    SheetRoom room{};
+    BlockLayout layout{};
+};
+FittedSheet fitted_sheet(ui::Painter& painter, const Panel& whole, const Scene& scene);
 /// What the columns of a sheet need. \param whole  the sheet as it is without a zoom
 ColumnNeeds column_needs(ui::Painter& painter, const Panel& whole, const Scene& scene);
 /// Its spans, with a column for every member end.

@@ -8,9 +8,34 @@
 
 #include "apps/cross/view/hint.h"
 #include "apps/cross/view/numbers.h"
+#include "apps/cross/view/panels.h"
 #include "ui/canvas/click.h"
 
 namespace cross {
+
+namespace {
+
+/// Height of a cell that the last row reads; 0 but for an exercise on the projector.
+double legible_cells(const Session& session)
+{
+    constexpr double height = 1.2; // of a cell, of its size of type
+    return session.worksheet() == nullptr ? 0.0 : height * legible_type(session.look.full_theme());
+}
+
+ui::Box least_cell(const Drawn& drawn)
+{
+    const auto height = [](const CellMark& mark) { return mark.box.height(); };
+    return std::ranges::min_element(drawn.cells, {}, height)->box;
+}
+
+ui::Point middle_of_cell(const Session& session, const Drawn& drawn)
+{
+    const auto open = std::ranges::find(drawn.cells, session.cell(),
+                                        [](const CellMark& mark) { return std::optional(mark.cell); });
+    return (open == drawn.cells.end() ? drawn.cells.front() : *open).box.center();
+}
+
+} // namespace
 
 void Canvas::show(Session& session, ui::ImGuiSession& gui, bool has_panels)
 {
@@ -23,6 +48,7 @@ void Canvas::show(Session& session, ui::ImGuiSession& gui, bool has_panels)
     }
     follow(session, area_.pointer());
     redraw(session);
+    if (enlarge_cells(session)) redraw(session);
     if (std::exchange(cell_in_sight_, session.cell()) != session.cell() && bring_cell_into_sight(session))
         redraw(session);
     area_.show(*picture_, gui);
@@ -40,6 +66,30 @@ void Canvas::redraw(Session& session)
     drawn_of_ = session.n_solved();
     draw_hint(painter, session);
     picture_ = painter.picture();
+}
+
+/// The sheet of an exercise as large as the last row reads its cells, about the one that is open; once for each sheet
+/// and window, so that a hand may see the whole. \returns whether it became larger, or is so no more
+bool Canvas::enlarge_cells(Session& session)
+{
+    std::optional<EnlargedFor> now;
+    if (legible_cells(session) > 0.0)
+        now = EnlargedFor{session.n_solved(), session.worksheet_stage(), area_.sheet().width, area_.sheet().height};
+    if (std::exchange(enlarged_for_, now) == now) return false;
+    Zoom& zoom = session.look.zoom;
+    const bool was_enlarged = zoom.is_of_sheet;
+    if (was_enlarged) {
+        zoom = {};
+        redraw(session);
+    }
+    if (!now || drawn_.cells.empty() || zoom.factor != 1.0 || zoom.middle) return was_enlarged;
+    const double larger = legible_cells(session) / least_cell(drawn_).height();
+    const auto closer = drawn_.zoomed_at(zoom, middle_of_cell(session, drawn_), larger);
+    if (larger <= 1.0 || !closer) return was_enlarged;
+    zoom = *closer;
+    zoom.is_of_sheet = true;
+    cell_in_sight_.reset(); // it is brought there again
+    return true;
 }
 
 /// A cell that the keyboard or a panel went to. \returns whether the pictures moved
@@ -134,13 +184,16 @@ void Canvas::follow_pupil(Session& session, ui::Point at)
     session.hover.reset();
     pointer_ = ImGui::IsItemHovered() ? std::optional(at) : std::nullopt;
     if (drag_.is_holding()) drag_.release(session);
+    const bool is_let_go = ImGui::IsItemDeactivated() && !is_panning_;
     move_about(session, at);
     const auto cell = ImGui::IsItemHovered() ? pick_cell(drawn_, at) : std::nullopt;
     if (cell) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    if (ImGui::IsItemActivated() && (cell || !cell_field_.is_half_typed())) {
+    if (ImGui::IsItemActivated()) pressed_cell_ = cell;
+    if (ImGui::IsItemActivated() && cell) {
         session.go_to_cell(cell);
         cell_in_sight_ = cell; // it was seen: nothing moves under the hand
     }
+    if (is_let_go && !pressed_cell_ && !cell_field_.is_half_typed()) session.go_to_cell({});
     const bool is_tab = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab)) && !ImGui::GetIO().WantTextInput;
     if (is_tab && !session.cell()) session.go_to_cell(session.neighbour(ImGui::GetIO().KeyShift ? -1 : 1, true));
 }

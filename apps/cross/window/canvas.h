@@ -38,6 +38,7 @@ public:
 private:
     void redraw(Session& session);
     bool bring_cell_into_sight(Session& session) const;
+    bool enlarge_cells(Session& session);
     void follow(Session& session, ui::Point at);
     void follow_pupil(Session& session, ui::Point at);
     bool follow_values(Session& session, ui::Point at);
@@ -59,6 +60,14 @@ private:
     bool is_panning_ = false;          ///< it has moved farther than a click
     std::optional<ui::Picture> picture_;
     std::optional<femoop::cross::BlankId> cell_in_sight_; ///< that was brought into sight last
+    /// A sheet and a window for which cells were enlarged, or needed not be.
+    struct EnlargedFor {
+        std::size_t n_solved = 0, stage = 0;
+        double width = 0.0, height = 0.0;
+        friend bool operator==(const EnlargedFor&, const EnlargedFor&) = default;
+    };
+    std::optional<EnlargedFor> enlarged_for_;
+    std::optional<femoop::cross::BlankId> pressed_cell_; ///< where the hand that is down, or was last, began
     CellField cell_field_;
     ValueField value_field_;
 };

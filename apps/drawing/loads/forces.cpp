@@ -74,13 +74,14 @@ void draw_moment(const Scene& scene, const MomentPicture& moment)
         return;
     }
     const SymbolFrame f = scene.projection.frame(moment.at, Vector3d::UnitX(), Vector3d::UnitY());
-    draw(scene.sketch, CurvedArrow{.frame = f, .radius = moment.radius, .sense = moment.axis.z(), .role = moment.role});
+    const CurvedArrow arrow{.frame = f, .radius = moment.radius, .sense = moment.axis.z(), .role = moment.role};
+    draw(scene.sketch, arrow);
     if (moment.grip)
         scene.sketch.mark({.load = moment.grip->load,
                            .dof = moment.grip->dof,
-                           .area = {f(-moment.radius, 0.0), f(0.0, moment.radius), f(moment.radius, 0.0)},
+                           .area = area_of(scene.sketch, arrow),
                            .root = f(0.0, 0.0),
-                           .tip = f(0.0, moment.radius)});
+                           .tip = f(0.0, scene.sketch.px(moment.radius))});
     if (!scene.shows(Show::Values)) return;
     scene.sketch.caption({.text = moment.text,
                           .role = moment.role,

@@ -151,13 +151,16 @@ private:
         return marked.is_peak ? Rank::Extreme : Rank::Value;
     }
 
+    // On the line's other side it would be read as a value there.
     Caption value_at(double x, double value) const
     {
+        const ui::Point toward = value < 0.0 ? -look_.frame.y : look_.frame.y;
         return {.text = look_.text(value),
                 .role = look_.role,
                 .target = at(x, value),
-                .toward = value < 0.0 ? -look_.frame.y : look_.frame.y,
-                .gap = 4.5};
+                .toward = toward,
+                .gap = 4.5,
+                .side = ui::HalfPlane{at(x, 0.0), toward}};
     }
 
     // Where nothing stands yet, and not along a stretch of one value, which is written once.

@@ -212,6 +212,7 @@ ui::Label Sketch::label_of(const Request& request) const
     label.reach = is_crowded_ ? std::min(caption.reach, crowded_reach) : caption.reach;
     if (caption.is_repeat) label.reach = std::min(label.reach, near_reach);
     label.clearance = caption.gap;
+    label.side = caption.side;
     const auto wish = [&](ui::Point target, double angle, double gap) {
         label.wishes.push_back(center_beside(target, turned(caption.toward, angle), gap, request.size));
     };

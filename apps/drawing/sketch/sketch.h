@@ -35,7 +35,8 @@ struct Caption {
     std::vector<ui::Point> others{}; ///< targets that serve as well, such as places along a member
     double reach = 90.0;             ///< how far off it may stand, with a leader
     std::optional<ui::Point> of{};   ///< the place that decides whether it is in sight, where that is not the target
-    ui::Point along{};      ///< of a member: where there is no room beside it it is written along this; zero: never
+    ui::Point along{}; ///< of a member: where there is no room beside it it is written along this; zero: never
+    std::optional<ui::HalfPlane> side{}; ///< where it means nothing else; it stands on no other
     bool is_repeat = false; ///< the same is said nearby: written where there is room, and missed by nobody else
 };
 

@@ -83,6 +83,17 @@ void draw(Sketch& sketch, const CurvedArrow& arrow)
     arrow_head(sketch, tip, tip - arrow.frame(r * std::cos(before), r * std::sin(before)), head, stroke.color);
 }
 
+std::vector<ui::Point> area_of(const Sketch& sketch, const CurvedArrow& arrow)
+{
+    const double sense = arrow.sense >= 0.0 ? 1.0 : -1.0, half = sketch.px(4.0);
+    const double start = sense > 0.0 ? arrow.start : pi - arrow.start;
+    const auto arc = [&](double radius) { return arc_in(arrow.frame, radius, start, sense * arrow.sweep); };
+    std::vector<ui::Point> area = arc(sketch.px(arrow.radius) + half);
+    const std::vector<ui::Point> inner = arc(sketch.px(arrow.radius) - half);
+    area.insert(area.end(), inner.rbegin(), inner.rend());
+    return area;
+}
+
 void draw_ground(Sketch& sketch, const SymbolFrame& frame, double half)
 {
     const ui::Stroke stroke = sketch.stroke(ui::Role::Support);

@@ -5,6 +5,7 @@
 
 #include <numbers>
 #include <optional>
+#include <vector>
 
 namespace drawing {
 
@@ -37,6 +38,8 @@ struct CurvedArrow {
     ui::DashPattern dash{};
 };
 void draw(Sketch& sketch, const CurvedArrow& arrow);
+/// All that a hand takes for it: a band along its line, from the tail to the tip of its head.
+std::vector<ui::Point> area_of(const Sketch& sketch, const CurvedArrow& arrow);
 
 /// Points of an arc in a frame, which on the sheet may be part of an ellipse.
 std::vector<ui::Point> arc_in(const SymbolFrame& frame, double radius, double start, double sweep);

@@ -4,6 +4,7 @@
 #include "femoop/methods/cross/fraction.h"
 #include "femoop/methods/cross/rounding.h"
 #include "femoop/model/quantity/number_text.h"
+#include "femoop/model/quantity/unit_signs.h"
 #include "femoop/tabular/plain_text.h"
 
 namespace femoop::cross {
@@ -34,7 +35,7 @@ private:
     std::string number(double value) const { return localized(number_text(rounded(value, shown_digits)), tr_); }
     std::string moment(double value) const
     {
-        return localized(quantity_text(rounded(value, shown_digits), dimension::moment, worked_.model.units), tr_);
+        return localized(number_text(rounded(value, shown_digits)), tr_) + " " + unit();
     }
     const std::string& name(NodeId node) const { return worked_.model[node].id; }
 
@@ -47,11 +48,7 @@ private:
                "\n\n";
     }
 
-    std::string unit() const
-    {
-        const std::string one = quantity_text(1.0, dimension::moment, worked_.model.units);
-        return one.substr(one.find(' ') + 1);
-    }
+    std::string unit() const { return with_product_dots(unit_text(dimension::moment, worked_.model.units)); }
 
     std::string factors(const Problem& half) const
     {
@@ -154,7 +151,17 @@ private:
             cells.emplace_back(worked_.all.x[j]);
             table.add_row(std::move(cells));
         }
-        return "\n" + tr_("Forces of the props; so many times each sway they vanish") + "\n" + print(table);
+        return "\n" + tr_("Forces of the props; so many times each sway they vanish") + "\n" + print(table) +
+               sways_that_are_none();
+    }
+
+    std::string sways_that_are_none() const
+    {
+        std::string text;
+        for (std::size_t k = 0; k < problem_.sways.size(); ++k)
+            if (worked_.all.x[static_cast<Eigen::Index>(k)] == 0.0)
+                text += fill(tr_("the loads cause no sway at {0}"), {name(problem_.sways[k].prop)}) + "\n";
+        return text;
     }
 
     std::string finals() const

@@ -7,6 +7,7 @@
 #include "femoop/io/json/json_writer.h"
 #include "femoop/model/fault/fault.h"
 #include "femoop/model/quantity/number_text.h"
+#include "femoop/model/quantity/unit_signs.h"
 #include "femoop/tabular/plain_text.h"
 
 namespace femoop::cross {
@@ -41,9 +42,9 @@ double largest_of(const std::vector<double>& values)
 
 std::string heading(const Model& model, const Problem& problem, const std::string& what, const Translator& tr)
 {
-    const std::string one = quantity_text(1.0, dimension::moment, model.units);
+    const std::string unit = with_product_dots(unit_text(dimension::moment, model.units));
     return fill(tr("{0}, case {1}: moments on the member ends in {2}, counter-clockwise positive"),
-                {what, model.case_name(problem.load_case), one.substr(one.find(' ') + 1)}) +
+                {what, model.case_name(problem.load_case), unit}) +
            "\n\n";
 }
 

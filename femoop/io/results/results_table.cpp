@@ -9,6 +9,7 @@
 
 #include "femoop/model/quantity/dimension.h"
 #include "femoop/model/quantity/number_text.h"
+#include "femoop/model/quantity/unit_signs.h"
 #include "femoop/result/components.h"
 #include "femoop/result/envelope.h"
 #include "femoop/result/structure_words.h"
@@ -22,7 +23,7 @@ constexpr std::size_t indent = 2;
 
 tabular::Column in_unit(std::string_view what, Dimension dimension, const Units& units)
 {
-    return {std::string(what), unit_text(dimension, units)};
+    return {std::string(what), with_product_dots(unit_text(dimension, units))};
 }
 
 tabular::Column displacement_header(Dof dof, const Units& units)

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "femoop/methods/cross/prop_forces.h"
 #include "femoop/methods/cross/slope_deflection.h"
-#include "femoop/methods/cross/virtual_work.h"
 
 namespace femoop::cross {
 
@@ -13,18 +13,19 @@ namespace {
 
 constexpr double no_pivot = 1e-9; // of the scaled equations
 
-Stage held_stage(const Model& model, const Problem& problem, const Procedure& procedure)
+Stage held_stage(const Model& model, const Problem& problem, const Procedure& procedure, PropForces& forces)
 {
     Stage stage{.sheet = distribute(model, problem.of_sheet(0), problem.loading, procedure), .holding = {}};
-    stage.holding = holding_forces(problem, {stage.sheet.end.moments, stage.sheet.end.rotations});
+    stage.holding = forces.at_end_of(stage.sheet, 0);
     return stage;
 }
 
-Stage sway_stage(const Model& model, const Problem& problem, std::size_t k, const Procedure& procedure)
+Stage sway_stage(const Model& model, const Problem& problem, std::size_t k, const Procedure& procedure,
+                 PropForces& forces)
 {
     const Sway& sway = problem.sways[k];
     Stage stage{.sheet = distribute(model, problem.of_sheet(k + 1), sway.loading, procedure), .holding = {}};
-    stage.holding = holding_forces(problem, {stage.sheet.end.moments, stage.sheet.end.rotations}, sway);
+    stage.holding = forces.at_end_of(stage.sheet, k + 1);
     return stage;
 }
 
@@ -34,7 +35,7 @@ void solve(const Model& model, Superposition& all)
     all.R.resize(n, n);
     all.r.resize(n);
     for (Eigen::Index j = 0; j < n; ++j) {
-        all.r[j] = -all.held.holding[static_cast<std::size_t>(j)];
+        all.r[j] = 0.0 - all.held.holding[static_cast<std::size_t>(j)];
         for (Eigen::Index k = 0; k < n; ++k)
             all.R(j, k) = all.sways[static_cast<std::size_t>(k)].holding[static_cast<std::size_t>(j)];
     }
@@ -45,6 +46,7 @@ void solve(const Model& model, Superposition& all)
     factored.setThreshold(no_pivot);
     if (!factored.isInvertible()) refuse_mechanism(model);
     all.x = factored.solve(rows.cwiseInverse().asDiagonal() * all.r);
+    all.x.array() += 0.0; // no minus zero
 }
 
 /// The tolerance of the sways' sheets for which all that is added of them is as exact as the sheet of the loads.
@@ -71,16 +73,19 @@ void add_up(const Problem& problem, Superposition& all)
 Superposition superpose(const Model& model, const Problem& problem, const Procedure& procedure)
 {
     Superposition all;
-    all.held = held_stage(model, problem, procedure);
+    PropForces forces(problem);
+    all.held = held_stage(model, problem, procedure, forces);
     Procedure own = procedure;
     own.tolerance.reset(); // of the loads' moments, which say nothing of a sway's
-    for (std::size_t k = 0; k < problem.sways.size(); ++k) all.sways.push_back(sway_stage(model, problem, k, own));
+    for (std::size_t k = 0; k < problem.sways.size(); ++k)
+        all.sways.push_back(sway_stage(model, problem, k, own, forces));
     solve(model, all);
     const bool is_refined = !problem.sways.empty() && procedure.digits == 0 && !procedure.balances;
     if (is_refined && all.held.sheet.tolerance > 0.0) {
         own.tolerance = fitting_tolerance(all);
         for (std::size_t k = 0; k < all.sways.size(); ++k)
-            if (all.sways[k].sheet.tolerance > *own.tolerance) all.sways[k] = sway_stage(model, problem, k, own);
+            if (all.sways[k].sheet.tolerance > *own.tolerance)
+                all.sways[k] = sway_stage(model, problem, k, own, forces);
         solve(model, all);
     }
     add_up(problem, all);

@@ -10,7 +10,7 @@ namespace femoop::cross {
 /// A sheet and the forces that the props hold at its end.
 struct Stage {
     Sheet sheet;
-    std::vector<double> holding; ///< of every sway's prop, along its direction
+    std::vector<double> holding; ///< of every sway's prop, along its direction (prop_forces.h)
 };
 
 /// Sway by superposition: the loads with every sway propped, then each sway alone, then so much of each that no prop

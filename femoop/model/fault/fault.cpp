@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "femoop/model/quantity/number_text.h"
+#include "femoop/model/quantity/unit_signs.h"
 
 namespace femoop {
 
@@ -108,6 +109,11 @@ std::string localized_numbers(std::string numbers, const Translator& tr)
     return localized(std::move(numbers), tr);
 }
 
+bool is_unit(FaultKind kind, std::size_t argument)
+{
+    return kind == FaultKind::QuantityWrongDimension && argument == 4;
+}
+
 /// A dimension without a name of its own is put together of single words: force^2*length.
 std::string word_by_word(std::string_view text, const Translator& tr)
 {
@@ -138,7 +144,8 @@ std::string message(const Fault& fault, const Translator& tr)
     std::vector<std::string> arguments = fault.arguments;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         if (is_word(fault.kind, i)) arguments[i] = translated_word(arguments[i], tr);
-        if (is_computed(fault.kind, i)) arguments[i] = localized_numbers(arguments[i], tr);
+        if (is_computed(fault.kind, i)) arguments[i] = with_product_dots(localized_numbers(arguments[i], tr));
+        if (is_unit(fault.kind, i)) arguments[i] = with_product_dots(arguments[i]);
     }
     // A sentence that has no translation keeps its own conjunction.
     return fill(sentence, arguments, sentence == plain ? std::string("and") : tr(translatable("and")));

@@ -40,4 +40,11 @@ std::string with_file_signs(std::string_view printed)
     return text;
 }
 
+std::string with_product_dots(std::string_view in_file)
+{
+    std::string text;
+    for (const char c : in_file) text += c == '*' ? std::string(signs.front().printed) : std::string(1, c);
+    return text;
+}
+
 } // namespace femoop

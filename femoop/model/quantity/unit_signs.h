@@ -9,4 +9,7 @@ namespace femoop {
 /// Both the middle dot (U+00B7) and the dot operator (U+22C5) are products.
 std::string with_file_signs(std::string_view printed);
 
+/// A unit or quantity as files write it with the product that print has: "4500 kN·m/rad" of "4500 kN*m/rad".
+std::string with_product_dots(std::string_view in_file);
+
 } // namespace femoop

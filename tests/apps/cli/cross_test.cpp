@@ -139,7 +139,7 @@ TEST_CASE("What is not symmetric is named, and half of it is asked for once")
     CHECK(uneven.err.find("about x = 7 m: node B has no mirror image at (8, 0) m; move a node") != std::string::npos);
     const Run skew = cremona({"cross", "examples/portal_kleinlogel.json", "--symmetry", "--case", "W"});
     CHECK(skew.status == 2);
-    CHECK(skew.err.find("are 4 kN*m at AB and 0 kN*m at DC, wanted opposite ones everywhere") != std::string::npos);
+    CHECK(skew.err.find("are 4 kN·m at AB and 0 kN·m at DC, wanted opposite ones everywhere") != std::string::npos);
     CHECK(cremona({"cross", "-", "--symmetry", "--whole"}, beam()).status == 2);
     CHECK(cremona({"cross", "-", "--symmetry", "--method", "kani"}, beam()).status == 2);
     const Run other_side = cremona({"cross", "examples/portal_kleinlogel.json", "--symmetry", "--order", "C"});
@@ -192,6 +192,17 @@ TEST_CASE("Every number has the digits that are asked for, and the sheet tells w
         }
     }
     CHECK(found["drift"].size() == found["final"].size());
+}
+
+TEST_CASE("A symmetric portal worked as a whole has no force in its prop, and it is told that nothing sways")
+{
+    const json whole = sheet_of({"examples/portal_kleinlogel.json"});
+    CHECK(whole["stages"][0]["prop"]["reaction"] == 0.0);
+    CHECK(whole["equations"]["solution"][0] == 0.0);
+    CHECK(has(cremona({"cross", "examples/portal_kleinlogel.json"}).out, "the loads cause no sway at B\n"));
+    const Run pt = cremona({"cross", "examples/portal_kleinlogel.json", "--lang", "pt"});
+    CHECK(has(pt.out, "as cargas não causam deslocabilidade em B\n"));
+    CHECK_FALSE(has(cremona({"cross", "examples/portal_kleinlogel.json", "--case", "W"}).out, "cause no sway"));
 }
 
 TEST_CASE("A frame that sways has a sheet with a prop, one of the sway, and their equation")

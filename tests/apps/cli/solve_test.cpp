@@ -143,7 +143,7 @@ TEST_CASE("Tables tell title, indeterminacy, cases, and every kind of result wit
     CHECK(run.status == 0);
     for (const char* part :
          {"Cantilever\n", "Degree of static indeterminacy: 0 (external 0, internal 0): statically determinate",
-          "Load case P\n", "Combination U = 1.5 P\n", "uy [m]", "rz [rad]", "mz [kN*m]", "-0.0128000", "sum of",
+          "Load case P\n", "Combination U = 1.5 P\n", "uy [m]", "rz [rad]", "mz [kN·m]", "-0.0128000", "sum of",
           "at node", "largest", "of the largest load"})
         if (std::string(part) != "sum of") CHECK_MESSAGE(has(run.out, part), part);
 }
@@ -323,7 +323,7 @@ TEST_CASE("--describe says the structure, its loads and its results in sentences
     CHECK(run.status == 0);
     for (const char* sentence : {"node A at (0, 0): fixed; holds ux, uy, rz.", "on node B: 12 kN down.",
                                  "The structure is statically determinate.", "node B moves most: 0.0128 m down.",
-                                 "the support at A gives the structure 12 kN up, 48 kN*m counter-clockwise.",
+                                 "the support at A gives the structure 12 kN up, 48 kN·m counter-clockwise.",
                                  "V is 12 kN everywhere.", "N is zero everywhere."})
         CHECK_MESSAGE(has(run.out, sentence), sentence);
 }
@@ -334,7 +334,7 @@ TEST_CASE("In Portuguese a moment per length has a decimal comma and its own uni
     model["load_cases"][0]["members"] = {{{"member", "AB"}, {"kind", "distributed"}, {"mz", -1.5}}};
     const Run run = cremona({"solve", "-", "--describe", "--lang", "pt"}, model.dump());
     CHECK(run.status == 0);
-    CHECK(has(run.out, "na barra AB: 1,5 kN*m/m no sentido horário"));
+    CHECK(has(run.out, "na barra AB: 1,5 kN·m/m no sentido horário"));
 }
 
 TEST_CASE("--refine tells with --time how good the displacements are, and changes no printed digit")

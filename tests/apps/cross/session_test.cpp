@@ -41,6 +41,18 @@ TEST_CASE("Kani's method waits while a hand drags and is there once it lets go")
     CHECK(session.solution().task->kani);
 }
 
+TEST_CASE("A sway that symmetric loads do not cause is said to be none, in the tables and beside the sheet")
+{
+    Session session;
+    session.open("examples/portal_kleinlogel.json");
+    REQUIRE(session.n_stages() == 3);
+    const tabular::Table sways = table_of(session.scene(), Topic::Sways);
+    CHECK(sways.notes.back() == "The loads cause no sway at B.");
+    CHECK(shown_text(sways.rows[0].cells[1]) == "0 kN");
+    session.set_stage(2);
+    CHECK(shown_text(table_of(session.scene(), Topic::Sheet).rows[2].cells[0]) == "no sway at B");
+}
+
 TEST_CASE("What is in hand is told in the status line until it is put away")
 {
     Session session;

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "apps/drawing/results/marked_values.h"
 #include "tests/apps/drawing/view_model.h"
@@ -48,7 +49,9 @@ const TwoPieces moment_line(section*(span - section) / span, section*(span - sec
 /// Of its shear force: it jumps by 1.
 const TwoPieces shear_line(-section / span, 1.0 - section / span);
 
-view_test::Marks drawn(const LineFunction& function, double largest, const ui::Fonts& fonts)
+/// \param taken  where no label finds room
+view_test::Marks drawn(const LineFunction& function, double largest, const ui::Fonts& fonts,
+                       std::optional<ui::Box> taken = {})
 {
     const femoop::Model model = view_test::simple_beam(span, 1.0);
     const StructureShape shape = shape_of(model);
@@ -59,6 +62,7 @@ view_test::Marks drawn(const LineFunction& function, double largest, const ui::F
     const ui::DisplayUnits units = display_units(model, options);
     const ui::Theme theme(ui::ThemeName::Light);
     Sketch sketch({.painter = &painter, .theme = &theme, .room = painter.sheet()});
+    if (taken) sketch.reserve(*taken);
     const DrawState state;
     const Scene scene{model, shape, projection, options, state, units, sketch, crowding, options.show};
     const MemberShape& member = shape.members.front();
@@ -112,6 +116,16 @@ TEST_SUITE("drawing: diagrams of functions")
         CHECK(shear.has_text("0.75"));
         CHECK(runs_through(shear, {50.0 + 60.0 * section, 200.0 + 40.0 * 0.25}));
         CHECK(runs_through(shear, {50.0 + 60.0 * section, 200.0 - 40.0 * 0.75}));
+    }
+
+    TEST_CASE("A value whose place is taken stays on the side of its ordinate")
+    {
+        const ui::Fonts fonts;
+        const TwoPieces low(0.1, 0.1); // 4 px high: what stands below it would be read as a value there
+        const ui::Box around_its_place{{130.0, 150.0}, {210.0, 194.0}};
+        const view_test::Marks marks = drawn(low, 0.1, fonts, around_its_place);
+        REQUIRE(marks.has_text("0.1"));
+        for (const view_test::Marks::Text& text : marks.texts) CHECK(text.box.center().y < 200.0);
     }
 
     TEST_CASE("Of a function that is rounding beside the largest value nothing is drawn")

@@ -8,6 +8,11 @@
 #include "femoop/result/envelope.h"
 #include "tests/apps/drawing/view_model.h"
 #include "ui/paint/label/oriented_box.h"
+#include "ui/paint/theme.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 using namespace drawing;
 
@@ -54,6 +59,32 @@ TEST_CASE("Over a diagram a member is picked from farther off")
     const Pick member = scene.at({300.0, 340.0});
     REQUIRE(member.cut);
     CHECK(member.cut->x == doctest::Approx(4.0));
+}
+
+TEST_CASE("A hand takes hold of a moment's arrow anywhere along its arc, however large symbols are")
+{
+    femoop::Model model = view_test::simple_beam(L, q);
+    model.load_cases[0].nodes.push_back(
+        {.node = femoop::NodeId{1}, .components = {{femoop::Dof::rz, femoop::Quantity(12.0)}}});
+    const ui::Fonts fonts;
+    for (const ui::ThemeName theme : {ui::ThemeName::Light, ui::ThemeName::Projector}) {
+        ui::Painter painter({900.0, 600.0}, fonts);
+        const DrawOptions options{.show = {Show::Loads}, .theme = theme};
+        const DrawInput input{model, nullptr};
+        const DrawState state;
+        const std::vector<LoadMark> marks = Subject(input, options, state).draw(painter).grips.loads;
+        const auto mark = std::ranges::find(marks, femoop::Dof::rz, &LoadMark::dof);
+        REQUIRE(mark != marks.end());
+        const double radius = ui::distance(mark->root, mark->tip);
+        CHECK(radius == doctest::Approx(18.0 * ui::Theme(theme).symbol_scale()));
+        for (int degrees = -135; degrees <= 135; degrees += 15) { // 0: to the right
+            CAPTURE(degrees);
+            const double angle = degrees * std::numbers::pi / 180.0;
+            const ui::Point on_arc = mark->root + radius * ui::Point{std::cos(angle), -std::sin(angle)};
+            const auto is_near = [&](ui::Point p) { return ui::distance(p, on_arc) < 9.0; };
+            CHECK(std::ranges::any_of(mark->area, is_near));
+        }
+    }
 }
 
 TEST_CASE("A reading tells the section's forces with units")

@@ -98,6 +98,10 @@ TEST_SUITE("frame fault sentence")
         CHECK(sentence(negative, english).find("−3.5e−5 m^4") != std::string::npos);
         CHECK(sentence(negative, portuguese).find("−3,5e−5 m^4") != std::string::npos);
         CHECK(sentence(typed, portuguese).find("\"-3,5\"") != std::string::npos);
+        const Fault spring{FaultKind::NotPositive, {"sections[1]", "rz", "-7 kN*m/rad"}};
+        CHECK(sentence(spring, english).find("−7 kN·m/rad") != std::string::npos);
+        const Fault bare{FaultKind::QuantityWithoutNumber, {"", "kN", "12.5 kN*m"}};
+        CHECK(sentence(bare, english).find("\"12.5 kN·m\"") != std::string::npos);
     }
 
     TEST_CASE("A calculation without a value is told as such, not as a unit that cannot be read")

@@ -32,7 +32,7 @@ TEST_CASE("A beam is described whole: structure, loads, results of every case, l
           "  the support at B gives the structure 7.5 kN up.\n"
           "  N is zero everywhere.\n"
           "  V is largest with 22.5 kN in member AB at x = 0 m, smallest with -7.5 kN in member AB at x = 2 m.\n"
-          "  M is largest with 45 kN*m in member AB at x = 2 m, smallest with 0 kN*m in member AB at x = 0 m.\n");
+          "  M is largest with 45 kN·m in member AB at x = 2 m, smallest with 0 kN·m in member AB at x = 0 m.\n");
 }
 
 TEST_CASE("Every kind of support, joint and load has words")
@@ -59,7 +59,7 @@ TEST_CASE("Every kind of support, joint and load has words")
           "on an elastic foundation of 90 kN/m^2; rigid offset at C.", "self-weight times 1.5.",
           "support A is moved: uy = -0.02 m.",
           "3 kN/m along -y' of the member changing to 6 kN/m along -y' of the member from 1 m to 50%.",
-          "on member AB: 8 kN*m counter-clockwise on its second end.",
+          "on member AB: 8 kN·m counter-clockwise on its second end.",
           "warmed by 10 K at its +y' side and 30 K at its -y' side.", "built 0.004 m too short."})
         CHECK_MESSAGE(text.find(sentence) != std::string::npos, sentence << "\nis not in\n" << text);
 }
@@ -75,8 +75,8 @@ TEST_CASE("A moment per length is told as one, in the member's own axes too")
         {"member": "AB", "kind": "distributed", "mz": [-2, -3], "axes": "local"}]}]})");
     const std::string text = describe(model, std::nullopt, english);
     for (const char* sentence :
-         {"on member AB: 1.5 kN*m/m counter-clockwise over its whole length.",
-          "2 kN*m/m about -z' of the member changing to 3 kN*m/m about -z' of the member over its whole length."})
+         {"on member AB: 1.5 kN·m/m counter-clockwise over its whole length.",
+          "2 kN·m/m about -z' of the member changing to 3 kN·m/m about -z' of the member over its whole length."})
         CHECK_MESSAGE(text.find(sentence) != std::string::npos, sentence << "\nis not in\n" << text);
 }
 

@@ -69,6 +69,21 @@ TEST_CASE("A label whose first wish lies on a line gets its second one")
     CHECK(placer.place(labels).labels[0]->center == ui::Point{330.0, 215.0});
 }
 
+TEST_CASE("A label that means something on one side only stands there, or farther off with a leader, or nowhere")
+{
+    ui::LabelPlacer placer({.room = room});
+    placer.obstacles().add_box({{250.0, 150.0}, {350.0, 199.0}});
+    ui::Label label{.target = {300.0, 200.0}, .size = {40.0, 13.0}, .wishes = {{300.0, 188.0}, {300.0, 212.0}}};
+    REQUIRE(placer.place(std::vector{label}).labels[0]);
+    CHECK(placer.place(std::vector{label}).labels[0]->center.y > 200.0);
+    label.side = ui::HalfPlane{{0.0, 202.0}, {0.0, -1.0}};
+    REQUIRE(placer.place(std::vector{label}).labels[0]);
+    CHECK(placer.place(std::vector{label}).labels[0]->center.y <= 202.0);
+    label.reach = 20.0;
+    placer.obstacles().add_box({{200.0, 100.0}, {400.0, 215.0}});
+    CHECK_FALSE(placer.place(std::vector{label}).labels[0]);
+}
+
 TEST_CASE("Of two labels that want one place the one of higher priority has it")
 {
     const ui::LabelPlacer placer({.room = room});

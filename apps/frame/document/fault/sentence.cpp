@@ -6,6 +6,7 @@
 #include "apps/frame/document/fault/field.h"
 #include "apps/frame/document/fault/place.h"
 #include "femoop/model/dof.h"
+#include "femoop/model/quantity/unit_signs.h"
 #include "femoop/result/structure_words.h"
 #include "ui/text/arithmetic.h"
 #include "ui/text/language_manner.h"
@@ -169,7 +170,8 @@ Fault spoken(const Fault& fault, const Catalogue& tr)
         std::string& argument = told.arguments[i];
         if (is_computed(fault.kind, i)) argument = with_minus_before_digits(argument); // femoop sets the mark
         if (is_value(fault.kind, i) || is_example_to_type(fault, i))
-            argument = with_mark(with_minus_before_digits(argument), ui::decimal_mark(tr.language()));
+            argument = femoop::with_product_dots(
+                with_mark(with_minus_before_digits(argument), ui::decimal_mark(tr.language())));
         if (names_an_end(fault.kind, i)) argument = tr(argument);
         if (names_a_kind(fault.kind, i)) argument = kind_named(argument, tr).value_or(argument);
     }
