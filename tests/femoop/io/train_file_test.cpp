@@ -88,12 +88,12 @@ TEST_CASE("A train that cannot move is refused, with what is wanted")
          place +
              ": there is no spacing \"2\" that could have a range; count from 1, behind the leading axle: there are 1"},
         {R"("axles": [1, 2], "spacings": [4], "spacing_ranges": {"x": [3, 5]})",
-         place + ".spacing_ranges: there is no spacing \"x\" that could have a range; "
-                 "count from 1, behind the leading axle: there are 1"},
+         "trains[0].spacing_ranges: there is no spacing \"x\" that could have a range; "
+         "count from 1, behind the leading axle: there are 1"},
         {R"("axles": [1, 2], "spacings": [4], "spacing_ranges": {"1": [5, 3]})",
-         place + ".spacing_ranges.1: goes from 5 m down to 3 m; give the smaller value first"},
+         "trains[0].spacing_ranges.1: goes from 5 m down to 3 m; give the smaller value first"},
         {R"("axles": [1, 2], "spacings": [4], "spacing_ranges": {"1": [5]})",
-         place + ".spacing_ranges.1: found a list of 1, wanted 2 lengths; give the least and the most"},
+         "trains[0].spacing_ranges.1: found a list of 1, wanted 2 lengths; give the least and the most"},
         {R"("axles": [1], "load": {"fy": 0})",
          place + ": the unit load has no direction; give a component that is not 0, or leave the load out: it is down"},
     };
@@ -108,7 +108,7 @@ TEST_CASE("A train that cannot move is refused, with what is wanted")
 TEST_CASE("An envelope names trains that are there")
 {
     CHECK(faults_of(with_train(R"("axles": [1]}], "moving_envelopes": [{"id": "E", "trains": ["U"])")) ==
-          "moving_envelopes[0] \"E\".trains[0]: no train \"U\"; did you mean \"T\"?\n");
+          "moving_envelopes[0].trains[0]: no train \"U\"; add it to trains or name another\n");
     CHECK(faults_of(with_train(R"("axles": [1]}], "moving_envelopes": [{"id": "E", "trains": [])")) ==
           "moving_envelopes[0] \"E\": names no train; name one or more\n");
 }
