@@ -11,10 +11,11 @@ namespace femoop {
 namespace {
 
 constexpr double format = 1.0;
-constexpr Keys<20> file_keys{{"cremona", "analysis", "units", "nodes", "members", "title", "notes", "mass", "materials",
-                              "sections", "load_cases", "combinations", "paths", "influence_lines", "trains",
-                              "moving_envelopes", "expected", "cross", "influence", "train"},
-                             5};
+constexpr Keys<20> file_keys{
+    {"cremona", "analysis",         "units",    "nodes",      "members",      "title", "notes",
+     "mass",    "materials",        "sections", "load_cases", "combinations", "paths", "influence_lines",
+     "trains",  "moving_envelopes", "expected", "cross",      "influence",    "train"},
+    5};
 constexpr Keys<2> units_keys{{"length", "force"}, 2};
 
 } // namespace
