@@ -59,9 +59,10 @@ void Checker::check_spacings(const Train& train, const Entry& place)
         require_not_negative(place, key, range.min, dimension::length);
         require_not_negative(place, key, range.max, dimension::length);
         if (range.min > range.max)
-            faults_.push_back({FaultKind::RangeReversed,
-                               {place.text() + ".spacing_ranges." + std::to_string(range.spacing + 1),
-                                shown(range.min, dimension::length), shown(range.max, dimension::length)}});
+            faults_.push_back(
+                {FaultKind::RangeReversed,
+                 {Entry{place.list, place.index, {}}.text() + ".spacing_ranges." + std::to_string(range.spacing + 1),
+                  shown(range.min, dimension::length), shown(range.max, dimension::length)}});
     }
 }
 

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <utility>
 
 #include "femoop/io/model_file.h"
 #include "femoop/io/train/train_block.h"
@@ -49,10 +50,10 @@ TEST_CASE("A train and an envelope are read, and written back as they were typed
     const Train& train = model.moving_loads.trains.at(0);
     CHECK(train.axles.at(0).text() == "80 kN");
     CHECK(train.spacing_ranges.at(0).spacing == 0);
-    CHECK(train.spacing_ranges.at(0).max == 9.0);
+    CHECK(train.spacing_ranges.at(0).max.value() == 9.0);
     CHECK(train.impact == 1.33);
     CHECK(train.uniform_extent == UniformExtent::Outside);
-    CHECK(train.concentrated.at(1).for_others.value() == 26.0);
+    CHECK(train.concentrated.at(1).for_others.value().value() == 26.0);
     CHECK(model.moving_loads.envelopes.at(0).factor == 1.35);
     CHECK(model_of(write_model(model)) == model);
 }
@@ -61,11 +62,11 @@ TEST_CASE("In other units a train is the same train")
 {
     const Model model = in_units(model_of(with_train(whole)), {LengthUnit::cm, ForceUnit::N});
     const Train& train = model.moving_loads.trains.at(0);
-    CHECK(train.axles.at(0) == Approx(80e3));
-    CHECK(train.spacings.at(0) == Approx(430.0));
-    CHECK(train.uniform.value() == Approx(93.0));
+    CHECK(train.axles.at(0).value() == Approx(80e3));
+    CHECK(train.spacings.at(0).value() == Approx(430.0));
+    CHECK(train.uniform.value().value() == Approx(93.0));
     CHECK(train.impact == 1.33);
-    CHECK(train.concentrated.at(0).for_moments == Approx(18e3));
+    CHECK(train.concentrated.at(0).for_moments.value() == Approx(18e3));
 }
 
 TEST_CASE("Where it adds is another word for adverse")
@@ -87,12 +88,12 @@ TEST_CASE("A train that cannot move is refused, with what is wanted")
          place +
              ": there is no spacing \"2\" that could have a range; count from 1, behind the leading axle: there are 1"},
         {R"("axles": [1, 2], "spacings": [4], "spacing_ranges": {"x": [3, 5]})",
-         place + ".spacing_ranges: there is no spacing \"x\" that could have a range; "
-                 "count from 1, behind the leading axle: there are 1"},
+         "trains[0].spacing_ranges: there is no spacing \"x\" that could have a range; "
+         "count from 1, behind the leading axle: there are 1"},
         {R"("axles": [1, 2], "spacings": [4], "spacing_ranges": {"1": [5, 3]})",
-         place + ".spacing_ranges.1: goes from 5 m down to 3 m; give the smaller value first"},
+         "trains[0].spacing_ranges.1: goes from 5 m down to 3 m; give the smaller value first"},
         {R"("axles": [1, 2], "spacings": [4], "spacing_ranges": {"1": [5]})",
-         place + ".spacing_ranges.1: found a list of 1, wanted 2 lengths; give the least and the most"},
+         "trains[0].spacing_ranges.1: found a list of 1, wanted 2 lengths; give the least and the most"},
         {R"("axles": [1], "load": {"fy": 0})",
          place + ": the unit load has no direction; give a component that is not 0, or leave the load out: it is down"},
     };
@@ -107,7 +108,7 @@ TEST_CASE("A train that cannot move is refused, with what is wanted")
 TEST_CASE("An envelope names trains that are there")
 {
     CHECK(faults_of(with_train(R"("axles": [1]}], "moving_envelopes": [{"id": "E", "trains": ["U"])")) ==
-          "moving_envelopes[0] \"E\".trains[0]: no train \"U\"; did you mean \"T\"?\n");
+          "moving_envelopes[0].trains[0]: no train \"U\"; add it to trains or name another\n");
     CHECK(faults_of(with_train(R"("axles": [1]}], "moving_envelopes": [{"id": "E", "trains": [])")) ==
           "moving_envelopes[0] \"E\": names no train; name one or more\n");
 }
