@@ -174,7 +174,7 @@ private:
 };
 
 /// Two storeys of 4 and 3 m, one bay of 6 m.
-Document two_storeys()
+Document two_storey_frame()
 {
     FrameMaker made;
     using enum femoop::SupportKind;
@@ -188,7 +188,7 @@ Document two_storeys()
 
 TEST_CASE("Between the projector's panels the sheet of two storeys is read from the last row")
 {
-    Document document = two_storeys();
+    Document document = two_storey_frame();
     Solution solution = solve(document);
     REQUIRE(solution.task);
     document.plays.resize(solution.task->n_sheets());

@@ -23,7 +23,7 @@ std::string with_train(const std::string& keys)
         .text();
 }
 
-std::string faults_of(const std::string& file)
+std::string train_faults(const std::string& file)
 {
     std::string text;
     for (const Fault& fault : examine_model(file).faults) text += message(fault) + "\n";
@@ -99,17 +99,17 @@ TEST_CASE("A train that cannot move is refused, with what is wanted")
     };
     for (const auto& [keys, sentence] : bad) {
         CAPTURE(keys);
-        CHECK(faults_of(with_train(keys)) == sentence + "\n");
+        CHECK(train_faults(with_train(keys)) == sentence + "\n");
     }
-    CHECK(faults_of(with_train(R"("axles": [1], "uniform_extent": "everwhere")")).find("everywhere") !=
+    CHECK(train_faults(with_train(R"("axles": [1], "uniform_extent": "everwhere")")).find("everywhere") !=
           std::string::npos);
 }
 
 TEST_CASE("An envelope names trains that are there")
 {
-    CHECK(faults_of(with_train(R"("axles": [1]}], "moving_envelopes": [{"id": "E", "trains": ["U"])")) ==
+    CHECK(train_faults(with_train(R"("axles": [1]}], "moving_envelopes": [{"id": "E", "trains": ["U"])")) ==
           "moving_envelopes[0].trains[0]: no train \"U\"; add it to trains or name another\n");
-    CHECK(faults_of(with_train(R"("axles": [1]}], "moving_envelopes": [{"id": "E", "trains": [])")) ==
+    CHECK(train_faults(with_train(R"("axles": [1]}], "moving_envelopes": [{"id": "E", "trains": [])")) ==
           "moving_envelopes[0] \"E\": names no train; name one or more\n");
 }
 

@@ -46,7 +46,7 @@ Model held_spans()
     model.add(LoadCase{.id = "bent", .members = {{.member = MemberId(1), .load = TemperatureLoad{-20.0, 20.0}}}});
     model.add(LoadCase{.id = "drawn apart",
                        .settlements = {{.node = NodeId(2), .components = {{.dof = Dof::ux, .value = 0.01}}}}});
-    model.add(Combination{.id = "both", .terms = {{.of = CaseId(0), .factor = 1.4}, {.of = CaseId(1), .factor = 0.6}}});
+    model.combinations.push_back({.id = "both", .terms = {{CaseId(0), 1.4}, {CaseId(1), 0.6}}});
     return model;
 }
 

@@ -24,7 +24,7 @@ PiecewiseLine moment_line(double x) { return {{{0.0, x, {0.0, (L - x) / L}}, {x,
 PiecewiseLine shear_line(double x) { return {{{0.0, x, {0.0, -1.0 / L}}, {x, L, {1.0 - x / L, -1.0 / L}}}}; }
 
 /// The HS20-44 truck, kip and ft.
-MovingTrain truck() { return {.axles = {8.0, 32.0, 32.0}, .spacings = {{14.0, 14.0}, {14.0, 14.0}}}; }
+MovingTrain one_way_truck() { return {.axles = {8.0, 32.0, 32.0}, .spacings = {{14.0, 14.0}, {14.0, 14.0}}}; }
 
 Placing largest(const PiecewiseLine& line, const MovingTrain& train)
 {
@@ -57,7 +57,7 @@ PiecewiseLine turned(const PiecewiseLine& line)
 
 TEST_CASE("The HS20 truck bends the middle of 100 ft most with its middle axle there")
 {
-    const Placing worst = largest(moment_line(50.0), truck());
+    const Placing worst = largest(moment_line(50.0), one_way_truck());
     CHECK(worst.value == Approx(8.0 * 18.0 + 32.0 * 25.0 + 32.0 * 18.0));
     CHECK(worst.position.value() == Approx(64.0));
     CHECK(!worst.reversed);
@@ -107,7 +107,7 @@ TEST_CASE("Of several positions with one value the first forwards is told")
 
 TEST_CASE("Reversed the others stand at greater s, and it is told only where it is worse")
 {
-    MovingTrain train = truck();
+    MovingTrain train = one_way_truck();
     train.both_directions = true;
     CHECK(!largest(shear_line(0.0), train).reversed);
     const Placing worst = least(shear_line(L), train);
@@ -209,7 +209,7 @@ TEST_CASE("Turning the path turns the train: the same values, at L - s")
 
 TEST_CASE("The proof lists the candidates, and the largest of them is the value")
 {
-    const TrainSearch search(moment_line(50.0), {0.0, L}, truck());
+    const TrainSearch search(moment_line(50.0), {0.0, L}, one_way_truck());
     const SearchProof proof = search.proof(ExtremeKind::Max);
     double most = 0.0;
     for (const SearchProof::Entry& entry : proof.entries) most = std::max(most, entry.candidate.value);
