@@ -39,8 +39,7 @@ void follow_merge(Model& model, MemberId first, MemberId second)
     change_paths(model, [&](std::vector<MemberId>& path) {
         std::ranges::replace(path, second, first);
         const auto is_twice = [&](MemberId a, MemberId b) { return a == first && b == first; };
-        const auto rest = std::ranges::unique(path, is_twice);
-        path.erase(rest.begin(), rest.end());
+        path.erase(std::unique(path.begin(), path.end(), is_twice), path.end());
     });
 }
 

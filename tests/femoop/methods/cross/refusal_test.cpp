@@ -103,6 +103,8 @@ TEST_CASE("A settlement along axially rigid members is refused with them and the
 TEST_CASE("A temperature goes through where an end may slide")
 {
     Model model = held_spans();
+    model.load_cases.erase(model.load_cases.begin() + 3); // what draws apart needs the fixed end
+    model.combinations.clear();
     model.nodes[2].support = Support{.kind = SupportKind::Roller};
     CHECK_NOTHROW(problem_of(model, CaseId(1)));
 }
