@@ -11,7 +11,6 @@
 #include "apps/cross/document/file.h"
 #include "apps/cross/view/scene.h"
 #include "apps/cross/view/sheet_places.h"
-#include "tests/frame_maker.h"
 #include "tests/golden/scene.h"
 #include "ui/paint/surface.h"
 #include "ui/paint/surface/golden_text.h"
@@ -147,65 +146,6 @@ TEST_CASE("In Portuguese on the projector the sheet is read from the last row")
     look.theme = ui::ThemeName::Projector;
     look.tr = ui::Catalogue(ui::Language::Portuguese);
     check("cross_projector_pt", starting_document(), {.n_turns = 4, .look = look, .size = {1280.0, 960.0}});
-}
-
-namespace {
-
-/// The size of type of every number with decimals that stands in a part of a picture.
-class NumberSizes : public ui::Surface {
-public:
-    NumberSizes(const ui::Fonts& fonts, const ui::Box& part) : fonts_(fonts), part_(part) {}
-    void clip(const ui::Box& /*box*/) override {}
-    void stroke(const ui::Path& /*path*/, const ui::Stroke& /*stroke*/) override {}
-    void fill(std::span<const ui::Point> /*polygon*/, ui::Color /*color*/) override {}
-    void stroke_arc(const ui::Arc& /*arc*/, const ui::Stroke& /*stroke*/) override {}
-    void fill_disc(ui::Point /*center*/, double /*radius*/, ui::Color /*color*/) override {}
-    void text(ui::Point at, std::string_view utf8, const ui::TextStyle& style) override
-    {
-        const bool is_number = utf8.find('.') != std::string_view::npos && utf8.find(' ') == std::string_view::npos;
-        if (is_number && part_.contains(ui::text_box(fonts_, at, utf8, style).center())) sizes.push_back(style.size);
-    }
-
-    std::vector<double> sizes;
-
-private:
-    const ui::Fonts& fonts_;
-    ui::Box part_;
-};
-
-/// Two storeys of 4 and 3 m, one bay of 6 m.
-Document two_storey_frame()
-{
-    FrameMaker made;
-    using enum femoop::SupportKind;
-    made.node("A", 0, 0, Fixed).node("B", 0, 4).node("C", 0, 7).node("D", 6, 7).node("E", 6, 4).node("F", 6, 0, Fixed);
-    made.member("A", "B").member("B", "C").member("C", "D").member("D", "E").member("E", "F").member("B", "E");
-    made.uniform("BE", -30).uniform("CD", -20).force("C", femoop::Dof::ux, 10);
-    return {.model = made.model};
-}
-
-} // namespace
-
-TEST_CASE("Between the projector's panels the sheet of two storeys is read from the last row")
-{
-    Document document = two_storey_frame();
-    Solution solution = solve(document);
-    REQUIRE(solution.task);
-    document.plays.resize(solution.task->n_sheets());
-    const ui::Size between_panels{640.0, 690.0};
-    const Look look{.theme = ui::ThemeName::Projector};
-    const ui::Fonts fonts;
-    for (int turn = 0; turn < 12; ++turn) {
-        CAPTURE(turn);
-        ui::Painter painter(between_panels, fonts);
-        const Drawn drawn = draw(painter, {document, solution, nullptr, 1.0, {}, look});
-        NumberSizes numbers(fonts, drawn.views.back().box);
-        painter.picture().draw_on(numbers);
-        REQUIRE(numbers.sizes.size() >= 24); // factors, sums
-        CHECK(*std::ranges::min_element(numbers.sizes) >= 18.0);
-        document.plays[0].take(*next_turn(document, solution));
-        work(solution, document);
-    }
 }
 
 TEST_CASE("Printed the sheet needs no colour")
