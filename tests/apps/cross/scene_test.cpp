@@ -2,19 +2,14 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <span>
 #include <sstream>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "apps/cross/document/file.h"
 #include "apps/cross/view/scene.h"
 #include "apps/cross/view/sheet_places.h"
 #include "tests/golden/scene.h"
-#include "ui/paint/surface.h"
 #include "ui/paint/surface/golden_text.h"
-#include "ui/paint/text_measure.h"
 
 using namespace cross;
 namespace fc = femoop::cross;
