@@ -77,12 +77,15 @@ private:
     {
         if (train.axles.empty()) return "-";
         if (!placing.position) return tr_("away");
+        constexpr std::size_t most_named = 12;
+        const std::vector<double>& spacings = placing.spacings;
         std::string text = number(*placing.position);
         double s = *placing.position;
-        for (const double spacing : placing.spacings) {
-            s += placing.reversed ? spacing : -spacing;
-            text += "; " + number(s);
+        for (std::size_t i = 0; i < spacings.size(); ++i) {
+            s += placing.reversed ? spacings[i] : -spacings[i];
+            if (spacings.size() < most_named) text += "; " + number(s);
         }
+        if (spacings.size() >= most_named) text += "; ...; " + number(s);
         return text + (placing.reversed ? " <" : " >");
     }
 

@@ -1,6 +1,7 @@
 #include "femoop/methods/influence/train/train_analysis.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "femoop/geometry/member_geometry.h"
@@ -14,6 +15,7 @@ namespace {
 constexpr std::size_t degree_of_force = 1, degree_of_displacement = 3; ///< in the section's place
 constexpr double noise = 1e-12;                                        ///< of a usual ordinate
 constexpr double end_of_curve = 1e-9;                                  // of its length
+constexpr double largest_force = 1e100; // times a line it is a number still, and times its slope
 
 std::vector<double> values_of(const std::vector<Quantity>& quantities)
 {
@@ -29,6 +31,14 @@ MovingEffect at_section(MovingEffect effect, double x, double length)
     effect.at = Quantity(x);
     effect.side = x >= length ? Side::Before : Side::After;
     return effect;
+}
+
+void require_in_range(const Train& train, const MovingTrain& moving)
+{
+    double sum = std::abs(moving.uniform);
+    for (const double axle : moving.axles) sum += std::abs(axle);
+    for (const double force : moving.concentrated) sum += std::abs(force);
+    if (!(sum <= largest_force)) throw ModelError({{FaultKind::ResultsBeyondRange, {train.id}}});
 }
 
 /// At the place of an effect along its member; at the end the - side.
@@ -131,6 +141,7 @@ MovingTrain moving_train(const Train& train, const MovingEffect& effect)
         const bool is_other = force.for_others && !is_moment(effect);
         moving.concentrated.push_back((is_other ? *force.for_others : force.for_moments).value());
     }
+    require_in_range(train, moving);
     return moving;
 }
 

@@ -31,6 +31,7 @@ struct TrainExtreme {
 bool is_moment(const MovingEffect& effect);
 
 /// The loads of a train on an effect: impact on the axles alone, single forces of the size that the effect wants.
+/// \throws ModelError  ResultsBeyondRange
 MovingTrain moving_train(const Train& train, const MovingEffect& effect);
 
 /// Every section force at `n` sections of each member, and every force of each support. \pre n >= 2

@@ -1,0 +1,128 @@
+// Trains on whole structures: where they are worst, the structure that stands under their axles says the same.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cstddef>
+#include <variant>
+#include <vector>
+
+#include "femoop/analysis/linear_static.h"
+#include "femoop/methods/influence/load_path.h"
+#include "femoop/methods/influence/train/train_analysis.h"
+#include "femoop/model/fault/fault.h"
+#include "femoop/model/model.h"
+#include "tests/frame_maker.h"
+
+using namespace femoop;
+using namespace femoop::influence;
+using doctest::Approx;
+
+TEST_SUITE_BEGIN("femoop train");
+
+namespace {
+
+/// A beam of three spans on a column at C, with 5 kN/m on its middle span.
+Model bridge()
+{
+    FrameMaker made;
+    made.node("A", 0, 0, SupportKind::Pin).node("B", 7, 0, SupportKind::Roller).node("C", 16.5, 0);
+    made.node("D", 22.5, 0, SupportKind::Roller).node("E", 16.5, -5, SupportKind::Fixed);
+    made.member("A", "B").member("B", "C").member("C", "D").member("E", "C");
+    made.uniform("BC", -5);
+    return made.model;
+}
+
+Train lorry()
+{
+    return {.id = "lorry",
+            .path = std::vector{MemberId(0), MemberId(1), MemberId(2)},
+            .axles = {60.0, 110.0, 130.0},
+            .spacings = {3.2, 2.1},
+            .both_directions = true};
+}
+
+MovingEffect moment(std::size_t member, double x)
+{
+    return {.quantity = ExpectedQuantity::SectionForce,
+            .member = MemberId(member),
+            .component = MemberComponent::Mz,
+            .at = Quantity(x)};
+}
+
+const std::vector<MovingEffect> asked{moment(0, 3.1),
+                                      moment(1, 4.4),
+                                      moment(2, 0.0),
+                                      moment(3, 2.5),
+                                      {.quantity = ExpectedQuantity::Reaction, .node = NodeId(1), .dof = Dof::uy},
+                                      {.quantity = ExpectedQuantity::Displacement, .node = NodeId(2), .dof = Dof::rz}};
+
+/// The axles as loads that stand where they were placed.
+Model under(Model model, const Train& train, const Placing& placing)
+{
+    const PathLayout path = lay_out(model, members_of(model, train.path));
+    model.load_cases[0].members.clear();
+    double s = *placing.position;
+    for (std::size_t i = 0; i < train.axles.size(); ++i) {
+        if (i > 0) s += placing.reversed ? placing.spacings[i - 1] : -placing.spacings[i - 1];
+        if (s < 0.0 || s > path.length()) continue;
+        const PathPlace place = path.place(s);
+        const Component down{.dof = Dof::uy, .value = Quantity(-train.axles[i].value())};
+        model.load_cases[0].members.push_back({place.member, PointLoad{.at = Quantity(place.x), .components = {down}}});
+    }
+    return model;
+}
+
+double solved(const Model& model, const MovingEffect& effect)
+{
+    const Results results = analyse(model);
+    const CaseResult& result = results[CaseId(0)];
+    if (effect.quantity == ExpectedQuantity::Reaction) return result.reaction(*effect.node)[index(*effect.dof)];
+    if (effect.node) return result.displacement(*effect.node)[index(*effect.dof)];
+    return result.curve(*effect.member).value(*effect.component, std::get<Quantity>(*effect.at).value());
+}
+
+} // namespace
+
+TEST_CASE("Where a train is worst the structure under its axles has that effect")
+{
+    const Model model = bridge();
+    const Train train = lorry();
+    for (const TrainEffect& of : TrainAnalysis(model).effects(train, asked)) {
+        CAPTURE(of.max.value);
+        CAPTURE(of.min.value);
+        REQUIRE(of.max.position);
+        REQUIRE(of.min.position);
+        CHECK(solved(under(model, train, of.max), of.effect) == Approx(of.max.value).epsilon(1e-9));
+        CHECK(solved(under(model, train, of.min), of.effect) == Approx(of.min.value).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("An envelope is the case that stays and, with its factor, the train where it is worst")
+{
+    Model model = bridge();
+    model.moving_loads.trains.push_back(lorry());
+    const MovingEnvelope envelope{.id = "E", .trains = {TrainId(0)}, .with = CaseId(0), .factor = 1.35};
+    TrainAnalysis analysis(model);
+    const std::vector<TrainEffect> alone = analysis.effects(model.moving_loads.trains[0], asked);
+    const std::vector<TrainEffect> together = analysis.effects(envelope, asked);
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        CAPTURE(i);
+        const double stays = solved(model, asked[i]);
+        CHECK(together[i].max.value == Approx(stays + 1.35 * alone[i].max.value).epsilon(1e-12));
+        CHECK(together[i].min.value == Approx(stays + 1.35 * alone[i].min.value).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("A train beyond the range of numbers is refused, not left out")
+{
+    const Model model = bridge();
+    TrainAnalysis analysis(model);
+    for (const double axle : std::array{1e308, -1e308, 1e120}) {
+        Train train = lorry();
+        train.axles[1] = axle;
+        CHECK_THROWS_AS(analysis.effects(train, asked), ModelError);
+        CHECK_THROWS_AS(analysis.extreme(train, moment(1, 0.0)), ModelError);
+    }
+}
+
+TEST_SUITE_END();
