@@ -150,15 +150,15 @@ TEST_CASE("No words lie bare on a line")
     using enum ui::ThemeName;
     const std::vector<std::pair<ui::Size, ui::ThemeName>> sheets{
         {{1000.0, 720.0}, Light}, {{690.0, 540.0}, Light}, {{900.0, 540.0}, Projector}, {{1280.0, 740.0}, Projector}};
-    for (const auto& [size, theme] : sheets)
+    for (const auto& sheet : sheets)
         for (const ui::Language language : {ui::Language::English, ui::Language::Portuguese})
             for (const Document& document : documents()) {
-                CAPTURE(size.width);
-                CAPTURE(ui::text(theme));
+                CAPTURE(sheet.first.width);
+                CAPTURE(ui::text(sheet.second));
                 CAPTURE(static_cast<int>(language));
                 CAPTURE(static_cast<int>(document.subject));
                 CAPTURE(document.criterion.has_value());
-                CHECK(listed(on_a_line(drawn(document, {size, theme, language}), false)) == "");
+                CHECK(listed(on_a_line(drawn(document, {sheet.first, sheet.second, language}), false)) == "");
             }
 }
 

@@ -97,9 +97,9 @@ TEST_CASE("A train that cannot move is refused, with what is wanted")
         {R"("axles": [1], "load": {"fy": 0})",
          place + ": the unit load has no direction; give a component that is not 0, or leave the load out: it is down"},
     };
-    for (const auto& [keys, sentence] : bad) {
-        CAPTURE(keys);
-        CHECK(train_faults(with_train(keys)) == sentence + "\n");
+    for (const auto& each : bad) {
+        CAPTURE(each.first);
+        CHECK(train_faults(with_train(each.first)) == each.second + "\n");
     }
     CHECK(train_faults(with_train(R"("axles": [1], "uniform_extent": "everwhere")")).find("everywhere") !=
           std::string::npos);
