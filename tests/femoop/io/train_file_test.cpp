@@ -101,7 +101,7 @@ TEST_CASE("A train that cannot move is refused, with what is wanted")
         CAPTURE(each.first);
         CHECK(train_faults(with_train(each.first)) == each.second + "\n");
     }
-    CHECK(train_faults(with_train(R"("axles": [1], "uniform_extent": "everwhere")")).find("everywhere") !=
+    CHECK(train_faults(with_train(R"("axles": [1], "uniform_extent": "everywherex")")).find("everywhere") !=
           std::string::npos);
 }
 
