@@ -11,6 +11,7 @@
 #include "femoop/io/json/json_document.h"
 #include "femoop/io/reader/model_reader.h"
 #include "femoop/model/check/check_parts.h"
+#include "femoop/model/fault/errors_among.h"
 
 namespace femoop {
 
@@ -21,10 +22,7 @@ bool is_error(const Fault& fault) { return severity(fault.kind) == Severity::Err
 Model sound_model(ModelReading reading)
 {
     if (reading.is_sound()) return std::move(reading.model);
-    auto& faults = reading.faults;
-    faults.erase(std::remove_if(faults.begin(), faults.end(), [](const Fault& fault) { return !is_error(fault); }),
-                 faults.end());
-    throw ModelError(std::move(faults));
+    throw ModelError(errors_among(std::move(reading.faults)));
 }
 
 std::string contents(std::istream& input)

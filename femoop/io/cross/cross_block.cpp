@@ -1,9 +1,9 @@
 #include "femoop/io/cross/cross_block.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "femoop/io/json/extra_block.h"
 #include "femoop/io/json/json_document.h"
 #include "femoop/io/reader/value_reader.h"
 
@@ -188,11 +188,9 @@ double distance(const Problem& problem, const Labelled& wanted)
 
 std::optional<Block> block_of(const Model& model)
 {
-    const auto at = std::ranges::find(model.extra, "cross", &ExtraBlock::key);
-    if (at == model.extra.end()) return std::nullopt;
-    const JsonReading reading = parse_json(at->json);
-    if (!reading.document) throw ModelError(reading.faults);
-    return BlockReader().read(reading.document->root());
+    const std::optional<JsonDocument> json = extra_block(model, "cross");
+    if (!json) return std::nullopt;
+    return BlockReader().read(json->root());
 }
 
 void set_order(Procedure& procedure, const std::string& order, const Model& model, const Problem& problem)

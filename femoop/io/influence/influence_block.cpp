@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
-#include <stdexcept>
 #include <utility>
 
+#include "femoop/io/json/extra_block.h"
 #include "femoop/io/json/json_document.h"
 #include "femoop/io/reader/model_reader.h"
 #include "femoop/methods/influence/load_path.h"
 #include "femoop/model/check/check.h"
+#include "femoop/model/fault/errors_among.h"
 #include "femoop/model/quantity/number_text.h"
 
 namespace femoop::influence {
@@ -36,8 +37,7 @@ std::vector<Fault> faults_of(const Model& model, const Block& block)
 {
     std::vector<Fault> faults;
     for (std::size_t i = 0; i < block.lines.size(); ++i) {
-        std::vector<Fault> found = check_line(model, block.lines[i].line, {"influence.lines", i});
-        std::erase_if(found, [](const Fault& fault) { return severity(fault.kind) != Severity::Error; });
+        std::vector<Fault> found = errors_among(check_line(model, block.lines[i].line, {"influence.lines", i}));
         if (found.empty()) check_positions(model, block.lines[i], place_of(i), faults);
         std::ranges::move(found, std::back_inserter(faults));
     }
@@ -48,12 +48,10 @@ std::vector<Fault> faults_of(const Model& model, const Block& block)
 
 std::optional<Block> block_of(const Model& model)
 {
-    const auto extra = std::ranges::find(model.extra, "influence", &ExtraBlock::key);
-    if (extra == model.extra.end()) return std::nullopt;
-    const JsonReading json = parse_json(extra->json);
-    if (!json.document) throw std::invalid_argument("influence block: not JSON");
+    const std::optional<JsonDocument> json = extra_block(model, "influence");
+    if (!json) return std::nullopt;
     ModelReader reader(model);
-    Block block = reader.influence_block(json.document->root());
+    Block block = reader.influence_block(json->root());
     std::vector<Fault> faults = reader.faults();
     if (faults.empty()) faults = faults_of(model, block);
     if (!faults.empty()) throw ModelError(std::move(faults));
