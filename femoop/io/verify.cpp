@@ -133,25 +133,27 @@ private:
 
 CheckOutcome verify_one(const Model& model, Sizes* sizes, const Expected& check, const Translator& tr)
 {
-    CheckOutcome outcome;
-    outcome.what = describe_check(model, check, tr);
-    outcome.expected = check.value;
-    outcome.tolerance = std::max(check.atol ? check.atol->value() : 0.0,
-                                 check.rtol.value_or(default_rtol) * std::abs(check.value.value()));
-    if (!is_linear(check)) {
-        outcome.skipped = SkipReason::AnalysisNotBuilt;
-        return outcome;
-    }
+    const std::string what = describe_check(model, check, tr);
+    const double tolerance = std::max(check.atol ? check.atol->value() : 0.0,
+                                      check.rtol.value_or(default_rtol) * std::abs(check.value.value()));
+    if (!is_linear(check))
+        return {.what = what, .expected = check.value, .tolerance = tolerance, .skipped = SkipReason::AnalysisNotBuilt};
     if (sizes == nullptr) throw std::invalid_argument("verify: the model has checks of results, and none were given");
     const CaseId id = check.load_case.value_or(CaseId(0));
-    outcome.result = result_of(check, sizes->results()[id]);
+    CheckOutcome outcome = compared(what, check.value, result_of(check, sizes->results()[id]), tolerance);
     outcome.magnitude = magnitude_of(check, (*sizes)[id]);
-    const bool is_near = std::abs(*outcome.result - outcome.expected) <= outcome.tolerance;
-    outcome.verdict = is_near ? Verdict::Passed : Verdict::Failed;
     return outcome;
 }
 
 } // namespace
+
+CheckOutcome compared(std::string what, double expected, double found, double tolerance)
+{
+    CheckOutcome outcome{.what = std::move(what), .expected = expected, .tolerance = tolerance, .skipped = {}};
+    outcome.result = found;
+    outcome.verdict = std::abs(found - expected) <= tolerance ? Verdict::Passed : Verdict::Failed;
+    return outcome;
+}
 
 CheckCounts& CheckCounts::operator+=(const CheckCounts& other)
 {

@@ -29,6 +29,9 @@ struct CheckOutcome {
     std::optional<SkipReason> skipped;
 };
 
+/// A number compared: passed where it is within the tolerance.
+CheckOutcome compared(std::string what, double expected, double found, double tolerance);
+
 struct CheckCounts {
     int passed = 0, failed = 0, skipped = 0;
 

@@ -41,14 +41,8 @@ double SheetCheck::half_a_digit(double value) const
 
 CheckOutcome SheetCheck::compared(const std::string& what, double wanted, double found, Tolerance within) const
 {
-    CheckOutcome one{.what = what,
-                     .verdict = Verdict::Passed,
-                     .expected = wanted,
-                     .result = found,
-                     .tolerance = std::max({within.absolute, within.relative * std::abs(wanted), half_a_digit(wanted)}),
-                     .skipped = {}};
-    if (!(std::abs(found - wanted) <= one.tolerance)) one.verdict = Verdict::Failed;
-    return one;
+    return femoop::compared(what, wanted, found,
+                            std::max({within.absolute, within.relative * std::abs(wanted), half_a_digit(wanted)}));
 }
 
 void SheetCheck::number(const std::string& what, double wanted, double found, double largest)

@@ -39,10 +39,8 @@ public:
 private:
     void add(std::string what, double expected, double found, double tolerance, double size)
     {
-        CheckOutcome outcome{.what = std::move(what), .expected = expected, .tolerance = tolerance, .magnitude = size};
-        outcome.result = found;
-        outcome.verdict = std::abs(found - expected) <= tolerance ? Verdict::Passed : Verdict::Failed;
-        outcomes_.push_back(std::move(outcome));
+        outcomes_.push_back(compared(std::move(what), expected, found, tolerance));
+        outcomes_.back().magnitude = size;
     }
 
     void add_value(std::string what, double expected, double found)

@@ -56,12 +56,7 @@ private:
 
     void add(std::string what, double wanted, double found, double tolerance)
     {
-        CheckOutcome& outcome = outcomes_.emplace_back();
-        outcome.what = std::move(what);
-        outcome.expected = wanted;
-        outcome.result = found;
-        outcome.tolerance = tolerance;
-        outcome.verdict = std::abs(found - wanted) <= tolerance ? Verdict::Passed : Verdict::Failed;
+        outcomes_.push_back(compared(std::move(what), wanted, found, tolerance));
     }
 
     void check_value(const TrainCheck& check, double found)
