@@ -158,29 +158,23 @@ void make_beams(const Model& model, Member& first, Member& second)
     }
 }
 
+/// A check or an effect goes to the piece on which its place lies.
+template <class Reading> void follow(Reading& reading, const Piece& first, const Piece& second, const Cut& cut)
+{
+    if (reading.member != first.member || !reading.at) return;
+    const double x = along(*reading.at, cut.length);
+    const bool is_after = reading.side == Side::Before ? x > cut.x + cut.slack() : x >= cut.x - cut.slack();
+    const Piece& piece = is_after ? second : first;
+    reading.at = moved(*reading.at, piece, cut);
+    reading.member = piece.member;
+}
+
 void follow(std::vector<Expected>& checks, const Piece& first, const Piece& second, const Cut& cut)
 {
     std::erase_if(checks, [&](const Expected& check) {
         return check.member == first.member && check.quantity == ExpectedQuantity::Extreme;
     });
-    for (Expected& check : checks) {
-        if (check.member != first.member || !check.at) continue;
-        const double x = along(*check.at, cut.length);
-        const bool is_after = check.side == Side::Before ? x > cut.x + cut.slack() : x >= cut.x - cut.slack();
-        const Piece& piece = is_after ? second : first;
-        check.at = moved(*check.at, piece, cut);
-        check.member = piece.member;
-    }
-}
-
-void follow(MovingEffect& effect, const Piece& first, const Piece& second, const Cut& cut)
-{
-    if (effect.member != first.member || !effect.at) return;
-    const double x = along(*effect.at, cut.length);
-    const bool is_after = effect.side == Side::Before ? x > cut.x + cut.slack() : x >= cut.x - cut.slack();
-    const Piece& piece = is_after ? second : first;
-    effect.at = moved(*effect.at, piece, cut);
-    effect.member = piece.member;
+    for (Expected& check : checks) follow(check, first, second, cut);
 }
 
 } // namespace
