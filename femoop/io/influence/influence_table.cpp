@@ -6,9 +6,7 @@
 #include "femoop/io/influence/influence_json.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/model/quantity/dimension.h"
-#include "femoop/model/quantity/dof_dimension.h"
 #include "femoop/model/quantity/number_text.h"
-#include "femoop/result/components.h"
 #include "femoop/result/magnitudes.h"
 #include "femoop/tabular/plain_text.h"
 
@@ -17,16 +15,6 @@ namespace femoop::influence {
 namespace {
 
 constexpr std::size_t indent = 2;
-
-Dimension dimension_of(const MovingEffect& effect)
-{
-    if (effect.component) {
-        if (is_displacement(*effect.component)) return dimension::length;
-        return is_moment(*effect.component) ? dimension::moment : dimension::force;
-    }
-    return effect.quantity == ExpectedQuantity::Reaction ? force_dimension(*effect.dof)
-                                                         : displacement_dimension(*effect.dof);
-}
 
 /// Of an ordinate: the effect's per force, or per moment of a couple.
 Dimension ordinate_dimension(AnalysisKind kind, const InfluenceLineDefinition& line)

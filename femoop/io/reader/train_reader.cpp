@@ -5,6 +5,7 @@
 
 #include "femoop/io/reader/model_reader.h"
 #include "femoop/io/reader/names.h"
+#include "femoop/methods/influence/effect_name.h"
 #include "femoop/model/quantity/dof_dimension.h"
 
 namespace femoop {
@@ -30,16 +31,6 @@ std::optional<std::size_t> spacing_number(std::string_view text)
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     const bool is_number = error == std::errc() && end == text.data() + text.size() && number > 0;
     return is_number ? std::optional(number - 1) : std::nullopt;
-}
-
-/// Of the value of an effect.
-Dimension dimension_of(const MovingEffect& effect)
-{
-    Expected asked;
-    asked.quantity = effect.quantity;
-    asked.dof = effect.dof;
-    asked.component = effect.component;
-    return dimension_of(asked);
 }
 
 } // namespace
@@ -163,7 +154,7 @@ influence::TrainCheck ModelReader::train_check(JsonValue value, const Place& pla
     check.place = place.text();
     check.effect = moving_effect({quantity, node, member, component, at, side}, ExpectedQuantity::Extreme, place);
     if (const auto kind = reader_.choice(which, names::extremes, place)) check.which = static_cast<ExtremeKind>(*kind);
-    const Dimension dimension = dimension_of(check.effect);
+    const Dimension dimension = influence::dimension_of(check.effect);
     check.value = reader_.quantity(wanted, dimension, place).value_or(no_number);
     check.rtol = reader_.number(rtol, place);
     reader_.text(source, place);

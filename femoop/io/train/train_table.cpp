@@ -9,9 +9,7 @@
 #include "femoop/load/place_along.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/model/quantity/dimension.h"
-#include "femoop/model/quantity/dof_dimension.h"
 #include "femoop/model/quantity/number_text.h"
-#include "femoop/result/components.h"
 #include "femoop/tabular/plain_text.h"
 
 namespace femoop::influence {
@@ -21,15 +19,6 @@ namespace {
 using CandidateKind = PositionFunction::Candidate::Kind;
 
 constexpr std::size_t table_indent = 2;
-
-Dimension dimension_of_effect(const MovingEffect& effect)
-{
-    Expected asked;
-    asked.quantity = effect.quantity;
-    asked.dof = effect.dof;
-    asked.component = effect.component;
-    return dimension_of(asked);
-}
 
 class TrainReport {
 public:
@@ -55,7 +44,7 @@ private:
 
     std::string component(const MovingEffect& effect) const { return component_name(model_.analysis, effect); }
     bool is_of_member(const MovingEffect& effect) const { return effect.member.has_value(); }
-    std::string unit(const MovingEffect& effect) const { return unit_text(dimension_of_effect(effect), model_.units); }
+    std::string unit(const MovingEffect& effect) const { return unit_text(dimension_of(effect), model_.units); }
     std::string length_unit() const { return unit_text(dimension::length, model_.units); }
 
     template <class Entry> std::vector<MovingEffect> components(const std::vector<Entry>& entries) const

@@ -5,6 +5,7 @@
 
 #include "femoop/element/analysis_model.h"
 #include "femoop/element/member_element.h"
+#include "femoop/methods/influence/polynomial_terms.h"
 
 namespace femoop::influence {
 
@@ -254,17 +255,6 @@ struct SteppedLine {
     Polynomial over(double from) const { return {first + slope * from + (from >= x ? step : 0.0), slope}; }
 };
 
-Polynomial shifted(const Polynomial& p, double by)
-{
-    std::array<double, Polynomial::max_terms> c{};
-    for (std::size_t i = 0; i < p.n_terms(); ++i) c[i] = p[i];
-    for (std::size_t first = 0; first + 1 < p.n_terms(); ++first)
-        for (std::size_t i = p.n_terms() - 1; i-- > first;) c[i] += by * c[i + 1];
-    Polynomial moved;
-    for (std::size_t i = 0; i < p.n_terms(); ++i) moved.append(c[i]);
-    return moved;
-}
-
 } // namespace
 
 // On a foundation x'y' has more pieces than x'z', which is then the same over all those of one side.
@@ -272,7 +262,7 @@ MemberMotion Dislocation::motion(std::array<LocalDisplacement, 2> ends) const
 {
     for (std::size_t end = 0; end < 2; ++end) add(ends[end], slips_[end]);
     const auto& [a, b] = ends;
-    const SteppedLine along(a.u, b.u, gap(), x_, L_), about(a.rx, b.rx, twist(), x_, L_);
+    const SteppedLine along(a.u, b.u, gap(), x_, L_), around(a.rx, b.rx, twist(), x_, L_);
     const std::vector<PlaneMotion> xy = motion(BendingPlane::xy, PlaneEnds(a.v, a.rz, b.v, b.rz));
     const std::vector<PlaneMotion> xz = motion(BendingPlane::xz, PlaneEnds(a.w, -a.ry, b.w, -b.ry));
     std::vector<double> places;
@@ -292,13 +282,11 @@ MemberMotion Dislocation::motion(std::array<LocalDisplacement, 2> ends) const
     for (std::size_t i = 0; i + 1 < places.size(); ++i) {
         const double from = places[i];
         const PlaneMotion v = part_at(xy, from), w = part_at(xz, from);
-        const Polynomial turn = shifted(w.phi, from - w.from);
-        Polynomial ry;
-        for (std::size_t k = 0; k < turn.n_terms(); ++k) ry.append(-turn[k]);
-        motion.push_back({.from = from,
-                          .to = places[i + 1],
-                          .along = {along.over(from), shifted(v.v, from - v.from), shifted(w.v, from - w.from),
-                                    about.over(from), ry, shifted(v.phi, from - v.from)}});
+        motion.push_back(
+            {.from = from,
+             .to = places[i + 1],
+             .along = {along.over(from), about(v.v, from - v.from), about(w.v, from - w.from), around.over(from),
+                       negated(about(w.phi, from - w.from)), about(v.phi, from - v.from)}});
     }
     return motion;
 }

@@ -24,6 +24,15 @@ std::string component_name(AnalysisKind kind, const MovingEffect& effect)
     return std::string(effect.quantity == ExpectedQuantity::Reaction ? force_name(*effect.dof) : name(*effect.dof));
 }
 
+Dimension dimension_of(const MovingEffect& effect)
+{
+    Expected asked;
+    asked.quantity = effect.quantity;
+    asked.dof = effect.dof;
+    asked.component = effect.component;
+    return femoop::dimension_of(asked);
+}
+
 std::string effect_name(const Model& model, const MovingEffect& effect)
 {
     const std::string& part = effect.member ? model[*effect.member].id : model[*effect.node].id;

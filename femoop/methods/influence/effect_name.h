@@ -3,6 +3,7 @@
 #include <string>
 
 #include "femoop/model/model.h"
+#include "femoop/model/quantity/dimension.h"
 
 namespace femoop::influence {
 
@@ -11,5 +12,7 @@ std::string effect_name(const Model& model, const MovingEffect& effect);
 
 /// Of its component alone: M, fy, ux.
 std::string component_name(AnalysisKind kind, const MovingEffect& effect);
+
+Dimension dimension_of(const MovingEffect& effect); ///< of its value
 
 } // namespace femoop::influence

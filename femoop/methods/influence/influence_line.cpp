@@ -17,7 +17,8 @@ namespace femoop::influence {
 
 namespace {
 
-constexpr double negligible = 1e-14; // of the largest ordinate: a coefficient that adds less is rounding
+constexpr double end_of_curve = 1e-9; // of its length
+constexpr double negligible = 1e-14;  // of the largest ordinate: a coefficient that adds less is rounding
 
 Model without_loads(Model model)
 {
@@ -119,7 +120,23 @@ bool is_on_foundation(const Discretisation& structure, MemberId member)
     return bends && structure.properties_of(member).xy.foundation > 0.0;
 }
 
+/// At the place of an effect along its member; at the end the - side.
+double along_member(const MovingEffect& effect, const Curve& curve)
+{
+    const double x = along(*effect.at, curve.length());
+    const bool is_end = x >= curve.length() * (1.0 - end_of_curve);
+    return curve.value(*effect.component, x, is_end ? Side::Before : effect.side.value_or(Side::After));
+}
+
 } // namespace
+
+double effect_in(const MovingEffect& effect, const CaseResult& result)
+{
+    if (effect.member) return along_member(effect, result.curve(*effect.member));
+    const NodeVector all = effect.quantity == ExpectedQuantity::Reaction ? result.reaction(*effect.node)
+                                                                         : result.displacement(*effect.node);
+    return all[index(*effect.dof)];
+}
 
 InfluenceAnalysis::InfluenceAnalysis(const Model& model, const AnalysisOptions& options)
     : model_(without_loads(model)), analysis_(model_, options), structure_(discretise(model_))
@@ -256,15 +273,6 @@ std::vector<SampledStretch> InfluenceAnalysis::stretches_of(const PathMember& on
     return stretches;
 }
 
-double InfluenceAnalysis::value_of(const CaseResult& result, const MovingEffect& effect) const
-{
-    if (effect.quantity == ExpectedQuantity::Reaction) return result.reaction(*effect.node)[index(*effect.dof)];
-    if (effect.node) return result.displacement(*effect.node)[index(*effect.dof)];
-    const Curve curve = result.curve(*effect.member);
-    const double x = place(effect);
-    return curve.value(*effect.component, x, x < curve.length() ? Side::After : Side::Before);
-}
-
 InfluenceLine InfluenceAnalysis::direct_line(const PathLayout& path, const NodeVector& load, const MovingEffect& effect)
 {
     InfluenceLine line{.effect = effect, .ordinates = {}, .stretches = {}, .nodes = path.nodes()};
@@ -282,7 +290,7 @@ InfluenceLine InfluenceAnalysis::direct_line(const PathLayout& path, const NodeV
         for (const SampledStretch& stretch : stretches) {
             std::vector<double> values;
             for (std::size_t i = 0; i < stretch.places().size(); ++i)
-                values.push_back(value_of(results[CaseId(next++)], effect));
+                values.push_back(effect_in(effect, results[CaseId(next++)]));
             pieces.push_back(stretch.piece(values));
         }
         append(line, std::move(pieces), on.member, is_on_foundation(structure_, on.member),

@@ -43,6 +43,9 @@ struct LineStation {
 /// So many evenly spaced places of every member of the path, its ends included, and every jump. \pre n >= 2
 std::vector<LineStation> stations(const InfluenceLine& line, std::size_t n);
 
+/// What an effect is in a case. At a jump the side that it names, else the + side; at its member's end the - side.
+double effect_in(const MovingEffect& effect, const CaseResult& result);
+
 /// Influence lines of one structure, which is analysed once: then a line costs a back substitution.
 ///
 ///     InfluenceAnalysis analysis(model);
@@ -92,7 +95,6 @@ private:
                           const CaseResult& moved) const;
     std::vector<SampledStretch> stretches_of(const PathMember& on, const MovingEffect& effect) const;
     InfluenceLine direct_line(const PathLayout& path, const NodeVector& load, const MovingEffect& effect);
-    double value_of(const CaseResult& result, const MovingEffect& effect) const;
 
     Model model_;
     LinearStatic analysis_;

@@ -4,18 +4,13 @@
 #include <limits>
 #include <utility>
 
+#include "femoop/methods/influence/polynomial_terms.h"
+
 namespace femoop::influence {
 
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-Polynomial negated(const Polynomial& p)
-{
-    Polynomial negative;
-    for (std::size_t i = 0; i < p.n_terms(); ++i) negative.append(-p[i]);
-    return negative;
-}
 
 /// Twist of a stretch without distributed torque.
 Polynomial twist(const Bar::State& begin, double GJ)

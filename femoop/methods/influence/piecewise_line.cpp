@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "femoop/element/polynomial.h"
+#include "femoop/methods/influence/polynomial_terms.h"
 
 namespace femoop::influence {
 
@@ -13,14 +13,6 @@ namespace {
 constexpr double equal_value = 1e-9; // of the largest value: less is rounding
 constexpr double equal_place = 2e-5; // of the length: where a smooth extreme differs by no more than equal_value
 constexpr double path_end = 1e-12;   // of the length: so far beyond an end is the end
-
-Polynomial polynomial(const LinePiece& piece, double level)
-{
-    Polynomial p;
-    for (std::size_t i = 0; i < piece.coefficients.size(); ++i)
-        p.append(piece.coefficients[i] - (i == 0 ? level : 0.0));
-    return p;
-}
 
 std::vector<double> shifted(std::vector<double> places, double by)
 {
@@ -103,12 +95,14 @@ double LinePiece::integral(double begin, double end) const
 
 std::vector<double> LinePiece::places_of(double level) const
 {
-    return shifted(polynomial(*this, level).roots(length()), from);
+    std::vector<double> above = coefficients;
+    if (!above.empty()) above[0] -= level;
+    return shifted(polynomial_of(above).roots(length()), from);
 }
 
 std::vector<double> LinePiece::turning_places() const
 {
-    return shifted(polynomial(*this, 0.0).derivative().roots(length()), from);
+    return shifted(polynomial_of(coefficients).derivative().roots(length()), from);
 }
 
 double PiecewiseLine::value(double s, Side side) const

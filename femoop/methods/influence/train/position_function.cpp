@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "femoop/methods/influence/piecewise_line.h"
+#include "femoop/methods/influence/polynomial_terms.h"
 
 namespace femoop::influence {
 
@@ -16,13 +17,6 @@ using Trial = PositionFunction::Candidate;
 using Piece = PositionFunction::Piece;
 
 Polynomial constant(double value) { return {value}; }
-
-Polynomial polynomial_of(const std::vector<double>& coefficients)
-{
-    Polynomial p;
-    for (const double c : coefficients) p.append(c);
-    return p;
-}
 
 void add(std::array<double, Polynomial::max_terms>& sum, std::size_t& n, const Polynomial& p, double factor)
 {
@@ -108,19 +102,6 @@ double largest_between(const std::vector<Trial>& candidates, double from, double
 }
 
 } // namespace
-
-Polynomial about(const Polynomial& p, double start)
-{
-    if (start == 0.0) return p;
-    std::array<double, Polynomial::max_terms> c{};
-    const std::size_t n = p.n_terms();
-    for (std::size_t i = 0; i < n; ++i) c[i] = p[i];
-    for (std::size_t i = 0; i + 1 < n; ++i)
-        for (std::size_t j = n - 1; j-- > i;) c[j] += start * c[j + 1];
-    Polynomial moved;
-    for (std::size_t i = 0; i < n; ++i) moved.append(c[i]);
-    return moved;
-}
 
 std::vector<double> stationary_places(const Polynomial& p, double end)
 {

@@ -65,9 +65,6 @@ private:
     double before_ = 0.0, after_ = 0.0;
 };
 
-/// p(t + start).
-Polynomial about(const Polynomial& p, double start);
-
 /// Where p has an extreme within (0, end), ascending: the roots of its derivative. \pre end > 0
 std::vector<double> stationary_places(const Polynomial& p, double end);
 

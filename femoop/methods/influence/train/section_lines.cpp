@@ -4,19 +4,14 @@
 #include <cmath>
 #include <utility>
 
+#include "femoop/methods/influence/polynomial_terms.h"
+
 namespace femoop::influence {
 
 namespace {
 
 constexpr double one_border = 1e-9;   ///< of the path
 constexpr double one_ordinate = 1e-9; ///< of the largest ordinate
-
-Polynomial polynomial_in_s(const std::vector<double>& coefficients)
-{
-    Polynomial p;
-    for (const double c : coefficients) p.append(c);
-    return p;
-}
 
 Polynomial combined(const Polynomial& p, const Polynomial& q, double factor)
 {
@@ -53,7 +48,7 @@ Polynomial through(const std::vector<double>& places, const std::vector<double>&
 /// The piece's polynomial in s - origin.
 Polynomial piece_about(const LinePiece& piece, double origin)
 {
-    return about(polynomial_in_s(piece.coefficients), origin - piece.from);
+    return about(polynomial_of(piece.coefficients), origin - piece.from);
 }
 
 } // namespace
@@ -121,7 +116,7 @@ bool SectionLines::is_as(const PiecewiseLine& line, double x) const
         const double path = line.pieces.back().to;
         if (std::abs(own.from - other.from) > one_border * path || std::abs(own.to - other.to) > one_border * path)
             return false;
-        const Polynomial p = polynomial_in_s(own.coefficients), q = polynomial_in_s(other.coefficients);
+        const Polynomial p = polynomial_of(own.coefficients), q = polynomial_of(other.coefficients);
         for (const double part : {0.0, 0.3, 0.5, 0.8, 1.0}) {
             const double t = part * (other.to - other.from);
             largest = std::max(largest, std::abs(q(t)));

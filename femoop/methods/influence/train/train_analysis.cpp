@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "femoop/geometry/member_geometry.h"
-#include "femoop/load/place_along.h"
 #include "femoop/result/components.h"
 
 namespace femoop::influence {
@@ -14,7 +13,6 @@ namespace {
 
 constexpr std::size_t degree_of_force = 1, degree_of_displacement = 3; ///< in the section's place
 constexpr double noise = 1e-12;                                        ///< of a usual ordinate
-constexpr double end_of_curve = 1e-9;                                  // of its length
 constexpr double largest_force = 1e100; // times a line it is a number still, and times its slope
 
 std::vector<double> values_of(const std::vector<Quantity>& quantities)
@@ -39,22 +37,6 @@ void require_in_range(const Train& train, const MovingTrain& moving)
     for (const double axle : moving.axles) sum += std::abs(axle);
     for (const double force : moving.concentrated) sum += std::abs(force);
     if (!(sum <= largest_force)) throw ModelError({{FaultKind::ResultsBeyondRange, {train.id}}});
-}
-
-/// At the place of an effect along its member; at the end the - side.
-double along_member(const MovingEffect& effect, const Curve& curve)
-{
-    const double x = along(*effect.at, curve.length());
-    const bool is_end = x >= curve.length() * (1.0 - end_of_curve);
-    return curve.value(*effect.component, x, is_end ? Side::Before : effect.side.value_or(Side::After));
-}
-
-double effect_in(const MovingEffect& effect, const CaseResult& result)
-{
-    if (effect.member) return along_member(effect, result.curve(*effect.member));
-    const NodeVector all = effect.quantity == ExpectedQuantity::Reaction ? result.reaction(*effect.node)
-                                                                         : result.displacement(*effect.node);
-    return all[index(*effect.dof)];
 }
 
 /// Nothing, where rounding alone is left beside what a unit load does to other effects of this kind.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "femoop/methods/influence/polynomial_terms.h"
 #include "femoop/methods/influence/train/train_run.h"
 
 namespace femoop::influence {
