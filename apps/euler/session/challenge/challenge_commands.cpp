@@ -56,7 +56,8 @@ void bring_forward(Workspace& workspace, const CorruptedPointer& broken)
 {
     workspace.structure = Structure::HalfEdges;
     workspace.table = broken.table;
-    for (const topology::TableRow& row : topology::entity_tables(broken.sound)[broken.table])
+    const topology::EntityTables tables = topology::entity_tables(broken.sound);
+    for (const topology::TableRow& row : tables[broken.table])
         if (row.entity && row.entity->index == broken.bent.row) workspace.session.selection = Part{0, *row.entity};
 }
 
