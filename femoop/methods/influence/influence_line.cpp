@@ -9,7 +9,6 @@
 #include "femoop/load/place_along.h"
 #include "femoop/methods/influence/dislocation.h"
 #include "femoop/methods/influence/effect_name.h"
-#include "femoop/methods/influence/member_motion.h"
 #include "femoop/result/components.h"
 #include "femoop/result/curve_reader.h"
 
@@ -209,6 +208,12 @@ InfluenceAnalysis::Adjoint InfluenceAnalysis::adjoint(const MovingEffect& effect
     return adjoint;
 }
 
+MemberMotion InfluenceAnalysis::motion_in(const Curve& curve, MemberId member, const MovingEffect& effect) const
+{
+    if (effect.member != member || !is_section_force(effect)) return motion_of(curve, structure_, member);
+    return Dislocation(structure_, member, *effect.component, place(effect)).motion(ends_of(curve));
+}
+
 InfluenceLine InfluenceAnalysis::line_of(const PathLayout& path, const NodeVector& load, const MovingEffect& effect,
                                          const CaseResult& moved) const
 {
@@ -216,13 +221,10 @@ InfluenceLine InfluenceAnalysis::line_of(const PathLayout& path, const NodeVecto
     InfluenceLine line{.effect = effect, .ordinates = {}, .stretches = {}, .nodes = path.nodes()};
     for (const PathMember& on : path.members) {
         const Curve& curve = reader.read(on.member);
-        const bool is_own = effect.member == on.member;
-        const MemberMotion motion =
-            is_own && is_section_force(effect)
-                ? Dislocation(structure_, on.member, *effect.component, place(effect)).motion(ends_of(curve))
-                : motion_of(curve, structure_, on.member);
+        const MemberMotion motion = motion_in(curve, on.member, effect);
         append(line, work_along(on, motion, structure_.geometry(on.member), load), on.member,
-               is_on_foundation(structure_, on.member), is_own ? std::optional(on.s_of(place(effect))) : std::nullopt);
+               is_on_foundation(structure_, on.member),
+               effect.member == on.member ? std::optional(on.s_of(place(effect))) : std::nullopt);
     }
     clean(line.ordinates);
     return line;
@@ -330,6 +332,17 @@ std::vector<InfluenceLine> InfluenceAnalysis::lines(const PathLayout& path, cons
             found[places[i]] = adjoint_line(path, load, std::move(adjoints[i]));
     }
     return found;
+}
+
+std::vector<MemberMotion> InfluenceAnalysis::motion(const MovingEffect& effect)
+{
+    if (is_direct(effect)) return {};
+    const Results results = solve({adjoint(effect).load_case});
+    CurveReader reader(results[CaseId(0)]);
+    std::vector<MemberMotion> motions;
+    for (std::size_t i = 0; i < model_.members.size(); ++i)
+        motions.push_back(motion_in(reader.read(MemberId(i)), MemberId(i), effect));
+    return motions;
 }
 
 std::vector<LineStation> stations(const InfluenceLine& line, std::size_t n)

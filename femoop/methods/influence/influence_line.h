@@ -7,6 +7,7 @@
 #include "femoop/analysis/linear_static.h"
 #include "femoop/discretisation/discretisation.h"
 #include "femoop/methods/influence/load_path.h"
+#include "femoop/methods/influence/member_motion.h"
 #include "femoop/methods/influence/piecewise_line.h"
 #include "femoop/methods/influence/sampled_line.h"
 #include "femoop/model/fault/fault.h"
@@ -73,6 +74,11 @@ public:
     std::vector<InfluenceLine> lines(const PathLayout& path, const NodeVector& load,
                                      std::span<const MovingEffect> effects);
 
+    /// How the structure moves by what the line is the displacement of: each of its members, along its own axes. Empty
+    /// where no such motion gives the line, but unit loads on the path.
+    /// \pre, \throws  as `line`
+    std::vector<MemberMotion> motion(const MovingEffect& effect);
+
     const Model& model() const { return model_; }                    ///< without its loads
     const std::vector<Fault>& warnings() const { return warnings_; } ///< of all lines so far, each once
 
@@ -93,6 +99,7 @@ private:
     InfluenceLine adjoint_line(const PathLayout& path, const NodeVector& load, Adjoint adjoint);
     InfluenceLine line_of(const PathLayout& path, const NodeVector& load, const MovingEffect& effect,
                           const CaseResult& moved) const;
+    MemberMotion motion_in(const Curve& curve, MemberId member, const MovingEffect& effect) const;
     std::vector<SampledStretch> stretches_of(const PathMember& on, const MovingEffect& effect) const;
     InfluenceLine direct_line(const PathLayout& path, const NodeVector& load, const MovingEffect& effect);
 

@@ -174,6 +174,26 @@ TEST_CASE("A node that all its hinges leave free to turn takes no part: the line
     CHECK(line_of(made.model, turn).ordinates.largest() == 0.0);
 }
 
+TEST_CASE("The line is how the path moves when the structure is released by 1")
+{
+    const Model model = two_spans();
+    InfluenceAnalysis analysis(model);
+    const PathLayout path = lay_out(model, all_members(model));
+    for (const MovingEffect& effect :
+         {force(model, "BC", MemberComponent::Mz, 2.5), force(model, "AB", MemberComponent::Vy, 3.0),
+          reaction(model, "B", Dof::uy)}) {
+        const std::vector<MemberMotion> motion = analysis.motion(effect);
+        const InfluenceLine line = analysis.line(path, unit_load(model.analysis, {}), effect);
+        REQUIRE(motion.size() == model.members.size());
+        for (const PathMember& on : path.members)
+            for (const MotionPiece& piece : motion[on.member.index]) {
+                const double middle = 0.5 * (piece.from + piece.to);
+                const double down = -piece.along[static_cast<std::size_t>(LocalAxis::y)](middle - piece.from);
+                CHECK(down == doctest::Approx(line.ordinates.value(on.s_of(middle))));
+            }
+    }
+}
+
 TEST_CASE("Stations are so many places of each member, and both sides of a jump")
 {
     const Model model = two_spans();

@@ -8,6 +8,7 @@
 
 #include "femoop/analysis/linear_static.h"
 #include "femoop/methods/influence/load_path.h"
+#include "femoop/methods/influence/train/standing_train.h"
 #include "femoop/methods/influence/train/train_analysis.h"
 #include "femoop/model/fault/fault.h"
 #include "femoop/model/model.h"
@@ -56,19 +57,12 @@ const std::vector<MovingEffect> asked{moment(0, 3.1),
                                       {.quantity = ExpectedQuantity::Reaction, .node = NodeId(1), .dof = Dof::uy},
                                       {.quantity = ExpectedQuantity::Displacement, .node = NodeId(2), .dof = Dof::rz}};
 
-/// The axles as loads that stand where they were placed.
-Model under(Model model, const Train& train, const Placing& placing)
+/// The train as loads that stand where it was placed.
+Model under(Model model, const Train& train, const MovingEffect& effect, const Placing& placing)
 {
     const PathLayout path = lay_out(model, members_of(model, train.path));
-    model.load_cases[0].members.clear();
-    double s = *placing.position;
-    for (std::size_t i = 0; i < train.axles.size(); ++i) {
-        if (i > 0) s += placing.reversed ? placing.spacings[i - 1] : -placing.spacings[i - 1];
-        if (s < 0.0 || s > path.length()) continue;
-        const PathPlace place = path.place(s);
-        const Component down{.dof = Dof::uy, .value = Quantity(-train.axles[i].value())};
-        model.load_cases[0].members.push_back({place.member, PointLoad{.at = Quantity(place.x), .components = {down}}});
-    }
+    model.load_cases = {standing_train("T", path, unit_load(model.analysis, train.load), moving_train(train, effect),
+                                       placing)};
     return model;
 }
 
@@ -83,17 +77,30 @@ double solved(const Model& model, const MovingEffect& effect)
 
 } // namespace
 
-TEST_CASE("Where a train is worst the structure under its axles has that effect")
+TEST_CASE("Where a train is worst the structure under it has that effect")
 {
     const Model model = bridge();
-    const Train train = lorry();
+    Train train = lorry();
+    SUBCASE("axles alone") {}
+    SUBCASE("with a uniform load where it adds, and single forces")
+    {
+        train.uniform = 9.0;
+        train.impact = 1.3;
+        train.concentrated = {{.for_moments = 80.0, .for_others = 115.0}, {.for_moments = 40.0, .for_others = {}}};
+    }
+    SUBCASE("with a uniform load before and behind it")
+    {
+        train.uniform = 9.0;
+        train.uniform_extent = UniformExtent::Outside;
+        train.gap = 2.5;
+    }
     for (const TrainEffect& of : TrainAnalysis(model).effects(train, asked)) {
         CAPTURE(of.max.value);
         CAPTURE(of.min.value);
         REQUIRE(of.max.position);
         REQUIRE(of.min.position);
-        CHECK(solved(under(model, train, of.max), of.effect) == Approx(of.max.value).epsilon(1e-9));
-        CHECK(solved(under(model, train, of.min), of.effect) == Approx(of.min.value).epsilon(1e-9));
+        CHECK(solved(under(model, train, of.effect, of.max), of.effect) == Approx(of.max.value).epsilon(1e-9));
+        CHECK(solved(under(model, train, of.effect, of.min), of.effect) == Approx(of.min.value).epsilon(1e-9));
     }
 }
 
