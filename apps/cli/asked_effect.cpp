@@ -10,6 +10,8 @@
 #include "apps/cli/argument.h"
 #include "femoop/geometry/path_walk.h"
 #include "femoop/io/influence/influence_block.h"
+#include "femoop/model/check/check.h"
+#include "femoop/model/fault/errors_among.h"
 #include "femoop/model/quantity/quantity_parser.h"
 
 namespace cli {
@@ -97,12 +99,7 @@ femoop::Position AskedEffect::place(const Model& model) const
         if (const auto share = number_in(text)) return femoop::Percent{*share};
         throw femoop::ModelError({Fault{FaultKind::BadPercentage, {"--at", *at_}}});
     }
-    if (const auto length = number_in(text)) return femoop::Quantity(*length);
-    auto parsed = femoop::parse_quantity(text, femoop::dimension::length, model.units);
-    if (const double* number = std::get_if<double>(&parsed)) return femoop::Quantity(*number, *at_);
-    auto& fault = std::get<Fault>(parsed);
-    fault.arguments.front() = "--at";
-    throw femoop::ModelError({std::move(fault)});
+    return length_named("--at", *at_, model);
 }
 
 femoop::MovingEffect AskedEffect::effect(const Model& model, const ui::Catalogue& tr) const
@@ -129,6 +126,24 @@ femoop::MovingEffect AskedEffect::effect(const Model& model, const ui::Catalogue
     effect.quantity = force ? femoop::ExpectedQuantity::Reaction : femoop::ExpectedQuantity::Displacement;
     effect.dof = force ? force : femoop::find_dof(*component_);
     return effect;
+}
+
+femoop::MovingEffect AskedEffect::sound_effect(const Model& model, const ui::Catalogue& tr) const
+{
+    femoop::MovingEffect effect = this->effect(model, tr);
+    auto errors = errors_among(check_effect(model, effect, {option(), std::nullopt}));
+    if (!errors.empty()) throw femoop::ModelError(std::move(errors));
+    return effect;
+}
+
+femoop::Quantity length_named(std::string_view option, const std::string& text, const Model& model)
+{
+    if (const auto length = number_in(text)) return femoop::Quantity(*length);
+    auto parsed = femoop::parse_quantity(text, femoop::dimension::length, model.units);
+    if (const double* number = std::get_if<double>(&parsed)) return femoop::Quantity(*number, text);
+    auto& fault = std::get<Fault>(parsed);
+    fault.arguments.front() = option;
+    throw femoop::ModelError({std::move(fault)});
 }
 
 femoop::LoadPathReference path_named(const Model& model, const std::string& name, const ui::Catalogue& tr)

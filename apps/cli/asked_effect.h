@@ -27,12 +27,17 @@ public:
     void require_sensible(const ui::Catalogue& tr, Place place = Place::Needed) const;
     /// \throws UsageError for a name that the model lacks; what else is wrong `check_line` says
     femoop::MovingEffect effect(const femoop::Model& model, const ui::Catalogue& tr) const;
+    /// Likewise. \throws ModelError for what `check_effect` finds wrong, too
+    femoop::MovingEffect sound_effect(const femoop::Model& model, const ui::Catalogue& tr) const;
 
 private:
     femoop::Position place(const femoop::Model& model) const;
 
     std::optional<std::string> member_, node_, component_, at_;
 };
+
+/// A length that an option gives: a number in the model's unit, or one with its own. \throws ModelError
+femoop::Quantity length_named(std::string_view option, const std::string& text, const femoop::Model& model);
 
 /// A path of the file by its id, else members by theirs: m1,m2. \throws UsageError
 femoop::LoadPathReference path_named(const femoop::Model& model, const std::string& name, const ui::Catalogue& tr);

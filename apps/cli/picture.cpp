@@ -14,11 +14,6 @@ namespace cli {
 
 namespace {
 
-Backdrop backdrop_of(const PictureOrder& order, const femoop::Model& model)
-{
-    return {.color = drawing::background(order.view), .title = model.title};
-}
-
 // A region is as high as the panel that the sheet leaves for it.
 drawing::DrawState looked_at(const PictureOrder& order, const drawing::DrawInput& input, const ui::Painter& painter)
 {
@@ -72,6 +67,11 @@ ExitStatus draw_picture(const femoop::Model& model, const std::string& file, con
         console.report(file, error.faults());
         return status_of(error.faults());
     }
+}
+
+Backdrop backdrop_of(const PictureOrder& order, const femoop::Model& model)
+{
+    return {.color = drawing::background(order.view), .title = model.title};
 }
 
 drawing::DrawOptions draw_options(const ui::Catalogue& tr)

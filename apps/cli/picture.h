@@ -29,6 +29,9 @@ struct PictureOrder {
 ExitStatus draw_picture(const femoop::Model& model, const std::string& file, const PictureOrder& order,
                         const Console& console);
 
+/// What a picture of the model stands on.
+Backdrop backdrop_of(const PictureOrder& order, const femoop::Model& model);
+
 /// How pictures are drawn when no option says otherwise: in the language of `tr`, with its decimal mark.
 drawing::DrawOptions draw_options(const ui::Catalogue& tr);
 

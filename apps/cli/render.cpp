@@ -8,6 +8,7 @@
 
 #include "apps/cli/argument.h"
 #include "apps/cli/model_input.h"
+#include "apps/cli/moving_picture.h"
 #include "apps/cli/picture.h"
 #include "apps/frame/document/companion/companion_file.h"
 #include "apps/frame/view/kept_view.h"
@@ -32,6 +33,7 @@ private:
 
     std::string file_, out_, theme_ = "light", size_ = "1280x800", scale_ = "1";
     std::optional<std::string> show_, case_, view_, magnification_, mechanism_;
+    MovingPicture moving_;
 };
 
 std::string show_list(const ui::Catalogue& tr)
@@ -51,7 +53,9 @@ HelpText Render::help(const ui::Catalogue& tr) const
              {"cremona render examples/portal.json -o moments.png --show loads,M,labels --size 1920x1080",
               tr("Bending moments on the tension side, for a slide.")},
              {"cremona render examples/portal.json -o sag.pdf --show deformed,labels --magnify 100 --theme print",
-              tr("The deformed shape, displacements a hundred times as large, in black for paper.")}}};
+              tr("The deformed shape, displacements a hundred times as large, in black for paper.")},
+             {"cremona render examples/bridge.json -o truck.svg --train HS20",
+              tr("A truck where it bends the bridge most, and the bridge under it.")}}};
 }
 
 void Render::declare(CLI::App& app, const ui::Catalogue& tr)
@@ -80,6 +84,7 @@ void Render::declare(CLI::App& app, const ui::Catalogue& tr)
         ->option_text("NAME");
     app.add_option("--mechanism", mechanism_, tr("which motion is drawn of a structure that can move (default 1)"))
         ->option_text("N");
+    moving_.declare(app, tr);
 }
 
 drawing::ShowSet shown(const std::string& list, const ui::Catalogue& tr)
@@ -149,6 +154,7 @@ ExitStatus Render::run(Console& console)
 {
     const ui::Catalogue& tr = console.tr();
     if (file_.empty()) throw UsageError(tr("no file is given; see {command}", {{"command", "cremona render --help"}}));
+    moving_.require_sensible(tr);
     PictureOrder picture = order(tr);
     const std::optional<femoop::Model> model = load_model(file_, console);
     if (!model) return ExitStatus::BadInput;
@@ -156,6 +162,7 @@ ExitStatus Render::run(Console& console)
     picture.dimensions = beside.companion.dimensions;
     if (view_) look_at_view(picture, beside.companion, *model, tr);
     if (case_) choose_case(picture.view, *model, tr);
+    if (moving_.is_asked()) return moving_.draw(*model, display_name(file_, tr), picture, show_.has_value(), console);
     return draw_picture(*model, display_name(file_, tr), picture, console);
 }
 

@@ -15,7 +15,6 @@
 #include "femoop/io/train/train_block.h"
 #include "femoop/io/train/train_json.h"
 #include "femoop/io/train/train_table.h"
-#include "femoop/model/check/check.h"
 
 namespace cli {
 
@@ -54,13 +53,6 @@ private:
     AskedEffect asked_;
     bool is_json_ = false, is_proved_ = false;
 };
-
-void require_sound(const Model& model, const MovingEffect& effect, std::string_view option)
-{
-    std::vector<femoop::Fault> faults = check_effect(model, effect, {option, std::nullopt});
-    std::erase_if(faults, [](const auto& fault) { return severity(fault.kind) != femoop::Severity::Error; });
-    if (!faults.empty()) throw femoop::ModelError(std::move(faults));
-}
 
 HelpText Train::help(const ui::Catalogue& tr) const
 {
@@ -123,8 +115,7 @@ void Train::choose_loads(Question& question, const Model& model,
 void Train::choose_effects(Question& question, const Model& model, const ui::Catalogue& tr) const
 {
     if (asked_.is_asked()) {
-        const MovingEffect effect = asked_.effect(model, tr);
-        require_sound(model, effect, asked_.option());
+        const MovingEffect effect = asked_.sound_effect(model, tr);
         (effect.quantity == ExpectedQuantity::Extreme ? question.extremes : question.effects).push_back(effect);
         return;
     }

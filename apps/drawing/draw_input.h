@@ -13,6 +13,7 @@
 namespace drawing {
 
 class MomentOverlay;
+struct InfluencePicture;
 
 /// One of the motions of a structure that cannot be solved.
 struct MotionChoice {
@@ -37,6 +38,7 @@ struct DrawInput {
     /// What an app draws over the moments, or in their place. While moments are not shown a fitted picture keeps room
     /// for it. None when null.
     const MomentOverlay* overlay = nullptr;
+    const InfluencePicture* influence = nullptr; ///< drawn where Show::Influence is; none when null
 };
 
 } // namespace drawing

@@ -22,6 +22,7 @@ enum class Show : std::uint8_t {
     My,
     Mz,
     Deformed,
+    Influence,  ///< the influence line that the input has; no word of a list asks for it
     Values,     ///< numbers beside loads, reactions and diagrams
     StepValues, ///< numbers along diagrams at equal steps (DrawOptions::steps)
     NodeNames,

@@ -158,14 +158,18 @@ Diagram make_diagram(const Scene& scene, const SolvedCase& solved, MemberCompone
     Diagram diagram{.component = component, .largest = largest_value(solved, component, scene.shape.size)};
     if (!(diagram.largest > 0.0)) return diagram;
     const double share = is_moment(component) ? 0.17 : 0.125;
+    const LockedScale* const locked = scene.locked_scale();
+    const double scaled_for = scaling_value(locked ? (*locked)[component] : 0.0, diagram.largest);
+    diagram.pixels_per_unit = ordinate_height(scene, share, panel) * scene.options.diagram_factor / scaled_for;
+    return diagram;
+}
+
+double ordinate_height(const Scene& scene, double share, ui::Size panel)
+{
     // What the structure itself leaves free of the panel's height makes a beam's diagrams higher.
     const double spare = std::max(0.0, panel.height - height_of(scene) - 100.0);
     const double room = share * (std::min(panel.width, panel.height) + 0.6 * spare);
-    const double height = std::clamp(std::min(room, 3.2 * share * scene.detail.median_length()), 16.0, 130.0);
-    const LockedScale* const locked = scene.locked_scale();
-    const double scaled_for = scaling_value(locked ? (*locked)[component] : 0.0, diagram.largest);
-    diagram.pixels_per_unit = height * scene.options.diagram_factor / scaled_for;
-    return diagram;
+    return std::clamp(std::min(room, 3.2 * share * scene.detail.median_length()), 16.0, 130.0);
 }
 
 void draw_diagram(const Scene& scene, const SolvedCase& solved, const Diagram& diagram)

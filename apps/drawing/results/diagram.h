@@ -38,6 +38,9 @@ void draw_envelope(const Scene& scene, const std::vector<SolvedCase>& cases, con
 Diagram envelope_diagram(const Scene& scene, const std::vector<SolvedCase>& cases, femoop::MemberComponent component,
                          ui::Size panel);
 
+/// How high the largest ordinate is drawn, as a share of the room that the panel has [logical pixels].
+double ordinate_height(const Scene& scene, double share, ui::Size panel);
+
 ui::Role role_of(femoop::MemberComponent component);
 ui::Measure measure_of(femoop::MemberComponent component);
 

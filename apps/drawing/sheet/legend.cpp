@@ -103,6 +103,53 @@ std::string sign_note(const Scene& scene, MemberComponent component)
     return femoop::is_truss(scene.model.analysis) ? tr("(T) tension, (C) compression") : tr("tension positive");
 }
 
+// A round number whose bar is 24 to 60 pixels long.
+void add_bar(PanelHead& head, const Scene& scene, double pixels_per_unit, const ui::DisplayUnit& unit)
+{
+    const double shown = round_below(60.0 / pixels_per_unit * unit.factor);
+    head.bar = shown / unit.factor * pixels_per_unit;
+    head.bar_text = ui::number_text(shown, scene.options.numbers) + (unit.name.empty() ? "" : " ") + unit.name;
+}
+
+std::string ordinate_text(const Scene& scene, double value, const OrdinateUnit& unit)
+{
+    return scene.number(value * unit.factor, ui::Measure::Plain) + (unit.name.empty() ? "" : " ") + unit.name;
+}
+
+// The first of the places where it stands.
+std::string extremes_text(const Scene& scene, const femoop::influence::PiecewiseLine& line, const OrdinateUnit& unit)
+{
+    std::string text;
+    const auto add = [&](std::string_view which, const femoop::influence::LineExtreme& extreme) {
+        join(text, scene.options.tr("{which} {value} at s = {place}",
+                                    {{"which", which},
+                                     {"value", ordinate_text(scene, extreme.value, unit)},
+                                     {"place", scene.text(extreme.positions.front(), ui::Measure::Length)}}));
+    };
+    const femoop::influence::LineExtreme max = line.max(), min = line.min();
+    if (max.value > 0.0) add("max", max);
+    if (min.value < 0.0) add("min", min);
+    return text;
+}
+
+// Of ordinates times a length: m², mm·m/kN.
+std::string area_unit(const std::string& ordinate, const std::string& length)
+{
+    if (ordinate.empty()) return length;
+    if (ordinate == length) return length + "²";
+    const auto slash = std::min(ordinate.find('/'), ordinate.size());
+    return ordinate.substr(0, slash) + "·" + length + ordinate.substr(slash);
+}
+
+std::string areas_text(const Scene& scene, const femoop::influence::LineAreas& areas, const OrdinateUnit& unit)
+{
+    const ui::DisplayUnit length = scene.units.unit(ui::Measure::Length);
+    const auto text = [&](double area) { return scene.number(area * unit.factor * length.factor, ui::Measure::Plain); };
+    std::string both = areas.positive > 0.0 ? "+" + text(areas.positive) : "";
+    if (areas.negative < 0.0) both += (both.empty() ? "" : ", ") + text(areas.negative);
+    return scene.options.tr("areas {areas} {unit}", {{"areas", both}, {"unit", area_unit(unit.name, length.name)}});
+}
+
 std::string capitalized(std::string text)
 {
     if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
@@ -115,8 +162,10 @@ SheetHead sheet_head(const DrawInput& input, const DrawOptions& options)
 {
     const femoop::Model& model = input.model;
     SheetHead head{.title = ui::shortened(model.title, longest_title), .line = {}};
-    join(head.line, case_text(model, options));
-    join(head.line, self_weight_text(model, options));
+    if (input.influence == nullptr || input.results != nullptr) {
+        join(head.line, case_text(model, options));
+        join(head.line, self_weight_text(model, options));
+    }
     if (input.results && !model.members.empty()) join(head.line, indeterminacy_text(*input.results, options.tr));
     join(head.line, units_text(model, options));
     head.line = capitalized(head.line);
@@ -181,10 +230,23 @@ PanelHead diagram_head(const Scene& scene, const std::vector<Diagram>& diagrams)
     head.note = first.largest > 0.0 ? sign_note(scene, first.component) : scene.options.tr("zero everywhere");
     const bool is_truss_force = femoop::is_truss(scene.model.analysis) && first.component == MemberComponent::N;
     if (first.is_zero() || is_truss_force) return head;
-    // A round number whose bar is 24 to 60 pixels long.
-    const double shown = round_below(60.0 / first.pixels_per_unit * unit.factor);
-    head.bar = shown / unit.factor * first.pixels_per_unit;
-    head.bar_text = ui::number_text(shown, scene.options.numbers) + " " + unit.name;
+    add_bar(head, scene, first.pixels_per_unit, unit);
+    return head;
+}
+
+PanelHead influence_head(const Scene& scene, const InfluencePicture& picture, const InfluenceScale& scale)
+{
+    const ui::Catalogue& tr = scene.options.tr;
+    const OrdinateUnit unit = ordinate_unit(scene.units, picture);
+    PanelHead head{.role = role_of(picture.line.effect)};
+    head.name = tr("Influence line of {effect}",
+                   {{"effect", effect_text(scene.model, scene.units, picture.line.effect)}}) +
+                (unit.name.empty() ? "" : " [" + unit.name + "]");
+    if (!(scale.largest > 0.0)) head.note = tr("zero everywhere");
+    if (!(scale.largest > 0.0)) return head;
+    add_bar(head, scene, scale.pixels_per_unit, {unit.name, unit.factor});
+    head.note = extremes_text(scene, picture.line.ordinates, unit);
+    join(head.note, areas_text(scene, picture.line.ordinates.areas(), unit));
     return head;
 }
 

@@ -3,6 +3,7 @@
 #include "apps/drawing/draw_input.h"
 #include "apps/drawing/draw_options.h"
 #include "apps/drawing/results/diagram.h"
+#include "apps/drawing/results/influence_picture.h"
 #include "apps/drawing/sheet/panel_head.h"
 #include "apps/drawing/sketch/scene.h"
 
@@ -24,6 +25,7 @@ void draw_head(ui::Painter& painter, const SheetHead& head, const ui::Theme& the
 
 PanelHead diagram_head(const Scene& scene, const std::vector<Diagram>& diagrams);
 PanelHead deformed_head(const Scene& scene, double scale);
+PanelHead influence_head(const Scene& scene, const InfluencePicture& picture, const InfluenceScale& scale);
 PanelHead structure_head(const Scene& scene);
 
 } // namespace drawing

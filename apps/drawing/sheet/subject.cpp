@@ -6,6 +6,7 @@
 #include "apps/drawing/results/diagram.h"
 #include "apps/drawing/results/envelope_cases.h"
 #include "apps/drawing/results/envelope_reactions.h"
+#include "apps/drawing/results/influence_picture.h"
 #include "apps/drawing/results/mechanism_picture.h"
 #include "apps/drawing/results/reactions.h"
 #include "apps/drawing/sheet/legend.h"
@@ -50,6 +51,7 @@ public:
         const bool is_behind = solved && scene_.shows(Show::Deformed) && !shows_any(scene_.show, diagrams);
         draw_highlights(scene_);
         draw_members(scene_, is_behind ? Presence::Behind : Presence::Subject);
+        if (scene_.shows(Show::Influence) && input_.influence != nullptr) draw_influence_line(*input_.influence);
         if (!all.empty()) draw_bands(all);
         else if (solved) draw_results(*solved);
         if (is_overlay_alone_ && all.empty() && has_overlay()) draw_overlay();
@@ -134,6 +136,13 @@ private:
         const double scale = deformation_scale(scene_, solved, size_);
         draw_deformed(scene_, solved, scale);
         heads_.push_back(deformed_head(scene_, scale));
+    }
+
+    void draw_influence_line(const InfluencePicture& picture)
+    {
+        const InfluenceScale scale = influence_scale(scene_, picture, size_);
+        draw_influence(scene_, picture, scale);
+        heads_.push_back(influence_head(scene_, picture, scale));
     }
 
     // My and Mz in one picture are compared by eye.
@@ -524,7 +533,8 @@ std::vector<std::string> Subject::foot_lines(ui::Size sheet, const ui::Fonts& fo
 {
     std::vector<std::string> sentences, lines;
     if (input_.motion) sentences.push_back(input_.motion->sentence);
-    if (has_overlay_text()) sentences = input_.overlay->foot({input_.model, shape_, units_, options_.tr});
+    else if (input_.influence) sentences = input_.influence->sentences;
+    else if (has_overlay_text()) sentences = input_.overlay->foot({input_.model, shape_, units_, options_.tr});
     for (const std::string& one : sentences) {
         const std::vector<std::string> wrapped_one = ui::wrapped_lines(fonts, one, foot_style(), sheet.width - 32.0);
         lines.insert(lines.end(), wrapped_one.begin(), wrapped_one.end());
@@ -539,7 +549,7 @@ void Subject::draw_foot(ui::Painter& painter) const
     const std::vector<std::string> lines = foot_lines(painter.size(), painter.fonts());
     double y = painter.sheet().max.y - 10.0 - 1.4 * style.size * static_cast<double>(lines.size()) + 1.4 * style.size;
     for (const std::string& line : lines) {
-        style.weight = has_overlay_text() && &line == &lines.front() ? ui::Weight::Bold : ui::Weight::Regular;
+        style.weight = !input_.motion && &line == &lines.front() ? ui::Weight::Bold : ui::Weight::Regular;
         painter.text({16.0, y}, line, style);
         y += 1.4 * style.size;
     }

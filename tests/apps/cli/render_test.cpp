@@ -171,6 +171,63 @@ TEST_CASE("Wrong options of a picture are answered with what is wanted")
     CHECK(has(message({"-o", "/no/such/folder/a.svg"}), "there is no folder /no/such/folder; make it first"));
 }
 
+namespace {
+
+/// A beam of 10 m on two supports, a line and a train of two axles 2 m apart.
+constexpr const char* crane_runway = R"({"cremona": 1, "analysis": "frame2d", "units": {"length": "m", "force": "kN"},
+  "nodes": [{"id": "A", "at": [0, 0], "support": "pin"}, {"id": "B", "at": [10, 0], "support": "roller"}],
+  "materials": [{"id": "m", "E": 2e8}], "sections": [{"id": "s", "A": 0.01, "Iz": 1e-4}],
+  "members": [{"id": "AB", "nodes": ["A", "B"], "material": "m", "section": "s"}],
+  "paths": [{"id": "p", "members": ["AB"]}],
+  "influence_lines": [{"id": "M", "path": "p", "quantity": "section_force", "member": "AB", "component": "M", "at": 4}],
+  "trains": [{"id": "crane", "path": "p", "axles": [100, 100], "spacings": [2]}]})";
+
+} // namespace
+
+TEST_CASE("An influence line is drawn with its ordinates, its largest one and its area")
+{
+    const Folder folder;
+    const Run run = cremona({"render", "-", "-o", folder.path("a.svg"), "--influence", "M"}, crane_runway);
+    CHECK(run.status == 0);
+    // a triangle of x (L - x) / L over the section
+    for (const char* text : {"Influence line of M(AB, 4 m) [m]", "max 2.4 m at s = 4 m", "areas +12 m²"})
+        CHECK_MESSAGE(has(folder.read("a.svg"), text), text);
+}
+
+TEST_CASE("A train is drawn where it is worst, with the sum that says so")
+{
+    const Folder folder;
+    CHECK(cremona({"render", "-", "-o", folder.path("a.svg"), "--train", "crane"}, crane_runway).status == 0);
+    // Barré: P (L - d / 2)^2 / 2L where axle and resultant are as far from mid-span; drawn is the first of two such
+    // sections
+    for (const char* text : {"M(AB, 4.5 m) = 405 kN·m under crane, its largest value", "= 100 × 1.575 + 100 × 2.475"})
+        CHECK_MESSAGE(has(folder.read("a.svg"), text), text);
+    CHECK(cremona({"render", "-", "-o", folder.path("a.svg"), "--train", "crane", "--node", "A", "--component", "fy",
+                   "--at-position", "11"},
+                  crane_runway)
+              .status == 0);
+    CHECK(has(folder.read("a.svg"), "fy(A) = 10 kN under crane: leading axle at s = 11 m")); // one axle, 1 m from B
+}
+
+TEST_CASE("What goes wrong with moving loads is told by the option")
+{
+    const auto message = [](std::vector<std::string> options) {
+        options.insert(options.begin(), {"render", "-", "-o", "a.svg"});
+        const Run run = cremona(options, crane_runway);
+        CHECK(run.status == 2);
+        return run.err;
+    };
+    CHECK(has(message({"--influence", "N"}), "--influence: there is no \"N\"; choose from: M"));
+    CHECK(has(message({"--train", "cran"}), "did you mean \"crane\"?"));
+    CHECK(has(message({"--train", "crane", "--influence", "M"}), "--influence and --train ask for different things"));
+    CHECK(has(message({"--at-position", "2"}), "--at-position needs --train too"));
+    CHECK(has(message({"--member", "AB", "--component", "M"}), "--member needs --train too"));
+    CHECK(has(message({"--train", "crane", "--at-position", "12.5"}), "found 12.5; wanted 0 to 12"));
+    CHECK(has(message({"--train", "crane", "--at-position", "-1"}), "found -1; wanted 0 to 12"));
+    CHECK(has(message({"--train", "crane", "--at-position", "nan"}), "--at-position"));
+    CHECK(has(message({"--train", "crane", "--member", "AB", "--component", "M", "--at", "11"}), "11"));
+}
+
 TEST_CASE("A broken file draws nothing and leaves an old picture as it was")
 {
     const Folder folder;

@@ -17,11 +17,54 @@ std::vector<Component> components_of(const NodeVector& load, double factor)
     return components;
 }
 
-void append(LoadCase& load_case, const PathLayout& path, const NodeVector& load, const StandingForce& force)
+using Forces = std::vector<StandingForce>;
+
+/// The axles that stand on the path.
+Forces axles_on_path(const MovingTrain& train, const Placing& placing, double length)
 {
-    const PathPlace place = path.place(force.s);
-    load_case.members.push_back(
-        {place.member, PointLoad{.at = Quantity(place.x), .components = components_of(load, force.force)}});
+    Forces axles;
+    if (!placing.position) return axles;
+    const double near = off_path * length;
+    double s = *placing.position;
+    for (std::size_t i = 0; i < train.axles.size(); ++i) {
+        if (i > 0) s += placing.reversed ? placing.spacings[i - 1] : -placing.spacings[i - 1];
+        if (s >= -near && s <= length + near) axles.push_back({std::clamp(s, 0.0, length), train.axles[i]});
+    }
+    return axles;
+}
+
+Forces concentrated_on_path(const MovingTrain& train, const Placing& placing)
+{
+    Forces forces;
+    for (std::size_t i = 0; i < placing.concentrated.size(); ++i)
+        if (const auto s = placing.concentrated[i]) forces.push_back({*s, train.concentrated[i]});
+    return forces;
+}
+
+double with_ordinates(Forces& forces, const PiecewiseLine& line, Side side)
+{
+    double sum = 0.0;
+    for (StandingForce& force : forces) {
+        force.ordinate = line.value(force.s, side);
+        sum += force.force * force.ordinate;
+    }
+    return sum;
+}
+
+/// At a jump of the line all stand just before their places, or all just after: whichever is worse.
+void take_worse_side(Forces& forces, const PiecewiseLine& line, ExtremeKind kind)
+{
+    const double before = with_ordinates(forces, line, Side::Before), after = with_ordinates(forces, line, Side::After);
+    if (kind == ExtremeKind::Max ? before > after : before < after) with_ordinates(forces, line, Side::Before);
+}
+
+void append(LoadCase& load_case, const PathLayout& path, const NodeVector& load, const Forces& forces)
+{
+    for (const StandingForce& force : forces) {
+        const PathPlace place = path.place(force.s);
+        load_case.members.push_back(
+            {place.member, PointLoad{.at = Quantity(place.x), .components = components_of(load, force.force)}});
+    }
 }
 
 void append(LoadCase& load_case, const PathMember& on, const NodeVector& load, const Stretch& stretch, double uniform)
@@ -40,28 +83,38 @@ void append(LoadCase& load_case, const PathMember& on, const NodeVector& load, c
 
 } // namespace
 
-std::vector<StandingForce> standing_forces(const MovingTrain& train, const Placing& placing, double length)
+std::vector<StandingForce> standing_forces(const MovingTrain& train, const Placing& placing, const PiecewiseLine& line,
+                                           ExtremeKind kind)
 {
-    std::vector<StandingForce> forces;
-    const double near = off_path * length;
-    if (placing.position) {
-        double s = *placing.position;
-        for (std::size_t i = 0; i < train.axles.size(); ++i) {
-            if (i > 0) s += placing.reversed ? placing.spacings[i - 1] : -placing.spacings[i - 1];
-            if (s >= -near && s <= length + near) forces.push_back({std::clamp(s, 0.0, length), train.axles[i], i});
+    Forces forces = axles_on_path(train, placing, line.length());
+    take_worse_side(forces, line, kind);
+    for (const StandingForce& force : concentrated_on_path(train, placing)) {
+        Forces alone{force};
+        take_worse_side(alone, line, kind);
+        forces.push_back(alone.front());
+    }
+    return forces;
+}
+
+std::vector<double> covered_areas(const Placing& placing, const PiecewiseLine& line)
+{
+    std::vector<double> areas;
+    for (const Stretch& stretch : placing.uniform) {
+        double& area = areas.emplace_back(0.0);
+        for (const LinePiece& piece : line.pieces) {
+            const double from = std::max(stretch.from, piece.from), to = std::min(stretch.to, piece.to);
+            if (to > from) area += piece.integral(from, to);
         }
     }
-    for (std::size_t i = 0; i < placing.concentrated.size(); ++i)
-        if (const auto s = placing.concentrated[i]) forces.push_back({*s, train.concentrated[i], std::nullopt});
-    return forces;
+    return areas;
 }
 
 LoadCase standing_train(std::string id, const PathLayout& path, const NodeVector& load, const MovingTrain& train,
                         const Placing& placing)
 {
     LoadCase load_case{.id = std::move(id)};
-    for (const StandingForce& force : standing_forces(train, placing, path.length()))
-        append(load_case, path, load, force);
+    append(load_case, path, load, axles_on_path(train, placing, path.length()));
+    append(load_case, path, load, concentrated_on_path(train, placing));
     for (const PathMember& on : path.members)
         for (const Stretch& stretch : placing.uniform) append(load_case, on, load, stretch, train.uniform);
     return load_case;

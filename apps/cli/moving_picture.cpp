@@ -1,0 +1,347 @@
+#include "apps/cli/moving_picture.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "apps/cli/analysis_run.h"
+#include "apps/cli/argument.h"
+#include "apps/drawing/draw.h"
+#include "apps/drawing/results/diagram.h"
+#include "apps/drawing/results/influence_picture.h"
+#include "apps/drawing/sketch/scene.h"
+#include "femoop/analysis/linear_static.h"
+#include "femoop/io/influence/influence_block.h"
+#include "femoop/io/train/train_block.h"
+#include "femoop/methods/influence/influence_line.h"
+#include "femoop/methods/influence/train/standing_train.h"
+#include "femoop/methods/influence/train/train_analysis.h"
+
+namespace cli {
+
+namespace {
+
+using drawing::Show;
+using femoop::ExpectedQuantity;
+using femoop::ExtremeKind;
+using femoop::InfluenceLineDefinition;
+using femoop::MemberComponent;
+using femoop::Model;
+using femoop::MovingEffect;
+using femoop::influence::MovingTrain;
+using femoop::influence::PathLayout;
+using femoop::influence::Placing;
+using femoop::influence::TrainAnalysis;
+
+/// The part of this id. \throws UsageError with those that there are
+template <class Part>
+const Part& named(const std::vector<Part>& parts, const std::string& id, std::string_view option,
+                  const ui::Catalogue& tr)
+{
+    const auto found = std::ranges::find(parts, id, &Part::id);
+    if (found != parts.end()) return *found;
+    std::vector<std::string> names;
+    for (const Part& part : parts) names.push_back(part.id);
+    throw unknown_choice(option, id, names, tr);
+}
+
+InfluenceLineDefinition line_named(const Model& model, const std::string& id, const ui::Catalogue& tr)
+{
+    std::vector<InfluenceLineDefinition> lines = model.moving_loads.influence_lines;
+    if (const auto block = femoop::influence::block_of(model))
+        for (const auto& check : block->lines) lines.push_back(check.line);
+    return named(lines, id, "--influence", tr);
+}
+
+femoop::Train train_named(const Model& model, const std::string& id, const ui::Catalogue& tr)
+{
+    std::vector<femoop::Train> trains = model.moving_loads.trains;
+    if (const auto block = femoop::influence::train_block_of(model)) trains.push_back(block->train);
+    return named(trains, id, "--train", tr);
+}
+
+/// What a train is drawn for where nothing is asked: the largest bending moment on its path, of a truss the force.
+bool is_foremost(const Model& model, const MovingEffect& effect)
+{
+    const bool bends = effect.component == MemberComponent::Mz || effect.component == MemberComponent::My;
+    return is_truss(model.analysis) ? effect.component == MemberComponent::N : bends;
+}
+
+MovingEffect at_section(MovingEffect effect, double x)
+{
+    effect.quantity = *effect.component >= MemberComponent::u ? ExpectedQuantity::Displacement
+                                                              : ExpectedQuantity::SectionForce;
+    effect.at = femoop::Quantity(x);
+    return effect;
+}
+
+struct Worst {
+    MovingEffect effect;
+    double value = 0.0;
+};
+
+Worst worst_of(TrainAnalysis& analysis, const femoop::Train& train, const MovingEffect& extreme)
+{
+    const femoop::influence::TrainExtreme found = analysis.extreme(train, extreme);
+    const bool is_max = std::abs(found.max.placing.value) >= std::abs(found.min.placing.value);
+    const femoop::influence::WorstSection& worst = is_max ? found.max : found.min;
+    return {at_section(extreme, worst.sections.empty() ? 0.0 : worst.sections.front()), worst.placing.value};
+}
+
+MovingEffect foremost_effect(TrainAnalysis& analysis, const Model& model, const femoop::Train& train)
+{
+    const std::vector<femoop::MemberId>& path = femoop::influence::members_of(model, train.path);
+    std::optional<Worst> worst;
+    for (const MovingEffect& extreme : femoop::influence::default_extremes(model)) {
+        const bool is_on_path = std::ranges::find(path, *extreme.member) != path.end();
+        if (!is_foremost(model, extreme) || (!is_on_path && !is_truss(model.analysis))) continue;
+        Worst next = worst_of(analysis, train, extreme);
+        if (!worst || std::abs(next.value) > std::abs(worst->value)) worst = std::move(next);
+    }
+    return worst->effect; // every path has a member, and each has its extremes
+}
+
+/// A train that stands, and what it does there to the effect that is asked for.
+struct Standing {
+    MovingEffect effect;
+    PathLayout path;
+    femoop::NodeVector load;
+    MovingTrain train;
+    Placing placing;
+    ExtremeKind kind = ExtremeKind::Max;
+    bool is_worst = true; ///< else where it was asked to stand
+};
+
+double length_of(const MovingTrain& train, const std::vector<double>& spacings)
+{
+    double length = 0.0;
+    for (std::size_t i = 0; i < train.spacings.size(); ++i)
+        length += i < spacings.size() ? spacings[i] : train.spacings[i].least;
+    return length;
+}
+
+/// What the picture says of a train at its foot.
+class Sentences {
+public:
+    Sentences(const Model& model, const drawing::DrawOptions& options)
+        : model_(model), options_(options), units_(drawing::display_units(model, options))
+    {}
+
+    std::vector<std::string> of(const Standing& standing, const drawing::InfluencePicture& picture,
+                                const std::string& train) const
+    {
+        std::vector<std::string> sentences{value(standing, train)};
+        if (std::string sum = this->sum(standing, picture); !sum.empty()) sentences.push_back(std::move(sum));
+        return sentences;
+    }
+
+private:
+    std::string text(double value, ui::Measure measure) const
+    {
+        return drawing::with_minus(units_.text(value, measure));
+    }
+
+    std::string value(const Standing& standing, const std::string& train) const
+    {
+        const ui::Catalogue& tr = options_.tr;
+        std::string said = tr("{effect} = {value} under {train}",
+                              {{"effect", drawing::effect_text(model_, units_, standing.effect)},
+                               {"value", text(standing.placing.value, drawing::measure_of(standing.effect))},
+                               {"train", train}});
+        if (standing.is_worst)
+            said += ", " + (standing.kind == ExtremeKind::Max ? tr("its largest value") : tr("its least value"));
+        if (!standing.placing.position) return said;
+        const std::string place = text(*standing.placing.position, ui::Measure::Length);
+        said += ": " + tr("leading axle at s = {place}", {{"place", place}});
+        return standing.placing.reversed ? said + ", " + tr("running backwards") : said;
+    }
+
+    /// Each force times its ordinate, the uniform load times its areas; nothing where that is too long to read.
+    std::string sum(const Standing& standing, const drawing::InfluencePicture& picture) const
+    {
+        constexpr std::size_t most_terms = 12;
+        const double ordinate = drawing::ordinate_unit(units_, picture).factor;
+        const double area = ordinate * units_.unit(ui::Measure::Length).factor;
+        std::vector<std::string> terms;
+        for (const auto& force : picture.forces)
+            terms.push_back(product(force.force, ui::Measure::Force, force.ordinate * ordinate));
+        for (const double covered : covered_areas(standing.placing, picture.line.ordinates))
+            terms.push_back(product(standing.train.uniform, ui::Measure::ForcePerLength, covered * area));
+        if (terms.empty() || terms.size() > most_terms) return {};
+        std::string sum;
+        for (const std::string& term : terms) sum += (sum.empty() ? "= " : " + ") + term;
+        return sum;
+    }
+
+    std::string product(double load, ui::Measure measure, double factor) const
+    {
+        const std::string second = drawing::with_minus(units_.number(factor, ui::Measure::Plain));
+        return drawing::with_minus(units_.number(load, measure)) + " × " + (factor < 0.0 ? "(" + second + ")" : second);
+    }
+
+    const Model& model_;
+    const drawing::DrawOptions& options_;
+    ui::DisplayUnits units_;
+};
+
+/// The structure with the train as its only loads.
+Model under_train(Model model, const Standing& standing, const std::string& id)
+{
+    model.load_cases = {
+        femoop::influence::standing_train(id, standing.path, standing.load, standing.train, standing.placing)};
+    model.combinations.clear();
+    model.moving_loads = {};
+    model.expected.clear();
+    model.extra.clear();
+    return model;
+}
+
+void write(const Model& model, const femoop::Results* results, const drawing::InfluencePicture& picture,
+           const PictureOrder& order, const Console& console)
+{
+    const drawing::DrawInput input{
+        .model = model, .results = results, .dimensions = order.dimensions, .influence = &picture};
+    write_picture(
+        order.file, backdrop_of(order, model), [&](ui::Painter& painter) { drawing::draw(painter, input, order.view); },
+        console.tr());
+}
+
+/// Draws a train.
+class TrainDrawing {
+public:
+    TrainDrawing(const Model& model, femoop::Train train, const std::string& file, const Console& console)
+        : model_(model), train_(std::move(train)), file_(file), console_(console), analysis_(model)
+    {}
+
+    Standing standing(const std::optional<MovingEffect>& asked, const std::optional<std::string>& position)
+    {
+        Standing standing;
+        standing.effect = asked ? *asked : foremost_effect(analysis_, model_, train_);
+        if (standing.effect.quantity == ExpectedQuantity::Extreme)
+            standing.effect = worst_of(analysis_, train_, standing.effect).effect;
+        standing.path = analysis_.path(train_);
+        standing.load = femoop::influence::unit_load(model_.analysis, train_.load);
+        standing.train = femoop::influence::moving_train(train_, standing.effect);
+        const auto search = analysis_.search(train_, standing.effect);
+        const femoop::influence::WorstPlacings worst = search.worst();
+        const bool is_max = std::abs(worst.max.value) >= std::abs(worst.min.value);
+        standing.kind = is_max ? ExtremeKind::Max : ExtremeKind::Min;
+        standing.placing = is_max ? worst.max : worst.min;
+        if (position) stand_at(standing, search, *position);
+        return standing;
+    }
+
+    ExitStatus draw(const Standing& standing, PictureOrder order, bool shows_own)
+    {
+        if (!shows_own) {
+            order.view.show = drawing::shown_by_default;
+            order.view.show.insert(is_truss(model_.analysis) ? Show::N : Show::M);
+            if (!is_truss(model_.analysis)) order.view.show.insert(Show::V);
+        }
+        order.view.show.insert(Show::Influence);
+        order.view.load_case = femoop::CaseId(0);
+        order.view.is_envelope = false;
+        const Model loaded = under_train(model_, standing, train_.id);
+        const femoop::Results results = femoop::analyse(loaded);
+        console_.report(file_, results.warnings());
+        femoop::influence::InfluenceAnalysis lines(model_);
+        drawing::InfluencePicture picture{.path = standing.path,
+                                          .load = standing.load,
+                                          .line = lines.line(standing.path, standing.load, standing.effect)};
+        picture.forces = standing_forces(standing.train, standing.placing, picture.line.ordinates, standing.kind);
+        picture.sentences = Sentences(model_, order.view).of(standing, picture, train_.id);
+        write(loaded, &results, picture, order, console_);
+        return ExitStatus::Done;
+    }
+
+private:
+    void stand_at(Standing& standing, const femoop::influence::TrainSearch& search, const std::string& text) const
+    {
+        const ui::Catalogue& tr = console_.tr();
+        if (standing.train.axles.empty())
+            throw UsageError(tr("--at-position: {train} has no axles; leave the option out", {{"train", train_.id}}));
+        const double position = length_named("--at-position", text, model_).value();
+        const double most = standing.path.length() + length_of(standing.train, standing.placing.spacings);
+        if (!(position >= 0.0 && position <= most))
+            throw UsageError(tr("--at-position: found {found}; wanted 0 to {most}, where some axle is on the path",
+                                {{"found", text}, {"most", ui::number_text(most, {})}}));
+        std::vector<double> spacings = standing.placing.spacings;
+        if (spacings.empty())
+            for (const MovingTrain::Spacing& spacing : standing.train.spacings) spacings.push_back(spacing.least);
+        standing.placing = search.at({.position = position, .reversed = false, .spacings = spacings}, standing.kind);
+        standing.is_worst = false;
+    }
+
+    const Model& model_;
+    femoop::Train train_;
+    const std::string& file_;
+    const Console& console_;
+    TrainAnalysis analysis_;
+};
+
+ExitStatus draw_line(const Model& model, const InfluenceLineDefinition& definition, PictureOrder order, bool shows_own,
+                     const std::string& file, const Console& console)
+{
+    femoop::influence::InfluenceAnalysis analysis(model);
+    const PathLayout path = femoop::influence::lay_out(model, femoop::influence::members_of(model, definition.path));
+    const femoop::NodeVector load = femoop::influence::unit_load(model.analysis, definition.load);
+    const drawing::InfluencePicture picture{.path = path,
+                                            .load = load,
+                                            .line = analysis.line(path, load, definition.effect),
+                                            .motion = analysis.motion(definition.effect)};
+    console.report(file, analysis.warnings());
+    if (!shows_own) order.view.show = drawing::labels;
+    order.view.show.insert(Show::Influence);
+    const auto results = shows_own ? std::optional(femoop::analyse(model)) : std::nullopt;
+    write(model, results ? &*results : nullptr, picture, order, console);
+    return ExitStatus::Done;
+}
+
+} // namespace
+
+void MovingPicture::declare(CLI::App& app, const ui::Catalogue& tr)
+{
+    app.add_option("--influence", line_, tr("draw this influence line on the structure, with ordinates and areas"))
+        ->option_text("ID");
+    app.add_option("--train", train_,
+                   tr("draw this train where it is worst, and the structure under it: for the effect that --member or "
+                      "--node asks for, else for the largest bending moment on its path (of a truss, for the largest "
+                      "force)"))
+        ->option_text("ID");
+    app.add_option("--at-position", position_, tr("draw the train with its leading axle at this place of its path"))
+        ->option_text("S");
+    effect_.declare(app, tr);
+}
+
+void MovingPicture::require_sensible(const ui::Catalogue& tr) const
+{
+    if (line_ && train_)
+        throw UsageError(
+            tr("{a} and {b} ask for different things; give one of them", {{"a", "--influence"}, {"b", "--train"}}));
+    const auto needs_train = [&](std::string_view option) {
+        if (!train_) throw UsageError(tr("{a} needs {b} too; add it", {{"a", option}, {"b", "--train"}}));
+    };
+    if (position_) needs_train("--at-position");
+    if (effect_.is_asked()) needs_train(effect_.option());
+    effect_.require_sensible(tr, AskedEffect::Place::Optional);
+}
+
+ExitStatus MovingPicture::draw(const Model& model, const std::string& file, PictureOrder order, bool shows_own,
+                               const Console& console) const
+{
+    try {
+        if (line_)
+            return draw_line(model, line_named(model, *line_, console.tr()), std::move(order), shows_own, file,
+                             console);
+        std::optional<MovingEffect> asked;
+        if (effect_.is_asked()) asked = effect_.sound_effect(model, console.tr());
+        TrainDrawing drawing(model, train_named(model, *train_, console.tr()), file, console);
+        return drawing.draw(drawing.standing(asked, position_), std::move(order), shows_own);
+    } catch (const femoop::ModelError& error) {
+        return report_unsolved(error, file, console);
+    }
+}
+
+} // namespace cli

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "apps/cli/asked_effect.h"
+#include "apps/cli/console.h"
+#include "apps/cli/exit_status.h"
+#include "apps/cli/picture.h"
+#include "femoop/model/model.h"
+
+namespace CLI { // NOLINT(readability-identifier-naming): the name that its authors gave it
+class App;
+}
+
+namespace cli {
+
+/// What options of `render` ask for of loads that move: one influence line, or one train.
+class MovingPicture {
+public:
+    void declare(CLI::App& app, const ui::Catalogue& tr);
+    bool is_asked() const { return line_ || train_ || position_ || effect_.is_asked(); }
+    /// \throws UsageError for options that do not go together
+    void require_sensible(const ui::Catalogue& tr) const;
+
+    /// Draws the line on the structure; or the train where it is worst, or where it is asked for, with the line of the
+    /// effect and what the structure does under it. \param shows_own  the order says itself what is shown
+    ExitStatus draw(const femoop::Model& model, const std::string& file, PictureOrder order, bool shows_own,
+                    const Console& console) const;
+
+private:
+    std::optional<std::string> line_, train_, position_;
+    AskedEffect effect_;
+};
+
+} // namespace cli

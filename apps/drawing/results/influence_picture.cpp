@@ -1,0 +1,324 @@
+#include "apps/drawing/results/influence_picture.h"
+
+#include "apps/drawing/results/diagram.h"
+#include "apps/drawing/results/line_diagram.h"
+#include "femoop/load/place_along.h"
+#include "femoop/methods/influence/effect_name.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <variant>
+
+namespace drawing {
+
+namespace {
+
+using Eigen::Vector3d;
+using femoop::ExpectedQuantity;
+using femoop::LocalAxis;
+using femoop::MemberComponent;
+using femoop::MovingEffect;
+using femoop::Side;
+using femoop::influence::LinePiece;
+using femoop::influence::MotionPiece;
+using femoop::influence::PathMember;
+
+constexpr double square_enough = 1e-6; // of the load: what of it lies across the member
+
+/// The part of a line over one member of the path, from where the load comes onto it.
+class LineOnMember final : public LineFunction {
+public:
+    LineOnMember(const femoop::influence::PiecewiseLine& line, const PathMember& on) : begin_(on.begin), end_(on.end())
+    {
+        const double near = 1e-12 * line.length();
+        for (const LinePiece& piece : line.pieces)
+            if (piece.from >= begin_ - near && piece.to <= end_ + near) pieces_.push_back(&piece);
+    }
+
+    double length() const override { return end_ - begin_; }
+
+    std::vector<double> breaks() const override
+    {
+        std::vector<double> places{0.0};
+        for (const LinePiece* piece : pieces_) places.push_back(piece->to - begin_);
+        return places;
+    }
+
+    double value(double x, Side side = Side::After) const override { return piece_at(x, side).value(begin_ + x); }
+
+    femoop::Extremes extremes() const override
+    {
+        femoop::Extremes found{{0.0, value(0.0)}, {0.0, value(0.0)}};
+        for (const LinePiece* piece : pieces_) {
+            std::vector<double> places = piece->turning_places();
+            places.insert(places.begin(), piece->from);
+            places.push_back(piece->to);
+            for (const double s : places) {
+                const femoop::Extreme here{s - begin_, piece->value(s)};
+                if (here.value > found.max.value) found.max = here;
+                if (here.value < found.min.value) found.min = here;
+            }
+        }
+        return found;
+    }
+
+    std::optional<double> slope(double x, Side side) const override { return piece_at(x, side).slope(begin_ + x); }
+
+    std::vector<double> level_places() const override
+    {
+        std::vector<double> places;
+        for (const LinePiece* piece : pieces_)
+            for (const double s : piece->turning_places()) places.push_back(s - begin_);
+        return places;
+    }
+
+private:
+    const LinePiece& piece_at(double x, Side side) const
+    {
+        const double s = begin_ + x;
+        for (const LinePiece* piece : pieces_)
+            if (s < piece->to || (side == Side::Before && s <= piece->to)) return *piece;
+        return *pieces_.back();
+    }
+
+    double begin_, end_;
+    std::vector<const LinePiece*> pieces_; ///< \pre at least one
+};
+
+/// Draws one line and what stands on it.
+class InfluenceDrawing {
+public:
+    InfluenceDrawing(const Scene& scene, const InfluencePicture& picture, const InfluenceScale& scale)
+        : scene_(scene),
+          picture_(picture),
+          scale_(scale),
+          unit_(ordinate_unit(scene.units, picture)),
+          role_(role_of(picture.line.effect))
+    {}
+
+    void draw() const
+    {
+        draw_moved();
+        for (const PathMember& on : picture_.path.members) draw_on(on);
+        write_end(picture_.path.members.front(), 0.0);
+        write_end(picture_.path.members.back(), picture_.path.length());
+        for (const auto& force : picture_.forces) draw_ordinate(force);
+        const ui::LayerScope layer(sketch().painter(), ui::Layer::Symbols);
+        mark_section();
+    }
+
+private:
+    Sketch& sketch() const { return scene_.sketch; }
+
+    std::string text(double ordinate) const { return scene_.number(ordinate * unit_.factor, ui::Measure::Plain); }
+
+    /// x along the path from where it comes onto the member, y to where positive ordinates are drawn.
+    SymbolFrame frame_on(const PathMember& on) const
+    {
+        const MemberShape& member = scene_.shape[on.member];
+        const Vector3d begin = member.at(on.is_reversed ? member.length : 0.0);
+        return scene_.projection.frame(begin, on.is_reversed ? Vector3d(-member.x()) : member.x(), side_of(member));
+    }
+
+    Vector3d side_of(const MemberShape& member) const
+    {
+        const Vector3d load(picture_.load[0], picture_.load[1], picture_.load[2]);
+        const double along_y = load.dot(member.y()), along_z = scene_.is_flat() ? 0.0 : load.dot(member.z());
+        const bool is_y = std::abs(along_y) >= std::abs(along_z);
+        const double across = is_y ? along_y : along_z;
+        if (std::abs(across) > square_enough * load.norm())
+            return across > 0.0 ? (is_y ? member.y() : member.z()) : Vector3d(is_y ? -member.y() : -member.z());
+        return -member.y(); // a couple, or a load along the member: below a beam
+    }
+
+    void draw_on(const PathMember& on) const
+    {
+        LineDiagram look{.frame = frame_on(on),
+                         .role = role_,
+                         .largest = scale_.largest,
+                         .pixels_per_unit = scale_.pixels_per_unit,
+                         .text = [this](double value) { return text(value); }};
+        drawing::draw(quiet_scene(), LineOnMember(picture_.line.ordinates, on), look);
+    }
+
+    /// Where forces stand their ordinates are what one wants to read.
+    Scene quiet_scene() const
+    {
+        Scene scene = scene_;
+        if (!picture_.forces.empty()) scene.show.erase(Show::Values);
+        return scene;
+    }
+
+    void write_end(const PathMember& on, double s) const
+    {
+        if (!scene_.shows(Show::Values)) return;
+        const SymbolFrame frame = frame_on(on);
+        const double along = s == 0.0 ? -1.0 : 1.0;
+        sketch().caption({.text = "s = " + scene_.number(s, ui::Measure::Length),
+                          .role = ui::Role::FaintLabel,
+                          .target = frame((s - on.begin) * scene_.projection.scale(), 0.0),
+                          .toward = along * frame.x - 2.0 * frame.y,
+                          .gap = sketch().px(16.0),
+                          .rank = Rank::Minor,
+                          .size = sketch().lesser_value_size()});
+    }
+
+    ui::Point place(double s, double ordinate) const
+    {
+        const auto place = picture_.path.place(s);
+        const PathMember& on = picture_.path.members[place.index];
+        return frame_on(on)((s - on.begin) * scene_.projection.scale(), ordinate * scale_.pixels_per_unit);
+    }
+
+    void draw_ordinate(const femoop::influence::StandingForce& force) const
+    {
+        const ui::Point foot = place(force.s, 0.0), tip = place(force.s, force.ordinate);
+        ui::Stroke stroke = sketch().stroke(role_);
+        stroke.width *= 1.4;
+        sketch().line(foot, tip, stroke);
+        sketch().disc(tip, sketch().px(3.0), stroke.color);
+        if (!scene_.shows(Show::Values)) return;
+        const ui::Point toward = ui::distance(foot, tip) > 1.0 ? tip - foot : ui::Point{0.0, 1.0};
+        sketch().caption({.text = text(force.ordinate),
+                          .role = role_,
+                          .target = tip,
+                          .toward = toward,
+                          .gap = sketch().px(5.0),
+                          .rank = Rank::Extreme});
+    }
+
+    void draw_moved() const
+    {
+        if (picture_.motion.empty()) return;
+        const double factor = scale_.pixels_per_unit / scene_.projection.scale() * scene_.state.phase;
+        ui::Stroke stroke = sketch().thin(ui::Role::Deformed);
+        stroke.dash = {6.0, 4.0};
+        for (std::size_t i = 0; i < picture_.motion.size(); ++i) {
+            const MemberShape& member = scene_.shape[femoop::MemberId(i)];
+            if (stays(member, picture_.motion[i], factor)) continue;
+            for (const auto& line : moved_lines(member, picture_.motion[i], factor))
+                sketch().polyline(line, stroke, Clearance::Soft);
+        }
+    }
+
+    // Parted where a release lets one part move against the other.
+    std::vector<std::vector<ui::Point>> moved_lines(const MemberShape& member,
+                                                    const femoop::influence::MemberMotion& motion, double factor) const
+    {
+        constexpr int n = 16;         // parts of a piece: a cubic looks smooth
+        constexpr double apart = 0.5; // [px]
+        std::vector<std::vector<ui::Point>> lines;
+        for (const MotionPiece& piece : motion) {
+            std::vector<ui::Point> points;
+            for (int i = 0; i <= n; ++i) points.push_back(moved(member, piece, piece.length() * i / n, factor));
+            const bool goes_on = !lines.empty() && ui::distance(lines.back().back(), points.front()) < apart;
+            if (!goes_on) lines.emplace_back();
+            lines.back().insert(lines.back().end(), points.begin(), points.end());
+        }
+        return lines;
+    }
+
+    // Such a member would be dashed over.
+    bool stays(const MemberShape& member, const femoop::influence::MemberMotion& motion, double factor) const
+    {
+        constexpr double near = 1.5; // [px]
+        return std::ranges::all_of(motion, [&](const MotionPiece& piece) {
+            return std::ranges::all_of(std::array{0.0, 0.25, 0.5, 0.75, 1.0}, [&](double share) {
+                const double t = share * piece.length();
+                return ui::distance(moved(member, piece, t, factor), moved(member, piece, t, 0.0)) < near;
+            });
+        });
+    }
+
+    ui::Point moved(const MemberShape& member, const MotionPiece& piece, double t, double factor) const
+    {
+        const auto along = [&](LocalAxis axis) { return factor * piece.along[femoop::index(axis)](t); };
+        return scene_.projection(member.at(piece.from + t) + along(LocalAxis::x) * member.x() +
+                                 along(LocalAxis::y) * member.y() + along(LocalAxis::z) * member.z());
+    }
+
+    // A hinge where a moment is released; a cut where a force is; a disc where a displacement is asked for.
+    void mark_section() const
+    {
+        const MovingEffect& effect = picture_.line.effect;
+        if (!effect.member || !effect.at) return;
+        const MemberShape& member = scene_.shape[*effect.member];
+        const double x = std::clamp(femoop::along(*effect.at, member.length), 0.0, member.length);
+        const SymbolFrame frame = scene_.frame_on(member, x);
+        const ui::Stroke stroke = sketch().stroke(role_);
+        const double size = sketch().px(5.0);
+        if (is_displacement(*effect.component)) return sketch().disc(frame.origin, 0.8 * size, stroke.color);
+        if (drawing::measure_of(*effect.component) == ui::Measure::Moment) {
+            sketch().disc(frame.origin, size, sketch().theme().background());
+            return sketch().ring(frame.origin, size, stroke);
+        }
+        for (const double at : {-0.4 * size, 0.4 * size})
+            sketch().line(frame(at, -1.6 * size), frame(at, 1.6 * size), stroke);
+    }
+
+    const Scene& scene_;
+    const InfluencePicture& picture_;
+    const InfluenceScale& scale_;
+    OrdinateUnit unit_;
+    ui::Role role_;
+};
+
+} // namespace
+
+InfluenceScale influence_scale(const Scene& scene, const InfluencePicture& picture, ui::Size panel)
+{
+    InfluenceScale scale{.largest = picture.line.ordinates.largest()};
+    if (!(scale.largest > 0.0)) return scale;
+    constexpr double share = 0.2;
+    scale.pixels_per_unit = ordinate_height(scene, share, panel) * scene.options.diagram_factor / scale.largest;
+    return scale;
+}
+
+void draw_influence(const Scene& scene, const InfluencePicture& picture, const InfluenceScale& scale)
+{
+    if (scale.largest > 0.0) InfluenceDrawing(scene, picture, scale).draw();
+}
+
+OrdinateUnit ordinate_unit(const ui::DisplayUnits& units, const InfluencePicture& picture)
+{
+    const ui::Measure effect = measure_of(picture.line.effect);
+    const bool is_couple = picture.load[0] == 0.0 && picture.load[1] == 0.0 && picture.load[2] == 0.0;
+    const ui::Measure load = is_couple ? ui::Measure::Moment : ui::Measure::Force;
+    const ui::DisplayUnit over = units.unit(effect), under = units.unit(load);
+    const std::string length = units.unit(ui::Measure::Length).name;
+    OrdinateUnit unit{.name = over.name + "/" + under.name, .factor = over.factor / under.factor};
+    if (effect == load) unit.name.clear();
+    else if (effect == ui::Measure::Moment) unit.name = length;
+    else if (effect == ui::Measure::Force) unit.name = "1/" + length;
+    return unit;
+}
+
+std::string effect_text(const femoop::Model& model, const ui::DisplayUnits& units, const MovingEffect& effect)
+{
+    std::string text = femoop::influence::component_name(model.analysis, effect) + "(";
+    text += effect.member ? model[*effect.member].id : model[*effect.node].id;
+    if (!effect.at) return text + ")";
+    if (const auto* const percent = std::get_if<femoop::Percent>(&*effect.at))
+        return text + ", " + ui::number_text(percent->value, units.format()) + "%)";
+    return text + ", " + units.text(std::get<femoop::Quantity>(*effect.at), ui::Measure::Length) + ")";
+}
+
+ui::Role role_of(const MovingEffect& effect)
+{
+    if (effect.quantity == ExpectedQuantity::Reaction) return ui::Role::Reaction;
+    if (!effect.component || is_displacement(*effect.component)) return ui::Role::Deformed;
+    return role_of(*effect.component);
+}
+
+ui::Measure measure_of(const MovingEffect& effect)
+{
+    if (effect.component) return measure_of(*effect.component);
+    const bool turns = is_rotation(*effect.dof);
+    if (effect.quantity == ExpectedQuantity::Reaction) return turns ? ui::Measure::Moment : ui::Measure::Force;
+    return turns ? ui::Measure::Rotation : ui::Measure::Displacement;
+}
+
+} // namespace drawing

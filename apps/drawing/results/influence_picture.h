@@ -1,0 +1,52 @@
+#pragma once
+
+#include "apps/drawing/sketch/scene.h"
+#include "femoop/methods/influence/influence_line.h"
+#include "femoop/methods/influence/load_path.h"
+#include "femoop/methods/influence/member_motion.h"
+#include "femoop/methods/influence/train/standing_train.h"
+
+#include <string>
+#include <vector>
+
+namespace drawing {
+
+/// An influence line to be drawn on the path of its structure.
+struct InfluencePicture {
+    femoop::influence::PathLayout path;
+    femoop::NodeVector load; ///< the unit load, global axes
+    femoop::influence::InfluenceLine line;
+    /// How the structure moves whose displacement the line is, by member; none where it is not drawn.
+    std::vector<femoop::influence::MemberMotion> motion{};
+    /// Forces that stand on the path: their ordinates are drawn, and written in place of the line's own values.
+    std::vector<femoop::influence::StandingForce> forces{};
+    std::vector<std::string> sentences{}; ///< for the foot of the sheet, the first one in bold
+};
+
+/// A line at a height that suits the panel.
+struct InfluenceScale {
+    double largest = 0.0;         ///< |ordinate|
+    double pixels_per_unit = 0.0; ///< of the ordinates
+};
+InfluenceScale influence_scale(const Scene& scene, const InfluencePicture& picture, ui::Size panel);
+
+/// The line, filled, on the members of its path; behind it the structure as it moves, to the same scale: where the load
+/// is square to the path the one lies on the other. A mark stands at the section.
+///
+/// Sides  positive ordinates on the side to which the unit load points: for a load that points down, below
+void draw_influence(const Scene& scene, const InfluencePicture& picture, const InfluenceScale& scale);
+
+/// What its ordinates are counted in: of a moment under a force, metres.
+struct OrdinateUnit {
+    std::string name; ///< empty for a plain number
+    double factor = 1.0;
+};
+OrdinateUnit ordinate_unit(const ui::DisplayUnits& units, const InfluencePicture& picture);
+
+/// M(BC, 38.57 ft), fy(A)
+std::string effect_text(const femoop::Model& model, const ui::DisplayUnits& units, const femoop::MovingEffect& effect);
+
+ui::Role role_of(const femoop::MovingEffect& effect);
+ui::Measure measure_of(const femoop::MovingEffect& effect);
+
+} // namespace drawing

@@ -1,0 +1,138 @@
+// Influence lines as pictures.
+#include "apps/drawing/results/influence_picture.h"
+
+#include <doctest/doctest.h>
+
+#include "apps/drawing/draw.h"
+#include "femoop/methods/influence/influence_line.h"
+#include "tests/apps/drawing/view_model.h"
+#include "tests/golden/scene.h"
+
+using namespace drawing;
+using femoop::MemberComponent;
+using femoop::MovingEffect;
+
+namespace {
+
+MovingEffect section_force(const femoop::Model& model, std::string_view member, MemberComponent component, double x)
+{
+    return {.quantity = femoop::ExpectedQuantity::SectionForce,
+            .member = model.find_member(member),
+            .component = component,
+            .at = femoop::Quantity(x)};
+}
+
+InfluencePicture picture_of(const femoop::Model& model, const std::vector<femoop::MemberId>& members,
+                            const MovingEffect& effect, const std::vector<femoop::Component>& load = {})
+{
+    femoop::influence::InfluenceAnalysis analysis(model);
+    InfluencePicture picture{.path = femoop::influence::lay_out(model, members),
+                             .load = femoop::influence::unit_load(model.analysis, load),
+                             .line = {}};
+    picture.line = analysis.line(picture.path, picture.load, effect);
+    picture.motion = analysis.motion(effect);
+    return picture;
+}
+
+DrawOptions line_alone()
+{
+    DrawOptions options;
+    options.show = labels;
+    options.show.insert(Show::Influence);
+    return options;
+}
+
+view_test::Marks marks_of(const femoop::Model& model, const InfluencePicture& picture, const ui::Fonts& fonts)
+{
+    ui::Painter painter({800.0, 500.0}, fonts);
+    draw(painter, {.model = model, .influence = &picture}, line_alone());
+    view_test::Marks marks(fonts);
+    painter.picture().draw_on(marks);
+    return marks;
+}
+
+double height_of(const view_test::Marks& marks, std::string_view words)
+{
+    const auto found = std::ranges::find(marks.texts, words, &view_test::Marks::Text::words);
+    REQUIRE(found != marks.texts.end());
+    return found->box.min.y;
+}
+
+constexpr double L = 8.0, a = 2.0; // of the beam, and of the section from its left end
+const std::vector<femoop::MemberId> beam{femoop::MemberId(0)};
+
+} // namespace
+
+TEST_CASE("Positive ordinates stand on the side to which the load points")
+{
+    const ui::Fonts fonts;
+    const femoop::Model model = view_test::simple_beam(L, 1.0);
+    const MovingEffect M = section_force(model, "AB", MemberComponent::Mz, a);
+    const std::string ordinate = "1.5"; // a (L - a) / L
+    const view_test::Marks down = marks_of(model, picture_of(model, beam, M), fonts);
+    CHECK(height_of(down, ordinate) > height_of(down, "A"));
+    const view_test::Marks up = marks_of(model, picture_of(model, beam, M, {{.dof = femoop::Dof::uy, .value = 1.0}}),
+                                         fonts);
+    CHECK(height_of(up, "−1.5") > height_of(up, "A")); // negative, so on the side from which the load comes
+}
+
+TEST_CASE("The head tells extremes, their places, and the areas of either sign")
+{
+    const ui::Fonts fonts;
+    const femoop::Model model = view_test::simple_beam(L, 1.0);
+    const MovingEffect V = section_force(model, "AB", MemberComponent::Vy, a);
+    const view_test::Marks marks = marks_of(model, picture_of(model, beam, V), fonts);
+    CHECK(marks.has_text("Influence line of V(AB, 2 m)"));
+    // (L - a) / L and -a / L at the section; triangles of (L - a)^2 / 2L and a^2 / 2L
+    CHECK(marks.has_text("max 0.75 at s = 2 m  ·  min −0.25 at s = 2 m  ·  areas +2.25, −0.25 m"));
+}
+
+TEST_CASE("Ordinates are counted in the effect's unit by the load's")
+{
+    const femoop::Model model = view_test::simple_beam(L, 1.0);
+    const ui::DisplayUnits units = display_units(model, {});
+    const std::vector<femoop::Component> couple{{.dof = femoop::Dof::rz, .value = 1.0}};
+    const auto name = [&](const MovingEffect& effect, const std::vector<femoop::Component>& load = {}) {
+        return ordinate_unit(units, {.path = {},
+                                     .load = femoop::influence::unit_load(model.analysis, load),
+                                     .line = {effect, {}, {}, {}}})
+            .name;
+    };
+    const MovingEffect M = section_force(model, "AB", MemberComponent::Mz, a),
+                       V = section_force(model, "AB", MemberComponent::Vy, a);
+    const MovingEffect v = section_force(model, "AB", MemberComponent::v, a);
+    CHECK(name(M) == "m");
+    CHECK(name(V) == "");
+    CHECK(name(v) == "mm/kN");
+    CHECK(name(M, couple) == "");
+    CHECK(name(V, couple) == "1/m");
+}
+
+TEST_SUITE("influence pictures")
+{
+    void check_line(const std::string& name, const femoop::Model& model, const InfluencePicture& picture,
+                    const DrawOptions& options)
+    {
+        golden::check_scene(
+            name, {.size = {1000.0, 600.0}, .background = background(options)},
+            [&](ui::Painter& painter) { draw(painter, {.model = model, .influence = &picture}, options); });
+    }
+
+    TEST_CASE("influence_moment: M in the middle span of three")
+    {
+        const femoop::Model model = view_test::example("influence");
+        const auto& asked = model.moving_loads.influence_lines.front();
+        check_line("influence_moment", model,
+                   picture_of(model, femoop::influence::members_of(model, asked.path), asked.effect), line_alone());
+    }
+
+    TEST_CASE("influence_sway: a portal sways as the shear force of its beam is released, on the projector")
+    {
+        const femoop::Model model = view_test::example("portal");
+        DrawOptions options = line_alone();
+        options.theme = ui::ThemeName::Projector;
+        check_line("influence_sway", model,
+                   picture_of(model, {*model.find_member("BC")}, section_force(model, "BC", MemberComponent::Vy, 3.0)),
+                   options);
+    }
+}
