@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "femoop/geometry/member_geometry.h"
+#include "femoop/methods/influence/usual_path.h"
 #include "femoop/result/components.h"
 
 namespace femoop::influence {
@@ -138,16 +140,8 @@ std::vector<MovingEffect> default_effects(const Model& model, std::size_t n)
             effects.push_back(at_section(of_member, x, length));
         }
     }
-    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-        if (!model.nodes[i].support) continue;
-        const Support& support = *model.nodes[i].support;
-        for (const Dof dof : dof_list(model.analysis)) {
-            const bool is_turned = support.angle.value() != 0.0 && !is_rotation(dof) && dof != Dof::uz;
-            const bool is_sprung = std::ranges::any_of(support.springs, [&](const Spring& s) { return s.dof == dof; });
-            if (is_turned || is_sprung || support.blocked(model.analysis).contains(dof))
-                effects.push_back({.quantity = ExpectedQuantity::Reaction, .node = NodeId(i), .dof = dof});
-        }
-    }
+    for (std::size_t i = 0; i < model.nodes.size(); ++i)
+        std::ranges::move(reactions_at(model, NodeId(i)), std::back_inserter(effects));
     return effects;
 }
 

@@ -1,0 +1,173 @@
+#include "femoop/methods/influence/usual_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+
+#include "femoop/geometry/member_geometry.h"
+#include "femoop/geometry/node_position.h"
+#include "femoop/result/components.h"
+
+namespace femoop::influence {
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double straight = 1e-6; // sine of the angle between two members
+constexpr double along = 1e-3;    // likewise, between a member and a load that points along it
+
+class Straight {
+public:
+    explicit Straight(const Model& model) : model_(model), at_node_(model.nodes.size())
+    {
+        for (std::size_t i = 0; i < model.members.size(); ++i)
+            for (const NodeId node : model.members[i].nodes) at_node_[node.index].push_back(MemberId(i));
+    }
+
+    std::vector<MemberId> through(MemberId member) const
+    {
+        const Vector3d x = onward(member);
+        std::vector<MemberId> path = going(member, -x);
+        std::ranges::reverse(path);
+        path.push_back(member);
+        std::ranges::copy(going(member, x), std::back_inserter(path));
+        return path;
+    }
+
+    std::vector<std::vector<MemberId>> all() const
+    {
+        std::vector<std::vector<MemberId>> paths;
+        std::vector<bool> is_passed(model_.members.size(), false);
+        for (std::size_t i = 0; i < is_passed.size(); ++i) {
+            if (is_passed[i]) continue;
+            paths.push_back(through(MemberId(i)));
+            for (const MemberId member : paths.back()) is_passed[member.index] = true;
+        }
+        return paths;
+    }
+
+    double length(const std::vector<MemberId>& path) const
+    {
+        double sum = 0.0;
+        for (const MemberId member : path) sum += arm(member).norm();
+        return sum;
+    }
+
+    /// Whether a load has a part across it, or is a couple.
+    bool is_bent(const std::vector<MemberId>& path, const NodeVector& load) const
+    {
+        const Vector3d force(load[0], load[1], load[2]);
+        if (force.norm() == 0.0) return true;
+        return onward(path.front()).cross(force).norm() > along * force.norm();
+    }
+
+    bool touches(const std::vector<MemberId>& path, NodeId node) const
+    {
+        return std::ranges::any_of(path, [&](MemberId member) {
+            const auto& ends = model_[member].nodes;
+            return std::ranges::find(ends, node) != ends.end();
+        });
+    }
+
+private:
+    Vector3d arm(MemberId member) const
+    {
+        const auto& ends = model_[member].nodes;
+        return position_of(model_, ends[1]) - position_of(model_, ends[0]);
+    }
+
+    /// The unit vector along it to the right; upright up, and in space along y before that.
+    Vector3d onward(MemberId member) const
+    {
+        Vector3d x = arm(member);
+        if (const double length = x.norm(); length > 0.0) x /= length;
+        for (const double part : {x.x(), x.y(), x.z()})
+            if (std::abs(part) > straight) return part > 0.0 ? x : Vector3d(-x);
+        return x;
+    }
+
+    /// Those that follow the member in a direction, nearest first. Each lies farther on, so none comes twice.
+    std::vector<MemberId> going(MemberId member, const Vector3d& direction) const
+    {
+        std::vector<MemberId> path;
+        for (auto next = next_at(end_towards(member, direction), direction); next;
+             next = next_at(end_towards(*next, direction), direction))
+            path.push_back(*next);
+        return path;
+    }
+
+    NodeId end_towards(MemberId member, const Vector3d& direction) const
+    {
+        return model_[member].nodes[arm(member).dot(direction) > 0.0 ? 1 : 0];
+    }
+
+    std::optional<MemberId> next_at(NodeId node, const Vector3d& direction) const
+    {
+        for (const MemberId member : at_node_[node.index]) {
+            const Vector3d away = model_[member].nodes[0] == node ? arm(member) : Vector3d(-arm(member));
+            const bool goes_on = away.dot(direction) > 0.0 && away.cross(direction).norm() <= straight * away.norm();
+            if (goes_on) return member;
+        }
+        return std::nullopt;
+    }
+
+    const Model& model_;
+    std::vector<std::vector<MemberId>> at_node_;
+};
+
+bool passes(const Straight& straight, const std::vector<MemberId>& path, const MovingEffect& effect)
+{
+    if (effect.node) return straight.touches(path, *effect.node);
+    return std::ranges::find(path, *effect.member) != path.end();
+}
+
+const LoadPath* path_of_file(const Model& model, const Straight& straight, const MovingEffect& effect)
+{
+    const auto& paths = model.moving_loads.paths;
+    const auto found = std::ranges::find_if(
+        paths, [&](const LoadPath& path) { return passes(straight, path.members, effect); });
+    if (found != paths.end()) return &*found;
+    return paths.empty() ? nullptr : &paths.front();
+}
+
+} // namespace
+
+std::vector<MemberId> straight_path(const Model& model, MemberId member) { return Straight(model).through(member); }
+
+std::vector<MemberId> usual_path(const Model& model, const MovingEffect& effect, const NodeVector& load)
+{
+    const Straight straight(model);
+    if (const LoadPath* const path = path_of_file(model, straight, effect)) return path->members;
+    const std::vector<std::vector<MemberId>> all = straight.all();
+    const auto longest = [&](const auto& is_wanted) {
+        const std::vector<MemberId>* best = nullptr;
+        constexpr double longer = 1.0 + 1e-9; // of two that are as long the first
+        for (const std::vector<MemberId>& path : all)
+            if (is_wanted(path) && (best == nullptr || straight.length(path) > longer * straight.length(*best)))
+                best = &path;
+        return best;
+    };
+    const auto is_bent = [&](const auto& path) { return straight.is_bent(path, load); };
+    const auto is_own = [&](const auto& path) { return is_bent(path) && passes(straight, path, effect); };
+    const std::vector<MemberId>* path = is_truss(model.analysis) ? nullptr : longest(is_own);
+    if (path == nullptr) path = longest(is_bent);
+    return path != nullptr ? *path : all.front();
+}
+
+std::vector<MovingEffect> reactions_at(const Model& model, NodeId node)
+{
+    std::vector<MovingEffect> reactions;
+    if (!model[node].support) return reactions;
+    const Support& support = *model[node].support;
+    for (const Dof dof : dof_list(model.analysis)) {
+        const bool is_turned = support.angle.value() != 0.0 && !is_rotation(dof) && dof != Dof::uz;
+        const bool is_sprung = std::ranges::any_of(support.springs, [&](const Spring& s) { return s.dof == dof; });
+        if (is_turned || is_sprung || support.blocked(model.analysis).contains(dof))
+            reactions.push_back({.quantity = ExpectedQuantity::Reaction, .node = node, .dof = dof});
+    }
+    return reactions;
+}
+
+} // namespace femoop::influence

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "femoop/discretisation/discretisation.h"
+#include "femoop/model/model.h"
+
+namespace femoop::influence {
+
+/// The members that go on straight from one to either side, as a load passes them: from left to right, a column from
+/// below.
+///
+///      o---AB---o---BC---o---CD---o      of BC: AB, BC, CD
+///               |        |
+///
+/// Of a mesh where several go on straight from a node the first one is taken.
+std::vector<MemberId> straight_path(const Model& model, MemberId member);
+
+/// The path that is meant where none is named: the first of the model's that passes the effect's member or node, or its
+/// first one; in a model without paths the straight path of the member, or the longest at the node. Where a load cannot
+/// bend that path, as it points along it, and in a truss: the longest of all that it can bend.
+/// \param load  the unit load, global axes  \pre the model has members, the effect its member or node
+std::vector<MemberId> usual_path(const Model& model, const MovingEffect& effect, const NodeVector& load);
+
+/// Every force that a support can bear; none of a node without one.
+std::vector<MovingEffect> reactions_at(const Model& model, NodeId node);
+
+} // namespace femoop::influence
