@@ -290,7 +290,8 @@ ExitStatus draw_line(const Model& model, const InfluenceLineDefinition& definiti
     const drawing::InfluencePicture picture{.path = path,
                                             .load = load,
                                             .line = analysis.line(path, load, definition.effect),
-                                            .motion = analysis.motion(definition.effect)};
+                                            .motion = analysis.motion(definition.effect),
+                                            .sentences = {drawing::principle(definition.effect, order.view.tr)}};
     console.report(file, analysis.warnings());
     if (!shows_own) order.view.show = drawing::labels;
     order.view.show.insert(Show::Influence);

@@ -306,6 +306,33 @@ std::string effect_text(const femoop::Model& model, const ui::DisplayUnits& unit
     return text + ", " + units.text(std::get<femoop::Quantity>(*effect.at), ui::Measure::Length) + ")";
 }
 
+namespace {
+
+std::string_view released_by(const MovingEffect& effect)
+{
+    if (effect.quantity == ExpectedQuantity::Reaction)
+        return is_rotation(*effect.dof)
+                   ? ui::translatable("The support turns by 1 against its couple; the path moves by the line.")
+                   : ui::translatable("The support moves by 1 against its reaction; the path moves by the line.");
+    if (!effect.component || is_displacement(*effect.component))
+        return ui::translatable("A unit load stands where the displacement is asked for; the path moves by the line.");
+    switch (*effect.component) {
+    case MemberComponent::N:
+        return ui::translatable("The member parts by 1 at the section; the path moves by the line: N · 1 = 1 · η(s).");
+    case MemberComponent::Vy:
+    case MemberComponent::Vz:
+        return ui::translatable("The member steps by 1 at the section; the path moves by the line: V · 1 = 1 · η(s).");
+    case MemberComponent::T:
+        return ui::translatable("The member twists by 1 at the section; the path moves by the line: T · 1 = 1 · η(s).");
+    default:
+        return ui::translatable("A hinge at the section opens by 1; the path moves by the line: M · 1 = 1 · η(s).");
+    }
+}
+
+} // namespace
+
+std::string principle(const MovingEffect& effect, const ui::Catalogue& tr) { return tr(released_by(effect)); }
+
 ui::Role role_of(const MovingEffect& effect)
 {
     if (effect.quantity == ExpectedQuantity::Reaction) return ui::Role::Reaction;

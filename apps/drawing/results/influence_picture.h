@@ -46,6 +46,9 @@ OrdinateUnit ordinate_unit(const ui::DisplayUnits& units, const InfluencePicture
 /// M(BC, 38.57 ft), fy(A)
 std::string effect_text(const femoop::Model& model, const ui::DisplayUnits& units, const femoop::MovingEffect& effect);
 
+/// What moves, and by how much, so that the path moves by the line: a sentence for the foot of the sheet.
+std::string principle(const femoop::MovingEffect& effect, const ui::Catalogue& tr);
+
 ui::Role role_of(const femoop::MovingEffect& effect);
 ui::Measure measure_of(const femoop::MovingEffect& effect);
 

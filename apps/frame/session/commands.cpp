@@ -2,6 +2,7 @@
 
 #include "apps/frame/session/case_commands.h"
 #include "apps/frame/session/edit_commands.h"
+#include "apps/frame/session/influence_commands.h"
 #include "apps/frame/session/kind_commands.h"
 #include "apps/frame/session/load_commands.h"
 #include "apps/frame/session/new_commands.h"
@@ -213,6 +214,7 @@ CommandTable command_table()
     add_camera_commands(table);
     add_view_commands(table);
     add_predict_commands(table);
+    add_influence_commands(table);
     add_panel_commands(table);
     add_table_commands(table);
     add_solver_commands(table);

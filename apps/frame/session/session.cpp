@@ -60,6 +60,7 @@ void Session::restart(Document document)
     shown_at_.clear();
     selection.clear();
     prediction.clear();
+    influence.clear();
     view.load_case = femoop::CaseId(0);
     draw_state.camera.reset();
     shown_view.reset();

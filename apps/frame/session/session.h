@@ -19,6 +19,7 @@
 #include "apps/frame/document/drawing_names.h"
 #include "apps/frame/document/selection.h"
 #include "apps/frame/document/solution.h"
+#include "apps/frame/influence/asked_line.h"
 #include "apps/frame/predict/prediction.h"
 #include "apps/frame/tables/table.h"
 #include "femoop/model/fault/fault.h"
@@ -111,6 +112,7 @@ public:
     std::optional<Cut> hover;
     std::optional<Cut> pin;
     bool is_animated = false;
+    AskedLine influence;           ///< that is looked at in place of the results of a case
     Prediction prediction;         ///< of moments that the class has not seen yet: part of the tab, not of the document
     std::optional<ShowSet> hidden; ///< results that are kept from the class until they are revealed
     std::size_t mechanism = 0;     ///< which of several is shown

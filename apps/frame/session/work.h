@@ -9,7 +9,7 @@ namespace frame {
 inline Work work_of(Session& session)
 {
     Prediction* const sketched = session.hidden && session.solution().results ? &session.prediction : nullptr;
-    return {session.history().settled(), session.selection, sketched, session.units()};
+    return {session.history().settled(), session.selection, sketched, &session.influence, session.units()};
 }
 
 } // namespace frame

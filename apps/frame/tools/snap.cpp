@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "apps/frame/document/drawing_names.h"
 #include "femoop/edit/crossing.h"
 #include "femoop/edit/member_line.h"
 

@@ -20,6 +20,7 @@
 
 namespace frame {
 
+class AskedLine;
 class Prediction;
 
 /// The direction of an arm from +x, counter-clockwise [degrees].
@@ -73,6 +74,7 @@ struct Work {
     const Document& document; ///< as it was before the gesture
     Selection& selection;
     Prediction* prediction = nullptr; ///< that may be sketched; null while results are seen
+    AskedLine* influence = nullptr;   ///< that a tool may ask for
     ui::DisplayUnits units{};         ///< of what is typed
 };
 

@@ -28,10 +28,21 @@ namespace frame {
 
 namespace {
 
+// An influence line belongs to no case either: it stands alone on the structure.
+DrawOptions with_influence(DrawOptions options)
+{
+    options.show = options.show & ShowSet{Show::Values,          Show::NodeNames, Show::MemberNames, Show::Dimensions,
+                                          Show::DrawnDimensions, Show::LocalAxes, Show::Legend};
+    options.show.insert(Show::Influence);
+    options.is_envelope = false;
+    return options;
+}
+
 // An envelope belongs to no case, so it has neither loads nor a deformed shape.
 DrawOptions looked_at(const Session& session)
 {
     DrawOptions options = session.results_view();
+    if (session.influence.is_on()) return with_influence(std::move(options));
     if (options.is_envelope) options.show = options.show - ShowSet{Show::Loads, Show::Deformed};
     return options;
 }
@@ -56,9 +67,16 @@ std::optional<std::size_t> shown_mechanism(const Workspace& workspace)
                                                           : std::optional(std::min(workspace.session.mechanism, n - 1));
 }
 
+const InfluencePicture* shown_line(const Session& session)
+{
+    return session.influence.picture(session.model(), session.generation(), session.view.tr);
+}
+
 DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const std::optional<GuessPicture>& guess)
 {
     const Session& session = workspace.session;
+    if (const auto* const line = shown_line(session))
+        return {.model = session.model(), .dimensions = session.document().companion.dimensions, .influence = line};
     DrawInput input{.model = session.model(),
                     .reference = session.reference.get(),
                     .dimensions = session.document().companion.dimensions,
@@ -419,7 +437,7 @@ Subject::Picture Canvas::draw(const Workspace& workspace, const DrawOptions& opt
 void Canvas::draw_cut(const Session& session, const DrawOptions& options, const Subject::Picture& picture,
                       const SeenCut& seen, ui::Painter& painter) const
 {
-    if (session.hidden) return;
+    if (session.hidden || session.influence.is_on()) return;
     const ui::Point at = Projection(picture.plan.camera, seen.panel)(shape_[seen.cut.member].at(seen.cut.x));
     draw_reading(painter, {session.model(), session.shown_results()}, options,
                  {.plan = picture.plan, .cut = seen.cut, .beside = at, .top = picture.legend_bottom});

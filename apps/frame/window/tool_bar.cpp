@@ -12,6 +12,7 @@
 #include "apps/frame/tools/tool_loads.h"
 #include "apps/frame/window/number_row.h"
 #include "apps/frame/window/tool_icon.h"
+#include "femoop/methods/influence/effect_name.h"
 #include "femoop/model/quantity/number_text.h"
 #include "ui/widgets/tooltip.h"
 
@@ -77,6 +78,19 @@ void support_settings(Workspace& workspace)
     for (const SupportTool& choice : supports) {
         const std::string label = workspace.session.view.tr(choice.label) + "###" + std::string(choice.label);
         if (ImGui::RadioButton(label.c_str(), settings.support == choice.kind)) settings.support = choice.kind;
+        ImGui::SameLine();
+    }
+}
+
+// Which quantity the influence line is of; while there is none the hint says how to ask for one.
+void influence_settings(Workspace& workspace)
+{
+    AskedLine& line = workspace.session.influence;
+    const femoop::Model& model = workspace.session.model();
+    const std::optional<femoop::MovingEffect> now = line.effect(model);
+    for (const femoop::MovingEffect& choice : line.choices(model)) {
+        const std::string name = femoop::influence::component_name(model.analysis, choice);
+        if (ImGui::RadioButton(name.c_str(), choice == now)) line.choose(choice);
         ImGui::SameLine();
     }
 }
@@ -239,6 +253,7 @@ std::string_view hint(ToolKind tool, bool is_in_space)
     case ToolKind::Hinge: return translatable("Click nodes or the ends of members.");
     case ToolKind::Dimension: return translatable("Click two nodes, then a place; more nodes go on.");
     case ToolKind::Predict: return translatable("Draw the moments beside the members; H reveals.");
+    case ToolKind::Influence: return translatable("Click a section or a support; drag the section along.");
     case ToolKind::Paste: return translatable("Click where it goes, or type the place: 6,4  @3,2");
     case ToolKind::Delete: break;
     }
@@ -271,6 +286,7 @@ void tool_bar(Workspace& workspace, const CommandTable& commands, ui::ImGuiSessi
     const ToolKind tool = workspace.tool_controller.kind();
     if (tool == ToolKind::Support) support_settings(workspace);
     if (tool == ToolKind::Load) load_settings(workspace, fields);
+    if (tool == ToolKind::Influence) influence_settings(workspace);
     const bool is_in_space = femoop::is_3d(workspace.session.model().analysis);
     if (is_in_space && workspace.tool_controller.can_type()) plane_settings(workspace, fields);
     if (workspace.tool_controller.can_type() && tool != ToolKind::Dimension) snap_settings(workspace, commands, fields);

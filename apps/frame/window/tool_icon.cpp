@@ -73,6 +73,17 @@ public:
         node(21, 7);
     }
 
+    // The hinge opens, and the beam goes down to either side of it.
+    void influence()
+    {
+        line(2, 8, 22, 8, 1.4, ink_);
+        line(2, 8, 12, 18, 2.4, guess_);
+        line(12, 18, 22, 8, 2.4, guess_);
+        arrow(12, 1, 8);
+        node(2, 8);
+        node(22, 8);
+    }
+
 private:
     Point at(double x, double y) const { return {unit_ * x, unit_ * y}; }
     ui::Stroke stroke(double width, ui::Color color) const { return {.color = color, .width = unit_ * width}; }
@@ -81,10 +92,10 @@ private:
         painter_.line(at(x1, y1), at(x2, y2), stroke(width, color));
     }
     void node(double x, double y) { painter_.disc(at(x, y), 2.6 * unit_, ink_); }
-    void arrow(double x)
+    void arrow(double x, double top = 5, double tip = 18.5)
     {
-        line(x, 5, x, 15, 1.6, load_);
-        painter_.polygon({at(x - 2.5, 13.5), at(x + 2.5, 13.5), at(x, 18.5)}, load_);
+        line(x, top, x, tip - 3.5, 1.6, load_);
+        painter_.polygon({at(x - 2.5, tip - 5.0), at(x + 2.5, tip - 5.0), at(x, tip)}, load_);
     }
 
     ui::Painter& painter_;
@@ -107,6 +118,7 @@ void draw_tool_icon(ui::Painter& painter, ToolKind tool, const ui::Theme& theme)
     case ToolKind::Dimension: icon.dimension(); break;
     case ToolKind::Delete: icon.erase(); break;
     case ToolKind::Predict: icon.predict(); break;
+    case ToolKind::Influence: icon.influence(); break;
     case ToolKind::Paste: break; // taken up by no button
     }
 }

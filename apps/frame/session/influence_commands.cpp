@@ -1,0 +1,47 @@
+#include "apps/frame/session/influence_commands.h"
+
+#include <algorithm>
+
+namespace frame {
+
+using ui::Key;
+using ui::Reason;
+using ui::translatable;
+
+namespace {
+
+Reason needs_line(const Workspace& workspace)
+{
+    if (workspace.session.influence.effect(workspace.session.model())) return std::nullopt;
+    return translatable("no influence line is shown; press I and click a section or a support");
+}
+
+void choose_next(Workspace& workspace)
+{
+    AskedLine& line = workspace.session.influence;
+    const femoop::Model& model = workspace.session.model();
+    const std::vector<femoop::MovingEffect> choices = line.choices(model);
+    const auto now = std::ranges::find(choices, line.effect(model));
+    const bool has_next = now != choices.end() && now + 1 != choices.end();
+    if (!choices.empty()) line.choose(has_next ? *(now + 1) : choices.front());
+}
+
+} // namespace
+
+Reason why_no_influence_line(const Workspace& workspace)
+{
+    if (workspace.session.solution().results) return std::nullopt;
+    return translatable("the model has no results");
+}
+
+void add_influence_commands(CommandTable& table)
+{
+    Menu menu(table, translatable("View"));
+    menu.step({"view.influence.next", translatable("The next quantity of the influence line"), {{Key::I, ui::shift}}},
+              choose_next, needs_line);
+    menu.step(
+        {"view.influence.close", translatable("Close the influence line")},
+        [](Workspace& workspace) { workspace.session.influence.clear(); }, needs_line);
+}
+
+} // namespace frame

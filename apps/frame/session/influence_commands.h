@@ -1,0 +1,13 @@
+#pragma once
+
+#include "apps/frame/session/commands.h"
+
+namespace frame {
+
+/// What is done with the influence line that is looked at.
+void add_influence_commands(CommandTable& table);
+
+/// Why none can be asked for; nothing where one can.
+std::optional<ui::Message> why_no_influence_line(const Workspace& workspace);
+
+} // namespace frame
