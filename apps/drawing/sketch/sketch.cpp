@@ -77,8 +77,7 @@ ui::Firmness Sketch::firmness(Clearance clearance)
 void Sketch::include(ui::Point point)
 {
     if (!ui::is_finite(point)) return;
-    unite(bounds_, {point, point});
-    unite(tight_bounds_, {point, point});
+    for (auto* const bounds : {&bounds_, &tight_bounds_, &mark_bounds_}) unite(*bounds, {point, point});
 }
 
 void Sketch::unite(std::optional<ui::Box>& bounds, const ui::Box& box)

@@ -133,6 +133,7 @@ public:
     const std::optional<ui::Box>& bounds() const { return bounds_; } ///< of all marks and of the captions' first wishes
     /// As if every caption were as narrow as its target.
     const std::optional<ui::Box>& tight_bounds() const { return tight_bounds_; }
+    const std::optional<ui::Box>& mark_bounds() const { return mark_bounds_; } ///< without captions
     void include(ui::Point point);
     /// Labels keep out of a part of the sheet, which counts to no bounds.
     void reserve(const ui::Box& box) { placer_.obstacles().add_box(box); }
@@ -184,7 +185,7 @@ private:
     std::unordered_map<std::string, std::vector<Said>> said_; ///< where each string's requests have their targets
     std::vector<SignMark> signs_;
     Grips grips_;
-    std::optional<ui::Box> bounds_, tight_bounds_;
+    std::optional<ui::Box> bounds_, tight_bounds_, mark_bounds_;
     std::size_t n_left_out_ = 0;
 };
 
