@@ -154,8 +154,7 @@ TEST_CASE("A picture whose loads reach below its legend is not whole")
     const Subject::Picture fitted = drawn_at(std::nullopt);
     CHECK(fitted.is_whole);
     double highest = 740.0;
-    for (const LoadMark& mark : fitted.grips.loads)
-        for (const ui::Point at : mark.area) highest = std::min(highest, at.y);
+    for (const LoadMark& mark : fitted.grips.loads) highest = std::min(highest, mark.tip.y);
     Camera moved = fitted.plan.camera;
     std::get<ui::PlaneCamera>(moved).pan({0.0, fitted.legend_bottom - 3.0 - highest});
     CHECK(fitted.legend_bottom - 3.0 > fitted.plan.panels.front().box.min.y + 25.0); // not out of the panel
