@@ -64,6 +64,18 @@ TEST_CASE("In a small window the value of the load that is put is in sight and i
                  {900, 600}) == "");
 }
 
+TEST_CASE("In a small window the tab of every document is reached, though there are many")
+{
+    std::string open;
+    for (const char* name : {"portal", "truss", "gerber_beam", "storey_frame", "balcony", "bridge", "grillage",
+                             "three_spans", "mechanism"})
+        open += std::string("command file.open examples/") + name + ".json\n";
+    CHECK(played(open + "wait 0.1\nclick pixel 450 67\nexpect file three_spans.json\n"
+                        "wheel pixel 450 67 40\nwait 0.1\nclick pixel 260 67\nexpect file portal.json\n"
+                        "key Ctrl+Shift+Tab\nwait 0.1\nclick pixel 450 67\nexpect file three_spans.json\n",
+                 {900, 600}) == "");
+}
+
 TEST_CASE("Every frame of a scenario can be kept for a film")
 {
     const Folder folder;

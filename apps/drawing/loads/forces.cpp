@@ -43,12 +43,13 @@ void draw_force(const Scene& scene, const ForcePicture& force)
                         .head_size = 10.0,
                         .facing = force.direction.dot(scene.projection.toward_eye()),
                         .n_heads = force.n_heads});
+    std::optional<std::size_t> mark;
     if (force.grip)
-        scene.sketch.mark({.load = force.grip->load,
-                           .dof = force.grip->dof,
-                           .area = {tail, head},
-                           .root = is_push ? head : tail,
-                           .tip = is_push ? tail : head});
+        mark = scene.sketch.mark({.load = force.grip->load,
+                                  .dof = force.grip->dof,
+                                  .area = {tail, head},
+                                  .root = is_push ? head : tail,
+                                  .tip = is_push ? tail : head});
     if (!scene.shows(Show::Values)) return;
     scene.sketch.caption({.text = force.text,
                           .role = force.role,
@@ -56,7 +57,8 @@ void draw_force(const Scene& scene, const ForcePicture& force)
                           .toward = ui::length(d) < 0.15 ? ui::Point{0.7, -0.7} : (is_push ? -d : d),
                           .gap = scene.sketch.px(5.0),
                           .rank = Rank::Load,
-                          .of = at});
+                          .of = at,
+                          .load_mark = mark});
 }
 
 void draw_moment(const Scene& scene, const MomentPicture& moment)
@@ -76,19 +78,21 @@ void draw_moment(const Scene& scene, const MomentPicture& moment)
     const SymbolFrame f = scene.projection.frame(moment.at, Vector3d::UnitX(), Vector3d::UnitY());
     const CurvedArrow arrow{.frame = f, .radius = moment.radius, .sense = moment.axis.z(), .role = moment.role};
     draw(scene.sketch, arrow);
+    std::optional<std::size_t> mark;
     if (moment.grip)
-        scene.sketch.mark({.load = moment.grip->load,
-                           .dof = moment.grip->dof,
-                           .area = area_of(scene.sketch, arrow),
-                           .root = f(0.0, 0.0),
-                           .tip = f(0.0, scene.sketch.px(moment.radius))});
+        mark = scene.sketch.mark({.load = moment.grip->load,
+                                  .dof = moment.grip->dof,
+                                  .area = area_of(scene.sketch, arrow),
+                                  .root = f(0.0, 0.0),
+                                  .tip = f(0.0, scene.sketch.px(moment.radius))});
     if (!scene.shows(Show::Values)) return;
     scene.sketch.caption({.text = moment.text,
                           .role = moment.role,
                           .target = f(0.0, 0.0),
                           .toward = moment.text_side,
                           .gap = scene.sketch.px(moment.radius + 5.0),
-                          .rank = Rank::Load});
+                          .rank = Rank::Load,
+                          .load_mark = mark});
 }
 
 ui::Point text_side(const Scene& scene, femoop::NodeId node)

@@ -117,7 +117,7 @@ private:
 };
 
 void write_values(const Scene& scene, const Stretch& load, const LineLoadPicture& picture, ui::Point away,
-                  bool is_repeat)
+                  bool is_repeat, std::size_t load_mark)
 {
     if (!scene.shows(Show::Values)) return;
     const auto write = [&](double value, std::initializer_list<double> places) {
@@ -127,7 +127,8 @@ void write_values(const Scene& scene, const Stretch& load, const LineLoadPicture
                         .target = picture.tail(*places.begin()),
                         .toward = away,
                         .rank = is_repeat ? Rank::Minor : Rank::Load,
-                        .is_repeat = is_repeat};
+                        .is_repeat = is_repeat,
+                        .load_mark = load_mark};
         for (const double t : places) caption.others.push_back(picture.tail(t));
         scene.sketch.caption(std::move(caption));
     };
@@ -170,12 +171,13 @@ void draw_across(const Scene& scene, const StretchLoad& stretch, LoadStack& stac
     const double at = std::abs(load.start) > std::abs(load.end)   ? 0.0
                       : std::abs(load.start) < std::abs(load.end) ? 1.0
                                                                   : 0.5;
-    scene.sketch.mark({.load = part,
-                       .dof = dof,
-                       .area = {picture.head(0.0), picture.tail(0.0), picture.tail(1.0), picture.head(1.0)},
-                       .root = picture.head(at),
-                       .tip = picture.tail(at)});
-    write_values(scene, load, picture, scene.projection.direction(placing.away), is_repeat);
+    const std::size_t mark = scene.sketch.mark(
+        {.load = part,
+         .dof = dof,
+         .area = {picture.head(0.0), picture.tail(0.0), picture.tail(1.0), picture.head(1.0)},
+         .root = picture.head(at),
+         .tip = picture.tail(at)});
+    write_values(scene, load, picture, scene.projection.direction(placing.away), is_repeat, mark);
     // The value stands between this load and the one on top of it.
     const double text = scene.shows(Show::Values) ? 1.3 * scene.sketch.theme().type().normal : 0.0;
     stack.raise(placing.away, load.reach(), placing.base + placing.height + text);

@@ -430,7 +430,7 @@ Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, con
     if (!options_.show.contains(Show::M) && !shows_any(panel.show, diagrams)) picture.draw_overlay_alone();
     if (const auto& motion = input_.motion) picture.draw_mechanism(motion->all[motion->shown]);
     else picture.draw_solved(cases().shown ? &*cases().shown : nullptr, cases().of_envelope);
-    Drawn drawn{.bounds = sketch.bounds(), .tight_bounds = sketch.tight_bounds()};
+    Drawn drawn{.bounds = sketch.bounds(), .tight_bounds = sketch.tight_bounds(), .mark_bounds = sketch.mark_bounds()};
     const std::vector<ui::Box> rows = head_rows(picture.heads(), theme, painter.fonts(), panel);
     if (!rows.empty()) drawn.heads_height = rows.back().max.y - panel.box.min.y;
     if (pass == Pass::Measure) return drawn;
@@ -465,7 +465,7 @@ void append(Grips& grips, const Grips& more)
     grips.dimensions.insert(grips.dimensions.end(), more.dimensions.begin(), more.dimensions.end());
 }
 
-bool holds(const ui::Box& panel, const std::optional<ui::Box>& bounds) { return !bounds || panel.contains(*bounds); }
+bool holds(const ui::Box& box, const std::optional<ui::Box>& bounds) { return !bounds || box.contains(*bounds); }
 
 } // namespace
 
@@ -480,7 +480,10 @@ Subject::Picture Subject::draw(ui::Painter& painter) const
         if (&panel == &panels.front()) picture.legend_bottom = panel.box.min.y + drawn.heads_height;
         n_left_out += drawn.n_left_out;
         append(picture.grips, drawn.grips);
-        picture.is_whole = picture.is_whole && holds(panel.box, drawn.tight_bounds);
+        // A mark below the heads is not seen; a caption finds another place.
+        const ui::Box below_heads{panel.box.min + ui::Point{0.0, drawn.heads_height}, panel.box.max};
+        picture.is_whole = picture.is_whole && holds(panel.box, drawn.tight_bounds) &&
+                           holds(below_heads, drawn.mark_bounds);
     }
     draw_foot(painter);
     if (n_left_out > 0) draw_left_out(painter, n_left_out);

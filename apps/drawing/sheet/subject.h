@@ -32,7 +32,7 @@ public:
     struct Picture {
         Plan plan;
         Grips grips;                ///< what a hand can take hold of, where it is on the sheet
-        bool is_whole = true;       ///< no mark of the structure runs out of its panel
+        bool is_whole = true;       ///< no mark of the structure runs out of its panel or below its heads
         double legend_bottom = 0.0; ///< of the title and of what stands over the first panel [logical pixels]
     };
     Picture draw(ui::Painter& painter) const;
@@ -68,7 +68,7 @@ private:
 
     /// Draws a panel and returns the room that its marks took; `n_left_out` counts labels without a place.
     struct Drawn {
-        std::optional<ui::Box> bounds, tight_bounds;
+        std::optional<ui::Box> bounds, tight_bounds, mark_bounds;
         double heads_height = 0.0;
         std::size_t n_left_out = 0;
         Grips grips{};

@@ -77,8 +77,7 @@ ui::Firmness Sketch::firmness(Clearance clearance)
 void Sketch::include(ui::Point point)
 {
     if (!ui::is_finite(point)) return;
-    unite(bounds_, {point, point});
-    unite(tight_bounds_, {point, point});
+    for (auto* const bounds : {&bounds_, &tight_bounds_, &mark_bounds_}) unite(*bounds, {point, point});
 }
 
 void Sketch::unite(std::optional<ui::Box>& bounds, const ui::Box& box)
@@ -170,6 +169,19 @@ void Sketch::caption(Caption caption)
     requests_.push_back({std::move(caption), style, size});
 }
 
+std::size_t Sketch::mark(LoadMark mark)
+{
+    grips_.loads.push_back(std::move(mark));
+    return grips_.loads.size() - 1;
+}
+
+void Sketch::mark_value(std::size_t load_mark, const ui::Box& box)
+{
+    LoadMark value = grips_.loads[load_mark];
+    value.area = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
+    grips_.loads.push_back(std::move(value));
+}
+
 void Sketch::sign(SignMark mark)
 {
     if (std::all_of(mark.places.begin(), mark.places.end(), ui::is_finite)) signs_.push_back(std::move(mark));
@@ -252,6 +264,9 @@ void Sketch::write(const Request& request, const ui::PlacedLabel& place)
     ui::TextStyle style = request.style;
     if (place.is_over_soft) style.plate = ui::with_opacity(theme_->background(), 0.8);
     ui::draw_label(*painter_, place, request.caption.text, style);
+    const ui::Point half = 0.5 * ui::Point{request.size.width, request.size.height};
+    if (request.caption.load_mark && place.rotation == 0.0)
+        mark_value(*request.caption.load_mark, {place.center - half, place.center + half});
 }
 
 // Those that find no room look farther off.

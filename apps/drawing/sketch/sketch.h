@@ -38,6 +38,7 @@ struct Caption {
     ui::Point along{}; ///< of a member: where there is no room beside it it is written along this; zero: never
     std::optional<ui::HalfPlane> side{}; ///< where it means nothing else; it stands on no other
     bool is_repeat = false; ///< the same is said nearby: written where there is room, and missed by nobody else
+    std::optional<std::size_t> load_mark{}; ///< of the load whose value it is: a hand takes hold of it there too
 };
 
 /// A plus or a minus in a small disc, which says the sign of an area.
@@ -122,7 +123,7 @@ public:
     /// Put where no line runs, on a disc that hides what lies below it; labels keep clear of it.
     void sign(SignMark mark);
 
-    void mark(LoadMark mark) { grips_.loads.push_back(std::move(mark)); }
+    std::size_t mark(LoadMark mark); ///< \returns its number, for the caption with the load's value
     void mark(const SupportMark& mark) { grips_.supports.push_back(mark); }
     void mark(const DimensionMark& mark) { grips_.dimensions.push_back(mark); }
     const Grips& grips() const { return grips_; }
@@ -133,6 +134,7 @@ public:
     const std::optional<ui::Box>& bounds() const { return bounds_; } ///< of all marks and of the captions' first wishes
     /// As if every caption were as narrow as its target.
     const std::optional<ui::Box>& tight_bounds() const { return tight_bounds_; }
+    const std::optional<ui::Box>& mark_bounds() const { return mark_bounds_; } ///< without captions
     void include(ui::Point point);
     /// Labels keep out of a part of the sheet, which counts to no bounds.
     void reserve(const ui::Box& box) { placer_.obstacles().add_box(box); }
@@ -163,6 +165,7 @@ private:
     ui::LabelPlacement placed_at_best();
     void write_names_small();
     void write(const Request& request, const ui::PlacedLabel& place);
+    void mark_value(std::size_t load_mark, const ui::Box& box);
     bool is_in_sight(const Caption& caption) const;
     static void unite(std::optional<ui::Box>& bounds, const ui::Box& box);
     ui::TextStyle style_of(const Caption& caption) const;
@@ -184,7 +187,7 @@ private:
     std::unordered_map<std::string, std::vector<Said>> said_; ///< where each string's requests have their targets
     std::vector<SignMark> signs_;
     Grips grips_;
-    std::optional<ui::Box> bounds_, tight_bounds_;
+    std::optional<ui::Box> bounds_, tight_bounds_, mark_bounds_;
     std::size_t n_left_out_ = 0;
 };
 

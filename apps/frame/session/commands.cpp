@@ -62,6 +62,10 @@ void add_file_commands(CommandTable& table)
     menu.step(
         {"file.next_tab", translatable("Next tab"), {{Key::Tab, ui::ctrl}}},
         [](Workspace& workspace) { show_tab(workspace, (workspace.tab + 1) % n_tabs(workspace)); }, why_no_other_tab);
+    menu.step(
+        {"file.previous_tab", translatable("Previous tab"), {{Key::Tab, ui::ctrl_shift}}},
+        [](Workspace& workspace) { show_tab(workspace, (workspace.tab + n_tabs(workspace) - 1) % n_tabs(workspace)); },
+        why_no_other_tab);
     ui::standard::add_quit<Workspace>(table, ui::asks(ui::Request::Quit));
 }
 

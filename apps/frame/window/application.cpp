@@ -287,10 +287,14 @@ void Application::show_left(float width)
 void Application::show_right(float width)
 {
     ui::begin_panel("###right", width);
+    const bool begins = canvas_.takes_number();
+    if (begins) workspace_.topic = Topic::Properties;
     show_tabs();
     ImGui::Separator();
     switch (workspace_.topic) {
-    case Topic::Properties: properties_panel(workspace_, commands_, {fields_, property_sets_, title_rows_}); break;
+    case Topic::Properties:
+        properties_panel(workspace_, commands_, {fields_, property_sets_, title_rows_, begins});
+        break;
     case Topic::Results: results_panel(workspace_); break;
     case Topic::Problems: problems_panel(workspace_); break;
     case Topic::History: history_panel(workspace_); break;

@@ -345,6 +345,10 @@ void Canvas::release(Workspace& workspace, const Aim& aim, const Pick& under)
     const bool is_read = under.cut && !aim.part(); // a click on a diagram means its member
     session.pin = is_read ? under.cut : aim.cut;   // one on a support, a load or a dimension means that alone
     if (is_read && !aim.adds) session.selection = Part(under.cut->member);
+    const bool is_second = ImGui::GetIO().MouseClickedLastCount[ImGuiMouseButton_Left] == 2;
+    const std::optional<Part> part = aim.part();
+    const bool has_numbers = part && !std::holds_alternative<femoop::MemberId>(*part); // a member's is its foundation's
+    takes_number_ = is_second && has_numbers && workspace.has_panels && !aim.adds;
 }
 
 // In space the left button turns the model, so a tool gets clicks alone.

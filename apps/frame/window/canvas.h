@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "apps/drawing/pick.h"
@@ -22,6 +23,7 @@ namespace frame {
 ///     wheel: zoom to the cursor      middle or right button, or the space bar held: pan
 ///     left button in space: orbit    double click on nothing: show the whole model
 ///     with Shift in space: a window that selects
+///     double click on a load, a node, a dimension: its first number is typed in the panel of properties
 ///     right click: the menu of what lies there
 class Canvas {
 public:
@@ -41,6 +43,8 @@ public:
     std::optional<ui::Point> in_window(const Cut& cut) const;
     /// The structure as it is seen now, without what the hand is doing.
     ui::Picture picture_of(const Workspace& workspace) const;
+    /// A load, a node or a dimension was double clicked: its first number is to be typed. Said once.
+    bool takes_number() { return std::exchange(takes_number_, false); }
     /// The picture that was drawn last, for golden texts.
     const std::optional<ui::Picture>& picture() const { return picture_; }
 
@@ -101,6 +105,7 @@ private:
     bool is_just_fitted_ = false;
     bool is_working_ = false; ///< the left button was pressed in the picture and is held
     bool is_over_ = false;    ///< the pointer
+    bool takes_number_ = false;
 };
 
 } // namespace frame

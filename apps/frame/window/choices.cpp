@@ -63,7 +63,8 @@ std::optional<std::size_t> choose(const Choices& choices, const ui::Catalogue& t
     const std::string shown = choices.current ? choices.names.at(*choices.current) : tr("mixed");
     const ImGuiStyle& style = ImGui::GetStyle();
     const float needed = ImGui::CalcTextSize(shown.c_str()).x + 2.0F * style.FramePadding.x + ImGui::GetFrameHeight();
-    const ImGuiComboFlags flags = needed > ImGui::GetContentRegionAvail().x ? ImGuiComboFlags_NoArrowButton : 0;
+    const ImGuiComboFlags flags = ImGuiComboFlags_HeightLargest |
+                                  (needed > ImGui::GetContentRegionAvail().x ? ImGuiComboFlags_NoArrowButton : 0);
     if (!ImGui::BeginCombo(choices.id, ui::shown_whole(shown).c_str(), flags)) return chosen;
     for (std::size_t i = 0; i < choices.names.size(); ++i) {
         const std::string label = ui::item_label(choices.names[i], std::to_string(i));

@@ -64,7 +64,7 @@ void choose_name(Session& session, std::span<const Part> parts, const Naming& na
 {
     const ui::Catalogue& tr = session.view.tr;
     const std::string shown = naming.is_mixed ? tr("mixed") : naming.current ? name_of(session, *naming.current) : "–";
-    if (!ImGui::BeginCombo("###named set", ui::shown_whole(shown).c_str())) return;
+    if (!ImGui::BeginCombo("###named set", ui::shown_whole(shown).c_str(), ImGuiComboFlags_HeightLargest)) return;
     std::optional<NamedSetPlace> assigned, replaced;
     for (const NamedSetPlace set : naming.sets) {
         const std::string label = ui::item_label(name_of(session, set), std::to_string(set.set));
@@ -85,7 +85,7 @@ void choose_name(Session& session, std::span<const Part> parts, const Naming& na
 
 void choose_load(Session& session, std::span<const Part> parts, const std::vector<NamedSetPlace>& loads)
 {
-    if (!ImGui::BeginCombo("###give load", session.view.tr("choose…").c_str())) return;
+    if (!ImGui::BeginCombo("###give load", session.view.tr("choose…").c_str(), ImGuiComboFlags_HeightLargest)) return;
     std::optional<NamedSetPlace> given;
     for (const NamedSetPlace set : loads) {
         const std::string label = ui::item_label(name_of(session, set), std::to_string(set.set));

@@ -109,7 +109,8 @@ std::string shown_text(const SharedNumber& number, const ui::DisplayUnits& units
     return first.value ? units.number(*first.value, first.measure) : tr("not given");
 }
 
-void show_number(const Rows& rows, Workspace& workspace, ui::NumberFields& fields, const SharedNumber& number)
+void show_number(const Rows& rows, Workspace& workspace, ui::NumberFields& fields, const SharedNumber& number,
+                 bool begins)
 {
     const ui::DisplayUnits units = workspace.session.units();
     const ui::Catalogue& tr = workspace.session.view.tr;
@@ -120,7 +121,8 @@ void show_number(const Rows& rows, Workspace& workspace, ui::NumberFields& field
         "number" + std::to_string(first.id.place),
         {.text = shown_text(number, units, tr),
          .exact_text = exact_text(common, first.measure, units),
-         .value = common ? std::optional(units.shown(*common, first.measure)) : std::nullopt});
+         .value = common ? std::optional(units.shown(*common, first.measure)) : std::nullopt,
+         .begins = begins});
     if (event.kind == Kind::Dragged) take_drag(workspace, number, event.value);
     if (event.kind == Kind::Settled) workspace.session.settle();
     if (event.kind == Kind::Typed) take_text(workspace, fields, number, event);
@@ -135,12 +137,13 @@ ui::Message change_label(const femoop::Model& model, const ui::Message& what, st
     return {translatable("Change {number}: {part}"), {{"number", what}, {"part", whose}}};
 }
 
-void show_numbers(Workspace& workspace, ui::NumberFields& fields, std::span<const Part> parts)
+void show_numbers(Workspace& workspace, ui::NumberFields& fields, std::span<const Part> parts, bool begins)
 {
     const std::vector<SharedNumber> all = shared_numbers(workspace.session.model(), parts);
     const Rows rows("numbers");
     if (!rows.is_open()) return;
-    for (const SharedNumber& number : all) show_number(rows, workspace, fields, number);
+    for (const SharedNumber& number : all)
+        show_number(rows, workspace, fields, number, begins && &number == &all.front());
 }
 
 bool edit_quantity(Workspace& workspace, ui::NumberFields& fields, const FieldPlace& place, femoop::Quantity& value)
@@ -150,7 +153,8 @@ bool edit_quantity(Workspace& workspace, ui::NumberFields& fields, const FieldPl
     const ui::NumberFieldEvent event = fields.show(place.id, {.text = units.number(value, place.measure),
                                                               .exact_text = exact_text(value, place.measure, units),
                                                               .value = units.shown(value, place.measure),
-                                                              .width = place.width});
+                                                              .width = place.width,
+                                                              .begins = place.begins});
     if (event.kind != Kind::Dragged && event.kind != Kind::Typed) return false;
     const std::string text = event.kind == Kind::Typed ? event.text : ui::number_text(event.value, {digits_to_edit});
     const auto typed = quantity_typed(text, place.measure, session.model().units, units);

@@ -31,7 +31,8 @@ private:
 ui::Message change_label(const femoop::Model& model, const ui::Message& what, std::span<const Part> parts);
 
 /// The numbers that the parts share, in a table of their own. Each follows every movement of the hand.
-void show_numbers(Workspace& workspace, ui::NumberFields& fields, std::span<const Part> parts);
+/// \param begins  the first of them gets the keyboard now
+void show_numbers(Workspace& workspace, ui::NumberFields& fields, std::span<const Part> parts, bool begins = false);
 
 /// A field of its own for a quantity that is no number of the document, such as a setting of a tool.
 struct FieldPlace {
@@ -40,6 +41,7 @@ struct FieldPlace {
     float width = 0.0F; ///< physical pixels; 0: all that is left
     /// Why the quantity cannot have this value; empty where any will do.
     std::function<std::optional<ui::Message>(double)> why_not{};
+    bool begins = false; ///< it gets the keyboard now
 };
 /// \returns whether the quantity was changed
 bool edit_quantity(Workspace& workspace, ui::NumberFields& fields, const FieldPlace& place, femoop::Quantity& value);

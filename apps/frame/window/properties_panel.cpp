@@ -27,7 +27,7 @@ using ui::translatable;
 namespace {
 
 // Of a dimension line, which is no part of the model: its distance from its first node.
-void show_offset(Workspace& workspace, ui::NumberFields& fields, std::span<const Part> parts)
+void show_offset(Workspace& workspace, ui::NumberFields& fields, std::span<const Part> parts, bool begins)
 {
     const auto* const place = parts.size() == 1 ? std::get_if<DimensionPlace>(&parts.front()) : nullptr;
     if (place == nullptr) return;
@@ -36,15 +36,15 @@ void show_offset(Workspace& workspace, ui::NumberFields& fields, std::span<const
     Session& session = workspace.session;
     Quantity offset = session.document().companion.dimensions[place->dimension].offset;
     rows.name(session.units().label(session.view.tr("Distance"), ui::Measure::Length));
-    if (edit_quantity(workspace, fields, {"offset", ui::Measure::Length}, offset))
+    if (edit_quantity(workspace, fields, {.id = "offset", .measure = ui::Measure::Length, .begins = begins}, offset))
         session.change({{translatable("Move: {part}"), {{"part", title(session.document(), *place)}}},
                         [place = *place, offset](Document& document) { set_offset(document, place, offset); }});
 }
 
-void show_parts(Workspace& workspace, ui::NumberFields& fields, std::span<const Part> parts)
+void show_parts(Workspace& workspace, ui::NumberFields& fields, std::span<const Part> parts, bool begins = false)
 {
-    show_numbers(workspace, fields, parts);
-    show_offset(workspace, fields, parts);
+    show_numbers(workspace, fields, parts, begins);
+    show_offset(workspace, fields, parts, begins);
     show_choices(workspace.session, parts);
     named_set_rows(workspace.session, parts);
 }
@@ -97,7 +97,7 @@ void show_one(Workspace& workspace, const CommandTable& commands, const Property
     fields.sets.show(workspace, part);
     if (session.selection.only() != part || !has(session.document(), part))
         return; // the panel shows what it was before
-    show_parts(workspace, fields.numbers, std::array{part});
+    show_parts(workspace, fields.numbers, std::array{part}, fields.begins);
     show_ways_on(session, part);
     if (std::holds_alternative<MemberId>(part))
         for (const std::string_view id : {"methods.distribution", "methods.circle"})

@@ -12,6 +12,7 @@ struct PropertyFields {
     ui::NumberFields& numbers;
     PropertySets& sets;
     TitleRows& title;
+    bool begins = false; ///< the first number of what is selected gets the keyboard now
 };
 
 /// What is selected: its numbers, its choices and the loads on it, and a button that adds one; nothing selected: the

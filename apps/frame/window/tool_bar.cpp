@@ -123,7 +123,8 @@ void load_settings(Workspace& workspace, ui::NumberFields& fields)
     const std::string unit = workspace.session.units().unit(number.measure).name;
     const LoadLook look(unit, ImGui::GetContentRegionAvail().x);
     ImGui::SetNextItemWidth(look.list);
-    const auto flags = look.has_arrow ? ImGuiComboFlags_None : ImGuiComboFlags_NoArrowButton;
+    const auto flags = ImGuiComboFlags_HeightLargest |
+                       (look.has_arrow ? ImGuiComboFlags_None : ImGuiComboFlags_NoArrowButton);
     const bool is_open = ImGui::BeginCombo("###load kind", tr(chosen.name).c_str(), flags);
     if (is_open) {
         for (const ToolLoadEntry& entry : tool_loads(kind))

@@ -139,6 +139,28 @@ TEST_CASE("Diagrams of any size lie whole in a fitted picture")
     }
 }
 
+TEST_CASE("A picture whose loads reach below its legend is not whole")
+{
+    const auto model = view_test::example("portal");
+    const femoop::Results results = femoop::analyse(model);
+    DrawOptions options = shown("loads,N,V,M,labels,legend");
+    options.layout = Layout::Overlay;
+    const ui::Fonts fonts;
+    const auto drawn_at = [&](const std::optional<Camera>& camera) {
+        const DrawState state{.camera = camera};
+        ui::Painter painter({680.0, 740.0}, fonts);
+        return Subject({model, &results}, options, state).draw(painter);
+    };
+    const Subject::Picture fitted = drawn_at(std::nullopt);
+    CHECK(fitted.is_whole);
+    double highest = 740.0;
+    for (const LoadMark& mark : fitted.grips.loads) highest = std::min(highest, mark.tip.y);
+    Camera moved = fitted.plan.camera;
+    std::get<ui::PlaneCamera>(moved).pan({0.0, fitted.legend_bottom - 3.0 - highest});
+    CHECK(fitted.legend_bottom - 3.0 > fitted.plan.panels.front().box.min.y + 25.0); // not out of the panel
+    CHECK(!drawn_at(moved).is_whole);
+}
+
 TEST_CASE("The section under the cursor is read")
 {
     const auto model = view_test::example("portal");
