@@ -70,7 +70,8 @@ template <class Session> void show_menus(const CommandTable<Session>& table, Ses
     ImGui::SetWindowFontScale(1.0F);
 }
 
-/// Finds a command by its words: type, choose with the arrows, Enter.
+/// Finds a command by its words: type, choose with the arrows, Enter. One that cannot run now is grey and says why, below
+/// the list while it is chosen and under the pointer.
 class CommandPalette {
 public:
     void open();
@@ -83,11 +84,11 @@ public:
         const Command<Session>* chosen = nullptr;
         if (begin(tr, found.size())) {
             for (std::size_t i = 0; i < found.size(); ++i) {
-                const bool can_run = !why_not(*found[i], session);
+                const Reason reason = why_not(*found[i], session);
                 const std::string keys = found[i]->shortcuts.empty() ? "" : text(found[i]->shortcuts.front());
                 const std::string menu = found[i]->menu.empty() ? "" : tr(found[i]->menu) + "  ›  ";
                 const std::string name = menu + label(*found[i], session, tr);
-                if (show_line(i, {name, keys, can_run})) chosen = found[i];
+                if (show_line(i, {name, keys, reason ? tr(*reason) : ""})) chosen = found[i];
             }
         }
         end();
@@ -100,7 +101,7 @@ public:
 private:
     struct Line {
         std::string name, keys;
-        bool can_run;
+        std::string why_not; ///< empty: it can run now
     };
     bool begin(const Catalogue& tr, std::size_t n_found);
     bool show_line(std::size_t place, const Line& line);
@@ -111,6 +112,7 @@ private:
     bool is_confirmed_ = false;
     std::string typed_;
     std::size_t chosen_ = 0;
+    std::string why_not_chosen_; ///< of the chosen line
 };
 
 } // namespace ui

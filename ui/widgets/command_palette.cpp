@@ -31,31 +31,37 @@ bool CommandPalette::begin(const Catalogue& tr, std::size_t n_found)
     if (chosen_ >= n_found) chosen_ = 0;
 
     ImGui::SetNextItemWidth(-1.0F);
-    if (is_fresh_) ImGui::SetKeyboardFocusHere();
+    const bool ran_nothing = is_confirmed_; // Enter, which takes the keyboard from the field
+    if (is_fresh_ || ran_nothing) ImGui::SetKeyboardFocusHere();
     is_confirmed_ = ImGui::InputTextWithHint("###typed", tr("Type what you want to do").c_str(), &typed_,
                                              ImGuiInputTextFlags_EnterReturnsTrue);
     const bool has_lost_focus = !is_fresh_ && !ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
     if (has_lost_focus) is_open_ = false;
     is_fresh_ = false;
+    why_not_chosen_.clear();
     return ImGui::BeginChild("###found", {0.0F, 14.0F * ImGui::GetTextLineHeightWithSpacing()});
 }
 
 bool CommandPalette::show_line(std::size_t place, const Line& line)
 {
     const bool is_chosen = place == chosen_;
-    const ImGuiSelectableFlags flags = line.can_run ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
+    const bool can_run = line.why_not.empty();
+    const ImGuiSelectableFlags flags = can_run ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
     const bool is_clicked = ImGui::Selectable(shown_whole(line.name).c_str(), is_chosen, flags);
+    if (!can_run && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) show_tooltip(line.why_not);
+    if (is_chosen) why_not_chosen_ = line.why_not;
     if (is_chosen && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
     if (!line.keys.empty()) {
         ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(line.keys.c_str()).x);
         ImGui::TextDisabled("%s", line.keys.c_str());
     }
-    return line.can_run && (is_clicked || (is_chosen && is_confirmed_));
+    return can_run && (is_clicked || (is_chosen && is_confirmed_));
 }
 
 void CommandPalette::end()
 {
     ImGui::EndChild();
+    if (!why_not_chosen_.empty()) wrapped_text(why_not_chosen_);
     ImGui::End();
 }
 

@@ -168,14 +168,14 @@ void add_places(const Diagram& d, Drawn& drawn)
     add(Handle::Centre, {s.circle.centre, 0.0});
 }
 
-std::string shear_rule(const Scene& scene)
+std::string shear_rule(const Scene& scene, fm::ShearRule rule)
 {
     const Look& look = scene.look;
     if (is_in_space(scene.document.subject))
         return look.tr("in space the shear on a plane is a size, and N lies above the axis");
     if (scene.document.subject == Subject::Inertia)
         return look.tr("the axis of the product points down and counts −Ixy");
-    if (scene.solution.rule == fm::ShearRule::TensorDown)
+    if (rule == fm::ShearRule::TensorDown)
         return look.tr("the shear axis points down, with the signs of the axes x′y′ of the face");
     return look.tr("shear is up where it turns the element clockwise");
 }
@@ -314,7 +314,11 @@ ui::Box write_rule(ui::Painter& painter, const Scene& scene, const ui::Box& box)
 {
     ui::TextStyle faint = scene.look.full_theme().text(Role::FaintLabel);
     faint.size = scene.look.full_theme().type().small;
-    return write_at_foot(painter, box, shear_rule(scene), faint, scene.look.both_rules ? 2 : 1); // both feet level
+    std::size_t n_lines = 1;
+    if (scene.look.both_rules) // side by side with the other one, both feet level
+        for (const auto rule : {fm::ShearRule::ClockwiseUp, fm::ShearRule::TensorDown})
+            n_lines = std::max(n_lines, lines_of(painter, shear_rule(scene, rule), faint, box.width()).size());
+    return write_at_foot(painter, box, shear_rule(scene, scene.solution.rule), faint, n_lines);
 }
 
 void draw_mark(ui::Painter& painter, const Scene& scene, ui::Point at, std::optional<Handle> handle, ui::Role role)

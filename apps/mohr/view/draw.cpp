@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "apps/mohr/view/circle_picture.h"
 #include "apps/mohr/view/construction_picture.h"
@@ -60,63 +61,105 @@ ui::Box without_gap(const ui::Box& box)
 /// Where the pictures of a plane state stand: side by side, or one below another on a sheet that is high.
 struct PlaneRooms {
     ui::Box element, circle;
-    ui::Box row; ///< of the curves or the section, and the locus
+    std::optional<ui::Box> below{}; ///< of the curves or the section
+    std::optional<ui::Box> locus{};
 };
 
 /// What stands below is left out where it would tell an answer, and where large type and a construction's caption leave
 /// little for the circle.
-bool has_row(const Scene& scene)
+bool has_below(const Scene& scene)
 {
     return !scene.conceals && !(scene.steps_shown && scene.look.theme == ui::ThemeName::Projector);
 }
 
-/// What stands below is flat there, and alone it has the width for another place: below the element.
-bool is_flat(const PlaneRooms& rooms, const Scene& scene)
+/// Curves and a section are flat in less height, and a locus is hardly more than its words. [em]
+constexpr double least_below = 7.5, least_locus = 11.0;
+
+double em(const Scene& scene) { return scene.look.full_theme().type().normal; }
+
+/// The locus stands at the end of the row of the curves, where that is high enough for it.
+bool shares_row(PlaneRooms& rooms, const Scene& scene)
 {
-    constexpr double least_height = 7.5, least_width = 15.0;
-    const double em = scene.look.full_theme().type().normal;
-    return !has_locus(scene) && rooms.row.height() < least_height * em && rooms.element.width() > least_width * em;
+    const ui::Box row = *rooms.below;
+    if (row.height() < least_locus * em(scene)) return false;
+    const double right_of_curves = row.min.x + 0.66 * row.width();
+    rooms.below = ui::Box{row.min, {right_of_curves, row.max.y}};
+    rooms.locus = ui::Box{{right_of_curves + gap, row.min.y}, row.max};
+    return true;
 }
 
-/// The circle has the whole height, and what else would lie flat below it stands below the element.
-PlaneRooms rooms_of_large_type(const ui::Size& sheet, double middle)
+/// One below another; a locus that has no room in the row of the curves stands beside the element.
+PlaneRooms rooms_of_high_sheet(const ui::Size& sheet, const Scene& scene)
 {
-    const double top = 0.5 * gap, foot = sheet.height - 0.5 * gap, below = 0.58 * sheet.height;
-    return {without_gap({{0.0, top}, {middle, below}}), without_gap({{middle, top}, {sheet.width, foot}}),
-            without_gap({{0.0, below}, {middle, foot}})};
+    const double w = sheet.width, h = sheet.height;
+    const bool is_whole = !has_below(scene);
+    const double middle = (is_whole ? 0.4 : 0.36) * h, foot = (is_whole ? 1.0 : 0.78) * h;
+    PlaneRooms rooms{without_gap({{0.0, 0.0}, {w, middle}}), without_gap({{0.0, middle}, {w, foot}})};
+    if (is_whole) return rooms;
+    rooms.below = without_gap({{0.0, foot}, {w, h}});
+    if (!has_locus(scene) || shares_row(rooms, scene)) return rooms;
+    const double beside = 0.6 * w;
+    rooms.element = without_gap({{0.0, 0.0}, {beside, middle}});
+    rooms.locus = without_gap({{beside, 0.0}, {w, middle}});
+    return rooms;
 }
 
-PlaneRooms plane_rooms(const ui::Box& sheet, const Scene& scene)
+/// What would be small in a row of that height below the circle stands below the element: the locus, else the curves.
+/// Curves that are flat are left out beside the locus.
+PlaneRooms rooms_of_flat_row(const ui::Size& sheet, double middle, double foot, const Scene& scene)
 {
-    const double w = sheet.width(), h = sheet.height();
-    const bool is_whole = !has_row(scene);
-    const bool is_projected = scene.look.theme == ui::ThemeName::Projector; // large type takes room from the circle
-    const double foot = is_whole ? 1.0 : is_projected ? 0.78 : 0.70;
-    if (w < 0.8 * h) {
-        const double below = is_whole ? 1.0 : 0.78, middle = is_whole ? 0.4 : 0.36;
-        return {without_gap({{0.0, 0.0}, {w, middle * h}}), without_gap({{0.0, middle * h}, {w, below * h}}),
-                without_gap({{0.0, below * h}, {w, h}})};
+    const double top = 0.5 * gap, bottom = sheet.height - 0.5 * gap, below_element = 0.58 * sheet.height;
+    PlaneRooms rooms{without_gap({{0.0, top}, {middle, below_element}}),
+                     without_gap({{middle, top}, {sheet.width, bottom}})};
+    const ui::Box corner = without_gap({{0.0, below_element}, {middle, bottom}});
+    if (!has_locus(scene)) {
+        rooms.below = corner;
+        return rooms;
     }
-    const double middle = (shows_both_rules(scene) ? 0.28 : 0.42) * w;
-    const PlaneRooms rooms{without_gap({{0.0, 0.5 * gap}, {middle, foot * h + 0.5 * gap}}),
-                           without_gap({{middle, 0.5 * gap}, {w, foot * h + 0.5 * gap}}),
-                           without_gap({{0.0, foot * h + 0.5 * gap}, {w, h - 0.5 * gap}})};
-    return is_whole || !is_flat(rooms, scene) ? rooms : rooms_of_large_type({w, h}, middle);
+    rooms.locus = corner;
+    const ui::Box below_circle = without_gap({{middle, foot}, {sheet.width, bottom}});
+    if (below_circle.height() < least_below * em(scene)) return rooms;
+    rooms.circle.max.y = foot - 0.5 * gap;
+    rooms.below = below_circle;
+    return rooms;
+}
+
+/// Down to where the circle has room. Two circles side by side are narrow, and leave height for what stands below.
+double foot_of_circle(double height, const Scene& scene)
+{
+    if (!has_below(scene)) return height;
+    const bool is_projected = scene.look.theme == ui::ThemeName::Projector; // large type takes room from the circle
+    const double foot = (is_projected ? 0.78 : 0.70) * height;
+    return shows_both_rules(scene) ? std::min(foot, height - least_below * em(scene) - gap) : foot;
+}
+
+PlaneRooms rooms_of_wide_sheet(const ui::Size& sheet, const Scene& scene)
+{
+    constexpr double least_width = 15.0; // em: for curves or a section below the element
+    const double middle = (shows_both_rules(scene) ? 0.28 : 0.42) * sheet.width,
+                 foot = foot_of_circle(sheet.height, scene) + 0.5 * gap;
+    PlaneRooms rooms{without_gap({{0.0, 0.5 * gap}, {middle, foot}}),
+                     without_gap({{middle, 0.5 * gap}, {sheet.width, foot}})};
+    if (!has_below(scene)) return rooms;
+    rooms.below = without_gap({{0.0, foot}, {sheet.width, sheet.height - 0.5 * gap}});
+    const bool is_flat = rooms.below->height() < least_below * em(scene) &&
+                         rooms.element.width() > least_width * em(scene);
+    const bool has_room = has_locus(scene) ? shares_row(rooms, scene) : !is_flat;
+    return has_room ? rooms : rooms_of_flat_row(sheet, middle, foot, scene);
 }
 
 void draw_plane(ui::Painter& painter, const Scene& scene, Drawn& drawn)
 {
-    const PlaneRooms rooms = plane_rooms(painter.sheet(), scene);
+    const ui::Size sheet{painter.sheet().width(), painter.sheet().height()};
+    const bool is_high = sheet.width < 0.8 * sheet.height;
+    const PlaneRooms rooms = is_high ? rooms_of_high_sheet(sheet, scene) : rooms_of_wide_sheet(sheet, scene);
     draw_element(painter, scene, rooms.element, drawn);
     if (scene.steps_shown) draw_construction(painter, scene, rooms.circle, drawn);
     else if (shows_both_rules(scene)) draw_both_rules(painter, scene, rooms.circle, drawn);
     else draw_circle(painter, scene, rooms.circle, drawn);
-    const ui::Box& row = rooms.row;
-    if (!has_row(scene)) return;
-    if (scene.solution.section) return draw_section(painter, scene, row, drawn);
-    const double right_of_curves = has_locus(scene) ? row.min.x + 0.66 * row.width() : row.max.x;
-    draw_curves(painter, scene, {row.min, {right_of_curves, row.max.y}}, drawn);
-    if (has_locus(scene)) draw_locus(painter, scene, {{right_of_curves + gap, row.min.y}, row.max});
+    if (rooms.below && scene.solution.section) draw_section(painter, scene, *rooms.below, drawn);
+    else if (rooms.below) draw_curves(painter, scene, *rooms.below, drawn);
+    if (rooms.locus) draw_locus(painter, scene, *rooms.locus);
 }
 
 /// Cube, sphere and perhaps a criterion below one another at the left, or side by side on top of a sheet that is high.

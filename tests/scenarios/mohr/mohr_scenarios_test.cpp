@@ -20,7 +20,10 @@ using namespace mohr;
 namespace {
 
 /// What went wrong, "" for nothing.
-std::string played(const std::string& script) { return played_in<Application, OffscreenStage>(script, Session()); }
+std::string played(const std::string& script, ui::PixelSize size = {1280, 800})
+{
+    return played_in<Application, OffscreenStage>(script, Session(), size);
+}
 
 /// How many pixels have the colour that frames what the keyboard has.
 int n_framed(const ui::Pixels& pixels)
@@ -150,6 +153,19 @@ TEST_CASE("The projector makes no circle smaller, nor one that is being construc
                 }
             return context.pixels();
         });
+}
+
+TEST_CASE("In a small window on the projector neither the curves nor a criterion's locus are squeezed")
+{
+    // The names of what has no room are left out.
+    const auto shows = [](const std::string& script, const std::string& name) {
+        return played(script + "command view.project\nwait 0.1\nexpect drawn \"" + name + "\"", {900, 600});
+    };
+    const std::string both = "command view.show.both_rules\n", tresca = "command criterion.tresca\n";
+    CHECK(shows("command criterion.mohr_coulomb\n", "σ2") == "");
+    CHECK(shows("key 4\n" + tresca, "σ2") == "");
+    CHECK(shows(both + tresca, "σ2") == "");
+    CHECK(shows(both, "σ = 68.69") == "");
 }
 
 TEST_CASE("Every scenario of Mohr's circle begins with its claim and is played to its end")
