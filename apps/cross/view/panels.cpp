@@ -431,7 +431,8 @@ Sketched sketched(ui::Painter& painter, const Panel& panel, const Scene& scene, 
     const drawing::Projection projection(panel.camera, panel.box.min);
     const drawing::LevelOfDetail detail(shape, projection);
     ui::Box room = panel.box.grown(-edge);
-    room.min.y += title_ems * theme_in(panel, scene.look).type().normal;
+    const double em = theme_in(panel, scene.look).type().normal;
+    room.min.y += std::max(panel.title - 0.2 * em, title_ems * em); // labels need less of a gap
     drawing::Sketch sketch({.painter = &painter,
                             .theme = &theme,
                             .room = room,

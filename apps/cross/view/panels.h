@@ -22,6 +22,7 @@ struct Panel {
     double zoom = 1.0;     ///< how much larger than the whole structure would be
     ui::Box whole;         ///< what of the picture would be seen of the whole structure, at this zoom
     double ems_high = 1.0; ///< how many of the usual lines of type its marks need
+    double title = 0.0;    ///< height of its title, where it is known: labels stand below
 
     ui::Point at(const Eigen::Vector3d& place) const
     {

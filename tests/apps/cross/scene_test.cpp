@@ -211,6 +211,25 @@ TEST_CASE("The numbers of a beam's sheet grow with the wheel, on the projector t
     CHECK(size_of_factor({.factor = 2.0}) > 1.7 * size_of_factor({}));
 }
 
+TEST_CASE("In a narrow picture the forces of two props are written at its foot, named by their nodes")
+{
+    const Document document = read_document_file("tests/cases/own/staged-two-storeys.json");
+    const Solution solution = solve(document);
+    const auto state = fc::state_results(document.model, solution.task->problem,
+                                         present_locks(document, solution, 1.0));
+    const ui::Fonts fonts;
+    const auto drawn_at = [&](ui::Size size) {
+        ui::Painter painter(size, fonts);
+        draw(painter, {document, solution, &state, 1.0, {}, {}});
+        return ui::golden_text(painter.picture());
+    };
+    for (const std::string force : {"C  −17.5 kN", "E  −12.5 kN"}) {
+        CAPTURE(force);
+        CHECK(drawn_at({443.0, 525.0}).find(force) != std::string::npos);
+        CHECK(drawn_at({1280.0, 700.0}).find(force) == std::string::npos);
+    }
+}
+
 TEST_CASE("In fractions factors and moments are exact")
 {
     Look look;
