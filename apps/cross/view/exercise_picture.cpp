@@ -316,15 +316,9 @@ private:
     /// Nothing where a box is seen whole, between title and legend.
     std::optional<ui::Point> way_into_sight(const ui::Box& box) const
     {
-        ui::Box sight = panel_.box.grown(-0.5 * theme_.type().normal);
-        sight.min.y += 1.5 * theme_.type().normal;
+        ui::Box sight = sight_below_title(panel_, theme_);
         sight.max.y -= legend_height();
-        const auto way = [](double low, double high, double least, double most) {
-            return low < least ? least - low : std::min(0.0, std::max(most - high, least - low));
-        };
-        const ui::Point by{way(box.min.x, box.max.x, sight.min.x, sight.max.x),
-                           way(box.min.y, box.max.y, sight.min.y, sight.max.y)};
-        return panel_.is_zoomed && ui::distance({}, by) > 0.0 ? std::optional(by) : std::nullopt;
+        return panel_.is_zoomed ? cross::way_into_sight(box, sight) : std::nullopt;
     }
 
     /// A frame round it, its label at the left, the number, and at the right what is said of it.

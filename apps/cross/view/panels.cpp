@@ -264,8 +264,7 @@ Panels panels_for(const drawing::StructureShape& shape, ui::Size sheet, const ui
 
 double legible_type(const ui::Theme& theme)
 {
-    constexpr double afar = 0.9; // of the usual size
-    return theme.name() == ui::ThemeName::Projector ? afar * theme.type().normal : 0.0;
+    return theme.name() == ui::ThemeName::Projector ? theme.type().normal : 0.0;
 }
 
 std::vector<SheetRoom> rooms_tried(const ui::Theme& theme)

@@ -48,7 +48,7 @@ struct SheetRoom {
 /// Those that are tried: where one lets more columns stand, or in larger type, it is taken.
 std::vector<SheetRoom> rooms_tried(const ui::Theme& theme);
 
-/// The least size of a sheet's numbers that the last row reads; 0 but on the projector.
+/// The least size of a sheet's numbers that the last row reads, that of the panels; 0 but on the projector.
 double legible_type(const ui::Theme& theme);
 
 /// Where the small pictures of a frame stand: below one another left of its sheet, or in a row above it.
