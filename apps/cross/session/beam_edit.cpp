@@ -47,6 +47,16 @@ double length_of(const Model& model, femoop::MemberId member)
     return (place_of(model, nodes[1]) - place_of(model, nodes[0])).norm();
 }
 
+/// The outermost node of a side where a level member ends alone: a foot is no end of a span.
+std::optional<NodeId> end_of_spans(const Model& model, Side side)
+{
+    const auto end = end_node(model, side);
+    if (!end) return std::nullopt;
+    const NodeId before = far_node(model, members_at(model, *end).front(), *end);
+    const Eigen::Vector2d along = place_of(model, *end) - place_of(model, before);
+    return std::abs(along.y()) <= 1e-6 * along.norm() ? end : std::nullopt;
+}
+
 } // namespace
 
 Model with_next_support(const Model& model, NodeId node)
@@ -85,7 +95,7 @@ Model with_support_taken(const Model& model, NodeId node)
 
 std::optional<Model> with_span_added(const Model& model, Side side, std::optional<double> length)
 {
-    const auto last = end_node(model, side);
+    const auto last = end_of_spans(model, side);
     if (!last) return std::nullopt;
     const femoop::MemberId span = members_at(model, *last).front();
     Eigen::Vector2d along = place_of(model, *last) - place_of(model, far_node(model, span, *last));
@@ -108,7 +118,7 @@ std::optional<Model> with_span_added(const Model& model, Side side, std::optiona
 
 std::optional<Model> with_span_removed(const Model& model, Side side)
 {
-    const auto last = end_node(model, side);
+    const auto last = end_of_spans(model, side);
     if (!last || model.members.size() < 2) return std::nullopt;
     Model next = unverified(model);
     const NodeId before = far_node(model, members_at(model, *last).front(), *last);

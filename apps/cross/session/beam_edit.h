@@ -18,7 +18,7 @@ std::optional<femoop::Model> with_support_between(const femoop::Model& model, fe
 femoop::Model with_support_taken(const femoop::Model& model, femoop::NodeId node);
 
 /// A span more at a side, loaded as the last one there and as long, unless its length is given; its end is held as the
-/// end was. Nothing where several members meet there.
+/// end was. Nothing where several members meet there, or the foot of a column stands there.
 std::optional<femoop::Model> with_span_added(const femoop::Model& model, Side side = Side::Right,
                                              std::optional<double> length = std::nullopt);
 /// A span less at a side; nothing where it is the only one.

@@ -258,7 +258,8 @@ private:
             constexpr double most = 4.0;
             const ui::Size size{larger * width, larger * height};
             ui::Painter painter(size, fonts_);
-            const std::size_t n_missing = draw_sheet(painter, panel_alone(Part::Sheet, shape, size, theme), scene());
+            const Panel panel = panel_alone(Part::Sheet, shape, size, theme);
+            const std::size_t n_missing = draw_sheet(painter, panel, scene()).n_left_out;
             if (n_missing > 0 && larger < most) continue;
             report_.blocks.push_back(ui::ReportFigure{painter.picture(), ""});
             return;

@@ -64,6 +64,12 @@ void remove_span(Workspace& workspace)
         workspace.session.change(std::move(*next), translatable("Remove the last span"));
 }
 
+Reason why_not_add_span(const Workspace& workspace)
+{
+    if (with_span_added(workspace.session.document().model)) return std::nullopt;
+    return Message(translatable("no level member ends alone at this side"));
+}
+
 Reason why_not_remove_span(const Workspace& workspace)
 {
     if (with_span_removed(workspace.session.document().model)) return std::nullopt;
@@ -75,8 +81,7 @@ void add_structure_commands(CommandTable& table)
     Menu menu(table, edit_menu);
     add_end(menu, {"edit.left_end", translatable("Left end: pinned, fixed, free")}, Side::Left);
     add_end(menu, {"edit.right_end", translatable("Right end: pinned, fixed, free")}, Side::Right);
-    menu.step({"edit.add_span", translatable("Add a span")}, add_span,
-              [](const Workspace& workspace) { return why_no_end(workspace, Side::Right); });
+    menu.step({"edit.add_span", translatable("Add a span")}, add_span, why_not_add_span);
     menu.step({"edit.remove_span", translatable("Remove the last span")}, remove_span, why_not_remove_span);
 }
 

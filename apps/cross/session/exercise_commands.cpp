@@ -43,15 +43,21 @@ Reason why_no_hint(const Workspace& workspace)
     return Message(translatable("there is no further hint for this cell"));
 }
 
+/// The list of difficulties marks its own, and the one after it is the next.
+void begin_exercise(Workspace& workspace, const Seeded& exercise)
+{
+    workspace.leave_document([exercise](Workspace& left) {
+        left.session.begin_exercise(exercise);
+        left.next_exercise = exercise;
+        if (exercise.seed < std::numeric_limits<std::uint32_t>::max()) ++left.next_exercise.seed;
+    });
+}
+
 /// Of another difficulty the first one, else the one after the last that was begun.
 void begin_exercise(Workspace& workspace, fc::Difficulty difficulty)
 {
-    workspace.leave_document([difficulty](Workspace& left) {
-        Seeded& next = left.next_exercise;
-        if (next.difficulty != difficulty) next = {difficulty, 1};
-        left.session.begin_exercise(next);
-        if (next.seed < std::numeric_limits<std::uint32_t>::max()) ++next.seed;
-    });
+    const Seeded& next = workspace.next_exercise;
+    begin_exercise(workspace, next.difficulty == difficulty ? next : Seeded{difficulty, 1});
 }
 
 void begin_next(Workspace& workspace) { begin_exercise(workspace, workspace.next_exercise.difficulty); }
@@ -138,8 +144,8 @@ Reason begin(Workspace& workspace, const ui::Argument& argument)
     };
     if (!numbers || !is_whole(0, 1.0, n_difficulties) || !is_whole(1, 0.0, std::numeric_limits<std::uint32_t>::max()))
         return argument.wanted("a difficulty from 1 to 6 and a whole number from 0 to 4294967295");
-    workspace.session.begin_exercise(
-        {static_cast<fc::Difficulty>(static_cast<int>(numbers->at(0))), static_cast<std::uint32_t>(numbers->at(1))});
+    begin_exercise(workspace, Seeded{static_cast<fc::Difficulty>(static_cast<int>(numbers->at(0))),
+                                     static_cast<std::uint32_t>(numbers->at(1))});
     return std::nullopt;
 }
 

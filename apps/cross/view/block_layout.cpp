@@ -88,7 +88,8 @@ private:
     {
         constexpr double least = -1.0; // a head and one line
         const double lines = std::max(least, static_cast<double>(layout_.n_lines) - static_cast<double>(place.n_spare));
-        return {width_, type_ * (head_height + line_height * lines + total_height)};
+        const double head = place.has_box ? head_height : bare_head_height;
+        return {width_, type_ * (head + line_height * lines + total_height)};
     }
 
     static double extent(ui::Point d, ui::Size size)
@@ -142,10 +143,20 @@ double clarity(Rows rows)
     return rows.inside == Rows::Inside::Avoided ? still_legible : BlockLayout().clarity;
 }
 
+/// Sizes of type from the largest down; the least of the request is tried too.
+std::vector<double> types_tried(const BlockRequest& request, double least_type)
+{
+    std::vector<double> types;
+    for (double type = request.largest_type; type > std::max(least_type, request.least_type); type *= 0.9)
+        types.push_back(type);
+    if (least_type <= request.least_type) types.push_back(request.least_type);
+    return types;
+}
+
 /// As large as they are whole, down to a size of type.
 std::optional<BlockLayout> whole(const BlockRequest& request, double least_type, Rows rows)
 {
-    for (double type = request.largest_type; type > least_type; type *= 0.9)
+    for (const double type : types_tried(request, least_type))
         for (std::size_t n = request.most_lines + 1; n-- > request.fewest_lines;)
             for (const Trial::Side side : {Trial::Side::Below, Trial::Side::Above})
                 if (auto layout = Trial(request, type, n, side, rows).run_whole()) {

@@ -16,6 +16,7 @@ struct EndPlace {
     ui::Point along;         ///< unit vector from the joint into the member
     double length = 0.0;     ///< of the member on the sheet
     std::size_t n_spare = 0; ///< lines that its column has less than the longest
+    bool has_box = true;     ///< room for that of the factor, between name and numbers
 };
 
 /// Where the columns stand.
@@ -42,9 +43,10 @@ struct BlockRequest {
     std::function<double(double)> width_of; ///< of a column at a size of type
 };
 
-inline constexpr double line_height = 1.32;  ///< of the size of type
-inline constexpr double head_height = 2.75;  ///< name and box of the factor
-inline constexpr double total_height = 1.55; ///< the sum
+inline constexpr double line_height = 1.32;      ///< of the size of type
+inline constexpr double head_height = 2.75;      ///< name and box of the factor
+inline constexpr double bare_head_height = 1.15; ///< name alone
+inline constexpr double total_height = 1.55;     ///< the sum
 
 /// As large and as long as they all find room beside their member ends; where even the smallest do not, the first ones
 /// get it.

@@ -85,7 +85,29 @@ Arrangement of_frame(ui::Painter& painter, const drawing::StructureShape& shape,
     return best;
 }
 
+Arrangement arrangement_of(ui::Painter& painter, const drawing::StructureShape& shape, const Scene& scene)
+{
+    return is_beam(shape) ? of_beam(painter, shape, scene) : of_frame(painter, shape, scene);
+}
+
 } // namespace
+
+double legible_zoom(ui::Painter& painter, const Scene& scene)
+{
+    constexpr double step = 1.06, most = 8.0;
+    const ui::Theme theme = scene.look.full_theme();
+    const drawing::StructureShape shape = drawing::shape_of(scene.document.model);
+    if (!scene.solution.task || scene.worksheet != nullptr) return 1.0;
+    if (legible_type(theme) == 0.0 && !is_beam(shape)) return 1.0; // at a desk a large frame is rather seen whole
+    Arrangement arrangement = arrangement_of(painter, shape, scene);
+    Look look = scene.look;
+    const Scene enlarged{scene.document, scene.solution, scene.state, scene.phase, {}, look};
+    for (look.zoom = {1.0, {}, true}; look.zoom.factor < most; look.zoom.factor *= step) {
+        arrangement.zoom = look.zoom;
+        if (is_legible(painter, panels_for(shape, painter.size(), theme, arrangement).sheet, enlarged)) break;
+    }
+    return look.zoom.factor;
+}
 
 Drawn draw(ui::Painter& painter, const Scene& scene)
 {
@@ -97,7 +119,7 @@ Drawn draw(ui::Painter& painter, const Scene& scene)
     if (scene.worksheet != nullptr) return draw_exercise(painter, scene);
     const ui::Theme theme = scene.look.full_theme();
     const drawing::StructureShape shape = drawing::shape_of(scene.document.model);
-    Arrangement arrangement = is_beam(shape) ? of_beam(painter, shape, scene) : of_frame(painter, shape, scene);
+    Arrangement arrangement = arrangement_of(painter, shape, scene);
     arrangement.zoom = scene.look.zoom;
     Panels panels = panels_for(shape, painter.size(), theme, arrangement);
     if (scene.look.shears) make_room_for_reactions(panels, shape, theme);
@@ -111,7 +133,10 @@ Drawn draw(ui::Painter& painter, const Scene& scene)
     draw_deformed_state(painter, panels.deformed, scene);
     if (scene.look.shears) draw_shear_state(painter, panels.moments, scene);
     else draw_moment_state(painter, panels.moments, scene);
-    draw_sheet(painter, panels.sheet, scene);
+    const DrawnSheet sheet = draw_sheet(painter, panels.sheet, scene);
+    drawn.way_to_turn = sheet.way_to_turn;
+    drawn.sheet_type = sheet.type;
+    drawn.n_without_room = sheet.n_left_out;
     const auto& joints = scene.solution.task->problem.joints;
     for (std::size_t j = 0; j < joints.size(); ++j)
         for (const Part part : {Part::Structure, Part::Deformed, Part::Moments, Part::Sheet})

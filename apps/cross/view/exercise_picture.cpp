@@ -61,7 +61,7 @@ public:
         if (scene_.worksheet_stage == worksheet_.n_sheets()) draw_superposition();
         draw_legend();
         for (const Ratio& ratio : ratios()) painter_.text(free_place(ratio), ratio.text, ratio_style());
-        draw_sways();
+        for (const Arrow& arrow : arrows()) draw(arrow);
     }
 
     const BlockLayout& layout()
@@ -109,6 +109,7 @@ private:
         request.room.max.y -= legend_height();
         if (scene_.worksheet_stage == worksheet_.n_sheets()) request.room.max.y -= 2.4 * theme_.type().normal;
         request.obstacles = obstacles_in(panel_, shape_, scene_.document.model, marks_);
+        for (const Arrow& arrow : arrows()) request.obstacles.push_back(arrow.around(0.4 * theme_.type().normal));
         request.largest_type = usual_cells * magnified();
         request.most_lines = n_lines() - std::min(n_lines(), lines_of_head_and_sum);
         request.fewest_lines = request.most_lines;
@@ -315,15 +316,9 @@ private:
     /// Nothing where a box is seen whole, between title and legend.
     std::optional<ui::Point> way_into_sight(const ui::Box& box) const
     {
-        ui::Box sight = panel_.box.grown(-0.5 * theme_.type().normal);
-        sight.min.y += 1.5 * theme_.type().normal;
+        ui::Box sight = sight_below_title(panel_, theme_);
         sight.max.y -= legend_height();
-        const auto way = [](double low, double high, double least, double most) {
-            return low < least ? least - low : std::min(0.0, std::max(most - high, least - low));
-        };
-        const ui::Point by{way(box.min.x, box.max.x, sight.min.x, sight.max.x),
-                           way(box.min.y, box.max.y, sight.min.y, sight.max.y)};
-        return panel_.is_zoomed && ui::distance({}, by) > 0.0 ? std::optional(by) : std::nullopt;
+        return panel_.is_zoomed ? cross::way_into_sight(box, sight) : std::nullopt;
     }
 
     /// A frame round it, its label at the left, the number, and at the right what is said of it.
@@ -392,20 +387,32 @@ private:
         painter_.circle(panel_.at(shape_[problem_[*turn].node]), 8.0 * theme_.symbol_scale(), stroke);
     }
 
-    /// Which way the props of the sheet move, or push.
-    void draw_sways()
-    {
-        const std::size_t stage = scene_.worksheet_stage;
-        for (std::size_t k = 0; k < problem_.sways.size() && stage > 0; ++k)
-            if (stage == k + 1 || stage == worksheet_.n_sheets()) draw_arrow(problem_.sways[k]);
-    }
+    /// Which way a prop of the sheet moves, or pushes.
+    struct Arrow {
+        ui::Point start, tip;
+        ui::Box around(double margin) const { return ui::united({start, start}, {tip, tip}).grown(margin); }
+    };
 
-    void draw_arrow(const fc::Sway& sway)
+    std::vector<Arrow> arrows() const
     {
         const double em = theme_.type().normal;
-        const ui::Point d{sway.direction.x(), -sway.direction.y()}, n = ui::left_normal(d);
-        const ui::Point start = panel_.at(shape_[sway.prop]) + 0.8 * em * d - 1.1 * em * ui::Point{0.0, 1.0};
-        const ui::Point tip = start + 3.0 * em * d;
+        const std::size_t stage = scene_.worksheet_stage;
+        std::vector<Arrow> arrows;
+        for (std::size_t k = 0; k < problem_.sways.size() && stage > 0; ++k) {
+            if (stage != k + 1 && stage != worksheet_.n_sheets()) continue;
+            const fc::Sway& sway = problem_.sways[k];
+            const ui::Point d{sway.direction.x(), -sway.direction.y()};
+            const ui::Point start = panel_.at(shape_[sway.prop]) + 0.8 * em * d - 1.1 * em * ui::Point{0.0, 1.0};
+            arrows.push_back({start, start + 3.0 * em * d});
+        }
+        return arrows;
+    }
+
+    void draw(const Arrow& arrow)
+    {
+        const double em = theme_.type().normal;
+        const ui::Point start = arrow.start, tip = arrow.tip;
+        const ui::Point d = ui::direction(tip - start), n = ui::left_normal(d);
         ui::Stroke stroke = theme_.stroke(ui::Role::Deformed);
         stroke.width = 0.16 * em;
         stroke.dash = {};

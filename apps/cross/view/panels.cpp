@@ -264,8 +264,7 @@ Panels panels_for(const drawing::StructureShape& shape, ui::Size sheet, const ui
 
 double legible_type(const ui::Theme& theme)
 {
-    constexpr double afar = 0.9; // of the usual size
-    return theme.name() == ui::ThemeName::Projector ? afar * theme.type().normal : 0.0;
+    return theme.name() == ui::ThemeName::Projector ? theme.type().normal : 0.0;
 }
 
 std::vector<SheetRoom> rooms_tried(const ui::Theme& theme)
@@ -431,7 +430,8 @@ Sketched sketched(ui::Painter& painter, const Panel& panel, const Scene& scene, 
     const drawing::Projection projection(panel.camera, panel.box.min);
     const drawing::LevelOfDetail detail(shape, projection);
     ui::Box room = panel.box.grown(-edge);
-    room.min.y += title_ems * theme_in(panel, scene.look).type().normal;
+    const double em = theme_in(panel, scene.look).type().normal;
+    room.min.y += std::max(panel.title - 0.2 * em, title_ems * em); // labels need less of a gap
     drawing::Sketch sketch({.painter = &painter,
                             .theme = &theme,
                             .room = room,

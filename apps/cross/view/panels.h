@@ -22,6 +22,7 @@ struct Panel {
     double zoom = 1.0;     ///< how much larger than the whole structure would be
     ui::Box whole;         ///< what of the picture would be seen of the whole structure, at this zoom
     double ems_high = 1.0; ///< how many of the usual lines of type its marks need
+    double title = 0.0;    ///< height of its title, where it is known: labels stand below
 
     ui::Point at(const Eigen::Vector3d& place) const
     {
@@ -47,7 +48,7 @@ struct SheetRoom {
 /// Those that are tried: where one lets more columns stand, or in larger type, it is taken.
 std::vector<SheetRoom> rooms_tried(const ui::Theme& theme);
 
-/// The least size of a sheet's numbers that the last row reads; 0 but on the projector.
+/// The least size of a sheet's numbers that the last row reads, that of the panels; 0 but on the projector.
 double legible_type(const ui::Theme& theme);
 
 /// Where the small pictures of a frame stand: below one another left of its sheet, or in a row above it.

@@ -62,6 +62,9 @@ struct Drawn {
     /// How far the pictures are to be moved along so that the cell that is being filled is seen whole; nothing where
     /// it is, or has no place.
     std::optional<ui::Point> way_to_cell;
+    std::optional<ui::Point> way_to_turn; ///< likewise the columns of an enlarged sheet's last turn, or its next
+    double sheet_type = 0.0;              ///< size of the numbers of the sheet that the app works
+    std::size_t n_without_room = 0;       ///< member ends whose columns are left out of it
     std::vector<JointMark> joints;
     std::vector<NodeMark> nodes;
     std::vector<drawing::LoadMark> loads;
@@ -102,6 +105,10 @@ struct Drawn {
 /// a beam, so that everything stands below its support; beside one another for a frame. Where the structure cannot be
 /// distributed it says why.
 Drawn draw(ui::Painter& painter, const Scene& scene);
+
+/// How much larger than the whole structure its sheet is to be drawn so that every column has room, on the projector in
+/// type that the last row reads; 1 for a frame at a desk.
+double legible_zoom(ui::Painter& painter, const Scene& scene);
 
 /// The node of the structure's picture, the joint of any picture within reach of a place [logical pixels].
 std::optional<femoop::NodeId> pick_node(const Drawn& drawn, ui::Point at, double reach);

@@ -25,7 +25,10 @@ namespace {
 constexpr std::size_t most_ends_at_once = 80;
 constexpr std::size_t least_lines = 4; // of a column, which grows by so many at once
 constexpr double most_magnified = 4.0; // of numbers that a zoom enlarges
+constexpr double usual_above = 1.8;    // ems that columns keep from the top, for the title
 constexpr double balances_until = 0.6; // of a turn's phase; then the carry-overs fly
+
+std::string title_of(const Scene& scene, bool has_key);
 
 /// Writes one sheet into its boxes.
 class SheetWriter {
@@ -48,8 +51,9 @@ public:
 
     void lay_out()
     {
-        lay_out(wanted_lines());
+        lay_out(wanted_lines(), legible());
         if (sheet_ == nullptr) key_ = place_of_key();
+        if (sheet_ == nullptr && !key_) make_room_for_long_title();
     }
     /// What the lines of the columns are is written beside them.
     bool has_key() const { return key_.has_value(); }
@@ -68,10 +72,10 @@ public:
     }
 
     /// Of short columns: the frame stays where it is while they grow.
-    const BlockLayout& short_columns()
+    const BlockLayout& short_columns(double least_type)
     {
         widest_ = widest_foreseen();
-        lay_out(least_lines);
+        lay_out(least_lines, least_type);
         return layout_;
     }
 
@@ -83,10 +87,22 @@ public:
                 .support = support_reach(theme_)};
     }
 
-    std::size_t n_left_out() const
+    DrawnSheet report() const
     {
-        return static_cast<std::size_t>(std::ranges::count_if(layout_.boxes, [](const auto& box) { return !box; }));
+        const auto n = std::ranges::count_if(layout_.boxes, [](const auto& box) { return !box; });
+        return {static_cast<std::size_t>(n), layout_.type, way_to_turn()};
     }
+
+    /// Of those that are laid out: of a large structure not all are.
+    bool has_room_for_all() const
+    {
+        for (std::size_t e = 0; e < problem_.ends.size(); ++e)
+            if (!layout_.boxes[e] && room_.contains(joint_place(problem_.ends[e].node))) return false;
+        return true;
+    }
+
+    /// Size of the least numbers.
+    double legible() const { return std::max(BlockRequest().least_type, legible_type(scene_.look.full_theme())); }
 
 private:
     /// Numbers are written there: of the sheet's half, where it is one.
@@ -94,6 +110,13 @@ private:
     bool has_factor(fc::EndId end) const
     {
         return problem_.is_on_sheet(end) && problem_[end].joint && problem_.is_balanced(*problem_[end].joint);
+    }
+
+    /// Columns side by side have their lines at one height; that of a foot stands alone.
+    bool has_place_of_factor(fc::EndId end) const
+    {
+        const ui::Point along = place_of_end(panel_, shape_, problem_, end, theme_).along;
+        return problem_[end].joint || std::abs(along.x) > std::abs(along.y);
     }
 
     /// Line by line the loads and so much of every sway.
@@ -111,26 +134,43 @@ private:
 
     // ---- where everything stands
 
+    /// Which has several lines in a narrow picture.
+    void make_room_for_long_title()
+    {
+        ui::Painter scratch(panel_.box.size(), painter_.fonts());
+        const ui::Theme theme = theme_in(panel_, scene_.look);
+        above_ = draw_title(scratch, panel_, title_of(scene_, false), theme) / theme.type().normal;
+        if (above_ > usual_above) lay_out(wanted_lines(), legible());
+    }
+
     ui::Point joint_place(femoop::NodeId node) const { return panel_.at(shape_[node]); }
 
-    void lay_out(std::size_t n_lines)
+    void lay_out(std::size_t n_lines, double least_type)
     {
         BlockRequest request;
-        for (std::size_t e = 0; e < problem_.ends.size(); ++e)
+        for (std::size_t e = 0; e < problem_.ends.size(); ++e) {
             request.places.push_back(place_of_end(panel_, shape_, problem_, fc::EndId(e), theme_));
+            request.places.back().has_box = has_place_of_factor(fc::EndId(e));
+        }
         const auto is_balanced = [this](const EndPlace& place) { return has_factor(place.end); };
         std::stable_partition(request.places.begin(), request.places.end(), is_balanced); // joints have most to write
         const double em = theme_in(panel_, scene_.look).type().normal;
         request.room = panel_.whole.grown(-0.3 * em);
-        request.room.min.y += 1.8 * em;
+        request.room.min.y += std::max(usual_above, above_) * em;
         if (request.places.size() > most_ends_at_once) request.room = in_sight();
         request.walls = walls_in(panel_, shape_);
         request.obstacles = obstacles_in(panel_, shape_, scene_.document.model, theme_);
         request.largest_type = largest_type();
+        request.least_type = least_type;
         request.n_rows = 3;
+        const bool is_read_from_afar = legible_type(scene_.look.full_theme()) > 0.0;
+        const bool is_enlarged = scene_.look.zoom.is_of_sheet; // a beam along its axis
+        if (is_beam(shape_) && (is_read_from_afar || is_enlarged)) request.n_rows = 1;
+        if (is_beam(shape_) && is_enlarged)
+            request.room.max.y = std::min(request.room.max.y, panel_.box.max.y - 0.5 * em);
         if (is_beam(shape_)) request.hardly_smaller = 0.65; // columns of a beam are read along it
         request.most_lines = n_lines;
-        const bool is_read_from_afar = legible_type(theme_) > 0.0; // rather in larger type than with more lines
+        // Rather in larger type than with more lines.
         request.fewest_lines = std::min(n_lines, is_read_from_afar ? least_lines - 1 : least_lines);
         request.width_of = [this](double type) { return column_width(type); };
         request.middle = middle_of(panel_, shape_);
@@ -144,7 +184,8 @@ private:
 
     double largest_type() const
     {
-        return 1.05 * theme_in(panel_, scene_.look).type().normal * std::clamp(panel_.zoom, 1.0, most_magnified);
+        const double usual = 1.05 * theme_in(panel_, scene_.look).type().normal;
+        return std::max(usual * std::clamp(panel_.zoom, 1.0, most_magnified), legible_type(scene_.look.full_theme()));
     }
 
     /// Of a large structure only what is seen is laid out.
@@ -230,18 +271,19 @@ private:
     }
 
     /// Middle of the right end of a line.
-    ui::Point line_at(const ui::Box& box, double n) const
+    ui::Point line_at(fc::EndId end, double n) const
     {
-        return {box.max.x - 0.4 * layout_.type, box.min.y + head_height * layout_.type + line(n + 0.5)};
+        const ui::Box& box = *layout_.boxes[end.index];
+        const double head = has_place_of_factor(end) ? head_height : bare_head_height;
+        return {box.max.x - 0.4 * layout_.type, box.min.y + head * layout_.type + line(n + 0.5)};
     }
 
     ui::Point place_of(const Column& column, const Cell& cell) const
     {
-        const ui::Box& box = *layout_.boxes[column.end.index];
-        if (cell.level == 0) return line_at(box, 0.0);
+        if (cell.level == 0) return line_at(column.end, 0.0);
         const std::size_t first = first_shown(column);
         const double skipped = first > 1 ? 2.0 : 1.0;
-        return line_at(box, skipped + static_cast<double>(cell.level - first));
+        return line_at(column.end, skipped + static_cast<double>(cell.level - first));
     }
 
     bool is_shown(const Column& column, const Cell& cell) const
@@ -283,7 +325,7 @@ private:
     void draw_cells(const Column& column)
     {
         if (first_shown(column) > 1)
-            painter_.text(line_at(*layout_.boxes[column.end.index], 1.0) - ui::Point{0.8 * layout_.type, 0.0}, "⋮",
+            painter_.text(line_at(column.end, 1.0) - ui::Point{0.8 * layout_.type, 0.0}, "⋮",
                           style(ui::Role::FaintLabel, ui::Anchor::Right));
         for (const Cell& cell : column.cells) {
             if (!is_shown(column, cell)) continue;
@@ -318,7 +360,7 @@ private:
     void draw_total(fc::EndId id, const ui::Box& box)
     {
         const double n = is_worked(id) ? static_cast<double>(n_shown()) : 0.0;
-        const ui::Point at = line_at(box, n + 0.12);
+        const ui::Point at = line_at(id, n + 0.12);
         rule_sum(box, at.y);
         painter_.text(at, numbers_.moment(problem_[id], total(id)),
                       style(ui::Role::BendingMoment, ui::Anchor::Right, ui::Weight::Bold));
@@ -384,9 +426,10 @@ private:
         for (const std::string& name : names) widest = std::max(widest, painter_.measure(name, key_style(true)).width);
         const ui::Size size{widest + em, line(static_cast<double>(names.size()) + 0.2)};
         std::optional<ui::Point> first;
-        for (const std::optional<ui::Box>& box : layout_.boxes) {
+        for (std::size_t e = 0; e < layout_.boxes.size(); ++e) {
+            const std::optional<ui::Box>& box = layout_.boxes[e];
             if (!box) continue;
-            const double top = box->min.y + head_height * em;
+            const double top = line_at(fc::EndId(e), -0.5).y;
             for (const double left : {box->max.x, box->min.x - size.width})
                 if (const ui::Box beside = ui::box_at({left, top}, size); is_free(beside.grown(-1.0))) return beside;
             if (!first) first = box->min;
@@ -460,7 +503,7 @@ private:
         if (!layout_.boxes[end.index] || !problem_.is_on_sheet(end)) return std::nullopt;
         const Column& column = columns_[end.index];
         for (const Cell& cell : column.cells)
-            if (is_last_turn(cell) && cell.kind == kind) return place_of(column, cell);
+            if (is_last_turn(cell) && cell.kind == kind && is_shown(column, cell)) return place_of(column, cell);
         return std::nullopt;
     }
 
@@ -473,8 +516,57 @@ private:
         }
     }
 
+    /// That was balanced last, or whose turn it is; where all are at once the one that a reader begins at.
+    std::optional<fc::JointId> joint_of_turn() const
+    {
+        std::optional<fc::JointId> joint;
+        if (sheet_ != nullptr && !sheet_->steps.empty()) joint = sheet_->steps.back().joint;
+        else if (sheet_ != nullptr) joint = next_turn(scene_.document, scene_.solution).value_or(std::nullopt);
+        return joint ? joint : first_joint();
+    }
+
+    /// Of the uppermost the leftmost.
+    std::optional<fc::JointId> first_joint() const
+    {
+        std::optional<fc::JointId> first;
+        const auto key = [&](fc::JointId j) {
+            const ui::Point at = joint_place(problem_[j].node);
+            return std::pair(std::round(at.y), at.x);
+        };
+        for (std::size_t j = 0; j < problem_.joints.size(); ++j)
+            if (!first || key(fc::JointId(j)) < key(*first)) first = fc::JointId(j);
+        return first;
+    }
+
+    /// The columns of its joint, and with them those of the far ends as far as both are seen at once.
+    std::optional<ui::Point> way_to_turn() const
+    {
+        const auto joint = joint_of_turn();
+        if (!joint || !panel_.is_zoomed) return std::nullopt;
+        const ui::Box sight = sight_below_title(panel_, theme_in(panel_, scene_.look));
+        std::optional<ui::Box> seen;
+        const auto add = [&](fc::EndId end) {
+            if (!layout_.boxes[end.index]) return;
+            const ui::Box all = seen ? ui::united(*seen, *layout_.boxes[end.index]) : *layout_.boxes[end.index];
+            const bool fits = all.width() <= sight.width() && all.height() <= sight.height();
+            if (fits || !seen) seen = all;
+        };
+        for (const fc::EndId end : problem_[*joint].ends) add(end);
+        if (!seen) seen = around(joint_place(problem_[*joint].node));
+        for (const fc::EndId end : problem_[*joint].ends)
+            if (const auto far = problem_[end].far) add(*far);
+        return way_into_sight(*seen, sight);
+    }
+
+    /// Where the columns of a joint may stand that is not laid out, since it is far out of sight.
+    ui::Box around(ui::Point joint) const
+    {
+        return ui::Box{joint, joint}.grown(8.0 * theme_in(panel_, scene_.look).type().normal);
+    }
+
     void draw_flight(const Column& column, const Cell& cell)
     {
+        if (!is_shown(column, cell)) return;
         const ui::Point to = place_of(column, cell);
         const fc::End& end = problem_[column.end];
         if (cell.kind == RowKind::Balance) {
@@ -536,6 +628,7 @@ private:
     std::vector<double> moments_, factors_;
     std::vector<Column> columns_;
     double widest_ = 0.0;        // number
+    double above_ = usual_above; // ems of the title
     BlockLayout layout_;         // its boxes by end
     std::vector<ui::Box> taken_; // by the structure
     ui::Box room_;
@@ -579,7 +672,7 @@ std::string title_of(const Scene& scene, bool has_key)
 
 } // namespace
 
-std::size_t draw_sheet(ui::Painter& painter, const Panel& panel, const Scene& scene)
+DrawnSheet draw_sheet(ui::Painter& painter, const Panel& panel, const Scene& scene)
 {
     SheetWriter writer(painter, panel, scene);
     writer.lay_out();
@@ -594,21 +687,41 @@ std::size_t draw_sheet(ui::Painter& painter, const Panel& panel, const Scene& sc
     });
     const ui::ClipScope clip(painter, panel.box);
     writer.draw();
-    return writer.n_left_out();
+    return writer.report();
 }
 
-FittedSheet fitted_sheet(ui::Painter& painter, const Panel& whole, const Scene& scene)
+namespace {
+
+FittedSheet fitted_sheet(ui::Painter& painter, const Panel& whole, const Scene& scene, double least_type)
 {
     const drawing::StructureShape shape = drawing::shape_of(scene.document.model);
-    if (2 * shape.members.size() > most_ends_at_once) return {};
-    FittedSheet best{.layout = SheetWriter(painter, whole, scene).short_columns()};
+    FittedSheet best{.layout = SheetWriter(painter, whole, scene).short_columns(least_type)};
     for (const SheetRoom& room : rooms_tried(scene.look.full_theme())) {
         Panel tried = whole;
         make_room(tried, shape, scene.look.full_theme(), room);
-        const BlockLayout other = SheetWriter(painter, tried, scene).short_columns();
+        const BlockLayout other = SheetWriter(painter, tried, scene).short_columns(least_type);
         if (is_better(other, best.layout)) best = {room, other};
     }
     return best;
+}
+
+} // namespace
+
+FittedSheet fitted_sheet(ui::Painter& painter, const Panel& whole, const Scene& scene)
+{
+    if (2 * scene.document.model.members.size() > most_ends_at_once) return {};
+    if (const double legible = legible_type(scene.look.full_theme()); legible > 0.0) {
+        FittedSheet fitted = fitted_sheet(painter, whole, scene, legible);
+        if (std::ranges::all_of(fitted.layout.boxes, [](const auto& box) { return box.has_value(); })) return fitted;
+    }
+    return fitted_sheet(painter, whole, scene, BlockRequest().least_type);
+}
+
+bool is_legible(ui::Painter& painter, const Panel& panel, const Scene& scene)
+{
+    SheetWriter writer(painter, panel, scene);
+    writer.short_columns(writer.legible());
+    return writer.has_room_for_all();
 }
 
 ColumnNeeds column_needs(ui::Painter& painter, const Panel& whole, const Scene& scene)

@@ -85,6 +85,23 @@ std::string head_within(const ui::Painter& painter, const femoop::Model& model, 
     return head;
 }
 
+ui::Box sight_below_title(const Panel& panel, const ui::Theme& theme)
+{
+    ui::Box sight = panel.box.grown(-0.5 * theme.type().normal);
+    sight.min.y += 1.5 * theme.type().normal;
+    return sight;
+}
+
+std::optional<ui::Point> way_into_sight(const ui::Box& box, const ui::Box& sight)
+{
+    const auto way = [](double low, double high, double least, double most) {
+        return low < least ? least - low : std::min(0.0, std::max(most - high, least - low));
+    };
+    const ui::Point by{way(box.min.x, box.max.x, sight.min.x, sight.max.x),
+                       way(box.min.y, box.max.y, sight.min.y, sight.max.y)};
+    return ui::distance({}, by) > 0.0 ? std::optional(by) : std::nullopt;
+}
+
 void write_below(ui::Painter& painter, const Panel& panel, const ui::Theme& theme, const std::string& words)
 {
     ui::TextStyle text = theme.text(ui::Role::Warning, ui::Anchor::BottomRight);

@@ -25,6 +25,12 @@ ui::Point middle_of(const Panel& panel, const drawing::StructureShape& shape);
 std::string head_within(const ui::Painter& painter, const femoop::Model& model, const femoop::cross::End& end,
                         const ui::TextStyle& style, double width);
 
+/// Where a panel's columns are seen whole, below its title.
+ui::Box sight_below_title(const Panel& panel, const ui::Theme& theme);
+/// How far a box is to be moved so that it lies within another; nothing where it does. Of one that is too large its top
+/// left is seen.
+std::optional<ui::Point> way_into_sight(const ui::Box& box, const ui::Box& sight);
+
 /// A warning at the lower right of a panel.
 void write_below(ui::Painter& painter, const Panel& panel, const ui::Theme& theme, const std::string& words);
 

@@ -16,6 +16,7 @@
 #include "apps/drawing/structure/dimensions.h"
 #include "apps/drawing/structure/members.h"
 #include "apps/drawing/structure/supports.h"
+#include "ui/paint/text_measure.h"
 #include "ui/paint/wrapped_lines.h"
 
 namespace cross {
@@ -60,8 +61,14 @@ std::optional<drawing::LockedScale> scale_of(const std::optional<Solved>& result
 /// What locks of the sheet that is worked on do now.
 class Locked {
 public:
-    Locked(const Scene& scene, const drawing::Scene& in, const drawing::SolvedCase& present, double scale)
-        : scene_(scene), in_(in), present_(present), scale_(scale), numbers_(scene.document, scene.solution, scene.look)
+    Locked(const Scene& scene, const drawing::Scene& in, const ui::Box& panel, const drawing::SolvedCase& present,
+           double scale)
+        : scene_(scene),
+          in_(in),
+          panel_(panel),
+          present_(present),
+          scale_(scale),
+          numbers_(scene.document, scene.solution, scene.look)
     {
         for (const Eigen::Vector3d& node : in.shape.nodes) middle_ += node / static_cast<double>(in.shape.nodes.size());
     }
@@ -71,7 +78,12 @@ public:
         const fc::Problem& problem = scene_.solution.task->problem;
         for (std::size_t j = 0; j < problem.joints.size(); ++j) draw_one(sheet, problem, fc::JointId(j));
         const std::vector<double> forces = held_by_props(scene_.document, scene_.solution);
-        for (std::size_t k = 0; k < problem.sways.size(); ++k) draw_prop(problem.sways[k], forces[k]);
+        const bool is_listed = !has_room_beside(problem, forces);
+        for (std::size_t k = 0; k < problem.sways.size(); ++k) {
+            draw_prop(problem.sways[k]);
+            if (!is_listed) write_beside(problem.sways[k], forces[k]);
+        }
+        if (is_listed) list(problem, forces);
     }
 
 private:
@@ -81,28 +93,71 @@ private:
         return in_.projection(in_.shape[node] + scale_ * Eigen::Vector3d(d[0], d[1], 0.0));
     }
 
-    /// A strut to the ground along the direction in which the node would move, and the force in it.
-    void draw_prop(const fc::Sway& sway, double force)
+    /// At the node that it holds, along the direction in which that would move, outwards.
+    drawing::SymbolFrame frame_of(const fc::Sway& sway) const
     {
         const Eigen::Vector3d positive(sway.direction.x(), sway.direction.y(), 0.0);
         const bool is_outward = positive.dot(in_.shape[sway.prop] - middle_) >= 0.0;
         const Eigen::Vector3d along = is_outward ? positive : Eigen::Vector3d(-positive);
         const Eigen::Vector3d across(-along.y(), along.x(), 0.0);
-        const drawing::SymbolFrame frame{displaced(sway.prop), in_.projection.direction(along),
-                                         in_.projection.direction(across)};
-        const double reach = in_.sketch.px(24.0);
+        return {displaced(sway.prop), in_.projection.direction(along), in_.projection.direction(across)};
+    }
+
+    double reach() const { return in_.sketch.px(24.0); }
+    double beyond_ground() const { return in_.sketch.px(8.0); }
+
+    /// A strut to the ground.
+    void draw_prop(const fc::Sway& sway)
+    {
+        const drawing::SymbolFrame frame = frame_of(sway);
+        const double reach = this->reach();
         const ui::LayerScope layer(in_.sketch.painter(), ui::Layer::Symbols);
         in_.sketch.line(frame.origin, frame(reach, 0.0), in_.sketch.stroke(ui::Role::Support));
         for (const double end : {in_.sketch.px(3.0), reach})
             in_.sketch.disc(frame(end, 0.0), in_.sketch.px(2.4), in_.sketch.stroke(ui::Role::Support).color);
         const drawing::SymbolFrame foot = frame.moved(reach, 0.0);
         drawing::draw_ground(in_.sketch, {foot.origin, foot.y, -foot.x}, in_.sketch.px(10.0));
+    }
+
+    void write_beside(const fc::Sway& sway, double force)
+    {
+        const drawing::SymbolFrame frame = frame_of(sway);
         in_.sketch.caption({.text = in_.text(force, ui::Measure::Force),
                             .role = ui::Role::Reaction,
-                            .target = frame(reach, 0.0),
+                            .target = frame(reach(), 0.0),
                             .toward = frame.x,
-                            .gap = in_.sketch.px(8.0),
+                            .gap = beyond_ground(),
                             .rank = drawing::Rank::Largest});
+    }
+
+    /// Of every force beside the ground of its prop. A single one is near it in any case, and a list has few lines.
+    bool has_room_beside(const fc::Problem& problem, const std::vector<double>& forces) const
+    {
+        constexpr std::size_t most_listed = 3;
+        if (forces.size() < 2 || forces.size() > most_listed) return true;
+        const ui::TextStyle style = in_.sketch.theme().text(ui::Role::Reaction);
+        for (std::size_t k = 0; k < forces.size(); ++k) {
+            const drawing::SymbolFrame frame = frame_of(problem.sways[k]);
+            const double width = in_.sketch.painter().measure(in_.text(forces[k], ui::Measure::Force), style).width;
+            if (std::abs(frame.x.x) > 0.5 && !panel_.contains(frame(reach() + beyond_ground() + width, 0.0)))
+                return false;
+        }
+        return true;
+    }
+
+    /// "C −13.22 kN", at the foot of a narrow picture.
+    void list(const fc::Problem& problem, const std::vector<double>& forces)
+    {
+        const ui::LayerScope layer(in_.sketch.painter(), ui::Layer::Labels);
+        ui::TextStyle style = in_.sketch.theme().text(ui::Role::Reaction, ui::Anchor::BottomLeft);
+        style.plate = in_.sketch.theme().background();
+        ui::Point at{panel_.min.x + 0.4 * style.size, panel_.max.y - 0.3 * style.size};
+        for (std::size_t k = 0; k < forces.size(); ++k, at.y -= 1.15 * style.size) {
+            const std::string& node = scene_.document.model[problem.sways[k].prop].id;
+            const std::string words = node + "  " + in_.text(forces[k], ui::Measure::Force);
+            in_.sketch.reserve(ui::text_box(in_.sketch.painter().fonts(), at, words, style));
+            in_.sketch.painter().text(at, words, style);
+        }
     }
 
     void draw_one(const fc::Sheet& sheet, const fc::Problem& problem, fc::JointId id)
@@ -131,6 +186,7 @@ private:
 
     const Scene& scene_;
     const drawing::Scene& in_;
+    ui::Box panel_;
     const drawing::SolvedCase& present_;
     double scale_;
     Numbers numbers_;
@@ -222,14 +278,15 @@ void draw_deformed_state(ui::Painter& painter, const Panel& panel, const Scene& 
     const fc::Sheet* const sheet = scene.solution.sheet(scene.document);
     const std::string title = sheet != nullptr ? bracketed(tr("Deformed shape, locks and their moments"), scene)
                                                : tr("Deformed shape, no joint locked");
-    draw_title(painter, panel, title, theme_in(panel, scene.look));
+    Panel below = panel;
+    below.title = draw_title(painter, panel, title, theme_in(panel, scene.look));
     const std::optional<Solved> results = solved(scene);
-    draw_structure_in(painter, panel, scene, {{Show::Deformed}, scale_of(results)}, [&](const drawing::Scene& in) {
+    draw_structure_in(painter, below, scene, {{Show::Deformed}, scale_of(results)}, [&](const drawing::Scene& in) {
         drawing::draw_members(in, drawing::Presence::Behind);
         if (results) {
             const double scale = drawing::deformation_scale(in, results->present, panel.box.size());
             drawing::draw_deformed(in, results->present, scale);
-            if (sheet != nullptr) Locked(scene, in, results->present, scale).draw_all(*sheet);
+            if (sheet != nullptr) Locked(scene, in, panel.box, results->present, scale).draw_all(*sheet);
         }
         draw_supports_and_joints(in);
     });
@@ -261,9 +318,10 @@ void draw_force_state(ui::Painter& painter, const Panel& panel, const Scene& sce
 void draw_moment_state(ui::Painter& painter, const Panel& panel, const Scene& scene)
 {
     const ui::Catalogue& tr = scene.look.tr;
-    draw_title(painter, panel, bracketed(tr("Bending moments on the tension side"), scene),
-               theme_in(panel, scene.look));
-    draw_force_state(painter, panel, scene, femoop::MemberComponent::Mz);
+    Panel below = panel;
+    below.title = draw_title(painter, panel, bracketed(tr("Bending moments on the tension side"), scene),
+                             theme_in(panel, scene.look));
+    draw_force_state(painter, below, scene, femoop::MemberComponent::Mz);
 }
 
 void draw_shear_state(ui::Painter& painter, const Panel& panel, const Scene& scene)

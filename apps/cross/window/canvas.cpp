@@ -15,11 +15,17 @@ namespace cross {
 
 namespace {
 
-/// Height of a cell that the last row reads; 0 but for an exercise on the projector.
+/// Height of a cell that the last row reads; 0 but on the projector.
 double legible_cells(const Session& session)
 {
     constexpr double height = 1.2; // of a cell, of its size of type
-    return session.worksheet() == nullptr ? 0.0 : height * legible_type(session.look.full_theme());
+    return height * legible_type(session.look.full_theme());
+}
+
+/// Which sheet of several is seen.
+std::size_t stage_of(const Session& session)
+{
+    return session.worksheet() != nullptr ? session.worksheet_stage() : session.document().stage;
 }
 
 ui::Box least_cell(const Drawn& drawn)
@@ -48,9 +54,11 @@ void Canvas::show(Session& session, ui::ImGuiSession& gui, bool has_panels)
     }
     follow(session, area_.pointer());
     redraw(session);
-    if (enlarge_cells(session)) redraw(session);
-    if (std::exchange(cell_in_sight_, session.cell()) != session.cell() && bring_cell_into_sight(session))
+    if (enlarge_sheet(session)) redraw(session);
+    if (std::exchange(cell_in_sight_, session.cell()) != session.cell() &&
+        bring_into_sight(session, drawn_.way_to_cell))
         redraw(session);
+    bring_turn_into_sight(session);
     area_.show(*picture_, gui);
     cell_field_.show(session, drawn_, area_.corner(), static_cast<float>(gui.scale()));
     if (!has_panels && !is_drawn(session, drawn_))
@@ -68,13 +76,12 @@ void Canvas::redraw(Session& session)
     picture_ = painter.picture();
 }
 
-/// The sheet of an exercise as large as the last row reads its cells, about the one that is open; once for each sheet
-/// and window, so that a hand may see the whole. \returns whether it became larger, or is so no more
-bool Canvas::enlarge_cells(Session& session)
+/// The sheet as large as its columns need, and on the projector the last row, about the cell that is open; once for
+/// each sheet, window and theme, so that a hand may see the whole. \returns whether it became larger, or is so no more
+bool Canvas::enlarge_sheet(Session& session)
 {
-    std::optional<EnlargedFor> now;
-    if (legible_cells(session) > 0.0)
-        now = EnlargedFor{session.n_solved(), session.worksheet_stage(), area_.sheet().width, area_.sheet().height};
+    const double least = legible_type(session.look.full_theme());
+    const EnlargedFor now{session.n_solved(), stage_of(session), least, area_.sheet().width, area_.sheet().height};
     if (std::exchange(enlarged_for_, now) == now) return false;
     Zoom& zoom = session.look.zoom;
     const bool was_enlarged = zoom.is_of_sheet;
@@ -82,23 +89,53 @@ bool Canvas::enlarge_cells(Session& session)
         zoom = {};
         redraw(session);
     }
-    if (!now || drawn_.cells.empty() || zoom.factor != 1.0 || zoom.middle) return was_enlarged;
-    const double larger = legible_cells(session) / least_cell(drawn_).height();
-    const auto closer = drawn_.zoomed_at(zoom, middle_of_cell(session, drawn_), larger);
-    if (larger <= 1.0 || !closer) return was_enlarged;
+    if (drawn_.views.empty() || zoom.factor != 1.0 || zoom.middle) return was_enlarged;
+    const double larger = times_larger(session);
+    if (larger <= 1.0) return was_enlarged;
+    const auto closer = drawn_.zoomed_at(zoom, middle_of_interest(session), larger);
+    if (!closer) return was_enlarged;
     zoom = *closer;
     zoom.is_of_sheet = true;
     cell_in_sight_.reset(); // it is brought there again
+    turn_in_sight_.reset();
     return true;
 }
 
-/// A cell that the keyboard or a panel went to. \returns whether the pictures moved
-bool Canvas::bring_cell_into_sight(Session& session) const
+double Canvas::times_larger(const Session& session) const
 {
-    if (!drawn_.way_to_cell) return false;
-    const ui::Point from = drawn_.views.back().box.center(), to = from + *drawn_.way_to_cell;
-    session.look.zoom = drawn_.moved_along(session.look.zoom, from, to).value_or(session.look.zoom);
+    if (session.worksheet() != nullptr)
+        return drawn_.cells.empty() ? 1.0 : legible_cells(session) / least_cell(drawn_).height();
+    ui::Painter painter(area_.sheet(), fonts_);
+    return legible_zoom(painter, session.scene());
+}
+
+ui::Point Canvas::middle_of_interest(const Session& session) const
+{
+    if (session.worksheet() != nullptr) return middle_of_cell(session, drawn_);
+    const ui::Box& sheet = drawn_.views.back().box;
+    if (!is_beam(drawing::shape_of(session.document().model))) return sheet.center();
+    for (const JointMark& mark : drawn_.joints)
+        if (mark.part == Part::Sheet) return {sheet.min.x, mark.at.y}; // its columns hang down from it
+    return sheet.min;
+}
+
+/// \returns whether the pictures moved
+bool Canvas::bring_into_sight(Session& session, const std::optional<ui::Point>& way) const
+{
+    if (!way) return false;
+    Zoom& zoom = session.look.zoom;
+    const ui::Point from = drawn_.views.back().box.center();
+    zoom = drawn_.moved_along(zoom, from, from + *way).value_or(zoom);
     return true;
+}
+
+/// An enlarged sheet goes along with the joint that is balanced; where a hand has enlarged all pictures it stays.
+void Canvas::bring_turn_into_sight(Session& session)
+{
+    const std::array turn{session.n_solved(), session.document().stage,
+                          session.sheet() != nullptr ? session.sheet()->steps.size() : 0};
+    if (std::exchange(turn_in_sight_, turn) == turn || !session.look.zoom.is_of_sheet) return;
+    for (int i = 0; i < 2 && bring_into_sight(session, drawn_.way_to_turn); ++i) redraw(session); // first its joint
 }
 
 void Canvas::follow(Session& session, ui::Point at)

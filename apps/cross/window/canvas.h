@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string_view>
 
@@ -37,8 +38,11 @@ public:
 
 private:
     void redraw(Session& session);
-    bool bring_cell_into_sight(Session& session) const;
-    bool enlarge_cells(Session& session);
+    bool bring_into_sight(Session& session, const std::optional<ui::Point>& way) const;
+    void bring_turn_into_sight(Session& session);
+    bool enlarge_sheet(Session& session);
+    double times_larger(const Session& session) const;
+    ui::Point middle_of_interest(const Session& session) const;
     void follow(Session& session, ui::Point at);
     void follow_pupil(Session& session, ui::Point at);
     bool follow_values(Session& session, ui::Point at);
@@ -59,11 +63,12 @@ private:
     std::optional<ui::Point> dragged_; ///< where the hand that moves the pictures was last
     bool is_panning_ = false;          ///< it has moved farther than a click
     std::optional<ui::Picture> picture_;
-    std::optional<femoop::cross::BlankId> cell_in_sight_; ///< that was brought into sight last
-    /// A sheet and a window for which cells were enlarged, or needed not be.
+    std::optional<femoop::cross::BlankId> cell_in_sight_;     ///< that was brought into sight last
+    std::optional<std::array<std::size_t, 3>> turn_in_sight_; ///< likewise: solved, sheet, turns
+    /// A sheet and a window for which its numbers were enlarged, or needed not be.
     struct EnlargedFor {
         std::size_t n_solved = 0, stage = 0;
-        double width = 0.0, height = 0.0;
+        double least_type = 0.0, width = 0.0, height = 0.0;
         friend bool operator==(const EnlargedFor&, const EnlargedFor&) = default;
     };
     std::optional<EnlargedFor> enlarged_for_;

@@ -66,6 +66,20 @@ TEST_CASE("The last span cannot be removed")
     CHECK_FALSE(with_span_removed(*one));
 }
 
+TEST_CASE("A frame's feet are no ends of spans, so none is added below them or taken away")
+{
+    Session session;
+    for (const char* const path : {"examples/portal.json", "tests/cases/own/staged-two-storeys.json"}) {
+        CAPTURE(path);
+        REQUIRE(session.open(path));
+        const Model& frame = session.document().model;
+        for (const Side side : {Side::Left, Side::Right}) {
+            CHECK_FALSE(with_span_added(frame, side));
+            CHECK_FALSE(with_span_removed(frame, side));
+        }
+    }
+}
+
 TEST_CASE("An end is pinned then fixed then free")
 {
     const NodeId A = *end_node(beam(), Side::Left);

@@ -2,13 +2,16 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <span>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 #include "apps/cross/document/file.h"
 #include "apps/cross/view/scene.h"
 #include "apps/cross/view/sheet_places.h"
 #include "tests/golden/scene.h"
+#include "ui/paint/surface.h"
 #include "ui/paint/surface/golden_text.h"
 
 using namespace cross;
@@ -29,15 +32,20 @@ struct Shot {
 
 Document example(const std::string& name) { return read_document_file("examples/" + name + ".json"); }
 
+void take_turns(Document& document, Solution& solution, std::size_t n)
+{
+    document.plays.resize(solution.task->n_sheets());
+    for (std::size_t i = 0; i < n; ++i) {
+        document.plays[document.stage].take(*next_turn(document, solution));
+        work(solution, document);
+    }
+}
+
 void check(const std::string& name, Document document, const Shot& shot)
 {
     Solution solution = solve(document);
     document.stage = shot.stage;
-    if (solution.task) document.plays.resize(solution.task->n_sheets());
-    for (std::size_t i = 0; i < shot.n_turns; ++i) {
-        document.plays[shot.stage].take(*next_turn(document, solution));
-        work(solution, document);
-    }
+    if (solution.task) take_turns(document, solution, shot.n_turns);
     std::optional<femoop::Results> state;
     if (solution.task)
         state = fc::state_results(document.model, solution.task->problem,
@@ -209,6 +217,118 @@ TEST_CASE("The numbers of a beam's sheet grow with the wheel, on the projector t
     };
     REQUIRE(size_of_factor({}) > 0.0);
     CHECK(size_of_factor({.factor = 2.0}) > 1.7 * size_of_factor({}));
+}
+
+namespace {
+
+struct Enlarged {
+    double zoom = 0.0, type = 0.0;
+    std::size_t n_without_room = 0;
+};
+
+/// A sheet as it is shown in so much room.
+Enlarged enlarged(const Document& document, ui::Size size, ui::ThemeName theme)
+{
+    const Solution solution = solve(document);
+    const ui::Fonts fonts;
+    ui::Painter painter(size, fonts);
+    Look look{.theme = theme};
+    const Scene scene{document, solution, nullptr, 1.0, {}, look};
+    look.zoom = {.factor = legible_zoom(painter, scene), .middle = {}, .is_of_sheet = true};
+    const Drawn drawn = draw(painter, scene);
+    return {look.zoom.factor, drawn.sheet_type, drawn.n_without_room};
+}
+
+/// A sheet of a file as the projector shows it.
+Enlarged enlarged_for_last_row(const std::string& path, ui::Size size)
+{
+    return enlarged(read_document_file(path), size, ui::ThemeName::Projector);
+}
+
+} // namespace
+
+TEST_CASE("Every column of a beam has room in a small window, where its sheet is enlarged along the beam")
+{
+    const Enlarged sheet = enlarged(starting_document(), {443.0, 525.0}, ui::ThemeName::Light);
+    CHECK(sheet.zoom > 1.0);
+    CHECK(sheet.zoom < 1.5);
+    CHECK(sheet.n_without_room == 0);
+    CHECK(enlarged(starting_document(), {657.0, 724.0}, ui::ThemeName::Light).zoom == 1.0);
+}
+
+TEST_CASE("On the projector no number of a sheet is smaller than the panels' text, and every column has room")
+{
+    const double panels = ui::Theme(ui::ThemeName::Projector).type().normal;
+    const ui::Size between_panels{632.0, 694.0}, whole_window{1280.0, 694.0};
+    for (const char* const path :
+         {"tests/cases/own/staged-two-storeys.json", "tests/cases/own/staged-listed.json",
+          "tests/cases/own/staged-gable.json", "examples/portal.json", "examples/three_spans.json"})
+        for (const ui::Size size : {between_panels, whole_window}) {
+            CAPTURE(path);
+            CAPTURE(size.width);
+            const Enlarged sheet = enlarged_for_last_row(path, size);
+            CHECK(sheet.type >= panels);
+            CHECK(sheet.n_without_room == 0);
+        }
+}
+
+TEST_CASE("In the whole window of a projector a frame of two storeys is seen whole")
+{
+    CHECK(enlarged_for_last_row("tests/cases/own/staged-two-storeys.json", {1280.0, 694.0}).zoom == 1.0);
+}
+
+namespace {
+
+/// Where the heads of arrows are.
+class ArrowHeads : public ui::Surface {
+public:
+    void clip(const ui::Box& /*box*/) override {}
+    void stroke(const ui::Path& /*path*/, const ui::Stroke& /*stroke*/) override {}
+    void fill(std::span<const ui::Point> polygon, ui::Color /*color*/) override
+    {
+        for (const ui::Point& at : polygon)
+            if (polygon.size() == 3) uppermost = std::min(uppermost, at.y);
+    }
+    void stroke_arc(const ui::Arc& /*arc*/, const ui::Stroke& /*stroke*/) override {}
+    void fill_disc(ui::Point /*center*/, double /*radius*/, ui::Color /*color*/) override {}
+    void text(ui::Point /*at*/, std::string_view /*utf8*/, const ui::TextStyle& /*style*/) override {}
+
+    double uppermost = 1e9;
+};
+
+} // namespace
+
+TEST_CASE("A carry-over whose balance has left its full column has no arrow, which would come from nowhere")
+{
+    Document document = read_document_file("tests/cases/own/staged-two-storeys.json");
+    Solution solution = solve(document);
+    take_turns(document, solution, 7);
+    const ui::Fonts fonts;
+    ui::Painter painter({1280.0, 694.0}, fonts);
+    const Look look{.theme = ui::ThemeName::Projector};
+    draw(painter, {document, solution, nullptr, 1.0, {}, look});
+    ArrowHeads heads;
+    painter.picture().draw_on(heads);
+    CHECK(heads.uppermost > 20.0);
+}
+
+TEST_CASE("In a narrow picture the forces of two props are written at its foot, named by their nodes")
+{
+    const Document document = read_document_file("tests/cases/own/staged-two-storeys.json");
+    const Solution solution = solve(document);
+    const auto state = fc::state_results(document.model, solution.task->problem,
+                                         present_locks(document, solution, 1.0));
+    const ui::Fonts fonts;
+    const auto drawn_at = [&](ui::Size size) {
+        ui::Painter painter(size, fonts);
+        draw(painter, {document, solution, &state, 1.0, {}, {}});
+        return ui::golden_text(painter.picture());
+    };
+    for (const std::string force : {"C  −17.5 kN", "E  −12.5 kN"}) {
+        CAPTURE(force);
+        CHECK(drawn_at({443.0, 525.0}).find(force) != std::string::npos);
+        CHECK(drawn_at({1280.0, 700.0}).find(force) == std::string::npos);
+    }
 }
 
 TEST_CASE("In fractions factors and moments are exact")

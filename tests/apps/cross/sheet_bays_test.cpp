@@ -25,7 +25,7 @@ std::size_t n_without_room(double last_span, const Look& look)
     const ui::Theme theme = look.full_theme();
     const Scene scene{document, solution, nullptr, 1.0, {}, look};
     const BayScale bays = sheet_bays(painter, panels_for(shape, window, theme).sheet, scene);
-    return draw_sheet(painter, panels_for(shape, window, theme, {.bays = bays}).sheet, scene);
+    return draw_sheet(painter, panels_for(shape, window, theme, {.bays = bays}).sheet, scene).n_left_out;
 }
 
 } // namespace
