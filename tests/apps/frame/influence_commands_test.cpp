@@ -1,0 +1,104 @@
+#include "apps/frame/session/influence_commands.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "apps/frame/document/command.h"
+#include "apps/frame/session/tabs.h"
+#include "femoop/methods/influence/effect_name.h"
+#include "tests/source_folder.h"
+
+using namespace frame;
+using femoop::MemberId;
+using femoop::NodeId;
+
+namespace {
+
+Workspace opened(const std::string& file)
+{
+    Workspace workspace{Session{Document{}}};
+    REQUIRE(open_file(workspace, source_folder() + "/examples/" + file));
+    return workspace;
+}
+
+std::optional<std::string> carried_out(Workspace& workspace, std::string_view id)
+{
+    const auto reason = ui::run(*command_table().find(id), workspace);
+    return reason ? std::optional(ui::Catalogue()(*reason)) : std::nullopt;
+}
+
+std::string asked(const Session& session)
+{
+    const auto effect = session.influence.effect(session.model());
+    return effect ? femoop::influence::effect_name(session.model(), *effect) : "";
+}
+
+const drawing::InfluencePicture* line(const Session& session)
+{
+    return session.influence.picture(session.model(), session.generation(), session.view.tr);
+}
+
+} // namespace
+
+TEST_SUITE("frame session")
+{
+    TEST_CASE("The line of a section goes from quantity to quantity, and on where a quantity was left")
+    {
+        Workspace workspace = opened("bridge.json");
+        Session& session = workspace.session;
+        CHECK(carried_out(workspace, "view.influence.next") ==
+              "no influence line is shown; press I and click a section or a support");
+        session.influence.ask(session.model(), drawing::Cut{MemberId(1), 40.0});
+        CHECK(asked(session) == "M(BC, 40)");
+        CHECK(!carried_out(workspace, "view.influence.next"));
+        CHECK(asked(session) == "N(BC, 40)");
+        CHECK(!carried_out(workspace, "view.influence.next"));
+        CHECK(asked(session) == "V(BC, 40)");
+        session.influence.ask(session.model(), drawing::Cut{MemberId(0), 10.0});
+        CHECK(asked(session) == "V(AB, 10)");
+        CHECK(!carried_out(workspace, "view.influence.close"));
+        CHECK(line(session) == nullptr);
+    }
+
+    TEST_CASE("The line follows what is changed, and is gone with its member")
+    {
+        Workspace workspace = opened("portal.json");
+        Session& session = workspace.session;
+        session.influence.ask(session.model(), drawing::Cut{*session.model().find_member("BC"), 4.0});
+        REQUIRE(line(session) != nullptr);
+        const double before = line(session)->line.ordinates.largest();
+        const NodeId foot = *session.model().find_node("A");
+        session.change(
+            {"Free", [=](Document& document) { document.model[foot].support->kind = femoop::SupportKind::Pin; }});
+        REQUIRE(line(session) != nullptr);
+        CHECK(line(session)->line.ordinates.largest() > before); // the beam is held less
+        session.change({"Delete", [](Document& document) {
+                            remove(document, std::vector<Part>{*document.model.find_member("BC")});
+                        }});
+        CHECK(line(session) == nullptr);
+        session.undo();
+        CHECK(line(session) != nullptr);
+    }
+
+    TEST_CASE("A support tells the reaction that it bears, a node without one its displacement")
+    {
+        Workspace workspace = opened("portal.json");
+        Session& session = workspace.session;
+        session.influence.ask(session.model(), *session.model().find_node("A"));
+        CHECK(asked(session) == "fy(A)");
+        CHECK(session.influence.choices(session.model()).size() == 3);
+        session.influence.ask(session.model(), *session.model().find_node("B"));
+        CHECK(asked(session) == "uy(B)");
+        REQUIRE(line(session) != nullptr);
+        CHECK(line(session)->path.members.front().member == *session.model().find_member("BC"));
+    }
+
+    TEST_CASE("A structure that can move has no influence lines, and the tool says why")
+    {
+        Workspace workspace = opened("mechanism.json");
+        CHECK(carried_out(workspace, "draw.influence") == "the model has no results");
+        workspace.session.influence.ask(workspace.session.model(), NodeId(0));
+        CHECK(line(workspace.session) == nullptr);
+    }
+}
