@@ -19,7 +19,7 @@ namespace frame {
 /// The load is a unit force down; its path is the one that is meant where none is named (femoop `usual_path`).
 class AskedLine {
 public:
-    bool is_on() const { return asked_.has_value(); }
+    bool is_on(const femoop::Model& model) const { return effect(model).has_value(); }
     void clear() { asked_.reset(); }
 
     /// Of a section: of the component that was asked for last, else of the bending moment, in a truss of N.

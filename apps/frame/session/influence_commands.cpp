@@ -12,7 +12,7 @@ namespace {
 
 Reason needs_line(const Workspace& workspace)
 {
-    if (workspace.session.influence.effect(workspace.session.model())) return std::nullopt;
+    if (workspace.session.influence.is_on(workspace.session.model())) return std::nullopt;
     return translatable("no influence line is shown; press I and click a section or a support");
 }
 

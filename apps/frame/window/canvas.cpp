@@ -42,7 +42,7 @@ DrawOptions with_influence(DrawOptions options)
 DrawOptions looked_at(const Session& session)
 {
     DrawOptions options = session.results_view();
-    if (session.influence.is_on()) return with_influence(std::move(options));
+    if (session.influence.is_on(session.model())) return with_influence(std::move(options));
     if (options.is_envelope) options.show = options.show - ShowSet{Show::Loads, Show::Deformed};
     return options;
 }
@@ -441,7 +441,7 @@ Subject::Picture Canvas::draw(const Workspace& workspace, const DrawOptions& opt
 void Canvas::draw_cut(const Session& session, const DrawOptions& options, const Subject::Picture& picture,
                       const SeenCut& seen, ui::Painter& painter) const
 {
-    if (session.hidden || session.influence.is_on()) return;
+    if (session.hidden || session.influence.is_on(session.model())) return;
     const ui::Point at = Projection(picture.plan.camera, seen.panel)(shape_[seen.cut.member].at(seen.cut.x));
     draw_reading(painter, {session.model(), session.shown_results()}, options,
                  {.plan = picture.plan, .cut = seen.cut, .beside = at, .top = picture.legend_bottom});

@@ -77,6 +77,7 @@ TEST_SUITE("frame session")
                             remove(document, std::vector<Part>{*document.model.find_member("BC")});
                         }});
         CHECK(line(session) == nullptr);
+        CHECK(!session.influence.is_on(session.model())); // so that results are seen again
         session.undo();
         CHECK(line(session) != nullptr);
     }
