@@ -67,7 +67,7 @@ void remove_span(Workspace& workspace)
 Reason why_not_add_span(const Workspace& workspace)
 {
     if (with_span_added(workspace.session.document().model)) return std::nullopt;
-    return Message(translatable("no level member ends alone at this side"));
+    return Message(translatable("no span ends alone at this side"));
 }
 
 Reason why_not_remove_span(const Workspace& workspace)

@@ -10,7 +10,19 @@
 
 namespace frame {
 
-enum class ToolKind : std::uint8_t { Select, Member, Node, Support, Load, Hinge, Dimension, Delete, Predict, Influence, Paste };
+enum class ToolKind : std::uint8_t {
+    Select,
+    Member,
+    Node,
+    Support,
+    Load,
+    Hinge,
+    Dimension,
+    Delete,
+    Predict,
+    Influence,
+    Paste
+};
 
 /// The hand that works in the picture: the tool it holds, how the tools are set, and a place that is being typed.
 class ToolController {

@@ -267,6 +267,8 @@ void draw_normal_axis(ui::Painter& painter, const Scene& scene, const ui::Box& b
 {
     const ui::Theme theme = scene.look.full_theme();
     arrow(painter, {box.min.x, y}, {box.max.x, y}, theme.stroke(Role::Label), axis_head(theme));
+    // Before words that lay on it the axis would be a minus sign.
+    labels.obstacles().add_segment({box.min.x, y}, {box.max.x, y}, theme.stroke(Role::Label).width);
     const std::string title = axis_title(names_of(scene.document.subject).normal, scene.solution.unit);
     const ui::TextStyle style = theme.text(Role::Label);
     const double half = 0.5 * painter.measure(title, style).width + 1.0, away = beside_head(theme);

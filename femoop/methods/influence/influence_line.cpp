@@ -337,11 +337,15 @@ std::vector<InfluenceLine> InfluenceAnalysis::lines(const PathLayout& path, cons
 std::vector<MemberMotion> InfluenceAnalysis::motion(const MovingEffect& effect)
 {
     if (is_direct(effect)) return {};
-    const Results results = solve({adjoint(effect).load_case});
-    CurveReader reader(results[CaseId(0)]);
     std::vector<MemberMotion> motions;
-    for (std::size_t i = 0; i < model_.members.size(); ++i)
-        motions.push_back(motion_in(reader.read(MemberId(i)), MemberId(i), effect));
+    try {
+        const Results results = solve({adjoint(effect).load_case});
+        CurveReader reader(results[CaseId(0)]);
+        for (std::size_t i = 0; i < model_.members.size(); ++i)
+            motions.push_back(motion_in(reader.read(MemberId(i)), MemberId(i), effect));
+    } catch (const ModelError&) { // then `line` is put together from unit loads
+        motions.clear();
+    }
     return motions;
 }
 

@@ -76,7 +76,7 @@ public:
 
     /// How the structure moves by what the line is the displacement of: each of its members, along its own axes. Empty
     /// where no such motion gives the line, but unit loads on the path.
-    /// \pre, \throws  as `line`
+    /// \pre as `line`
     std::vector<MemberMotion> motion(const MovingEffect& effect);
 
     const Model& model() const { return model_; }                    ///< without its loads

@@ -69,8 +69,7 @@ TEST_SUITE("frame session")
         REQUIRE(line(session) != nullptr);
         const double before = line(session)->line.ordinates.largest();
         const NodeId foot = *session.model().find_node("A");
-        session.change(
-            {"Free", [=](Document& document) { document.model[foot].support->kind = femoop::SupportKind::Pin; }});
+        session.change({"Free", [=](Document& document) { set_support(document, foot, femoop::SupportKind::Pin); }});
         REQUIRE(line(session) != nullptr);
         CHECK(line(session)->line.ordinates.largest() > before); // the beam is held less
         session.change({"Delete", [](Document& document) {

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
@@ -27,6 +28,12 @@ struct Segment {
     {
         const ui::Box seen = ui::intersection(box, clip);
         return !seen.is_empty() && ui::OrientedBox(seen.center(), seen.size()).meets_segment(a, b);
+    }
+    /// It is level, and comes from the left to about half of the box's height.
+    bool is_minus_of(const ui::Box& box) const
+    {
+        const bool is_level = a.y == b.y && std::abs(a.y - box.center().y) < 0.3 * box.height();
+        return is_level && std::min(a.x, b.x) < box.min.x - 1.0 && std::max(a.x, b.x) > box.min.x + 1.0;
     }
 };
 struct Word {
@@ -175,6 +182,25 @@ TEST_CASE("Where there is room no words but the numbers of an axis lie on a line
         std::erase_if(words, is_number);
         CHECK(listed(words) == "");
     }
+}
+
+TEST_CASE("No axis ends as a minus sign before the words that lie on it")
+{
+    using enum ui::ThemeName;
+    const std::vector<std::pair<ui::Size, ui::ThemeName>> sheets{
+        {{725.0, 757.0}, Light}, {{1000.0, 720.0}, Light}, {{690.0, 540.0}, Light}, {{900.0, 540.0}, Projector}};
+    for (const auto& sheet : sheets)
+        for (const Document& document : documents()) {
+            CAPTURE(sheet.first.width);
+            CAPTURE(static_cast<int>(document.subject));
+            CAPTURE(document.criterion.has_value());
+            const auto picture = drawn(document, {sheet.first, sheet.second, ui::Language::English});
+            for (const Word& word : picture.words) {
+                CAPTURE(word.text);
+                CHECK_FALSE(std::ranges::any_of(picture.lines,
+                                                [&](const Segment& line) { return line.is_minus_of(word.box); }));
+            }
+        }
 }
 
 TEST_CASE("What lies under the pointer moves no words")

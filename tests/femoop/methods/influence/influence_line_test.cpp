@@ -172,6 +172,7 @@ TEST_CASE("A node that all its hinges leave free to turn takes no part: the line
     made.model.nodes[1].hinge = true;
     const MovingEffect turn{.quantity = ExpectedQuantity::Displacement, .node = NodeId(1), .dof = Dof::rz};
     CHECK(line_of(made.model, turn).ordinates.largest() == 0.0);
+    CHECK(InfluenceAnalysis(made.model).motion(turn).empty()); // and nothing moves by a couple on it
 }
 
 TEST_CASE("The line is how the path moves when the structure is released by 1")
@@ -179,9 +180,8 @@ TEST_CASE("The line is how the path moves when the structure is released by 1")
     const Model model = two_spans();
     InfluenceAnalysis analysis(model);
     const PathLayout path = lay_out(model, all_members(model));
-    for (const MovingEffect& effect :
-         {force(model, "BC", MemberComponent::Mz, 2.5), force(model, "AB", MemberComponent::Vy, 3.0),
-          reaction(model, "B", Dof::uy)}) {
+    for (const MovingEffect& effect : {force(model, "BC", MemberComponent::Mz, 2.5),
+                                       force(model, "AB", MemberComponent::Vy, 3.0), reaction(model, "B", Dof::uy)}) {
         const std::vector<MemberMotion> motion = analysis.motion(effect);
         const InfluenceLine line = analysis.line(path, unit_load(model.analysis, {}), effect);
         REQUIRE(motion.size() == model.members.size());

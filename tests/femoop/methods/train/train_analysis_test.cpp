@@ -61,8 +61,8 @@ const std::vector<MovingEffect> asked{moment(0, 3.1),
 Model under(Model model, const Train& train, const MovingEffect& effect, const Placing& placing)
 {
     const PathLayout path = lay_out(model, members_of(model, train.path));
-    model.load_cases = {standing_train("T", path, unit_load(model.analysis, train.load), moving_train(train, effect),
-                                       placing)};
+    model.load_cases = {
+        standing_train("T", path, unit_load(model.analysis, train.load), moving_train(train, effect), placing)};
     return model;
 }
 
