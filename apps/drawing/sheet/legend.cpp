@@ -1,6 +1,7 @@
 #include "apps/drawing/sheet/legend.h"
 
 #include "apps/drawing/results/envelope_cases.h"
+#include "apps/drawing/results/line_diagram.h"
 #include "apps/drawing/sketch/scene.h"
 #include "femoop/load/case_terms.h"
 #include "ui/paint/wrapped_lines.h"
@@ -127,8 +128,9 @@ std::string extremes_text(const Scene& scene, const femoop::influence::Piecewise
                                      {"place", scene.text(extreme.positions.front(), ui::Measure::Length)}}));
     };
     const femoop::influence::LineExtreme max = line.max(), min = line.min();
-    if (max.value > 0.0) add("max", max);
-    if (min.value < 0.0) add("min", min);
+    const double rounding = written_as_zero * line.largest();
+    if (max.value > rounding) add("max", max);
+    if (min.value < -rounding) add("min", min);
     return text;
 }
 
@@ -145,8 +147,9 @@ std::string areas_text(const Scene& scene, const femoop::influence::LineAreas& a
 {
     const ui::DisplayUnit length = scene.units.unit(ui::Measure::Length);
     const auto text = [&](double area) { return scene.number(area * unit.factor * length.factor, ui::Measure::Plain); };
-    std::string both = areas.positive > 0.0 ? "+" + text(areas.positive) : "";
-    if (areas.negative < 0.0) both += (both.empty() ? "" : ", ") + text(areas.negative);
+    const double rounding = written_as_zero * std::max(areas.positive, -areas.negative);
+    std::string both = areas.positive > rounding ? "+" + text(areas.positive) : "";
+    if (areas.negative < -rounding) both += (both.empty() ? "" : ", ") + text(areas.negative);
     return scene.options.tr("areas {areas} {unit}", {{"areas", both}, {"unit", area_unit(unit.name, length.name)}});
 }
 

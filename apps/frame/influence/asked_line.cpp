@@ -39,7 +39,8 @@ Dof upright(const Model& model)
 
 void AskedLine::ask(const Model& model, const drawing::Cut& cut)
 {
-    const MemberComponent component = has(model, last_component_) ? last_component_ : foremost_component(model);
+    const bool goes_on = !femoop::is_truss(model.analysis) && has(model, last_component_); // of a bar it is its force
+    const MemberComponent component = goes_on ? last_component_ : foremost_component(model);
     asked_ = Asked{.member = model[cut.member].id, .x = cut.x, .component = component};
 }
 

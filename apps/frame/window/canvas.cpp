@@ -329,8 +329,16 @@ void Canvas::press(Workspace& workspace, const Aim& aim)
 {
     is_working_ = true;
     workspace.session.settle();
+    if (workspace.tool_controller.kind() == ToolKind::Influence && !aim.part()) return ask_at_diagram(workspace, aim);
     if (const auto reason = why_not_press(workspace, aim)) workspace.session.notify(*reason);
     else carry_out(workspace.session, workspace.tool_controller.tool().press(work_of(workspace.session), aim));
+}
+
+// A press on a diagram means the section that it is read at.
+void Canvas::ask_at_diagram(Workspace& workspace, Aim aim)
+{
+    aim.cut = workspace.session.hover;
+    workspace.tool_controller.tool().press(work_of(workspace.session), aim);
 }
 
 void Canvas::release(Workspace& workspace, const Aim& aim, const Pick& under)

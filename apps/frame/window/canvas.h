@@ -52,6 +52,7 @@ private:
     void follow(Workspace& workspace, const Pointer& pointer);
     void work(Workspace& workspace, const Aim& aim, const Pick& under);
     void press(Workspace& workspace, const Aim& aim);
+    static void ask_at_diagram(Workspace& workspace, Aim aim);
     void release(Workspace& workspace, const Aim& aim, const Pick& under);
     void click_in_space(Workspace& workspace, const Aim& aim, const Pick& under);
     static void ask_for_menu(Workspace& workspace, const Aim& aim);

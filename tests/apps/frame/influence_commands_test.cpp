@@ -94,6 +94,16 @@ TEST_SUITE("frame session")
         CHECK(line(session)->path.members.front().member == *session.model().find_member("BC"));
     }
 
+    TEST_CASE("A bar of a truss tells its force, under a load that passes the longest chord")
+    {
+        Workspace workspace = opened("truss.json");
+        Session& session = workspace.session;
+        session.influence.ask(session.model(), drawing::Cut{*session.model().find_member("CD"), 1.0});
+        CHECK(asked(session) == "N(CD, 1)");
+        REQUIRE(line(session) != nullptr);
+        CHECK(line(session)->line.ordinates.max().value == doctest::Approx(1.0)); // all of a load at C hangs on it
+    }
+
     TEST_CASE("A structure that can move has no influence lines, and the tool says why")
     {
         Workspace workspace = opened("mechanism.json");
