@@ -5,6 +5,7 @@
 #include <string>
 
 #include "apps/frame/document/command.h"
+#include "apps/frame/document/drawing.h"
 #include "apps/frame/session/tabs.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "tests/source_folder.h"
