@@ -4,6 +4,7 @@
 #include "apps/drawing/results/line_diagram.h"
 #include "femoop/load/place_along.h"
 #include "femoop/methods/influence/effect_name.h"
+#include "femoop/result/components.h"
 
 #include <algorithm>
 #include <array>
