@@ -13,6 +13,7 @@
 #include "apps/drawing/results/influence_picture.h"
 #include "apps/drawing/sketch/scene.h"
 #include "femoop/analysis/linear_static.h"
+#include "femoop/geometry/member_geometry.h"
 #include "femoop/io/influence/influence_block.h"
 #include "femoop/io/train/train_block.h"
 #include "femoop/methods/influence/influence_line.h"
@@ -69,14 +70,6 @@ bool is_foremost(const Model& model, const MovingEffect& effect)
     return is_truss(model.analysis) ? effect.component == MemberComponent::N : bends;
 }
 
-MovingEffect at_section(MovingEffect effect, double x)
-{
-    effect.quantity = *effect.component >= MemberComponent::u ? ExpectedQuantity::Displacement
-                                                              : ExpectedQuantity::SectionForce;
-    effect.at = femoop::Quantity(x);
-    return effect;
-}
-
 struct Worst {
     MovingEffect effect;
     double value = 0.0;
@@ -84,10 +77,13 @@ struct Worst {
 
 Worst worst_of(TrainAnalysis& analysis, const femoop::Train& train, const MovingEffect& extreme)
 {
+    const Model& model = analysis.unloaded();
     const femoop::influence::TrainExtreme found = analysis.extreme(train, extreme);
     const bool is_max = std::abs(found.max.placing.value) >= std::abs(found.min.placing.value);
     const femoop::influence::WorstSection& worst = is_max ? found.max : found.min;
-    return {at_section(extreme, worst.sections.empty() ? 0.0 : worst.sections.front()), worst.placing.value};
+    const double x = worst.sections.empty() ? 0.0 : worst.sections.front();
+    const double length = femoop::geometry_of(model, model[*extreme.member]).length;
+    return {femoop::influence::at_section(extreme, x, length), worst.placing.value};
 }
 
 MovingEffect foremost_effect(TrainAnalysis& analysis, const Model& model, const femoop::Train& train)
@@ -186,18 +182,6 @@ private:
     ui::DisplayUnits units_;
 };
 
-/// The structure with the train as its only loads.
-Model under_train(Model model, const Standing& standing, const std::string& id)
-{
-    model.load_cases = {
-        femoop::influence::standing_train(id, standing.path, standing.load, standing.train, standing.placing)};
-    model.combinations.clear();
-    model.moving_loads = {};
-    model.expected.clear();
-    model.extra.clear();
-    return model;
-}
-
 void write(const Model& model, const femoop::Results* results, const drawing::InfluencePicture& picture,
            const PictureOrder& order, const Console& console)
 {
@@ -243,13 +227,12 @@ public:
         order.view.show.insert(Show::Influence);
         order.view.load_case = femoop::CaseId(0);
         order.view.is_envelope = false;
-        const Model loaded = under_train(model_, standing, train_.id);
+        Model loaded = analysis_.unloaded();
+        loaded.load_cases = {standing_train(train_.id, standing.path, standing.load, standing.train, standing.placing)};
         const femoop::Results results = femoop::analyse(loaded);
         console_.report(file_, results.warnings());
-        femoop::influence::InfluenceAnalysis lines(model_);
-        drawing::InfluencePicture picture{.path = standing.path,
-                                          .load = standing.load,
-                                          .line = lines.line(standing.path, standing.load, standing.effect)};
+        drawing::InfluencePicture picture{
+            .path = standing.path, .load = standing.load, .line = analysis_.line(train_, standing.effect)};
         picture.forces = standing_forces(standing.train, standing.placing, picture.line.ordinates, standing.kind);
         picture.sentences = Sentences(model_, order.view).of(standing, picture, train_.id);
         write(loaded, &results, picture, order, console_);

@@ -4,6 +4,7 @@
 #include "apps/drawing/results/line_diagram.h"
 #include "femoop/load/place_along.h"
 #include "femoop/methods/influence/effect_name.h"
+#include "femoop/methods/influence/load_components.h"
 #include "femoop/result/components.h"
 
 #include <algorithm>
@@ -286,8 +287,7 @@ void draw_influence(const Scene& scene, const InfluencePicture& picture, const I
 OrdinateUnit ordinate_unit(const ui::DisplayUnits& units, const InfluencePicture& picture)
 {
     const ui::Measure effect = measure_of(picture.line.effect);
-    const bool is_couple = picture.load[0] == 0.0 && picture.load[1] == 0.0 && picture.load[2] == 0.0;
-    const ui::Measure load = is_couple ? ui::Measure::Moment : ui::Measure::Force;
+    const ui::Measure load = femoop::influence::is_couple(picture.load) ? ui::Measure::Moment : ui::Measure::Force;
     const ui::DisplayUnit over = units.unit(effect), under = units.unit(load);
     const std::string length = units.unit(ui::Measure::Length).name;
     OrdinateUnit unit{.name = over.name + "/" + under.name, .factor = over.factor / under.factor};

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "femoop/geometry/member_geometry.h"
+#include "femoop/methods/influence/load_components.h"
 #include "femoop/methods/influence/usual_path.h"
 #include "femoop/model/fault/fault.h"
 #include "femoop/result/components.h"
@@ -31,8 +32,7 @@ MemberComponent foremost_component(const Model& model)
 
 Dof upright(const Model& model)
 {
-    const bool is_flat = femoop::dofs(model.analysis).contains(Dof::uy) && !femoop::is_3d(model.analysis);
-    return is_flat ? Dof::uy : Dof::uz;
+    return femoop::influence::components_of(femoop::influence::unit_load(model.analysis, {})).front().dof;
 }
 
 } // namespace

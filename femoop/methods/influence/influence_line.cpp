@@ -9,6 +9,7 @@
 #include "femoop/load/place_along.h"
 #include "femoop/methods/influence/dislocation.h"
 #include "femoop/methods/influence/effect_name.h"
+#include "femoop/methods/influence/load_components.h"
 #include "femoop/result/components.h"
 #include "femoop/result/curve_reader.h"
 
@@ -27,14 +28,6 @@ Model without_loads(Model model)
     model.expected.clear();
     model.extra.clear();
     return model;
-}
-
-std::vector<Component> components_of(const NodeVector& load)
-{
-    std::vector<Component> components;
-    for (const Dof dof : all_dofs)
-        if (load[index(dof)] != 0.0) components.push_back({.dof = dof, .value = load[index(dof)]});
-    return components;
 }
 
 Dof displacement_dof(MemberComponent component)

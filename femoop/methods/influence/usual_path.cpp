@@ -7,6 +7,7 @@
 
 #include "femoop/geometry/member_geometry.h"
 #include "femoop/geometry/node_position.h"
+#include "femoop/methods/influence/load_components.h"
 #include "femoop/result/components.h"
 
 namespace femoop::influence {
@@ -58,8 +59,8 @@ public:
     /// Whether a load has a part across it, or is a couple.
     bool is_bent(const std::vector<MemberId>& path, const NodeVector& load) const
     {
+        if (is_couple(load)) return true;
         const Vector3d force(load[0], load[1], load[2]);
-        if (force.norm() == 0.0) return true;
         return onward(path.front()).cross(force).norm() > along * force.norm();
     }
 

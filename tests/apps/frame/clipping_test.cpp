@@ -11,11 +11,14 @@
 #include "apps/frame/session/work.h"
 #include "femoop/io/model_file.h"
 #include "femoop/model/check/check.h"
+#include "tests/apps/frame/example_workspace.h"
 #include "tests/source_folder.h"
 
 using namespace frame;
 using femoop::MemberId;
 using femoop::NodeId;
+using frame_test::run;
+using frame_test::workspace_with;
 
 namespace {
 
@@ -25,19 +28,6 @@ femoop::Model model_of(const std::string& file)
 }
 
 constexpr MemberId BC{1}; // of the portal: the beam, loaded in G and Q, from B (0, 4.5) to C (8, 4.5)
-
-std::optional<std::string> run(Workspace& workspace, std::string_view id)
-{
-    const auto reason = ui::run(*command_table().find(id), workspace);
-    return reason ? std::optional(ui::Catalogue()(*reason)) : std::nullopt;
-}
-
-Workspace workspace_with(const std::string& file)
-{
-    Workspace workspace{Session{Document{}}};
-    REQUIRE(open_file(workspace, source_folder() + "/examples/" + file));
-    return workspace;
-}
 
 } // namespace
 

@@ -6,28 +6,16 @@
 
 #include "apps/frame/document/command.h"
 #include "apps/frame/document/drawing.h"
-#include "apps/frame/session/tabs.h"
 #include "femoop/methods/influence/effect_name.h"
-#include "tests/source_folder.h"
+#include "tests/apps/frame/example_workspace.h"
 
 using namespace frame;
 using femoop::MemberId;
 using femoop::NodeId;
+using frame_test::run;
+using frame_test::workspace_with;
 
 namespace {
-
-Workspace opened(const std::string& file)
-{
-    Workspace workspace{Session{Document{}}};
-    REQUIRE(open_file(workspace, source_folder() + "/examples/" + file));
-    return workspace;
-}
-
-std::optional<std::string> carried_out(Workspace& workspace, std::string_view id)
-{
-    const auto reason = ui::run(*command_table().find(id), workspace);
-    return reason ? std::optional(ui::Catalogue()(*reason)) : std::nullopt;
-}
 
 std::string asked(const Session& session)
 {
@@ -46,25 +34,25 @@ TEST_SUITE("frame session")
 {
     TEST_CASE("The line of a section goes from quantity to quantity, and on where a quantity was left")
     {
-        Workspace workspace = opened("bridge.json");
+        Workspace workspace = workspace_with("bridge.json");
         Session& session = workspace.session;
-        CHECK(carried_out(workspace, "view.influence.next") ==
+        CHECK(run(workspace, "view.influence.next") ==
               "no influence line is shown; press I and click a section or a support");
         session.influence.ask(session.model(), drawing::Cut{MemberId(1), 40.0});
         CHECK(asked(session) == "M(BC, 40)");
-        CHECK(!carried_out(workspace, "view.influence.next"));
+        CHECK(!run(workspace, "view.influence.next"));
         CHECK(asked(session) == "N(BC, 40)");
-        CHECK(!carried_out(workspace, "view.influence.next"));
+        CHECK(!run(workspace, "view.influence.next"));
         CHECK(asked(session) == "V(BC, 40)");
         session.influence.ask(session.model(), drawing::Cut{MemberId(0), 10.0});
         CHECK(asked(session) == "V(AB, 10)");
-        CHECK(!carried_out(workspace, "view.influence.close"));
+        CHECK(!run(workspace, "view.influence.close"));
         CHECK(line(session) == nullptr);
     }
 
     TEST_CASE("The line follows what is changed, and is gone with its member")
     {
-        Workspace workspace = opened("portal.json");
+        Workspace workspace = workspace_with("portal.json");
         Session& session = workspace.session;
         session.influence.ask(session.model(), drawing::Cut{*session.model().find_member("BC"), 4.0});
         REQUIRE(line(session) != nullptr);
@@ -84,7 +72,7 @@ TEST_SUITE("frame session")
 
     TEST_CASE("A support tells the reaction that it bears, a node without one its displacement")
     {
-        Workspace workspace = opened("portal.json");
+        Workspace workspace = workspace_with("portal.json");
         Session& session = workspace.session;
         session.influence.ask(session.model(), *session.model().find_node("A"));
         CHECK(asked(session) == "fy(A)");
@@ -97,7 +85,7 @@ TEST_SUITE("frame session")
 
     TEST_CASE("A bar of a truss tells its force, under a load that passes the longest chord")
     {
-        Workspace workspace = opened("truss.json");
+        Workspace workspace = workspace_with("truss.json");
         Session& session = workspace.session;
         session.influence.ask(session.model(), drawing::Cut{*session.model().find_member("CD"), 1.0});
         CHECK(asked(session) == "N(CD, 1)");
@@ -107,8 +95,8 @@ TEST_SUITE("frame session")
 
     TEST_CASE("A structure that can move has no influence lines, and the tool says why")
     {
-        Workspace workspace = opened("mechanism.json");
-        CHECK(carried_out(workspace, "draw.influence") == "the model has no results");
+        Workspace workspace = workspace_with("mechanism.json");
+        CHECK(run(workspace, "draw.influence") == "the model has no results");
         workspace.session.influence.ask(workspace.session.model(), NodeId(0));
         CHECK(line(workspace.session) == nullptr);
     }

@@ -7,27 +7,17 @@
 #include "apps/frame/document/drawing.h"
 #include "apps/frame/session/predict_commands.h"
 #include "apps/frame/session/tabs.h"
+#include "tests/apps/frame/example_workspace.h"
 #include "tests/source_folder.h"
 
 using namespace frame;
 using femoop::MemberId;
+using frame_test::run;
+using frame_test::workspace_with;
 
 namespace {
 
 constexpr MemberId BC{1};
-
-Workspace workspace_with(const std::string& file)
-{
-    Workspace workspace{Session{Document{}}};
-    REQUIRE(open_file(workspace, source_folder() + "/examples/" + file));
-    return workspace;
-}
-
-std::optional<std::string> run(Workspace& workspace, std::string_view id)
-{
-    const auto reason = ui::run(*command_table().find(id), workspace);
-    return reason ? std::optional(ui::Catalogue()(*reason)) : std::nullopt;
-}
 
 void sketch(Workspace& workspace)
 {

@@ -13,23 +13,18 @@
 #include "apps/frame/session/tabs.h"
 #include "femoop/edit/naming.h"
 #include "femoop/io/model_file.h"
+#include "tests/apps/frame/example_workspace.h"
 #include "tests/folder.h"
 #include "tests/source_folder.h"
 
 using namespace frame;
 using femoop::MemberId;
 using femoop::NodeId;
+using frame_test::workspace_with;
 
 namespace {
 
 const std::string examples = source_folder() + "/examples/";
-
-Workspace workspace_with(const char* file)
-{
-    Workspace workspace{Session{Document{}}};
-    REQUIRE(open_file(workspace, examples + file));
-    return workspace;
-}
 
 void touch(Workspace& workspace)
 {

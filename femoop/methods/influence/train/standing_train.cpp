@@ -3,19 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "femoop/methods/influence/load_components.h"
+
 namespace femoop::influence {
 
 namespace {
 
 constexpr double off_path = 1e-12; // of its length: so far beyond an end is the end
-
-std::vector<Component> components_of(const NodeVector& load, double factor)
-{
-    std::vector<Component> components;
-    for (const Dof dof : all_dofs)
-        if (load[index(dof)] != 0.0) components.push_back({.dof = dof, .value = factor * load[index(dof)]});
-    return components;
-}
 
 using Forces = std::vector<StandingForce>;
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "femoop/geometry/member_geometry.h"
+#include "femoop/methods/influence/load_components.h"
 #include "femoop/methods/influence/usual_path.h"
 #include "femoop/result/components.h"
 
@@ -24,15 +25,6 @@ std::vector<double> values_of(const std::vector<Quantity>& quantities)
     return values;
 }
 
-MovingEffect at_section(MovingEffect effect, double x, double length)
-{
-    const bool is_displacement_there = is_displacement(*effect.component);
-    effect.quantity = is_displacement_there ? ExpectedQuantity::Displacement : ExpectedQuantity::SectionForce;
-    effect.at = Quantity(x);
-    effect.side = x >= length ? Side::Before : Side::After;
-    return effect;
-}
-
 void require_in_range(const Train& train, const MovingTrain& moving)
 {
     double sum = std::abs(moving.uniform);
@@ -47,9 +39,8 @@ PiecewiseLine without_noise(PiecewiseLine line, const MovingEffect& effect, cons
     const bool is_displaced = effect.component ? is_displacement(*effect.component)
                                                : effect.quantity == ExpectedQuantity::Displacement;
     if (is_displaced) return line;
-    const bool is_couple = load[0] == 0.0 && load[1] == 0.0 && load[2] == 0.0;
     double usual = is_moment(effect) ? line.length() : 1.0;
-    if (is_couple) usual /= line.length();
+    if (is_couple(load)) usual /= line.length();
     if (line.largest() > noise * usual) return line;
     for (LinePiece& piece : line.pieces) piece.coefficients.clear();
     return line;
@@ -145,6 +136,15 @@ std::vector<MovingEffect> default_effects(const Model& model, std::size_t n)
     return effects;
 }
 
+MovingEffect at_section(MovingEffect effect, double x, double length)
+{
+    const bool is_displacement_there = is_displacement(*effect.component);
+    effect.quantity = is_displacement_there ? ExpectedQuantity::Displacement : ExpectedQuantity::SectionForce;
+    effect.at = Quantity(x);
+    effect.side = x >= length ? Side::Before : Side::After;
+    return effect;
+}
+
 std::vector<MovingEffect> default_extremes(const Model& model)
 {
     std::vector<MovingEffect> effects;
@@ -174,12 +174,17 @@ std::vector<TrainEffect> TrainAnalysis::effects(const Train& train, std::span<co
     return all;
 }
 
+InfluenceLine TrainAnalysis::line(const Train& train, const MovingEffect& effect)
+{
+    const NodeVector load = unit_load(model_.analysis, train.load);
+    InfluenceLine line = lines_.line(path(train), load, effect);
+    line.ordinates = without_noise(std::move(line.ordinates), effect, load);
+    return line;
+}
+
 TrainSearch TrainAnalysis::search(const Train& train, const MovingEffect& effect)
 {
-    const PathLayout layout = path(train);
-    const NodeVector load = unit_load(model_.analysis, train.load);
-    const InfluenceLine line = lines_.line(layout, load, effect);
-    return {without_noise(line.ordinates, effect, load), layout.nodes(), moving_train(train, effect)};
+    return {line(train, effect).ordinates, path(train).nodes(), moving_train(train, effect)};
 }
 
 SectionLines TrainAnalysis::section_lines(const Train& train, const MovingEffect& effect)

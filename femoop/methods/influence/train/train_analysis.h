@@ -39,6 +39,9 @@ std::vector<MovingEffect> default_effects(const Model& model, std::size_t n);
 /// Every section force of each member, without a place.
 std::vector<MovingEffect> default_extremes(const Model& model);
 
+/// An effect without a place, at a section of its member of this length; at its end the - side.
+MovingEffect at_section(MovingEffect effect, double x, double length);
+
 /// Trains on one structure, which is analysed once. Holds on to the model, which must outlive it.
 ///
 /// Accuracy  that of InfluenceAnalysis and of TrainSearch
@@ -55,10 +58,13 @@ public:
     std::vector<TrainEffect> effects(const MovingEnvelope& envelope, std::span<const MovingEffect> effects);
     TrainExtreme extreme(const MovingEnvelope& envelope, const MovingEffect& effect);
 
-    /// The line of the effect along the train's path, searched.
+    /// The line of the effect along the train's path.
+    InfluenceLine line(const Train& train, const MovingEffect& effect);
+    /// The same, searched.
     TrainSearch search(const Train& train, const MovingEffect& effect);
 
     PathLayout path(const Train& train) const;
+    const Model& unloaded() const { return lines_.model(); } ///< its load cases are the analysis' own
     const std::vector<Fault>& warnings() const { return lines_.warnings(); }
 
 private:
