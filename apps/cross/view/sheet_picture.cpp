@@ -157,7 +157,7 @@ private:
         const double em = theme_in(panel_, scene_.look).type().normal;
         request.room = panel_.whole.grown(-0.3 * em);
         request.room.min.y += std::max(usual_above, above_) * em;
-        if (request.places.size() > most_ends_at_once) request.room = in_sight();
+        if (request.places.size() > most_ends_at_once) request.room = in_sight(request.room);
         request.walls = walls_in(panel_, shape_);
         request.obstacles = obstacles_in(panel_, shape_, scene_.document.model, theme_);
         request.largest_type = largest_type();
@@ -189,11 +189,9 @@ private:
     }
 
     /// Of a large structure only what is seen is laid out.
-    ui::Box in_sight() const
+    ui::Box in_sight(const ui::Box& room) const
     {
-        const ui::Box seen = panel_.box.grown(0.25 * panel_.box.width());
-        return {{std::max(seen.min.x, panel_.whole.min.x), std::max(seen.min.y, panel_.whole.min.y)},
-                {std::min(seen.max.x, panel_.whole.max.x), std::min(seen.max.y, panel_.whole.max.y)}};
+        return ui::intersection(panel_.box.grown(0.25 * panel_.box.width()), room);
     }
 
     /// So many that columns grow, and move, only now and then.

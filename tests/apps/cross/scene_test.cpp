@@ -272,6 +272,58 @@ TEST_CASE("On the projector no number of a sheet is smaller than the panels' tex
         }
 }
 
+namespace {
+
+/// Where each string stands.
+class Strings : public ui::Surface {
+public:
+    explicit Strings(const ui::Fonts& fonts) : fonts_(fonts) {}
+
+    struct String {
+        std::string words;
+        ui::Box box;
+    };
+
+    void clip(const ui::Box& /*box*/) override {}
+    void stroke(const ui::Path& /*path*/, const ui::Stroke& /*stroke*/) override {}
+    void fill(std::span<const ui::Point> /*polygon*/, ui::Color /*color*/) override {}
+    void stroke_arc(const ui::Arc& /*arc*/, const ui::Stroke& /*stroke*/) override {}
+    void fill_disc(ui::Point /*center*/, double /*radius*/, ui::Color /*color*/) override {}
+    void text(ui::Point at, std::string_view utf8, const ui::TextStyle& style) override
+    {
+        all.push_back({std::string(utf8), ui::text_box(fonts_, at, utf8, style)});
+    }
+
+    std::vector<String> all;
+
+private:
+    const ui::Fonts& fonts_;
+};
+
+} // namespace
+
+TEST_CASE("The columns of a frame of six storeys stand below the heading of its sheet")
+{
+    const Document document = read_document_file("examples/storey_frame.json");
+    const Solution solution = solve(document);
+    const ui::Fonts fonts;
+    for (const ui::ThemeName theme : {ui::ThemeName::Light, ui::ThemeName::Projector}) {
+        Look look;
+        look.theme = theme;
+        ui::Painter painter({1280.0, 694.0}, fonts);
+        draw(painter, {document, solution, nullptr, 1.0, {}, look});
+        Strings strings(fonts);
+        painter.picture().draw_on(strings);
+        const auto heading = std::ranges::find_if(
+            strings.all, [](const auto& string) { return string.words.starts_with("Sheet of the loads"); });
+        REQUIRE(heading != strings.all.end());
+        for (const Strings::String& string : strings.all) {
+            CAPTURE(string.words);
+            CHECK((string.words == heading->words || !string.box.overlaps(heading->box)));
+        }
+    }
+}
+
 TEST_CASE("In the whole window of a projector a frame of two storeys is seen whole")
 {
     CHECK(enlarged_for_last_row("tests/cases/own/staged-two-storeys.json", {1280.0, 694.0}).zoom == 1.0);
