@@ -49,9 +49,9 @@ public:
         const frame::NumberId number = frame::numbers(application_.session().model(), load).front().id;
         const femoop::Quantity value{-20.0 - 0.1 * (i % 2 + 1)};
         return milliseconds([&] {
-            application_.session().change({ui::translatable("Change"),
-                                           [&](frame::Document& document) { set_number(document, number, value); },
-                                           frame::Step::Drag});
+            application_.workspace().session.change(
+                {ui::translatable("Change"), [&](frame::Document& document) { set_number(document, number, value); },
+                 frame::Step::Drag});
         });
     }
     double solve()

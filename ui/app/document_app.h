@@ -4,10 +4,12 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "ui/app/app.h"
 #include "ui/app/dialogs.h"
@@ -32,20 +34,20 @@ struct AppFace {
     SidePanels sides;
 };
 
-/// An app of one document at a time on a context, on the screen or off it: menus, keys, dialogs, drafts, export, and
-/// panels on either side of the picture. An app adds its panels and its picture. Each frame goes one way: input, edits,
-/// solution, picture. `Workspace` is the app's own (ui/workspace/document_workspace.h).
+/// An app on a context, on the screen or off it: menus, keys, dialogs, drafts, export, other programs, and panels on
+/// either side of the picture. An app adds its panels and its picture. Each frame goes one way: input, edits, solution,
+/// picture. `Workspace` is the app's own (ui/workspace/workspace.h), of one document or of several.
 template <class Workspace> class DocumentApp : public App {
 public:
     using Session = decltype(Workspace::session);
 
     void frame(const Input& input) final;
-    bool is_moving() const final { return session().is_moving(); }
-    void ask_to_quit() final { workspace_.leave_document(asks(Request::Quit)); }
+    bool is_moving() const final { return workspace_.is_moving(); }
+    void ask_to_quit() final { workspace_.leave_all(asks(Request::Quit)); }
     bool wants_to_quit() const final { return wants_to_quit_; }
     std::string window_title() const final
     {
-        return (session().is_dirty() ? "*" : "") + session().file_name() + " – " + session().tr()(face_.name);
+        return (session().is_dirty() ? "*" : "") + workspace_.name() + " – " + session().tr()(face_.name);
     }
     ImGuiSession& gui() final { return gui_; }
 
@@ -59,6 +61,10 @@ public:
     /// knows `linked_text()`, `is_news(text)` and `adopt(text)`; what has them not has no links.
     void link_to(Link link);
     const std::optional<LinkedCopy>& linked() const { return linked_; }
+    /// How another program of the suite is started, which says why it could not be; without it none is.
+    using StartProgram = std::function<std::optional<Message>(const ExportToApp&)>;
+    void start_programs_by(StartProgram start) { start_program_ = std::move(start); }
+    const std::optional<ExportToApp>& handed() const { return handed_; } ///< what another program was given last
     /// Writes the picture to a file (.png, .svg or .pdf), or what else the app can write, and tells that it did.
     /// \returns why it cannot
     std::optional<Message> export_as(const std::filesystem::path& path);
@@ -68,27 +74,50 @@ protected:
     DocumentApp(Context& context, const Fonts& fonts, Session session, CommandTable<Workspace> commands, AppFace face)
         : workspace_(std::move(session)),
           commands_(std::move(commands)),
-          gui_(context, fonts, Theme(workspace_.session.look.theme)),
+          gui_(context, fonts, Theme(workspace_.theme())),
           context_(context),
           fonts_(fonts),
           face_(std::move(face)),
           dialogs_(face_.files),
-          theme_(workspace_.session.look.theme)
+          theme_(workspace_.theme())
     {}
 
-    virtual Picture picture() = 0;                                           ///< to be exported
-    virtual std::optional<Message> write(const std::filesystem::path& path); ///< \returns why it cannot
-    virtual bool is_typing() const = 0;                                      ///< in a panel, whatever is pressed
+    // ---- what every app has
+
+    virtual Picture picture() = 0; ///< to be exported
     virtual void show_left() = 0;
     virtual void show_right() = 0;
     virtual void show_canvas() = 0;
-    virtual std::string status() const = 0;
+    virtual void show_status() const = 0;  ///< at the window's foot, where nothing is told there
     virtual std::string words() const = 0; ///< that tell the document
+    virtual bool is_typing() const = 0;    ///< in a panel, whatever is pressed
+
+    // ---- what some have
+
     virtual void show_body() { show_panels_and_canvas(); }
-    virtual void take(Request request) { (void)request; } ///< what not every app is asked for
+    virtual void show_beside_words() {} ///< more buttons
+    virtual void show_own_dialogs() {}
     virtual void handle_own_requests() {}
+    virtual void fit() {} ///< the picture shows everything
+    virtual void zoom(double factor) { (void)factor; }
+    virtual std::optional<Message> write(const std::filesystem::path& path); ///< \returns why it cannot
+    virtual std::string_view written() const { return translatable("{file} was written"); }
+
+    virtual bool is_asking() const { return false; } ///< in a dialog of the app's own, which has the keys
+    virtual void leave_keys_to_dialog() {}           ///< of the app's own, or of every app's
+    virtual std::vector<KeyEvent> take_keys(const Input& input) { return input.keys; } ///< \returns what is left
+    virtual bool close_topmost() { return dialogs_.close_topmost(); } ///< what Escape is for before it is a command
+
+    virtual std::optional<FootMessage> foot_message() const;
+    virtual void answer(const FootMessage& message, std::size_t pressed);
+    virtual void follow_links(double seconds);
+    virtual void answer_offer(Request request);
+    virtual void start(const ExportToApp& exported);
+    std::optional<Message> start_program(const ExportToApp& exported) const { return start_program_(exported); }
 
     void show_panels_and_canvas();
+    /// The same above something of a height [px]; none where that is 0.
+    void show_panels_and_canvas_above(float height, const std::function<void()>& below);
     const Fonts& fonts() const { return fonts_; }
 
 private:
@@ -96,19 +125,16 @@ private:
     void handle_requests();
     void handle_common_request(Request request);
     void take(const ChosenFile& file);
+    void hand_over(ExportToApp exported);
     void show_menu_bar();
-    std::optional<FootMessage> foot_message() const;
-    void follow_link(double seconds);
-    void answer_offer(Request request);
-    void answer_button(std::size_t button);
     void show_dialogs();
     void ask_about_unsaved();
     void copy_picture();
     void quit();
     PictureLook picture_look() const
     {
-        return {.background = Theme(session().look.theme).background(),
-                .title = session().file_name(),
+        return {.background = Theme(workspace_.theme()).background(),
+                .title = workspace_.name(),
                 .png_scale = workspace_.export_scale};
     }
 
@@ -123,7 +149,10 @@ private:
     SessionStore session_store_{std::nullopt};
     ThemeName theme_;
     std::optional<LinkedCopy> linked_;
+    StartProgram start_program_;
+    std::optional<ExportToApp> handed_;
     bool wants_to_quit_ = false;
+    bool had_popup_ = false; ///< in the last frame: Escape, which has closed it since, was for it
 };
 
 /// Sessions of documents that another program can have a copy of.
@@ -148,36 +177,40 @@ template <class Workspace, class Topics> void show_topics(Workspace& workspace, 
 
 template <class Workspace> void DocumentApp<Workspace>::frame(const Input& input)
 {
-    if (std::exchange(theme_, session().look.theme) != session().look.theme) gui_.set_theme(Theme(theme_));
-    if (!input.dropped_files.empty()) workspace_.open(input.dropped_files.front());
+    if (std::exchange(theme_, workspace_.theme()) != workspace_.theme()) gui_.set_theme(Theme(theme_));
+    workspace_.open_dropped(input.dropped_files);
     gui_.begin_frame(input);
     handle_keys(input);
-    workspace_.session.tick(input.seconds);
-    follow_link(input.seconds);
+    workspace_.tick(input.seconds);
+    follow_links(input.seconds);
     show_menu_bar();
     const auto told = foot_message();
     begin_body(told ? height(*told) : status_height());
     show_body();
     end_body();
-    if (!told) status_bar(status());
-    else if (const auto pressed = show(*told)) answer_button(*pressed);
+    if (!told) show_status();
+    else if (const auto pressed = show(*told)) answer(*told, *pressed);
     show_dialogs();
     handle_requests();
     session_store_.tick(workspace_, logical_size(context_), input.seconds);
+    had_popup_ = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     gui_.end_frame();
 }
 
 template <class Workspace> void DocumentApp<Workspace>::handle_keys(const Input& input)
 {
-    const bool is_popup_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-    if (dialogs_.wants_keys() || session_store_.is_open() || workspace_.after_question || is_popup_open) return;
+    const bool is_popup_open = had_popup_ || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    const bool is_blocked = dialogs_.wants_keys() || session_store_.is_open() || workspace_.after_question ||
+                            is_asking() || is_popup_open;
+    if (is_blocked) return leave_keys_to_dialog();
+    const std::vector<KeyEvent> keys = take_keys(input);
     const bool types = ImGui::GetIO().WantTextInput || is_typing();
-    for (const KeyEvent& event : input.keys) {
+    for (const KeyEvent& event : keys) {
         const bool is_escape = event.key == Key::Escape;
         const bool edits_text = ImGui::GetIO().WantTextInput && is_edit_of_text(event.chord());
         const bool writes = !is_escape && !event.modifiers.ctrl && !is_function_key(event.key);
         const bool is_for_field = edits_text || (types && writes);
-        if (!event.is_down || is_for_field || (is_escape && dialogs_.close_topmost())) continue;
+        if (!event.is_down || is_for_field || (is_escape && close_topmost())) continue;
         const auto* const command = commands_.find(event.chord());
         if (command == nullptr) continue;
         const auto reason = run(*command, workspace_);
@@ -189,25 +222,46 @@ template <class Workspace> void DocumentApp<Workspace>::handle_keys(const Input&
 template <class Workspace> void DocumentApp<Workspace>::handle_requests()
 {
     for (const Request request : std::exchange(workspace_.asked, {})) handle_common_request(request);
+    for (ExportToApp& exported : std::exchange(workspace_.handed, {})) hand_over(std::move(exported));
     handle_own_requests();
 }
 
 template <class Workspace> void DocumentApp<Workspace>::handle_common_request(Request request)
 {
     if (dialogs_.take(request, session().path(), session().tr()) || session_store_.take(request)) return;
-    if (request == Request::CopyPicture) copy_picture();
-    else if (request == Request::TakeOver || request == Request::KeepAsItIs) answer_offer(request);
-    else if (request == Request::Quit) quit();
-    else take(request);
+    switch (request) {
+    case Request::CopyPicture: return copy_picture();
+    case Request::Fit: return fit();
+    case Request::ZoomIn: return zoom(1.25);
+    case Request::ZoomOut: return zoom(0.8);
+    case Request::TakeOver:
+    case Request::KeepAsItIs: return answer_offer(request);
+    case Request::Quit: return quit();
+    default: return;
+    }
+}
+
+// The other program speaks and looks as this one does.
+template <class Workspace> void DocumentApp<Workspace>::hand_over(ExportToApp exported)
+{
+    exported.options = {"--lang", std::string(code(session().tr().language())), "--theme",
+                        std::string(text(workspace_.theme()))};
+    handed_ = std::move(exported);
+    if (start_program_) start(*handed_);
+}
+
+template <class Workspace> void DocumentApp<Workspace>::start(const ExportToApp& exported)
+{
+    if (const auto reason = start_program(exported)) workspace_.notify(*reason);
 }
 
 template <class Workspace> void DocumentApp<Workspace>::take(const ChosenFile& file)
 {
     using enum ChosenFile::Purpose;
     switch (file.purpose) {
-    case Open: workspace_.session.open(file.path); break;
+    case Open: workspace_.open_at_once(file.path); break;
     case Save:
-        if (!workspace_.session.save(file.path)) dialogs_.refuse(workspace_.session.notice->sentence);
+        if (!workspace_.save_as(file.path)) dialogs_.refuse(workspace_.session.notice->sentence);
         break;
     case Export:
         if (const auto reason = export_as(file.path)) dialogs_.refuse(*reason);
@@ -225,7 +279,7 @@ template <class Workspace> void DocumentApp<Workspace>::show_menu_bar()
 {
     if (!ImGui::BeginMainMenuBar()) return;
     show_menus(commands_, workspace_, Catalogue(session().tr())); // a command may change the language
-    menu_bar_title((session().is_dirty() ? "* " : "") + session().file_name());
+    menu_bar_title((session().is_dirty() ? "* " : "") + workspace_.name());
     ImGui::EndMainMenuBar();
 }
 
@@ -234,7 +288,7 @@ template <class Workspace> void DocumentApp<Workspace>::link_to(Link link)
     if constexpr (Linkable<Session>) linked_.emplace(std::move(link), session().linked_text());
 }
 
-template <class Workspace> void DocumentApp<Workspace>::follow_link(double seconds)
+template <class Workspace> void DocumentApp<Workspace>::follow_links(double seconds)
 {
     if constexpr (Linkable<Session>)
         if (linked_)
@@ -265,6 +319,18 @@ template <class Workspace> void DocumentApp<Workspace>::show_panels_and_canvas()
                      [this] { show_canvas(); });
 }
 
+template <class Workspace>
+void DocumentApp<Workspace>::show_panels_and_canvas_above(float height, const std::function<void()>& below)
+{
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    if (height > 0.0F) show_below(height, below);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, 0U); // the picture is drawn on the theme's own background
+    ImGui::BeginChild("###above", {0.0F, room.y - height});
+    ImGui::PopStyleColor();
+    show_panels_and_canvas();
+    ImGui::EndChild();
+}
+
 template <class Workspace> std::optional<FootMessage> DocumentApp<Workspace>::foot_message() const
 {
     const Catalogue& tr = session().tr();
@@ -273,10 +339,10 @@ template <class Workspace> std::optional<FootMessage> DocumentApp<Workspace>::fo
     return offer_message(workspace_.offer, tr);
 }
 
-template <class Workspace> void DocumentApp<Workspace>::answer_button(std::size_t button)
+template <class Workspace> void DocumentApp<Workspace>::answer(const FootMessage&, std::size_t pressed)
 {
     if (session().notice) workspace_.session.notice.reset();
-    else workspace_.asked.push_back(answer_of_button(button));
+    else workspace_.asked.push_back(answer_of_button(pressed));
 }
 
 template <class Workspace> void DocumentApp<Workspace>::show_dialogs()
@@ -284,7 +350,9 @@ template <class Workspace> void DocumentApp<Workspace>::show_dialogs()
     const Catalogue tr = session().tr(); // a command may change the language
     if (const auto file = dialogs_.show_dialog(tr)) take(*file);
     dialogs_.show_palette_and_keys(commands_, workspace_);
-    if (dialogs_.shows_description()) text_window(tr(face_.description), words(), tr, dialogs_.shows_description());
+    show_own_dialogs();
+    if (bool& is_open = dialogs_.shows_description())
+        text_window(tr(face_.description), words(), tr, is_open, [this] { show_beside_words(); });
     session_store_.show(workspace_);
     if (workspace_.after_question) ask_about_unsaved();
 }
@@ -307,7 +375,7 @@ template <class Workspace> std::optional<Message> DocumentApp<Workspace>::export
 {
     const auto reason = write(path);
     context_.make_current(); // a PNG is drawn in a context of its own
-    if (!reason) workspace_.notify({translatable("{file} was written"), {{"file", path.filename().string()}}});
+    if (!reason) workspace_.notify({written(), {{"file", path.filename().string()}}});
     return reason;
 }
 

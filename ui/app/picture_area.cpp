@@ -17,11 +17,11 @@ void picture_area(float bar, const std::function<void()>& picture)
     ImGui::EndChild();
 }
 
-void bar_below_picture(float height, const std::function<void()>& content)
+void button_bar(const char* id, float height, const std::function<void()>& content)
 {
     const float em = ImGui::GetFontSize();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.4F * em, 0.3F * em});
-    ImGui::BeginChild("###player", {0.0F, height}, false,
+    ImGui::BeginChild(id, {0.0F, height}, false,
                       ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
     content();
     ImGui::EndChild();

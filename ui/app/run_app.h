@@ -12,6 +12,7 @@
 
 #include "ui/app/stage.h"
 #include "ui/app/window_loop.h"
+#include "ui/context/start_program.h"
 #include "ui/context/window.h"
 #include "ui/files/draft.h"
 #include "ui/files/link.h"
@@ -35,26 +36,18 @@ template <class Session> void open_first(Session& session, const std::filesystem
     else session.open(file);
 }
 
-/// What an app in a window remembers from one time to the next: files, unsaved work, how it was left.
-/// \pre the settings are complete
-template <class Application>
-void remember(Application& application, const AppOptions& options, const std::optional<DraftFolder>& folder)
-{
-    begin_as_left(application.workspace(), options.settings);
-    if (folder) application.remember_in(*folder);
-}
-
-/// The same in a window. \param prepare  what else an app is told there
+/// The same in a window: it remembers from one time to the next files, unsaved work and how it was left, and starts other
+/// programs. \pre the settings are complete \param prepare  what else an app is told there
 template <class Application, class Session>
-MakeApp remembering_app_with(const Session& session, const AppOptions& options,
-                             const std::optional<DraftFolder>& folder,
+MakeApp remembering_app_with(Session& session, const AppOptions& options, const std::optional<DraftFolder>& folder,
                              const std::function<void(Application&)>& prepare = {})
 {
-    return [session, options, folder, prepare](Context& context, const Fonts& fonts) {
-        auto application = std::make_unique<Application>(context, fonts, session);
-        remember(*application, options, folder);
-        if constexpr (requires { application->link_to(Link({})); })
-            if (folder && options.link) application->link_to(Link(*options.link));
+    return [&session, options, folder, prepare](Context& context, const Fonts& fonts) {
+        auto application = std::make_unique<Application>(context, fonts, std::move(session));
+        begin_as_left(application->workspace(), options.settings);
+        if (folder) application->remember_in(*folder);
+        if (folder && options.link) application->link_to(Link(*options.link));
+        application->start_programs_by([](const ExportToApp& exported) { return start_program(exported); });
         if (prepare) prepare(*application);
         return application;
     };
@@ -74,7 +67,7 @@ template <class Session> bool ends_headless(const Session& /*session*/) { return
 /// Why a session cannot be told in words: of most apps any can; one whose own cannot has a function of this name.
 template <class Session> std::optional<Refusal> why_no_words(const Session& /*session*/) { return std::nullopt; }
 
-/// Runs an app of one document as the options say: in a window, which `in_window` makes, for one screenshot, in words,
+/// Runs an app as the options say: in a window, which `in_window` makes, for one screenshot, in words,
 /// or through a scenario. What the options ask for is in the session; of a file that could not be opened its notice
 /// tells. \returns the exit status: 0 done, 1 a scenario did not go as it expects, 2 bad input or no display, and
 /// what a refusal to tell it in words has
@@ -112,8 +105,7 @@ int run_app(const AppOptions& options, std::string_view program, Session& sessio
 
 /// The same of an app whose options name a file at most. `folder`: where it keeps its drafts and how it was left
 template <class Application, class AppStage, class Session>
-int run_with(AppOptions options, std::string_view program, const std::optional<DraftFolder>& folder,
-             const std::function<void(Application&)>& prepare = {})
+int run_with(AppOptions options, std::string_view program, const std::optional<DraftFolder>& folder)
 {
     complete(options, folder);
     Session session;
@@ -121,7 +113,7 @@ int run_with(AppOptions options, std::string_view program, const std::optional<D
     session.look.tr = Catalogue(*options.settings.language);
     if (!options.files.empty()) open_first(session, options.files.front());
     return run_app<Application, AppStage>(options, program, session,
-                                          remembering_app_with<Application>(session, options, folder, prepare));
+                                          remembering_app_with<Application>(session, options, folder));
 }
 
 } // namespace ui

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string_view>
 
 #include "ui/workspace/standard_commands.h"
@@ -19,14 +18,11 @@ template <class Workspace> void add_file_commands(CommandTable<Workspace>& table
     add_new<Workspace>(table, [](Workspace& workspace) {
         workspace.leave_document([](Workspace& left) { left.session.new_document(); });
     });
-    add_open<Workspace>(
-        table, [](Workspace& workspace) { workspace.leave_document(asks(Request::OpenDialog)); },
-        [](Workspace& workspace, const std::filesystem::path& path) { return workspace.session.open(path); });
-    add_save(table,
-             [](Workspace& workspace, const std::filesystem::path& path) { return workspace.session.save(path); });
+    add_open<Workspace>(table, [](Workspace& workspace) { workspace.leave_document(asks(Request::OpenDialog)); });
+    add_save(table);
     add_export(table, words.exported);
     add_copy_and_describe(table, words.described);
-    add_quit<Workspace>(table, [](Workspace& workspace) { workspace.leave_document(asks(Request::Quit)); });
+    add_quit(table);
 }
 
 } // namespace ui::standard

@@ -32,21 +32,19 @@ template <class Workspace> void add_new(CommandTable<Workspace>& table, std::fun
         .step({"file.new", translatable("New"), {{Key::N, ctrl}}}, std::move(new_document));
 }
 
-/// \param ask  opens the dialog \param open  a path that a scenario gives; false, with a notice, where it cannot
-template <class Workspace, class Open>
-void add_open(CommandTable<Workspace>& table, std::function<void(Workspace&)> ask, Open open)
+/// \param ask  opens the dialog
+template <class Workspace> void add_open(CommandTable<Workspace>& table, std::function<void(Workspace&)> ask)
 {
     MenuBuilder<Workspace> menu(table, file_menu);
     menu.step({"file.open", translatable("Open…"), {{Key::O, ctrl}}}, std::move(ask));
     menu.step({"file.recent", translatable("Open one of the last files…"), {{Key::O, ctrl_shift}}},
               asks(Request::RecentList));
-    table.with_argument("file.open", [open](Workspace& workspace, const Argument& path) {
-        return notice_unless(open(workspace, path.text), workspace);
+    table.with_argument("file.open", [](Workspace& workspace, const Argument& path) {
+        return notice_unless(workspace.open_at_once(path.text), workspace);
     });
 }
 
-/// \param save_as  under a path; false, with a notice, where it cannot
-template <class Workspace, class SaveAs> void add_save(CommandTable<Workspace>& table, SaveAs save_as)
+template <class Workspace> void add_save(CommandTable<Workspace>& table)
 {
     MenuBuilder<Workspace> menu(table, file_menu);
     menu.step({"file.save", translatable("Save"), {{Key::S, ctrl}}}, [](Workspace& workspace) {
@@ -54,8 +52,8 @@ template <class Workspace, class SaveAs> void add_save(CommandTable<Workspace>& 
         else workspace.asked.push_back(Request::SaveDialog);
     });
     menu.step({"file.save_as", translatable("Save as…"), {{Key::S, ctrl_shift}}}, asks(Request::SaveDialog));
-    table.with_argument("file.save", [save_as](Workspace& workspace, const Argument& path) {
-        return notice_unless(save_as(workspace, path.text), workspace);
+    table.with_argument("file.save", [](Workspace& workspace, const Argument& path) {
+        return notice_unless(workspace.save_as(path.text), workspace);
     });
 }
 
@@ -74,10 +72,11 @@ template <class Workspace> void add_copy_and_describe(CommandTable<Workspace>& t
     menu.step({"file.describe", description, {{Key::D, ctrl_shift}}}, asks(Request::Description));
 }
 
-template <class Workspace> void add_quit(CommandTable<Workspace>& table, std::function<void(Workspace&)> quit)
+template <class Workspace> void add_quit(CommandTable<Workspace>& table)
 {
     MenuBuilder<Workspace>(table, file_menu)
-        .step({"file.quit", translatable("Quit"), {{Key::Q, ctrl}}}, std::move(quit));
+        .step({"file.quit", translatable("Quit"), {{Key::Q, ctrl}}},
+              [](Workspace& workspace) { workspace.leave_all(asks(Request::Quit)); });
 }
 
 inline Message named_step(std::string_view verb, std::string_view plain, const std::optional<Message>& step)

@@ -4,12 +4,10 @@
 #include <span>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "apps/cross/session/session.h"
 #include "ui/command/menu_builder.h"
 #include "ui/workspace/document_workspace.h"
-#include "ui/workspace/export_to_app.h"
 
 namespace cross {
 
@@ -21,9 +19,8 @@ struct Workspace : ui::DocumentWorkspace<Workspace, Session> {
     using DocumentWorkspace::DocumentWorkspace;
 
     Topic topic = Topic::Sheet;
-    std::size_t first_column = 1;          ///< beside the names, of a table that is too broad to be shown whole
-    std::vector<ui::ExportToApp> handed{}; ///< what other programs are to go on with
-    Seeded next_exercise{};                ///< what "New exercise" begins
+    std::size_t first_column = 1; ///< beside the names, of a table that is too broad to be shown whole
+    Seeded next_exercise{};       ///< what "New exercise" begins
 };
 
 using CommandTable = ui::CommandTable<Workspace>;

@@ -54,28 +54,10 @@ void Application::show_canvas()
     const bool has_bar = session().worksheet() == nullptr; // a pupil has nothing to play
     const float bar = has_bar ? ImGui::GetFrameHeight() + 0.8F * ImGui::GetFontSize() : 0.0F;
     ui::picture_area(bar, [this] { canvas_.show(workspace().session, gui(), workspace().has_panels); });
-    if (has_bar) ui::bar_below_picture(bar, [this] { player_bar(workspace(), commands()); });
+    if (has_bar) ui::button_bar("###player", bar, [this] { player_bar(workspace(), commands()); });
 }
 
-void Application::take(ui::Request request)
-{
-    if (request == ui::Request::Fit) workspace().session.look.zoom = {};
-    if (request == ui::Request::ZoomIn) canvas_.zoom(workspace().session, 1.25);
-    if (request == ui::Request::ZoomOut) canvas_.zoom(workspace().session, 0.8);
-}
-
-void Application::handle_own_requests()
-{
-    for (ui::ExportToApp& exported : std::exchange(workspace().handed, {})) {
-        const Look& look = session().look;
-        exported.options = {"--lang", std::string(code(look.tr.language())), "--theme", std::string(text(look.theme))};
-        handed_ = std::move(exported);
-        if (!start_program_) continue;
-        if (const auto reason = start_program_(*handed_)) workspace().notify(*reason);
-    }
-}
-
-std::string Application::status() const { return status_text(session()); }
+void Application::show_status() const { ui::status_bar(status_text(session())); }
 
 std::string Application::words() const { return description(session()); }
 

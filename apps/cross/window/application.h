@@ -22,11 +22,6 @@ public:
 
     const Canvas& canvas() const { return canvas_; }
 
-    /// How another program is started, which says why it could not be; without it none is.
-    using StartProgram = std::function<std::optional<ui::Message>(const ui::ExportToApp&)>;
-    void start_programs_by(StartProgram start) { start_program_ = std::move(start); }
-    const std::optional<ui::ExportToApp>& handed() const { return handed_; } ///< the last
-
 private:
     ui::Picture picture() override { return canvas_.picture_of(session()); }
     /// The picture (.png, .svg or .pdf), the table that is shown (.csv or .tex), or the whole calculation as a report
@@ -37,14 +32,12 @@ private:
     void show_left() override;
     void show_right() override;
     void show_canvas() override;
-    void take(ui::Request request) override;
-    void handle_own_requests() override;
-    std::string status() const override;
+    void fit() override { workspace().session.look.zoom = {}; }
+    void zoom(double factor) override { canvas_.zoom(workspace().session, factor); }
+    void show_status() const override;
     std::string words() const override;
 
     Canvas canvas_;
-    StartProgram start_program_;
-    std::optional<ui::ExportToApp> handed_;
     MethodPanel method_panel_;
     ExercisePanel exercise_panel_;
 };

@@ -4,16 +4,12 @@
 #include "apps/cross/window/application.h"
 #include "apps/cross/window/stage.h"
 #include "ui/app/run_app.h"
-#include "ui/context/start_program.h"
 
 namespace cross {
 
 int run(const ui::AppOptions& options)
 {
-    return ui::run_with<Application, OffscreenStage, Session>(
-        options, "cross", ui::draft_folder("cross", ".json"), [](Application& application) {
-            application.start_programs_by([](const ui::ExportToApp& exported) { return ui::start_program(exported); });
-        });
+    return ui::run_with<Application, OffscreenStage, Session>(options, "cross", ui::draft_folder("cross", ".json"));
 }
 
 } // namespace cross

@@ -29,14 +29,6 @@ Application::Application(ui::Context& context, const ui::Fonts& fonts, Session s
       canvas_(fonts)
 {}
 
-void Application::take(ui::Request request)
-{
-    using enum ui::Request;
-    if (request == Fit) workspace().session.is_fitted = true;
-    if (request == ZoomIn) canvas_.zoom(workspace().session, 1.25);
-    if (request == ZoomOut) canvas_.zoom(workspace().session, 0.8);
-}
-
 void Application::handle_own_requests()
 {
     using enum ui::StandardView;
@@ -72,14 +64,9 @@ void Application::show_body()
         script_.go_to_line(*session().faulty_line);
         show_script(workspace());
     }
-    const ImVec2 room = ImGui::GetContentRegionAvail();
-    const float below = workspace().has_tables ? std::min(tables_height_ * ImGui::GetFontSize(), 0.4F * room.y) : 0.0F;
-    if (below > 0.0F) ui::show_below(below, [this] { tables_.show(workspace()); });
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, 0U); // the picture is drawn on the theme's own background
-    ImGui::BeginChild("###above", {0.0F, room.y - below});
-    ImGui::PopStyleColor();
-    show_panels_and_canvas();
-    ImGui::EndChild();
+    const float most = 0.4F * ImGui::GetContentRegionAvail().y;
+    const float below = workspace().has_tables ? std::min(tables_height_ * ImGui::GetFontSize(), most) : 0.0F;
+    show_panels_and_canvas_above(below, [this] { tables_.show(workspace()); });
 }
 
 void Application::show_left()
@@ -104,11 +91,11 @@ void Application::show_canvas()
     const float bar = 1.25F * ImGui::GetFrameHeight() + 0.6F * ImGui::GetFontSize();
     if (!workspace().has_panels) step_caption(session(), gui());
     ui::picture_area(bar, [this] { canvas_.show(workspace().session, gui()); });
-    ui::bar_below_picture(bar, [this] { player_bar(workspace(), commands(), gui(), fonts()); });
+    ui::button_bar("###player", bar, [this] { player_bar(workspace(), commands(), gui(), fonts()); });
 }
 
 // How many there are of everything now, and whether the solid is sound.
-std::string Application::status() const { return status_text(session()); }
+void Application::show_status() const { ui::status_bar(status_text(session())); }
 
 std::string Application::words() const { return description(session()); }
 

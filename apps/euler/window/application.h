@@ -26,14 +26,15 @@ private:
     /// An operator that asks has the keyboard until it is done or given up.
     bool is_typing() const override { return session().draft() || (shows_script() && script_.is_typing()); }
     bool shows_script() const { return workspace().has_panels && workspace().topic == Topic::Script; }
-    void take(ui::Request request) override;
+    void fit() override { workspace().session.is_fitted = true; }
+    void zoom(double factor) override { canvas_.zoom(workspace().session, factor); }
     void handle_own_requests() override;
     void show_body() override;
     void show_left() override;
     void show_right() override;
     void show_canvas() override;
     void follow_draft();
-    std::string status() const override;
+    void show_status() const override;
     std::string words() const override;
 
     Canvas canvas_;

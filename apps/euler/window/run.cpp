@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <iostream>
-#include <memory>
 #include <random>
-#include <utility>
 
 #include "apps/euler/window/application.h"
 #include "apps/euler/window/describe.h"
@@ -27,18 +25,6 @@ Session begin(const Options& options)
     return session;
 }
 
-// By hand the challenges are others each time, and files and unsaved work are remembered from one time to the next;
-// scenarios and pictures are always the same.
-ui::MakeApp app_to_play_with(Session& session, const Options& options, const std::optional<ui::DraftFolder>& folder)
-{
-    return [&session, &options, &folder](ui::Context& context, const ui::Fonts& fonts) {
-        auto app = std::make_unique<Application>(context, fonts, std::move(session));
-        app->workspace().next_challenge = std::random_device{}();
-        ui::remember(*app, options, folder);
-        return app;
-    };
-}
-
 } // namespace
 
 int run(Options options)
@@ -52,8 +38,10 @@ int run(Options options)
                   << '\n';
         return bad_input;
     }
-    return ui::run_app<Application, OffscreenStage>(options, "euler", session,
-                                                    app_to_play_with(session, options, folder));
+    // By hand the challenges are others each time; scenarios and pictures are always the same.
+    const auto in_window = ui::remembering_app_with<Application>(
+        session, options, folder, [](Application& app) { app.workspace().next_challenge = std::random_device{}(); });
+    return ui::run_app<Application, OffscreenStage>(options, "euler", session, in_window);
 }
 
 } // namespace euler

@@ -32,12 +32,6 @@ namespace {
 using ui::standard::file_menu;
 using ui::standard::view_menu;
 
-// A command that asks this app's window for something.
-std::function<void(Workspace&)> asks(Request request)
-{
-    return [request](Workspace& workspace) { workspace.requests.push_back(request); };
-}
-
 Reason why_no_other_tab(const Workspace& workspace)
 {
     if (n_tabs(workspace) > 1) return std::nullopt;
@@ -48,17 +42,15 @@ void add_file_commands(CommandTable& table)
 {
     Menu menu(table, file_menu);
     add_new_commands(table);
-    ui::standard::add_open<Workspace>(
-        table, ui::asks(ui::Request::OpenDialog),
-        [](Workspace& workspace, const std::filesystem::path& path) { return open_file(workspace, path); });
-    ui::standard::add_save(table, save_as);
+    ui::standard::add_open<Workspace>(table, ui::asks(ui::Request::OpenDialog));
+    ui::standard::add_save(table);
     ui::standard::add_export(table, translatable("Export picture, results or report…"));
     menu.toggle(
         {"file.report_matrices", translatable("Matrices in the report")},
         [](auto& workspace) -> auto& { return workspace.session.reports_matrices; });
     ui::standard::add_copy_and_describe(table, translatable("Model and results in words"));
     add_method_commands(table);
-    menu.step({"file.close", translatable("Close"), {{Key::W, ui::ctrl}}}, asks(Request::CloseTab));
+    menu.step({"file.close", translatable("Close"), {{Key::W, ui::ctrl}}}, leave_tab);
     menu.step(
         {"file.next_tab", translatable("Next tab"), {{Key::Tab, ui::ctrl}}},
         [](Workspace& workspace) { show_tab(workspace, (workspace.tab + 1) % n_tabs(workspace)); }, why_no_other_tab);
@@ -66,7 +58,7 @@ void add_file_commands(CommandTable& table)
         {"file.previous_tab", translatable("Previous tab"), {{Key::Tab, ui::ctrl_shift}}},
         [](Workspace& workspace) { show_tab(workspace, (workspace.tab + n_tabs(workspace) - 1) % n_tabs(workspace)); },
         why_no_other_tab);
-    ui::standard::add_quit<Workspace>(table, ui::asks(ui::Request::Quit));
+    ui::standard::add_quit(table);
 }
 
 using Shown = ui::Choice<Show>;

@@ -2,9 +2,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,7 +22,6 @@
 #include "apps/frame/tools/tool_controller.h"
 #include "ui/command/menu_builder.h"
 #include "ui/files/autosave.h"
-#include "ui/workspace/export_to_app.h"
 #include "ui/workspace/workspace.h"
 
 namespace frame {
@@ -29,7 +31,6 @@ enum class Request : std::uint8_t {
     ImportDialog,
     KeepView,
     ViewList,
-    CloseTab,
     ExportTable,
     AskKind,    ///< of the structure that was begun
     EditTitle,  ///< of the model
@@ -40,10 +41,10 @@ enum class Request : std::uint8_t {
 /// What the panel at the right shows.
 enum class Topic : std::uint8_t { Properties, Results, Problems, History };
 
-/// A session, the panels around its picture, and what its commands ask the window for. The window takes the requests
-/// once a frame.
+/// The document of the tab that is shown, the panels around its picture, and what its commands ask the window for. The
+/// window takes the requests once a frame.
 struct Workspace : ui::Workspace {
-    explicit Workspace(Session first) : session(std::move(first)) {}
+    explicit Workspace(Session first);
     ui::ThemeName& theme() { return session.view.theme; }
     ui::ThemeName theme() const { return session.view.theme; }
     const ui::Catalogue& tr() const { return session.view.tr; }
@@ -51,14 +52,23 @@ struct Workspace : ui::Workspace {
     void set_language(ui::Language language) { session.set_language(language); }
     std::string kept_tools() const { return kept_words(tool_controller.settings()); }
     void take_up_tools(std::string_view words) { take_up(tool_controller.settings(), words); }
-    void open(const std::filesystem::path& path);
+    std::string name() const;
     void notify(const ui::Message& sentence) { session.notify(sentence); }
+    void tick(double seconds);
+    bool is_moving() const;
+    void open(const std::filesystem::path& path) { open_at_once(path); } ///< nothing is lost by a further tab
+    void open_dropped(const std::vector<std::string>& files);
+    bool open_at_once(const std::filesystem::path& path); ///< as `open_file` (tabs.h)
+    bool save_as(const std::filesystem::path& path);      ///< unless another tab shows that file; then with a notice
+    /// Asks about each document that is not saved in its own tab, and closes those that are given up.
+    void leave_all(std::function<void(Workspace&)> then);
     std::vector<ui::UnsavedDocument> unsaved() const;
     bool can_recover() const { return !session.history().is_dragging(); }
     std::optional<std::uint64_t> recover(const ui::RecoverableFile& recoverable); ///< in a tab of its own
 
     Session session;
     ToolController tool_controller{};
+    std::function<void(Workspace&)> after_question{};
     std::vector<Session> other_tabs{};           ///< the other tabs in their order (tabs.h)
     std::size_t tab = 0;                         ///< place of the session among the tabs
     std::shared_ptr<const Clipping> clipboard{}; ///< what was copied last; null before that
@@ -66,12 +76,14 @@ struct Workspace : ui::Workspace {
     TypicalDraft typical{};
     SectionDraft section{};
     std::vector<Request> requests{};
-    std::optional<Cut> menu_cut{};         ///< where the context menu was asked for, on a member
-    std::vector<ui::ExportToApp> handed{}; ///< documents for other programs; the window takes them once a frame
+    std::optional<Cut> menu_cut{}; ///< where the context menu was asked for, on a member
     Topic topic = Topic::Properties;
     BottomView bottom{};
     SolverShow solver{}; ///< what the panel at the bottom shows of it
     DistributionCheck distribution{};
+
+private:
+    double swing_; ///< the animation's time since the middle of a swing [s]
 };
 
 using CommandTable = ui::CommandTable<Workspace>;

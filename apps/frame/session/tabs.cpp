@@ -123,6 +123,12 @@ void close_tab(Workspace& workspace)
     workspace.tab = next;
 }
 
+void leave_tab(Workspace& workspace)
+{
+    if (workspace.session.is_dirty()) workspace.after_question = close_tab;
+    else close_tab(workspace);
+}
+
 void new_document(Workspace& workspace, femoop::AnalysisKind kind)
 {
     Document document;
@@ -167,11 +173,39 @@ bool open_file(Workspace& workspace, const std::filesystem::path& chosen, Sessio
     return true;
 }
 
-bool save_as(Workspace& workspace, const std::filesystem::path& path)
+namespace {
+
+// The first document that has something to lose; the present one, if it has.
+std::optional<std::size_t> unsaved_tab(const Workspace& workspace)
 {
-    const auto place = tab_of(workspace, path);
-    if (!place || *place == workspace.tab) return workspace.session.save(path);
-    workspace.session.notice = Notice{
+    if (workspace.session.is_dirty()) return workspace.tab;
+    for (std::size_t i = 0; i < n_tabs(workspace); ++i)
+        if (tab(workspace, i).is_dirty()) return i;
+    return std::nullopt;
+}
+
+} // namespace
+
+std::string Workspace::name() const { return tab_name(*this, tab); }
+
+bool Workspace::open_at_once(const std::filesystem::path& path) { return open_file(*this, path); }
+
+void Workspace::leave_all(std::function<void(Workspace&)> then)
+{
+    const auto unsaved = unsaved_tab(*this);
+    if (!unsaved) return then(*this);
+    show_tab(*this, *unsaved);
+    after_question = [then = std::move(then)](Workspace& workspace) {
+        if (workspace.session.is_dirty()) close_tab(workspace);
+        workspace.leave_all(then);
+    };
+}
+
+bool Workspace::save_as(const std::filesystem::path& path)
+{
+    const auto place = tab_of(*this, path);
+    if (!place || *place == tab) return session.save(path);
+    session.notice = Notice{
         ui::lasting({ui::translatable("{file} is open in another tab; close it or choose another name"),
                      {{"file", path.filename().string()}}})};
     return false;

@@ -20,6 +20,8 @@ void show_tab(Workspace& workspace, std::size_t place);
 void add_tab(Workspace& workspace, Session session);
 /// Takes the document off the workspace, saved or not; where it was the last one, an empty one comes.
 void close_tab(Workspace& workspace);
+/// The same, but the window asks first where it is not saved.
+void leave_tab(Workspace& workspace);
 
 /// What is shown where another kind of structure comes: N of a truss where M was shown of a frame, and the other way.
 ShowSet suited(ShowSet show, bool is_truss);
@@ -30,7 +32,5 @@ void new_document(Workspace& workspace, femoop::AnalysisKind kind = femoop::Anal
 /// open document stays as it is and its `notice` says why; false then.
 bool open_file(Workspace& workspace, const std::filesystem::path& path,
                Session::Purpose purpose = Session::Purpose::Work);
-/// Saves under this name (Session::save), unless it is that of the file of another tab; false, with a notice, then.
-bool save_as(Workspace& workspace, const std::filesystem::path& path);
 
 } // namespace frame

@@ -75,24 +75,22 @@ std::optional<ui::FootMessage> banner(const Workspace& workspace)
     return found.faults.empty() ? std::nullopt : std::optional(message_of(found, tr));
 }
 
-void show_banner(Workspace& workspace, const ui::FootMessage& message)
+void answer_banner(Workspace& workspace, const ui::FootMessage& message, std::size_t pressed)
 {
-    const auto pressed = ui::show(message);
-    if (!pressed) return;
     if (!workspace.session.notice) {
-        if (!workspace.offer.empty()) return workspace.asked.push_back(ui::answer_of_button(*pressed));
+        if (!workspace.offer.empty()) return workspace.asked.push_back(ui::answer_of_button(pressed));
         const Hindrance found = hindrance(workspace.session);
-        if (*pressed == 1 || found.faults.empty()) show_problems(workspace);
+        if (pressed == 1 || found.faults.empty()) show_problems(workspace);
         else go_to(workspace, found.faults.front()); // by its button or its sentence
         return;
     }
-    if (*pressed >= message.buttons.size()) {
-        const femoop::Fault fault = workspace.session.notice->faults.at(*pressed - message.buttons.size());
+    if (pressed >= message.buttons.size()) {
+        const femoop::Fault fault = workspace.session.notice->faults.at(pressed - message.buttons.size());
         return go_to(workspace, fault); // the notice stays for the next one
     }
     const std::optional<std::filesystem::path> to_mend = workspace.session.notice->to_mend;
     workspace.session.notice.reset();
-    if (*pressed == 1 && to_mend) open_file(workspace, *to_mend, Session::Purpose::Mend);
+    if (pressed == 1 && to_mend) open_file(workspace, *to_mend, Session::Purpose::Mend);
 }
 
 } // namespace frame

@@ -9,7 +9,7 @@ namespace frame {
 
 /// What went wrong: a notice, what a linked program offers, or the first error of the model with the way to the others.
 std::optional<ui::FootMessage> banner(const Workspace& workspace);
-/// Shows it at the window's foot.
-void show_banner(Workspace& workspace, const ui::FootMessage& message);
+/// Does what was pressed of it.
+void answer_banner(Workspace& workspace, const ui::FootMessage& message, std::size_t pressed);
 
 } // namespace frame

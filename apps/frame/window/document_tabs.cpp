@@ -102,18 +102,19 @@ void document_tabs(Workspace& workspace)
     ImGui::BeginChild("###documents", {0.0F, ImGui::GetFrameHeight() + bar}, false,
                       ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav |
                           (is_scrolled ? ImGuiWindowFlags_HorizontalScrollbar : ImGuiWindowFlags_NoScrollbar));
-    std::optional<std::size_t> chosen;
+    std::optional<std::pair<std::size_t, Press>> chosen;
     for (std::size_t i = 0; i < tabs.size(); ++i) {
         if (i > 0) ImGui::SameLine(0.0F, gap);
         const Press press = document_tab(tabs[i], most, i == workspace.tab, i);
         if (i == workspace.tab) scroll_row(workspace.session);
-        if (press != Press::None) chosen = i;
-        if (press == Press::Close) workspace.requests.push_back(Request::CloseTab);
+        if (press != Press::None) chosen = {i, press};
     }
     if (ImGui::IsWindowHovered() && ImGui::GetIO().MouseWheel != 0.0F)
         ImGui::SetScrollX(ImGui::GetScrollX() - 3.0F * ImGui::GetFontSize() * ImGui::GetIO().MouseWheel);
     ImGui::EndChild();
-    if (chosen) show_tab(workspace, *chosen);
+    if (!chosen) return;
+    show_tab(workspace, chosen->first);
+    if (chosen->second == Press::Close) leave_tab(workspace);
 }
 
 } // namespace frame

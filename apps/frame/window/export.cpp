@@ -18,13 +18,6 @@ namespace frame {
 
 namespace {
 
-ui::PictureLook picture_look(const Session& session, double png_scale)
-{
-    return {.background = ui::Theme(session.view.theme).background(),
-            .title = session.model().title,
-            .png_scale = png_scale};
-}
-
 /// Writes one session's exports.
 class Exporter {
 public:
@@ -40,11 +33,17 @@ public:
         else if (is_a(".html")) return text(ui::report_html(report(), fonts_));
         else if (is_a(".txt")) return text(description(session_));
         else if (is_a(".csv")) return results();
-        else return write_picture(path_, picture, fonts_, picture_look(session_, png_scale));
+        else return write_picture(path_, picture, fonts_, look(png_scale));
         return std::nullopt;
     }
 
 private:
+    ui::PictureLook look(double png_scale) const
+    {
+        return {.background = ui::Theme(session_.view.theme).background(),
+                .title = session_.model().title,
+                .png_scale = png_scale};
+    }
     ui::PdfLook pdf_look() const { return {.background = ui::rgb(0xFFFFFF), .title = session_.model().title}; }
     ui::Report report() const
     {
@@ -83,12 +82,6 @@ private:
 } // namespace
 
 std::vector<std::string> export_endings() { return {".png", ".svg", ".pdf", ".report.pdf", ".html", ".csv", ".txt"}; }
-
-std::optional<ui::Message> copy_to_clipboard(const ui::Picture& picture, const Session& session, const ui::Fonts& fonts,
-                                             double png_scale)
-{
-    return ui::copy_picture(picture, fonts, picture_look(session, png_scale));
-}
 
 std::optional<ui::Message> export_to(const std::filesystem::path& path, const Session& session, const ui::Fonts& fonts,
                                      const ui::Picture& picture, double png_scale)

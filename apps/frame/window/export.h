@@ -23,8 +23,4 @@ std::optional<ui::Message> export_to(const std::filesystem::path& path, const Se
 /// The extensions, that of a name without one first.
 std::vector<std::string> export_endings();
 
-/// Puts the picture on the clipboard, as a PNG. \returns why it could not
-std::optional<ui::Message> copy_to_clipboard(const ui::Picture& picture, const Session& session, const ui::Fonts& fonts,
-                                             double png_scale);
-
 } // namespace frame

@@ -7,7 +7,6 @@
 #include "apps/frame/window/application.h"
 #include "apps/frame/window/stage.h"
 #include "ui/app/run_app.h"
-#include "ui/context/start_program.h"
 #include "ui/text/printable.h"
 
 namespace frame {
@@ -57,10 +56,8 @@ int run(Options options)
     ui::complete(options, folder);
     Session session = begin(options);
     if (!choose_case(session, options)) return bad_input;
-    const auto in_window = ui::remembering_app_with<Application>(session, options, folder, [](Application& app) {
-        app.start_programs_by([](const ui::ExportToApp& exported) { return ui::start_program(exported); });
-    });
-    return ui::run_app<Application, OffscreenStage>(options, "frame", session, in_window);
+    return ui::run_app<Application, OffscreenStage>(options, "frame", session,
+                                                    ui::remembering_app_with<Application>(session, options, folder));
 }
 
 } // namespace frame

@@ -388,11 +388,6 @@ void Workspace::leave_document(std::function<void(Workspace&)> then)
         [then = std::move(then)](Workspace& workspace) { workspace.DocumentWorkspace::leave_document(then); });
 }
 
-void Workspace::open(const std::filesystem::path& path)
-{
-    leave_document([path](Workspace& workspace) { workspace.session.open(path); });
-}
-
 std::span<const TopicEntry> topics() { return topic_entries; }
 std::span<const SubjectEntry> subjects() { return subject_entries; }
 std::span<const ExerciseTopicEntry> exercise_topics() { return exercise_topic_entries; }

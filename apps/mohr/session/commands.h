@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <span>
@@ -24,7 +23,6 @@ struct Workspace : ui::DocumentWorkspace<Workspace, Session> {
     /// Goes on with what would lose an exercise: at once where none is being done, else the window asks first.
     void leave_exercise(std::function<void(Workspace&)> then);
     void leave_document(std::function<void(Workspace&)> then); ///< as every app does, once the exercise is left
-    void open(const std::filesystem::path& path);
 
     Topic topic = Topic::State;
     ExerciseTopic exercise_topic = ExerciseTopic::PlaneStress;

@@ -42,14 +42,9 @@ void Application::show_right()
     else results_panel(session(), gui());
 }
 
-// Over everything: within the body the question would have the body's narrow spacing.
-void Application::handle_own_requests()
+void Application::show_own_dialogs()
 {
-    if (workspace().after_exercise) ask_about_exercise();
-}
-
-void Application::ask_about_exercise()
-{
+    if (!workspace().after_exercise) return;
     const ui::Catalogue& tr = session().tr();
     const auto is_left = ui::ask_yes_or_no({.heading = tr("The exercise"),
                                             .sentence = tr("The exercise is not done yet. Its answers are not kept."),
@@ -65,9 +60,9 @@ void Application::show_canvas()
     ui::picture_area(0.0F, [this] { canvas_.show(workspace().session, gui()); });
 }
 
-std::string Application::status() const
+void Application::show_status() const
 {
-    return session().is_concealing() ? session().tr()("Exercise") : status_text(session());
+    ui::status_bar(session().is_concealing() ? session().tr()("Exercise") : status_text(session()));
 }
 
 std::string Application::words() const { return description(session()); }

@@ -30,9 +30,8 @@ private:
     void show_left() override;
     void show_right() override;
     void show_canvas() override;
-    void handle_own_requests() override;
-    void ask_about_exercise();
-    std::string status() const override;
+    void show_own_dialogs() override;
+    void show_status() const override;
     std::string words() const override;
 
     Canvas canvas_;

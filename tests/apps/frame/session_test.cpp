@@ -3,6 +3,7 @@
 #include <fstream>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "apps/frame/document/command.h"
 #include "apps/frame/document/drawing.h"
@@ -89,7 +90,7 @@ TEST_SUITE("frame session")
         REQUIRE(open_file(workspace, path));
         CHECK(tab_name(workspace, 0) == "examples/portal.json");
         CHECK(tab_name(workspace, 5) == folder.path().filename().string() + "/portal.json");
-        REQUIRE(save_as(workspace, folder.path() / "other.json"));
+        REQUIRE(workspace.save_as(folder.path() / "other.json"));
         CHECK(tab_name(workspace, 0) == "portal.json");
     }
 
@@ -101,15 +102,15 @@ TEST_SUITE("frame session")
         Workspace workspace{Session{Document{}}};
         REQUIRE(open_file(workspace, path));
         touch(workspace);
-        CHECK(save_as(workspace, path));
+        CHECK(workspace.save_as(path));
         new_document(workspace);
         touch(workspace);
-        CHECK(!save_as(workspace, path));
+        CHECK(!workspace.save_as(path));
         REQUIRE(workspace.session.notice);
         CHECK(ui::Catalogue()(workspace.session.notice->sentence) ==
               "portal.json is open in another tab; close it or choose another name");
         CHECK(femoop::read_model_file(path).nodes.size() == 4);
-        CHECK(save_as(workspace, folder.path() / "other.json"));
+        CHECK(workspace.save_as(folder.path() / "other.json"));
     }
 
     TEST_CASE("Every order of showing and closing tabs keeps their order and their documents")
@@ -131,6 +132,26 @@ TEST_SUITE("frame session")
         close_tab(workspace);
         close_tab(workspace);
         CHECK(names(workspace) == "*Untitled ");
+    }
+
+    TEST_CASE("Who leaves all is asked about each document that is not saved, and what is given up is closed")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        touch(workspace);
+        REQUIRE(open_file(workspace, examples + "truss.json"));
+        REQUIRE(open_file(workspace, examples + "gerber_beam.json"));
+        touch(workspace);
+        bool is_left = false;
+        workspace.leave_all([&](Workspace&) { is_left = true; });
+        CHECK(names(workspace) == "portal.json truss.json *gerber_beam.json ");
+        for (const char* left : {"*portal.json truss.json ", "*truss.json "}) {
+            CHECK(!is_left);
+            REQUIRE(workspace.after_question);
+            std::exchange(workspace.after_question, {})(workspace);
+            CHECK(names(workspace) == left);
+        }
+        CHECK(is_left);
+        CHECK(!workspace.after_question);
     }
 
     TEST_CASE("A file that cannot be read leaves every tab as it is and says why")

@@ -127,7 +127,7 @@ TEST_SUITE("frame window")
                 ui::Offscreen context({.size = {static_cast<int>(window.width), static_cast<int>(window.height)}});
                 Application application(context, fonts, Session(starting_document()));
                 RandomHand tool_controller(20250621U);
-                Session& session = application.session();
+                Session& session = application.workspace().session;
                 std::uint64_t generation = 0;
                 for (int i = 0; i < n_events(); ++i) {
                     CAPTURE(i);

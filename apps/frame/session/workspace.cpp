@@ -1,0 +1,63 @@
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "apps/frame/session/commands.h"
+#include "apps/frame/session/tabs.h"
+
+namespace frame {
+
+namespace {
+
+constexpr double seconds_per_swing = 2.4;
+constexpr double full_swing = 0.25 * seconds_per_swing; // a still picture shows the full displacement
+
+// The deformed shape or a mechanism.
+bool is_swinging(const Session& session) { return session.is_animated || !session.shown_mechanisms().empty(); }
+
+} // namespace
+
+Workspace::Workspace(Session first) : session(std::move(first)), swing_(full_swing) {}
+
+void Workspace::tick(double seconds)
+{
+    swing_ = is_swinging(session) ? swing_ + seconds : full_swing;
+    session.draw_state.phase = std::sin(2.0 * std::numbers::pi * swing_ / seconds_per_swing);
+    if (bottom.shows(BottomContent::Solver)) solver.advance(seconds);
+    ui::tick(session.notice, seconds);
+}
+
+bool Workspace::is_moving() const
+{
+    const bool has_passing_notice = session.notice && session.notice->seconds_left;
+    const bool is_walking = bottom.shows(BottomContent::Solver) && solver.is_playing();
+    return is_swinging(session) || is_walking || has_passing_notice;
+}
+
+void Workspace::open_dropped(const std::vector<std::string>& files)
+{
+    const bool is_choosing = typical.is_open() || section.is_open() || after_question;
+    if (is_choosing && !files.empty()) return notify(ui::translatable("finish what is being made in the window first"));
+    for (const std::string& file : files) open(file);
+}
+
+std::vector<ui::UnsavedDocument> Workspace::unsaved() const
+{
+    std::vector<ui::UnsavedDocument> documents;
+    for (std::size_t i = 0; i < n_tabs(*this); ++i)
+        if (const Session& in = frame::tab(*this, i); in.is_dirty()) documents.push_back(in.unsaved());
+    return documents;
+}
+
+std::optional<std::uint64_t> Workspace::recover(const ui::RecoverableFile& recoverable)
+{
+    Session recovered{Document{}};
+    if (!recovered.recover(recoverable.draft, recoverable.original)) {
+        session.refuse(recoverable.draft, *recovered.notice);
+        return std::nullopt;
+    }
+    add_tab(*this, std::move(recovered));
+    return session.number();
+}
+
+} // namespace frame
